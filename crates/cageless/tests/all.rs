@@ -24,6 +24,7 @@ mod integrator;
 mod linear_rotor;
 mod load_distribution;
 mod lubrication;
+mod measured_ring;
 mod observed;
 mod one_place;
 mod operating_results;

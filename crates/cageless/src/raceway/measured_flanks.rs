@@ -27,6 +27,9 @@ const POINTS: [usize; 2] = [5, 20_000];
 const EXPONENTS: [f64; 2] = [0.5, 1.0];
 /// Places over half a raceway at which a fit must not rise.
 const PLACES: i32 = 200;
+/// Rounds of linearised least squares, and α0 before the first, rad.
+const ROUNDS: usize = 6;
+const START_RAD: f64 = 0.3;
 /// Largest root-mean-square deviation, in parts of α0.
 const DEVIATION_MAX: f64 = 0.1;
 
@@ -67,63 +70,24 @@ impl MeasuredFlanks {
                 "rows up to an end of the raceway, where the flank angle is 0",
             );
         }
-        let fits = EXPONENTS.iter().flat_map(|exponent| {
-            let terms = 1..=TERMS_MAX.min(rows.len() / 2);
-            terms.filter_map(|terms| Self::with_terms(rows, theta, *exponent, terms))
-        });
-        let best = fits.min_by(|(a, _), (b, _)| a.total_cmp(b));
-        match best {
-            Some((_, fit)) if fit.deviation_rad[0] <= DEVIATION_MAX * fit.middle_rad() => Ok(fit),
+        let linear: Vec<_> = rows
+            .iter()
+            .map(|[psi, angle]| [*psi, 1.0, *angle])
+            .collect();
+        match fit_flanks(theta, &|_| linear.clone()) {
+            Some((flanks, deviation_rad))
+                if deviation_rad[0] <= DEVIATION_MAX * flanks.middle_rad() =>
+            {
+                Ok(Self {
+                    flanks,
+                    deviation_rad,
+                })
+            }
             _ => refuse(
                 theta,
                 "flank angles that fall steadily from the middle to 0 at the ends",
             ),
         }
-    }
-
-    /// The fit of an exponent and a number of terms with its score, the less the better, if it falls
-    /// steadily.
-    fn with_terms(
-        rows: &[[f64; 2]],
-        theta: f64,
-        exponent: f64,
-        terms: usize,
-    ) -> Option<(f64, Self)> {
-        // Chebyshev polynomials in 2 u² − 1; those that are not used have a coefficient of 0.
-        let mut normal = [[0.0; TERMS_MAX]; TERMS_MAX];
-        let mut right = [0.0; TERMS_MAX];
-        (terms..TERMS_MAX).for_each(|k| normal[k][k] = 1.0);
-        for [psi, angle] in rows {
-            let share = (psi / theta).powi(2);
-            let order = (2.0 * share - 1.0).acos();
-            let scale = (1.0 - share).powf(exponent);
-            let basis = |k: usize| scale * (k as f64 * order).cos();
-            for i in 0..terms {
-                right[i] += basis(i) * angle;
-                (0..=i).for_each(|j| normal[i][j] += basis(i) * basis(j));
-            }
-        }
-        let chebyshev = cholesky::solve(&normal, 0.0, right)?;
-        let mut polynomial = [0.0; TERMS_MAX];
-        polynomial.copy_from_slice(&to_powers(&chebyshev));
-        let flanks = PowerAngle::new(1.0, theta, exponent).with_polynomial(polynomial);
-        let falls = |k: i32| flanks.at(theta * f64::from(k) / f64::from(PLACES))[1] <= 0.0;
-        if !(flanks.middle_rad() > 0.0 && (0..=PLACES).all(falls)) {
-            return None;
-        }
-        let misses = rows
-            .iter()
-            .map(|[psi, angle]| (flanks.at(*psi)[0] - angle).abs());
-        let squares: f64 = misses.clone().map(|miss| miss * miss).sum();
-        let count = rows.len() as f64;
-        let deviation_rad = [(squares / count).sqrt(), misses.fold(0.0, f64::max)];
-        let fit = Self {
-            flanks,
-            deviation_rad,
-        };
-        // Rounding must not choose.
-        let squares = squares.max(count * (1e-12 * flanks.middle_rad()).powi(2));
-        Some((squares / (count - terms as f64).powi(2), fit))
     }
 
     /// α0, the fitted flank angle in the middle.
@@ -150,4 +114,81 @@ impl MeasuredFlanks {
     pub(super) fn scaled(&self, middle_rad: f64, half_angle_rad: f64) -> PowerAngle {
         self.flanks.scaled(middle_rad, half_angle_rad)
     }
+}
+
+/// Rows ψ, a, b of observations whose errors near a flank angle αc are a αc(ψ) − b.
+pub(crate) type Linearised = Vec<[f64; 3]>;
+
+/// The flanks that fit observations best, with the root mean square and the largest of their errors;
+/// `None` if none fall steadily.
+pub(crate) fn fit_flanks(
+    theta: f64,
+    observed: &dyn Fn(&PowerAngle) -> Linearised,
+) -> Option<(PowerAngle, [f64; 2])> {
+    let fits = EXPONENTS.iter().flat_map(|exponent| {
+        (1..=TERMS_MAX).filter_map(|terms| with_terms(theta, observed, *exponent, terms))
+    });
+    let best = fits.min_by(|(a, ..), (b, ..)| a.total_cmp(b));
+    best.map(|(_, flanks, errors)| (flanks, errors))
+}
+
+/// The fit of an exponent and a number of terms, after its score, which is lowest for the best.
+fn with_terms(
+    theta: f64,
+    observed: &dyn Fn(&PowerAngle) -> Linearised,
+    exponent: f64,
+    terms: usize,
+) -> Option<(f64, PowerAngle, [f64; 2])> {
+    let mut flanks = PowerAngle::new(START_RAD, theta, exponent);
+    for _ in 0..ROUNDS {
+        let rows = observed(&flanks);
+        if terms > rows.len() / 2 {
+            return None;
+        }
+        flanks = flanks.with_polynomial(least_squares(&rows, theta, exponent, terms)?);
+    }
+    let falls = |k: i32| flanks.at(theta * f64::from(k) / f64::from(PLACES))[1] <= 0.0;
+    if !(flanks.middle_rad() > 0.0 && (0..=PLACES).all(falls)) {
+        return None;
+    }
+    let rows = observed(&flanks);
+    let errors = rows
+        .iter()
+        .map(|[psi, a, b]| (a * flanks.at(*psi)[0] - b).abs());
+    let squares: f64 = errors.clone().map(|error| error * error).sum();
+    let count = rows.len() as f64;
+    let deviation = [(squares / count).sqrt(), errors.fold(0.0, f64::max)];
+    // Rounding must not choose.
+    let scale = rows
+        .iter()
+        .fold(0.0, |most: f64, [_, a, _]| most.max(a.abs()));
+    let rounding = 1e-12 * scale * flanks.middle_rad();
+    let score = deviation[0].max(rounding) / (count - terms as f64);
+    Some((score, flanks, deviation))
+}
+
+/// Polynomial P in ascending powers of 2 u² − 1 with the least squares of the errors.
+fn least_squares(
+    rows: &[[f64; 3]],
+    theta: f64,
+    exponent: f64,
+    terms: usize,
+) -> Option<[f64; TERMS_MAX]> {
+    // Of Chebyshev polynomials; those that are not used have a coefficient of 0.
+    let mut normal = [[0.0; TERMS_MAX]; TERMS_MAX];
+    let mut right = [0.0; TERMS_MAX];
+    (terms..TERMS_MAX).for_each(|k| normal[k][k] = 1.0);
+    for [psi, a, b] in rows {
+        let share = (psi / theta).powi(2);
+        let order = (2.0 * share - 1.0).acos();
+        let scale = a * (1.0 - share).powf(exponent);
+        let basis: [f64; TERMS_MAX] = std::array::from_fn(|k| scale * (k as f64 * order).cos());
+        for i in 0..terms {
+            right[i] += basis[i] * b;
+            (0..=i).for_each(|j| normal[i][j] += basis[i] * basis[j]);
+        }
+    }
+    to_powers(&cholesky::solve(&normal, 0.0, right)?)
+        .try_into()
+        .ok()
 }

@@ -46,7 +46,9 @@ use flank_angle::FlankAngle;
 pub use groove_surface::SurfacePoint;
 pub(crate) use groove_surface::{groove_centre, surface_point};
 pub use measured_flanks::MeasuredFlanks;
+pub(crate) use measured_flanks::{Linearised, fit_flanks};
 pub(crate) use piece::Piece;
+pub(crate) use power_angle::PowerAngle;
 pub use shape::{RacewayForm, RacewayShape};
 
 /// The three numbers that a discrete raceway of any shape has.

@@ -5,7 +5,7 @@ pub(super) const TERMS_MAX: usize = 7;
 
 /// αc = α0 (1 − (ψ/θ)²)^p Q, with Q = 1 in the middle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PowerAngle {
+pub(crate) struct PowerAngle {
     /// α0.
     middle_rad: f64,
     /// θ.

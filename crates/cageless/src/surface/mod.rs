@@ -31,6 +31,7 @@
 mod arc;
 mod division;
 mod grid;
+mod measured_groove;
 mod meridian;
 mod mesh;
 mod patch;
@@ -49,6 +50,7 @@ use crate::raceway::{Raceway, SurfacePoint, apart};
 
 pub use arc::Arc;
 pub use grid::Grid;
+pub use measured_groove::MeasuredGroove;
 pub use meridian::Meridian;
 pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
@@ -113,20 +115,9 @@ impl OuterRing {
         let raceways: Vec<Raceway> = raceways.collect::<Result<_, _>>()?;
         let axis_rad = section_angle_rad(bearing, &raceways)?;
         let groove_height_m = -bearing.groove_offset_m();
-        let offset_m = d.outer_groove_curvature_radius_m - d.ball_radius_m;
-        let (sin, cos) = axis_rad.sin_cos();
         let ring = Self {
             dimensions,
-            frame: SectionFrame {
-                axis_rad,
-                ball_m: [
-                    bearing.outer_orbit_radius_m() - offset_m * (1.0 - cos),
-                    groove_height_m + offset_m * sin,
-                ],
-                offset_m,
-                curvature_radius_m: d.outer_groove_curvature_radius_m,
-                shoulder_radius_m: d.outer_shoulder_radius_m,
-            },
+            frame: SectionFrame::new(bearing, axis_rad),
             groove_height_m,
             groove_bottom_radius_m: bottom_m,
             raceways,

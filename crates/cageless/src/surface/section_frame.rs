@@ -1,5 +1,7 @@
 //! What all sections of a ring share.
 
+use crate::bearing::Bearing;
+
 /// Groove, ball and shoulder of all sections, turned by the contact angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SectionFrame {
@@ -16,6 +18,23 @@ pub(super) struct SectionFrame {
 }
 
 impl SectionFrame {
+    /// Sections turned by αg in the outer ring of a bearing.
+    pub(super) fn new(bearing: &Bearing, axis_rad: f64) -> Self {
+        let d = bearing.dimensions();
+        let offset_m = d.outer_groove_curvature_radius_m - d.ball_radius_m;
+        let (sin, cos) = axis_rad.sin_cos();
+        Self {
+            axis_rad,
+            ball_m: [
+                bearing.outer_orbit_radius_m() - offset_m * (1.0 - cos),
+                -bearing.groove_offset_m() + offset_m * sin,
+            ],
+            offset_m,
+            curvature_radius_m: d.outer_groove_curvature_radius_m,
+            shoulder_radius_m: d.outer_shoulder_radius_m,
+        }
+    }
+
     /// Its mirror image in z = 0.
     pub(super) fn mirrored(self) -> Self {
         let [radius, height] = self.ball_m;

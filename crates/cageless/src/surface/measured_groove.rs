@@ -1,0 +1,106 @@
+//! Flanks of a discrete raceway from points of its measured surface.
+
+use super::section_frame::SectionFrame;
+use crate::case::Case;
+use crate::error::InputError;
+use crate::raceway::{Linearised, PowerAngle, fit_flanks};
+
+/// Fewest points of a raceway.
+const POINTS_MIN: usize = 50;
+/// Largest root-mean-square distance of the points, in parts of Re − Rw.
+const DEVIATION_MAX: f64 = 0.1;
+
+/// Flanks fitted to points of the groove that a measuring machine has touched, in the frame of the
+/// bearing: the axis is Z, the middle of the plain groove of a radial bearing at Z = 0, ψ = 0 at −Y.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredGroove {
+    flanks: PowerAngle,
+    deviation_m: [f64; 2],
+    points: usize,
+}
+
+/// A point as seen from the ball that rests in its section: ψ from the middle of the raceway, and
+/// place along the axis of the section and across it, towards the flank that it lies on.
+struct Seen {
+    local_rad: f64,
+    along_m: f64,
+    across_m: f64,
+}
+
+impl MeasuredGroove {
+    /// Fit to the points within ±θ of a raceway of the case. In each section the flank is an arc of
+    /// radius Re whose centre is Re − Rw behind that of the ball, at the angle αc(ψ); the squares of
+    /// the distances from it are least.
+    ///
+    /// # Errors
+    /// An [`InputError`] of `points` if there are fewer than 50 within ±θ, or they are not near a
+    /// groove whose flank angle falls steadily to 0 at the ends.
+    ///
+    /// # Panics
+    /// If the case has no raceway `index`.
+    pub fn fit(case: &Case, index: usize, points_m: &[[f64; 3]]) -> Result<Self, InputError> {
+        let raceway = &case.raceways[index];
+        let frame = SectionFrame::new(&case.bearing, raceway.section_angle_rad());
+        let frame = match case.rows.as_slice() {
+            [row] if row.contact_sign < 0.0 => frame.mirrored(),
+            _ => frame,
+        };
+        let (sin, cos) = frame.axis_rad.sin_cos();
+        let theta = raceway.half_angle_rad();
+        let seen = points_m.iter().map(|[x, y, z]| {
+            let [radial, axial] = [x.hypot(*y) - frame.ball_m[0], z - frame.ball_m[1]];
+            Seen {
+                local_rad: raceway.local_angle_rad(x.atan2(-y)),
+                along_m: radial * cos + axial * sin,
+                across_m: (axial * cos - radial * sin).abs(),
+            }
+        });
+        let seen: Vec<_> = seen.filter(|point| point.local_rad.abs() < theta).collect();
+        let count = seen.len();
+        let refuse = |rule: &str| Err(InputError::rule("points", count as f64, rule));
+        if count < POINTS_MIN {
+            return refuse("50 or more within the half angle of the raceway, or nothing is fitted");
+        }
+        let observed = |flanks: &PowerAngle| -> Linearised {
+            let row = |point: &Seen| {
+                let [angle, _] = flanks.at(point.local_rad);
+                let (sin, cos) = angle.sin_cos();
+                let along = point.along_m + frame.offset_m * cos;
+                let across = point.across_m + frame.offset_m * sin;
+                let distance = along.hypot(across);
+                let slope = frame.offset_m * (across * cos - along * sin) / distance;
+                let error = distance - frame.curvature_radius_m;
+                [point.local_rad, slope, slope * angle - error]
+            };
+            seen.iter().map(row).collect()
+        };
+        match fit_flanks(theta, &observed) {
+            Some((flanks, deviation_m)) if deviation_m[0] <= DEVIATION_MAX * frame.offset_m => {
+                Ok(Self {
+                    flanks,
+                    deviation_m,
+                    points: count,
+                })
+            }
+            _ => refuse(
+                "of the groove of this ring, in its frame, with flanks whose angle falls steadily \
+                 from the middle to 0 at the ends",
+            ),
+        }
+    }
+
+    /// αc at ψ from the middle of the raceway, within ±θ.
+    pub fn flank_angle_rad(&self, local_angle_rad: f64) -> f64 {
+        self.flanks.at(local_angle_rad)[0]
+    }
+
+    /// Root mean square and largest distance of the points from the fitted groove, m.
+    pub fn deviation_m(&self) -> [f64; 2] {
+        self.deviation_m
+    }
+
+    /// Number of points within ±θ.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+}
