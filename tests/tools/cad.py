@@ -440,6 +440,36 @@ def points(name, path, said, ring):
         below(f"{name}: span in the middle", 2 * np.abs(apart) - span, 0.01 * span)
 
 
+def measured(name, binary, case, path, ring, generator):
+    """Points of the solid with errors of 1 µm give the raceways back by `cageless measure`."""
+    reader = STEPControl_Reader()
+    reader.ReadFile(str(path))
+    reader.TransferRoots()
+    faces = [TopoDS.Face(face) for face in explore(reader.OneShape(), Shape.TopAbs_FACE)]
+    grooves = [f for f in faces if BRepAdaptor_Surface(f).GetType() == Kind.GeomAbs_BSplineSurface]
+    points = np.concatenate([face_points(face, 4000, generator) for face in grooves])
+    points += generator.normal(0.0, 1e-3, points.shape)
+    touched = path.with_suffix(".points.csv")
+    np.savetxt(touched, points, delimiter=",", header="x_mm,y_mm,z_mm", comments="", fmt="%.7f")
+    out = path.with_suffix(".measured")
+    command = [str(c) for c in (binary, "measure", case, touched, "--json", "--out", out)]
+    found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)["raceways"]
+    entered = tomllib.loads((out / "measured.toml").read_text())["raceway"]
+    check(f"{name}: every raceway", len(found) == len(entered) == len(ring.raceways))
+    for said, raceway, (_, theta, centre) in zip(found, entered, ring.raceways, strict=True):
+        check(f"{name}: points", said["measured_points"] > 4000, said["measured_points"])
+        below(f"{name}: deviation, µm", said["measured_deviation_um"] - 1.0, 0.05)
+        psi, angle = np.radians(raceway["profile"]).T
+        designed = ring.contact_angle(centre + psi)
+        below(f"{name}: flank angle, °", np.degrees(angle - designed), 0.15)
+        # ψ = θ sin t with t in equal steps; a ball lags by the integral of (1/cos α − 1)/2.
+        t = np.linspace(0, np.pi / 2, len(psi))
+        weights = np.array([1, *[4, 2] * (len(t) // 2)], float) * t[1] / 3
+        weights[-1] = t[1] / 3
+        lag = [np.degrees(np.sum(weights * theta * np.cos(t) * (1 / np.cos(a) - 1))) for a in (angle, designed)]
+        below(f"{name}: lag of {lag[1]:.3f}°", lag[0] - lag[1], 0.01)
+
+
 def main():
     binary, scratch = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     scratch.mkdir(parents=True, exist_ok=True)
@@ -454,6 +484,8 @@ def main():
             said = export(binary, path, out, *more)
             step(f"{which} STEP", out, said, ring, generator)
             below(f"{which}: deviation under 0.1 µm by default", said["deviation_um"], 0.1)
+            if name in ("structure-d", "two", "turned") and blend == min(blends):
+                measured(f"{which} measured", binary, path, out, ring, generator)
             check(f"{which}: kink", (said["slope_discontinuity_45_deg"] > 0.1) == (bool(raceways) and blend == 0))
             out = scratch / f"{which}.stl"
             stl(f"{which} STL", out, export(binary, path, out, *more), ring, generator)

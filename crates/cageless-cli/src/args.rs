@@ -66,6 +66,9 @@ pub enum Command {
     Compare(CompareArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
+    /// Fit the raceways of a case to points of a measured ring, and enter them in the case.
+    #[command(mut_arg("open", |open| open.hide(true)))]
+    Measure(MeasureArgs),
     /// Compute many variants of a case; an interrupted sweep resumes.
     Sweep(SweepArgs),
     /// Analyse a finished sweep: main effects, maps, best and failed variants.
@@ -236,6 +239,18 @@ pub struct ExportArgs {
     /// with --json only the numbers.
     #[arg(long, value_name = "PATH")]
     pub out: Option<PathBuf>,
+}
+
+/// `measure`.
+#[derive(Debug, Group)]
+pub struct MeasureArgs {
+    /// Case with the raceways as designed, output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Points of the groove in the frame of the bearing: lines of x, y, z in mm, with a head that
+    /// names x_mm, y_mm, z_mm or without.
+    #[arg(value_name = "POINTS")]
+    pub points: PathBuf,
 }
 
 /// Kinds of files of `export`.

@@ -11,6 +11,7 @@ mod endings;
 mod export;
 mod former_names;
 mod limits;
+mod measure;
 mod paper_structures;
 mod pins;
 mod places;

@@ -31,6 +31,8 @@ mod option_error;
 #[cfg(feature = "files")]
 pub mod plan_file;
 #[cfg(feature = "files")]
+pub mod point_file;
+#[cfg(feature = "files")]
 pub mod results;
 #[cfg(feature = "files")]
 pub mod rotor_file;

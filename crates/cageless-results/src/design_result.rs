@@ -7,8 +7,8 @@ use cageless::{Case, equilibrium};
 
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
-    AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, Part, RACEWAY, Record, Results,
-    Subject, VERDICT,
+    AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, PROFILE, Part, RACEWAY, Record,
+    Results, Subject, VERDICT,
 };
 
 /// Points of the lC–θ curve.
@@ -46,6 +46,10 @@ pub fn design_record(
     let contact_angle = contact_angle(case);
     let contact_angle = Results::of(CONTACT_ANGLE, Subject::ContactAngle(&contact_angle));
     let closed = Results::of(DESIGN, Subject::Design(case)).and(contact_angle);
+    let closed = match case.raceway_form().measured {
+        Some(profile) => closed.and(Results::of(PROFILE, Subject::Profile(&profile))),
+        None => closed,
+    };
     Record::from(closed.and(verdict))
         .with_sentences("reasons", judgement.reasons.clone())
         .with_sentences(

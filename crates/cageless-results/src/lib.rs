@@ -53,9 +53,9 @@ pub use source::{
 };
 pub use static_result::{equilibrium_record, spatial_record, static_record};
 pub use table::{
-    AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, LUBRICATION, MAP, MOTION, PAPER,
-    PASSAGES, PLACEMENT, POINT, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH,
-    SPACE, STATIC, STRUCTURE, STRUCTURE_AT, VERDICT, of_column, of_kind, quantities,
+    AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE, LUBRICATION, MAP, MOTION,
+    PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION,
+    RUN, SEARCH, SPACE, STATIC, STRUCTURE, STRUCTURE_AT, VERDICT, of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use verification_result::{step_warning, verification_record};

@@ -8,9 +8,11 @@ use cageless::design::{
 use cageless::equilibrium::Equilibrium;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::passage::PassageTally;
+use cageless::raceway::MeasuredFlanks;
 use cageless::rating::Rating;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::summary::Summary;
+use cageless::surface::MeasuredGroove;
 use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
 use cageless::touchdown::DropSummary;
 use cageless::verification::{Distance, Verification};
@@ -189,6 +191,8 @@ sources! {
     Static(Solved<'_>, Solved<'a>) "A static equilibrium.",
     Design(Case, Case) "A case, by closed forms.",
     ContactAngle(Option<ContactAngleEstimate>, Option<ContactAngleEstimate>) "What a contact angle leaves of a raceway.",
+    Profile(MeasuredFlanks, MeasuredFlanks) "The profile of a measured raceway.",
+    Groove(MeasuredGroove, MeasuredGroove) "A raceway fitted to points of its surface.",
     Axial([AxialLag], [AxialLag]) "Lags under axial load and tilt.",
     Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",
     Verdict(Judged<'_>, Judged<'a>) "The raceways of a case with their verdict.",

@@ -9,9 +9,11 @@ use cageless::design::{
 };
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{PassageRecorder, PassageTally};
+use cageless::raceway::MeasuredFlanks;
 use cageless::simulation::{Control, run};
 use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::SummaryRecorder;
+use cageless::surface::{MeasuredGroove, OuterRing, OuterRingDimensions};
 use cageless_io::case_file::{CaseFile, template};
 
 use super::*;
@@ -106,6 +108,59 @@ fn results_of_a_design_are_those_of_a_computation_by_hand() {
     let results = Results::of(DESIGN, Subject::Design(file.case()));
     compare(&results, &expected, &[], 1e-7);
     assert_eq!(results.get("balls_in_raceway_max"), Some(&Cell::Integer(3)));
+}
+
+/// Rows of a shuttle of 20° and 25° that miss it by 0.3° in turn, and points of the surface of a ring
+/// that are 2 µm off.
+#[test]
+fn results_of_a_measured_raceway_are_deviations_from_its_fit() {
+    let row = |k: i32| {
+        let psi = f64::from(k);
+        let off = if k == 25 {
+            0.0
+        } else {
+            0.3 * f64::from(1 - 2 * (k % 2))
+        };
+        [psi, 20.0 * (1.0 - (psi / 25.0).powi(2)) + off].map(|angle| angle * DEGREE)
+    };
+    let rows: Vec<_> = (0..=25).map(row).collect();
+    let profile = MeasuredFlanks::fit(&rows).unwrap();
+    let results = Results::of(PROFILE, Subject::Profile(&profile));
+    // What turns from row to row is no part of the fit.
+    for (name, expected, allowed) in [
+        ("profile_flank_angle_deg", 20.0, 0.1),
+        ("profile_half_angle_deg", 25.0, 1e-9),
+        ("profile_deviation_deg", 0.3, 0.03),
+        ("profile_deviation_max_deg", 0.4, 0.1),
+    ] {
+        let found = results.number(name);
+        assert!((found - expected).abs() < allowed, "{name}: {found}");
+    }
+    assert!(results.number("profile_deviation_deg") < results.number("profile_deviation_max_deg"));
+
+    let file = CaseFile::parse(&template(false), "case.toml", &[]).unwrap();
+    let case = file.case();
+    let size = OuterRingDimensions {
+        outer_ring_outer_radius_m: 31e-3,
+        outer_ring_width_m: 16e-3,
+        blend_m: 0.0,
+    };
+    let ring = OuterRing::of(case, size).unwrap();
+    let point = |k: i32| {
+        let (section, place) = (k / 8, k % 8);
+        let point = ring.point(
+            f64::from(section - 10) * 0.04,
+            0.5 + 0.03 * f64::from(place),
+        );
+        let off = 2.0 * MICROMETRE * f64::from(1 - 2 * ((place + section) % 2));
+        std::array::from_fn(|c| point.position_m[c] + off * point.normal[c])
+    };
+    let points: Vec<[f64; 3]> = (0..21 * 8).map(point).collect();
+    let groove = MeasuredGroove::fit(case, 0, &points).unwrap();
+    let results = Results::of(GROOVE, Subject::Groove(&groove));
+    assert_eq!(results.get("measured_points"), Some(&Cell::Integer(21 * 8)));
+    assert!((results.number("measured_deviation_um") - 2.0).abs() < 0.1);
+    assert!((results.number("measured_deviation_max_um") - 2.5).abs() < 0.5);
 }
 
 #[test]

@@ -6,6 +6,7 @@ pub mod design;
 mod drop;
 mod export;
 mod manual;
+mod measure;
 mod report;
 mod reproduce;
 mod run;
@@ -52,6 +53,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Drop(args) => drop::touchdown(&args),
         Command::Compare(args) => compare::compare(&args),
         Command::Export(args) => export::export(&args),
+        Command::Measure(args) => measure::measure(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Report(args) => report::report(&args),
         Command::Studio(args) => studio::studio(&args),

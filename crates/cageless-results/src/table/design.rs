@@ -14,7 +14,7 @@ use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::{
-    Axial, ContactAngle, Curve, Design, Passages, Raceway, Recommendation, Verdict,
+    Axial, ContactAngle, Curve, Design, Groove, Passages, Profile, Raceway, Recommendation, Verdict,
 };
 
 /// Closed forms of a design; those of one raceway are of the first.
@@ -39,6 +39,23 @@ pub const CONTACT_ANGLE: &[Quantity] = &[
     means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_three_quarters_deg", "deg", "contact angle that leaves three quarters of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.three_quarters_rad))))),
     means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_half_deg", "deg", "contact angle that leaves half of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.half_rad))))),
     means("contact angle on the plain raceway, beyond which a ball is faster in the raceway; an estimate from kinematics", part(quantity("contact_angle_none_deg", "deg", "contact angle that leaves nothing of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.none_rad))))),
+];
+
+/// The profile of a measured raceway, the first of the case.
+#[rustfmt::skip]
+pub const PROFILE: &[Quantity] = &[
+    means("of the function that is fitted to the profile", part(quantity("profile_flank_angle_deg", "deg", "flank angle in the middle of the measured raceway", Profile(|p| degrees(p.middle_rad()))))),
+    means("the rows of the profile that are farthest from its middle", part(quantity("profile_half_angle_deg", "deg", "half angle θ of the measured raceway", Profile(|p| degrees(p.half_angle_rad()))))),
+    means("root mean square over the rows of the profile", part(low(quantity("profile_deviation_deg", "deg", "deviation of the profile from the function that is fitted to it", Profile(|p| degrees(p.deviation_rad()[0])))))),
+    part(low(quantity("profile_deviation_max_deg", "deg", "largest deviation of a row of the profile", Profile(|p| degrees(p.deviation_rad()[1]))))),
+];
+
+/// A raceway that is fitted to points of its surface.
+#[rustfmt::skip]
+pub const GROOVE: &[Quantity] = &[
+    part(integer("measured_points", "points within the half angle of the raceway", Groove(|g| count(g.points())))),
+    means("root mean square of their distances from the fitted surface", part(low(quantity("measured_deviation_um", "um", "deviation of the points from the fitted raceway", Groove(|g| some(g.deviation_m()[0] * 1e6)))))),
+    part(low(quantity("measured_deviation_max_um", "um", "largest deviation of a point", Groove(|g| some(g.deviation_m()[1] * 1e6))))),
 ];
 
 /// What axial load and tilt leave of the lag, by motion in space; lists are over pairs of both.

@@ -12,7 +12,7 @@ mod verification;
 use crate::computation::Computation;
 use crate::quantity::{Quantity, bearing_in_column};
 
-pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, PASSAGES, RACEWAY, VERDICT};
+pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWAY, VERDICT};
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub use drop::{DROP, PLANE, ROTOR_DROP};
 pub use run::{COMPARED, RUN};
@@ -35,6 +35,8 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         SPACE,
         DESIGN,
         CONTACT_ANGLE,
+        PROFILE,
+        GROOVE,
         AXIAL,
         VERDICT,
         PASSAGES,
@@ -73,7 +75,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
 pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
     let tables: &'static [&'static [Quantity]] = match kind {
         "static" => &[STATIC, DEFECTS, FIT, LUBRICATION, SPACE],
-        "design" => &[DESIGN, CONTACT_ANGLE, VERDICT],
+        "design" => &[DESIGN, CONTACT_ANGLE, PROFILE, VERDICT],
         "run" => &[RUN],
         "drop" => &[DROP, ROTOR_DROP],
         "search" => &[SEARCH],

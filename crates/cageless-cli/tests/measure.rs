@@ -1,0 +1,150 @@
+//! `cageless measure`: points of a ring, the profile that they give, and what is refused.
+
+use std::path::{Path, PathBuf};
+
+use crate::common::*;
+
+const SIZE: [&str; 2] = [
+    "bearing.outer_ring_outer_radius_mm=31",
+    "bearing.outer_ring_width_mm=16",
+];
+
+/// The points of a ring as `export` writes them, without blends.
+fn points(case: &Path, dir: &Path) -> PathBuf {
+    let path = dir.join("points.csv");
+    let more = [
+        "--format",
+        "csv",
+        "--blend-mm",
+        "0",
+        "--spacing-mm",
+        "0.4",
+        "--out",
+    ];
+    let more = [&more[..], &[path.to_str().unwrap()]].concat();
+    let answer = call_on("export", case, &SIZE, &more);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    path
+}
+
+fn measure(case: &Path, points: &Path, more: &[&str]) -> Answer {
+    let words = ["measure", case.to_str().unwrap(), points.to_str().unwrap()];
+    call(&[&words[..], more].concat())
+}
+
+fn close(found: &serde_json::Value, expected: f64, allowed: f64) {
+    let found = found.as_f64().unwrap();
+    assert!((found - expected).abs() < allowed, "{found} for {expected}");
+}
+
+/// The points of an exported ring give its raceway back, and the case with it has its β0 and lag.
+#[test]
+fn an_exported_ring_is_measured() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    let points = points(&case, dir.path());
+    let out = dir.path().join("out");
+    let answer = measure(&case, &points, &["--json", "--out", out.to_str().unwrap()]);
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    let document = answer.json();
+    let raceway = &document["raceways"][0];
+    assert!(raceway["measured_points"].as_i64().unwrap() > 1000);
+    close(&raceway["measured_deviation_max_um"], 0.0, 1e-4);
+    let middle = (5.1 / (2.0 * 4.7625f64)).asin().to_degrees();
+    close(&raceway["profile_flank_angle_deg"], middle, 1e-4);
+    close(&raceway["profile_half_angle_deg"], 25.2, 1e-12);
+    let text = std::fs::read_to_string(out.join("measured.toml")).unwrap();
+    for (kept, what) in [
+        (true, "shape = \"measured\"\nprofile = [[0.0, 32.37"),
+        (true, "25.2, 0.0]]"),
+        (true, "# not in the paper: 0.52 x ball diameter"),
+        (false, "\naxial_span_mm"),
+        (false, "\nhalf_angle_deg"),
+    ] {
+        assert_eq!(text.contains(what), kept, "{what}: {text}");
+    }
+    let design = |case: &Path| call_on("design", case, &[], &["--json"]).json();
+    let (designed, measured) = (design(&case), design(&out.join("measured.toml")));
+    for key in [
+        "beta0_deg",
+        "kinematic_lag_per_pass_deg",
+        "critical_gap_deg",
+    ] {
+        close(&measured[key], designed[key].as_f64().unwrap(), 1e-3);
+    }
+    close(&measured["profile_flank_angle_deg"], middle, 1e-4);
+    assert!(designed.get("profile_flank_angle_deg").is_none());
+    assert_eq!(measured["raceways"][0]["half_angle_deg"], 25.2);
+}
+
+/// Several raceways, each by its own points, in a file of semicolons and decimal commas.
+#[test]
+fn every_raceway_is_measured() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(repository_case("zhao-d.toml")).unwrap();
+    let second = "\n[[raceway]]\naxial_span_mm = 4\nhalf_angle_deg = 15\ncentre_angle_deg = 180\nshape = \"shuttle\"\n";
+    let case = dir.path().join("two.toml");
+    std::fs::write(&case, text.replace("[raceway]", "[[raceway]]") + second).unwrap();
+    let points = points(&case, dir.path());
+    let table = std::fs::read_to_string(&points).unwrap();
+    std::fs::write(&points, table.replace(',', ";").replace('.', ",")).unwrap();
+    let out = dir.path().join("out");
+    let answer = measure(&case, &points, &["--out", out.to_str().unwrap()]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    assert!(
+        answer.stdout.contains("raceway 2\npoints within"),
+        "{answer:?}"
+    );
+    let shown = call_on("design", &out.join("measured.toml"), &[], &["--json"]).json();
+    close(&shown["raceways"][1]["axial_span_mm"], 4.0, 1e-5);
+    close(&shown["raceways"][1]["half_angle_deg"], 15.0, 1e-9);
+}
+
+#[test]
+fn what_is_no_raceway_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    let good = points(&case, dir.path());
+    let table = std::fs::read_to_string(&good).unwrap();
+    let file = |name: &str, text: &str| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let few: Vec<_> = table.lines().take(20).collect();
+    let turned = table.replace("x_mm,y_mm", "y_mm,x_mm");
+    let plain = repository_case("conventional.toml");
+    for (case, points, said) in [
+        (&case, dir.path().join("none.csv"), "none.csv: no such file"),
+        (
+            &case,
+            file("few.csv", &few.join("\n")),
+            "0 points of raceway 1 are not possible: they must be 50 or more",
+        ),
+        (
+            &case,
+            file("head.csv", &table.replace("z_mm", "z")),
+            "head.csv:1: has no column z_mm",
+        ),
+        (
+            &case,
+            file("word.txt", "# points\n1 2 3\n\n4 5 nan\n"),
+            "word.txt:4: \"4 5 nan\" is not possible: it must be x, y and z in mm",
+        ),
+        (&case, file("short.txt", "1, 2\n"), "short.txt:1: \"1, 2\""),
+        (
+            &case,
+            file("turned.csv", &turned),
+            "they must be of the groove of this ring",
+        ),
+        (&plain, good, "has no [raceway]"),
+    ] {
+        let answer = measure(case, &points, &[]);
+        assert_eq!(
+            (answer.code, answer.stdout.as_str()),
+            (Some(2), ""),
+            "{answer:?}"
+        );
+        assert!(answer.stderr.contains(said), "{said}: {answer:?}");
+    }
+}

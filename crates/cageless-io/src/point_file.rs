@@ -1,0 +1,77 @@
+//! Files of points of a measuring machine.
+//!
+//! A line has the coordinates x, y and z of a point in mm, separated by commas, semicolons, tabs or
+//! spaces; between semicolons a comma is a decimal sign. A first line of names says where `x_mm`,
+//! `y_mm` and `z_mm` are, as in a table of `cageless export --format csv`; without one they are the
+//! first three. Empty lines and those that begin with `#` are left out.
+
+use std::path::Path;
+
+use crate::io_error_message;
+
+/// Names of the coordinates.
+const COORDINATES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// Reads points, m.
+///
+/// # Errors
+/// A message with file and line.
+pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
+    let name = path.display();
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| format!("{name}: {}", io_error_message(&error)))?;
+    let mut columns = [0, 1, 2];
+    let mut points = vec![];
+    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+    let lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    for (nth, (index, line)) in lines.enumerate() {
+        let cells = cells(line);
+        if nth == 0 && !cells.iter().any(|cell| cell.parse::<f64>().is_ok()) {
+            let column = |named: &str| {
+                cells
+                    .iter()
+                    .position(|cell| cell.trim_matches('"') == named)
+            };
+            for (column_of, named) in columns.iter_mut().zip(COORDINATES) {
+                *column_of = column(named).ok_or_else(|| {
+                    format!(
+                        "{name}:{}: has no column {named}; a head names x_mm, y_mm and z_mm",
+                        index + 1
+                    )
+                })?;
+            }
+            continue;
+        }
+        let number = |column: usize| {
+            cells
+                .get(column)?
+                .parse()
+                .ok()
+                .filter(|v: &f64| v.is_finite())
+        };
+        let point = columns.map(number);
+        let [Some(x), Some(y), Some(z)] = point else {
+            return Err(format!(
+                "{name}:{}: {line:?} is not possible: it must be x, y and z in mm",
+                index + 1
+            ));
+        };
+        points.push([x, y, z].map(|mm| mm * 1e-3));
+    }
+    Ok(points)
+}
+
+/// The cells of a line.
+fn cells(line: &str) -> Vec<String> {
+    let parts: Vec<&str> = if line.contains(';') {
+        return line
+            .split(';')
+            .map(|cell| cell.trim().replace(',', "."))
+            .collect();
+    } else if line.contains(',') {
+        line.split(',').map(str::trim).collect()
+    } else {
+        line.split_whitespace().collect()
+    };
+    parts.into_iter().map(str::to_owned).collect()
+}
