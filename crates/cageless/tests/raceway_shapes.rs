@@ -470,6 +470,38 @@ fn noise_averages_out() {
     }
 }
 
+/// A middle that is flat but for the errors of its points is fitted by a function that falls.
+#[test]
+fn a_flat_middle_does_not_rise() {
+    for seed in 0..20 {
+        let mut random = RandomStream::new(seed, 0, 0, 0);
+        let angle = |share: f64| 0.3 * (1.0 - share.powi(8));
+        let mut row = |k: i32| {
+            let share = f64::from(k) / 30.0;
+            [
+                0.4 * share,
+                angle(share) + if k < 30 { 2e-3 * random.normal() } else { 0.0 },
+            ]
+        };
+        let rows: Vec<_> = (0..=30).map(&mut row).collect();
+        let fit = MeasuredFlanks::fit(&rows).unwrap();
+        let dimensions = RacewayDimensions {
+            axial_span_m: fit.axial_span_m(4.7625e-3),
+            half_angle_rad: fit.half_angle_rad(),
+            centre_angle_rad: 0.0,
+        };
+        let form = RacewayForm {
+            measured: Some(fit),
+            ..form(RacewayShape::Measured, 0.0)
+        };
+        let raceway = Raceway::formed(dimensions, form, &bearing()).unwrap();
+        for k in 0..1000 {
+            let [angle, slope] = raceway.contact_angle_rad(4e-4 * f64::from(k));
+            assert!(angle > 0.0 && slope <= 0.0, "{seed} {k} {angle} {slope}");
+        }
+    }
+}
+
 /// Points of no raceway, and shapes with the points of another.
 #[test]
 fn points_that_cannot_be_are_refused() {
