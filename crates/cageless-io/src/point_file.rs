@@ -7,6 +7,7 @@
 
 use std::path::Path;
 
+use crate::case_file::unit::Unit;
 use crate::io_error_message;
 
 /// Names of the coordinates.
@@ -56,7 +57,7 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
                 index + 1
             ));
         };
-        points.push([x, y, z].map(|mm| mm * 1e-3));
+        points.push([x, y, z].map(|mm| Unit::Millimetre.to_si(mm)));
     }
     Ok(points)
 }

@@ -18,6 +18,9 @@ use crate::bearing::Bearing;
 use crate::numerics::quadrature;
 use crate::raceway::Raceway;
 
+/// Intervals of a smooth stretch of a raceway in which its steepest place is sought.
+const CHANGE_PLACES: i32 = 1000;
+
 /// Ω(r) = ωi·Ri/Rm · (1 − Rw/(r + Rw)), the orbital speed of pure rolling with
 /// effective contact radius `r` at the outer raceway (Zhao 2022, Eq. (3)), rad/s.
 pub fn rolling_orbit_speed_rad_s(bearing: &Bearing, inner_speed_rad_s: f64, r_m: f64) -> f64 {
@@ -63,6 +66,23 @@ pub fn rolling_relative_rotation_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64
 /// ball rests on the outer raceway.
 pub fn rolling_rotation_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
     orbit_speed_rad_s * bearing.pitch_radius_m() / r_m
+}
+
+/// Largest |d ln Ω/dψ| of a ball that rolls through a raceway: the change of its orbital speed over
+/// an angle of 1 rad in fractions of it. Friction that the ball needs to roll grows with it.
+pub fn speed_change_max(bearing: &Bearing, raceway: &Raceway) -> f64 {
+    let rw = bearing.ball_radius_m();
+    // Ω ∝ r/(Rw + r) and r = Rw cos αc.
+    let change = |local: f64| {
+        let [angle, slope] = raceway.contact_angle_rad(local);
+        let r = rw * angle.cos();
+        rw * rw * (angle.sin() * slope).abs() / (r * (rw + r))
+    };
+    let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
+    let places = pieces.flat_map(|[a, b]| {
+        (0..=CHANGE_PLACES).map(move |k| a + (b - a) * f64::from(k) / f64::from(CHANGE_PLACES))
+    });
+    places.map(change).fold(0.0, f64::max)
 }
 
 /// Angle by which a ball that rolls through every raceway lags, once per orbit, behind one that

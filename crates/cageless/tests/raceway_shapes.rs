@@ -1,7 +1,7 @@
 //! Shapes of the discrete raceway: closed forms, the model that moves on them, the ring that is made.
 
 use cageless::design::{Eq11, theoretical_gap_rad};
-use cageless::kinematics::raceway_delay_rad;
+use cageless::kinematics::{raceway_delay_rad, rolling_orbit_speed_rad_s, speed_change_max};
 use cageless::numerics::random::RandomStream;
 use cageless::raceway::MeasuredFlanks;
 use cageless::recorder::Recorder;
@@ -16,7 +16,7 @@ use cageless::{
 use crate::common::{STRUCTURES, complete, conventional, dimensions, steel, structure, undamped};
 
 /// Every shape with and without blends.
-fn forms() -> [RacewayForm; 8] {
+fn forms() -> [RacewayForm; 10] {
     [
         form(RacewayShape::Quartic, 0.0),
         form(RacewayShape::Quartic, 0.5e-3),
@@ -24,6 +24,8 @@ fn forms() -> [RacewayForm; 8] {
         form(RacewayShape::Ellipse, 1e-3),
         form(RacewayShape::Shuttle, 0.0),
         form(RacewayShape::Shuttle, 0.5e-3),
+        form(RacewayShape::Steady, 0.0),
+        form(RacewayShape::Steady, 0.5e-3),
         form(RacewayShape::Measured, 0.0),
         form(RacewayShape::Measured, 0.5e-3),
     ]
@@ -104,6 +106,43 @@ fn flank_angles_are_those_of_the_formulas() {
     }
 }
 
+/// ln Ω of a ball that rolls over a steady raceway has a slope that grows over the first 35 %, is the
+/// same up to 90 % and falls to 0 at the end.
+#[test]
+fn the_orbital_speed_changes_at_a_constant_rate() {
+    let bearing = bearing();
+    let raceway = formed(&bearing, form(RacewayShape::Steady, 0.0), 40.0);
+    let (theta, centre) = (raceway.half_angle_rad(), 40f64.to_radians());
+    let speed = |psi: f64| {
+        let r = raceway.effective_radius_m(centre + psi);
+        rolling_orbit_speed_rad_s(&bearing, 1.0, r).ln()
+    };
+    let h = 1e-4;
+    let slope = |share: f64| (speed(theta * share + h) - speed(theta * share - h)) / (2.0 * h);
+    let rate = slope(0.5);
+    // Over the parts the mean slope is 0.775 of the largest, and the whole is what α0 takes off.
+    assert!((speed(theta) - speed(0.0) - 0.775 * rate * theta).abs() < 1e-11);
+    for (share, part) in [
+        (0.035, 0.1),
+        (0.175, 0.5),
+        (0.343, 0.98),
+        (0.36, 1.0),
+        (0.7, 1.0),
+        (0.89, 1.0),
+        (0.92, 0.8),
+        (0.98, 0.2),
+    ] {
+        let found = slope(share) / rate;
+        assert!((found - part).abs() < 1e-8, "{share}: {found}");
+    }
+    // Less is asked of friction than by the path of the paper of the same lag, which the same lC has not.
+    let quartic = formed(&bearing, RacewayForm::default(), 40.0);
+    let [most, least] = [&quartic, &raceway].map(|raceway| speed_change_max(&bearing, raceway));
+    assert!((least - rate).abs() < 1e-6 * rate, "{least} {rate}");
+    let scaled = least * lag(&quartic) / lag(&raceway);
+    assert!(scaled < 0.82 * most, "{scaled} {most}");
+}
+
 /// r = Rw cos αc all along, dαc/dψ is the slope of αc, and αc falls steadily to 0.
 #[test]
 fn one_function_defines_a_raceway() {
@@ -145,6 +184,7 @@ fn blends_are_smooth_at_both_ends() {
         RacewayShape::Quartic,
         RacewayShape::Ellipse,
         RacewayShape::Shuttle,
+        RacewayShape::Steady,
         RacewayShape::Measured,
     ] {
         let blend_m = 1e-3;
@@ -217,6 +257,13 @@ fn lags_are_integrals_of_the_flank_angle() {
         let start = raceway.blend_start_rad().unwrap_or(theta);
         let inner = match form.shape {
             RacewayShape::Quartic | RacewayShape::Measured => by_angle(0.0, start),
+            RacewayShape::Steady => {
+                let junctions = [0.0, 0.35 * theta, (0.9 * theta).min(start), start];
+                junctions
+                    .windows(2)
+                    .map(|ends| by_angle(ends[0], ends[1]))
+                    .sum()
+            }
             RacewayShape::Ellipse => half(1, start),
             RacewayShape::Shuttle => half(2, start),
         };
@@ -418,6 +465,7 @@ fn points_of_every_shape_are_fitted() {
         let fit = measured(&raceway, 40);
         let allowed = match form.shape {
             RacewayShape::Quartic => 2e-6,
+            RacewayShape::Steady => 1e-2,
             _ => 1e-12,
         };
         let [rms, largest] = fit.deviation_rad();

@@ -1,9 +1,7 @@
 //! `cageless measure`.
 
-use cageless::Case;
-use cageless::raceway::MeasuredFlanks;
 use cageless::surface::MeasuredGroove;
-use cageless_io::case_file::{CaseDocument, CaseValue};
+use cageless_io::case_file::CaseFile;
 use cageless_io::point_file::read_points;
 use cageless_results::{GROOVE, PROFILE, Part, Record, Results, Subject};
 
@@ -29,27 +27,26 @@ pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
     }
     let points = read_points(&args.points).map_err(Failure::Input)?;
     let mut document = file.document().clone();
-    let (mut text, mut records) = (String::new(), vec![]);
+    let mut grooves = vec![];
     for index in 0..case.raceways.len() {
-        let groove = MeasuredGroove::fit(case, index, &points);
-        let groove = groove.map_err(|e| {
+        let groove = MeasuredGroove::fit(case, index, &points).map_err(|e| {
             let (count, nth) = (e.value, index + 1);
             refused(format!(
                 "{count} points of raceway {nth} are not possible: they must be {}; coordinates are in mm",
                 e.allowed
             ))
         })?;
-        let rows = profile(case, index, &groove);
-        let radians: Vec<_> = rows.iter().map(|row| row.map(f64::to_radians)).collect();
-        let flanks = MeasuredFlanks::fit(&radians).map_err(|e| refused(e.to_string()))?;
-        let section = match case.raceways.len() {
-            1 => "raceway".to_owned(),
-            _ => format!("raceway.{}", index + 1),
-        };
-        enter(&mut document, &section, rows);
-        let results = Results::of(GROOVE, Subject::Groove(&groove))
-            .and(Results::of(PROFILE, Subject::Profile(&flanks)));
-        if case.raceways.len() > 1 {
+        document.enter_profile(index, &groove.rows(INTERVALS));
+        grooves.push(groove);
+    }
+    let measured = CaseFile::from_document(document.clone(), "measured")?;
+    let (mut text, mut records) = (String::new(), vec![]);
+    for (index, (groove, raceway)) in grooves.iter().zip(&measured.case().raceways).enumerate() {
+        let mut results = Results::of(GROOVE, Subject::Groove(groove));
+        if let Some(profile) = &raceway.form().measured {
+            results = results.and(Results::of(PROFILE, Subject::Profile(profile)));
+        }
+        if grooves.len() > 1 {
             text += &format!("raceway {}\n", index + 1);
         }
         text += &pairs(&values(&results));
@@ -68,31 +65,4 @@ pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
         files,
         ..Answer::new("measure.json", pretty(&record)?, text)
     })
-}
-
-/// Rows of ψ and flank angle in °, from the middle of a raceway to its end and denser there.
-fn profile(case: &Case, index: usize, groove: &MeasuredGroove) -> Vec<[f64; 2]> {
-    let theta = case.raceways[index].half_angle_rad();
-    let rounded = |angle: f64| (angle.to_degrees() * 1e6).round() / 1e6;
-    let row = |k: usize| {
-        let share = k as f64 / INTERVALS as f64;
-        let local = theta * (share * std::f64::consts::FRAC_PI_2).sin();
-        [rounded(local), rounded(groove.flank_angle_rad(local))]
-    };
-    (0..=INTERVALS).map(row).collect()
-}
-
-/// Enters a profile in the place of what was designed.
-fn enter(document: &mut CaseDocument, section: &str, rows: Vec<[f64; 2]>) {
-    let key = |name: &str| format!("{section}.{name}");
-    for designed in [
-        "axial_span_mm",
-        "half_angle_deg",
-        "blend_mm",
-        "depth_error_um",
-    ] {
-        document.remove(&key(designed));
-    }
-    document.set(&key("shape"), "measured");
-    document.set(&key("profile"), CaseValue::Table(rows));
 }

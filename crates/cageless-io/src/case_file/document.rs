@@ -11,7 +11,8 @@ use super::keys;
 use super::overrides::{Change, Replacement};
 use super::sections::CASE_FILE;
 use super::source::{read_text, source};
-use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, section_at};
+use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, nth, section_at};
+use super::unit::Unit;
 use super::value::CaseValue;
 
 /// A case file as a tree. Serialised, it is the case in `summary.json`. One discrete raceway is
@@ -92,6 +93,27 @@ impl CaseDocument {
         if let Ok((section, key)) = section_at(&mut self.tree.root, &path, &nowhere) {
             section.remove(key);
         }
+    }
+
+    /// Enters rows of ψ and flank angle, rad, as the profile of a raceway in the place of what was designed.
+    pub fn enter_profile(&mut self, index: usize, rows: &[[f64; 2]]) {
+        let section = nth("raceway", index, self.count("raceway"));
+        for designed in [
+            "axial_span_mm",
+            "half_angle_deg",
+            "blend_mm",
+            "depth_error_um",
+        ] {
+            self.remove(&join(&section, designed));
+        }
+        // The conversion leaves rounding.
+        let rounded = |angle: f64| {
+            let degrees = Unit::Degree.of_si(angle);
+            format!("{degrees:.6}").parse().unwrap_or(degrees)
+        };
+        let rows = rows.iter().map(|row| row.map(rounded)).collect();
+        self.set(&join(&section, "shape"), "measured");
+        self.set(&join(&section, "profile"), CaseValue::Table(rows));
     }
 
     /// The value of a dotted key; `None` if it is left out or not a key.

@@ -9,6 +9,7 @@ use super::key::Kind;
 use super::named::Named;
 use super::reader::Reader;
 use super::spanned_toml::{Node, Value};
+use super::unit::Unit;
 
 /// `start.gaps`: a name or a list.
 #[derive(Debug, Clone, PartialEq)]
@@ -193,7 +194,10 @@ impl Field for MeasuredFlanks {
 
     fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
         let rows = pairs(reader, name, node, "rows of [ψ in deg, flank angle in deg]")?;
-        let rows: Vec<_> = rows.iter().map(|row| row.map(f64::to_radians)).collect();
+        let rows: Vec<_> = rows
+            .iter()
+            .map(|row| row.map(|angle| Unit::Degree.to_si(angle)))
+            .collect();
         Self::fit(&rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
     }
 }

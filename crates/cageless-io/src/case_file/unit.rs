@@ -56,7 +56,7 @@ impl Unit {
 
     /// From the file's unit to SI. 0.2 us is the same number as 2e-7 s, so that a case
     /// file and a program that uses [`cageless`] itself start from the same bits.
-    pub(super) fn to_si(self, value: f64) -> f64 {
+    pub(crate) fn to_si(self, value: f64) -> f64 {
         match self {
             Self::None | Self::Si(_) => value,
             Self::Millimetre | Self::Milliradian => shift(value, -3),

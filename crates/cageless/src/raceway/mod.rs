@@ -31,6 +31,7 @@ mod measured_flanks;
 mod piece;
 mod power_angle;
 mod shape;
+mod steady_angle;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -73,6 +74,8 @@ pub struct Raceway {
     /// Re.
     groove_curvature_radius_m: f64,
     form: RacewayForm,
+    /// Without blends, from the middle to the end.
+    unblended: Vec<Piece>,
     /// From the middle to the end.
     pieces: Vec<Piece>,
     /// Depth error at the centre, m.
@@ -143,7 +146,8 @@ impl Raceway {
                 blend_m: 0.0,
                 ..form
             },
-            pieces: vec![Piece::new(flanks, [0.0, theta], d.ball_radius_m)],
+            unblended: Piece::all(&flanks, theta, d.ball_radius_m),
+            pieces: vec![],
             depth_error_m: 0.0,
             section_angle_rad: 0.0,
         };
@@ -159,18 +163,18 @@ impl Raceway {
     pub fn with_blend(mut self, blend_m: f64) -> Result<Self, InputError> {
         not_negative("blend_m", blend_m)?;
         let theta = self.half_angle_rad();
-        self.pieces.truncate(1);
-        let whole = self.pieces[0].ending_at(theta);
         self.form.blend_m = blend_m;
-        self.pieces = if blend_m > 0.0 {
-            let flanks = |local: f64| whole.flanks().at(local);
+        self.pieces = self.unblended.clone();
+        if blend_m > 0.0 {
+            let flanks = |local: f64| self.unblended_contact_angle_rad(local);
             let blend = Blend::new(flanks, theta, blend_m, self.groove_bottom_radius_m)?;
             let start = blend.start_rad();
-            let end = Piece::new(FlankAngle::Blend(blend), [start, theta], self.ball_radius_m);
-            vec![whole.ending_at(start), end]
-        } else {
-            vec![whole]
-        };
+            self.pieces.retain(|piece| piece.range_rad()[0] < start);
+            self.pieces.iter_mut().for_each(|piece| piece.end_at(start));
+            let end = FlankAngle::Blend(blend);
+            self.pieces
+                .push(Piece::new(end, [start, theta], self.ball_radius_m));
+        }
         Ok(self)
     }
 
@@ -321,7 +325,7 @@ impl Raceway {
 
     /// [`Self::contact_angle_rad`] without the blends.
     pub(crate) fn unblended_contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
-        self.pieces[0].flanks().at(local_angle_rad)
+        self.unblended[0].flanks().at(local_angle_rad)
     }
 
     /// Shape and blend.
@@ -331,10 +335,8 @@ impl Raceway {
 
     /// Local ψ at which the blend before +θ starts.
     pub fn blend_start_rad(&self) -> Option<f64> {
-        match self.pieces.as_slice() {
-            [whole, _] => Some(whole.range_rad()[1]),
-            _ => None,
-        }
+        let blend = self.pieces.last().filter(|_| self.form.blend_m > 0.0);
+        blend.map(|piece| piece.range_rad()[0])
     }
 
     /// Checks that the raceway was laid out for this bearing.

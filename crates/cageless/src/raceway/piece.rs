@@ -21,6 +21,15 @@ const RADIUS_TOLERANCE_M: f64 = 1e-17;
 const ANGLE_TOLERANCE: f64 = 1e-13;
 
 impl Piece {
+    /// Flanks from the middle to an end, a piece from each of their junctions to the next.
+    pub(super) fn all(flanks: &FlankAngle, end_rad: f64, ball_radius_m: f64) -> Vec<Self> {
+        let junctions = flanks.junctions_rad();
+        let from = std::iter::once(0.0).chain(junctions.iter().copied());
+        let to = junctions.iter().copied().chain([end_rad]);
+        let piece = |range: (f64, f64)| Self::new(flanks.clone(), range.into(), ball_radius_m);
+        from.zip(to).map(piece).collect()
+    }
+
     /// Flanks from one local ψ to another, fitted over this range.
     pub(super) fn new(flanks: FlankAngle, range_rad: [f64; 2], ball_radius_m: f64) -> Self {
         let domain = range_rad.map(|angle| angle.sin().powi(2));
@@ -34,11 +43,9 @@ impl Piece {
         }
     }
 
-    /// Part of it that ends before, by the same polynomials.
-    pub(super) fn ending_at(&self, end_rad: f64) -> Self {
-        let mut part = self.clone();
-        part.range_rad[1] = end_rad;
-        part
+    /// Ends it before, if it goes on so far.
+    pub(super) fn end_at(&mut self, end_rad: f64) {
+        self.range_rad[1] = self.range_rad[1].min(end_rad);
     }
 
     /// Its flanks, also beyond its end.

@@ -9,6 +9,7 @@ use super::contact_path::ContactPath;
 use super::flank_angle::FlankAngle;
 use super::measured_flanks::MeasuredFlanks;
 use super::power_angle::PowerAngle;
+use super::steady_angle::SteadyAngle;
 use crate::bearing::Bearing;
 use crate::error::InputError;
 
@@ -24,6 +25,9 @@ pub enum RacewayShape {
     Ellipse,
     /// αc = α0 (1 − (ψ/θ)²): a shuttle of two parabolas with pointed ends.
     Shuttle,
+    /// ln Ω of a rolling ball falls and rises at a constant rate but for a rounded middle and the ends:
+    /// friction is asked for evenly.
+    Steady,
     /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
     Measured,
 }
@@ -34,6 +38,7 @@ impl RacewayShape {
         ("quartic", Self::Quartic),
         ("ellipse", Self::Ellipse),
         ("shuttle", Self::Shuttle),
+        ("steady", Self::Steady),
         ("measured", Self::Measured),
     ];
 
@@ -81,6 +86,9 @@ impl RacewayForm {
             }
             (RacewayShape::Ellipse, None) => power(0.5),
             (RacewayShape::Shuttle, None) => power(1.0),
+            (RacewayShape::Steady, None) => {
+                FlankAngle::Steady(SteadyAngle::new(middle, half_angle_rad))
+            }
         })
     }
 }

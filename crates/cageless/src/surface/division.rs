@@ -34,22 +34,22 @@ impl OuterRing {
             .collect()
     }
 
-    /// A discrete raceway: blend, middle, blend; or the middle alone.
+    /// A discrete raceway: its middle, and on both sides what is smooth from there to the end.
     fn parts(&self, index: usize) -> Vec<RingSector> {
         let raceway = &self.raceways[index];
         let d = raceway.dimensions();
-        let (middle, theta) = (wrap_angle_rad(d.centre_angle_rad), d.half_angle_rad);
-        let ends = match raceway.blend_start_rad() {
-            Some(start) => vec![-theta, -start, start, theta],
-            None => vec![-theta, theta],
-        };
-        let parts = ends.len() - 1;
+        let middle = wrap_angle_rad(d.centre_angle_rad);
+        let pieces = raceway.pieces().iter();
+        let right: Vec<f64> = pieces.map(|piece| piece.range_rad()[1]).collect();
+        let left = right.iter().rev().map(|end| -end);
+        let ends: Vec<f64> = left.chain(right.iter().copied()).collect();
+        let (parts, blended) = (ends.len() - 1, raceway.blend_start_rad().is_some());
         (0..parts)
             .map(|k| RingSector {
                 start_rad: middle + ends[k],
                 end_rad: middle + ends[k + 1],
                 raceway: Some(index),
-                blend: parts == 3 && k != 1,
+                blend: blended && (k == 0 || k == parts - 1),
             })
             .collect()
     }

@@ -1,5 +1,7 @@
 //! Flanks of a discrete raceway from points of its measured surface.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::section_frame::SectionFrame;
 use crate::case::Case;
 use crate::error::InputError;
@@ -92,6 +94,17 @@ impl MeasuredGroove {
     /// αc at ψ from the middle of the raceway, within ±θ.
     pub fn flank_angle_rad(&self, local_angle_rad: f64) -> f64 {
         self.flanks.at(local_angle_rad)[0]
+    }
+
+    /// Rows of ψ from the middle of the raceway and αc, in `intervals` from there to the end and denser
+    /// there.
+    pub fn rows(&self, intervals: usize) -> Vec<[f64; 2]> {
+        let row = |k: usize| {
+            let share = k as f64 / intervals as f64;
+            let local = self.flanks.half_angle_rad() * (share * FRAC_PI_2).sin();
+            [local, self.flank_angle_rad(local)]
+        };
+        (0..=intervals).map(row).collect()
     }
 
     /// Root mean square and largest distance of the points from the fitted groove, m.
