@@ -2,7 +2,7 @@
 
 OpenCASCADE opens the STEP files, trimesh the STL files and the csv module the points. The
 surface that they are held against is worked out again here, in NumPy, from Eq. (4) to (7)
-of Zhao 2022, the blend of docs/theory/cad.md and the turned section of docs/theory/space.md.
+of Zhao 2022, the other shapes of docs/theory/geometry.md, the blend of docs/theory/cad.md and the turned section of docs/theory/space.md.
 
     python cad.py path/to/cageless path/to/a/scratch/folder
 """
@@ -38,7 +38,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Compound
 
 from checks import check, exit_code
 
-# Bearing, raceways (span mm, half angle °, centre °, contact angle ° unless 0) and blends in mm
+# Bearing, raceways (span mm, half angle °, centre °, contact angle ° unless 0, shape unless quartic) and blends in mm
 # that each case is exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
 PAPER = {}
 SLIM = {"outer_ring_outer_radius_mm": 27.9, "outer_ring_width_mm": 7.6}
@@ -66,6 +66,9 @@ CASES = {
     "large": (LARGE, [(42.0, 20.0, -33.3)], [0.0, 10.0]),
     "angular-contact": ({"contact_angle_deg": 15.0}, [], [0.5]),
     "turned": ({"contact_angle_deg": 15.0}, [(5.1, 25.2, 0.0, 15.0)], [0.5, 0.0]),
+    "ellipse": (PAPER, [(5.1, 25.2, 17.3, 0.0, "ellipse")], [1.0]),
+    "shuttle": (PAPER, [(5.1, 25.2, 17.3, 0.0, "shuttle")], [0.5, 0.0]),
+    "steady": (PAPER, [(5.0, 25.2, 17.3, 0.0, "steady"), (4.0, 35.0, -100.0, 0.0, "steady")], [0.5, 0.0]),
     "turned-back": (PAPER, [(5.1, 25.2, 17.3, -4.0), (6.0, 12.717, -141.9, -4.0)], [0.3]),
     "turned-three-balls": (THREE, [(4.0, 25.0, 200.0, 10.0)], [0.5]),
 }
@@ -96,6 +99,7 @@ class Ring:
             (r["axial_span_mm"], np.radians(r["half_angle_deg"]), np.radians(r.get("centre_angle_deg", 0.0)))
             for r in raceways
         ]  # fmt: skip
+        self.shapes = [r.get("shape", "quartic") for r in raceways]
         self.back = self.re - self.rw
         self.turn = np.radians(raceways[0].get("contact_angle_deg", 0.0)) if raceways else free
         # The ball that rests in the groove, whose centre is Re from its bottom.
@@ -103,6 +107,21 @@ class Ring:
             self.ro - self.re + self.back * np.cos(self.turn),
             -room * np.sin(free) / 2 + self.back * np.sin(self.turn),
         )
+
+    def flank_angle(self, shape, span, theta, psi):
+        """Angle of the flanks of a shape at |psi| <= theta."""
+        if shape == "quartic":
+            return self.path_angle(span, theta, psi)
+        u, middle = np.abs(psi) / theta, np.arcsin(span / (2 * self.rw))
+        if shape != "steady":
+            return middle * (1 - u**2) ** {"ellipse": 0.5, "shuttle": 1.0}[shape]
+        # The logarithm of the speed: its slope grows up to 0.35, and ceases from 0.9 on.
+        grows, ceases = np.minimum(u, 0.35), np.maximum(u - 0.9, 0)
+        lost = 0.775 - grows**2 / 0.7 - np.maximum(u - 0.35, 0) + ceases**2 / 0.2
+        speed = (2 * np.cos(middle) / (1 + np.cos(middle))) ** (lost / 0.775)
+        # 1 - cos of it, which keeps its digits near the ends.
+        versine = 2 * -np.expm1(np.log(speed)) / (2 - speed)
+        return 2 * np.arcsin(np.sqrt(np.maximum(versine, 0) / 2))
 
     def path_angle(self, span, theta, psi):
         """Contact angle of Eq. (4) to (6) at |psi| <= theta, by bisection for x."""
@@ -124,18 +143,18 @@ class Ring:
     def contact_angle(self, psi):
         """Contact angle all round, blended."""
         angle = np.zeros_like(psi)
-        for span, theta, centre in self.raceways:
+        for shape, (span, theta, centre) in zip(self.shapes, self.raceways, strict=True):
             local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
             inside = local < theta
-            angle[inside] = self.path_angle(span, theta, local[inside])
+            angle[inside] = self.flank_angle(shape, span, theta, local[inside])
             length = self.blend / self.ro
             if length == 0:
                 continue
             start = theta - length
             # Value, slope and curvature there, by a polynomial through its surroundings;
             # one side of it lies within the blend, where the path is smooth as well.
-            at = np.linspace(-0.8, 0.8, 17)
-            fit = np.polynomial.Polynomial.fit(at, self.path_angle(span, theta, start + at * length), 10)
+            at = np.linspace(-0.8, 0.8, 17) / (1 if shape == "quartic" else 8)
+            fit = np.polynomial.Polynomial.fit(at, self.flank_angle(shape, span, theta, start + at * length), 10)
             value, slope, bend = fit(0.0), fit.deriv()(0.0), fit.deriv(2)(0.0)
             t = (local - start) / length
             within = inside & (t > 0)
@@ -218,6 +237,7 @@ class Ring:
         length = self.blend / self.ro
         for _, theta, centre in self.raceways:
             cuts.append(centre + np.array([-theta, -theta + length, theta - length, theta]))
+            cuts.append(centre + theta * np.array([-0.9, -0.35, 0.35, 0.9]))
         cuts = np.unique((np.concatenate(cuts) + np.pi) % (2 * np.pi) - np.pi)
         cuts = np.append(cuts[cuts < np.pi], np.pi)
         nodes, weights = np.polynomial.legendre.leggauss(60)
@@ -247,9 +267,10 @@ def case_file(binary, path, bearing, raceways):
         lines = [line for line in text.splitlines() if line.startswith(f"{key} = ")]
         assert len(lines) == 1, key
         text = text.replace(lines[0], f"{key} = {value}")
-    for span, angle, centre, *turn in raceways:
+    for span, angle, centre, *more in raceways:
         text += f"\n[[raceway]]\naxial_span_mm = {span}\nhalf_angle_deg = {angle}\ncentre_angle_deg = {centre}\n"
-        text += "".join(f"contact_angle_deg = {angle}\n" for angle in turn)
+        text += "".join(f"contact_angle_deg = {angle}\n" for angle in more[:1])
+        text += "".join(f'shape = "{shape}"\n' for shape in more[1:])
     path.write_text(text)
     return tomllib.loads(text)
 

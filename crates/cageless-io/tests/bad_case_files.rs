@@ -123,7 +123,7 @@ const EDITS: &[Row] = &[
     (THETA, "half_angle_deg = 60", "raceway.half_angle_deg", &["= 60", "Eq. (9)", "axial_span_mm = 5.1"]),
     (THETA, "half_angle_deg = 90", "raceway.half_angle_deg", &["= 90", "less than 90 deg"]),
     (THETA, "half_angle_deg = -5", "raceway.half_angle_deg", &["more than 0 deg"]),
-    ("# shape = \"quartic\"", "shape = \"oval\"", "raceway.shape", &["= \"oval\"", "\"quartic\", \"ellipse\", \"shuttle\" or \"measured\""]),
+    ("# shape = \"quartic\"", "shape = \"oval\"", "raceway.shape", &["= \"oval\"", "\"quartic\", \"ellipse\", \"shuttle\", \"steady\" or \"measured\""]),
     (SPAN, "", "raceway.axial_span_mm", &["(or profile) is missing in [raceway]", "lC"]),
     ("[raceway]", "[[raceway]]\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["missing in [raceway]"]),
     ("# shape = \"quartic\"", "shape = \"measured\"", "raceway.profile", &["missing in [raceway]", "given with shape = \"measured\""]),

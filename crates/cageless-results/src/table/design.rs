@@ -7,6 +7,7 @@ use cageless::design::{
     AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, axial_load_keeping_n,
     balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
+use cageless::kinematics::speed_change_max;
 use cageless::raceway::{self, axial_span_limit_m};
 
 use crate::cell::Cell;
@@ -27,6 +28,7 @@ pub const DESIGN: &[Quantity] = &[
     means("β0 with the polar angle of the ball centre in place of the angle of the paper", quantity("beta0_polar_deg", "deg", "β0 with the true polar angle", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees())))),
     means("half angle at which β0 is the nominal gap, for the axial span of the case", quantity("half_angle_for_span_deg", "deg", "θ by Eq. (11) for the span", Design(half_angle_for_span))),
     means("gap between balls that pass the raceway at equal intervals of time; balls inside the raceway take less of the circle", quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways))))),
+    means("|d ln Ω/dψ| of a ball that rolls; the larger, the more friction it needs", low(quantity("speed_change_max_per_rad", "", "largest change of the orbital speed in the raceway, fraction of it per rad", Design(|c| of_raceway(c, |r| speed_change_max(&c.bearing, r)))))),
     means("floor(2θ/ε) + 1", integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r)))))),
     means("change of slope of the groove at ±θ, 45° up the side of the groove", low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees()))))),
 ];

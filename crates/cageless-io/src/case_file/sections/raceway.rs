@@ -24,8 +24,8 @@ section! {
             Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
         shape => shape: RacewayShape = default(RacewayShape::Quartic.name()), Plain,
             "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \
-             \"shuttle\": α0 (1 − (ψ/θ)²), \"measured\": that of the profile; all but the first only in \"physical\"",
-            Commented("\"quartic\"", "path of the paper; \"ellipse\" or \"shuttle\": angle of the flanks;\n\
+             \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": that of the profile; all but the first only in \"physical\"",
+            Commented("\"quartic\"", "path of the paper; \"ellipse\", \"shuttle\", \"steady\" or\n\
                 \"measured\" (with profile = [[ψ in deg, angle in deg], …])");
         profile => measured: Option<MeasuredFlanks> = Optional, Plain,
             "measured flank angle over ψ from the middle of the raceway, of shape = \"measured\": 5 rows or more of one side or both up to the ends, where the angle is 0", Absent;
