@@ -38,6 +38,7 @@ DOCUMENTS = [
     "docs/dry-friction.md",
     "docs/blended-ends.md",
     "docs/elastic-flanks.md",
+    "docs/shapes.md",
     "docs/theory/errata.md",
     "docs/touchdown-drops.md",
     "docs/tutorials/cluster.md",

@@ -104,6 +104,8 @@ fn results_of_a_design_are_those_of_a_computation_by_hand() {
         ("steady_gap_deg", 1.981_357_037_03),
         // The contact angle ends with the slope √(κ/Rw)/(dψ/dx), κ the curvature of r over x.
         ("slope_discontinuity_deg", 0.654_351_65),
+        // Along the path of Eq. (4), over x.
+        ("speed_change_max_per_rad", 0.311_500_288),
     ];
     let results = Results::of(DESIGN, Subject::Design(file.case()));
     compare(&results, &expected, &[], 1e-7);

@@ -19,7 +19,7 @@ use crate::numerics::quadrature;
 use crate::raceway::Raceway;
 
 /// Intervals of a smooth stretch of a raceway in which its steepest place is sought.
-const CHANGE_PLACES: i32 = 1000;
+const CHANGE_PLACES: usize = 200;
 
 /// Ω(r) = ωi·Ri/Rm · (1 − Rw/(r + Rw)), the orbital speed of pure rolling with
 /// effective contact radius `r` at the outer raceway (Zhao 2022, Eq. (3)), rad/s.
@@ -79,10 +79,19 @@ pub fn speed_change_max(bearing: &Bearing, raceway: &Raceway) -> f64 {
         rw * rw * (angle.sin() * slope).abs() / (r * (rw + r))
     };
     let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
-    let places = pieces.flat_map(|[a, b]| {
-        (0..=CHANGE_PLACES).map(move |k| a + (b - a) * f64::from(k) / f64::from(CHANGE_PLACES))
+    let largest = pieces.map(|[a, b]| {
+        let at = |k: usize| change(a + (b - a) * k as f64 / CHANGE_PLACES as f64);
+        let places: Vec<f64> = (0..=CHANGE_PLACES).map(at).collect();
+        let tops = places.windows(3).map(|v| match [v[1] - v[0], v[1] - v[2]] {
+            // The top of the parabola through three places.
+            [before, after] if before > 0.0 && after > 0.0 => {
+                v[1] + (before - after).powi(2) / (8.0 * (before + after))
+            }
+            _ => v[0].max(v[2]),
+        });
+        tops.fold(0.0, f64::max)
     });
-    places.map(change).fold(0.0, f64::max)
+    largest.fold(0.0, f64::max)
 }
 
 /// Angle by which a ball that rolls through every raceway lags, once per orbit, behind one that

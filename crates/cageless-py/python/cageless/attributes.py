@@ -263,12 +263,17 @@ class DesignAttributes:
     beta0_polar_deg: float  # β0 with the true polar angle, deg
     half_angle_for_span_deg: float  # θ by Eq. (11) for the span, deg
     steady_gap_deg: float  # steady-state gap, outside the raceway, deg
+    speed_change_max_per_rad: float  # largest change of the orbital speed in the raceway, fraction of it per rad
     balls_in_raceway_max: int | None  # most balls inside at once
     slope_discontinuity_deg: float  # slope discontinuity at the raceway ends (at 45° groove angle), deg
     kinematic_lag_per_pass_deg: float  # lag per pass in pure rolling, estimate, deg
     contact_angle_three_quarters_deg: float  # contact angle that leaves three quarters of the lag, estimate, deg
     contact_angle_half_deg: float  # contact angle that leaves half of the lag, estimate, deg
     contact_angle_none_deg: float  # contact angle that leaves nothing of the lag, estimate, deg
+    profile_flank_angle_deg: float  # flank angle in the middle of the measured raceway, deg
+    profile_half_angle_deg: float  # half angle θ of the measured raceway, deg
+    profile_deviation_deg: float  # deviation of the profile from the function that is fitted to it, deg
+    profile_deviation_max_deg: float  # largest deviation of a row of the profile, deg
     verdict: str  # verdict
     passes: bool | None  # passes
     headline: str  # verdict with its reason
