@@ -214,14 +214,21 @@ fn toml(document: &CaseDocument) -> String {
         1 => "[raceway]",
         _ => "[[raceway]]",
     };
-    let keys = ["axial_span_mm", "half_angle_deg", "centre_angle_deg"];
-    let [spans, angles, centres] = keys.map(|key| values(document, key));
-    let raceways = spans.iter().zip(&angles).zip(&centres);
-    let raceways = raceways.map(|((span, angle), centre)| {
-        format!(
-            "{section}\naxial_span_mm = {span:?}\nhalf_angle_deg = {angle:?}\n\
-             centre_angle_deg = {centre:?}\n"
-        )
+    let keys = [
+        "axial_span_mm",
+        "half_angle_deg",
+        "centre_angle_deg",
+        "shape",
+        "profile",
+        "blend_mm",
+    ];
+    let line = |nth: usize, key: &str| {
+        let value = document.value(&format!("raceway.{nth}.{key}"))?;
+        Some(format!("{key} = {}\n", value.written()))
+    };
+    let raceways = (1..=document.count("raceway")).map(|nth| {
+        let lines: String = keys.iter().filter_map(|key| line(nth, key)).collect();
+        format!("{section}\n{lines}")
     });
     raceways.collect::<Vec<_>>().join("\n")
 }

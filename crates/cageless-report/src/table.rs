@@ -3,6 +3,9 @@
 use crate::data::Provenance;
 use crate::text::{escape, rich, slug};
 
+/// Bytes of a number from which on it is a list that needs several lines.
+const LONG: usize = 60;
+
 /// A cell.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cell {
@@ -169,6 +172,8 @@ impl Table {
             out.push_str(&format!("<tr{class}>"));
             for cell in &row.cells {
                 let class = match (cell.numeric, cell.dim) {
+                    // A list of numbers breaks.
+                    (true, _) if cell.text.len() > LONG => " class=\"list\"",
                     (_, true) => " class=\"num dim\"",
                     (true, _) => " class=\"num\"",
                     _ => "",
