@@ -195,3 +195,27 @@ fn a_run_is_judged_by_its_passages() {
             && page.contains("FAIL in this run: double collision; ")
     );
 }
+
+/// The raceway that is recommended has the shape of the case, also in the text that the page offers.
+#[test]
+fn a_recommended_raceway_has_the_shape_of_its_case() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let sets = ["raceway.shape=steady", "raceway.blend_mm=1"];
+    let more = ["--json", "--out", out.to_str().unwrap()];
+    let answer = call_on("design", &repository_case("zhao-d.toml"), &sets, &more);
+    assert_eq!(
+        answer.json()["recommendation"]["passes"],
+        true,
+        "{answer:?}"
+    );
+    for name in ["report.html", "recommended.toml"] {
+        let text = std::fs::read_to_string(out.join(name)).unwrap();
+        let has = |line: &str| text.contains(line);
+        assert!(
+            has("shape = &quot;steady&quot;\nblend_mm = 1")
+                || has("shape = \"steady\"\nblend_mm = 1"),
+            "{name}"
+        );
+    }
+}

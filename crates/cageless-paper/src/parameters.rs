@@ -1,6 +1,7 @@
 //! Table 1 and the figures that need no simulation.
 
 use cageless::Case;
+use cageless::RacewayForm;
 use cageless::design::span_angle_curve;
 use cageless::raceway::axial_span_limit_m;
 use cageless_report::{
@@ -70,7 +71,7 @@ pub fn surface(case: &Case) -> RacewaySurface {
 /// Fig. 5.
 pub fn design_curve(case: &Case) -> DesignCurve {
     let bearing = &case.bearing;
-    let curve = span_angle_curve(bearing, 240);
+    let curve = span_angle_curve(bearing, RacewayForm::default(), 240);
     let (epsilon, gap) = (bearing.ball_angle_rad(), bearing.nominal_gap_rad());
     DesignCurve {
         paper: (0..10)

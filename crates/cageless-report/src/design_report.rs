@@ -150,7 +150,7 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
 
 fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve {
     let bearing = &case.bearing;
-    let points = span_angle_curve(bearing, CURVE_POINTS);
+    let points = span_angle_curve(bearing, case.raceway_form(), CURVE_POINTS);
     let number = |name| result.record.results.number(name);
     let limit = |quantity, value, label: &str| DesignLimit {
         quantity,

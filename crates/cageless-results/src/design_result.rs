@@ -39,7 +39,7 @@ pub fn design_record(
         Record::from(Results::of(RECOMMENDATION, Subject::Recommendation(r)))
             .with_sentences("reasons", r.judgement.reasons.clone())
     });
-    let curve = span_angle_curve(&case.bearing, CURVE_POINTS);
+    let curve = span_angle_curve(&case.bearing, case.raceway_form(), CURVE_POINTS);
     let curve = Record::from(Results::of(CURVE, Subject::Curve(&curve)));
     let judged = Judged { case, judgement };
     let verdict = Results::of(VERDICT, Subject::Verdict(&judged));

@@ -12,7 +12,7 @@ use cageless::design::search::{
 use cageless::design::{Eq11, RacewayVerdict, judge, steady_gap_rad, theoretical_gap_rad};
 use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
-use cageless::{Case, Raceway};
+use cageless::{Case, Raceway, RacewayForm, RacewayShape};
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())
@@ -54,6 +54,41 @@ fn steady_and_critical_gap_are_those_of_the_motion() {
         assert!((0.95..1.6).contains(&least), "{start}: {least}");
         assert!(motion.gap_deviation_rad > 0.0);
     }
+}
+
+/// What is searched has the shape of the case: its critical gap is that of the verdict on the case.
+#[test]
+fn a_search_keeps_the_shape_of_its_case() {
+    let case = as_searched(4.906, 25.2);
+    let dimensions = *case.raceways[0].dimensions();
+    let form = RacewayForm {
+        shape: RacewayShape::Steady,
+        blend_m: 1e-3,
+        ..RacewayForm::default()
+    };
+    let steady = Raceway::formed(dimensions, form, &case.bearing).unwrap();
+    let steady = case.with_raceways(vec![steady]);
+    let layout = RacewayLayout::from_case(&steady).unwrap();
+    assert_eq!(layout, RacewayLayout::from_case(&case).unwrap());
+    let searched = spacing(&steady, layout.clone()).critical_gap_rad;
+    let judged = judge(&steady, &mut go_on)
+        .unwrap()
+        .critical_gap_rad
+        .unwrap();
+    assert!(
+        (searched / judged - 1.0).abs() < 0.01,
+        "{searched} {judged}"
+    );
+    let quartic = spacing(&case, layout).critical_gap_rad;
+    assert!(searched > 1.03 * quartic, "{searched} {quartic}");
+    // Raceways of two shapes are no structure.
+    let far = RacewayDimensions {
+        centre_angle_rad: 2.0,
+        ..dimensions
+    };
+    let far = Raceway::new(far, &case.bearing).unwrap();
+    let two = case.with_raceways(vec![steady.raceways[0].clone(), far]);
+    assert_eq!(RacewayLayout::from_case(&two), None);
 }
 
 /// Where no load presses balls against the raceway they slide over it, however well the gap of
@@ -199,8 +234,12 @@ fn several_raceways() {
     let both = spacing(&case, at(&[left, right]));
     let largest = alone[0].critical_gap_rad.max(alone[1].critical_gap_rad);
     assert!((both.critical_gap_rad - largest).abs() < 1e-12);
-    let gap =
-        |s: &RacewayLayout| steady_gap_rad(&case.bearing, &s.raceways(&case.bearing).unwrap());
+    let gap = |s: &RacewayLayout| {
+        steady_gap_rad(
+            &case.bearing,
+            &s.raceways(case.raceway_form(), &case.bearing).unwrap(),
+        )
+    };
     let uniform = case.bearing.nominal_gap_rad();
     let one = gap(&at(&[left])) - uniform;
     assert!(((gap(&at(&[left, right])) - uniform) / one - 2.0).abs() < 1e-9);
@@ -345,7 +384,10 @@ fn simulations(case: &Case, request: &Request) -> usize {
     let found = run(case, request, &mut |_, jobs| {
         let outcome = |job: &Job| match job.task {
             Task::PairSeparation => {
-                let raceways = job.structure.raceways(&case.bearing).unwrap();
+                let raceways = job
+                    .structure
+                    .raceways(case.raceway_form(), &case.bearing)
+                    .unwrap();
                 Ok(Numbers::PairSeparation(PairSeparation {
                     critical_gap_rad: 0.9 * steady_gap_rad(&case.bearing, &raceways),
                     shortfall: 0.0,

@@ -1,5 +1,6 @@
 //! The record of a search.
 
+use cageless::RacewayForm;
 use cageless::design::search::{
     Confirmed, Evaluation, Found, Motion, ObjectiveScale, OperatingPoint, SpeedMap,
 };
@@ -29,15 +30,18 @@ pub fn search_record(
     paper: &[RacewayLabel],
 ) -> Record {
     let (case, request) = (file.case(), &found.request);
+    let form = case.raceway_form();
     let confirmed = |role: &str| found.confirmed.iter().find(|c| c.role == role);
-    let curve = span_angle_curve(&case.bearing, CURVE_POINTS).into_iter();
+    let curve = span_angle_curve(&case.bearing, form, CURVE_POINTS).into_iter();
     let curve = curve.filter_map(|p| Some((p.axial_span_m, p.half_angle_rad?)));
     let searched = Searched {
         case,
         found,
         curve: curve.collect(),
     };
-    let paper = paper.iter().map(|label| {
+    // The structures of the paper have its shape.
+    let of_the_paper = |_: &&RacewayLabel| form == RacewayForm::default();
+    let paper = paper.iter().filter(of_the_paper).map(|label| {
         let size = [label.axial_span_mm, label.half_angle_deg];
         of(PAPER, Subject::Paper(&(label.letter.clone(), size)))
     });

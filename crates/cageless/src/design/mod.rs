@@ -110,8 +110,11 @@ pub fn half_angle_for_gap_rad(
         Raceway::formed(dimensions, form, bearing)
             .map(|raceway| theoretical_gap_rad(bearing, &raceway, meaning))
     };
-    // β0 grows with θ; the path exists up to an angle that depends on the span.
-    let (mut low, mut high) = (1e-3, FRAC_PI_2 * 0.999);
+    // β0 grows with θ; the path exists up to an angle that depends on the span, and a raceway takes its
+    // blends from an angle on.
+    let bottom_m = bearing.dimensions().outer_groove_bottom_radius_m;
+    let least = 2.0 * (1.0 + 1e-9) * form.blend_m / bottom_m;
+    let (mut low, mut high) = (least.max(1e-3), FRAC_PI_2 * 0.999);
     if gap(high).is_err() {
         let (mut good, mut bad) = (low, high);
         gap(good).ok()?;
@@ -126,12 +129,12 @@ pub fn half_angle_for_gap_rad(
         high = good;
     }
     if gap(low).ok()? > gap_rad {
-        low = 1e-6;
+        low = least.max(1e-6);
     }
     root::try_brent(|theta| gap(theta).map(|g| g - gap_rad), low, high, 1e-12).ok()?
 }
 
-/// One point of the lC–θ curve of Zhao 2022, Fig. 5.
+/// One point of the lC–θ curve of a form, for that of the paper Zhao 2022, Fig. 5.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvePoint {
     /// lC.
@@ -142,18 +145,15 @@ pub struct CurvePoint {
     pub half_angle_polar_rad: Option<f64>,
 }
 
-/// θ over lC for the gap of evenly spaced balls, at `points` spans up to the limit of
+/// θ over lC of raceways of a form for the gap of evenly spaced balls, at `points` spans up to the limit of
 /// Eq. (8); spans that no angle serves are left out.
-pub fn span_angle_curve(bearing: &Bearing, points: usize) -> Vec<CurvePoint> {
+pub fn span_angle_curve(bearing: &Bearing, form: RacewayForm, points: usize) -> Vec<CurvePoint> {
     let limit = axial_span_limit_m(bearing);
     let gap = bearing.nominal_gap_rad();
     (1..points)
         .map(|k| {
             let axial_span_m = limit * k as f64 / points as f64;
-            let angle = |meaning| {
-                let paper = RacewayForm::default();
-                half_angle_for_gap_rad(bearing, paper, axial_span_m, gap, meaning)
-            };
+            let angle = |meaning| half_angle_for_gap_rad(bearing, form, axial_span_m, gap, meaning);
             CurvePoint {
                 axial_span_m,
                 half_angle_rad: angle(Eq11::Published),

@@ -11,7 +11,7 @@ use super::rejection::Cause;
 use super::request::{BUDGET, Request, Stage};
 use crate::bearing::Bearing;
 use crate::design::SLIP_SHORTFALL;
-use crate::raceway::axial_span_limit_m;
+use crate::raceway::{RacewayForm, axial_span_limit_m};
 
 /// Cells of the maps along lC and θ, and the fewest of them.
 const MAP: [usize; 2] = [30, 18];
@@ -69,17 +69,20 @@ fn spread([low, high]: [f64; 2], count: usize) -> Vec<f64> {
 
 /// Ranges of lC and θ to look at: what is asked for of all that Eq. (8) and (9) allow. Empty,
 /// its end below its begin, if they allow nothing of it.
-pub(super) fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
+pub(super) fn ranges(request: &Request, form: RacewayForm, bearing: &Bearing) -> [[f64; 2]; 2] {
     let limit = axial_span_limit_m(bearing) * (1.0 - 1e-9);
     let step = limit / MAP[0] as f64;
     let [low, high] = request
         .axial_span_range_m
         .unwrap_or([step, limit - 0.5 * step]);
     let spans = [low, high.min(limit)];
-    let widest = widest_angle_rad(bearing, spans[1]);
+    // Shapes that Eq. (9) does not bind are sought where it would have them, unless asked for.
+    let [widest, usual] =
+        [form, RacewayForm::default()].map(|form| widest_angle_rad(form, bearing, spans[1]));
+    let usual = usual.min(widest);
     let [low, high] = request
         .half_angle_range_rad
-        .unwrap_or([widest / MAP[1] as f64, widest]);
+        .unwrap_or([usual / MAP[1] as f64, usual]);
     [spans, [low, high.min(widest)]]
 }
 
@@ -97,14 +100,14 @@ pub fn map_fraction(request: &Request) -> f64 {
 }
 
 /// Largest θ at which a path of the span is possible; it grows with the span.
-fn widest_angle_rad(bearing: &Bearing, axial_span_m: f64) -> f64 {
+fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> f64 {
     let possible = |half_angle_rad: f64| {
         let structure = RacewayLayout {
             axial_span_m,
             half_angle_rad,
             centres_rad: vec![0.0],
         };
-        structure.raceways(bearing).is_ok()
+        structure.raceways(form, bearing).is_ok()
     };
     let (mut low, mut high) = (1e-2, FRAC_PI_2 * 0.999);
     while high - low > 1e-3 {
@@ -132,7 +135,7 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
                 half_angle_rad,
                 centres_rad: request.placements[0].clone(),
             });
-            let (forms, cause) = match structure.raceways(batch.bearing) {
+            let (forms, cause) = match structure.raceways(batch.form, batch.bearing) {
                 Ok(raceways) => (Some(ClosedForms::new(batch.bearing, &raceways)), None),
                 Err(error) => (None, Some(Cause::of_geometry(&error))),
             };
@@ -308,7 +311,7 @@ fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Eva
     let table: Vec<(f64, f64)> = spread(spans, TABLE)
         .into_iter()
         .filter_map(|span| {
-            let raceways = at(span).raceways(batch.bearing).ok()?;
+            let raceways = at(span).raceways(batch.form, batch.bearing).ok()?;
             Some((span, ClosedForms::new(batch.bearing, &raceways).fraction()))
         })
         .collect();
@@ -372,7 +375,7 @@ mod tests {
         let case = structure(5.1, 25.2);
         let limit = axial_span_limit_m(&case.bearing);
         let mut request = Request::from_case(&case);
-        let [spans, angles] = ranges(&request, &case.bearing);
+        let [spans, angles] = ranges(&request, RacewayForm::default(), &case.bearing);
         assert!((spans[0] / limit - 1.0 / 30.0).abs() < 1e-6);
         assert!((spans[1] / limit - 59.0 / 60.0).abs() < 1e-6);
         assert!((angles[0] * 18.0 - angles[1]).abs() < 1e-12);
@@ -382,13 +385,13 @@ mod tests {
                 half_angle_rad,
                 centres_rad: vec![0.0],
             }
-            .raceways(&case.bearing)
+            .raceways(RacewayForm::default(), &case.bearing)
             .is_ok()
         };
         assert!(possible(angles[1]) && !possible(angles[1] + 1.1e-3));
         request.axial_span_range_m = Some([4e-3, 1.0]);
         request.half_angle_range_rad = Some([0.2, 0.3]);
-        let [spans, angles] = ranges(&request, &case.bearing);
+        let [spans, angles] = ranges(&request, RacewayForm::default(), &case.bearing);
         assert!(spans[0] == 4e-3 && spans[1] < limit && spans[1] > 0.999_999 * limit);
         assert_eq!(angles, [0.2, 0.3]);
     }
@@ -402,7 +405,8 @@ mod tests {
         request.placements = vec![vec![0.0], vec![0.5]];
         request.half_angle_range_rad = Some([20f64.to_radians(), 25f64.to_radians()]);
         let batch = Batch {
-            ranges: ranges(&request, &case.bearing),
+            form: RacewayForm::default(),
+            ranges: ranges(&request, RacewayForm::default(), &case.bearing),
             request: &request,
             execute: &mut |_, _| unreachable!("nothing to compute"),
             bearing: &case.bearing,

@@ -5,7 +5,7 @@ use crate::case::Case;
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::error::InputError;
 use crate::integrator::IntegrationMethod;
-use crate::raceway::{Raceway, RacewayDimensions};
+use crate::raceway::{Raceway, RacewayDimensions, RacewayForm};
 
 /// Equal discrete raceways at given places.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,11 +19,15 @@ pub struct RacewayLayout {
 }
 
 impl RacewayLayout {
-    /// The raceways in a bearing.
+    /// The raceways in a bearing, of a form.
     ///
     /// # Errors
-    /// The [`InputError`] of [`Raceway::new`], or that two of them overlap.
-    pub fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, InputError> {
+    /// The [`InputError`] of [`Raceway::formed`], or that two of them overlap.
+    pub fn raceways(
+        &self,
+        form: RacewayForm,
+        bearing: &Bearing,
+    ) -> Result<Vec<Raceway>, InputError> {
         let raceways = self
             .centres_rad
             .iter()
@@ -33,7 +37,7 @@ impl RacewayLayout {
                     half_angle_rad: self.half_angle_rad,
                     centre_angle_rad,
                 };
-                Raceway::new(dimensions, bearing)
+                Raceway::formed(dimensions, form, bearing)
             })
             .collect::<Result<Vec<_>, _>>()?;
         crate::raceway::apart(&raceways)?;
@@ -43,10 +47,11 @@ impl RacewayLayout {
     /// The structure of a case whose raceways are equal; `None` without raceways, or if they
     /// differ.
     pub fn from_case(case: &Case) -> Option<Self> {
-        let first = case.raceways.first()?.dimensions();
+        let (first, form) = (case.raceways.first()?.dimensions(), case.raceway_form());
         let equal = case.raceways.iter().all(|r| {
             r.dimensions().axial_span_m == first.axial_span_m
                 && r.half_angle_rad() == first.half_angle_rad
+                && r.form() == form
         });
         equal.then(|| Self {
             axial_span_m: first.axial_span_m,
