@@ -300,7 +300,7 @@ def page(browser, name, path, screens):
     tab.js("document.querySelectorAll('details').forEach((part) => { part.open = false; })")
     export(tab, name)
     # A sweep has many bearings, an equilibrium none in motion.
-    if name not in ("sweep", "static"):
+    if not name.startswith(("sweep", "static")):
         motion(tab, name)
     text = tab.js("document.body.innerText")
     odd = re.findall(r".{0,40}\b(?:NaN|undefined|Infinity|inf)\b.{0,40}", text)
