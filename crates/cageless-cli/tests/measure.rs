@@ -113,6 +113,10 @@ fn what_is_no_raceway_is_refused() {
     };
     let few: Vec<_> = table.lines().take(20).collect();
     let turned = table.replace("x_mm,y_mm", "y_mm,x_mm");
+    let paper = measure(&case, &good, &["--set", "model.formulation=paper"]);
+    assert_eq!(paper.code, Some(2), "{paper:?}");
+    let said = "zhao-d.toml: raceway.shape = \"measured\" is not possible: it must be \"quartic\"";
+    assert!(paper.stderr.contains(said), "{paper:?}");
     let plain = repository_case("conventional.toml");
     for (case, points, said) in [
         (&case, dir.path().join("none.csv"), "none.csv: no such file"),

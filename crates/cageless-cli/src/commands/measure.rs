@@ -39,7 +39,8 @@ pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
         document.enter_profile(index, &groove.rows(INTERVALS));
         grooves.push(groove);
     }
-    let measured = CaseFile::from_document(document.clone(), "measured")?;
+    let measured =
+        CaseFile::from_document(document.clone(), &args.case.case.display().to_string())?;
     let (mut text, mut records) = (String::new(), vec![]);
     for (index, (groove, raceway)) in grooves.iter().zip(&measured.case().raceways).enumerate() {
         let mut results = Results::of(GROOVE, Subject::Groove(groove));

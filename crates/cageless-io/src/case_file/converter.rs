@@ -63,7 +63,11 @@ pub(super) fn refused_in(
         let message = format!("{path} is missing in [{section}]: {meaning}; it must be {allowed}");
         return tree.error(&path, message);
     }
-    let value = key.unit.show(error.value, Side::Nearest);
+    let value = match document.value(&path) {
+        // No number: a name, or rows.
+        Some(value) if error.value.is_nan() => value.written(),
+        _ => key.unit.show(error.value, Side::Nearest),
+    };
     if let Some((origin, how)) = messages::origin_of(document, &path) {
         let message = format!("{path} = {value} ({how}) is not possible: it must be {allowed}");
         return tree.error(origin, message);
