@@ -35,7 +35,7 @@ const DEVIATION_MAX: f64 = 0.1;
 
 /// αc over ψ fitted to points by least squares: αc = (1 − u²)ⁿ P(u²) with u = ψ/θ, n = ½ or 1 and P of up
 /// to 7 terms. Among those that fall steadily from the middle to the ends, n and number of terms are
-/// chosen by generalised cross-validation (Craven & Wahba 1979, Numer. Math. 31, 377–403).
+/// chosen by generalised cross-validation (Craven & Wahba 1979, Numerische Mathematik 31, 377–403).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredFlanks {
     flanks: PowerAngle,
