@@ -7,6 +7,7 @@ FOLDER takes the copy and what is built from it; BUILT is a target folder whose 
 """
 
 import json
+import contextlib
 import os
 import re
 import shutil
@@ -252,7 +253,9 @@ def build(folder, tree, built):
             to = target / "release" / part / path.name
             if "cageless" not in path.name and not to.exists():
                 to.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copytree(path, to) if path.is_dir() else shutil.copy2(path, to)
+                # What the compiler removes meanwhile is compiled again.
+                with contextlib.suppress(FileNotFoundError, shutil.Error):
+                    shutil.copytree(path, to) if path.is_dir() else shutil.copy2(path, to)
     command = ["cargo", "build", "--locked", "--release", "--workspace", "--exclude", "cageless-bench", "--bins"]
     # Pages need no engine here.
     environment = {"CARGO_TARGET_DIR": str(target), "CAGELESS_ENGINE": "/dev/null"}
