@@ -6,8 +6,8 @@ that it lists and no other, and the command then has a law of friction, a method
 FOLDER takes the copy and what is built from it; BUILT is a target folder whose dependencies are taken over.
 """
 
-import json
 import contextlib
+import json
 import os
 import re
 import shutil
