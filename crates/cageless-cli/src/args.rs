@@ -172,6 +172,10 @@ pub struct DropArgs {
     /// converged.
     #[arg(long)]
     pub verify: bool,
+    /// Drop the rotor N times one after the other, each time spinning down to standstill: the bearing
+    /// keeps the heat, and its clearances change with it ([thermal], [[limit]]).
+    #[arg(long, value_name = "N")]
+    pub drops: Option<u64>,
 }
 
 /// `compare`.

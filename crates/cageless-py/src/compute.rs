@@ -73,17 +73,19 @@ pub fn drop(
     compare: bool,
     samples: Option<u64>,
     verify: bool,
+    drops: Option<u64>,
     background: Background,
 ) -> Found<Computed> {
     let request = DropRequest {
         compare,
         samples,
         verify,
+        drops,
     };
     let file = file.0.clone();
     let drop = request.check(&file, "case")?;
     let rows = drop.cases().iter().map(|_| None).collect();
-    let study = background.run(py, |progress| study(drop, request, rows, progress))??;
+    let study = background.run(py, |progress| study(&file, drop, request, rows, progress))??;
     let tables = study.record.bearings.iter().map(Tables::of_drop);
     let (tables, values) = (tables.collect::<Found<_>>()?, study.to_json(&file)?);
     with_seed(py, "drop", values, tables, move || {

@@ -99,11 +99,7 @@ impl File {
 
     /// The file with changes, each `section.key=value`.
     fn changed(&self, changes: Vec<String>) -> Found<Self> {
-        let changed = match &self.0 {
-            VariantFile::Case(_) => CaseFile::parse(&self.to_toml()?, "case", &changes).map(case),
-            VariantFile::Rotor(file) => file.changed(&changes).map(rotor),
-        };
-        changed.map_err(of_values)
+        self.0.changed(&changes).map(Self).map_err(of_values)
     }
 
     /// The file with every default filled in; a rotor file with its cases and matrices.

@@ -24,7 +24,7 @@ fn decode(steps: &Value) -> Vec<f64> {
 fn studied(file: &VariantFile, request: DropRequest) -> DropStudy {
     let drop = request.check(file, "file").unwrap();
     let rows = drop.cases().iter().map(|_| None).collect();
-    study(drop, request, rows, &Silent).unwrap()
+    study(file, drop, request, rows, &Silent).unwrap()
 }
 
 #[test]

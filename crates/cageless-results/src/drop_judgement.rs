@@ -2,14 +2,13 @@
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::rating::BasicRatings;
-use cageless::simulation::{Ending, RotorOutcome};
-use cageless::touchdown::EndState;
+use cageless::simulation::{Ending, RotorOutcome, RunOutcome};
+use cageless::touchdown::{DropSummary, EndState};
 use cageless::{Case, Support};
 
 use crate::cell::Cell;
 use crate::kind::Kind;
 use crate::number_text::short;
-use crate::source::FinishedDrop;
 
 /// Largest energy balance error, relative, of numbers that can be trusted.
 pub const RESIDUAL_FRACTION: f64 = 0.01;
@@ -72,8 +71,7 @@ impl DropJudgement {
     }
 
     /// Verdict on a drop onto one bearing.
-    pub fn of_drop(drop: &FinishedDrop<'_>) -> Self {
-        let (case, summary, outcome) = (drop.case, drop.summary, drop.outcome);
+    pub fn of_drop(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
         let mut failed = vec![];
         let mut kept = vec![];
         if let Ending::Stopped(stop) = &outcome.ending {
@@ -117,6 +115,20 @@ impl DropJudgement {
         }
         failed.extend(unbalanced("", outcome.energy_residual_relative));
         Self::new(failed, kept, summary.end_state == EndState::Falling)
+    }
+
+    /// Adds a limit of a user, kept or not.
+    pub(crate) fn limit(&mut self, exceeded: bool, text: String) {
+        if !exceeded {
+            self.kept.push(text);
+            return;
+        }
+        // What was said of a drop that nothing judged gives way to the limit.
+        if self.passes != Some(false) {
+            self.reasons.clear();
+        }
+        self.passes = Some(false);
+        self.reasons.push(text);
     }
 
     /// Verdict on a drop by the verdicts on its bearings: that of the only one of a case, that of all

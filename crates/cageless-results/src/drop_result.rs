@@ -6,6 +6,7 @@ use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
 use serde::{Serialize, Serializer};
 
 use crate::kind::Kind;
+use crate::limited::limited;
 use crate::table::DROP;
 use crate::{DropJudgement, FinishedDrop, Results, Subject, value_text};
 
@@ -64,18 +65,23 @@ impl WindowRow {
 impl DropResult {
     /// Results `summary` of the drop of `case` that ended as `outcome`.
     pub fn new(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
-        let finished = FinishedDrop {
+        let mut finished = FinishedDrop {
             case,
             summary,
             outcome,
+            judgement: DropJudgement::of_drop(case, summary, outcome),
         };
+        if !case.limits.is_empty() {
+            let results = Results::of(DROP, Subject::Drop(&finished));
+            finished.judgement = limited(finished.judgement, &case.limits, &results);
+        }
         let stopped = match &outcome.ending {
             Ending::Stopped(stop) => Some(stop.reason()),
             _ => None,
         };
         Self {
             results: Results::of(DROP, Subject::Drop(&finished)),
-            judgement: DropJudgement::of_drop(&finished),
+            judgement: finished.judgement,
             stopped,
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
         }

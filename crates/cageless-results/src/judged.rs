@@ -20,6 +20,7 @@ impl Named {
     pub fn unit_text(&self) -> String {
         match self.unit {
             "deg" => "°".to_owned(),
+            "C" => "°C".to_owned(),
             "um" => "µm".to_owned(),
             "us" => "µs".to_owned(),
             unit => unit.replace(' ', "·"),

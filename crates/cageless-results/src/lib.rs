@@ -11,6 +11,7 @@ mod design_result;
 mod drop_judgement;
 mod drop_result;
 mod drop_run;
+mod limited;
 #[cfg(test)]
 mod list;
 #[rustfmt::skip]
@@ -25,6 +26,7 @@ mod results;
 mod search_result;
 mod source;
 mod static_result;
+mod successive_drop;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -49,13 +51,15 @@ pub use results::{Results, value_text};
 pub use search_result::SEARCH_SHAPE;
 pub use source::{
     AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, Judged, JudgedRaceway, Sampled,
-    Searched, SearchedPlacement, Solved, Subject, Tolerated,
+    Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop, Tolerated,
 };
 pub use static_result::{equilibrium_record, spatial_record, static_record};
+pub use successive_drop::succession_record;
 pub use table::{
     AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE, LUBRICATION, MAP, MOTION,
     PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION,
-    RUN, SEARCH, SPACE, STATIC, STRUCTURE, STRUCTURE_AT, VERDICT, of_column, of_kind, quantities,
+    RUN, SEARCH, SPACE, STATIC, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT, of_column, of_kind,
+    quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use verification_result::{step_warning, verification_record};

@@ -23,7 +23,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 39] = [
+const SECTIONS: [(&[Quantity], &str, &str); 40] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (DEFECTS, "Static equilibrium: frequencies of defects", "In `cageless static --json`, `static.json` and its page, next to those above: the table for vibration analysts, in pure rolling. A bearing without a cage has the orbital frequency of its balls in the place of a cage's."),
     (FIT, "Static equilibrium with fits and temperatures", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with `[fit]`."),
@@ -43,6 +43,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 39] = [
     (DROP, "Rotor drop", "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`."),
     (ROTOR_DROP, "Rotor drop: the rotor on several bearings", "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep."),
     (PLANE, "Rotor drop: planes with a clearance", "Under `clearances` of `cageless drop --json` of a rotor file."),
+    (SUCCESSION, "Rotor drop: drops in succession", "Under `succession` of `cageless drop --json` and `summary.json`, for each drop and bearing, with the list `reasons`."),
     (SEARCH, "Search", "Under `search` of `cageless design --search --json` and `design.json`, with the sentences `findings`."),
     (POINT, "Search: operating points", "Under `search.points`, and `point` of each of `search.maps`."),
     (STRUCTURE, "Search: structures", "Under `search.recommended`, `own`, `recommended_from_usual_starts`, `own_from_usual_starts`, `front`, `band` and `placements` (`best`)."),

@@ -14,11 +14,12 @@ use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::summary::Summary;
 use cageless::surface::MeasuredGroove;
 use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
-use cageless::touchdown::DropSummary;
+use cageless::touchdown::{DropSummary, PARTS, SpinDown};
 use cageless::verification::{Distance, Verification};
 use cageless::{Case, Raceway};
 
 use crate::cell::Cell;
+use crate::drop_judgement::DropJudgement;
 use crate::judged::{JudgedResult, VerifiedDrop};
 
 /// A static equilibrium.
@@ -97,6 +98,26 @@ pub struct FinishedDrop<'a> {
     pub summary: &'a DropSummary,
     /// How it ended.
     pub outcome: &'a RunOutcome,
+    /// Verdict on it.
+    pub judgement: DropJudgement,
+}
+
+/// One of several drops one after the other, onto one bearing.
+pub struct SuccessiveDrop<'a> {
+    /// Number of the drop, from 1.
+    pub number: usize,
+    /// Bearing of the rotor, from 0.
+    pub bearing: usize,
+    /// The case, with the clearances of this drop.
+    pub case: &'a Case,
+    /// Heat of all interfaces in the drop, J.
+    pub heat_j: f64,
+    /// Spin-down after it; `None` where the rotor does not come to rest.
+    pub spin_down: Option<SpinDown>,
+    /// Temperatures of inner ring, balls and outer ring after that, °C; `None` without heat capacities.
+    pub standstill_c: Option<[f64; PARTS]>,
+    /// Verdict on it.
+    pub judgement: DropJudgement,
 }
 
 /// A bearing within tolerances.
@@ -222,5 +243,6 @@ sources! {
     Distance([Distance], [Distance]) "Distances of replicas from the run.",
     Si(f64, f64) "A value in SI.",
     Plane(PlaneDisplacement, PlaneDisplacement) "A plane of a rotor with a clearance to the stator.",
+    Succession(SuccessiveDrop<'_>, SuccessiveDrop<'a>) "One of several drops one after the other.",
     RotorDrop(RotorOutcome, RotorOutcome) "The linear rotor of a drop.",
 }

@@ -8,6 +8,7 @@ mod rotor_sweeps;
 mod run_results;
 mod static_values;
 mod studies;
+mod succession;
 mod sweep_analysis;
 mod sweep_collection;
 mod sweep_variants;

@@ -109,9 +109,10 @@ fn contacts_in_a_run_are_counted_by_their_approach_speed() {
 
 /// The study of the drop of a file.
 pub fn studied<F: Clone + Into<VariantFile>>(file: &F, request: DropRequest) -> DropStudy {
-    let drop = request.check(&file.clone().into(), "file").unwrap();
+    let file = file.clone().into();
+    let drop = request.check(&file, "file").unwrap();
     let rows = drop.cases().iter().map(|_| None).collect();
-    study(drop, request, rows, &Silent).unwrap()
+    study(&file, drop, request, rows, &Silent).unwrap()
 }
 
 /// A drop to 2.6 ms after the first contact.

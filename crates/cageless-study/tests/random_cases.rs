@@ -129,7 +129,13 @@ fn end(index: u64) -> Result<End, String> {
     let duration = (STEPS * file.case().solver.step_s).min(0.02);
     let file = parsed(&[format!("solver.duration_s={duration}")]).map_err(|e| e.to_string())?;
     let (outcome, warnings) = if let Some(drop) = RotorDrop::of_case(file.case()) {
-        match study(drop, DropRequest::default(), vec![None], &Silent) {
+        match study(
+            &file.clone().into(),
+            drop,
+            DropRequest::default(),
+            vec![None],
+            &Silent,
+        ) {
             Ok(found) => (found.record.into_last_outcome(), found.warnings),
             Err(_) => return Ok(End::Refused),
         }
@@ -158,7 +164,8 @@ fn end(index: u64) -> Result<End, String> {
 fn balanced(file: &Result<CaseFile, CaseError>) -> bool {
     let Ok(file) = file else { return false };
     let drop = RotorDrop::of_case(file.case()).expect("a rotor");
-    study(drop, DropRequest::default(), vec![None], &Silent).is_ok_and(|found| {
+    let variant = file.clone().into();
+    study(&variant, drop, DropRequest::default(), vec![None], &Silent).is_ok_and(|found| {
         let outcome = &found.record.bearings[0].outcome;
         matches!(outcome.ending, Ending::Complete) && outcome.energy_residual_relative.abs() < 1e-3
     })

@@ -165,7 +165,14 @@ fn cancelled_drops_leave_the_drop_itself() {
         ..DropRequest::default()
     };
     let drop = file.drop().clone();
-    let found = study(drop, request, vec![None, None], &Cancelled::default()).unwrap();
+    let found = study(
+        &file.into(),
+        drop,
+        request,
+        vec![None, None],
+        &Cancelled::default(),
+    )
+    .unwrap();
     assert!(found.interrupted && found.ensemble.is_none() && found.verification.is_none());
     assert_eq!(found.warnings, ["the scattered drops: interrupted"]);
     let endings = found.record.bearings.iter().map(|b| &b.outcome.ending);

@@ -99,6 +99,10 @@ pub struct OperatingClearance {
     pub shaft_pressure_pa: f64,
     /// Pressure between outer ring and housing, Pa.
     pub housing_pressure_pa: f64,
+    /// Temperatures of inner ring, balls and outer ring, °C.
+    pub parts_c: [f64; 3],
+    /// Coefficient of thermal expansion of the rings, 1/K.
+    pub ring_expansion_per_k: f64,
 }
 
 impl OperatingClearance {
@@ -231,6 +235,8 @@ impl Fit {
             thermal_change_m: rings - 2.0 * ball_m * ball_per_k * ball_k,
             shaft_pressure_pa,
             housing_pressure_pa,
+            parts_c: [inner_k, ball_k, outer_k].map(|k| REFERENCE_TEMPERATURE_C + k),
+            ring_expansion_per_k: ring_per_k,
         };
         let strain_m = found.change_m();
         if strain_m > STRAIN_MAX * inner_m {

@@ -46,6 +46,7 @@ mod static_minimum;
 mod step_limits;
 mod tolerance;
 mod touchdown_balance;
+mod touchdown_heat;
 mod touchdown_reference;
 mod touchdown_results;
 mod turned_ring;

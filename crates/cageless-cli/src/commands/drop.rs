@@ -5,7 +5,7 @@ use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
 use cageless_results::{DropJudgement, DropResult, Record, plane_records, table_of};
 use cageless_study::drop::{
-    Distribution, DropRequest, DropStudy, Ensemble, WhirlProbability, study,
+    Distribution, DropRequest, DropStudy, Ensemble, Succession, WhirlProbability, study,
 };
 
 use super::run::verified;
@@ -29,6 +29,7 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
         compare: args.compare == Some(Reference::Conventional),
         samples: args.samples,
         verify: args.verify,
+        drops: args.drops,
     };
     let drop = request.check(&file, &path.display().to_string())?;
     let linear = drop.rotor().is_some();
@@ -40,7 +41,7 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
             false => String::new(),
         });
         let mut tables = Tables::create(out, folders.zip(file.cases()))?;
-        let study = study(drop, request, tables.rows(), bars)?;
+        let study = study(&file, drop, request, tables.rows(), bars)?;
         tables.finish(output.csv)?;
         let (json, text) = (study.to_json(&file)?, text(&study));
         let files = output.files(|| Ok(vec![(PAGE, Some(drop_page(&file, &study)))]))?;
@@ -69,6 +70,7 @@ fn text(study: &DropStudy) -> String {
     text += &columns(&DropResult::side_by_side(
         &study.results("value", "conventional"),
     ));
+    text += &succession_text(&study.succession);
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
@@ -76,6 +78,24 @@ fn text(study: &DropStudy) -> String {
         text += &verification_text(study, verification);
     }
     text + &warnings(&study.warnings)
+}
+
+/// Spin-down of the rotor, and drops after it.
+fn succession_text(succession: &Succession) -> String {
+    let records = succession.records.iter();
+    let records: Vec<Record> = records.map(|r| r.results.clone().into()).collect();
+    let table = columns(&table_of(&records));
+    let failure = succession.first_failure().map(|(drop, reasons)| {
+        let text = format!("drop {drop}: {reasons}");
+        pairs(&[("first drop beyond a limit", text)])
+    });
+    match succession.records.is_empty() {
+        true => String::new(),
+        false => format!(
+            "\ndrops in succession\n{table}{}",
+            failure.unwrap_or_default()
+        ),
+    }
 }
 
 /// PASS or FAIL with its reasons.

@@ -10,13 +10,17 @@ use cageless::design::search::Request;
 use cageless::raceway::MeasuredFlanks;
 use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
+use cageless::touchdown::Limit;
 use cageless::{
     Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Row, Solver, Support,
 };
 
+use cageless_results::{DROP, Kind, SUCCESSION};
+
 use super::converter::Converter;
 use super::document::CaseDocument;
 use super::error::CaseError;
+use super::format::nearest;
 use super::sections::CaseSections;
 use super::spanned_toml::{join, nth};
 use super::{keys, messages};
@@ -66,6 +70,8 @@ impl Converter<'_> {
             rows: self.rows(),
             fit,
             lubrication: s.lubrication.clone(),
+            thermal: s.thermal.clone().unwrap_or_default(),
+            limits: self.limits()?,
             output: s.output.clone(),
         };
         let automatic = s.solver.step_s.0.is_none();
@@ -127,6 +133,30 @@ impl Converter<'_> {
             balls: row.row_balls,
         })
         .collect()
+    }
+
+    /// Limits on results of a drop, which must be among them.
+    fn limits(&self) -> Result<Vec<Limit>, CaseError> {
+        let limits = &self.sections.limit;
+        let names = || {
+            let all = DROP.iter().chain(SUCCESSION);
+            let numbers = all.filter(|q| matches!(q.kind, Kind::Number | Kind::Integer));
+            numbers.map(|quantity| quantity.name)
+        };
+        for (index, limit) in limits.iter().enumerate() {
+            if names().any(|name| name == limit.result) {
+                continue;
+            }
+            let path = join(&nth("limit", index, limits.len()), "result");
+            let near = nearest(&limit.result, names());
+            let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+            let allowed = format!(
+                "the name of a number among the results of a drop (docs/results.md), \
+                 rotor_force_max_n say{near}"
+            );
+            return Err(self.refuse(&path, &allowed));
+        }
+        Ok(limits.clone())
     }
 
     /// The support of the outer ring.

@@ -76,6 +76,20 @@ impl VariantFile {
         })
     }
 
+    /// The file with changes, each `section.key=value`, of one bearing of several
+    /// `bearing.2.section.key=value`.
+    ///
+    /// # Errors
+    /// Those of [`CaseFile::parse`] and [`RotorFile::changed`].
+    pub fn changed(&self, changes: &[String]) -> Result<Self, CaseError> {
+        Ok(match self {
+            Self::Case(file) => {
+                CaseFile::parse(&file.document().to_toml()?, "case", changes)?.into()
+            }
+            Self::Rotor(file) => file.changed(changes)?.into(),
+        })
+    }
+
     /// Free text.
     pub fn title(&self) -> &str {
         match self {

@@ -145,6 +145,14 @@ class DropAttributes:
     ball_friction_j: float  # friction between balls, J
     contact_damping_j: float  # damping of the balls' contacts, J
     support_damping_j: float  # damping of the support, J
+    braking_torque_n_m: float  # torque by which the contacts brake the rotor, at the end, N m
+    end_power_w: float  # heat of all interfaces per second, at the end, W
+    inner_ring_power_w: float  # into the inner ring, W
+    ball_power_w: float  # into the balls, W
+    outer_ring_power_w: float  # into the outer ring, W
+    inner_ring_temperature_c: float  # temperature of the inner ring at the end, C
+    ball_temperature_c: float  # temperature of the balls at the end, C
+    outer_ring_temperature_c: float  # temperature of the outer ring at the end, C
     inner_force_max_of_ball_n: Floats  # largest force of each ball at the inner raceway, N
     outer_force_max_of_ball_n: Floats  # largest force of each ball at the outer raceway, N
     energy_residual_relative: float  # energy balance error (relative)

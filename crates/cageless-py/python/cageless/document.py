@@ -143,6 +143,7 @@ class Document(Written):
         compare: bool = False,
         samples: int | None = None,
         verify: bool = False,
+        drops: int | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Drop:
@@ -156,14 +157,16 @@ class Document(Written):
             verify: Repeat the drop from perturbed starts and at half the step;
                 ``data_verification()`` classifies the results as converged, statistical or
                 step-biased.
+            drops: Number of drops one after the other, the bearing keeping their heat;
+                ``data_succession()`` has a row for each.
             threads: Number of threads (default: number of cores).
             progress: Called as by the computations of a :class:`Case`.
 
         Raises:
-            InputError: If there is no rotor, or ``samples`` is impossible.
+            InputError: If there is no rotor, or ``samples`` or ``drops`` is impossible.
             UnphysicalError: If the drop left the physical range; its ``result`` has what was computed.
         """
-        asked = (compare, whole("samples", samples), verify)
+        asked = (compare, whole("samples", samples), verify, whole("drops", drops))
         return complete(Drop(_cageless.drop(self._file, *asked, (threads, progress))))
 
     @cached_property

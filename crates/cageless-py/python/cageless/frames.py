@@ -252,6 +252,9 @@ def special(kind: str, values: Row) -> Frames:
     if kind == "drop":
         return {
             "drops": partial(scattered, values),
+            "succession": partial(
+                frame, [scalars(row["result"]) | scalars(row) for row in values["succession"]]
+            ),
             "windows": partial(frame, values.get("windows", [])),
             "verification": partial(judged, values),
         }

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from .rotors import LinearRotor
 
-__all__ = ["Bearing", "Contact", "Fit", "Housing", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support"]
+__all__ = ["Bearing", "Contact", "Fit", "Housing", "Limit", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support", "Thermal"]
 
 Keys = Mapping[str, Any]
 
@@ -205,6 +205,26 @@ class Support(Section):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Thermal(Section):
+    """`[thermal]`: what the heat of drops warms."""
+
+    outer_ring_mass_kg: Annotated[float | None, "mass of the outer ring; that of a ring 0.3 Dw thick behind its groove and 1.6 Dw wide unless given"] = None
+    ring_specific_heat_j_kg_k: Annotated[float | None, "specific heat of the rings; 460, bearing steel, unless given; needed of rings of another material"] = None
+    ball_specific_heat_j_kg_k: Annotated[float | None, "specific heat of the balls; 460, bearing steel, unless given; needed of balls of another material"] = None
+    pause_s: Annotated[float | None, "time from the standstill of the rotor to the next drop"] = None
+    cooling_time_s: Annotated[float | None, "time constant with which the bearing cools in the pause towards its temperature before the first drop; without one it keeps all heat"] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Limit(Section):
+    """`[limit]`: a limit on a result of a drop, with whose it is."""
+
+    result: Annotated[str, "name of a number among the results of a drop or of drops in succession: rotor_force_max_n, ball_standstill_c, …"]
+    value: Annotated[float, "the most that it may be, in the unit of the result; the least where more is better"]
+    source: Annotated[str, "whose limit it is: a specification, a maker"]
+
+
+@dataclass(frozen=True, kw_only=True)
 class Fit(Section):
     """`[fit]`: fits and temperatures, from which the clearance in operation follows."""
 
@@ -264,6 +284,7 @@ class OfCase:
     housing: Housing | None
     rotor: Rotor | None
     support: Support | None
+    thermal: Thermal | None
     fit: Fit | None
     lubrication: Lubrication | None
     output: Output
@@ -286,6 +307,8 @@ class Arguments(TypedDict, total=False):
     housing: Housing | Keys | None
     rotor: Rotor | Keys | None
     support: Support | Keys | None
+    thermal: Thermal | Keys | None
+    limit: Limit | Keys | Sequence[Limit | Keys] | None
     fit: Fit | Keys | None
     lubrication: Lubrication | Keys | None
     output: Output | Keys | None

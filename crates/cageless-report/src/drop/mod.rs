@@ -2,11 +2,12 @@
 
 mod balls;
 mod label;
+mod report;
 mod rotor;
 mod scattered;
+mod succession;
 
 use cageless::Case;
-use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::plan_file::VariantFile;
@@ -27,6 +28,7 @@ use balls::{balls_in_motion, heat, loads};
 use label::label;
 use rotor::of_rotor;
 use scattered::scattered;
+use succession::succession;
 
 /// The self-contained page of a drop of the rotor in `file`.
 pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
@@ -45,7 +47,37 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     for warning in &study.warnings {
         page.note(Note::Warning, warning);
     }
-    page.section("Results");
+    page.section("Architecture");
+    report::architecture(&mut page, study);
+    report::keys(
+        &mut page,
+        file,
+        study,
+        &["bearing", "raceway", "material", "ball_material"],
+    );
+    page.section("Requirements");
+    report::requirements(&mut page, file, study);
+    page.section("Dynamic system");
+    report::keys(
+        &mut page,
+        file,
+        study,
+        &["rotor", "support", "contact", "solver"],
+    );
+    page.section("Environment");
+    report::environment(&mut page, study);
+    report::keys(
+        &mut page,
+        file,
+        study,
+        &["operation", "thermal", "fit", "lubrication"],
+    );
+    page.section("Event");
+    page.paragraph(&event(file));
+    report::keys(&mut page, file, study, &["start"]);
+    page.section("Failure modes");
+    report::failure_modes(&mut page, study);
+    page.section("Simulation");
     let planes = study.record.rotor.iter().map(|rotor| &rotor.planes);
     for planes in planes.filter(|planes| !planes.is_empty()) {
         page.table(&clearances(planes, &source));
@@ -76,11 +108,25 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     if let Some(verification) = &study.verification {
         verification_section(&mut page, study, verification);
     }
+    page.section("Acceptance test");
+    report::acceptance_test(&mut page, study);
+    page.section("Drops in succession");
+    succession(&mut page, study);
     if let VariantFile::Case(file) = file {
         let toml = file.document().to_toml().unwrap_or_default();
         studio_section(&mut page, &toml, "");
     }
     page.html()
+}
+
+/// What happens at t = 0.
+fn event(file: &VariantFile) -> String {
+    let speed_rpm = file.cases()[0].document().number("rotor.speed_rpm");
+    format!(
+        "At t = 0 the magnetic bearing loses power. The rotor turns at {} rpm where the magnets held \
+         it, falls through the touch-down clearance and lands on an inner ring at rest.",
+        short(speed_rpm.unwrap_or_default())
+    )
 }
 
 /// Shows figures of bearing `k`: of its case, its record and that with a conventional outer ring.
@@ -132,7 +178,7 @@ fn head(drop: &DropResult) -> Head {
         let value = drop.results.value(result)?;
         Some(parameter(name, short(value), unit))
     };
-    let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
+    let limit_mpa = report::pressure_limit_mpa();
     let pressure_mpa = [
         "inner_pressure_max_mpa",
         "outer_pressure_max_mpa",

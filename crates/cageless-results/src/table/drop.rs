@@ -1,21 +1,23 @@
 //! Results of a drop.
 
+use cageless::touchdown::EndPower;
+
 use crate::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
+use crate::FinishedDrop;
 use crate::across::Across;
 use crate::cell::Cell;
 use crate::declare::*;
 use crate::kind::Kind;
 use crate::meanings::*;
 use crate::quantity::Quantity;
-use crate::source::Source::{Drop, Plane, RotorDrop};
-use crate::{DropJudgement, FinishedDrop};
+use crate::source::Source::{Drop, Plane, RotorDrop, Succession};
 
 /// Results of a drop onto one bearing.
 #[rustfmt::skip]
 pub const DROP: &[Quantity] = &[
     means("`pass`, `fail` or `not-judged`", across(Across::Verdict, text("verdict", "verdict", Drop(|d| judged(d, Kind::Text))))),
     across(Across::Verdict, high(flag("passes", "passes", Drop(|d| judged(d, Kind::Flag))))),
-    file_only(text("headline", "verdict with its reason", Drop(|d| Cell::Text(DropJudgement::of_drop(d).headline())))),
+    file_only(text("headline", "verdict with its reason", Drop(|d| Cell::Text(d.judgement.headline())))),
     file_only(text("end_state_text", "state at the end in words", Drop(|d| Cell::Text(d.summary.end_state.text().to_owned())))),
     means("`at-rest`, `pendulum`, `bouncing`, `settling`, `forward-whirl`, `backward-whirl` or `falling`", across(WorstState, text("end_state", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.name().to_owned()))))),
     across(Smallest, quantity("first_contact_ms", "ms", "first contact", Drop(|d| d.summary.first_contact_s.map(|t| 1e3 * t).into()))),
@@ -56,6 +58,14 @@ pub const DROP: &[Quantity] = &[
     across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j)))),
     across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j)))),
     across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j)))),
+    means("power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact", across(Sum, quantity("braking_torque_n_m", "N m", "torque by which the contacts brake the rotor, at the end", Drop(|d| end(d, |p| p.torque_n_m))))),
+    means("mean over the last fifth of the time after the first contact", across(Sum, quantity("end_power_w", "W", "heat of all interfaces per second, at the end", Drop(|d| end(d, |p| p.total_w))))),
+    means(INTO_PART, across(Sum, quantity("inner_ring_power_w", "W", "  into the inner ring", Drop(|d| end(d, |p| p.parts_w[0]))))),
+    means(INTO_PART, across(Sum, quantity("ball_power_w", "W", "  into the balls", Drop(|d| end(d, |p| p.parts_w[1]))))),
+    means(INTO_PART, across(Sum, quantity("outer_ring_power_w", "W", "  into the outer ring", Drop(|d| end(d, |p| p.parts_w[2]))))),
+    means(ADIABATIC, across(Largest, low(quantity("inner_ring_temperature_c", "C", "temperature of the inner ring at the end", Drop(|d| temperature(d, 0)))))),
+    means(ADIABATIC, across(Largest, low(quantity("ball_temperature_c", "C", "temperature of the balls at the end", Drop(|d| temperature(d, 1)))))),
+    means(ADIABATIC, across(Largest, low(quantity("outer_ring_temperature_c", "C", "temperature of the outer ring at the end", Drop(|d| temperature(d, 2)))))),
     list("inner_force_max_of_ball_n", "N", "largest force of each ball at the inner raceway", Drop(|d| Cell::Numbers(d.summary.inner_force_max_n.clone()))),
     list("outer_force_max_of_ball_n", "N", "largest force of each ball at the outer raceway", Drop(|d| Cell::Numbers(d.summary.outer_force_max_n.clone()))),
     means(ENERGY_RESIDUAL, across(Largest, quantity("energy_residual_relative", "", "energy balance error (relative)", Drop(|d| some(d.outcome.energy_residual_relative))))),
@@ -78,8 +88,43 @@ pub const PLANE: &[Quantity] = &[
     part(high(means("negative: the rotor touches the stator", quantity("margin_um", "um", "margin", Plane(|p| some(1e6 * p.clearance.radial_m - 1e6 * p.displacement_max_m)))))),
 ];
 
+/// One of several drops one after the other, onto one bearing.
+#[rustfmt::skip]
+pub const SUCCESSION: &[Quantity] = &[
+    part(integer("drop", "drop", Succession(|s| count(s.number)))),
+    part(integer("bearing", "bearing", Succession(|s| count(s.bearing + 1)))),
+    file_only(quantity("inner_ring_start_c", "C", "inner ring at the start", Succession(|s| some(s.case.parts_c()[0])))),
+    file_only(quantity("ball_start_c", "C", "balls at the start", Succession(|s| some(s.case.parts_c()[1])))),
+    file_only(quantity("outer_ring_start_c", "C", "outer ring at the start", Succession(|s| some(s.case.parts_c()[2])))),
+    part(means("at the start of the drop, with the expansion of rings and balls by the heat of the drops before", quantity("radial_internal_clearance_um", "um", "Gr", Succession(|s| some(1e6 * s.case.bearing.radial_internal_clearance_m()))))),
+    part(means("at the start of the drop, radial, with the expansion of the inner ring", quantity("touchdown_clearance_um", "um", "touch-down clearance", Succession(|s| s.case.rotor.as_ref().map(|r| 1e6 * r.radial_clearance_m).into())))),
+    part(low(quantity("dissipated_j", "J", "heat of all interfaces", Succession(|s| some(s.heat_j))))),
+    part(means("time to standstill from the end of the simulated time, at the torques of its end: those of the contacts and `rotor.drive_torque_n_m`, once every inner ring has come up to speed", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down.map(|d| d.time_s).into())))),
+    part(means("of all bearings of the rotor", low(quantity("spin_down_heat_j", "J", "heat of the spin-down", Succession(|s| s.spin_down.map(|d| d.heat_j).into()))))),
+    part(means(STANDSTILL, low(quantity("inner_ring_standstill_c", "C", "inner ring at standstill", Succession(|s| s.standstill_c.map(|c| c[0]).into()))))),
+    part(means(STANDSTILL, low(quantity("ball_standstill_c", "C", "balls at standstill", Succession(|s| s.standstill_c.map(|c| c[1]).into()))))),
+    part(means(STANDSTILL, low(quantity("outer_ring_standstill_c", "C", "outer ring at standstill", Succession(|s| s.standstill_c.map(|c| c[2]).into()))))),
+    part(means("`pass`, `fail` or `not-judged`: that of the drop and the limits on these rows", in_tables(text("verdict", "verdict", Succession(|s| Cell::Text(s.judgement.name().to_owned())))))),
+];
+
+const INTO_PART: &str = "half of the friction between two bodies, half of the damping of the balls' contacts into the balls and a quarter into each ring; mean over the last fifth of the time after the first contact";
+const STANDSTILL: &str = "at standstill of the rotor, all heat of drop and spin-down kept; the heat of the spin-down is shared as that of the end of the drop";
+const ADIABATIC: &str =
+    "start and heat of the drop over the heat capacity of the part, none of which is lost";
+
+fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {
+    drop.summary.end_power.as_ref().map(of).into()
+}
+
+fn temperature(drop: &FinishedDrop<'_>, part: usize) -> Cell {
+    let case = drop.case;
+    let capacities = case.thermal.capacities_j_k(&case.bearing).ok();
+    let rise_k = capacities.map(|c| drop.summary.heat.of_parts_j()[part] / c[part]);
+    rise_k.map(|rise_k| case.parts_c()[part] + rise_k).into()
+}
+
 fn judged(drop: &FinishedDrop<'_>, kind: Kind) -> Cell {
-    DropJudgement::of_drop(drop).cell(kind)
+    drop.judgement.cell(kind)
 }
 
 fn clearance_margin(drop: &FinishedDrop<'_>) -> Cell {

@@ -14,7 +14,7 @@ use crate::quantity::{Quantity, bearing_in_column};
 
 pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWAY, VERDICT};
 pub(crate) use design::{CURVE, RECOMMENDATION};
-pub use drop::{DROP, PLANE, ROTOR_DROP};
+pub use drop::{DROP, PLANE, ROTOR_DROP, SUCCESSION};
 pub use run::{COMPARED, RUN};
 pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
@@ -47,6 +47,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         DROP,
         ROTOR_DROP,
         PLANE,
+        SUCCESSION,
         SEARCH,
         POINT,
         STRUCTURE,

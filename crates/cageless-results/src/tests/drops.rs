@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
-use cageless::touchdown::{DropRecorder, DropSummary};
+use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit, SpinDown};
 
 use super::*;
 
@@ -12,7 +12,13 @@ const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d
 
 /// A drop whose numbers all differ, and differ from those of another `counter`.
 fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
-    let sets = ["solver.duration_s=0.0001", "rotor.clearance_limit_um=437"];
+    let sets = [
+        "solver.duration_s=0.0001",
+        "rotor.clearance_limit_um=437",
+        "fit.inner_ring_temperature_c=31",
+        "fit.ball_temperature_c=27",
+        "fit.outer_ring_temperature_c=29",
+    ];
     let file = CaseFile::read(Path::new(CASE), &sets.map(str::to_owned)).unwrap();
     let mut recorder = DropRecorder::new();
     let outcome = run(file.case(), &mut [&mut recorder], &mut |_| {
@@ -61,6 +67,11 @@ fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
     ] {
         *field = next(counter);
     }
+    s.end_power = Some(EndPower {
+        total_w: next(counter),
+        parts_w: [next(counter), next(counter), next(counter)],
+        torque_n_m: next(counter),
+    });
     s.impacts = 11;
     (s.collisions.all, s.collisions.above) = (101, [53, 29, 17]);
     (file.case().clone(), s, outcome)
@@ -72,6 +83,15 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
     let (heat, weight_n) = (s.heat, s.rotor_weight_n.unwrap());
     let of_balls = heat.inner_friction_j + heat.outer_friction_j + heat.ball_friction_j;
     let rate = |k: usize| s.end_collision_rate_above_hz[k].unwrap();
+    let (end, capacities) = (
+        s.end_power.unwrap(),
+        case.thermal.capacities_j_k(&case.bearing).unwrap(),
+    );
+    let inner_j = (heat.rotor_friction_j + heat.rotor_damping_j + heat.inner_friction_j) / 2.0
+        + heat.contact_damping_j / 4.0;
+    let outer_j = heat.outer_friction_j / 2.0 + heat.contact_damping_j / 4.0;
+    let balls_j = of_balls - (heat.inner_friction_j + heat.outer_friction_j) / 2.0
+        + heat.contact_damping_j / 2.0;
     let expected = [
         ("first_contact_ms", s.first_contact_s.unwrap() / 1e-3),
         ("contact_fraction", s.contact_fraction),
@@ -131,6 +151,14 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("ball_friction_j", heat.ball_friction_j),
         ("contact_damping_j", heat.contact_damping_j),
         ("support_damping_j", heat.support_damping_j),
+        ("braking_torque_n_m", end.torque_n_m),
+        ("end_power_w", end.total_w),
+        ("inner_ring_power_w", end.parts_w[0]),
+        ("ball_power_w", end.parts_w[1]),
+        ("outer_ring_power_w", end.parts_w[2]),
+        ("inner_ring_temperature_c", 31.0 + inner_j / capacities[0]),
+        ("ball_temperature_c", 27.0 + balls_j / capacities[1]),
+        ("outer_ring_temperature_c", 29.0 + outer_j / capacities[2]),
         ("energy_residual_relative", outcome.energy_residual_relative),
         ("simulated_s", 1e-4),
     ];
@@ -138,6 +166,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         case: &case,
         summary: &s,
         outcome: &outcome,
+        judgement: DropJudgement::of_drop(&case, &s, &outcome),
     };
     let results = Results::of(DROP, Subject::Drop(&finished));
     compare(&results, &expected, &[], 1e-12);
@@ -206,6 +235,11 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
         "ball_friction_j",
         "contact_damping_j",
         "support_damping_j",
+        "braking_torque_n_m",
+        "end_power_w",
+        "inner_ring_power_w",
+        "ball_power_w",
+        "outer_ring_power_w",
     ];
     let mut compared = 0;
     let numbers = DROP.iter().chain(ROTOR_DROP);
@@ -234,4 +268,86 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
         compared += 1;
     }
     assert!(compared > 35, "{compared}");
+}
+
+/// A limit of a user decides with whose it is, where more is better as the least; a result of drops in
+/// succession is judged with its drop.
+#[test]
+fn limits_of_a_user_judge_a_drop_and_its_succession() {
+    let (mut case, mut s, mut outcome) = drop(&mut 0.2);
+    outcome.energy_residual_relative = 0.0;
+    s.rotor_force_max_n = 4000.0;
+    s.end_state = EndState::AtRest;
+    s.rotor_displacement_max_m = 100e-6;
+    (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
+    (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
+    let limit = |result: &str, value: f64| Limit {
+        result: result.to_owned(),
+        value,
+        source: "the plant".to_owned(),
+    };
+    let judged = |case: &Case| DropResult::new(case, &s, &outcome);
+    assert_eq!(judged(&case).judgement.passes, Some(true));
+    for (name, kept, broken) in [
+        ("rotor_force_max_n", 4001.0, 3999.0),
+        ("clearance_margin_um", 336.0, 338.0),
+    ] {
+        case.limits = vec![limit(name, kept)];
+        let judgement = judged(&case).judgement;
+        assert_eq!(judgement.passes, Some(true), "{name}");
+        assert!(judgement.headline().contains("(the plant)"), "{name}");
+        case.limits = vec![limit(name, broken)];
+        let judgement = judged(&case).judgement;
+        assert_eq!(judgement.passes, Some(false), "{name}");
+        assert_eq!(judgement.reasons.len(), 1);
+        assert!(
+            judgement.reasons[0].ends_with("(the plant)"),
+            "{judgement:?}"
+        );
+    }
+
+    let per_k = 12.5e-6;
+    let gr_um = 2.0 * per_k * (27_765.0 * 9.0 - 18_240.0 * 11.0 - 2.0 * 4_762.5 * 7.0);
+    case.limits = vec![limit("ball_standstill_c", 90.0)];
+    let result = judged(&case);
+    assert_eq!(result.judgement.passes, Some(true));
+    for (ball_c, verdict) in [(89.0, "pass"), (91.0, "fail")] {
+        let spin_down = SpinDown {
+            time_s: 17.0,
+            heat_j: 333.0,
+        };
+        let ended = SuccessiveDrop {
+            number: 3,
+            bearing: 1,
+            case: &case,
+            heat_j: 271.0,
+            spin_down: Some(spin_down),
+            standstill_c: Some([61.0, ball_c, 43.0]),
+            judgement: DropJudgement::default(),
+        };
+        let record = succession_record(ended, &result);
+        assert_eq!(record.text("verdict"), verdict);
+        assert_eq!(
+            record.sentences("reasons").len(),
+            usize::from(ball_c > 90.0)
+        );
+        let expected = [
+            ("inner_ring_start_c", 31.0),
+            ("ball_start_c", 27.0),
+            ("outer_ring_start_c", 29.0),
+            ("radial_internal_clearance_um", gr_um),
+            ("touchdown_clearance_um", 200.0),
+            ("dissipated_j", 271.0),
+            ("spin_down_s", 17.0),
+            ("spin_down_heat_j", 333.0),
+            ("inner_ring_standstill_c", 61.0),
+            ("ball_standstill_c", ball_c),
+            ("outer_ring_standstill_c", 43.0),
+        ];
+        compare(&record.results, &expected, &[], 1e-9);
+        let own = record.part("result").unwrap();
+        assert_eq!(own.value("rotor_force_max_n"), Some(4000.0));
+        assert_eq!(record.get("drop"), Some(&Cell::Integer(3)));
+        assert_eq!(record.get("bearing"), Some(&Cell::Integer(2)));
+    }
 }

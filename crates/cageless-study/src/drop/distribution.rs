@@ -110,12 +110,12 @@ impl BearingRow {
 ///
 /// # Errors
 /// [`StudyError::Option`].
-pub fn check_drops(count: u64) -> Result<(), StudyError> {
+pub fn check_drops(option: &'static str, count: u64) -> Result<(), StudyError> {
     if (1..=DROPS_MAX).contains(&count) {
         return Ok(());
     }
     Err(StudyError::Option(OptionError {
-        option: "samples",
+        option,
         value: count.to_string(),
         problem: format!("is not possible: it must be from 1 to {DROPS_MAX}"),
     }))

@@ -75,7 +75,7 @@ pub fn ensemble(
     scatter: &Scatter,
     progress: &dyn Progress,
 ) -> Result<Ensemble, StudyError> {
-    check_drops(count)?;
+    check_drops("samples", count)?;
     let task = progress.begin("drops", count as f64);
     let indices: Vec<u64> = (0..count).collect();
     let rows: Result<Vec<Vec<DropRow>>, StudyError> = indices

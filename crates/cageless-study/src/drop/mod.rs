@@ -7,6 +7,7 @@ mod ensemble;
 mod record;
 mod side_by_side;
 mod study;
+mod succession;
 mod summary;
 mod verification;
 
@@ -18,3 +19,4 @@ pub use ensemble::{DropRow, Ensemble, RotorRow, ensemble};
 pub use record::{BearingRecord, DropRecord};
 pub(crate) use side_by_side::run_drops;
 pub use study::{DropRequest, DropStudy, study, unloaded};
+pub use succession::Succession;

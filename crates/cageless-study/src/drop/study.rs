@@ -9,7 +9,7 @@ use cageless_results::number_text::short;
 use cageless_results::{DropResult, Record};
 
 use super::verification::verify;
-use super::{BearingRecord, DropRecord, Ensemble, check_drops, ensemble};
+use super::{BearingRecord, DropRecord, Ensemble, Succession, check_drops, ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
@@ -24,6 +24,8 @@ pub struct DropRequest {
     pub samples: Option<u64>,
     /// Whether the drop is verified.
     pub verify: bool,
+    /// Number of drops one after the other; one unless given.
+    pub drops: Option<u64>,
 }
 
 impl DropRequest {
@@ -39,7 +41,9 @@ impl DropRequest {
             ))
         };
         let drop = file.drop().ok_or_else(missing)?;
-        self.samples.map_or(Ok(()), check_drops)?;
+        for (option, count) in [("samples", self.samples), ("drops", self.drops)] {
+            count.map_or(Ok(()), |count| check_drops(option, count))?;
+        }
         Ok(drop)
     }
 }
@@ -54,6 +58,8 @@ pub struct DropStudy {
     pub conventional: Option<DropRecord>,
     /// Scattered drops.
     pub ensemble: Option<Ensemble>,
+    /// The drop, its spin-down to standstill and the drops after it.
+    pub succession: Succession,
     /// Verification of the drop.
     pub verification: Option<Record>,
     /// What the numbers do not show, and what no bearing stands; what was asked for and could not be
@@ -70,6 +76,7 @@ pub struct DropStudy {
 /// # Errors
 /// A bearing cannot start, or its rows could not be stored.
 pub fn study<'r>(
+    file: &VariantFile,
     drop: RotorDrop,
     request: DropRequest,
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
@@ -80,7 +87,11 @@ pub fn study<'r>(
     if !matches!(study.record.ending(), Ending::Complete) {
         return Ok(study);
     }
-    if request.compare {
+    let drops = request.drops.unwrap_or(1);
+    study.succession = Succession::new(file, &study.drop, &study.record, drops, progress)?;
+    study.interrupted = study.succession.interrupted;
+    study.warnings.extend(study.succession.warnings.clone());
+    if request.compare && !study.interrupted {
         let drop = study.drop.conventional();
         let none = drop.cases().iter().map(|_| None).collect();
         let other = DropRecord::of(&drop, none, progress)?;
@@ -116,6 +127,7 @@ impl DropStudy {
             record,
             conventional: None,
             ensemble: None,
+            succession: Succession::default(),
             verification: None,
             warnings,
         }

@@ -31,6 +31,7 @@ impl DropStudy {
             bearings: Bearings::new(&self.drop, bearings),
             conventional: self.conventional.as_ref().map(OfBearings::results),
             ensemble: self.ensemble.as_ref(),
+            succession: &self.succession.records,
             verification: self.verification.as_ref(),
             warnings: &self.warnings,
         };
@@ -73,6 +74,7 @@ struct Summary<'a> {
     conventional: Option<OfBearings<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a Ensemble>,
+    succession: &'a [Record],
     #[serde(skip_serializing_if = "Option::is_none")]
     verification: Option<&'a Record>,
     warnings: &'a [String],

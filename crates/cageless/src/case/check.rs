@@ -72,6 +72,7 @@ impl Case {
         }
         self.contact.check()?;
         self.lubrication.as_ref().map_or(Ok(()), |l| l.check())?;
+        self.thermal.check()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
         }

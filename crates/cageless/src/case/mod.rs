@@ -18,7 +18,7 @@ mod spatial_load;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
-use crate::fit::OperatingClearance;
+use crate::fit::{OperatingClearance, REFERENCE_TEMPERATURE_C};
 use crate::flank_model::FlankModel;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
@@ -27,6 +27,7 @@ use crate::profile::Profile;
 use crate::raceway::{Raceway, RacewayForm};
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
+use crate::touchdown::{Limit, PARTS, Thermal};
 
 pub use contact::{Contact, STRIPS_MAX};
 pub use space::SPATIAL_FIELDS;
@@ -218,6 +219,10 @@ pub struct Case {
     pub fit: Option<OperatingClearance>,
     /// Lubricant, which ratings need and the motion does not take.
     pub lubrication: Option<Lubrication>,
+    /// What the heat of drops warms; its default where the case does not say.
+    pub thermal: Thermal,
+    /// Limits on the results of a drop.
+    pub limits: Vec<Limit>,
     /// Output.
     pub output: Output,
 }
@@ -237,6 +242,13 @@ pub const DURATION_MIN_S: f64 = 1e-15;
 pub const INTERVAL_MIN_S: f64 = 1e-9;
 
 impl Case {
+    /// Temperatures of inner ring, balls and outer ring, °C: those of the fit, else that at which
+    /// clearances are stated.
+    pub fn parts_c(&self) -> [f64; PARTS] {
+        self.fit
+            .map_or([REFERENCE_TEMPERATURE_C; PARTS], |fit| fit.parts_c)
+    }
+
     /// Largest ωi of the run, rad/s; with a rotor that of an inner ring without balls that rolls
     /// on the rotor at its speed at the start.
     pub fn largest_inner_speed_rad_s(&self) -> f64 {

@@ -17,11 +17,17 @@
 //! ```
 
 mod end_state;
+mod heat;
+mod limit;
 mod recorder;
 mod scatter;
+mod thermal;
 mod whirl;
 
 pub use end_state::EndState;
-pub use recorder::{DropRecorder, DropSummary, InterfaceHeat};
+pub use heat::{EndPower, InterfaceHeat};
+pub use limit::Limit;
+pub use recorder::{DropRecorder, DropSummary};
 pub use scatter::{Drawn, DrawnBearing, Scatter};
+pub use thermal::{PARTS, STEEL_SPECIFIC_HEAT_J_KG_K, SpinDown, Thermal};
 pub use whirl::WhirlWindow;

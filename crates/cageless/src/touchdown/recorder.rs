@@ -1,50 +1,15 @@
 //! Observer of a drop.
 
 use super::end_state::EndState;
+use super::heat::{EndPower, HeatHistory, InterfaceHeat};
 use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz};
 use crate::bearing::Bearing;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
-use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::outer_pressure_pa;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
-
-/// Heat of each interface since the magnets let go, J.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct InterfaceHeat {
-    /// Friction between rotor and inner ring.
-    pub rotor_friction_j: f64,
-    /// Damping of the contact between rotor and inner ring.
-    pub rotor_damping_j: f64,
-    /// Friction at the inner raceway.
-    pub inner_friction_j: f64,
-    /// Friction at the outer raceway.
-    pub outer_friction_j: f64,
-    /// Friction between balls.
-    pub ball_friction_j: f64,
-    /// Damping of the contacts of the balls.
-    pub contact_damping_j: f64,
-    /// Damping of the support.
-    pub support_damping_j: f64,
-}
-
-impl InterfaceHeat {
-    /// Heat of all interfaces, J.
-    pub fn total_j(&self) -> f64 {
-        self.rotor_friction_j
-            + self.rotor_damping_j
-            + self.balls_j()
-            + self.contact_damping_j
-            + self.support_damping_j
-    }
-
-    /// Heat of friction at the balls, J.
-    pub fn balls_j(&self) -> f64 {
-        self.inner_friction_j + self.outer_friction_j + self.ball_friction_j
-    }
-}
 
 /// Results of a drop, from t = 0 to the end of the run.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,6 +72,9 @@ pub struct DropSummary {
     pub backward_whirl_hz: Option<f64>,
     /// Heat of each interface.
     pub heat: InterfaceHeat,
+    /// Heating by the bearing at the end, over the last fifth of the time after the first contact;
+    /// `None` before that.
+    pub end_power: Option<EndPower>,
     /// Motion of the journal round the bore, window by window.
     pub whirl: Vec<WhirlWindow>,
 }
@@ -129,6 +97,7 @@ pub struct DropRecorder {
     weight_n: Option<f64>,
     rotation: f64,
     whirl: WhirlTracker,
+    heat: HeatHistory,
     collisions: Option<ContactCounter>,
     in_contact: bool,
     first_sliding_m_s: f64,
@@ -188,6 +157,7 @@ impl DropRecorder {
             weight_n: None,
             rotation: 0.0,
             whirl: WhirlTracker::new(WINDOW_S),
+            heat: HeatHistory::new(WINDOW_S),
             collisions: None,
             in_contact: false,
             first_sliding_m_s: 0.0,
@@ -218,10 +188,9 @@ impl DropRecorder {
         let found = self.found;
         let contact_time = found.first_contact_s.map_or(0.0, |s| self.end_s - s);
         let whirl = self.whirl.windows;
-        let last = found.first_contact_s.map(|first| {
-            let from = self.end_s - LAST * (self.end_s - first);
-            &whirl[whirl.partition_point(|w| w.end_s <= from)..]
-        });
+        let last_from_s = (found.first_contact_s).map(|s| self.end_s - LAST * (self.end_s - s));
+        let last = last_from_s.map(|s| &whirl[whirl.partition_point(|w| w.end_s <= s)..]);
+        let end_power = last_from_s.and_then(|from_s| self.heat.since(from_s));
         let end_state = last.map_or(EndState::Falling, |last| {
             EndState::classify(last, self.rotation, self.weight_n)
         });
@@ -239,7 +208,6 @@ impl DropRecorder {
             .iter()
             .filter(|w| w.contact_fraction > 0.5)
             .map(|w| -w.frequency_hz() * self.rotation.signum());
-        let heat = |term| state.energy_term_j(term);
         DropSummary {
             end_state,
             first_contact_s: found.first_contact_s,
@@ -274,15 +242,8 @@ impl DropRecorder {
             ball_sliding_max_m_s: found.ball_sliding_m_s,
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
             backward_whirl_hz: backward_whirl_hz(&whirl, self.rotation),
-            heat: InterfaceHeat {
-                rotor_friction_j: heat(EnergyTerm::RotorFriction),
-                rotor_damping_j: heat(EnergyTerm::RotorDamping),
-                inner_friction_j: heat(EnergyTerm::InnerFriction),
-                outer_friction_j: heat(EnergyTerm::OuterFriction),
-                ball_friction_j: heat(EnergyTerm::BallFriction),
-                contact_damping_j: heat(EnergyTerm::Damping),
-                support_damping_j: heat(EnergyTerm::SupportDamping),
-            },
+            heat: InterfaceHeat::of(|term| state.energy_term_j(term)),
+            end_power,
             whirl,
         }
     }
@@ -397,6 +358,7 @@ impl Observer for DropRecorder {
         self.ball_contacts(view);
         self.rotor_contact(view);
         self.support_force(view);
+        self.heat.step(view);
         Ok(Control::Continue(()))
     }
 }

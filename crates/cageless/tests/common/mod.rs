@@ -111,6 +111,8 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         rows: vec![],
         fit: None,
         lubrication: None,
+        thermal: Default::default(),
+        limits: vec![],
         output: Output { interval_s: 1e-4 },
     }
 }

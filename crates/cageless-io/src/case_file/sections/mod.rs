@@ -6,6 +6,7 @@ pub(crate) mod contact;
 pub(crate) mod fit;
 pub(crate) mod friction;
 pub(crate) mod housing;
+pub(crate) mod limit;
 pub(crate) mod lubrication;
 pub(crate) mod material;
 pub(crate) mod model;
@@ -18,6 +19,7 @@ pub(crate) mod search;
 pub(crate) mod solver;
 pub(crate) mod start;
 pub(crate) mod support;
+pub(crate) mod thermal;
 
 use super::declaration::section;
 use super::format::{Heading, SCHEMA, sections};
@@ -52,6 +54,10 @@ sections! {
     rotor: Option<cageless::Rotor>, "a rotor that falls onto the inner ring",
         Heading::Absent;
     support: Option<support::SupportSection>, "support of the outer ring under a falling rotor",
+        Heading::Absent;
+    thermal: Option<cageless::touchdown::Thermal>, "what the heat of drops warms",
+        Heading::Absent;
+    limit: Vec<cageless::touchdown::Limit>, "a limit on a result of a drop, with whose it is",
         Heading::Absent;
     fit: Option<cageless::Fit>, "fits and temperatures, from which the clearance in operation follows",
         Heading::Commented("fits and temperatures: the clearance in operation");

@@ -1,0 +1,216 @@
+//! Drops one after the other, with the heat of those before.
+
+use cageless::simulation::{Ending, RotorDrop};
+use cageless::touchdown::{PARTS, SpinDown};
+use cageless_io::case_file::CaseError;
+use cageless_io::plan_file::VariantFile;
+use cageless_results::{DropJudgement, Record, SuccessiveDrop, succession_record};
+
+use super::DropRecord;
+use crate::progress::Progress;
+use crate::run::RunError;
+
+/// Drops one after the other: a record for each drop and bearing, in this order.
+#[derive(Default)]
+pub struct Succession {
+    /// The records.
+    pub records: Vec<Record>,
+    /// Why there are fewer drops than were asked for, and what their temperatures do not rest on.
+    pub warnings: Vec<String>,
+    /// Whether the progress cancelled it.
+    pub interrupted: bool,
+}
+
+/// Temperatures of the parts that warm: results, and keys of `[fit]`.
+const TEMPERATURES: [&str; PARTS] = [
+    "inner_ring_temperature_c",
+    "ball_temperature_c",
+    "outer_ring_temperature_c",
+];
+/// Powers that warm them at the end of a drop.
+const POWERS: [&str; PARTS] = ["inner_ring_power_w", "ball_power_w", "outer_ring_power_w"];
+/// Key of the touch-down clearance.
+const CLEARANCE: &str = "rotor.radial_clearance_um";
+
+impl Succession {
+    /// The rotor of `file` dropped `count` times, the first time as in `first`. After each drop it spins
+    /// down to standstill; the bearing keeps the heat of both but for what it loses in the pause, and
+    /// drops again with the clearances of its temperatures.
+    ///
+    /// # Errors
+    /// A bearing cannot start.
+    pub fn new(
+        file: &VariantFile,
+        drop: &RotorDrop,
+        first: &DropRecord,
+        count: u64,
+        progress: &dyn Progress,
+    ) -> Result<Self, RunError> {
+        let mut done = Self::default();
+        let mut warm_c = done.add(drop, first);
+        let mut spun_up = has_spun_up(first);
+        for number in 2..=count {
+            let warm = match warm_c {
+                Some(warm_c) => warmed(file, drop, &warm_c),
+                None => {
+                    let reason = match spun_up {
+                        false => {
+                            "the inner ring has not come up to speed at its end, and what brakes \
+                                  the rotor then is not what brakes it afterwards: simulate longer \
+                                  (solver.duration_s)"
+                        }
+                        true => {
+                            "the rotor does not come to rest, or rings and balls have no specific \
+                                 heat (thermal.ring_specific_heat_j_kg_k, \
+                                 thermal.ball_specific_heat_j_kg_k)"
+                        }
+                    };
+                    let before = number - 1;
+                    done.warnings.push(format!(
+                        "drop {number} needs the temperatures after drop {before}: {reason}"
+                    ));
+                    break;
+                }
+            };
+            let warm = match warm {
+                Ok(warm) => warm,
+                Err(error) => {
+                    done.warnings.push(format!(
+                        "drop {number} is not possible at the temperatures after drop {}: {}",
+                        number - 1,
+                        error.message()
+                    ));
+                    break;
+                }
+            };
+            let Some(drop) = warm.drop() else { break };
+            let none = drop.cases().iter().map(|_| None).collect();
+            let record = DropRecord::of(&drop, none, progress)?;
+            match record.ending() {
+                Ending::Complete => {
+                    warm_c = done.add(&drop, &record);
+                    spun_up = has_spun_up(&record);
+                }
+                Ending::Interrupted => {
+                    done.interrupted = true;
+                    break;
+                }
+                _ => {
+                    let stopped = record.bearings[record.last_index()].result.stopped.clone();
+                    let reason = stopped.unwrap_or_default();
+                    done.warnings
+                        .push(format!("drop {number} stopped {reason}"));
+                    break;
+                }
+            }
+        }
+        Ok(done)
+    }
+
+    /// Adds a drop; returns the temperatures of each bearing at standstill.
+    fn add(&mut self, drop: &RotorDrop, record: &DropRecord) -> Option<Vec<[f64; PARTS]>> {
+        let number = 1 + self.records.len() / record.bearings.len();
+        let results = || record.bearings.iter().map(|bearing| &bearing.result);
+        let spin_down = spin_down(drop, record);
+        // A rotor makes all of its heat in all of its bearings.
+        let power_w: f64 = results()
+            .filter_map(|r| r.results.value("end_power_w"))
+            .sum();
+        let cases = drop.cases().iter().enumerate().zip(results());
+        let ended: Vec<_> = cases
+            .map(|((bearing, case), result)| {
+                let standstill_c = spin_down.and_then(|spin_down| {
+                    let capacities = case.thermal.capacities_j_k(&case.bearing).ok()?;
+                    let mut parts_c = [0.0; PARTS];
+                    for (k, part_c) in parts_c.iter_mut().enumerate() {
+                        let share = result.results.value(POWERS[k])? / power_w;
+                        let rise_k = share * spin_down.heat_j / capacities[k];
+                        *part_c = result.results.value(TEMPERATURES[k])? + rise_k;
+                    }
+                    Some(parts_c)
+                });
+                let ended = SuccessiveDrop {
+                    number,
+                    bearing,
+                    case,
+                    heat_j: result.results.number("dissipated_j"),
+                    spin_down,
+                    standstill_c,
+                    judgement: DropJudgement::default(),
+                };
+                self.records.push(succession_record(ended, result));
+                standstill_c
+            })
+            .collect();
+        ended.into_iter().collect()
+    }
+
+    /// The first drop beyond a limit, with the reasons.
+    pub fn first_failure(&self) -> Option<(f64, String)> {
+        let mut records = self.records.iter();
+        let failed = records.find(|record| record.text("verdict") == "fail")?;
+        Some((
+            failed.number("drop"),
+            failed.sentences("reasons").join("; "),
+        ))
+    }
+}
+
+/// Whether every inner ring has come up to the speed of the rotor.
+fn has_spun_up(record: &DropRecord) -> bool {
+    let mut bearings = record.bearings.iter();
+    bearings.all(|bearing| bearing.result.results.value("spin_up_ms").is_some())
+}
+
+/// Spin-down of the rotor after a drop; `None` where it does not come to rest, or where an inner ring
+/// still slides on it at the end of the drop.
+fn spin_down(drop: &RotorDrop, record: &DropRecord) -> Option<SpinDown> {
+    if !has_spun_up(record) {
+        return None;
+    }
+    let bearings = record.bearings.iter();
+    let torques = bearings.map(|bearing| bearing.result.results.value("braking_torque_n_m"));
+    let contacts_n_m = torques.sum::<Option<f64>>()?;
+    let rotor = drop.cases()[0].rotor.as_ref()?;
+    let speed_rad_s = record.bearings[0].outcome.state.rotor_motion()?.speed;
+    let drive_n_m = -rotor.drive_torque_n_m * speed_rad_s.signum();
+    SpinDown::new(
+        rotor.polar_inertia_kg_m2,
+        speed_rad_s,
+        contacts_n_m,
+        drive_n_m,
+    )
+}
+
+/// The file with the temperatures at which its bearings are after the pause, and what they make of the
+/// touch-down clearances.
+fn warmed(
+    file: &VariantFile,
+    drop: &RotorDrop,
+    standstill_c: &[[f64; PARTS]],
+) -> Result<VariantFile, CaseError> {
+    let prefix = |k: usize| match drop.rotor() {
+        None => String::new(),
+        Some(_) => format!("bearing.{}.", k + 1),
+    };
+    let cases = || drop.cases().iter().enumerate();
+    let start_c: Vec<_> = cases()
+        .map(|(k, case)| case.thermal.after_pause_c(standstill_c[k], case.parts_c()))
+        .collect();
+    let temperatures = cases().flat_map(|(k, _)| {
+        let parts = TEMPERATURES.iter().zip(start_c[k]);
+        parts.map(move |(key, part_c)| format!("{}fit.{key}={part_c:?}", prefix(k)))
+    });
+    let warm = file.changed(&temperatures.collect::<Vec<_>>())?;
+    // The bore grows with the inner ring; the rotor stays as it is.
+    let clearances = cases().filter_map(|(k, case)| {
+        let fit = warm.cases()[k].case().fit?;
+        let (rotor, bore) = (case.rotor.as_ref()?, case.bearing.inner_ring_bore()?);
+        let rise_k = start_c[k][0] - case.parts_c()[0];
+        let growth_m = bore.radius_m * fit.ring_expansion_per_k * rise_k;
+        let cold_um = warm.cases()[k].document().number(CLEARANCE)?;
+        let clearance_um = cold_um * (1.0 + growth_m / rotor.radial_clearance_m);
+        Some(format!("{}{CLEARANCE}={clearance_um:?}", prefix(k)))
+    });
+    warm.changed(&clearances.collect::<Vec<_>>())
+}

@@ -1,0 +1,185 @@
+//! Drops one after the other, with the heat of those before.
+
+use std::path::{Path, PathBuf};
+
+use cageless_io::plan_file::VariantFile;
+use cageless_results::Record;
+use cageless_study::Silent;
+use cageless_study::drop::{DropRequest, DropStudy, study};
+
+fn file(name: &str, sets: &[&str]) -> VariantFile {
+    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../cases")
+        .join(name);
+    let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+    VariantFile::read(&path, &sets).unwrap()
+}
+
+fn dropped(file: &VariantFile, drops: u64) -> DropStudy {
+    let request = DropRequest {
+        drops: Some(drops),
+        ..DropRequest::default()
+    };
+    let drop = request.check(file, "case").unwrap();
+    let rows = drop.cases().iter().map(|_| None).collect();
+    study(file, drop, request, rows, &Silent).unwrap()
+}
+
+fn close(found: f64, expected: f64, what: &str) {
+    let error = (found - expected).abs();
+    assert!(
+        error < 1e-9 * expected.abs().max(1.0),
+        "{what}: {found} for {expected}"
+    );
+}
+
+/// A rotor that brings the ring up to speed at once, and is braked.
+const BRAKED: [&str; 4] = [
+    "solver.duration_s=0.05",
+    "rotor.drive_torque_n_m=-4.0",
+    "rotor.speed_rpm=3000",
+    "bearing.inner_ring_polar_inertia_kg_m2=5e-6",
+];
+
+fn number(row: &Record, name: &str) -> f64 {
+    let value = row.value(name);
+    value.unwrap_or_else(|| panic!("{name}"))
+}
+
+/// Every drop begins with the temperatures at the standstill after the one before, and with the
+/// clearances of free rings and balls of these temperatures.
+#[test]
+fn drops_in_succession_keep_their_heat() {
+    let done = dropped(&file("touchdown-d.toml", &BRAKED), 3);
+    let rows = &done.succession.records;
+    assert_eq!(rows.len(), 3, "{:?}", done.warnings);
+    let per_k = 12.5e-6;
+    for pair in rows.windows(2) {
+        for part in ["inner_ring", "ball", "outer_ring"] {
+            let [before, after] = [(&pair[0], "standstill"), (&pair[1], "start")]
+                .map(|(row, when)| number(row, &format!("{part}_{when}_c")));
+            close(after, before, part);
+            assert!(after > 20.0, "{part}: {after}");
+        }
+    }
+    for row in rows {
+        let warm = |part: &str| per_k * (number(row, &format!("{part}_start_c")) - 20.0);
+        let [inner, ball, outer] = ["inner_ring", "ball", "outer_ring"].map(warm);
+        let gr_um = 2.0 * (27_765.0 * outer - 18_240.0 * inner - 2.0 * 4_762.5 * ball);
+        close(number(row, "radial_internal_clearance_um"), gr_um, "Gr");
+        let gap_um = 200.0 + 15_000.0 * inner;
+        close(number(row, "touchdown_clearance_um"), gap_um, "clearance");
+    }
+
+    // The first drop spins down by itself: ½ I Ω² less what the drive takes.
+    let results = &done.record.bearings[0].result.results;
+    let speed = results.number("rotor_speed_rpm") * std::f64::consts::PI / 30.0;
+    let contacts = results.number("braking_torque_n_m");
+    close(
+        number(&rows[0], "spin_down_s"),
+        0.02 * speed / (contacts + 4.0),
+        "spin-down",
+    );
+    let heat_j = 0.5 * 0.02 * speed * speed * contacts / (contacts + 4.0);
+    close(number(&rows[0], "spin_down_heat_j"), heat_j, "heat");
+    let share = results.number("ball_power_w") / results.number("end_power_w");
+    let balls_kg = 14.0 * 4.0 / 3.0 * std::f64::consts::PI * 4.7625e-3f64.powi(3) * 7850.0;
+    let ball_c = results.number("ball_temperature_c") + share * heat_j / (balls_kg * 460.0);
+    close(number(&rows[0], "ball_standstill_c"), ball_c, "balls");
+}
+
+/// In the pause the bearing cools with its time constant towards the temperatures before the first
+/// drop.
+#[test]
+fn a_bearing_cools_between_drops() {
+    let sets = [
+        "thermal.pause_s=100",
+        "thermal.cooling_time_s=200",
+        "fit.inner_ring_temperature_c=50",
+        "fit.outer_ring_temperature_c=40",
+    ];
+    let done = dropped(&file("touchdown-d.toml", &[&BRAKED[..], &sets].concat()), 2);
+    let rows = &done.succession.records;
+    for (part, before_c) in [("inner_ring", 50.0), ("ball", 45.0), ("outer_ring", 40.0)] {
+        let warm_c = number(&rows[0], &format!("{part}_standstill_c"));
+        let expected = before_c + (warm_c - before_c) * (-0.5f64).exp();
+        close(number(&rows[0], &format!("{part}_start_c")), before_c, part);
+        close(number(&rows[1], &format!("{part}_start_c")), expected, part);
+    }
+}
+
+/// A rotor in two bearings spins down once, and heats each bearing by its share; each bearing has its
+/// own temperatures in the next drop.
+#[test]
+fn a_rotor_in_two_bearings_heats_both() {
+    let sets = [
+        "solver.duration_s=0.2",
+        "rotor.drive_torque_n_m=-2",
+        "rotor.speed_rpm=1000",
+        "contact.friction_coefficient=0.01",
+        "bearing.inner_ring_polar_inertia_kg_m2=5e-6",
+    ];
+    let done = dropped(&file("rotors/two-bearings.toml", &sets), 2);
+    let rows = &done.succession.records;
+    assert_eq!(rows.len(), 4, "{:?}", done.warnings);
+    assert_eq!(
+        number(&rows[0], "spin_down_s"),
+        number(&rows[1], "spin_down_s")
+    );
+    let parts = ["inner_ring", "ball", "outer_ring"];
+    let mut warmed_j = 0.0;
+    let mut elsewhere_w = 0.0;
+    let mut power_w = 0.0;
+    for k in 0..2 {
+        let (case, results) = (
+            &done.drop.cases()[k],
+            &done.record.bearings[k].result.results,
+        );
+        let capacities = case.thermal.capacities_j_k(&case.bearing).unwrap();
+        for (part, capacity) in parts.iter().zip(capacities) {
+            let rise_k = number(&rows[k], &format!("{part}_standstill_c"))
+                - results.number(&format!("{part}_temperature_c"));
+            warmed_j += capacity * rise_k;
+            elsewhere_w -= results.number(&format!("{part}_power_w"));
+            let start_c = number(&rows[2 + k], &format!("{part}_start_c"));
+            close(
+                start_c,
+                number(&rows[k], &format!("{part}_standstill_c")),
+                part,
+            );
+        }
+        power_w += results.number("end_power_w");
+        elsewhere_w += results.number("end_power_w");
+    }
+    // What rotor and supports take is no heat of the bearings.
+    let heat_j = number(&rows[0], "spin_down_heat_j");
+    close(
+        warmed_j,
+        heat_j * (1.0 - elsewhere_w / power_w),
+        "heat of both bearings",
+    );
+}
+
+/// Where the heat leaves no clearance the drops end with what there is and say why.
+#[test]
+fn drops_that_are_no_longer_possible_say_so() {
+    let stopped = |sets: &[&str]| {
+        let done = dropped(&file("touchdown-d.toml", &[&BRAKED[..], sets].concat()), 3);
+        assert_eq!(done.succession.records.len(), 1);
+        let standstill_c = done.succession.records[0].value("ball_standstill_c");
+        (done.warnings.join("\n"), standstill_c)
+    };
+    let heavy = "rotor.polar_inertia_kg_m2=2000";
+    let (said, standstill_c) = stopped(&[heavy, "rotor.drive_torque_n_m=0"]);
+    assert!(
+        said.contains("drop 2 is not possible at the temperatures after drop 1: [fit]"),
+        "{said}"
+    );
+    assert!(standstill_c.is_some());
+    let (said, standstill_c) = stopped(&["ball_material.preset=\"Si3N4\""]);
+    assert!(said.contains("thermal.ball_specific_heat_j_kg_k"), "{said}");
+    assert!(standstill_c.is_none());
+    let (said, standstill_c) = stopped(&["rotor.speed_rpm=30000"]);
+    assert!(said.contains("has not come up to speed"), "{said}");
+    assert!(standstill_c.is_none());
+}

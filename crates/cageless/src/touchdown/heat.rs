@@ -1,0 +1,138 @@
+//! Heat of the interfaces of a drop.
+
+use super::thermal::PARTS;
+use crate::dynamics::energy::EnergyTerm;
+use crate::simulation::StepView;
+
+/// Heat of each interface since the magnets let go, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct InterfaceHeat {
+    /// Friction between rotor and inner ring.
+    pub rotor_friction_j: f64,
+    /// Damping of the contact between rotor and inner ring.
+    pub rotor_damping_j: f64,
+    /// Friction at the inner raceway.
+    pub inner_friction_j: f64,
+    /// Friction at the outer raceway.
+    pub outer_friction_j: f64,
+    /// Friction between balls.
+    pub ball_friction_j: f64,
+    /// Damping of the contacts of the balls.
+    pub contact_damping_j: f64,
+    /// Damping of the support.
+    pub support_damping_j: f64,
+}
+
+impl InterfaceHeat {
+    /// Heat by the terms of the energy ledger.
+    pub fn of(term_j: impl Fn(EnergyTerm) -> f64) -> Self {
+        Self {
+            rotor_friction_j: term_j(EnergyTerm::RotorFriction),
+            rotor_damping_j: term_j(EnergyTerm::RotorDamping),
+            inner_friction_j: term_j(EnergyTerm::InnerFriction),
+            outer_friction_j: term_j(EnergyTerm::OuterFriction),
+            ball_friction_j: term_j(EnergyTerm::BallFriction),
+            contact_damping_j: term_j(EnergyTerm::Damping),
+            support_damping_j: term_j(EnergyTerm::SupportDamping),
+        }
+    }
+
+    /// Heat that goes into inner ring, balls and outer ring, J: half of the friction between two bodies
+    /// into each, of the damping of the balls' contacts half into the balls and a quarter into each
+    /// ring. The other half of what rotor and inner ring make goes into the rotor, and the heat of the
+    /// support stays there.
+    pub fn of_parts_j(&self) -> [f64; PARTS] {
+        let journal = 0.5 * (self.rotor_friction_j + self.rotor_damping_j);
+        let [inner, outer] = [self.inner_friction_j, self.outer_friction_j].map(|heat| 0.5 * heat);
+        let damping = 0.25 * self.contact_damping_j;
+        [
+            journal + inner + damping,
+            inner + outer + self.ball_friction_j + 2.0 * damping,
+            outer + damping,
+        ]
+    }
+
+    /// Heat of all interfaces, J.
+    pub fn total_j(&self) -> f64 {
+        self.rotor_friction_j
+            + self.rotor_damping_j
+            + self.balls_j()
+            + self.contact_damping_j
+            + self.support_damping_j
+    }
+
+    /// Heat of friction at the balls, J.
+    pub fn balls_j(&self) -> f64 {
+        self.inner_friction_j + self.outer_friction_j + self.ball_friction_j
+    }
+}
+
+/// Heating by one bearing at the end of a drop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndPower {
+    /// Power of all interfaces, W.
+    pub total_w: f64,
+    /// Power into inner ring, balls and outer ring, W.
+    pub parts_w: [f64; PARTS],
+    /// Torque by which the interfaces brake the rotor: their power over its mean speed, N m.
+    pub torque_n_m: f64,
+}
+
+/// Heat and speed of the rotor now and then.
+#[derive(Debug, Clone)]
+pub(super) struct HeatHistory {
+    interval_s: f64,
+    /// The last one is that of the end of the last step.
+    marks: Vec<Mark>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    time_s: f64,
+    heat: InterfaceHeat,
+    /// |Ω|, rad/s.
+    speed: f64,
+}
+
+impl HeatHistory {
+    pub(super) fn new(interval_s: f64) -> Self {
+        let marks = vec![];
+        Self { interval_s, marks }
+    }
+
+    pub(super) fn step(&mut self, view: &StepView<'_, '_>) {
+        let (layout, y) = (view.layout(), &view.step.y1);
+        let mark = Mark {
+            time_s: view.step.t1_s,
+            heat: InterfaceHeat::of(|term| y[layout.energy_term(term)]),
+            speed: layout
+                .rotor_motion(y)
+                .map_or(0.0, |rotor| rotor.speed.abs()),
+        };
+        // The last mark moves on until it is far enough from the one before.
+        if let [.., before, last] = &mut self.marks[..]
+            && last.time_s - before.time_s < self.interval_s
+        {
+            *last = mark;
+        } else {
+            self.marks.push(mark);
+        }
+    }
+
+    /// Heating from the last mark before `from_s` to the end; `None` in no time, or of a rotor at rest.
+    pub(super) fn since(&self, from_s: f64) -> Option<EndPower> {
+        let last = self.marks.last()?;
+        let after = self.marks.partition_point(|mark| mark.time_s <= from_s);
+        let first = &self.marks[after.saturating_sub(1)];
+        let time_s = last.time_s - first.time_s;
+        let power =
+            |of: &dyn Fn(&InterfaceHeat) -> f64| (of(&last.heat) - of(&first.heat)) / time_s;
+        let total_w = power(&InterfaceHeat::total_j);
+        let torque_n_m = total_w / (0.5 * (first.speed + last.speed));
+        torque_n_m.is_finite().then(|| EndPower {
+            total_w,
+            parts_w: std::array::from_fn(|k| power(&|heat| heat.of_parts_j()[k])),
+            torque_n_m,
+        })
+    }
+}

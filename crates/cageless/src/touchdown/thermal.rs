@@ -1,0 +1,142 @@
+//! Temperatures of a touch-down bearing, drop after drop.
+//!
+//! ```
+//! use cageless::touchdown::{SpinDown, Thermal};
+//!
+//! // A rotor of 0.02 kg m² at 1000 rad/s, braked by 0.3 N m of its bearings and 0.1 N m of a drive.
+//! let end = SpinDown::new(0.02, 1000.0, 0.3, 0.1).unwrap();
+//! assert!((end.time_s - 50.0).abs() < 1e-9);
+//! assert!((end.heat_j - 0.75 * 10_000.0).abs() < 1e-9); // the drive takes a quarter
+//! let cooling = Thermal { pause_s: 600.0, cooling_time_s: Some(600.0), ..Thermal::default() };
+//! assert!((cooling.after_pause_c([120.0; 3], [20.0; 3])[0] - (20.0 + 100.0 / 1f64.exp())).abs() < 1e-9);
+//! ```
+
+use std::f64::consts::PI;
+
+use crate::bearing::Bearing;
+use crate::error::{Allowed, InputError};
+use crate::limits::{not_negative, positive};
+use crate::material::Material;
+
+/// Specific heat of bearing steel 100Cr6, J/(kg K): that of
+/// [`STEEL_EFFUSIVITY`](crate::contact::flash_temperature::STEEL_EFFUSIVITY).
+pub const STEEL_SPECIFIC_HEAT_J_KG_K: f64 = 460.0;
+/// Width of an outer ring whose mass is not given, over the diameter of a ball.
+const WIDTH: f64 = 1.6;
+/// Wall of that ring behind its groove, over the diameter of a ball.
+const WALL: f64 = 0.3;
+
+/// Parts of a bearing that warm, each with one temperature: inner ring, balls, outer ring.
+pub const PARTS: usize = 3;
+
+/// What the heat of a drop warms, and what happens between drops.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Thermal {
+    /// Mass of the outer ring; that of a ring of the density of the rings, 0.3 ball diameters thick
+    /// behind its groove and 1.6 wide, unless given.
+    pub outer_ring_mass_kg: Option<f64>,
+    /// Specific heat of the rings, J/(kg K); that of bearing steel for steel unless given.
+    pub ring_specific_heat_j_kg_k: Option<f64>,
+    /// Specific heat of the balls, J/(kg K); that of bearing steel for steel unless given.
+    pub ball_specific_heat_j_kg_k: Option<f64>,
+    /// Time from the standstill of the rotor to the next drop.
+    pub pause_s: f64,
+    /// Time constant with which the bearing cools in the pause; without one it keeps all heat.
+    pub cooling_time_s: Option<f64>,
+}
+
+impl Thermal {
+    /// Checks the values.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be.
+    pub fn check(&self) -> Result<(), InputError> {
+        for (field, value) in [
+            ("outer_ring_mass_kg", self.outer_ring_mass_kg),
+            ("ring_specific_heat_j_kg_k", self.ring_specific_heat_j_kg_k),
+            ("ball_specific_heat_j_kg_k", self.ball_specific_heat_j_kg_k),
+            ("cooling_time_s", self.cooling_time_s),
+        ] {
+            value.map_or(Ok(()), |value| positive(field, value))?;
+        }
+        not_negative("pause_s", self.pause_s)
+    }
+
+    /// Heat capacity of each part of `bearing`, J/K.
+    ///
+    /// # Errors
+    /// An [`InputError`] with a value of NaN naming the specific heat that is needed of a part that is
+    /// not of steel.
+    pub fn capacities_j_k(&self, bearing: &Bearing) -> Result<[f64; PARTS], InputError> {
+        let of = |field, given: Option<f64>, material: &Material| match given {
+            Some(value) => Ok(value),
+            None if material.is_steel() => Ok(STEEL_SPECIFIC_HEAT_J_KG_K),
+            None => Err(InputError::new(field, f64::NAN, Allowed::Above(0.0, ""))),
+        };
+        let materials = bearing.materials();
+        let (ring, ball) = (&materials.ring, &materials.ball);
+        let ring_j_kg_k = of(
+            "ring_specific_heat_j_kg_k",
+            self.ring_specific_heat_j_kg_k,
+            ring,
+        )?;
+        let ball_j_kg_k = of(
+            "ball_specific_heat_j_kg_k",
+            self.ball_specific_heat_j_kg_k,
+            ball,
+        )?;
+        let outer_kg = self
+            .outer_ring_mass_kg
+            .unwrap_or_else(|| outer_ring_mass_kg(bearing));
+        let inner_kg = bearing.dimensions().inner_ring_mass_kg;
+        Ok([
+            inner_kg * ring_j_kg_k,
+            bearing.balls() as f64 * bearing.ball_mass_kg() * ball_j_kg_k,
+            outer_kg * ring_j_kg_k,
+        ])
+    }
+
+    /// Temperatures after the pause, °C, of parts that cool towards `start_c`.
+    pub fn after_pause_c(&self, warm_c: [f64; PARTS], start_c: [f64; PARTS]) -> [f64; PARTS] {
+        let kept = self
+            .cooling_time_s
+            .map_or(1.0, |time_s| (-self.pause_s / time_s).exp());
+        std::array::from_fn(|k| start_c[k] + kept * (warm_c[k] - start_c[k]))
+    }
+}
+
+/// Mass of an outer ring from its shoulders to the wall behind its groove.
+fn outer_ring_mass_kg(bearing: &Bearing) -> f64 {
+    let d = bearing.dimensions();
+    let ball_m = 2.0 * d.ball_radius_m;
+    let outside = d.outer_groove_bottom_radius_m + WALL * ball_m;
+    let area = PI * (outside.powi(2) - d.outer_shoulder_radius_m.powi(2));
+    bearing.materials().ring.density_kg_m3 * area * WIDTH * ball_m
+}
+
+/// Spin-down of a rotor to standstill under torques that stay as they are at the end of a drop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpinDown {
+    /// Time from the end of the drop to standstill.
+    pub time_s: f64,
+    /// Heat of all contacts of its bearings meanwhile, J.
+    pub heat_j: f64,
+}
+
+impl SpinDown {
+    /// Spin-down of a rotor of polar moment `inertia_kg_m2` from `speed_rad_s`, braked by
+    /// `contacts_n_m` of its bearings and `drive_n_m` of its drive, which may drive it on; `None` where
+    /// it does not come to rest.
+    pub fn new(
+        inertia_kg_m2: f64,
+        speed_rad_s: f64,
+        contacts_n_m: f64,
+        drive_n_m: f64,
+    ) -> Option<Self> {
+        let torque = contacts_n_m + drive_n_m;
+        let time_s = inertia_kg_m2 * speed_rad_s.abs() / torque;
+        // I dΩ/dt = −T: the angle to standstill is Ω t/2.
+        let heat_j = 0.5 * contacts_n_m * speed_rad_s.abs() * time_s;
+        (torque > 0.0 && heat_j.is_finite()).then_some(Self { time_s, heat_j })
+    }
+}
