@@ -136,3 +136,33 @@ fn heat_capacities_are_those_of_the_bodies() {
     assert_eq!(error.field, "ball_specific_heat_j_kg_k");
     assert!(given.capacities_j_k(&hybrid).is_ok());
 }
+
+/// An adiabatic ring that a rotor brings up to speed by sliding has half of the heat of their sliding,
+/// ½ m (Ω Rj)² with 1/m = Rj²/Ip + Rb²/Ji, whatever the path and the bouncing; balls without friction
+/// take no part.
+#[test]
+fn an_adiabatic_ring_has_half_the_heat_of_its_spin_up() {
+    let mut case = landed(0.1);
+    case.contact.friction.coefficient = 1e-9;
+    let rotor = case.rotor.as_mut().unwrap();
+    rotor.speed_rad_s = 300.0;
+    // Little orbital energy is left.
+    rotor.vy_m_s = 0.0;
+    let rotor = rotor.clone();
+    let bore = case.bearing.inner_ring_bore().unwrap();
+    let (summary, ..) = dropped(&case, &mut Heats::default());
+    assert!(summary.spin_up_s.is_some());
+    let journal_m = bore.radius_m - rotor.radial_clearance_m;
+    let effective_kg = 1.0
+        / (journal_m.powi(2) / rotor.polar_inertia_kg_m2
+            + bore.radius_m.powi(2) / bore.polar_inertia_kg_m2);
+    let heat_j = 0.5 * effective_kg * (rotor.speed_rad_s * journal_m).powi(2);
+    let capacities = Thermal::default().capacities_j_k(&case.bearing).unwrap();
+    let rise_k = summary.heat.of_parts_j()[0] / capacities[0];
+    close(
+        rise_k,
+        0.5 * heat_j / capacities[0],
+        1e-2,
+        "rise of the ring",
+    );
+}

@@ -84,8 +84,8 @@ pub(super) fn architecture(page: &mut Page, study: &DropStudy) {
         };
         let name = label(study, "Bearing", k);
         page.paragraph(&format!(
-            "{name}: {balls} balls without a cage, {ring}, which is {mount}; the inner ring stands \
-             still until the rotor lands in its bore."
+            "{name}: {balls} balls without a cage, {ring}, which is {mount}; the inner ring is at \
+             rest until the rotor lands in its bore."
         ));
     }
 }
@@ -160,14 +160,14 @@ pub(super) fn requirements(page: &mut Page, file: &VariantFile, study: &DropStud
         }
     }
     let caption = "No standard gives numbers for touch-down bearings: limits are those of the user, in \
-                   [[limit]] sections of the case, and whose they are stands beside them.";
+                   [[limit]] sections of the case, each with its source.";
     let source = provenance(&cases[0], String::new());
     page.table(&Table::of("Limits", caption, rows, Some(source)));
 }
 
 /// Failure modes with the results that show them.
 pub(super) fn failure_modes(page: &mut Page, study: &DropStudy) {
-    let caption = "What can go wrong in a touch-down bearing, and what this drop says of it. The inner \
+    let caption = "What can go wrong in a touch-down bearing, with the results that show it. The inner \
                    ring slides on the journal until it has come up to speed; the temperatures are those \
                    at standstill, with all heat kept.";
     listed(

@@ -23,9 +23,9 @@ pub(super) fn succession(page: &mut Page, study: &DropStudy) {
     let source = provenance(&study.drop.cases()[0], String::new());
     let caption = "After each drop the rotor spins down to standstill at the torques of the end of the \
                    simulated time, and the bearing keeps the heat; the next drop has the clearances of \
-                   its temperatures. No heat flows from one part to another or away, but for the cooling \
+                   its temperatures. No heat flows from one part to another or away, except for the cooling \
                    that the case gives ([thermal]). Balls that roll have no rolling friction in the plane, \
-                   and windage is not known: beside a drag of the drive (rotor.drive_torque_n_m) a \
+                   and windage is not known: next to a drag of the drive (rotor.drive_torque_n_m) a \
                    real bearing brakes and warms more.";
     let rows = table_of(&study.succession.records);
     page.table(&Table::of(
