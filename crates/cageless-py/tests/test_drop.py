@@ -92,3 +92,22 @@ def test_a_sweep_has_drops_as_columns() -> None:
     for name in ["rotor_force_max_n", "collisions", "dissipated_j", "ring_speed_rpm"]:
         assert variants[f"drop_{name}"][1] == alone.values[name]
     assert list(variants.drop_end_state)[1] == alone.end_state
+
+
+def test_drops_in_succession_have_a_row_each() -> None:
+    changes = {
+        "solver.duration_s": 0.05,
+        "rotor.drive_torque_n_m": -4.0,
+        "rotor.speed_rpm": 3000.0,
+        "bearing.inner_ring_polar_inertia_kg_m2": 5e-6,
+    }
+    drop = falling(**changes).drop(drops=3)
+    rows = drop.data_succession()
+    assert list(rows["drop"]) == [1, 2, 3]
+    assert rows.attrs["units"]["ball_standstill_c"] == "C"
+    assert rows.rotor_force_max_n[0] == drop.rotor_force_max_n
+    assert rows.inner_ring_start_c[1] == pytest.approx(rows.inner_ring_standstill_c[0])
+    assert rows.inner_ring_standstill_c.is_monotonic_increasing
+    assert drop.plot_temperatures().data
+    with pytest.raises(cageless.InputError, match="from 1 to"):
+        falling().drop(drops=0)

@@ -150,6 +150,11 @@ def scattered(values: Row) -> pd.DataFrame:
     return frame(rows)
 
 
+def successive(values: Row) -> pd.DataFrame:
+    """Drops one after the other, a row for each and, with several bearings, for each of them."""
+    return frame(scalars(row["result"]) | scalars(row) for row in values.get("succession", []))
+
+
 def judged(values: Row) -> pd.DataFrame:
     """Judgement of each result by a verification, by ``name``, with several bearings by
     ``bearing`` and ``name``."""
@@ -252,9 +257,7 @@ def special(kind: str, values: Row) -> Frames:
     if kind == "drop":
         return {
             "drops": partial(scattered, values),
-            "succession": partial(
-                frame, [scalars(row["result"]) | scalars(row) for row in values["succession"]]
-            ),
+            "succession": partial(successive, values),
             "windows": partial(frame, values.get("windows", [])),
             "verification": partial(judged, values),
         }

@@ -14,7 +14,7 @@ __all__ = ["unit", "with_units"]
 SYMBOLS = (
     # words: every unit of a name.
     "N s/m, rad/s, deg/s, m/s^2, kg/m^3, N/um, N s, m/s, %, rad, deg, GPa, MPa, rpm, mm, um, us, ms, Hz, "
-    "kg, mm^3, N, W, J, m, s"
+    "kg, mm^3, N, W, J, C, m, s"
 )
 #: What a name ends in: its unit in lower case.
 UNITS = {
