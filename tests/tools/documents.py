@@ -36,6 +36,7 @@ DOCUMENTS = [
     "docs/axial-load.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
+    "docs/greaseless.md",
     "docs/blended-ends.md",
     "docs/elastic-flanks.md",
     "docs/shapes.md",
