@@ -210,7 +210,11 @@ const DROP: [[&str; 3]; 8] = [
     ["whirl", "whirl", "whirl frequency and contact over time"],
     ["loads", "loads-of-the-balls", "largest forces of each ball"],
     ["heat", "heat-of-the-interfaces", "heat of each interface"],
-    ["temperatures", "temperatures", "temperatures of rings and balls drop after drop"],
+    [
+        "temperatures",
+        "temperatures",
+        "temperatures of rings and balls drop after drop",
+    ],
     [
         "end_states",
         "state-at-the-end",
