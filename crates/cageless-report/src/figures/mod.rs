@@ -186,7 +186,7 @@ const OF_OUTPUT: [(&str, &str); 2] = [
 ];
 
 /// Name, anchor on the page and meaning of the figures of a drop.
-const DROP: [[&str; 3]; 8] = [
+const DROP: [[&str; 3]; 9] = [
     [
         "orbit",
         "orbit",
