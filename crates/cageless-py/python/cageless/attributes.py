@@ -166,6 +166,7 @@ class DropAttributes:
     plot_whirl: Callable[..., go.Figure]  # whirl frequency and contact over time
     plot_loads: Callable[..., go.Figure]  # largest forces of each ball
     plot_heat: Callable[..., go.Figure]  # heat of each interface
+    plot_temperatures: Callable[..., go.Figure]  # temperatures of rings and balls drop after drop
     plot_end_states: Callable[..., go.Figure]  # states at the end of scattered drops over friction and support damping
 
 
