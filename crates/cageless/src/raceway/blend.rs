@@ -1,5 +1,6 @@
 //! Blend of the flanks of a discrete raceway into the plain one.
 
+use super::flank_angle::FlankAngle;
 use crate::error::{Allowed, InputError};
 
 /// Shortest blend in fractions of half a raceway: in less, the kink is not resolved.
@@ -79,13 +80,6 @@ impl Blend {
         self.start_rad
     }
 
-    /// αc and dαc/dψ at local ψ.
-    pub fn at(&self, local_angle_rad: f64) -> [f64; 2] {
-        let local = local_angle_rad.abs();
-        let [angle, slope] = self.along((local - self.start_rad) / self.length_rad);
-        [angle, slope * local_angle_rad.signum()]
-    }
-
     /// αc and dαc/dψ at t in 0 to 1.
     fn along(&self, t: f64) -> [f64; 2] {
         let [c0, c1, c2] = self.coefficients;
@@ -95,5 +89,21 @@ impl Blend {
             rest.powi(3) * value,
             rest.powi(2) * (rest * slope - 3.0 * value) / self.length_rad,
         ]
+    }
+}
+
+impl FlankAngle for Blend {
+    fn at(&self, local_angle_rad: f64) -> [f64; 2] {
+        let local = local_angle_rad.abs();
+        let [angle, slope] = self.along((local - self.start_rad) / self.length_rad);
+        [angle, slope * local_angle_rad.signum()]
+    }
+
+    fn order(&self) -> f64 {
+        0.0
+    }
+
+    fn regular(&self, square: f64, _end: f64) -> f64 {
+        self.at(square.sqrt().asin())[0]
     }
 }

@@ -14,8 +14,11 @@
 //! ```
 
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
+use super::flank_angle::Flanks;
 use super::power_angle::{PowerAngle, TERMS_MAX};
+use super::shape::Outline;
 use crate::error::InputError;
 use crate::numerics::chebyshev::to_powers;
 use crate::numerics::cholesky;
@@ -40,6 +43,16 @@ const DEVIATION_MAX: f64 = 0.1;
 pub struct MeasuredFlanks {
     flanks: PowerAngle,
     deviation_rad: [f64; 2],
+}
+
+/// Those of an outline, with another α0 and θ than measured.
+pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
+    let Some(measured) = outline.form.measured else {
+        let rule = "given with shape = \"measured\"";
+        return Err(InputError::rule("measured", f64::NAN, rule));
+    };
+    let (middle, theta) = (outline.middle_rad(), outline.half_angle_rad);
+    Ok(Arc::new(measured.flanks.scaled(middle, theta)))
 }
 
 impl MeasuredFlanks {
@@ -108,11 +121,6 @@ impl MeasuredFlanks {
     /// Root mean square and largest deviation of the points from the fit.
     pub fn deviation_rad(&self) -> [f64; 2] {
         self.deviation_rad
-    }
-
-    /// The same shape with another α0 and θ.
-    pub(super) fn scaled(&self, middle_rad: f64, half_angle_rad: f64) -> PowerAngle {
-        self.flanks.scaled(middle_rad, half_angle_rad)
     }
 }
 

@@ -25,15 +25,18 @@
 
 mod blend;
 mod contact_path;
+mod ellipse;
 mod flank_angle;
 mod groove_surface;
 mod measured_flanks;
 mod piece;
 mod power_angle;
 mod shape;
+mod shuttle;
 mod steady_angle;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::Arc;
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError};
@@ -43,13 +46,14 @@ use crate::numerics::root;
 
 use blend::Blend;
 pub use contact_path::ContactPath;
-use flank_angle::FlankAngle;
+use flank_angle::Flanks;
 pub use groove_surface::SurfacePoint;
 pub(crate) use groove_surface::{groove_centre, surface_point};
 pub use measured_flanks::MeasuredFlanks;
 pub(crate) use measured_flanks::{Linearised, fit_flanks};
 pub(crate) use piece::Piece;
 pub(crate) use power_angle::PowerAngle;
+use shape::Outline;
 pub use shape::{RacewayForm, RacewayShape};
 
 /// The three numbers that a discrete raceway of any shape has.
@@ -136,7 +140,13 @@ impl Raceway {
             ));
         }
         let d = bearing.dimensions();
-        let flanks = form.flank_angle(span, theta, bearing)?;
+        let outline = Outline {
+            axial_span_m: span,
+            half_angle_rad: theta,
+            form,
+            bearing,
+        };
+        let flanks = outline.flanks()?;
         let raceway = Self {
             dimensions,
             ball_radius_m: d.ball_radius_m,
@@ -171,7 +181,7 @@ impl Raceway {
             let start = blend.start_rad();
             self.pieces.retain(|piece| piece.range_rad()[0] < start);
             self.pieces.iter_mut().for_each(|piece| piece.end_at(start));
-            let end = FlankAngle::Blend(blend);
+            let end: Flanks = Arc::new(blend);
             self.pieces
                 .push(Piece::new(end, [start, theta], self.ball_radius_m));
         }
@@ -307,8 +317,8 @@ impl Raceway {
 
     /// The quartic contact path of Zhao 2022 if this is the raceway's own, up to its ends.
     pub fn contact_path(&self) -> Option<&ContactPath> {
-        match (self.pieces.as_slice(), self.pieces[0].flanks()) {
-            ([_], FlankAngle::Quartic(path)) => Some(path),
+        match self.pieces.as_slice() {
+            [piece] => piece.flanks().contact_path(),
             _ => None,
         }
     }

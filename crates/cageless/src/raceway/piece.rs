@@ -1,18 +1,26 @@
 //! A stretch of a raceway over which the angle of its flanks is smooth.
 
-use super::flank_angle::FlankAngle;
+use super::flank_angle::{FlankAngle, Flanks};
 use crate::numerics::chebyshev::Polynomial;
 
 /// A stretch of half a raceway, and its mirror image.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(crate) struct Piece {
-    flanks: FlankAngle,
+    flanks: Flanks,
     /// Local ψ at which it begins and ends.
     range_rad: [f64; 2],
     /// sin²ψ over which polynomials are fitted.
     domain: [f64; 2],
     /// r over sin²ψ.
     radius: Polynomial,
+}
+
+/// r over sin²ψ has the flanks.
+impl PartialEq for Piece {
+    fn eq(&self, other: &Self) -> bool {
+        let parts = |p: &Self| (p.range_rad, p.domain);
+        parts(self) == parts(other) && self.radius == other.radius
+    }
 }
 
 /// Error of r(sin²ψ), m: a few roundings of Ro.
@@ -22,7 +30,7 @@ const ANGLE_TOLERANCE: f64 = 1e-13;
 
 impl Piece {
     /// Flanks from the middle to an end, a piece from each of their junctions to the next.
-    pub(super) fn all(flanks: &FlankAngle, end_rad: f64, ball_radius_m: f64) -> Vec<Self> {
+    pub(super) fn all(flanks: &Flanks, end_rad: f64, ball_radius_m: f64) -> Vec<Self> {
         let junctions = flanks.junctions_rad();
         let from = std::iter::once(0.0).chain(junctions.iter().copied());
         let to = junctions.iter().copied().chain([end_rad]);
@@ -31,7 +39,7 @@ impl Piece {
     }
 
     /// Flanks from one local ψ to another, fitted over this range.
-    pub(super) fn new(flanks: FlankAngle, range_rad: [f64; 2], ball_radius_m: f64) -> Self {
+    pub(super) fn new(flanks: Flanks, range_rad: [f64; 2], ball_radius_m: f64) -> Self {
         let domain = range_rad.map(|angle| angle.sin().powi(2));
         let radius = |s: f64| flanks.radius_m(s.sqrt().asin(), ball_radius_m);
         let radius = Polynomial::fit(radius, domain[0], domain[1], RADIUS_TOLERANCE_M);
@@ -49,8 +57,8 @@ impl Piece {
     }
 
     /// Its flanks, also beyond its end.
-    pub(super) fn flanks(&self) -> &FlankAngle {
-        &self.flanks
+    pub(super) fn flanks(&self) -> &dyn FlankAngle {
+        &*self.flanks
     }
 
     /// Local ψ at which it begins and ends.

@@ -1,5 +1,7 @@
 //! Flanks whose angle is a power of 1 − (ψ/θ)², times a polynomial.
 
+use super::flank_angle::FlankAngle;
+
 /// Most terms of the polynomial.
 pub(super) const TERMS_MAX: usize = 7;
 
@@ -59,11 +61,6 @@ impl PowerAngle {
         self.half_angle_rad
     }
 
-    /// p.
-    pub fn exponent(&self) -> f64 {
-        self.exponent
-    }
-
     /// Q and dQ/dψ at local ψ.
     fn factor(&self, local_angle_rad: f64) -> [f64; 2] {
         let share = local_angle_rad / self.half_angle_rad;
@@ -84,9 +81,20 @@ impl PowerAngle {
             power * rise - self.middle_rad * p * slope_at.powf(p - 1.0) * fall * factor,
         ]
     }
+}
 
-    /// αc/(sin²θ − sin²ψ)^p, smooth up to the ends: sin²θ − sin²ψ = sin(θ − ψ) sin(θ + ψ).
-    pub fn regular(&self, local_angle_rad: f64) -> f64 {
+impl FlankAngle for PowerAngle {
+    fn at(&self, local_angle_rad: f64) -> [f64; 2] {
+        Self::at(self, local_angle_rad)
+    }
+
+    fn order(&self) -> f64 {
+        self.exponent
+    }
+
+    /// Smooth up to the ends: sin²θ − sin²ψ = sin(θ − ψ) sin(θ + ψ).
+    fn regular(&self, square: f64, _end: f64) -> f64 {
+        let local_angle_rad = square.sqrt().asin();
         let theta = self.half_angle_rad;
         let over_sine = |angle: f64| angle / angle.sin();
         let ratio = over_sine(theta - local_angle_rad) * over_sine(theta + local_angle_rad);

@@ -5,43 +5,57 @@
 //! ends ±θ; r = Rw cos αc. The span lC of a raceway says how large it is in the middle,
 //! sin αc(0) = lC/(2 Rw).
 
-use super::contact_path::ContactPath;
-use super::flank_angle::FlankAngle;
-use super::measured_flanks::MeasuredFlanks;
-use super::power_angle::PowerAngle;
-use super::steady_angle::SteadyAngle;
+use super::flank_angle::Flanks;
+use super::{MeasuredFlanks, contact_path, ellipse, measured_flanks, shuttle, steady_angle};
 use crate::bearing::Bearing;
 use crate::error::InputError;
 
-/// Angle of the flanks along a discrete raceway.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum RacewayShape {
+/// Declares the list of shapes and what follows from it: the name of each in files, its module with
+/// the function `flanks`, what it is in the description of the key.
+macro_rules! raceway_shapes {
+    ($($(#[$meta:meta])* $shape:ident = $name:literal, $module:ident, $description:literal;)*) => {
+        /// Angle of the flanks along a discrete raceway.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub enum RacewayShape {
+            $($(#[$meta])* $shape,)*
+        }
+
+        impl RacewayShape {
+            /// Name of each.
+            pub const NAMES: &'static [(&'static str, Self)] = &[$(($name, Self::$shape)),*];
+
+            /// Description of all, for the key of the case file.
+            pub const DESCRIPTION: &'static str = concat!(
+                "angle of the flanks along the raceway; ",
+                $("\"", $name, "\": ", $description, ", ",)*
+                "all but the first only in \"physical\""
+            );
+
+            fn flanks(self, outline: &Outline<'_>) -> Result<Flanks, InputError> {
+                match self { $(Self::$shape => $module::flanks(outline),)* }
+            }
+        }
+    };
+}
+
+raceway_shapes! {
     /// The contact path is quartic, y = a x⁴ + b x² + c, and runs into the plain raceway along its
     /// circumference (Zhao 2022, Eq. (4) to (7)).
     #[default]
-    Quartic,
+    Quartic = "quartic", contact_path, "contact path of Zhao 2022";
     /// αc = α0 √(1 − (ψ/θ)²): the contact points lie nearly on an ellipse, which meets the plain
     /// raceway at a right angle.
-    Ellipse,
+    Ellipse = "ellipse", ellipse, "α0 √(1 − (ψ/θ)²)";
     /// αc = α0 (1 − (ψ/θ)²): a shuttle of two parabolas with pointed ends.
-    Shuttle,
+    Shuttle = "shuttle", shuttle, "α0 (1 − (ψ/θ)²)";
     /// ln Ω of a rolling ball falls and rises at a constant rate but for a rounded middle and the ends:
     /// friction is asked for evenly.
-    Steady,
+    Steady = "steady", steady_angle, "orbital speed that changes at a constant rate";
     /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
-    Measured,
+    Measured = "measured", measured_flanks, "that of the profile";
 }
 
 impl RacewayShape {
-    /// Name of each.
-    pub const NAMES: &'static [(&'static str, Self)] = &[
-        ("quartic", Self::Quartic),
-        ("ellipse", Self::Ellipse),
-        ("shuttle", Self::Shuttle),
-        ("steady", Self::Steady),
-        ("measured", Self::Measured),
-    ];
-
     /// Its name.
     pub fn name(self) -> &'static str {
         let named = Self::NAMES.iter().find(|(_, shape)| *shape == self);
@@ -62,33 +76,33 @@ pub struct RacewayForm {
     pub blend_m: f64,
 }
 
-impl RacewayForm {
-    /// The flanks of a raceway of span lC and half angle θ.
-    pub(super) fn flank_angle(
-        &self,
-        axial_span_m: f64,
-        half_angle_rad: f64,
-        bearing: &Bearing,
-    ) -> Result<FlankAngle, InputError> {
-        let middle = (axial_span_m / (2.0 * bearing.ball_radius_m())).asin();
-        let power = |exponent| FlankAngle::Power(PowerAngle::new(middle, half_angle_rad, exponent));
-        let refused = |rule: &str| Err(InputError::rule("measured", f64::NAN, rule));
-        Ok(match (self.shape, &self.measured) {
-            (RacewayShape::Measured, Some(measured)) => {
-                FlankAngle::Power(measured.scaled(middle, half_angle_rad))
-            }
-            (RacewayShape::Measured, None) => {
-                return refused("given with shape = \"measured\"");
-            }
-            (_, Some(_)) => return refused("left out, or shape = \"measured\""),
-            (RacewayShape::Quartic, None) => {
-                FlankAngle::Quartic(ContactPath::new(axial_span_m, half_angle_rad, bearing)?)
-            }
-            (RacewayShape::Ellipse, None) => power(0.5),
-            (RacewayShape::Shuttle, None) => power(1.0),
-            (RacewayShape::Steady, None) => {
-                FlankAngle::Steady(SteadyAngle::new(middle, half_angle_rad))
-            }
-        })
+/// What the flanks of a shape are laid out for.
+pub(super) struct Outline<'a> {
+    /// lC, m.
+    pub axial_span_m: f64,
+    /// θ.
+    pub half_angle_rad: f64,
+    /// The form, of which a shape has what is its own.
+    pub form: RacewayForm,
+    pub bearing: &'a Bearing,
+}
+
+impl Outline<'_> {
+    /// α0, with sin α0 = lC/(2 Rw).
+    pub fn middle_rad(&self) -> f64 {
+        (self.axial_span_m / (2.0 * self.bearing.ball_radius_m())).asin()
+    }
+
+    /// The flanks.
+    ///
+    /// # Errors
+    /// An [`InputError`] if the bearing cannot carry them or the form has what is not its shape's.
+    pub fn flanks(&self) -> Result<Flanks, InputError> {
+        let form = &self.form;
+        if form.measured.is_some() && form.shape != RacewayShape::Measured {
+            let rule = "left out, or shape = \"measured\"";
+            return Err(InputError::rule("measured", f64::NAN, rule));
+        }
+        form.shape.flanks(self)
     }
 }

@@ -1,5 +1,11 @@
 //! Flanks over which the orbital speed of a rolling ball falls and rises at a constant rate.
 
+use std::sync::Arc;
+
+use super::flank_angle::{FlankAngle, Flanks};
+use super::shape::Outline;
+use crate::error::InputError;
+
 /// Part of half a raceway, from the middle, over which the fall begins.
 const MIDDLE: f64 = 0.35;
 /// Part of half a raceway, at the end, over which it ceases. α falls to 0 at a finite slope there, about
@@ -9,16 +15,23 @@ const END: f64 = 0.1;
 /// αc of ln(Ω/Ω0) = −D θ f(u), u = |ψ|/θ. f′ is −1 but for the middle, where it falls from 0, and
 /// the end, where it rises to 0, both linearly: D is the largest |d ln Ω/dψ|.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct SteadyAngle {
+struct SteadyAngle {
     /// θ.
     half_angle_rad: f64,
     /// D.
     rate: f64,
 }
 
+/// Those of an outline.
+#[allow(clippy::unnecessary_wraps)] // as every shape
+pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
+    let (middle, theta) = (outline.middle_rad(), outline.half_angle_rad);
+    Ok(Arc::new(SteadyAngle::new(middle, theta)))
+}
+
 impl SteadyAngle {
     /// Flanks of α0 in the middle: Ω/Ω0 = 2 cos α/(1 + cos α).
-    pub fn new(middle_rad: f64, half_angle_rad: f64) -> Self {
+    fn new(middle_rad: f64, half_angle_rad: f64) -> Self {
         let cos = middle_rad.cos();
         let fall = -(2.0 * cos / (1.0 + cos)).ln();
         let rate = fall / (half_angle_rad * (1.0 - (MIDDLE + END) / 2.0));
@@ -27,14 +40,17 @@ impl SteadyAngle {
             rate,
         }
     }
+}
 
-    /// Local ψ between which αc is smooth.
-    pub fn junctions_rad(&self) -> [f64; 2] {
-        [MIDDLE, 1.0 - END].map(|share| share * self.half_angle_rad)
+impl FlankAngle for SteadyAngle {
+    fn junctions_rad(&self) -> Vec<f64> {
+        vec![
+            MIDDLE * self.half_angle_rad,
+            (1.0 - END) * self.half_angle_rad,
+        ]
     }
 
-    /// αc and dαc/dψ at local ψ within ±θ; at the ends the limit from within.
-    pub fn at(&self, local_angle_rad: f64) -> [f64; 2] {
+    fn at(&self, local_angle_rad: f64) -> [f64; 2] {
         let share = (local_angle_rad.abs() / self.half_angle_rad).min(1.0);
         let rest = 1.0 - share;
         let [fall, slope] = if share < MIDDLE {

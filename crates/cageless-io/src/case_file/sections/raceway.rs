@@ -23,8 +23,7 @@ section! {
             "angular position of raceway centre",
             Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
         shape => shape: RacewayShape = default(RacewayShape::Quartic.name()), Plain,
-            "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \
-             \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": that of the profile; all but the first only in \"physical\"",
+            RacewayShape::DESCRIPTION,
             Commented("\"quartic\"", "path of the paper; \"ellipse\", \"shuttle\", \"steady\" or\n\
                 \"measured\" (with profile = [[ψ in deg, angle in deg], …])");
         profile => measured: Option<MeasuredFlanks> = Optional, Plain,

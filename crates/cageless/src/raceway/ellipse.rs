@@ -1,0 +1,15 @@
+//! Contact points nearly on an ellipse.
+
+use std::sync::Arc;
+
+use super::flank_angle::Flanks;
+use super::power_angle::PowerAngle;
+use super::shape::Outline;
+use crate::error::InputError;
+
+/// αc = α0 √(1 − (ψ/θ)²).
+#[allow(clippy::unnecessary_wraps)] // as every shape
+pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
+    let (middle, theta) = (outline.middle_rad(), outline.half_angle_rad);
+    Ok(Arc::new(PowerAngle::new(middle, theta, 0.5)))
+}
