@@ -66,7 +66,7 @@ class Raceway(Section):
     axial_span_mm: Annotated[float | None, "lC, largest axial distance between the two contact points; that of a profile unless given, which stretches it"] = None
     half_angle_deg: Annotated[float | None, "θ, half the angle that the raceway takes up; that of a profile unless given, which stretches it"] = None
     centre_angle_deg: Annotated[float | None, "angular position of raceway centre"] = None
-    shape: Annotated[Literal["quartic", "ellipse", "shuttle", "steady", "measured"] | None, "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": that of the profile; all but the first only in \"physical\""] = None
+    shape: Annotated[Literal["quartic", "ellipse", "shuttle", "steady", "measured"] | None, "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": that of the profile, all but the first only in \"physical\""] = None
     profile: Annotated[Sequence[Sequence[float]] | None, "measured flank angle over ψ from the middle of the raceway, of shape = \"measured\": 5 rows or more of one side or both up to the ends, where the angle is 0"] = None
     blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\""] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None

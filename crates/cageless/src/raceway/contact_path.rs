@@ -1,9 +1,5 @@
 //! Contact path of Zhao 2022, Eq. (4) to (6), quartic in x.
 
-use std::sync::Arc;
-
-use super::flank_angle::{FlankAngle, Flanks};
-use super::shape::Outline;
 use crate::bearing::Bearing;
 use crate::error::InputError;
 use crate::numerics::chebyshev::Polynomial;
@@ -32,32 +28,16 @@ const NEAR_END: f64 = 1.0 - 1e-4;
 /// Error of the direction factor.
 const DIRECTION_TOLERANCE: f64 = 1e-13;
 
-/// Those of an outline.
-pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
-    let (span, theta) = (outline.axial_span_m, outline.half_angle_rad);
-    Ok(Arc::new(ContactPath::new(span, theta, outline.bearing)?))
-}
-
-impl FlankAngle for ContactPath {
-    fn at(&self, local_angle_rad: f64) -> [f64; 2] {
-        self.contact_angle_rad(local_angle_rad)
-    }
-
-    fn radius_m(&self, local_angle_rad: f64, _ball_radius_m: f64) -> f64 {
-        self.radius_by_root(local_angle_rad)
-    }
-
-    fn contact_path(&self) -> Option<&ContactPath> {
-        Some(self)
-    }
-}
-
 impl ContactPath {
     /// Lays the path (Zhao 2022, Eq. (5)) and checks that it stays within the groove.
     ///
     /// # Errors
     /// An [`InputError`] if the path leaves the plain raceway outwards (Eq. (9)).
-    fn new(axial_span_m: f64, half_angle_rad: f64, bearing: &Bearing) -> Result<Self, InputError> {
+    pub(super) fn new(
+        axial_span_m: f64,
+        half_angle_rad: f64,
+        bearing: &Bearing,
+    ) -> Result<Self, InputError> {
         let d = bearing.dimensions();
         let path = Self {
             axial_span_m,
@@ -172,7 +152,7 @@ impl ContactPath {
         x.unwrap_or_else(|| self.end_m()).copysign(local_angle_rad)
     }
 
-    fn radius_by_root(&self, local_angle_rad: f64) -> f64 {
+    pub(super) fn radius_by_root(&self, local_angle_rad: f64) -> f64 {
         let x = self.x_m(local_angle_rad);
         x.hypot(self.y_m(x)) - self.outer_orbit_radius_m()
     }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::flank_angle::Flanks;
+use super::outline::Outline;
 use super::power_angle::PowerAngle;
-use super::shape::Outline;
 use crate::error::InputError;
 
 /// αc = α0 √(1 − (ψ/θ)²).

@@ -18,7 +18,6 @@ use std::sync::Arc;
 
 use super::flank_angle::Flanks;
 use super::power_angle::{PowerAngle, TERMS_MAX};
-use super::shape::Outline;
 use crate::error::InputError;
 use crate::numerics::chebyshev::to_powers;
 use crate::numerics::cholesky;
@@ -45,17 +44,12 @@ pub struct MeasuredFlanks {
     deviation_rad: [f64; 2],
 }
 
-/// Those of an outline, with another α0 and θ than measured.
-pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
-    let Some(measured) = outline.form.measured else {
-        let rule = "given with shape = \"measured\"";
-        return Err(InputError::rule("measured", f64::NAN, rule));
-    };
-    let (middle, theta) = (outline.middle_rad(), outline.half_angle_rad);
-    Ok(Arc::new(measured.flanks.scaled(middle, theta)))
-}
-
 impl MeasuredFlanks {
+    /// The flanks with another α0 and θ than measured.
+    pub(super) fn scaled(&self, middle_rad: f64, half_angle_rad: f64) -> Flanks {
+        Arc::new(self.flanks.scaled(middle_rad, half_angle_rad))
+    }
+
     /// Fit to rows of ψ from the middle of the raceway and αc, both in rad, of one side or both; the
     /// ends ±θ are the rows farthest from the middle and have αc = 0.
     ///

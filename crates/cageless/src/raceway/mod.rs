@@ -28,9 +28,12 @@ mod contact_path;
 mod ellipse;
 mod flank_angle;
 mod groove_surface;
+mod measured;
 mod measured_flanks;
+mod outline;
 mod piece;
 mod power_angle;
+mod quartic;
 mod shape;
 mod shuttle;
 mod steady_angle;
@@ -51,9 +54,9 @@ pub use groove_surface::SurfacePoint;
 pub(crate) use groove_surface::{groove_centre, surface_point};
 pub use measured_flanks::MeasuredFlanks;
 pub(crate) use measured_flanks::{Linearised, fit_flanks};
+use outline::Outline;
 pub(crate) use piece::Piece;
 pub(crate) use power_angle::PowerAngle;
-use shape::Outline;
 pub use shape::{RacewayForm, RacewayShape};
 
 /// The three numbers that a discrete raceway of any shape has.
@@ -143,10 +146,10 @@ impl Raceway {
         let outline = Outline {
             axial_span_m: span,
             half_angle_rad: theta,
-            form,
+            measured: form.measured,
             bearing,
         };
-        let flanks = outline.flanks()?;
+        let flanks = form.flanks(&outline)?;
         let raceway = Self {
             dimensions,
             ball_radius_m: d.ball_radius_m,

@@ -6,8 +6,8 @@
 //! sin αc(0) = lC/(2 Rw).
 
 use super::flank_angle::Flanks;
-use super::{MeasuredFlanks, contact_path, ellipse, measured_flanks, shuttle, steady_angle};
-use crate::bearing::Bearing;
+use super::outline::Outline;
+use super::{MeasuredFlanks, ellipse, measured, quartic, shuttle, steady_angle};
 use crate::error::InputError;
 
 /// Declares the list of shapes and what follows from it: the name of each in files, its module with
@@ -42,7 +42,7 @@ raceway_shapes! {
     /// The contact path is quartic, y = a x⁴ + b x² + c, and runs into the plain raceway along its
     /// circumference (Zhao 2022, Eq. (4) to (7)).
     #[default]
-    Quartic = "quartic", contact_path, "contact path of Zhao 2022";
+    Quartic = "quartic", quartic, "contact path of Zhao 2022";
     /// αc = α0 √(1 − (ψ/θ)²): the contact points lie nearly on an ellipse, which meets the plain
     /// raceway at a right angle.
     Ellipse = "ellipse", ellipse, "α0 √(1 − (ψ/θ)²)";
@@ -52,7 +52,7 @@ raceway_shapes! {
     /// friction is asked for evenly.
     Steady = "steady", steady_angle, "orbital speed that changes at a constant rate";
     /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
-    Measured = "measured", measured_flanks, "that of the profile";
+    Measured = "measured", measured, "that of the profile";
 }
 
 impl RacewayShape {
@@ -76,33 +76,16 @@ pub struct RacewayForm {
     pub blend_m: f64,
 }
 
-/// What the flanks of a shape are laid out for.
-pub(super) struct Outline<'a> {
-    /// lC, m.
-    pub axial_span_m: f64,
-    /// θ.
-    pub half_angle_rad: f64,
-    /// The form, of which a shape has what is its own.
-    pub form: RacewayForm,
-    pub bearing: &'a Bearing,
-}
-
-impl Outline<'_> {
-    /// α0, with sin α0 = lC/(2 Rw).
-    pub fn middle_rad(&self) -> f64 {
-        (self.axial_span_m / (2.0 * self.bearing.ball_radius_m())).asin()
-    }
-
-    /// The flanks.
+impl RacewayForm {
+    /// The flanks of the form in an outline, which has its measured shape.
     ///
     /// # Errors
     /// An [`InputError`] if the bearing cannot carry them or the form has what is not its shape's.
-    pub fn flanks(&self) -> Result<Flanks, InputError> {
-        let form = &self.form;
-        if form.measured.is_some() && form.shape != RacewayShape::Measured {
+    pub(super) fn flanks(&self, outline: &Outline<'_>) -> Result<Flanks, InputError> {
+        if self.measured.is_some() && self.shape != RacewayShape::Measured {
             let rule = "left out, or shape = \"measured\"";
             return Err(InputError::rule("measured", f64::NAN, rule));
         }
-        form.shape.flanks(self)
+        self.shape.flanks(outline)
     }
 }

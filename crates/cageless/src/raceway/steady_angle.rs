@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::flank_angle::{FlankAngle, Flanks};
-use super::shape::Outline;
+use super::outline::Outline;
 use crate::error::InputError;
 
 /// Part of half a raceway, from the middle, over which the fall begins.

@@ -1,0 +1,14 @@
+//! Flanks as measured.
+
+use super::flank_angle::Flanks;
+use super::outline::Outline;
+use crate::error::InputError;
+
+/// Those of a measured ring, with another α0 and θ than measured.
+pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
+    let Some(measured) = outline.measured else {
+        let rule = "given with shape = \"measured\"";
+        return Err(InputError::rule("measured", f64::NAN, rule));
+    };
+    Ok(measured.scaled(outline.middle_rad(), outline.half_angle_rad))
+}

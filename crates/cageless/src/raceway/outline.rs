@@ -1,0 +1,22 @@
+//! Outline of a discrete raceway.
+
+use super::MeasuredFlanks;
+use crate::bearing::Bearing;
+
+/// What the flanks of a shape are laid out for.
+pub(super) struct Outline<'a> {
+    /// lC, m.
+    pub axial_span_m: f64,
+    /// θ.
+    pub half_angle_rad: f64,
+    /// The shape of a measured ring, if the raceway has it.
+    pub measured: Option<MeasuredFlanks>,
+    pub bearing: &'a Bearing,
+}
+
+impl Outline<'_> {
+    /// α0, with sin α0 = lC/(2 Rw).
+    pub fn middle_rad(&self) -> f64 {
+        (self.axial_span_m / (2.0 * self.bearing.ball_radius_m())).asin()
+    }
+}
