@@ -15,7 +15,7 @@ use crate::run::RunError;
 pub struct Succession {
     /// The records.
     pub records: Vec<Record>,
-    /// Why there are fewer drops than were asked for, and what their temperatures do not rest on.
+    /// Why there are fewer drops than were asked for.
     pub warnings: Vec<String>,
     /// Whether the progress cancelled it.
     pub interrupted: bool,
@@ -34,7 +34,7 @@ const CLEARANCE: &str = "rotor.radial_clearance_um";
 
 impl Succession {
     /// The rotor of `file` dropped `count` times, the first time as in `first`. After each drop it spins
-    /// down to standstill; the bearing keeps the heat of both but for what it loses in the pause, and
+    /// down to standstill; the bearing keeps the heat of both except what it loses in the pause, and
     /// drops again with the clearances of its temperatures.
     ///
     /// # Errors
@@ -123,7 +123,9 @@ impl Succession {
                     let capacities = case.thermal.capacities_j_k(&case.bearing).ok()?;
                     let mut parts_c = [0.0; PARTS];
                     for (k, part_c) in parts_c.iter_mut().enumerate() {
-                        let share = result.results.value(POWERS[k])? / power_w;
+                        // Of no heat at all a part has none.
+                        let share =
+                            result.results.value(POWERS[k])? / power_w.max(f64::MIN_POSITIVE);
                         let rise_k = share * spin_down.heat_j / capacities[k];
                         *part_c = result.results.value(TEMPERATURES[k])? + rise_k;
                     }
