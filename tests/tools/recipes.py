@@ -1,5 +1,5 @@
 """Follows the recipes of CONTRIBUTING.md on a copy of the project, all of them at once: each touches the files
-that it lists and no other, and the command then has a law of friction, a method, a result, a figure and a key more.
+that it lists and no other, and the command then has a law of friction, a shape of raceway, a method, a result, a figure and a key more.
 
     recipes.py FOLDER [BUILT]
 
@@ -8,6 +8,7 @@ FOLDER takes the copy and what is built from it; BUILT is a target folder whose 
 
 import contextlib
 import json
+import math
 import os
 import re
 import shutil
@@ -20,6 +21,7 @@ import checks
 HERE = Path(__file__).resolve().parents[2]
 CORE, IO, REPORT = "crates/cageless/src/", "crates/cageless-io/src/case_file/", "crates/cageless-report/src/"
 FRICTION, INTEGRATOR, FIGURES = CORE + "contact/friction/", CORE + "integrator/", REPORT + "figures/"
+SHAPE = CORE + "raceway/shape/"
 
 # By file: the text of a new one, or for one that exists pairs of a text that occurs once and what is inserted before it.
 RECIPES = {
@@ -154,6 +156,42 @@ impl Method for Heun {
 """,
         INTEGRATOR + "mod.rs": [["    /// Order 8(5,3) with error control", "    /// Heun's method.\n    heun: Heun,\n"]],
     },
+    "A shape of raceway": {
+        SHAPE
+        + "cosine.rs": """//! A raceway whose flank angle is a cosine.
+
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use crate::error::InputError;
+use crate::raceway::flank_angle::{FlankAngle, Flanks};
+use crate::raceway::outline::Outline;
+
+/// αc = α0 cos(πψ/2θ): α0, then π/2θ.
+#[derive(Debug)]
+struct Cosine(f64, f64);
+
+impl FlankAngle for Cosine {
+    fn at(&self, local_angle_rad: f64) -> [f64; 2] {
+        let (sin, cos) = (self.1 * local_angle_rad).sin_cos();
+        [self.0 * cos, -self.0 * self.1 * sin]
+    }
+}
+
+pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
+    let per_angle = FRAC_PI_2 / outline.half_angle_rad;
+    Ok(Arc::new(Cosine(outline.middle_rad(), per_angle)))
+}
+""",
+        CORE
+        + "raceway/shape.rs": [
+            ["mod ellipse;", "mod cosine;\n"],
+            [
+                "    /// Fitted to the points of a ring",
+                '    /// αc = α0 cos(πψ/2θ).\n    Cosine = "cosine", cosine, "α0 cos(πψ/2θ)";\n',
+            ],
+        ],
+    },
     "A scalar result": {
         "crates/cageless-results/src/table/run.rs": [
             [
@@ -270,6 +308,17 @@ def run(cageless, tree, out, *settings):
     return subprocess.run(command, cwd=tree, capture_output=True, text=True)
 
 
+def cosine_demand(span_m, half_angle_rad, ball_radius_m):
+    """Largest |d ln Ω/dψ| over a raceway with αc = α0 cos(πψ/2θ): sin αc |αc′|/(cos αc (1 + cos αc))."""
+    largest, per_angle = math.asin(span_m / (2 * ball_radius_m)), math.pi / 2 / half_angle_rad
+
+    def demand(phase):
+        angle, slope = largest * math.cos(phase), largest * per_angle * math.sin(phase)
+        return math.sin(angle) * slope / (math.cos(angle) * (1 + math.cos(angle)))
+
+    return max(demand(math.pi / 2 * k / 10000) for k in range(10001))
+
+
 def main():
     folder = Path(sys.argv[1]).resolve()
     tree = copied(folder)
@@ -292,12 +341,20 @@ def main():
     checks.check("the new result", more["passages_per_second_hz"] == more["passages"] / more["simulated_s"])
     checks.check("a law without its growth is the smooth one", same["power_loss_w"] == smooth["power_loss_w"])
     checks.check("a law with its growth is not", more["power_loss_w"] != smooth["power_loss_w"])
+    design = [cageless, "design", "cases/zhao-d.toml", "--json", "--set", "raceway.shape=cosine"]
+    done = subprocess.run(design, cwd=tree, capture_output=True, text=True)
+    checks.check("design takes the new shape", done.returncode == 0, done.stderr)
+    raceway, bearing = more["case"]["raceway"], more["case"]["bearing"]
+    expected = cosine_demand(raceway["axial_span_mm"], math.radians(raceway["half_angle_deg"]), bearing["ball_radius_mm"])
+    found = json.loads(done.stdout)["speed_change_max_per_rad"]
+    checks.check("the new shape asks for its friction", abs(found / expected - 1) < 1e-6, f"{found}, not {expected}")
     page = (folder / "out/report.html").read_text()
     for what in ('id="magnitudes"', "rising by 5 s/m", "passages a second", "Heun"):
         checks.check(f"the page has {what}", what in page)
     for setting, key in (("contact.roughness_ratio=-1", "contact.roughness_ratio"), ("contact.friction_rise_s_m=-1", "contact.friction_rise_s_m")):
         bad = run(cageless, tree, folder / "bad", setting)
         checks.check(f"{setting} is refused", bad.returncode == 2 and key in bad.stderr, bad.stderr)
+    checks.check("balls run on the new shape", numbers("raceway.shape=cosine")["lag_per_pass_deg"] != smooth["lag_per_pass_deg"])
     return checks.exit_code()
 
 

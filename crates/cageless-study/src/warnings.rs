@@ -8,7 +8,7 @@ use cageless::equilibrium;
 use cageless::rating::speed_warning;
 use cageless::simulation::Ending;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, IntegrationMethod};
+use cageless::{Case, IntegrationMethod, Raceway};
 
 use cageless_results::DropResult;
 use cageless_results::number_text::short;
@@ -164,6 +164,44 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
     warnings
 }
 
+/// Largest regularisation speed of the friction over the speed by which a raceway slows a ball at
+/// which the friction of balls on each other is that of the law; docs/greaseless.md shows what larger
+/// ones do.
+const REGULARISATION_FRACTION: f64 = 0.05;
+
+/// The friction law is still a viscous one where a raceway slows the balls.
+fn blunt_friction(case: &Case) -> Option<String> {
+    let rw = case.bearing.ball_radius_m();
+    let pitch_speed_m_s = case.rolling_orbit_speed_rad_s().abs() * case.bearing.pitch_radius_m();
+    let slowed_m_s = |raceway: &Raceway| {
+        let r = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
+        // Zhao 2022, Eq. (3).
+        pitch_speed_m_s * (rw - r) / (rw + r)
+    };
+    let slowest = case.raceways.iter().map(slowed_m_s).fold(0.0, f64::max);
+    let (knee, most) = (
+        case.contact.friction.regularisation_speed_m_s,
+        REGULARISATION_FRACTION * slowest,
+    );
+    (most > 0.0 && knee > most).then(|| {
+        format!(
+            "the raceway slows balls by {} m/s, and friction is that of its law only above {knee} m/s: \
+             sliding, friction torque and the lag come out too small. Set \
+             contact.regularisation_speed_m_s to {} or less",
+            short(slowest),
+            short_down(most)
+        )
+    })
+}
+
+/// One digit, down: what is said to be enough is enough.
+fn short_down(value: f64) -> String {
+    let power = value.log10().floor();
+    let digit = (value / 10f64.powf(power)).floor();
+    let exact: f64 = format!("{digit}e{power}").parse().unwrap_or(value);
+    exact.to_string()
+}
+
 /// Warnings that the case alone gives.
 fn of_case(case: &Case) -> Vec<String> {
     let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();
@@ -192,11 +230,7 @@ fn of_case(case: &Case) -> Vec<String> {
         case.contact.friction.regularisation_speed_m_s,
     );
     if creep > knee {
-        // One digit, down: what is said to be enough is enough.
-        let enough_us = 1e6 * knee / limits.creep_m_s2(method);
-        let power = enough_us.log10().floor();
-        let digit = (enough_us / 10f64.powf(power)).floor();
-        let enough_us = format!("{digit}e{power}").parse().unwrap_or(enough_us);
+        let enough_us = short_down(1e6 * knee / limits.creep_m_s2(method));
         warnings.push(format!(
             "Coulomb friction is far from its limit at this step: contacts that should roll creep \
              by up to {creep:.2} m/s, in proportion to the step, where the smooth law would by \
@@ -204,6 +238,7 @@ fn of_case(case: &Case) -> Vec<String> {
              or contact.friction_law = \"smooth\""
         ));
     }
+    warnings.extend(blunt_friction(case));
     let undamped = case.contact.damping_n_s_m1_5 == 0.0;
     if method == IntegrationMethod::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
         warnings.push(

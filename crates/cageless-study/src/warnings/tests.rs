@@ -220,3 +220,26 @@ fn each_limit_of_the_step_warns_beyond_it() {
         run.case.solver.step_s = knee / creep * (1.0 + 1e-12)
     });
 }
+
+/// Of friction that is viscous where the raceway of Zhao 2022, structure (d), slows the balls:
+/// cos α = √(1 − (lC/2Rw)²), and a ball that rolls is slowed by (1 − cos α)/(1 + cos α).
+#[test]
+fn a_regularisation_speed_is_small_against_the_slowing_of_a_raceway() {
+    let mut slow = Run::new(&["operation.inner_speed_rpm=1000"]);
+    let bearing = &slow.case.bearing;
+    let sine = slow.case.raceways[0].dimensions().axial_span_m / (2.0 * bearing.ball_radius_m());
+    let cosine = (1.0 - sine * sine).sqrt();
+    let slowed = slow.case.rolling_orbit_speed_rad_s() * bearing.pitch_radius_m() * (1.0 - cosine)
+        / (1.0 + cosine);
+    let knee = |factor: f64| {
+        move |run: &mut Run| run.case.contact.friction.regularisation_speed_m_s = factor * slowed
+    };
+    slow.changes(false, "", knee(0.05 * (1.0 - 1e-9)));
+    slow.changes(
+        true,
+        "the raceway slows balls by",
+        knee(0.05 * (1.0 + 1e-9)),
+    );
+    slow.case.raceways.clear();
+    slow.changes(false, "", |_| ());
+}

@@ -25,18 +25,13 @@
 
 mod blend;
 mod contact_path;
-mod ellipse;
 mod flank_angle;
 mod groove_surface;
-mod measured;
 mod measured_flanks;
 mod outline;
 mod piece;
 mod power_angle;
-mod quartic;
 mod shape;
-mod shuttle;
-mod steady_angle;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;

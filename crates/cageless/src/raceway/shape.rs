@@ -5,9 +5,15 @@
 //! ends ±θ; r = Rw cos αc. The span lC of a raceway says how large it is in the middle,
 //! sin αc(0) = lC/(2 Rw).
 
+mod ellipse;
+mod measured;
+mod quartic;
+mod shuttle;
+mod steady_angle;
+
+use super::MeasuredFlanks;
 use super::flank_angle::Flanks;
 use super::outline::Outline;
-use super::{MeasuredFlanks, ellipse, measured, quartic, shuttle, steady_angle};
 use crate::error::InputError;
 
 /// Declares the list of shapes and what follows from it: the name of each in files, its module with

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::flank_angle::Flanks;
-use super::outline::Outline;
-use super::power_angle::PowerAngle;
 use crate::error::InputError;
+use crate::raceway::flank_angle::Flanks;
+use crate::raceway::outline::Outline;
+use crate::raceway::power_angle::PowerAngle;
 
 /// αc = α0 (1 − (ψ/θ)²).
 #[allow(clippy::unnecessary_wraps)] // as every shape

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::flank_angle::{FlankAngle, Flanks};
-use super::outline::Outline;
 use crate::error::InputError;
+use crate::raceway::flank_angle::{FlankAngle, Flanks};
+use crate::raceway::outline::Outline;
 
 /// Part of half a raceway, from the middle, over which the fall begins.
 const MIDDLE: f64 = 0.35;

@@ -1,8 +1,8 @@
 //! Flanks as measured.
 
-use super::flank_angle::Flanks;
-use super::outline::Outline;
 use crate::error::InputError;
+use crate::raceway::flank_angle::Flanks;
+use crate::raceway::outline::Outline;
 
 /// Those of a measured ring, with another α0 and θ than measured.
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::contact_path::ContactPath;
-use super::flank_angle::{FlankAngle, Flanks};
-use super::outline::Outline;
 use crate::error::InputError;
+use crate::raceway::contact_path::ContactPath;
+use crate::raceway::flank_angle::{FlankAngle, Flanks};
+use crate::raceway::outline::Outline;
 
 /// Those of an outline.
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
