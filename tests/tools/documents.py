@@ -139,6 +139,12 @@ def measured(result, ring):
     return f"{figures(found['mean'], 3)} ± {figures(found['standard_error'], 2)}"
 
 
+def searched(structure, name):
+    """Motion of the structure that a search recommends, at the first operating point, with its standard error."""
+    point = structure["points"][0]
+    return f"{figures(point['motion'][name], 3)} ± {figures(point['errors'][name], 2)}"
+
+
 def against(row, name):
     """Result of the recommended raceway of a search against that of the case."""
     recommended, own, change, error = compared(row, name)[1]
@@ -169,7 +175,7 @@ def sector(row, k):
 
 WORDS = {
     of.__name__: of
-    for of in (against, changed, colliding, compared, digits, figures, fixed, measured, of_ring, percent, power, sector, size, span, spun_up, wilson)
+    for of in (against, changed, colliding, compared, digits, figures, fixed, measured, of_ring, percent, power, searched, sector, size, span, spun_up, wilson)
 }
 
 

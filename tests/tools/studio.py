@@ -189,6 +189,24 @@ def surface(s):
     s.js(f"{S}.surface.root.open = false")
 
 
+def shapes(s):
+    """The shape and the blend of the raceway, and what they change."""
+    s.tab.wait_for("document.querySelectorAll('[data-shape] option').length > 3")
+    first, steepest = s.toml(), f"{S}.g.numbers.speed_change_max_per_rad"
+    quartic = s.js(steepest)
+    s.press("pin")
+    s.js("(() => { const e = document.querySelector('[data-shape]'); e.value = 'steady'; e.dispatchEvent(new Event('change')); })()")
+    s.settled()
+    s.check("a shape is chosen", s.js(f"{S}.g.raceways[0].shape") == "steady" and 'shape = "steady"' in s.toml())
+    s.check("the steady raceway changes the orbital speed least", s.js(steepest) < 0.9 * quartic, quartic)
+    s.slide("blend", 1)
+    s.check("its ends are blended", "blend_mm = 1" in s.toml())
+    rows = s.js(f"{S}.comparison.rows()")
+    s.check("shapes are compared", ["shape", "quartic", "steady"] in rows, rows)
+    s.press("unpin")
+    s.type(first)
+
+
 def materials(s):
     """Materials by name, from the library, and back."""
     s.tab.wait_for("document.querySelectorAll('[data-material=balls] option').length > 2")
@@ -333,6 +351,7 @@ def studio(browser, name, url, screens):
     # What a report or a server adds to the studio is its place, or another engine.
     if name == "page":
         surface(s)
+        shapes(s)
         materials(s)
         files(s)
     if name in ("page", "server"):

@@ -244,3 +244,47 @@ fn a_long_search_says_how_long_it_takes() {
         "{said}"
     );
 }
+
+/// A search over all shapes enters the shape that it found, blended as that of the case, and judges
+/// the case with it.
+#[test]
+fn a_search_over_shapes_enters_the_shape_that_it_found() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let of_shapes = [
+        "--set",
+        "search.shapes=all",
+        "--set",
+        "contact.friction_coefficient=0.1",
+        "--set",
+        "search.axial_span_mm=[4.6,5.1]",
+        "--set",
+        "raceway.blend_mm=1",
+    ];
+    let answer: Answer = search_command(&out)
+        .args(of_shapes)
+        .output()
+        .unwrap()
+        .into();
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    let found: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let search = &found["search"];
+    let tried = search["band"].as_array().unwrap();
+    let count = |shape: &str| tried.iter().filter(|s| s["shape"] == shape).count();
+    let counts = ["quartic", "ellipse", "shuttle", "steady", "measured"].map(count);
+    assert!(
+        counts[..4].iter().all(|n| *n > 0) && counts[4] == 0,
+        "{counts:?}"
+    );
+    let shape = search["recommended"]["shape"].as_str().unwrap();
+    assert_ne!(shape, "quartic");
+    let path = out.join("recommended.toml");
+    let recommended = std::fs::read_to_string(&path).unwrap();
+    for line in [format!("shape = \"{shape}\""), "blend_mm = 1".to_owned()] {
+        assert!(recommended.contains(&line), "{line}: {recommended}");
+    }
+    let judged = call(&["design", path.to_str().unwrap(), "--json"]);
+    let judged: serde_json::Value = serde_json::from_str(&judged.stdout).unwrap();
+    let verdict = &search["recommended_verdicts"][0];
+    assert_eq!(judged["critical_gap_deg"], verdict["critical_gap_deg"]);
+}

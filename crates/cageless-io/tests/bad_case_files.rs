@@ -69,6 +69,7 @@ const EDITS: &[Row] = &[
     (START, "[search]\nraceways_max = 5 #", "search.raceways_max", &["from 1 to 4"]),
     (START, "[search]\nraceways_max = 1.5 #", "search.raceways_max", &["a whole number from 1 to 4"]),
     (START, "[search]\ninitial_states = \"two\" #", "search.initial_states", &["a whole number from 1 to 64"]),
+    (START, "[search]\nshapes = \"steady\" #", "search.shapes", &["\"own\" or \"all\""]),
     (START, "[search]\nruns_max = 0.5 #", "search.runs_max", &["a whole number, 1 or more"]),
     (START, "[search]\ncritical_gap_min_fraction = 1.0 #", "search.critical_gap_min_fraction", &["less than 1"]),
     (START, "[search]\ninitial_states = 0 #", "search.initial_states", &["from 1 to 64"]),

@@ -123,6 +123,7 @@ fn raceway(case: &Case, raceway: &Raceway) -> Value {
         depth.push(depth_row);
     }
     json!({
+        "shape": raceway.form().shape.name(),
         "axial_span_mm": d.axial_span_m * 1e3,
         "half_angle_deg": raceway.half_angle_rad().to_degrees(),
         "centre_angle_deg": d.centre_angle_rad.to_degrees(),

@@ -1,5 +1,6 @@
 //! What the engine knows about itself and about case files.
 
+use cageless::RacewayShape;
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{MaterialPreset, drop_template, keys, template};
 use serde_json::{Value, json};
@@ -9,8 +10,8 @@ pub(crate) const OPERATIONS: [&str; 8] = [
     "about", "geometry", "ranges", "map", "static", "motion", "verdict", "compare",
 ];
 
-/// Version, instruction set, the templates of a case, every key with unit and meaning, and the
-/// materials that have a name.
+/// Version, instruction set, the templates of a case, every key with unit and meaning, the
+/// materials that have a name, and the shapes of a raceway that need no profile.
 pub(crate) fn about() -> Value {
     let keys: Vec<Value> = keys()
         .map(|k| json!({ "key": k.name, "unit": k.unit, "meaning": k.meaning }))
@@ -24,12 +25,16 @@ pub(crate) fn about() -> Value {
             })
         })
         .collect();
+    let shapes = RacewayShape::NAMES.iter();
+    let shapes = shapes.filter(|(_, shape)| *shape != RacewayShape::Measured);
+    let shapes: Vec<&str> = shapes.map(|(name, _)| *name).collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "instruction_set": InstructionSet::chosen().name(),
         "operations": OPERATIONS,
         "keys": keys,
         "materials": materials,
+        "shapes": shapes,
         "template": template(false),
         "drop": drop_template(),
         "template_conventional": template(true),

@@ -6,6 +6,7 @@ use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{self, CaseFile};
 use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::RotorFile;
+use cageless_study::measured::measured;
 use pyo3::prelude::*;
 
 use crate::errors::{Found, input, of_values, other};
@@ -100,6 +101,12 @@ impl File {
     /// The file with changes, each `section.key=value`.
     fn changed(&self, changes: Vec<String>) -> Found<Self> {
         self.0.changed(&changes).map(Self).map_err(of_values)
+    }
+
+    /// The case with its raceways as measured, from the points of a file, and the numbers as JSON.
+    fn measured(&self, points: PathBuf) -> Found<(Self, String)> {
+        let found = measured(self.case(), "case", &points)?;
+        Ok((case(found.file), serde_json::to_string(&found.record)?))
     }
 
     /// The file with every default filled in; a rotor file with its cases and matrices.

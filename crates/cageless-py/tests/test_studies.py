@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -89,6 +90,32 @@ def test_a_search_that_was_ended_is_finished_by_the_command(
     assert page == (tmp_path / "report.html").read_text()
     for name in ["verdicts", "critical_gaps", "trade_offs"]:
         assert made(found._core.figure(name, None, None, None)) in figures(tmp_path / "report.html"), name
+
+
+def test_a_search_keeps_the_shape_and_the_blend() -> None:
+    case = small().replace({"raceway.blend_mm": 1.0, "contact.friction_coefficient": 0.1})
+    found = case.search(**SMALL | {"axial_span_mm": [4.6, 5.1]}, shapes="all")
+    [raceway] = found.recommended
+    assert raceway.shape == found.values["recommended"]["shape"] != "quartic"
+    assert found.case.raceways[0].blend_mm == 1.0
+    assert set(found.data_structures()["shape"]) == {"quartic", "ellipse", "shuttle", "steady"}
+
+
+def test_a_ring_is_measured(tmp_path: Path) -> None:
+    case = cageless.Case.from_file(CASE).replace(
+        {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
+    )
+    points = tmp_path / "points.csv"
+    case.export(points, ["csv"], blend_mm=0.0, spacing_mm=0.4)
+    measured = case.measure(points)
+    [raceway] = measured.raceways.itertuples()
+    assert raceway.measured_deviation_max_um < 1e-3
+    assert measured.raceways.attrs["units"]["measured_deviation_um"] == "µm"
+    assert raceway.profile_flank_angle_deg == pytest.approx(math.degrees(math.asin(5.1 / 2 / 4.7625)), abs=1e-4)
+    lags = [each.design().kinematic_lag_per_pass_deg for each in (case, measured.case)]
+    assert lags[0] == pytest.approx(lags[1], abs=1e-3)
+    with pytest.raises(cageless.InputError, match=r"has no \[raceway\]"):
+        case.with_raceways().measure(points)
 
 
 def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:

@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_results::Cell;
-use cageless_study::{DesignResult, parameter, raceway_section, with_raceways};
+use cageless_study::{DesignResult, parameter, raceway_section, reshaped, with_raceways};
 use serde::{Deserialize, Serialize};
 
 use crate::data::{Parameter, RacewayLabel};
@@ -43,7 +43,11 @@ fn recommended(file: &CaseFile, result: &DesignResult) -> Option<(&'static str, 
     if let Some(found) = result.search.as_ref().and_then(|s| s.part("recommended")) {
         let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|name| found.number(name));
         let centres = found.items("centre_angles_deg").iter();
-        let raceways = centres.filter_map(Cell::number).map(|c| at(span, angle, c));
+        let raceways = centres.filter_map(Cell::number).map(|c| {
+            let mut values = at(span, angle, c);
+            values.extend(reshaped(file, found.text("shape")));
+            values
+        });
         let raceways: Vec<_> = raceways.collect();
         return Some((RECOMMENDED, with_raceways(file, &raceways)));
     }

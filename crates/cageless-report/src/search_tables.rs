@@ -62,7 +62,12 @@ pub fn comparison(search: &Record) -> Table {
             points.len(),
         ));
     }
-    let size = ["axial_span_mm", "half_angle_deg", "centre_angles_deg"];
+    let size = [
+        "axial_span_mm",
+        "half_angle_deg",
+        "shape",
+        "centre_angles_deg",
+    ];
     let rows = quantities().filter(|q| !size.contains(&q.name)).map(|q| {
         let mut cells = vec![Cell::text(heading(q))];
         for (_, structure) in &structures {
@@ -102,12 +107,14 @@ pub fn rejections(search: &Record) -> Table {
     Table::of("Rejections", caption, rows, None)
 }
 
-/// Structures with their results at the first operating point; the first row is the head.
+/// Structures with their results at the first operating point behind values of their `own`; the first
+/// row is the head.
 fn structures<'r>(
     all: impl Iterator<Item = (Vec<String>, &'r Record)>,
-    head: Vec<String>,
+    own: &'static [Quantity],
 ) -> Vec<Vec<String>> {
-    let head = head.into_iter().chain(quantities().map(heading));
+    let quantities = || quantities().filter(|q| own.iter().all(|o| o.name != q.name));
+    let head = own.iter().chain(quantities()).map(heading);
     let mut rows = vec![head.collect()];
     for (mut row, structure) in all {
         if let Some(point) = structure.parts("points").first() {
@@ -118,18 +125,17 @@ fn structures<'r>(
     rows
 }
 
-/// Places of the raceways.
+/// Places and shapes of the raceways.
 pub fn placements(search: &Record) -> Table {
-    let caption = "Where and how many: places of the raceways, with the best acceptable structure \
-                   at each (numbers at the first operating point).";
+    let caption = "Where, how many and of which shape: places and shapes of the raceways, with the best \
+                   acceptable structure of each (numbers at the first operating point).";
     let none = Record::default();
-    let head = PLACEMENT.iter().map(heading).collect();
     let all = search.parts("placements").iter().map(|placement| {
         let own = placement.iter().map(|(q, cell)| value_text(q, cell));
         let own = own.map(|text| text.unwrap_or("–".to_owned())).collect();
         (own, placement.part("best").unwrap_or(&none))
     });
-    Table::of("Places", caption, structures(all, head), None)
+    Table::of("Places", caption, structures(all, PLACEMENT), None)
 }
 
 /// The Pareto front.
@@ -154,5 +160,5 @@ pub fn front(search: &Record) -> Table {
         search.number("starts")
     );
     let all = front.iter().take(FRONT_ROWS).map(|s| (vec![], s));
-    Table::of("Pareto front", &caption, structures(all, vec![]), None)
+    Table::of("Pareto front", &caption, structures(all, &[]), None)
 }

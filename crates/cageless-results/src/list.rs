@@ -50,7 +50,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 40] = [
     (STRUCTURE_AT, "Search: a structure at an operating point", "Under `points` of a structure."),
     (MOTION, "Search: motion of all balls", "Under `motion` of a structure at an operating point, means over the initial states, and `errors`, their standard errors."),
     (REJECTION, "Search: excluded structures", "Under `search.rejections`."),
-    (PLACEMENT, "Search: angular positions", "Under `search.placements`."),
+    (PLACEMENT, "Search: angular positions and shapes", "Under `search.placements`."),
     (MAP, "Search: maps", "Under `search.maps`: a list of rows of equal θ."),
     (PAPER, "Search: structures of the paper", "Under `search.paper`, for the bearing of Zhao 2022."),
     (TOLERANCE, "Tolerance analysis", "In `cageless tolerance --json`, `tolerance.json` and its page."),

@@ -20,5 +20,6 @@ pub(crate) const HERTZ_PRESSURE: &str = "largest pressure in the centre of a Her
 pub(crate) const MARGIN: &str = "difference between the value of the deciding criterion and its limit; negative beyond the limit";
 pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure and sliding speed at one instant";
 pub(crate) const SIMULATED: &str = "time at which the simulation ended";
+pub(crate) const UNLOADED: &str = "the inner ring does not drive a ball then; 0 where it drives all of them all the time";
 pub(crate) const STIFFNESS: &str = "K in F = K δ^1.5";
 pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `slips` or `infeasible`";

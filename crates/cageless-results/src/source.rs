@@ -1,5 +1,6 @@
 //! What results are computed from.
 
+use cageless::RacewayForm;
 use cageless::design::search::{Evaluation, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
     AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
@@ -178,6 +179,8 @@ pub struct AtPoint<'a> {
 pub struct SearchedPlacement<'a> {
     /// ψ of the middles, rad.
     pub centres_rad: &'a [f64],
+    /// Shape and blend.
+    pub form: &'a RacewayForm,
     /// The structures.
     pub evaluations: Vec<&'a Evaluation>,
 }

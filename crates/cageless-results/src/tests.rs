@@ -493,6 +493,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             tally.double_collision_fraction(),
         ),
         ("passage_sliding_mean_m_s", tally.sliding_mean_m_s()),
+        ("passage_unloaded_fraction", tally.unloaded_fraction()),
         (
             "passage_gap_min_mean_deg",
             tally.gap_min_mean_rad() / DEGREE,

@@ -3,7 +3,10 @@
 use cageless::design::search::OperatingPoint;
 use cageless::raceway::RacewayDimensions;
 use cageless::{Case, RacewayForm};
-use cageless_io::case_file::{CaseDocument, CaseFile, SectionValues};
+use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, SectionValues};
+
+const SHAPE: &str = "shape";
+const BLEND: &str = "blend_mm";
 
 /// The section `[raceway]` of these lengths in mm, angles in degrees and depth error in µm.
 pub fn raceway_section(
@@ -31,13 +34,20 @@ pub fn entered_raceway(dimensions: &RacewayDimensions, depth_error_um: f64) -> S
     )
 }
 
-/// The document of a case with these raceways, of the form of its first, in the place of its own.
+/// The key of a shape for a raceway of a case, unless it is that of its first.
+pub fn reshaped(file: &CaseFile, shape: &str) -> Option<(&'static str, CaseValue)> {
+    let own = file.case().raceway_form().shape;
+    (own.name() != shape).then(|| (SHAPE, shape.into()))
+}
+
+/// The document of a case with these raceways, of the form of its first or of their own shape with
+/// its blend, in the place of its own.
 pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocument {
     let (form, paper) = (file.case().raceway_form(), RacewayForm::default());
     let keys = [
-        ("shape", form.shape != paper.shape),
+        (SHAPE, form.shape != paper.shape),
         ("profile", form.measured.is_some()),
-        ("blend_mm", form.blend_m != paper.blend_m),
+        (BLEND, form.blend_m != paper.blend_m),
     ];
     let own = |(key, given): (&'static str, bool)| {
         let value = file.document().value(&format!("raceway.1.{key}"));
@@ -46,7 +56,9 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let form: Vec<_> = keys.into_iter().filter_map(own).collect();
     let formed = |values: &SectionValues| {
         let mut values = values.clone();
-        values.extend(form.iter().cloned());
+        let reshaped = values.iter().any(|(key, _)| *key == SHAPE);
+        let kept = form.iter().filter(|(key, _)| !reshaped || *key == BLEND);
+        values.extend(kept.cloned());
         values
     };
     let raceways: Vec<_> = raceways.iter().map(formed).collect();

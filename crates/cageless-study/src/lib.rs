@@ -12,6 +12,7 @@ pub mod drop;
 mod entered;
 mod error;
 mod histories;
+pub mod measured;
 mod parameter;
 mod passages;
 mod progress;
@@ -30,7 +31,7 @@ mod warnings;
 
 pub use cageless_results::{Provenance, profile_name, provenance};
 pub use design::DesignResult;
-pub use entered::{entered, raceway_section, with_raceways};
+pub use entered::{entered, raceway_section, reshaped, with_raceways};
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, lines, parameter, parameters};

@@ -52,6 +52,8 @@ pub struct Passage {
     pub collisions_behind: u32,
     /// Largest |ΔVi| or |ΔVo| while inside.
     pub sliding_max_m_s: f64,
+    /// Time inside without force at the inner raceway.
+    pub unloaded_s: f64,
     /// Largest and smallest orbital speed while inside.
     pub orbit_speed_range_rad_s: [f64; 2],
     /// Angle of the raceway.
@@ -66,7 +68,7 @@ pub struct Passage {
 pub struct PassageTally {
     /// Number of samples or passages.
     pub count: u64,
-    sums: [f64; 7],
+    sums: [f64; 8],
     /// Angle and time between passages.
     outside: [f64; 2],
     /// Largest and smallest gap to the ball ahead on going out.
@@ -78,7 +80,7 @@ impl PassageTally {
     pub fn new() -> Self {
         Self {
             count: 0,
-            sums: [0.0; 7],
+            sums: [0.0; 8],
             outside: [0.0; 2],
             gap_leave_range_rad: [f64::INFINITY, f64::NEG_INFINITY],
         }
@@ -96,6 +98,7 @@ impl PassageTally {
             p.gap_min_rad,
             p.orbit_speed_range_rad_s[0],
             p.angle_rad,
+            p.unloaded_s,
         ];
         for (sum, value) in self.sums.iter_mut().zip(values) {
             *sum += value;
@@ -142,6 +145,11 @@ impl PassageTally {
     pub fn lag_mean_rad(&self) -> f64 {
         let [angle, time] = self.outside;
         angle / time * self.duration_mean_s() - self.mean(6)
+    }
+
+    /// Fraction of the time inside without force at the inner raceway.
+    pub fn unloaded_fraction(&self) -> f64 {
+        self.sums[7] / self.sums[0]
     }
 
     /// Mean of the smallest orbital speed in each.
@@ -350,6 +358,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
                 collisions_ahead: 0,
                 collisions_behind: 0,
                 sliding_max_m_s: 0.0,
+                unloaded_s: 0.0,
                 orbit_speed_range_rad_s: [view.contacts.orbit_speed_rad_s(k); 2],
                 angle_rad: 2.0 * self.sectors[r].half_rad,
                 way_here,
@@ -419,6 +428,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 passage.collisions_behind += started(previous(k, x.len()));
             }
             passage.sliding_max_m_s = passage.sliding_max_m_s.max(c.loaded_sliding_m_s(k));
+            if !c.is_loaded(k) {
+                passage.unloaded_s += view.step.size_s();
+            }
             let (orbit, [low, high]) = (c.orbit_speed_rad_s(k), passage.orbit_speed_range_rad_s);
             passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
         }
@@ -443,6 +455,7 @@ mod tests {
             collisions_ahead,
             collisions_behind,
             sliding_max_m_s: 7.0 * number,
+            unloaded_s: 0.5 * number,
             orbit_speed_range_rad_s: [8.0 * number, 9.0 * number],
             angle_rad: 0.5,
             way_here: (number > 1.0).then_some([5.0, 20.0]),
@@ -477,6 +490,7 @@ mod tests {
         assert_eq!(tally.double_collision_fraction(), 0.5);
         assert_eq!(tally.gap_min_mean_rad(), 10.0);
         assert_eq!(tally.sliding_mean_m_s(), 14.0);
+        assert_eq!(tally.unloaded_fraction(), 0.25);
         assert_eq!(tally.lowest_orbit_speed_mean_rad_s(), 16.0);
         assert_eq!(tally.gap_leave_range_rad, [6.0, 18.0]);
     }

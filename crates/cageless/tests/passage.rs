@@ -1,7 +1,7 @@
 //! Passages through a discrete raceway.
 
 use cageless::numerics::angle::wrap_angle_rad;
-use cageless::passage::{Passage, PassageRecorder};
+use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::{Case, Gaps, IntegrationMethod, Start};
 
@@ -125,4 +125,67 @@ fn no_passage_is_seen_late() {
             "{ball} {inside} {time_s} {step_end_s}"
         );
     }
+}
+
+/// Time with and without force at the inner raceway of balls that came in and went out, and of each
+/// that is inside; `None` since the start.
+#[derive(Default)]
+struct TimeInside {
+    passed_s: [f64; 2],
+    inside_s: Vec<Option<[f64; 2]>>,
+}
+
+impl Observer for TimeInside {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
+        self.inside_s.resize(x.len(), None);
+        for k in 0..x.len() {
+            let inside = (x[k] - cx).atan2(cy - y[k]).abs() < 25.2f64.to_radians();
+            match &mut self.inside_s[k] {
+                Some(time_s) if inside => {
+                    let loaded = view.contacts.inner_force_n(k) > 0.0;
+                    time_s[usize::from(!loaded)] += view.step.size_s();
+                }
+                None if inside => {}
+                time_s => {
+                    let [loaded_s, unloaded_s] = time_s.replace([0.0; 2]).unwrap_or_default();
+                    self.passed_s[0] += loaded_s;
+                    self.passed_s[1] += unloaded_s;
+                }
+            }
+        }
+        Ok(Control::Continue(()))
+    }
+}
+
+/// Under a light load the inner ring drives every ball in a raceway, and lets go of balls where the
+/// raceway is milled deeper than the ring sinks into them.
+#[test]
+fn a_deep_raceway_unloads_balls() {
+    let unloaded = |depth_error_m: f64| {
+        let mut case = crate::common::structure(5.1, 25.2);
+        case.operation.inner_speed_rad_s /= 12.0;
+        case.operation.radial_load_n = 100.0;
+        case.solver.duration_s = 0.4;
+        case.solver.method = IntegrationMethod::VelocityVerlet;
+        case.solver.step_s = 4e-6;
+        let deep = case.raceways[0].clone().with_depth_error(depth_error_m);
+        let case = case.clone().with_raceways(vec![deep.unwrap()]);
+        let (mut tally, mut time) = (PassageTally::new(), TimeInside::default());
+        let mut recorder = PassageRecorder::new(|passage| {
+            tally.add(&passage);
+            Ok(())
+        });
+        run(&case, &mut [&mut recorder, &mut time], &mut |_| {
+            Control::Continue(())
+        })
+        .unwrap();
+        let [loaded_s, unloaded_s] = time.passed_s;
+        let fraction = unloaded_s / (loaded_s + unloaded_s);
+        let passed = tally.unloaded_fraction();
+        assert!((fraction - passed).abs() < 1e-3, "{fraction} {passed}");
+        passed
+    };
+    let [flush, deep] = [0.0, 1e-5].map(unloaded);
+    assert!(flush < 0.02 && deep > 0.3, "{flush} {deep}");
 }

@@ -120,6 +120,7 @@ fn a_critical_gap_in_the_map_is_no_smaller_than_those_beside_it() {
             structure: RacewayLayout {
                 axial_span_m: span_mm * 1e-3,
                 half_angle_rad: 11.06f64.to_radians(),
+                form: Default::default(),
                 centres_rad: vec![0.0],
             },
             point: OperatingPoint::from_case(&case),
@@ -278,6 +279,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
                 collisions_ahead: u32::from(k < twice),
                 collisions_behind: u32::from(k < twice),
                 sliding_max_m_s: 0.1,
+                unloaded_s: 0.0,
                 orbit_speed_range_rad_s: [speed + drop * (slowed - speed), speed],
                 angle_rad: 0.5,
                 way_here: None,

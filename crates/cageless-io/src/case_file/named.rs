@@ -63,6 +63,19 @@ pub(crate) enum StartState {
     AtRest,
 }
 
+/// Shapes that a search tries.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SearchedShapes {
+    /// That of the case.
+    Own,
+    /// Every one that needs no profile, and that of the case.
+    All,
+}
+
+impl Named for SearchedShapes {
+    const NAMES: &'static [(&'static str, Self)] = &[("own", Self::Own), ("all", Self::All)];
+}
+
 impl Named for Assembly {
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }

@@ -14,9 +14,10 @@ Examples
 >>> figure = run.plot_gaps()
 """
 
-from . import case, errors, exports, plan, result, results, rotors, sections, sweeps
+from . import case, computations, errors, exports, plan, result, results, rotors, sections, sweeps
 from ._cageless import __version__, instruction_set
 from .case import *
+from .computations import *
 from .errors import *
 from .exports import *
 from .plan import *
@@ -28,6 +29,7 @@ from .sweeps import *
 
 __all__ = ["__version__", "instruction_set"]
 __all__ += case.__all__
+__all__ += computations.__all__
 __all__ += errors.__all__
 __all__ += exports.__all__
 __all__ += plan.__all__

@@ -78,6 +78,7 @@ class RunAttributes:
     passage_collisions_mean: float  # contacts per passage, mean
     double_collision_fraction: float  # double collisions, fraction of the passages
     passage_sliding_mean_m_s: float  # largest sliding speed in a passage, mean, m/s
+    passage_unloaded_fraction: float  # time in raceways without force at the inner raceway, fraction
     passage_gap_min_mean_deg: float  # smallest gap ahead in a passage, mean, deg
     settled_after_s: float  # end of the transient, s
     averaged_orbits: int | None  # orbits of mean powers and speeds

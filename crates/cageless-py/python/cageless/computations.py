@@ -6,18 +6,20 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from . import _cageless, sections
+from . import _cageless, frames, sections
 from .document import Document, Progress, whole
 from .errors import InputError
 from .exports import Export
 from .results import Design, RingComparison, Run, SearchResult, Static, ToleranceResult, complete
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from .case import Case
 
-__all__ = ["Computations"]
+__all__ = ["Measured"]
 
 #: Formats of the outer ring.
 FORMATS = {".step": "step", ".stp": "step", ".stl": "stl", ".csv": "csv"}
@@ -33,6 +35,15 @@ def refuse(method: str, unknown: Mapping[str, Any]) -> None:
                 hint = f"; a key of the case is changed by replace({key}={value!r})"
                 break
         raise TypeError(f"Case.{method}() has no argument {name!r}{hint}")
+
+
+class Measured(NamedTuple):
+    """A ring that has been measured."""
+
+    #: The case with the raceways as measured in place of those that were designed.
+    case: Any
+    #: A row per raceway: points, their deviations from the fit, flank and half angle.
+    raceways: pd.DataFrame
 
 
 class Computations(Document):
@@ -107,7 +118,7 @@ class Computations(Document):
         out: str | os.PathLike[str] | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
-        **asked: float | Sequence[float] | None,
+        **asked: float | str | Sequence[float] | None,
     ) -> SearchResult:
         """Searches for the best raceway, as ``cageless design --search`` does.
 
@@ -117,7 +128,7 @@ class Computations(Document):
             out: Folder that keeps what was computed until the search is over: after an
                 interruption the same call, or the command, continues from there.
             **asked: Keys of the section ``[search]`` of a case file with their values, in place of
-                those of the case: ranges of speeds and loads, of lC, θ and ψ, numbers of raceways,
+                those of the case: ranges of speeds and loads, of lC, θ and ψ, shapes, numbers of raceways,
                 starts and runs.
 
         Raises:
@@ -135,6 +146,18 @@ class Computations(Document):
         file = (self.replace(given) if given else self)._file
         folder = None if out is None else os.fspath(out)
         return complete(SearchResult(_cageless.design(file, False, True, folder, (threads, progress))))
+
+    def measure(self, points: str | os.PathLike[str]) -> Measured:
+        """Fits the raceways of a ring that has been measured, as ``cageless measure`` does.
+
+        Args:
+            points: File with a line of x, y and z in mm for each point.
+
+        Raises:
+            InputError: If the case has no raceway, or the points do not give one.
+        """
+        file, text = self._file.measured(os.fspath(points))
+        return Measured(type(self)._of(file), frames.frame(json.loads(text)["raceways"]))
 
     def compare(
         self,

@@ -95,7 +95,7 @@ class SearchResult(of.SearchAttributes, Result):
     @property
     def stopped(self) -> str | None:
         """Why nothing is recommended, with the title of the case; None if something is."""
-        if self.recommended:
+        if self.values["recommended"]:
             return None
         title = self._searched.title
         return f"{title}: {self.values['findings'][0]}" if title else str(self.values["findings"][0])
@@ -110,19 +110,16 @@ class SearchResult(of.SearchAttributes, Result):
     @property
     def recommended(self) -> tuple[Raceway, ...]:
         """The recommended structure; empty if there is none."""
-        found = self.values["recommended"]
-        if found is None:
-            return ()
-        size = {key: found[key] for key in ("axial_span_mm", "half_angle_deg")}
-        places = found["centre_angles_deg"]
-        return tuple(Raceway(**size, centre_angle_deg=place) for place in places)
+        return self.case.raceways if self.values["recommended"] else ()
 
     @property
     def case(self) -> Case:
         """The case with the recommended structure, to be run; an ``UnphysicalError`` if there is none."""
-        if not self.recommended:
+        from .case import Case
+
+        if self.values["recommended"] is None:
             raise UnphysicalError(self.values["findings"][0])
-        case = self._searched.with_raceways(*self.recommended)
+        case = Case.from_toml(self._core.seed()["recommended.toml"])
         return case.replace({"title": f"{case.title or 'Case'}: recommended raceway"})
 
     def data_map(self, k: int = 0) -> pd.DataFrame:

@@ -5,6 +5,7 @@
 const COMPARED = [
   ["lC, mm", (x) => x.g.raceways[0].axial_span_mm],
   ["θ, °", (x) => x.g.raceways[0].half_angle_deg],
+  ["shape", (x) => x.g.raceways[0].shape],
   ["balls", (x) => x.g.bearing.balls],
   ["speed, rpm", (x) => x.g.document.operation.inner_speed_rpm],
   ["load, N", (x) => x.g.document.operation.radial_load_n],
@@ -120,7 +121,7 @@ class Comparison {
     this.progress = null;
     if (!a || !studio.g) { this.table.replaceChildren(); return; }
     if (studio.impossible) { this.table.replaceChildren(element("p", { class: "old" }, "No comparison: the values of B are not possible.")); return; }
-    const cell = (text) => element("td", { class: "num" }, text), number = (v) => cell(isFinite(v) ? minus(String(Number(v.toPrecision(5)))) : "–");
+    const cell = (text) => element("td", { class: "num" }, text), number = (v) => cell(typeof v === "string" ? v : isFinite(v) ? minus(String(Number(v.toPrecision(5)))) : "–");
     const row = (name, cells, word) => element("tr", { class: word }, element("th", { scope: "row" }, name), ...cells, element("td", {}, word));
     const said = (x) => (x.judged ? x.judged.label || "not judged" : x.g.raceways.length ? "computing" : "not judged");
     const verdict = row("verdict", [...[a, studio].map((x) => element("td", {}, said(x))), element("td")], "");

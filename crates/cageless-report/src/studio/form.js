@@ -7,6 +7,15 @@ class Form {
     this.rows = new Map();
     this.groups = new Map();
     for (const control of CONTROLS) this.group(control.group).append(this.row(control));
+    this.shape = element("select", {
+      id: "studio-shape", "data-shape": true,
+      onchange: () => studio.edit(withValue(studio.toml, "raceway.shape", written(this.shape.value))),
+    });
+    this.group("Raceway").append(element("div", { class: "control choice" }, element("label", { for: "studio-shape" }, "Shape"), this.shape));
+    studio.about.then((about) => {
+      this.shape.append(...about.shapes.map((name) => element("option", { value: name }, name)), element("option", { value: "measured", disabled: true }, "measured, as in the file"));
+      if (studio.g) this.show(studio.g);
+    }, () => {});
     this.materials = MATERIAL_PARTS.map((part) => new MaterialChoice(studio, part));
     this.group("Material").append(...this.materials.map((choice) => choice.root));
     this.start = element("select", {
@@ -135,6 +144,9 @@ class Form {
     }
     const { gaps } = g.document.start, known = START_SPACINGS.map(([value]) => value);
     this.start.value = known.find((value) => startGaps(value, g) === (typeof gaps === "string" ? JSON.stringify(gaps) : "[" + [].concat(gaps).join(", ") + "]")) || "own";
+    const [first] = g.raceways;
+    this.shape.value = first ? first.shape : "";
+    this.shape.parentElement.classList.toggle("absent", !first);
     this.materials.forEach((choice) => choice.show(g));
     this.groups.forEach((fieldset) => { fieldset.hidden = !fieldset.querySelector(".control:not(.absent)"); });
     this.shade();

@@ -9,9 +9,9 @@ const TOLERANCES = {
 const BUDGET = 100;
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
 
-// `text` with a raceway at each of these places; comments stay where there is one, as before.
-function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg }, g) {
-  const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre });
+// `text` with a raceway of this shape at each of these places; comments stay where there is one, as before.
+function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg, shape }, g) {
+  const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre, shape });
   if (centre_angles_deg.length === 1 && g.raceways.length === 1) {
     return Object.entries(keys(centre_angles_deg[0])).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), text);
   }
@@ -26,7 +26,7 @@ class Studies {
     const number = (name, label, unit, value) => element("label", {}, label + " ", element("input", { type: "number", step: "any", min: 0, value, "data-study": name, style: "width:5.5rem" }), unit ? " " + unit : "");
     const numbers = Object.entries(TOLERANCES).map(([name, [label, unit]]) => number(name, label, unit, ""));
     const budget = number("budget", "simulations at most", "", BUDGET);
-    this.search = button("Search for the best raceway", () => this.run("search", { budget: this.value("budget") }), { "data-search": true });
+    this.search = button("Search for the best raceway", () => this.run("search", { budget: this.value("budget"), case: this.searched() }), { "data-search": true });
     this.tolerance = button("Run tolerance study", () => this.run("tolerance", { tolerances: this.tolerances() }), { "data-tolerance": true });
     this.files = Object.entries(FILES).map(([format, label]) => button(label, () => this.run("export", { format }), { "data-export": format, title: "outer ring as " + label }));
     this.cancel = button("Cancel", () => { if (this.work) this.work.abort(); }, { "data-cancel": true });
@@ -36,7 +36,7 @@ class Studies {
     this.result = element("div", { class: "scroll", "data-part": "study-result" });
     this.old = element("p", { class: "old", hidden: true }, "Result of the case before the last change.");
     this.root = element("section", { class: "studies", "aria-label": "Search, tolerance, files" },
-      element("div", { class: "bar" }, this.search, budget),
+      element("div", { class: "bar" }, this.search, budget, element("label", {}, element("input", { type: "checkbox", "data-study": "shapes" }), " over all shapes")),
       element("div", { class: "bar" }, this.tolerance, element("details", {}, element("summary", {}, "tolerances"), element("div", { class: "bar" }, ...numbers))),
       element("div", { class: "bar" }, element("span", {}, "Outer ring as"), ...this.files),
       this.working, this.old, this.said, this.result);
@@ -46,6 +46,12 @@ class Studies {
   input(name) { return this.root.querySelector("[data-study=" + name + "]"); }
 
   value(name) { return Number(this.input(name).value); }
+
+  // The case with what is to be searched.
+  searched() {
+    const { toml } = this.studio;
+    return this.input("shapes").checked ? withValue(toml, "search.shapes", "\"all\"") : toml;
+  }
 
   tolerances() { return Object.fromEntries(Object.keys(TOLERANCES).map((name) => [name, this.value(name)])); }
 
@@ -104,7 +110,7 @@ class Studies {
     const motion = (name) => (point) => point.motion && point.motion[name];
     const rows = found.front.map((structure, k) => {
       const numbers = [
-        shown(structure.axial_span_mm, 3), shown(structure.half_angle_deg, 2), structure.centre_angles_deg.map((a) => shown(a, 0)).join(", "),
+        shown(structure.axial_span_mm, 3), shown(structure.half_angle_deg, 2), structure.centre_angles_deg.map((a) => shown(a, 0)).join(", "), structure.shape,
         shown(worst(structure, (p) => p.margin_deg, Math.min), 3), shown(worst(structure, motion("collisions"), Math.max), 2),
         shown(100 * worst(structure, motion("double_collision_fraction"), Math.max), 1), shown(worst(structure, motion("sliding_m_s"), Math.max), 2),
         shown(worst(structure, (p) => p.pressure_mpa, Math.max), 0),
@@ -112,7 +118,7 @@ class Studies {
       const take = button("Take", () => this.studio.edit(withRaceways(this.studio.toml, structure, this.studio.g)), { "data-take": k, "aria-label": "Take lC " + numbers[0] + " mm, θ " + numbers[1] + "°" });
       return element("tr", {}, element("td", {}, take), ...numbers.map((v) => element("td", { class: "num" }, v)));
     });
-    const heads = ["", "lC, mm", "θ, °", "ψ, °", "margin of the gap, °", "contacts per ball and orbit", "double collisions, %", "sliding speed, m/s", "contact pressure, MPa"];
+    const heads = ["", "lC, mm", "θ, °", "ψ, °", "shape", "margin of the gap, °", "contacts per ball and orbit", "double collisions, %", "sliding speed, m/s", "contact pressure, MPa"];
     this.table("Pareto front, nearest to the best in everything first; the worst of all speeds and loads", heads, rows);
     const verdict = found.verdicts.map((v) => v.headline).join("; ");
     this.say(found.none || (found.looked_at + " structures evaluated, " + found.front.length + " on the Pareto front. Verdict on the recommended one: " + verdict));

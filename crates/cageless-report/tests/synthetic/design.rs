@@ -10,7 +10,7 @@ fn searched(k: usize, status: &str) -> Value {
     let x = k as f64;
     json!({
         "axial_span_mm": 5.0 + 0.1 * x, "half_angle_deg": 22.0 + x,
-        "centre_angles_deg": if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
+        "shape": "quartic", "centre_angles_deg": if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
         "status": status, "passes": status == "accepted", "reason": null,
         "why": if status == "rejected" { "slip <takes> 9 %" } else { "" },
         "on_front": k.is_multiple_of(2), "beta0_deg": 1.8, "steady_gap_deg": 1.97,
@@ -44,7 +44,7 @@ pub fn search_json() -> Value {
         })
     };
     let place = json!({
-        "centre_angles_deg": [0.0], "structures": 0, "accepted": 0, "least_shortfall": null, "best": null,
+        "centre_angles_deg": [0.0], "shape": "quartic", "structures": 0, "accepted": 0, "least_shortfall": null, "best": null,
     });
     json!({
         "critical_gap_min_fraction": 0.8, "starts": 2, "seed": 0,

@@ -76,6 +76,7 @@ pub const RUN: &[Quantity] = &[
     low(quantity("passage_collisions_mean", "", "contacts per passage, mean", Run(|r| of_tally(r, PassageTally::collisions_mean)))),
     means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Run(|r| of_tally(r, PassageTally::double_collision_fraction))))),
     quantity("passage_sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Run(|r| of_tally(r, PassageTally::sliding_mean_m_s))),
+    means(UNLOADED, quantity("passage_unloaded_fraction", "", "time in raceways without force at the inner raceway, fraction", Run(|r| of_tally(r, PassageTally::unloaded_fraction)))),
     quantity("passage_gap_min_mean_deg", "deg", "smallest gap ahead in a passage, mean", Run(|r| of_tally(r, |p| p.gap_min_mean_rad().to_degrees()))),
     means("statistics are of the time after it", quantity("settled_after_s", "s", "end of the transient", Run(|r| of_summary(r, |s| s.settled_after_s)))),
     means("whole orbits of the balls over which mean powers and speeds are averaged; 0: the run is shorter than one, the means are over its end", integer("averaged_orbits", "orbits of mean powers and speeds", Run(|r| r.summary.and_then(|s| s.means).map_or(Cell::Null, |m| Cell::Integer(i64::from(m.orbits)))))),

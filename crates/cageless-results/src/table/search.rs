@@ -34,6 +34,7 @@ pub const POINT: &[Quantity] = &[
 pub const STRUCTURE: &[Quantity] = &[
     part(quantity("axial_span_mm", "mm", "axial span lC", Structure(|e| millionths(e.structure.axial_span_m * 1e3)))),
     part(quantity("half_angle_deg", "deg", "half angle θ", Structure(|e| millionths(e.structure.half_angle_rad.to_degrees())))),
+    part(in_tables(text("shape", "shape", Structure(|e| Cell::Text(e.structure.form.shape.name().to_owned()))))),
     part(quantity("centre_angles_deg", "deg", "angular positions ψ", Structure(|e| angles(&e.structure.centres_rad)))),
     part(means("`accepted`, `rejected`, or `left out` by `search.runs_max`", text("status", "status", Structure(|e| Cell::Text(status(e).to_owned()))))),
     part(high(flag("passes", "passes", Structure(|e| flagged((status(e) != "left out").then_some(status(e) == "accepted")))))),
@@ -80,10 +81,11 @@ pub const REJECTION: &[Quantity] = &[
     part(integer("count", "structures", Rejection(|r| count(r.1)))),
 ];
 
-/// Angular positions of the raceways that are tried.
+/// Angular positions and shapes of the raceways that are tried.
 #[rustfmt::skip]
 pub const PLACEMENT: &[Quantity] = &[
     part(quantity("centre_angles_deg", "deg", "angular positions ψ", Placement(|p| angles(p.centres_rad)))),
+    part(in_tables(text("shape", "shape", Placement(|p| Cell::Text(p.form.shape.name().to_owned()))))),
     part(integer("structures", "structures evaluated", Placement(|p| count(p.evaluations.len())))),
     part(high(integer("accepted", "acceptable structures", Placement(|p| count(p.evaluations.iter().filter(|e| e.objectives.is_some()).count()))))),
     part(low(quantity("least_shortfall", "", "sliding lowers the critical gap by at least, fraction of β0", Placement(least_shortfall)))),

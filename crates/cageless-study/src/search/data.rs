@@ -140,8 +140,13 @@ fn placements(found: &Found) -> Part {
     many(
         (0..)
             .zip(&found.request.placements)
-            .map(|(k, centres_rad)| {
-                let here = found.evaluations.iter().filter(|e| e.placement == k);
+            .flat_map(|(k, centres_rad)| {
+                let forms = found.request.forms.iter();
+                forms.map(move |form| (k, form, centres_rad))
+            })
+            .map(|(k, form, centres_rad)| {
+                let own = |e: &&Evaluation| (e.placement, e.structure.form) == (k, *form);
+                let here = found.evaluations.iter().filter(own);
                 let evaluations: Vec<&Evaluation> = here.collect();
                 let accepted = evaluations.iter().filter(|e| e.objectives.is_some());
                 let best =
@@ -149,6 +154,7 @@ fn placements(found: &Found) -> Part {
                 let best = best.map(|e| structure(e, None));
                 let placement = SearchedPlacement {
                     centres_rad,
+                    form,
                     evaluations,
                 };
                 of(PLACEMENT, Subject::Placement(&placement)).with_part("best", best)

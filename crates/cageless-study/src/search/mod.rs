@@ -14,7 +14,7 @@ use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
 use crate::RacewayLabel;
-use crate::entered::{entered, entered_raceway};
+use crate::entered::{entered, entered_raceway, reshaped};
 use crate::error::StudyError;
 use crate::progress::Progress;
 use cageless_results::{Cell, Judged, Record, Results, Subject, VERDICT};
@@ -29,7 +29,7 @@ const VERDICT_TASK: &str = "search: verdict";
 const VERDICT_WORK: f64 = 2.0;
 /// Work of the map of one speed, as a rule.
 const MAP_WORK: f64 = 30.0;
-/// Work of the critical gaps of the candidates of one placement at one operating point, as a rule.
+/// Work of the critical gaps of the candidates of one placement and shape at one operating point, as a rule.
 const CANDIDATES_WORK: f64 = 5.0;
 /// Fraction of the structures allowed that the optimiser tries, as a rule.
 const OPTIMISED: f64 = 0.6;
@@ -48,7 +48,7 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
         (Stage::Map, maps * MAP_WORK * map_fraction(request)),
         (
             Stage::Candidates,
-            points * request.placements.len() as f64 * CANDIDATES_WORK,
+            points * (request.placements.len() * request.forms.len()) as f64 * CANDIDATES_WORK,
         ),
         (
             Stage::Motion,
@@ -120,7 +120,9 @@ fn verdicts(
                 half_angle_rad: best.half_angle_rad,
                 centre_angle_rad,
             };
-            entered_raceway(&dimensions, 0.0)
+            let mut values = entered_raceway(&dimensions, 0.0);
+            values.extend(reshaped(file, best.form.shape.name()));
+            values
         })
         .collect();
     let points = &found.request.points;

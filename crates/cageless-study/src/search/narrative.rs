@@ -1,5 +1,6 @@
 //! Narrative of a search: its result in sentences.
 
+use cageless::RacewayShape;
 use cageless::design::search::{CONFIRMING_STARTS, Evaluation, Found, Motion};
 use cageless_results::number_text::signed;
 use cageless_results::{Cell, POINT, REJECTION, Record, Results, STRUCTURE, Subject};
@@ -16,13 +17,18 @@ pub fn point_label(point: &Record) -> String {
     format!("{speed:.0} rpm, {load} N")
 }
 
-/// A structure: `lC 5.1 mm, θ 25.2°`, with the places unless there is one at the bottom.
+/// A structure: `lC 5.1 mm, θ 25.2°`, with the shape unless it is that of the paper and the places
+/// unless there is one at the bottom.
 pub fn structure_label(structure: &Record) -> String {
     let (span, angle) = (
         structure.number("axial_span_mm"),
         structure.number("half_angle_deg"),
     );
-    let size = format!("lC {span:.3} mm, θ {angle:.2}°");
+    let mut size = format!("lC {span:.3} mm, θ {angle:.2}°");
+    let shape = structure.text("shape");
+    if shape != RacewayShape::default().name() {
+        size = format!("{shape}, {size}");
+    }
     match structure.items("centre_angles_deg") {
         [] | [Cell::Number(0.0)] => size,
         places => {
@@ -193,7 +199,8 @@ pub fn why_none(found: &Found) -> String {
             });
             let size = Results::of(STRUCTURE, Subject::Structure(e));
             let (span, angle) = (size.number("axial_span_mm"), size.number("half_angle_deg"));
-            format!("; the closest, lC {span:.3} mm and θ {angle:.2}°, fails because {at}")
+            let shape = size.text("shape");
+            format!("; the closest, {shape}, lC {span:.3} mm and θ {angle:.2}°, fails because {at}")
         },
     );
     format!(

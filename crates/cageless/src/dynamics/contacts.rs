@@ -109,6 +109,13 @@ impl Contacts<'_> {
         loaded(&inner.slip, &inner.force).max(loaded(&outer.slip, &outer.force))
     }
 
+    /// Whether the inner raceway presses on ball `k`.
+    #[inline]
+    pub(crate) fn is_loaded(&self, k: usize) -> bool {
+        let (block, lane) = self.place(k);
+        self.work.blocks[block].inner.force.0[lane] > 0.0
+    }
+
     /// Whether any ball is pressed deeper than this into a raceway or the ball ahead.
     pub(crate) fn any_deeper(&self, limit_m: f64) -> bool {
         (0..self.balls()).fold(false, |any, k| {

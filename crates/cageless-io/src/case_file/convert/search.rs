@@ -1,10 +1,11 @@
 //! Request of a search.
 
-use cageless::Case;
 use cageless::design::search::{OperatingPoint, Request, placements};
+use cageless::{Case, Profile, RacewayForm, RacewayShape};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
+use crate::case_file::named::SearchedShapes;
 
 /// Further maps at most.
 const MAPS_MAX: usize = 8;
@@ -28,6 +29,19 @@ impl Converter<'_> {
             .centre_angle_rad
             .unwrap_or([request.placements[0][0]; 2]);
         request.placements = placements(centres, search.raceways_max);
+        if search.shapes == SearchedShapes::All {
+            if case.profile == Profile::Paper {
+                return Err(self.refuse("search.shapes", "\"own\" in the profile \"paper\""));
+            }
+            let own = case.raceway_form();
+            let others = RacewayShape::NAMES.iter().map(|&(_, shape)| shape);
+            let others = others.filter(|s| ![own.shape, RacewayShape::Measured].contains(s));
+            request.forms.extend(others.map(|shape| RacewayForm {
+                shape,
+                measured: None,
+                ..own
+            }));
+        }
         request.critical_gap_min_fraction = search.critical_gap_min_fraction;
         request.starts = search.initial_states;
         request.map_speeds_rad_s = search.map_speeds_rad_s.clone().unwrap_or_default();

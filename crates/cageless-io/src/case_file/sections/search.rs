@@ -9,6 +9,7 @@ use crate::case_file::key::{
     Limit::{Above, AtLeast, Inside, Within},
     default,
 };
+use crate::case_file::named::{Named, SearchedShapes};
 use crate::case_file::unit::Unit::{Degree, Millimetre, None as Plain, RevolutionPerMinute, Si};
 
 section! {
@@ -33,6 +34,9 @@ section! {
             Commented("[-90.0, 90.0]", "places of the raceway; left out: its own");
         raceways_max => raceways_max: usize = default(1), Plain; Within(1.0, 4.0),
             "number of raceways at most", Commented("1", "1 to 4");
+        shapes => shapes: SearchedShapes = default(SearchedShapes::Own.name()), Plain,
+            "shapes of the raceway: \"own\", that of the case, or \"all\", every one that needs no profile, blended as that of the case",
+            Commented("\"own\"", "\"own\": the shape of the case; \"all\": every shape");
         critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(CRITICAL_GAP_MIN_FRACTION), Plain; Inside(0.0, 1.0),
             "smallest accepted critical gap, as a fraction of the steady-state gap",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");

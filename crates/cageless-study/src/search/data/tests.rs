@@ -22,6 +22,7 @@ fn evaluation(number: f64, objectives: Option<f64>) -> Evaluation {
         structure: RacewayLayout {
             axial_span_m: 5e-3 + 1e-5 * number,
             half_angle_rad: (20.0 + number).to_radians(),
+            form: Default::default(),
             centres_rad: vec![0.0, 30f64.to_radians()],
         },
         placement: 0,

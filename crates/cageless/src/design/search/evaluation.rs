@@ -7,7 +7,6 @@ use super::raceway_layout::{ClosedForms, RacewayLayout};
 use super::rejection::{Cause, Rejection};
 use super::request::{Execute, Request, Stage};
 use crate::bearing::Bearing;
-use crate::raceway::RacewayForm;
 
 /// A structure with what is known of it; later stages are left empty once it is rejected.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,8 +94,6 @@ pub(super) struct Batch<'r, 'e> {
     /// Ranges of lC and θ: the requested part of what Eq. (8) and (9) allow.
     pub ranges: [[f64; 2]; 2],
     pub execute: &'r mut Execute<'e>,
-    /// Form of the raceways.
-    pub form: RacewayForm,
     pub bearing: &'r Bearing,
 }
 
@@ -104,7 +101,7 @@ impl Evaluation {
     /// Results of the closed forms.
     pub(super) fn new(batch: &Batch<'_, '_>, structure: RacewayLayout, placement: usize) -> Self {
         let points = batch.request.points.len();
-        let (forms, cause) = match structure.raceways(batch.form, batch.bearing) {
+        let (forms, cause) = match structure.raceways(batch.bearing) {
             Ok(raceways) => {
                 let forms = ClosedForms::new(batch.bearing, &raceways);
                 let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
@@ -365,6 +362,7 @@ mod tests {
             structure: RacewayLayout {
                 axial_span_m: 5e-3,
                 half_angle_rad: 0.4,
+                form: Default::default(),
                 centres_rad: vec![0.0],
             },
             placement: 0,

@@ -69,7 +69,7 @@ fn spread([low, high]: [f64; 2], count: usize) -> Vec<f64> {
 
 /// Ranges of lC and θ to look at: what is asked for of all that Eq. (8) and (9) allow. Empty,
 /// its end below its begin, if they allow nothing of it.
-pub(super) fn ranges(request: &Request, form: RacewayForm, bearing: &Bearing) -> [[f64; 2]; 2] {
+pub(super) fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
     let limit = axial_span_limit_m(bearing) * (1.0 - 1e-9);
     let step = limit / MAP[0] as f64;
     let [low, high] = request
@@ -77,9 +77,14 @@ pub(super) fn ranges(request: &Request, form: RacewayForm, bearing: &Bearing) ->
         .unwrap_or([step, limit - 0.5 * step]);
     let spans = [low, high.min(limit)];
     // Shapes that Eq. (9) does not bind are sought where it would have them, unless asked for.
-    let [widest, usual] =
-        [form, RacewayForm::default()].map(|form| widest_angle_rad(form, bearing, spans[1]));
-    let usual = usual.min(widest);
+    let widest_of = |form: RacewayForm| widest_angle_rad(form, bearing, spans[1]);
+    let widest = request
+        .forms
+        .iter()
+        .copied()
+        .map(widest_of)
+        .fold(0.0, f64::max);
+    let usual = widest_of(RacewayForm::default()).min(widest);
     let [low, high] = request
         .half_angle_range_rad
         .unwrap_or([usual / MAP[1] as f64, usual]);
@@ -105,9 +110,10 @@ fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> 
         let structure = RacewayLayout {
             axial_span_m,
             half_angle_rad,
+            form,
             centres_rad: vec![0.0],
         };
-        structure.raceways(form, bearing).is_ok()
+        structure.raceways(bearing).is_ok()
     };
     let (mut low, mut high) = (1e-2, FRAC_PI_2 * 0.999);
     while high - low > 1e-3 {
@@ -133,9 +139,10 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
             let structure = snapped(&RacewayLayout {
                 axial_span_m,
                 half_angle_rad,
+                form: request.forms[0],
                 centres_rad: request.placements[0].clone(),
             });
-            let (forms, cause) = match structure.raceways(batch.form, batch.bearing) {
+            let (forms, cause) = match structure.raceways(batch.bearing) {
                 Ok(raceways) => (Some(ClosedForms::new(batch.bearing, &raceways)), None),
                 Err(error) => (None, Some(Cause::of_geometry(&error))),
             };
@@ -258,15 +265,17 @@ fn lines(request: &Request) -> usize {
     request.front_structures().clamp(LINES_LEAST, CANDIDATES[0])
 }
 
-/// Candidates of all placements. Without slip the critical gap is β0, with slip it may fall
+/// Candidates of all placements and forms. Without slip the critical gap is β0, with slip it may fall
 /// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
 /// [`Request::critical_gap_min_fraction`] and 1/(1 − that).
 pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
     let mut evaluations = vec![];
     for placement in 0..batch.request.placements.len() {
-        for half_angle_rad in spread(angles, lines(batch.request)) {
-            evaluations.extend(line(batch, placement, half_angle_rad));
+        for &form in &batch.request.forms {
+            for half_angle_rad in spread(angles, lines(batch.request)) {
+                evaluations.extend(line(batch, placement, form, half_angle_rad));
+            }
         }
     }
     evaluations
@@ -277,41 +286,48 @@ pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
 pub(super) fn refine(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
     let [_, [low, high]] = batch.ranges;
     let half = (high - low) / (lines(batch.request) - 1) as f64 / 2.0;
-    let mut lines: Vec<(usize, f64)> = vec![];
+    let mut lines: Vec<(usize, RacewayForm, f64)> = vec![];
     for e in known.iter().filter(|e| e.objectives.is_some()) {
         for half_angle_rad in [
             e.structure.half_angle_rad - half,
             e.structure.half_angle_rad + half,
         ] {
             // Lines of two neighbours meet but for the rounding to hundredths of a degree.
-            let new = lines
-                .iter()
-                .all(|(p, a)| *p != e.placement || (a - half_angle_rad).abs() > 0.5 * half);
+            let form = e.structure.form;
+            let new = lines.iter().all(|(p, f, a)| {
+                (*p, *f) != (e.placement, form) || (a - half_angle_rad).abs() > 0.5 * half
+            });
             if new && half > 0.0 && (low..=high).contains(&half_angle_rad) {
-                lines.push((e.placement, half_angle_rad));
+                lines.push((e.placement, form, half_angle_rad));
             }
         }
     }
     lines
         .into_iter()
-        .flat_map(|(placement, half_angle_rad)| line(batch, placement, half_angle_rad))
+        .flat_map(|(placement, form, half_angle_rad)| line(batch, placement, form, half_angle_rad))
         .collect()
 }
 
-/// The candidates at one angle.
-fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Evaluation> {
+/// The candidates of a form at one angle.
+fn line(
+    batch: &Batch<'_, '_>,
+    placement: usize,
+    form: RacewayForm,
+    half_angle_rad: f64,
+) -> Vec<Evaluation> {
     let [spans, _] = batch.ranges;
     let at = |axial_span_m: f64| {
         snapped(&RacewayLayout {
             axial_span_m,
             half_angle_rad,
+            form,
             centres_rad: batch.request.placements[placement].clone(),
         })
     };
     let table: Vec<(f64, f64)> = spread(spans, TABLE)
         .into_iter()
         .filter_map(|span| {
-            let raceways = at(span).raceways(batch.form, batch.bearing).ok()?;
+            let raceways = at(span).raceways(batch.bearing).ok()?;
             Some((span, ClosedForms::new(batch.bearing, &raceways).fraction()))
         })
         .collect();
@@ -348,6 +364,7 @@ fn span_of_fraction(table: &[(f64, f64)], fraction: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::RacewayShape;
     use crate::common::structure;
 
     #[test]
@@ -357,6 +374,7 @@ mod tests {
         let found = snapped(&RacewayLayout {
             axial_span_m: 5.123_456e-3,
             half_angle_rad: 25.123_456f64.to_radians(),
+            form: RacewayForm::default(),
             centres_rad: vec![0.3],
         });
         assert!((found.axial_span_m - 5.123e-3).abs() < 1e-12);
@@ -375,7 +393,7 @@ mod tests {
         let case = structure(5.1, 25.2);
         let limit = axial_span_limit_m(&case.bearing);
         let mut request = Request::from_case(&case);
-        let [spans, angles] = ranges(&request, RacewayForm::default(), &case.bearing);
+        let [spans, angles] = ranges(&request, &case.bearing);
         assert!((spans[0] / limit - 1.0 / 30.0).abs() < 1e-6);
         assert!((spans[1] / limit - 59.0 / 60.0).abs() < 1e-6);
         assert!((angles[0] * 18.0 - angles[1]).abs() < 1e-12);
@@ -383,15 +401,16 @@ mod tests {
             RacewayLayout {
                 axial_span_m: spans[1],
                 half_angle_rad,
+                form: RacewayForm::default(),
                 centres_rad: vec![0.0],
             }
-            .raceways(RacewayForm::default(), &case.bearing)
+            .raceways(&case.bearing)
             .is_ok()
         };
         assert!(possible(angles[1]) && !possible(angles[1] + 1.1e-3));
         request.axial_span_range_m = Some([4e-3, 1.0]);
         request.half_angle_range_rad = Some([0.2, 0.3]);
-        let [spans, angles] = ranges(&request, RacewayForm::default(), &case.bearing);
+        let [spans, angles] = ranges(&request, &case.bearing);
         assert!(spans[0] == 4e-3 && spans[1] < limit && spans[1] > 0.999_999 * limit);
         assert_eq!(angles, [0.2, 0.3]);
     }
@@ -405,8 +424,7 @@ mod tests {
         request.placements = vec![vec![0.0], vec![0.5]];
         request.half_angle_range_rad = Some([20f64.to_radians(), 25f64.to_radians()]);
         let batch = Batch {
-            form: RacewayForm::default(),
-            ranges: ranges(&request, RacewayForm::default(), &case.bearing),
+            ranges: ranges(&request, &case.bearing),
             request: &request,
             execute: &mut |_, _| unreachable!("nothing to compute"),
             bearing: &case.bearing,
@@ -443,5 +461,43 @@ mod tests {
         // Nothing beyond the end of the range.
         assert_eq!(lines, [(0, 20.9), (0, 21.1), (0, 24.9)]);
         assert!(refine(&batch, &[]).is_empty());
+    }
+
+    /// Every form has candidates of its own, and closer lines where they are acceptable.
+    #[test]
+    fn candidates_of_every_form() {
+        let case = structure(5.1, 25.2);
+        let mut request = Request::from_case(&case);
+        request.half_angle_range_rad = Some([0.4, 0.45]);
+        let steady = RacewayForm {
+            shape: RacewayShape::Steady,
+            ..RacewayForm::default()
+        };
+        request.forms.push(steady);
+        let batch = Batch {
+            ranges: ranges(&request, &case.bearing),
+            request: &request,
+            execute: &mut |_, _| unreachable!("nothing to compute"),
+            bearing: &case.bearing,
+        };
+        let mut found = candidates(&batch);
+        let [quartic, of_steady] = [26 * 9 - 1, 26 * 9].map(|k| &found[k].structure);
+        assert_eq!(
+            [quartic.form, of_steady.form],
+            [RacewayForm::default(), steady]
+        );
+        // At one θ and β0 the steady raceway has another lC.
+        let spans = [0, 26 * 9].map(|k| found[k].structure.axial_span_m);
+        let fractions = [0, 26 * 9].map(|k| found[k].forms.unwrap().fraction());
+        assert!((fractions[0] / fractions[1] - 1.0).abs() < 3e-3);
+        assert!((spans[0] - spans[1]).abs() > 0.05e-3, "{spans:?}");
+        // Half a line beside that of one form is none of the other's.
+        found[0].objectives = Some([1.0; 7]);
+        found[26 * 9].objectives = Some([1.0; 7]);
+        let forms: Vec<_> = refine(&batch, &found)
+            .chunks(9)
+            .map(|line| line[0].structure.form)
+            .collect();
+        assert_eq!(forms, [RacewayForm::default(), steady]);
     }
 }

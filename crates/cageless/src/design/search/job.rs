@@ -90,7 +90,8 @@ impl Job {
             // Decimal digits that lead back to the same bits.
             key += &format!(" {value:?}");
         }
-        key
+        // The rest of the form is that of the case.
+        key + " " + s.form.shape.name()
     }
 
     /// Whether jobs of this kind are quicker done several at once ([`run_jobs`]).
@@ -109,10 +110,7 @@ pub fn run_jobs(
     let mut outcomes: Vec<Option<Outcome>> = vec![None; jobs.len()];
     let mut runs: Vec<(usize, Case, u64)> = vec![];
     for (k, job) in jobs.iter().enumerate() {
-        match (
-            job.structure.raceways(case.raceway_form(), &case.bearing),
-            job.task,
-        ) {
+        match (job.structure.raceways(&case.bearing), job.task) {
             (Err(error), _) => outcomes[k] = Some(Err(error.to_string())),
             (Ok(raceways), Task::PairSeparation) => {
                 outcomes[k] = match spacing(case, &job.point, &raceways, control) {

@@ -158,7 +158,6 @@ pub fn search(
         request,
         ranges: ranges(case, request)?,
         execute,
-        form: case.raceway_form(),
         bearing: &case.bearing,
     };
     let maps = grid::maps(&mut batch)?;
@@ -321,7 +320,7 @@ fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
 
 /// Ranges of lC and θ to look at; refuses those of which Eq. (8) and (9) allow nothing.
 fn ranges(case: &Case, request: &Request) -> Result<[[f64; 2]; 2], SearchError> {
-    let [spans, angles] = grid::ranges(request, case.raceway_form(), &case.bearing);
+    let [spans, angles] = grid::ranges(request, &case.bearing);
     if spans[1] < spans[0] {
         return Err(SearchError::Impossible(format!(
             "search.axial_span_mm begins at {} mm, beyond the limit of {:.4} mm that the groove \

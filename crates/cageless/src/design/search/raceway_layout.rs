@@ -7,27 +7,25 @@ use crate::error::InputError;
 use crate::integrator::IntegrationMethod;
 use crate::raceway::{Raceway, RacewayDimensions, RacewayForm};
 
-/// Equal discrete raceways at given places.
+/// Equal discrete raceways of a form at given places.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RacewayLayout {
     /// lC.
     pub axial_span_m: f64,
     /// θ.
     pub half_angle_rad: f64,
+    /// Shape and blend.
+    pub form: RacewayForm,
     /// ψ of the middle of each raceway.
     pub centres_rad: Vec<f64>,
 }
 
 impl RacewayLayout {
-    /// The raceways in a bearing, of a form.
+    /// The raceways in a bearing.
     ///
     /// # Errors
     /// The [`InputError`] of [`Raceway::formed`], or that two of them overlap.
-    pub fn raceways(
-        &self,
-        form: RacewayForm,
-        bearing: &Bearing,
-    ) -> Result<Vec<Raceway>, InputError> {
+    pub fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, InputError> {
         let raceways = self
             .centres_rad
             .iter()
@@ -37,7 +35,7 @@ impl RacewayLayout {
                     half_angle_rad: self.half_angle_rad,
                     centre_angle_rad,
                 };
-                Raceway::formed(dimensions, form, bearing)
+                Raceway::formed(dimensions, self.form, bearing)
             })
             .collect::<Result<Vec<_>, _>>()?;
         crate::raceway::apart(&raceways)?;
@@ -56,6 +54,7 @@ impl RacewayLayout {
         equal.then(|| Self {
             axial_span_m: first.axial_span_m,
             half_angle_rad: first.half_angle_rad,
+            form,
             centres_rad: case
                 .raceways
                 .iter()

@@ -3,6 +3,7 @@
 use super::job::{Interrupted, Job, Outcome};
 use super::raceway_layout::OperatingPoint;
 use crate::case::Case;
+use crate::raceway::RacewayForm;
 
 /// Ranges and limits of a search.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Request {
     pub half_angle_range_rad: Option<[f64; 2]>,
     /// Places of the raceways, ψ of their middles; the map is drawn for the first.
     pub placements: Vec<Vec<f64>>,
+    /// Forms of the raceways, one or more; the map is drawn for the first.
+    pub forms: Vec<RacewayForm>,
     /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
     pub critical_gap_min_fraction: f64,
     /// Uneven starts per structure, 1 or more.
@@ -40,6 +43,7 @@ impl Request {
             axial_span_range_m: None,
             half_angle_range_rad: None,
             placements: vec![vec![centre]],
+            forms: vec![case.raceway_form()],
             critical_gap_min_fraction: CRITICAL_GAP_MIN_FRACTION,
             starts: 2,
             budget: BUDGET,
