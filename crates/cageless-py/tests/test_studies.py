@@ -108,10 +108,10 @@ def test_a_ring_is_measured(tmp_path: Path) -> None:
     points = tmp_path / "points.csv"
     case.export(points, ["csv"], blend_mm=0.0, spacing_mm=0.4)
     measured = case.measure(points)
-    [raceway] = measured.raceways.itertuples()
-    assert raceway.measured_deviation_max_um < 1e-3
-    assert measured.raceways.attrs["units"]["measured_deviation_um"] == "µm"
-    assert raceway.profile_flank_angle_deg == pytest.approx(math.degrees(math.asin(5.1 / 2 / 4.7625)), abs=1e-4)
+    [raceway] = measured.raceways.to_dict("records")
+    assert raceway["measured_deviation_max_um"] < 1e-3
+    assert measured.raceways.attrs["units"]["measured_deviation_um"] == "um"
+    assert raceway["profile_flank_angle_deg"] == pytest.approx(math.degrees(math.asin(5.1 / 2 / 4.7625)), abs=1e-4)
     lags = [each.design().kinematic_lag_per_pass_deg for each in (case, measured.case)]
     assert lags[0] == pytest.approx(lags[1], abs=1e-3)
     with pytest.raises(cageless.InputError, match=r"has no \[raceway\]"):
