@@ -69,6 +69,8 @@ const EDITS: &[Row] = &[
     (START, "[search]\nraceways_max = 5 #", "search.raceways_max", &["from 1 to 4"]),
     (START, "[search]\nraceways_max = 1.5 #", "search.raceways_max", &["a whole number from 1 to 4"]),
     (START, "[search]\ninitial_states = \"two\" #", "search.initial_states", &["a whole number from 1 to 64"]),
+    ("axial_span_mm = 5.1", "depth_um = -1.0\naxial_span_mm = 5.1", "raceway.depth_um", &["at least 0 um"]),
+    ("axial_span_mm = 5.1", "depth_um = 300.0\naxial_span_mm = 5.1", "raceway.depth_um", &["between 0 um and 190.5 um", "curvature radius exceeds the ball's"]),
     (START, "[search]\nshapes = \"steady\" #", "search.shapes", &["\"own\" or \"all\""]),
     (START, "[search]\nruns_max = 0.5 #", "search.runs_max", &["a whole number, 1 or more"]),
     (START, "[search]\ncritical_gap_min_fraction = 1.0 #", "search.critical_gap_min_fraction", &["less than 1"]),

@@ -87,6 +87,7 @@ fn defaults_that_were_filled_in_are_listed() {
             "raceway.centre_angle_deg",
             "raceway.shape",
             "raceway.blend_mm",
+            "raceway.depth_um",
             "raceway.depth_error_um",
             "contact.outer_friction_factor",
             "contact.ball_friction_factor",
@@ -308,7 +309,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 45, "{all:?}");
+    assert_eq!(all.len(), 46, "{all:?}");
 }
 
 #[test]

@@ -14,6 +14,7 @@ fn raceway(axial_span_mm: f64, half_angle_deg: f64, centre_angle_deg: f64) -> Se
         ("centre_angle_deg", centre_angle_deg.into()),
         ("shape", "quartic".into()),
         ("blend_mm", 0.0.into()),
+        ("depth_um", 0.0.into()),
         ("depth_error_um", 0.0.into()),
     ]
 }
@@ -61,6 +62,7 @@ fn comments_and_order_stay() {
             "centre_angle_deg = 0.0",
             "shape = \"quartic\"",
             "blend_mm = 0.0",
+            "depth_um = 0.0",
             "depth_error_um = 0.0",
             "inner_speed_rpm = 9000.0",
             "friction_coefficient = 0.1",
@@ -80,6 +82,7 @@ fn comments_and_order_stay() {
             "centre_angle_deg = 0.0",
             "shape = \"quartic\"",
             "blend_mm = 0.0",
+            "depth_um = 0.0",
             "depth_error_um = 0.0"
         ]
     );

@@ -225,6 +225,7 @@ fn toml(document: &CaseDocument) -> String {
         "shape",
         "profile",
         "blend_mm",
+        "depth_um",
     ];
     let line = |nth: usize, key: &str| {
         let value = document.value(&format!("raceway.{nth}.{key}"))?;

@@ -7,6 +7,7 @@ use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, SectionValues};
 
 const SHAPE: &str = "shape";
 const BLEND: &str = "blend_mm";
+const DEPTH: &str = "depth_um";
 
 /// The section `[raceway]` of these lengths in mm, angles in degrees and depth error in µm.
 pub fn raceway_section(
@@ -48,6 +49,7 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
         (SHAPE, form.shape != paper.shape),
         ("profile", form.measured.is_some()),
         (BLEND, form.blend_m != paper.blend_m),
+        (DEPTH, form.depth_m != paper.depth_m),
     ];
     let own = |(key, given): (&'static str, bool)| {
         let value = file.document().value(&format!("raceway.1.{key}"));
@@ -57,7 +59,9 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let formed = |values: &SectionValues| {
         let mut values = values.clone();
         let reshaped = values.iter().any(|(key, _)| *key == SHAPE);
-        let kept = form.iter().filter(|(key, _)| !reshaped || *key == BLEND);
+        let kept = form
+            .iter()
+            .filter(|(key, _)| !reshaped || [BLEND, DEPTH].contains(key));
         values.extend(kept.cloned());
         values
     };

@@ -54,9 +54,10 @@ pub fn outer_contact_geometry(
     };
     let nominal = raceway.effective_radius_m(angle_rad);
     let error = raceway.depth_error_at_m(angle_rad);
+    let touching = bearing.outer_orbit_radius_m() + raceway.depth_at_m(angle_rad)[0];
     if ball_radius_m == d.ball_radius_m && error == 0.0 {
         return OuterContactGeometry {
-            outer_orbit_radius_m: bearing.outer_orbit_radius_m(),
+            outer_orbit_radius_m: touching,
             effective_radius_m: nominal,
         };
     }
@@ -64,7 +65,7 @@ pub fn outer_contact_geometry(
     let [own, other, square] = above_flanks(bearing, cosine, error, ball_radius_m);
     let h = square.sqrt();
     OuterContactGeometry {
-        outer_orbit_radius_m: bearing.outer_orbit_radius_m() + h - other * cosine,
+        outer_orbit_radius_m: touching + h - other * cosine,
         effective_radius_m: ball_radius_m * h / own,
     }
 }

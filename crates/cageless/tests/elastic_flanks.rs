@@ -23,7 +23,7 @@ fn elastic(mut case: Case) -> Case {
     case
 }
 
-/// Unequal balls in a raceway milled too deep.
+/// Unequal balls in a deep raceway, milled deeper still.
 fn uneven(mut case: Case) -> Case {
     let n = case.bearing.balls();
     let deviations = (0..n).map(|k| 4e-7 * (k % 5) as f64 - 8e-7).collect();
@@ -32,8 +32,11 @@ fn uneven(mut case: Case) -> Case {
         .with_ball_radius_deviations(deviations)
         .unwrap();
     let raceways = case.raceways.iter();
-    let deep = |r: &cageless::Raceway| r.clone().with_depth_error(2e-6).unwrap();
-    case.raceways = raceways.map(deep).collect();
+    let deep = |r: &cageless::Raceway| {
+        let deeper = r.clone().with_depth_error(2e-6)?;
+        deeper.with_depth(3e-6)
+    };
+    case.raceways = raceways.map(deep).collect::<Result<_, _>>().unwrap();
     case
 }
 
@@ -73,6 +76,7 @@ fn a_ball_in_the_middle_of_a_section_in_space_is_that_of_the_plane() {
                 section_angle_rad: 0.0,
                 nominal_gap_m: nominal,
                 depth_error_m: depth_error,
+                depth_m: 0.0,
             }),
         };
         // From the place of a ball that touches the plain groove to that of one on the flanks.

@@ -36,14 +36,15 @@ fn touched(case: &Case, sections: i32, sigma_m: f64, seed: u64) -> Vec<[f64; 3]>
     points
 }
 
-/// Raceways of a radial bearing, turned by 4°, and turned in a row that presses to −Z.
-fn rings() -> [Case; 3] {
+/// Raceways of a radial bearing, a deep one, turned by 4°, and turned in a row that presses to −Z.
+fn rings() -> [Case; 4] {
     let case = structure(5.1, 25.2);
     let dimensions = RacewayDimensions {
         centre_angle_rad: 0.7,
         ..*case.raceways[0].dimensions()
     };
     let raceway = Raceway::new(dimensions, &case.bearing).unwrap();
+    let deep = case.with_raceways(vec![raceway.clone().with_depth(30e-6).unwrap()]);
     let turned = raceway.with_section_angle(4f64.to_radians(), &case.bearing);
     let turned = case.with_raceways(vec![turned.unwrap()]);
     let mut mirrored = turned.clone();
@@ -53,7 +54,7 @@ fn rings() -> [Case; 3] {
         preload_m: 0.0,
         balls: None,
     }];
-    [case, turned, mirrored]
+    [case, deep, turned, mirrored]
 }
 
 #[test]
@@ -100,6 +101,7 @@ fn errors_of_the_machine_average_out() {
             shape: RacewayShape::Measured,
             measured: Some(flanks),
             blend_m: 0.0,
+            depth_m: 0.0,
         };
         let measured = Raceway::formed(dimensions, form, &case.bearing).unwrap();
         let miss = lag(&measured) - lag(raceway);

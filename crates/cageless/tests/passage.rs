@@ -159,17 +159,17 @@ impl Observer for TimeInside {
 }
 
 /// Under a light load the inner ring drives every ball in a raceway, and lets go of balls where the
-/// raceway is milled deeper than the ring sinks into them.
+/// raceway is deeper than the ring sinks into them.
 #[test]
 fn a_deep_raceway_unloads_balls() {
-    let unloaded = |depth_error_m: f64| {
+    let unloaded = |depth_m: f64| {
         let mut case = crate::common::structure(5.1, 25.2);
         case.operation.inner_speed_rad_s /= 12.0;
         case.operation.radial_load_n = 100.0;
         case.solver.duration_s = 0.4;
         case.solver.method = IntegrationMethod::VelocityVerlet;
         case.solver.step_s = 4e-6;
-        let deep = case.raceways[0].clone().with_depth_error(depth_error_m);
+        let deep = case.raceways[0].clone().with_depth(depth_m);
         let case = case.clone().with_raceways(vec![deep.unwrap()]);
         let (mut tally, mut time) = (PassageTally::new(), TimeInside::default());
         let mut recorder = PassageRecorder::new(|passage| {

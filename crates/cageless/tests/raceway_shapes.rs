@@ -3,6 +3,7 @@
 use cageless::design::{Eq11, theoretical_gap_rad};
 use cageless::kinematics::{raceway_delay_rad, rolling_orbit_speed_rad_s, speed_change_max};
 use cageless::numerics::random::RandomStream;
+use cageless::outer_contact_geometry::outer_contact_geometry;
 use cageless::raceway::MeasuredFlanks;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, run};
@@ -38,6 +39,7 @@ fn form(shape: RacewayShape, blend_m: f64) -> RacewayForm {
         shape,
         measured: (shape == RacewayShape::Measured).then(paper),
         blend_m,
+        depth_m: 0.0,
     }
 }
 
@@ -588,4 +590,42 @@ fn points_that_cannot_be_are_refused() {
         let error = Raceway::formed(dimensions, form, &bearing).unwrap_err();
         assert_eq!(error.field, "measured");
     }
+}
+
+/// A ball in a raceway of some depth sits deeper by that in the middle and as far out as on the plain
+/// raceway at the ends, to which it comes without a kink; it rolls on the same radius.
+#[test]
+fn a_depth_runs_out_at_the_ends() {
+    let case = structure(5.1, 25.2);
+    let flush = &case.raceways[0];
+    let deep = flush.clone().with_depth(20e-6).unwrap();
+    let (centre, theta) = (0.0, flush.half_angle_rad());
+    assert_eq!(deep.depth_at_m(centre), [20e-6, 0.0]);
+    for share in [-1.0, 1.0, 1.5] {
+        assert_eq!(deep.depth_at_m(centre + share * theta), [0.0; 2]);
+    }
+    let place = |raceway: &Raceway, psi: f64| {
+        let raceways = std::slice::from_ref(raceway);
+        outer_contact_geometry(&case.bearing, raceways, psi, case.bearing.ball_radius_m())
+    };
+    for psi in [-0.4, -0.1, 0.05, 0.3, 0.43] {
+        let [depth, slope] = deep.depth_at_m(psi);
+        let [before, after] = [-1e-6, 1e-6].map(|step| deep.depth_at_m(psi + step)[0]);
+        assert!((slope - (after - before) / 2e-6).abs() < 1e-9, "{psi}");
+        let (one, other) = (place(&deep, psi), place(flush, psi));
+        let deeper = one.outer_orbit_radius_m - other.outer_orbit_radius_m;
+        assert!((deeper - depth).abs() < 1e-17, "{psi}");
+        assert_eq!(one.effective_radius_m, other.effective_radius_m);
+        // The surface is that of the flush raceway, moved outwards.
+        let [a, b] = [&deep, flush].map(|r| r.surface(psi, 0.6).position_m);
+        assert!((a[0].hypot(a[1]) - b[0].hypot(b[1]) - depth).abs() < 1e-15);
+        assert!((a[2] - b[2]).abs() < 1e-15);
+    }
+    for depth in [-1e-6, 0.2e-3, f64::NAN] {
+        let refused = flush.clone().with_depth(depth).unwrap_err();
+        assert_eq!(refused.field, "depth_m");
+    }
+    let mut paper = case.with_raceways(vec![deep]);
+    paper.profile = Profile::Paper;
+    assert_eq!(paper.check().unwrap_err().field, "depth_m");
 }

@@ -388,12 +388,14 @@ fn a_turned_section_without_flanks_is_the_plain_raceway() {
         section_angle_rad: 0.3,
         nominal_gap_m: 0.19e-3,
         depth_error_m: 0.0,
+        depth_m: 0.0,
     }));
     let nearly = section(Some(Flanks {
         angle_rad: 2e-5,
         section_angle_rad: 0.3,
         nominal_gap_m: 0.19e-3,
         depth_error_m: 0.0,
+        depth_m: 0.0,
     }));
     let plain = section(None);
     for place in [[3e-6, 5e-6], [1e-6, 60e-6], [8e-6, -20e-6]] {
@@ -420,6 +422,7 @@ fn joined_flanks_are_one_plain_contact_or_two_that_share_it() {
                 section_angle_rad: turned,
                 nominal_gap_m: g,
                 depth_error_m: 0.0,
+                depth_m: 0.0,
             }),
         };
         let (sin_t, cos_t) = turned.sin_cos();
@@ -472,6 +475,7 @@ fn the_gradient_of_the_joined_flanks_is_that_of_differences() {
                 section_angle_rad: 0.1,
                 nominal_gap_m: g,
                 depth_error_m: 0.0,
+                depth_m: 0.0,
             }),
         };
         let [u, zeta, psi] = Taylor::<3>::variables([u, zeta, psi]);

@@ -203,19 +203,22 @@ fn residual(step_s: f64, tilt: Tilt) -> f64 {
     complete(&case).energy_residual_relative.abs()
 }
 
-/// Damping acts along the approach, which changes as a ball moves through a raceway.
+/// Damping acts along the approach, which changes as a ball moves through a raceway, flush or deep.
 #[test]
 fn the_ledger_closes_in_a_damped_raceway() {
-    let residual = |step_s| {
+    let residual = |depth_m, step_s| {
         let mut case = in_space(loaded(IntegrationMethod::VelocityVerlet, step_s));
+        case.raceways = vec![case.raceways[0].clone().with_depth(depth_m).unwrap()];
         case.operation.space.axial_load_n = 0.0;
         case.contact.damping_n_s_m1_5 = 2e6;
         case.contact.friction.coefficient = 0.0;
         case.solver.duration_s = 5e-3;
         complete(&case).energy_residual_relative.abs()
     };
-    let order = (residual(0.28e-6) / residual(0.07e-6)).log2() / 2.0;
-    assert!((order - 2.0).abs() < 0.1, "{order}");
+    for depth_m in [0.0, 5e-6] {
+        let order = (residual(depth_m, 0.28e-6) / residual(depth_m, 0.07e-6)).log2() / 2.0;
+        assert!((order - 2.0).abs() < 0.1, "{depth_m:e}: {order}");
+    }
 }
 
 /// What the ledger misses shrinks with the square of the step, with spin, tilt and gyroscopic moments.

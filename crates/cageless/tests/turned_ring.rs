@@ -84,14 +84,17 @@ fn distance_m(patch: &Patch, [x, y, z]: [f64; 3]) -> f64 {
 /// flanks of the model, at 200 places of each flank within the blends.
 #[test]
 fn balls_feel_the_flanks_of_the_model() {
-    for (free, section, sign) in [
-        (0.0, 12.0, 1.0),
-        (15.0, 15.0, 1.0),
-        (15.0, 0.0, 1.0),
-        (20.0, 14.0, -1.0),
-        (0.0, -7.0, -1.0),
+    for (free, section, sign, depth) in [
+        (0.0, 12.0, 1.0, 0.0),
+        (15.0, 15.0, 1.0, 0.0),
+        (15.0, 0.0, 1.0, 0.0),
+        (20.0, 14.0, -1.0, 0.0),
+        (0.0, -7.0, -1.0, 0.0),
+        (0.0, 0.0, 1.0, 30e-6),
+        (20.0, 14.0, -1.0, 20e-6),
     ] {
-        let case = with_row(case(free, &[(5.1, 25.2, 0.0)], section), sign);
+        let mut case = with_row(case(free, &[(5.1, 25.2, 0.0)], section), sign);
+        case.raceways = vec![case.raceways[0].clone().with_depth(depth).unwrap()];
         let ring = ring(&case);
         let (d, raceway) = (case.bearing.dimensions(), &case.raceways[0]);
         let re = d.outer_groove_curvature_radius_m;
@@ -108,6 +111,7 @@ fn balls_feel_the_flanks_of_the_model() {
             let psi = raceway.half_angle_rad() * (f64::from(k) - 99.5) / 118.0;
             let [angle_rad, _] = raceway.contact_angle_rad(psi);
             let section_angle_rad = sign * section.to_radians();
+            let [depth_m, _] = raceway.depth_at_m(psi);
             let model = OuterSection {
                 gap_m,
                 axial_m: -0.5 * sign * room * free.to_radians().sin(),
@@ -116,13 +120,15 @@ fn balls_feel_the_flanks_of_the_model() {
                     section_angle_rad,
                     nominal_gap_m: gap_m,
                     depth_error_m: 0.0,
+                    depth_m,
                 }),
             };
             for (patch, side) in pair.iter().zip([1.0, -1.0]) {
                 // Almost along the other flank, so that the ball leaves it.
                 let towards = section_angle_rad + side * (94f64.to_radians() - angle_rad);
-                let beyond = gap_m * (section_angle_rad.cos() - 1.0) + 8e-6 * towards.cos();
-                let axial = model.axial_m + gap_m * section_angle_rad.sin() + 8e-6 * towards.sin();
+                let back = gap_m + depth_m;
+                let beyond = back * section_angle_rad.cos() - gap_m + 8e-6 * towards.cos();
+                let axial = model.axial_m + back * section_angle_rad.sin() + 8e-6 * towards.sin();
                 let place = [beyond, axial].map(Taylor::<0>::constant);
                 let expected = model.approach(place, Taylor::constant(angle_rad)).unwrap();
                 assert_eq!(model.contacts([beyond, axial]).len(), 1);

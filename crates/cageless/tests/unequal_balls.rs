@@ -65,17 +65,17 @@ fn the_ledger_closes() {
     assert!(fine < coarse / 4.0, "{coarse:e} {fine:e}");
 }
 
-/// So it does in a raceway that is not as deep as designed.
+/// So it does in a raceway that is not as deep as designed, and in a deep one.
 #[test]
 fn the_ledger_closes_in_a_raceway_of_wrong_depth() {
-    for error in [-2e-6, 2e-6] {
+    for (error, depth) in [(-2e-6, 0.0), (2e-6, 0.0), (0.0, 4e-6), (1e-6, 20e-6)] {
         let mut case = settled(undamped(structure(5.1, 25.2)));
         let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
-        case = case.with_raceways(vec![raceway]);
+        case = case.with_raceways(vec![raceway.with_depth(depth).unwrap()]);
         case.solver.step_s = 0.25e-6;
         let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
         let residual = outcome.energy_residual_relative.abs();
-        assert!(residual < 1e-6, "{error:e}: {residual:e}");
+        assert!(residual < 1e-6, "{error:e} {depth:e}: {residual:e}");
     }
 }
 

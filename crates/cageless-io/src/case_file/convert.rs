@@ -111,6 +111,7 @@ impl Converter<'_> {
                 shape: raceway.shape,
                 measured: raceway.measured,
                 blend_m: raceway.blend_m,
+                depth_m: raceway.depth_m,
             };
             Raceway::formed(dimensions, form, bearing)
                 .and_then(|made| made.with_depth_error(raceway.depth_error_m))

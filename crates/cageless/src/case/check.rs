@@ -181,6 +181,10 @@ impl Case {
                 let rule = format!("0: {why}");
                 return Err(InputError::rule("blend_m", form.blend_m, rule));
             }
+            if form.depth_m > 0.0 {
+                let rule = format!("0: {why}");
+                return Err(InputError::rule("depth_m", form.depth_m, rule));
+            }
         }
         Ok(())
     }

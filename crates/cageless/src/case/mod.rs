@@ -335,7 +335,7 @@ impl Case {
     /// designed.
     pub fn has_nominal_geometry(&self) -> bool {
         self.bearing.ball_radius_deviations_m().is_empty()
-            && self.raceways.iter().all(|r| r.depth_error_m() == 0.0)
+            && self.raceways.iter().all(Raceway::is_flush)
     }
 
     /// Case with a plain outer raceway in place of its discrete ones.

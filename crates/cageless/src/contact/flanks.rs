@@ -47,8 +47,9 @@ pub fn flank_contact(
         shape.cosine_slope,
     );
     let yielding = shape.error_slope + press.deflection * c_slope;
-    let slope =
-        yielding * press.inverse_cosine - f * c_slope * (1.0 - f * c * press.inverse_height);
+    let slope = yielding * press.inverse_cosine
+        - f * c_slope * (1.0 - f * c * press.inverse_height)
+        + shape.depth_slope;
     let geometry = OuterGeometry {
         effective_radius: ball.radius * press.cosine,
         slope,

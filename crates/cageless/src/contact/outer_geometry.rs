@@ -28,6 +28,8 @@ lane_struct! {
         slope_linear,
         /// Depth milled too much in the middle, m.
         depth_error,
+        /// How much deeper a ball in the middle sits than on the plain raceway, m.
+        depth,
     }
 }
 
@@ -135,7 +137,7 @@ pub fn with_path_direction(
 }
 
 /// Flanks of a discrete raceway at one ball of any radius R, milled too deep by
-/// e = E (1 − sin²ψ/sin²θ)², and how they change with ψ.
+/// e = E (1 − sin²ψ/sin²θ)², deeper by t likewise, and how they change with ψ.
 #[derive(Debug, Clone, Copy)]
 pub struct FlankShape {
     /// The flanks.
@@ -144,6 +146,10 @@ pub struct FlankShape {
     pub cosine_slope: f64,
     /// de/dψ, m.
     pub error_slope: f64,
+    /// t, how much deeper the ball sits than on the plain raceway, m.
+    pub depth: f64,
+    /// dt/dψ, m.
+    pub depth_slope: f64,
     /// See [`RacewayValues::ellipse`].
     pub ellipse: f64,
 }
@@ -160,8 +166,8 @@ impl FlankShape {
     ) -> Self {
         let (sine, cosine) = (position.sine, position.cosine);
         let c = values.radius / outer.ball_radius;
-        let depth = 1.0 - sine * sine * raceway.inverse_end;
-        let error = raceway.depth_error * depth * depth;
+        let left = 1.0 - sine * sine * raceway.inverse_end;
+        let error = raceway.depth_error * left * left;
         let (f, g) = (
             outer.curvature_offset,
             outer.curvature + error - ball.radius,
@@ -175,7 +181,9 @@ impl FlankShape {
                 cosine: c,
             },
             cosine_slope: values.radius_slope * raceway.scale * turning / outer.ball_radius,
-            error_slope: -2.0 * raceway.depth_error * depth * raceway.inverse_end * turning,
+            error_slope: -2.0 * raceway.depth_error * left * raceway.inverse_end * turning,
+            depth: raceway.depth * left * left,
+            depth_slope: -2.0 * raceway.depth * left * raceway.inverse_end * turning,
             ellipse: values.ellipse,
         }
     }
@@ -183,8 +191,8 @@ impl FlankShape {
 
 /// Geometry of a ball of another radius R, or in a raceway milled too deep by e, see
 /// [`crate::outer_contact_geometry`]. With f = Re − Rw, c = r/Rw and g = Re + e − R the ball's centre lies
-/// h = √(g² − f²(1 − c²)) beyond Oe, so that |rb| = Ro − Rw + h − f c and r = R h/g, with
-/// the slope d|rb|/dψ = (g e′ + f² c c′)/h − f c′ and e = E (1 − sin²ψ/sin²θ)².
+/// h = √(g² − f²(1 − c²)) beyond Oe, so that |rb| = Ro − Rw + h − f c + t and r = R h/g, with
+/// the slope d|rb|/dψ = (g e′ + f² c c′)/h − f c′ + t′ and e = E (1 − sin²ψ/sin²θ)², t likewise.
 #[inline(always)]
 pub fn unequal_geometry(
     raceway: &RacewayConstants,
@@ -204,9 +212,12 @@ pub fn unequal_geometry(
     let inside = position.inside();
     let select = |new: f64, old: f64| if inside { new } else { old };
     OuterGeometry {
-        orbit_radius: select(outer.orbit_radius + h - f * c, plain.orbit_radius),
+        orbit_radius: select(
+            outer.orbit_radius + h - f * c + shape.depth,
+            plain.orbit_radius,
+        ),
         slope: select(
-            (g * shape.error_slope + f * f * c * c_slope) / h - f * c_slope,
+            (g * shape.error_slope + f * f * c * c_slope) / h - f * c_slope + shape.depth_slope,
             plain.slope,
         ),
         effective_radius: select(ball.radius * h / g, plain.effective_radius),

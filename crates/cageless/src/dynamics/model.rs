@@ -283,6 +283,7 @@ impl RacewayModel {
                 slope_cubic: 4.0 * a,
                 slope_linear: 2.0 * b,
                 depth_error: raceway.depth_error_m(),
+                depth: raceway.form().depth_m,
             },
             radius: radius.coefficients.clone(),
             radius_slope: (1..radius.coefficients.len())

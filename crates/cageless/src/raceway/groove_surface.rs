@@ -23,7 +23,11 @@ impl Raceway {
         } else {
             [0.0; 2]
         };
-        groove_centre(self.outer_orbit_radius_m(), offset, contact)
+        let [depth, depth_slope] =
+            self.depth_at_m(self.dimensions.centre_angle_rad + local_angle_rad);
+        let touching = self.outer_orbit_radius_m() + depth;
+        let [radial, axial, radial_slope, axial_slope] = groove_centre(touching, offset, contact);
+        [radial, axial, radial_slope + depth_slope, axial_slope]
     }
 
     /// Point of the raceway surface at ψ and meridian angle η, the angle at Oe between

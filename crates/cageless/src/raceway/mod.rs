@@ -159,7 +159,23 @@ impl Raceway {
             depth_error_m: 0.0,
             section_angle_rad: 0.0,
         };
-        raceway.with_blend(form.blend_m)
+        raceway.with_blend(form.blend_m)?.with_depth(form.depth_m)
+    }
+
+    /// Raceway in whose middle a ball sits `depth_m` deeper than on the plain raceway, see
+    /// [`Self::depth_at_m`]; 0: as far out, as in Zhao 2022.
+    ///
+    /// # Errors
+    /// An [`InputError`] below 0 or beyond Re − Rw.
+    pub fn with_depth(mut self, depth_m: f64) -> Result<Self, InputError> {
+        let room = self.groove_curvature_radius_m - self.ball_radius_m;
+        if !(0.0..=room).contains(&depth_m) {
+            let why = "what the groove's curvature radius exceeds the ball's";
+            let allowed = Allowed::Between(0.0, room, why);
+            return Err(InputError::new("depth_m", depth_m, allowed));
+        }
+        self.form.depth_m = depth_m;
+        Ok(self)
     }
 
     /// Raceway with its ends blended into the plain one over `blend_m` each, along the bottom of the
@@ -219,14 +235,31 @@ impl Raceway {
         self.depth_error_m
     }
 
+    /// Share of the middle's depth at ψ, (1 − sin²ψ/sin²θ)², and its slope over ψ.
+    fn depth_share(&self, angle_rad: f64) -> [f64; 2] {
+        let (local, end) = (self.local_angle_rad(angle_rad), self.half_angle_rad());
+        if local.abs() >= end {
+            return [0.0; 2];
+        }
+        let left = 1.0 - (local.sin() / end.sin()).powi(2);
+        let fall = -2.0 * local.sin() * local.cos() / end.sin().powi(2);
+        [left.powi(2), 2.0 * left * fall]
+    }
+
     /// Depth error at ψ, m.
     pub fn depth_error_at_m(&self, angle_rad: f64) -> f64 {
-        let (local, end) = (self.local_angle_rad(angle_rad), self.half_angle_rad());
-        if local.abs() < end {
-            self.depth_error_m * (1.0 - (local.sin() / end.sin()).powi(2)).powi(2)
-        } else {
-            0.0
-        }
+        self.depth_error_m * self.depth_share(angle_rad)[0]
+    }
+
+    /// How much deeper a ball sits at ψ than on the plain raceway, m, and the slope over ψ, m/rad.
+    pub fn depth_at_m(&self, angle_rad: f64) -> [f64; 2] {
+        self.depth_share(angle_rad)
+            .map(|share| self.form.depth_m * share)
+    }
+
+    /// Whether balls of the nominal radius sit as far out as on the plain raceway.
+    pub(crate) fn is_flush(&self) -> bool {
+        self.depth_error_m == 0.0 && self.form.depth_m == 0.0
     }
 
     /// Raceway whose section is turned about the centre of the ball by αg towards +Z, as a bearing
@@ -298,7 +331,10 @@ impl Raceway {
         }
         let centre = self.dimensions.centre_angle_rad;
         let radius = |local: f64| self.effective_radius_m(centre + local);
-        let beyond = |local: f64| (self.outer_orbit_radius_m() + radius(local)) * local.sin();
+        let beyond = |local: f64| {
+            let [depth, _] = self.depth_at_m(centre + local);
+            (self.outer_orbit_radius_m() + depth + radius(local)) * local.sin()
+        };
         let found = root::brent(|l| beyond(l) - x_m.abs(), 0.0, self.half_angle_rad(), 0.0);
         found.map_or(self.ball_radius_m, radius)
     }
@@ -336,7 +372,7 @@ impl Raceway {
         self.unblended[0].flanks().at(local_angle_rad)
     }
 
-    /// Shape and blend.
+    /// Shape, blend and depth.
     pub fn form(&self) -> RacewayForm {
         self.form
     }

@@ -80,6 +80,9 @@ pub struct RacewayForm {
     /// Length of the blend before each end along the bottom of the groove, m; 0 leaves the end as the
     /// shape has it.
     pub blend_m: f64,
+    /// How much deeper a ball in the middle sits than on the plain raceway, along the axis of the
+    /// section, m; the depth runs out to nothing at the ends, as [`super::Raceway::depth_at_m`].
+    pub depth_m: f64,
 }
 
 impl RacewayForm {

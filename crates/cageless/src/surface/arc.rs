@@ -44,15 +44,16 @@ impl Arc {
         let flank = flank.abs();
         let contact_angle_rad = frame.axis_rad + flank;
         let centre = |angle| groove_centre(ball_radius, frame.offset_m, [angle, slope]);
-        let [radius, height, radius_slope_m, height_slope_m] = centre(contact_angle_rad);
+        let [radius, height, radius_slope, height_slope] = centre(contact_angle_rad);
+        let (sin, cos) = frame.axis_rad.sin_cos();
         let [_, lateral, _, lateral_slope] = centre(flank);
         Self {
             side,
             contact_angle_rad,
             centre_radius_m: radius,
             centre_height_m: height + ball_height,
-            radius_slope_m,
-            height_slope_m,
+            radius_slope_m: radius_slope + frame.depth_slope_m * cos,
+            height_slope_m: height_slope + frame.depth_slope_m * sin,
             curvature_radius_m: frame.curvature_radius_m,
             shoulder_radius_m: frame.shoulder_radius_m,
             axis_rad: frame.axis_rad,

@@ -51,9 +51,10 @@ impl MeasuredGroove {
         let theta = raceway.half_angle_rad();
         let seen = points_m.iter().map(|[x, y, z]| {
             let [radial, axial] = [x.hypot(*y) - frame.ball_m[0], z - frame.ball_m[1]];
+            let angle_rad = x.atan2(-y);
             Seen {
-                local_rad: raceway.local_angle_rad(x.atan2(-y)),
-                along_m: radial * cos + axial * sin,
+                local_rad: raceway.local_angle_rad(angle_rad),
+                along_m: radial * cos + axial * sin - raceway.depth_at_m(angle_rad)[0],
                 across_m: (axial * cos - radial * sin).abs(),
             }
         });

@@ -234,7 +234,9 @@ impl OuterRing {
     }
 
     fn raceway_meridian(&self, raceway: &Raceway, angle_rad: f64, local_rad: f64) -> Meridian {
-        Meridian::new(&self.frame, angle_rad, raceway.contact_angle_rad(local_rad))
+        let centre = raceway.dimensions().centre_angle_rad;
+        let frame = self.frame.deeper(raceway.depth_at_m(centre + local_rad));
+        Meridian::new(&frame, angle_rad, raceway.contact_angle_rad(local_rad))
     }
 
     /// Sections in the middle of each raceway, all at ψ = 0.

@@ -9,6 +9,8 @@ pub(super) struct SectionFrame {
     pub(super) axis_rad: f64,
     /// ρ and z of the centre of the nominal ball that rests in the groove.
     pub(super) ball_m: [f64; 2],
+    /// How much deeper it sits along αg with growing ψ, m/rad.
+    pub(super) depth_slope_m: f64,
     /// Re − Rw.
     pub(super) offset_m: f64,
     /// Re.
@@ -29,9 +31,20 @@ impl SectionFrame {
                 bearing.outer_orbit_radius_m() - offset_m * (1.0 - cos),
                 -bearing.groove_offset_m() + offset_m * sin,
             ],
+            depth_slope_m: 0.0,
             offset_m,
             curvature_radius_m: d.outer_groove_curvature_radius_m,
             shoulder_radius_m: d.outer_shoulder_radius_m,
+        }
+    }
+
+    /// The frame where a ball sits deeper along αg, by m and m/rad.
+    pub(super) fn deeper(self, [depth_m, depth_slope_m]: [f64; 2]) -> Self {
+        let ([radius, height], (sin, cos)) = (self.ball_m, self.axis_rad.sin_cos());
+        Self {
+            ball_m: [radius + depth_m * cos, height + depth_m * sin],
+            depth_slope_m,
+            ..self
         }
     }
 

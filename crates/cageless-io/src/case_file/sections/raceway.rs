@@ -31,6 +31,9 @@ section! {
         blend_mm => blend_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
             "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\"",
             Commented("0.0", "length of the blend before each end; 0: ends as the shape has them");
+        depth_um => depth_m: f64 = default(0.0), Micrometre; AtLeast(0.0),
+            "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\"",
+            Commented("0.0", "how much deeper a ball in the middle sits than on the plain raceway");
         depth_error_um => depth_error_m: f64 = default(0.0), Micrometre,
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");

@@ -32,6 +32,8 @@ pub(crate) struct FlankModel {
     cos_section: f64,
     /// Depth milled too much in the middle, m.
     depth_error: f64,
+    /// How much deeper a ball in the middle sits than on the plain raceway, m.
+    depth: f64,
 }
 
 /// The flanks at the ψ of a ball.
@@ -44,6 +46,8 @@ pub(crate) struct FlanksHere {
     sin_section: f64,
     cos_section: f64,
     /// Depth milled too much, m, and its slope over ψ.
+    error: [f64; 2],
+    /// How much deeper a ball sits than on the plain raceway, m, and its slope over ψ.
     depth: [f64; 2],
 }
 
@@ -63,6 +67,7 @@ impl FlankModel {
             sin_section,
             cos_section,
             depth_error: raceway.depth_error_m(),
+            depth: raceway.form().depth_m,
         }
     }
 
@@ -114,9 +119,13 @@ impl FlankModel {
             slope: (power * rise - fall * value) * turning,
             sin_section: self.sin_section,
             cos_section: self.cos_section,
-            depth: [
+            error: [
                 self.depth_error * share * share,
                 -2.0 * self.depth_error * share / self.end * turning,
+            ],
+            depth: [
+                self.depth * share * share,
+                -2.0 * self.depth * share / self.end * turning,
             ],
         })
     }
@@ -220,6 +229,7 @@ impl OuterGroove {
         let plain = [beyond + self.gap, z - self.axial];
         let (sin, cos) = here.angle.sin_cos();
         let g = self.nominal_gap;
+        let [error, error_slope] = here.error;
         let [depth, depth_slope] = here.depth;
         let mut delta = [0.0; 2];
         let mut slopes = [0.0; 2];
@@ -228,13 +238,14 @@ impl OuterGroove {
             let cos_flank = here.cos_section * cos - sign * here.sin_section * sin;
             let sin_flank = here.sin_section * cos + sign * here.cos_section * sin;
             let d = [
-                plain[0] + g * (cos_flank - here.cos_section),
-                plain[1] + g * (sin_flank - here.sin_section),
+                plain[0] + g * (cos_flank - here.cos_section) - depth * here.cos_section,
+                plain[1] + g * (sin_flank - here.sin_section) - depth * here.sin_section,
             ];
-            (delta[k], normals[k]) = approach(d, self.gap + depth);
+            (delta[k], normals[k]) = approach(d, self.gap + error);
             let normal = normals[k];
             slopes[k] = -sign * g * here.slope * (normal[0] * sin_flank - normal[1] * cos_flank)
-                - depth_slope;
+                - error_slope
+                - depth_slope * (normal[0] * here.cos_section + normal[1] * here.sin_section);
         }
         let touch = |approach: f64, slope: f64, shares: [f64; 2]| OuterTouch {
             approach,
@@ -287,8 +298,14 @@ mod tests {
     #[test]
     fn contacts_are_those_of_the_section() {
         let case = structure(5.1, 25.2);
-        for (turned, error) in [(0.0, 0.0), (0.1, 0.0), (0.0, 2e-6)] {
+        for (turned, error, depth) in [
+            (0.0, 0.0, 0.0),
+            (0.1, 0.0, 0.0),
+            (0.0, 2e-6, 0.0),
+            (0.1, 1e-6, 3e-6),
+        ] {
             let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
+            let raceway = raceway.with_depth(depth).unwrap();
             let raceway = raceway.with_section_angle(turned, &case.bearing).unwrap();
             let model = FlankModel::new(&raceway, &raceway.pieces()[0]);
             let d = case.bearing.dimensions();
@@ -314,6 +331,7 @@ mod tests {
                             section_angle_rad: turned,
                             nominal_gap_m: gap,
                             depth_error_m: raceway.depth_error_at_m(psi),
+                            depth_m: raceway.depth_at_m(psi)[0],
                         }),
                     };
                     let [u, z, angle] = Taylor::variables([place[0], place[1], flank]);
@@ -340,7 +358,7 @@ mod tests {
                         "{psi} {place:?} {} {across}",
                         touch.slope
                     );
-                    if error == 0.0 {
+                    if [error, depth] == [0.0; 2] {
                         assert!((touch.slope - exact.gradient[2] * slope).abs() < 1e-12);
                     }
                 }

@@ -204,6 +204,7 @@ fn flanks(case: &Case, angle_rad: f64, sign: f64) -> Option<Flanks> {
         section_angle_rad: sign * raceway.section_angle_rad(),
         nominal_gap_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
         depth_error_m: raceway.depth_error_at_m(angle_rad),
+        depth_m: raceway.depth_at_m(angle_rad)[0],
     })
 }
 

@@ -20,6 +20,7 @@
 //!     section_angle_rad: 0.0,
 //!     nominal_gap_m: 0.19e-3,
 //!     depth_error_m: 0.0,
+//!     depth_m: 0.0,
 //! };
 //! let section = OuterSection {
 //!     gap_m: 0.19e-3,
@@ -51,6 +52,8 @@ pub struct Flanks {
     pub nominal_gap_m: f64,
     /// Depth milled too much along the normals.
     pub depth_error_m: f64,
+    /// How much deeper the ball sits than on the plain raceway, along αg.
+    pub depth_m: f64,
 }
 
 /// Section at a ball.
@@ -88,7 +91,11 @@ impl OuterSection {
         let g = flanks.nominal_gap_m;
         let (sin, cos) = (angle * sign + flanks.section_angle_rad).sin_cos();
         let (sin_g, cos_g) = flanks.section_angle_rad.sin_cos();
-        let d = [d[0] + cos * g + -g * cos_g, d[1] + sin * g + -g * sin_g];
+        let back = g + flanks.depth_m;
+        let d = [
+            d[0] + cos * g + -back * cos_g,
+            d[1] + sin * g + -back * sin_g,
+        ];
         (d, self.gap_m + flanks.depth_error_m)
     }
 
