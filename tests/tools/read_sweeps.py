@@ -6,6 +6,7 @@ DuckDB, pandas and polars must find the types, the units and the nulls in place.
 """
 
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -69,7 +70,9 @@ def statics_in_space(binary, scratch, case):
 
 def main():
     binary, scratch = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
-    scratch.mkdir(parents=True, exist_ok=True)
+    # Results of another version would be refused.
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
     plan, out = scratch / "plan.toml", scratch / "out"
     case = Path(__file__).resolve().parents[2] / "cases" / "zhao-d.toml"
     plan.write_text(PLAN.format(case=json.dumps(str(case))))

@@ -201,6 +201,8 @@ def shapes(s):
     s.check("the steady raceway changes the orbital speed least", s.js(steepest) < 0.9 * quartic, quartic)
     s.slide("blend", 1)
     s.check("its ends are blended", "blend_mm = 1" in s.toml())
+    s.slide("depth", 10)
+    s.check("the raceway is deep", "depth_um = 10" in s.toml() and s.js(f"{S}.g.document.raceway.depth_um") == 10)
     rows = s.js(f"{S}.comparison.rows()")
     s.check("shapes are compared", ["shape", "quartic", "steady"] in rows, rows)
     s.press("unpin")

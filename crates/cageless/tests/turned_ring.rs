@@ -90,8 +90,8 @@ fn balls_feel_the_flanks_of_the_model() {
         (15.0, 0.0, 1.0, 0.0),
         (20.0, 14.0, -1.0, 0.0),
         (0.0, -7.0, -1.0, 0.0),
-        (0.0, 0.0, 1.0, 30e-6),
-        (20.0, 14.0, -1.0, 20e-6),
+        (0.0, 0.0, 1.0, 20e-6),
+        (20.0, 14.0, -1.0, 15e-6),
     ] {
         let mut case = with_row(case(free, &[(5.1, 25.2, 0.0)], section), sign);
         case.raceways = vec![case.raceways[0].clone().with_depth(depth).unwrap()];

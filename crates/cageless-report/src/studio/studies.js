@@ -9,13 +9,19 @@ const TOLERANCES = {
 const BUDGET = 100;
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
 
+// The keys of the first raceway that its shape leaves as they are.
+function kept({ document: { raceway } }) {
+  const own = [].concat(raceway || {})[0];
+  return Object.fromEntries(["blend_mm", "depth_um"].filter((key) => own[key]).map((key) => [key, own[key]]));
+}
+
 // `text` with a raceway of this shape at each of these places; comments stay where there is one, as before.
 function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg, shape }, g) {
   const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre, shape });
   if (centre_angles_deg.length === 1 && g.raceways.length === 1) {
     return Object.entries(keys(centre_angles_deg[0])).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), text);
   }
-  const blocks = centre_angles_deg.map((centre) => "\n[[raceway]]\n" + Object.entries(keys(centre)).map(([key, value]) => key + " = " + written(value) + "\n").join(""));
+  const blocks = centre_angles_deg.map((centre) => "\n[[raceway]]\n" + Object.entries({ ...keys(centre), ...kept(g) }).map(([key, value]) => key + " = " + written(value) + "\n").join(""));
   return withoutSection(text, "raceway").replace(/\n*$/, "\n") + blocks.join("");
 }
 
