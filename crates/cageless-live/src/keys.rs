@@ -25,9 +25,8 @@ pub(crate) fn about() -> Value {
             })
         })
         .collect();
-    let shapes = RacewayShape::NAMES.iter();
-    let shapes = shapes.filter(|(_, shape)| *shape != RacewayShape::Measured);
-    let shapes: Vec<&str> = shapes.map(|(name, _)| *name).collect();
+    let shapes = RacewayShape::without_profile();
+    let shapes: Vec<&str> = shapes.map(RacewayShape::name).collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "instruction_set": InstructionSet::chosen().name(),

@@ -177,13 +177,10 @@ impl Case {
                 let rule = format!("\"quartic\": {why}");
                 return Err(InputError::rule("shape", f64::NAN, rule));
             }
-            if form.blend_m > 0.0 {
-                let rule = format!("0: {why}");
-                return Err(InputError::rule("blend_m", form.blend_m, rule));
-            }
-            if form.depth_m > 0.0 {
-                let rule = format!("0: {why}");
-                return Err(InputError::rule("depth_m", form.depth_m, rule));
+            for (field, value) in [("blend_m", form.blend_m), ("depth_m", form.depth_m)] {
+                if value > 0.0 {
+                    return Err(InputError::rule(field, value, format!("0: {why}")));
+                }
             }
         }
         Ok(())

@@ -62,6 +62,12 @@ raceway_shapes! {
 }
 
 impl RacewayShape {
+    /// Those that need no profile.
+    pub fn without_profile() -> impl Iterator<Item = Self> {
+        let all = Self::NAMES.iter().map(|&(_, shape)| shape);
+        all.filter(|shape| *shape != Self::Measured)
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         let named = Self::NAMES.iter().find(|(_, shape)| *shape == self);

@@ -34,8 +34,7 @@ impl Converter<'_> {
                 return Err(self.refuse("search.shapes", "\"own\" in the profile \"paper\""));
             }
             let own = case.raceway_form();
-            let others = RacewayShape::NAMES.iter().map(|&(_, shape)| shape);
-            let others = others.filter(|s| ![own.shape, RacewayShape::Measured].contains(s));
+            let others = RacewayShape::without_profile().filter(|shape| *shape != own.shape);
             request.forms.extend(others.map(|shape| RacewayForm {
                 shape,
                 measured: None,

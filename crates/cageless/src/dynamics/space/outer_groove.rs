@@ -114,19 +114,17 @@ impl FlankModel {
         let [power, fall] = self.power(left);
         let angle = power * value;
         let share = left / self.end;
+        let run_out = |depth: f64| {
+            let slope = -2.0 * depth * share / self.end * turning;
+            [depth * share * share, slope]
+        };
         (angle > PLAIN_RAD).then_some(FlanksHere {
             angle,
             slope: (power * rise - fall * value) * turning,
             sin_section: self.sin_section,
             cos_section: self.cos_section,
-            error: [
-                self.depth_error * share * share,
-                -2.0 * self.depth_error * share / self.end * turning,
-            ],
-            depth: [
-                self.depth * share * share,
-                -2.0 * self.depth * share / self.end * turning,
-            ],
+            error: run_out(self.depth_error),
+            depth: run_out(self.depth),
         })
     }
 }
