@@ -40,15 +40,16 @@ pub struct RightHandSide<'m> {
 }
 
 /// Evaluates a call compiled for the instructions of a set; its arguments are named as where it stands.
-/// Unit tests have the baseline alone, which compiles in a third of the time and has the same bits.
+/// Builds without optimisation and unit tests have the baseline alone, which compiles in a third of the time
+/// and has the same bits.
 macro_rules! with_instructions {
     ($isa:expr, [$($generics:tt)*]($($argument:ident: $type:ty),*) $(-> $output:ty)?, $call:expr) => {{
-        #[cfg(all(target_arch = "x86_64", not(test)))]
+        #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
         #[target_feature(enable = "avx2")]
         fn avx2<$($generics)*>($($argument: $type),*) $(-> $output)? {
             $call
         }
-        #[cfg(all(target_arch = "x86_64", not(test)))]
+        #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
         #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
         fn avx512<$($generics)*>($($argument: $type),*) $(-> $output)? {
             $call
@@ -56,12 +57,12 @@ macro_rules! with_instructions {
         match $isa {
             InstructionSet::Baseline => $call,
             // SAFETY: `RightHandSide::build` admits only what the processor has.
-            #[cfg(all(target_arch = "x86_64", not(test)))]
+            #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
             InstructionSet::Avx2 => unsafe { avx2($($argument),*) },
             // SAFETY: `RightHandSide::build` admits only what the processor has.
-            #[cfg(all(target_arch = "x86_64", not(test)))]
+            #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
             InstructionSet::Avx512 => unsafe { avx512($($argument),*) },
-            #[cfg(any(not(target_arch = "x86_64"), test))]
+            #[cfg(any(not(target_arch = "x86_64"), test, debug_assertions))]
             _ => $call,
         }
     }};
