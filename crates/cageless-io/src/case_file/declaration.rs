@@ -99,3 +99,21 @@ macro_rules! key {
     };
 }
 pub(crate) use key;
+
+/// What declarations of sections, keys and formats are written with.
+pub(crate) mod prelude {
+    pub(crate) use super::super::error::CaseError;
+    pub(crate) use super::super::format::{Heading, SCHEMA, sections};
+    pub(crate) use super::super::key::Limit::{Above, AtLeast, Inside, Within};
+    pub(crate) use super::super::key::Line::{Absent, Commented, Shown};
+    pub(crate) use super::super::key::Presence::{Derived, Optional, Required};
+    pub(crate) use super::super::key::{Key, Kind, Line, default};
+    pub(crate) use super::super::named::Named;
+    pub(crate) use super::super::reader::Reader;
+    pub(crate) use super::super::spanned_toml::{Node, Value};
+    pub(crate) use super::super::unit::Unit::{
+        Degree, Gigapascal, Micrometre, Microsecond, Millimetre, Milliradian, None as Plain,
+        RevolutionPerMinute, Si, SquareMillimetrePerSecond,
+    };
+    pub(crate) use super::{Field, SectionKeys, section};
+}

@@ -3,17 +3,7 @@
 use cageless_results::Computation;
 
 use super::{Kept, SampleMethod, Scale};
-use crate::case_file::declaration::{Field, SectionKeys, section};
-use crate::case_file::error::CaseError;
-use crate::case_file::format::{Heading, SCHEMA, sections};
-use crate::case_file::key::Limit::AtLeast;
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::{Key, Kind, default};
-use crate::case_file::named::Named;
-use crate::case_file::reader::Reader;
-use crate::case_file::spanned_toml::{Node, Value};
-use crate::case_file::unit::Unit::None as Plain;
+use crate::case_file::declaration::prelude::*;
 
 sections! {
     /// The keys of a plan.

@@ -1,17 +1,6 @@
 //! Keys of rotor files.
 
-use crate::case_file::declaration::{Field, section};
-use crate::case_file::error::CaseError;
-use crate::case_file::format::{Heading, SCHEMA, sections};
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::{Kind, default};
-use crate::case_file::reader::Reader;
-use crate::case_file::spanned_toml::{Node, Value};
-use crate::case_file::unit::Unit::{
-    Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si,
-};
+use crate::case_file::declaration::prelude::*;
 
 const OF_RIGID: &str = "of a rigid rotor; or matrices, of a flexible one";
 const PLACE: &str = "place from the mass centre along the axis";

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::case_file::spanned_toml::{Section, Value};
 use crate::case_file::{CaseError, read_text};
@@ -16,7 +16,7 @@ pub const MATRICES_SCHEMA: u64 = 1;
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(non_snake_case)] // symbols of rotor dynamics
-pub(super) struct MatricesFile {
+struct MatricesFile {
     schema: u64,
     polar_inertia_kg_m2: f64,
     M: Vec<Vec<f64>>,
@@ -63,6 +63,14 @@ fn json(value: &Value) -> serde_json::Value {
     }
 }
 
+/// The matrices of a rotor as those of a file.
+pub(super) fn as_in_file<S: Serializer>(
+    matrices: &RotorMatrices,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    MatricesFile::new(matrices).serialize(serializer)
+}
+
 /// Writes the matrices of a rotor.
 ///
 /// # Errors
@@ -73,7 +81,7 @@ pub fn write_matrices(path: &Path, matrices: &RotorMatrices) -> Result<(), Resul
 }
 
 impl MatricesFile {
-    pub(super) fn new(matrices: &RotorMatrices) -> Self {
+    fn new(matrices: &RotorMatrices) -> Self {
         let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
             let rows = matrix.row_iter();
             rows.map(|row| row.iter().copied().collect()).collect()
