@@ -20,6 +20,21 @@ pub(crate) trait Field: Sized {
     }
 }
 
+/// Declares a type of value: its kind, and the function of reader, name and node that reads it.
+macro_rules! field {
+    ($Type:ty, $kind:expr, $read:expr) => {
+        impl $crate::case_file::declaration::Field for $Type {
+            const KIND: Kind = $kind;
+
+            fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+                let read: fn(&Reader<'_>, &str, &Node) -> Result<Self, CaseError> = $read;
+                read(reader, name, node)
+            }
+        }
+    };
+}
+pub(crate) use field;
+
 impl Reader<'_> {
     /// The value of a key in SI units.
     pub(crate) fn field<T: Field>(&self, name: &str) -> Result<T, CaseError> {
@@ -115,5 +130,5 @@ pub(crate) mod prelude {
         Degree, Gigapascal, Micrometre, Microsecond, Millimetre, Milliradian, None as Plain,
         RevolutionPerMinute, Si, SquareMillimetrePerSecond,
     };
-    pub(crate) use super::{Field, SectionKeys, section};
+    pub(crate) use super::{SectionKeys, field, section};
 }

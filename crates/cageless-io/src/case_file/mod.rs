@@ -48,7 +48,7 @@ pub use overrides::Change;
 pub use reference::{RangeEnd, reference};
 pub use sections::bearing::Assumption;
 pub use sections::material::MaterialPreset;
-pub(crate) use source::read_text;
+pub(crate) use source::{read_named, read_text};
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
@@ -75,9 +75,7 @@ impl CaseFile {
     /// A [`CaseError`] if the file cannot be read, is not UTF-8 or is refused by
     /// [`CaseFile::parse`].
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text =
-            read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
+        let (name, text) = read_named(path, "case file")?;
         Self::parse(&text, &name, overrides)
     }
 

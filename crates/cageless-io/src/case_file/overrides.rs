@@ -17,6 +17,13 @@ pub struct Change<'a> {
     pub place: (&'a str, usize),
 }
 
+impl<'a> Change<'a> {
+    /// A change of `key` to `value` that comes from a file and line.
+    pub fn new(key: &'a str, value: &'a CaseValue, place: (&'a str, usize)) -> Self {
+        Self { key, value, place }
+    }
+}
+
 /// A key and the value that replaces its own.
 #[derive(Debug, Clone)]
 pub(crate) struct Replacement {

@@ -81,43 +81,31 @@ section! {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AsGiven(pub f64);
 
-impl Field for AsGiven {
-    const KIND: Kind = Kind::Number;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        reader.number(name, node)?;
-        reader.plain_number(name, node).map(Self)
-    }
-}
+field!(AsGiven, Kind::Number, |reader, name, node| {
+    reader.number(name, node)?;
+    reader.plain_number(name, node).map(Self)
+});
 
 /// The path of another file, or its content as a section, which its own reader reads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FileOrSection;
 
-impl Field for FileOrSection {
-    const KIND: Kind = Kind::Text;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match node.value {
-            Value::Text(_) | Value::Section(_) => Ok(Self),
-            _ => Err(reader.refuse(name, node, "the path of its file in quotes")),
-        }
+field!(FileOrSection, Kind::Text, |reader, name, node| {
+    match node.value {
+        Value::Text(_) | Value::Section(_) => Ok(Self),
+        _ => Err(reader.refuse(name, node, "the path of its file in quotes")),
     }
-}
+});
 
-impl Field for Vec<usize> {
-    const KIND: Kind = Kind::Numbers;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match &node.value {
-            Value::List(items) => items
-                .iter()
-                .map(|item| usize::read(reader, name, item))
-                .collect(),
-            _ => Err(reader.refuse(name, node, "a list of nodes in brackets")),
-        }
+field!(Vec<usize>, Kind::Numbers, |reader, name, node| {
+    match &node.value {
+        Value::List(items) => items
+            .iter()
+            .map(|item| usize::read(reader, name, item))
+            .collect(),
+        _ => Err(reader.refuse(name, node, "a list of nodes in brackets")),
     }
-}
+});
 
 /// Keys of the section `[rotor]` of a case that the rotor of the file replaces.
 pub(super) const REPLACED: [&str; 6] = [

@@ -6,7 +6,7 @@ use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::case_file::spanned_toml::{Section, Value};
-use crate::case_file::{CaseError, read_text};
+use crate::case_file::{CaseError, read_named};
 use crate::results::{ResultError, write_atomically};
 
 /// The only schema of files of matrices so far.
@@ -31,8 +31,7 @@ struct MatricesFile {
 /// # Errors
 /// A [`CaseError`] if the file cannot be read or its matrices are no rectangles of numbers.
 pub fn read_matrices(path: &Path) -> Result<RotorMatrices, CaseError> {
-    let name = path.display().to_string();
-    let text = read_text(path, "file of matrices").map_err(|m| CaseError::of_file(&name, m))?;
+    let (name, text) = read_named(path, "file of matrices")?;
     let file: MatricesFile = serde_json::from_str(&text).map_err(|error| {
         let message = format!("is no file of the matrices of a rotor: {error}");
         CaseError::on_line(&name, error.line().max(1), None, message)
