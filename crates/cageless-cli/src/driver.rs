@@ -13,7 +13,7 @@ use cageless_study::Progress;
 use cageless_study::run::Rows;
 use serde::Serialize;
 
-use crate::args::Output;
+use crate::args::{CaseArgs, Output};
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::{Bars, catch_interrupt, is_quiet};
@@ -133,6 +133,16 @@ impl Output {
         self.deliver(answer)
     }
 
+    /// Output of a command that always writes a page into a folder.
+    pub fn of_page(json: bool, open: bool, folder: &Path) -> Self {
+        Self {
+            json,
+            out: Some(folder.to_owned()),
+            csv: false,
+            open,
+        }
+    }
+
     /// Files for a folder; none without one.
     pub fn files(&self, files: impl FnOnce() -> Result<Files, Failure>) -> Result<Files, Failure> {
         match self.out {
@@ -192,6 +202,16 @@ impl Tables {
             }
         }
         Ok(())
+    }
+}
+
+impl CaseArgs {
+    /// The case of a command that takes those which pass a check.
+    pub fn read(
+        &self,
+        check: fn(&cageless::Case) -> Result<(), cageless::InputError>,
+    ) -> Result<CaseFile, Failure> {
+        read_checked(&self.case, &self.set, check)
     }
 }
 

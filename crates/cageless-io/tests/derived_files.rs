@@ -5,9 +5,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use cageless_io::case_file::{
-    CaseValue, KeyReference, LeftOut, RangeEnd, SectionReference, ValueType, reference,
-};
+use cageless_io::case_file::{CaseValue, Key, Kind, Presence, RangeEnd, SectionTable, reference};
 
 fn in_step(path: &str, expected: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -30,34 +28,34 @@ fn names(names: &[&str]) -> String {
     quoted.join(", ")
 }
 
-fn value(value: &ValueType) -> String {
+fn value(value: Kind) -> String {
     match value {
-        ValueType::Number => "number".to_owned(),
-        ValueType::Whole => "whole number".to_owned(),
-        ValueType::Text => "text".to_owned(),
-        ValueType::Numbers => "list of numbers".to_owned(),
-        ValueType::Range => "number or `[lowest, highest]`".to_owned(),
-        ValueType::OverTime => "number or `[[time in s, value], …]`".to_owned(),
-        ValueType::Rows(row) => format!("`[{row}, …]`"),
-        ValueType::Choice(choices) => names(choices),
-        ValueType::NumberOr(choices) => format!("number, {}", names(choices)),
-        ValueType::NumbersOr(choices) => format!("list of numbers, {}", names(choices)),
+        Kind::Number => "number".to_owned(),
+        Kind::Whole => "whole number".to_owned(),
+        Kind::Text => "text".to_owned(),
+        Kind::Numbers => "list of numbers".to_owned(),
+        Kind::Range => "number or `[lowest, highest]`".to_owned(),
+        Kind::OverTime => "number or `[[time in s, value], …]`".to_owned(),
+        Kind::Rows(row) => format!("`[{row}, …]`"),
+        Kind::Choice(choices) => names(&choices()),
+        Kind::NumberOr(choices) => format!("number, {}", names(choices)),
+        Kind::NumbersOr(choices) => format!("list of numbers, {}", names(choices)),
     }
 }
 
-fn left_out(key: &KeyReference) -> String {
-    match &key.left_out {
-        LeftOut::Refused => "required".to_owned(),
-        LeftOut::Default(value) => format!("`{}`", value.written()),
-        LeftOut::Derived => "derived".to_owned(),
-        LeftOut::Nothing => "none".to_owned(),
+fn left_out(key: &Key) -> String {
+    match (key.presence)() {
+        Presence::Required => "required".to_owned(),
+        Presence::Default(value) => format!("`{}`", value.written()),
+        Presence::Derived => "derived".to_owned(),
+        Presence::Optional => "none".to_owned(),
     }
 }
 
 /// `0.5 to 1300`, `above 0`, `(0 to 90)`.
-fn range(key: &KeyReference) -> String {
+fn range(range: [Option<RangeEnd>; 2]) -> String {
     let at = |end: RangeEnd| CaseValue::Number(end.at).written();
-    match key.range {
+    match range {
         [None, None] => String::new(),
         [Some(low), None] if low.included => format!("{} or more", at(low)),
         [Some(low), None] => format!("above {}", at(low)),
@@ -97,14 +95,14 @@ fn the_table_of_the_documentation_has_every_key() {
             text,
             "\n## {heading}\n\n| key | value | unit | range | if left out | meaning |\n|---|---|---|---|---|---|\n"
         );
-        for key in &section.keys {
+        for key in section.keys {
             let _ = writeln!(
                 text,
                 "| `{}` | {} | {} | {} | {} | {}{} |",
                 key.name,
-                value(&key.value),
-                key.unit,
-                range(key),
+                value(key.kind),
+                key.unit(),
+                range(section.range(key)),
                 left_out(key),
                 key.meaning.replace('|', "\\|"),
                 match key.formerly {
@@ -149,7 +147,7 @@ const ROTOR_METHODS: &str = r#"
 "#;
 
 /// Class of a section: `ball_material` and `material` are both a `Material`.
-fn class(section: &SectionReference) -> String {
+fn class(section: &SectionTable) -> String {
     let last = section.name.rsplit('_').next().unwrap_or_default();
     let (first, rest) = last.split_at(1);
     first.to_uppercase() + rest
@@ -160,18 +158,18 @@ fn literal(names: &[&str]) -> String {
     format!("Literal[{}]", quoted.join(", "))
 }
 
-fn annotation(value: &ValueType) -> String {
+fn annotation(value: Kind) -> String {
     match value {
-        ValueType::Number => "float".to_owned(),
-        ValueType::Whole => "int".to_owned(),
-        ValueType::Text => "str".to_owned(),
-        ValueType::Numbers => "Sequence[float]".to_owned(),
-        ValueType::Range => "float | Sequence[float]".to_owned(),
-        ValueType::OverTime => "float | Sequence[Sequence[float]]".to_owned(),
-        ValueType::Rows(_) => "Sequence[Sequence[float]]".to_owned(),
-        ValueType::Choice(names) => literal(names),
-        ValueType::NumberOr(names) => format!("{} | float", literal(names)),
-        ValueType::NumbersOr(names) => format!("{} | Sequence[float]", literal(names)),
+        Kind::Number => "float".to_owned(),
+        Kind::Whole => "int".to_owned(),
+        Kind::Text => "str".to_owned(),
+        Kind::Numbers => "Sequence[float]".to_owned(),
+        Kind::Range => "float | Sequence[float]".to_owned(),
+        Kind::OverTime => "float | Sequence[Sequence[float]]".to_owned(),
+        Kind::Rows(_) => "Sequence[Sequence[float]]".to_owned(),
+        Kind::Choice(names) => literal(&names()),
+        Kind::NumberOr(names) => format!("{} | float", literal(names)),
+        Kind::NumbersOr(names) => format!("{} | Sequence[float]", literal(names)),
     }
 }
 
@@ -206,10 +204,10 @@ fn python_has_a_class_for_every_section() {
             section.meaning,
         );
         // Keyword arguments, so that the order is that of the file.
-        for key in &section.keys {
-            let kind = annotation(&key.value);
-            let (none, default) = match key.left_out {
-                LeftOut::Refused => ("", ""),
+        for key in section.keys {
+            let kind = annotation(key.kind);
+            let (none, default) = match (key.presence)() {
+                Presence::Required => ("", ""),
                 _ => (" | None", " = None"),
             };
             let _ = writeln!(
@@ -237,9 +235,9 @@ fn python_has_a_class_for_every_section() {
 }
 
 /// JSON schema of the value of a key.
-fn schema_of(key: &KeyReference) -> serde_json::Value {
+fn schema_of(section: &SectionTable, key: &Key) -> serde_json::Value {
     use serde_json::{Value, json};
-    let [low, high] = key.range;
+    let [low, high] = section.range(key);
     let ends = [
         (low, ["exclusiveMinimum", "minimum"]),
         (high, ["exclusiveMaximum", "maximum"]),
@@ -258,45 +256,44 @@ fn schema_of(key: &KeyReference) -> serde_json::Value {
         |items: Value| json!({ "type": "array", "items": items, "minItems": 2, "maxItems": 2 });
     let plain = json!({ "type": "number" });
     let any_of = |one: Value, other: Value| json!({ "anyOf": [one, other] });
-    let mut schema = match &key.value {
-        ValueType::Number => number("number"),
-        ValueType::Whole => number("integer"),
-        ValueType::Text => json!({ "type": "string" }),
-        ValueType::Numbers => list(number("number")),
-        ValueType::Range => any_of(number("number"), row(number("number"))),
-        ValueType::OverTime => any_of(number("number"), list(row(plain))),
-        ValueType::Rows(_) => list(row(plain)),
-        ValueType::Choice(names) => json!({ "enum": names }),
-        ValueType::NumberOr(names) => any_of(json!({ "enum": names }), number("number")),
-        ValueType::NumbersOr(names) => any_of(json!({ "enum": names }), list(number("number"))),
+    let mut schema = match key.kind {
+        Kind::Number => number("number"),
+        Kind::Whole => number("integer"),
+        Kind::Text => json!({ "type": "string" }),
+        Kind::Numbers => list(number("number")),
+        Kind::Range => any_of(number("number"), row(number("number"))),
+        Kind::OverTime => any_of(number("number"), list(row(plain))),
+        Kind::Rows(_) => list(row(plain)),
+        Kind::Choice(names) => json!({ "enum": names() }),
+        Kind::NumberOr(names) => any_of(json!({ "enum": names }), number("number")),
+        Kind::NumbersOr(names) => any_of(json!({ "enum": names }), list(number("number"))),
     };
-    let unit = match key.unit {
+    let unit = match key.unit() {
         "" => String::new(),
         unit => format!(" ({unit})"),
     };
     schema["description"] = json!(format!("{}{unit}", key.meaning));
-    if let LeftOut::Default(value) = &key.left_out {
+    if let Presence::Default(value) = (key.presence)() {
         schema["default"] = json!(value);
     }
     schema
 }
 
 /// JSON schema of a section.
-fn schema_of_section(section: &SectionReference) -> serde_json::Value {
+fn schema_of_section(section: &SectionTable) -> serde_json::Value {
     use serde_json::{Map, json};
     let mut keys = Map::new();
-    for key in &section.keys {
-        keys.insert(key.name.to_owned(), schema_of(key));
+    for key in section.keys {
+        keys.insert(key.name.to_owned(), schema_of(section, key));
         if !key.formerly.is_empty() {
-            let mut former = schema_of(key);
+            let mut former = schema_of(section, key);
             former["deprecated"] = json!(true);
             former["description"] = json!(format!("former name of {}", key.name));
             keys.insert(key.formerly.to_owned(), former);
         }
     }
     let required = section.keys.iter();
-    let required =
-        required.filter(|key| key.left_out == LeftOut::Refused && key.formerly.is_empty());
+    let required = required.filter(|key| key.is_required() && key.formerly.is_empty());
     let required: Vec<_> = required.map(|key| key.name).collect();
     json!({
         "type": "object",
@@ -310,10 +307,10 @@ fn schema_of_section(section: &SectionReference) -> serde_json::Value {
 /// JSON schema of a case file.
 fn schema() -> serde_json::Value {
     use serde_json::json;
-    let sections = reference();
-    let mut schema = schema_of_section(&sections[0]);
-    for section in &sections[1..] {
-        let one = schema_of_section(section);
+    let mut sections = reference();
+    let mut schema = schema_of_section(&sections.next().unwrap());
+    for section in sections {
+        let one = schema_of_section(&section);
         schema["properties"][section.name] = match section.several {
             true => json!({ "anyOf": [one, { "type": "array", "items": one }] }),
             false => one,
@@ -369,11 +366,11 @@ fn ranges_are_those_of_the_reader() {
     let drop = include_str!("../../../cases/touchdown-d.toml");
     let mut ends = 0;
     for section in reference() {
-        for key in &section.keys {
+        for key in section.keys {
             let name = format!("{}.{}", section.name, key.name);
-            for (end, sign) in key.range.into_iter().zip([-1.0, 1.0]) {
+            for (end, sign) in section.range(key).into_iter().zip([-1.0, 1.0]) {
                 let Some(end) = end else { continue };
-                let step = if key.value == ValueType::Whole {
+                let step = if matches!(key.kind, Kind::Whole) {
                     1.0
                 } else {
                     1e-3 * end.at.abs().max(1.0)
@@ -390,9 +387,9 @@ fn ranges_are_those_of_the_reader() {
                     false => case.as_str(),
                 };
                 let parse = |at: f64| {
-                    let value = match key.value {
-                        ValueType::Numbers => format!("[{at:?}]"),
-                        ValueType::Whole => format!("{at}"),
+                    let value = match key.kind {
+                        Kind::Numbers => format!("[{at:?}]"),
+                        Kind::Whole => format!("{at}"),
                         _ => format!("{at:?}"),
                     };
                     let mut set = needed(section.name, key.name);

@@ -14,7 +14,7 @@ pub(crate) const OPERATIONS: [&str; 8] = [
 /// materials that have a name, and the shapes of a raceway that need no profile.
 pub(crate) fn about() -> Value {
     let keys: Vec<Value> = keys()
-        .map(|k| json!({ "key": k.name, "unit": k.unit, "meaning": k.meaning }))
+        .map(|(name, k)| json!({ "key": name, "unit": k.unit(), "meaning": k.meaning }))
         .collect();
     let materials: Vec<Value> = MaterialPreset::all()
         .map(|(name, preset)| {

@@ -51,20 +51,13 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
             return Err(Refusal::new("cancelled"));
         }
         let mut row = case.clone();
-        row.change(&[Change {
-            key: &angle_key,
-            value: &CaseValue::Number(angle),
-            place: ("map", 1),
-        }])?;
+        let angle = CaseValue::Number(angle);
+        row.change(&[Change::new(&angle_key, &angle, ("map", 1))])?;
         ranges.push(possible(&row, &across));
         let mut beta0_row = vec![Value::Null; spans.len()];
         for (k, &span) in spans.iter().enumerate() {
-            let change = Change {
-                key: &span_key,
-                value: &CaseValue::Number(span),
-                place: ("map", 1),
-            };
-            let Ok(file) = row.with(&[change]) else {
+            let span = CaseValue::Number(span);
+            let Ok(file) = row.with(&[Change::new(&span_key, &span, ("map", 1))]) else {
                 continue;
             };
             beta0_row[k] = json!(beta0_deg(&file));

@@ -103,11 +103,7 @@ pub(crate) fn possible(base: &CaseDocument, span: &Span) -> Vec<[f64; 2]> {
             })
             .collect();
         let changes: Vec<Change<'_>> = (span.keys.iter().zip(&values))
-            .map(|(k, value)| Change {
-                key: &k.key,
-                value,
-                place: ("case", 1),
-            })
+            .map(|(k, value)| Change::new(&k.key, value, ("case", 1)))
             .collect();
         base.with(&changes).is_ok()
     };

@@ -1,12 +1,11 @@
 //! `summary.json`.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use cageless::Case;
 use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::case_file::{CaseDocument, CaseFile};
-use cageless_io::results::{ResultError, SCHEMA, VERSION, write_atomically};
+use cageless_io::results::{SCHEMA, VERSION};
 use serde::Serialize;
 
 use crate::warnings::warnings;
@@ -120,17 +119,5 @@ impl RunSummary {
     /// None that its fields can cause; those of the JSON writer are passed on.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string_pretty(self).map(|json| json + "\n")
-    }
-
-    /// Writes `summary.json` in `dir`.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn write(&self, dir: &Path) -> Result<(), ResultError> {
-        let path = dir.join("summary.json");
-        let json = self
-            .to_json()
-            .map_err(|e| ResultError::out(&path, std::io::Error::other(e)))?;
-        write_atomically(&path, json.as_bytes())
     }
 }

@@ -10,9 +10,8 @@ use cageless::simulation::Ending;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod, Raceway};
 
-use cageless_results::DropResult;
 use cageless_results::number_text::short;
-use cageless_results::{Finished, RESIDUAL_FRACTION};
+use cageless_results::{DropResult, Finished, RESIDUAL_FRACTION};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;

@@ -26,8 +26,12 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
     let file = read_case(&args.case, &args.set)?;
     let bearing = &file.case().bearing;
     let d = bearing.dimensions();
-    let mm = |m: f64| format!("{:.4}", m * 1e3);
+    let mm = |pair: [f64; 2]| {
+        let [one, other] = pair.map(|m| format!("{:.4} mm", m * 1e3));
+        format!("{one}, {other}")
+    };
     let conformity = |radius_m: f64| format!("{:.4}", radius_m / (2.0 * d.ball_radius_m));
+    let degrees = |angle: f64| format!("{:.4}°", angle.to_degrees());
     let material = |m: &Material| {
         let gpa = m.youngs_modulus_pa / 1e9;
         format!(
@@ -36,53 +40,37 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
             m.density_kg_m3, m.poisson_ratio
         )
     };
+    let diameters = [2.0 * d.ball_radius_m, 2.0 * bearing.pitch_radius_m()];
+    let bottoms = [
+        d.inner_groove_bottom_radius_m,
+        d.outer_groove_bottom_radius_m,
+    ];
+    let inner_conformity = conformity(d.inner_groove_curvature_radius_m);
+    let outer_conformity = conformity(d.outer_groove_curvature_radius_m);
+    let clearance = fixed(1e6 * bearing.radial_internal_clearance_m(), 3);
     let mut lines = vec![
         ("case", format!("{} is valid", args.case.display())),
         ("balls", format!("{}", bearing.balls())),
-        (
-            "ball diameter Dw, pitch diameter Dpw",
-            format!(
-                "{} mm, {} mm",
-                mm(2.0 * d.ball_radius_m),
-                mm(2.0 * bearing.pitch_radius_m())
-            ),
-        ),
-        (
-            "groove bottom radii Ri, Ro",
-            format!(
-                "{} mm, {} mm",
-                mm(d.inner_groove_bottom_radius_m),
-                mm(d.outer_groove_bottom_radius_m)
-            ),
-        ),
+        ("ball diameter Dw, pitch diameter Dpw", mm(diameters)),
+        ("groove bottom radii Ri, Ro", mm(bottoms)),
         (
             "conformities fi, fo",
-            format!(
-                "{}, {}",
-                conformity(d.inner_groove_curvature_radius_m),
-                conformity(d.outer_groove_curvature_radius_m)
-            ),
+            format!("{inner_conformity}, {outer_conformity}"),
         ),
         (
             "radial internal clearance Gr",
-            format!(
-                "{} µm (ISO 5753-1)",
-                fixed(1e6 * bearing.radial_internal_clearance_m(), 3)
-            ) + &preload_text(file.case()),
+            format!("{clearance} µm (ISO 5753-1)") + &preload_text(file.case()),
         ),
         ("balls of", material(&bearing.materials().ball)),
         ("rings of", material(&bearing.materials().ring)),
         (
             "ε, angular ball pitch at contact",
-            format!("{:.4}°", bearing.ball_angle_rad().to_degrees()),
+            degrees(bearing.ball_angle_rad()),
         ),
-        (
-            "nominal gap 360°/N − ε",
-            format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
-        ),
+        ("nominal gap 360°/N − ε", degrees(bearing.nominal_gap_rad())),
+        ("motion", motion_text(file.case()).to_owned()),
+        ("steps of a run", steps_text(file.case())),
     ];
-    lines.push(("motion", motion_text(file.case()).to_owned()));
-    lines.push(("steps of a run", steps_text(file.case())));
     let notes = check_warnings([file.case()]);
     let assumptions = file.assumptions();
     for assumption in &assumptions {

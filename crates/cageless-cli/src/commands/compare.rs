@@ -23,11 +23,16 @@ const NUMBERS: &str = "compare.json";
 /// Compares rings.
 pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
     // All are read before anything is computed; bad input leaves no folder behind.
-    let sides = Sides::read(args)?;
+    let sides = sides(args)?;
+    let cases = sides.iter().map(|(name, side)| match side {
+        Side::Case(file) => Some((*name, CaseFile::clone(file))),
+        Side::Run(_) => None,
+    });
+    let cases: Option<Vec<_>> = cases.collect();
     args.output.drive(&[NUMBERS, PAGE], |bars| {
-        let (runs, comparison) = match sides {
-            Sides::Cases(cases) => from_starts(&cases, args.starts.unwrap_or(STARTS), bars)?,
-            Sides::Runs(sides) => finished(sides, bars)?,
+        let (runs, comparison) = match cases {
+            Some(cases) => from_starts(&cases, args.starts.unwrap_or(STARTS), bars)?,
+            None => finished(sides, bars)?,
         };
         Ok(Answer {
             files: (args.output)
@@ -50,74 +55,49 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
     text + &format!("{}\n{}\n", columns(&rows), comparison.starts_text())
 }
 
-/// What is compared, the ring that the others are compared with first.
-enum Sides {
-    /// Cases, to be run from the same uneven starts.
-    Cases(Vec<(&'static str, CaseFile)>),
-    /// Finished runs, and cases to be run once beside them.
-    Runs(Vec<(&'static str, Side)>),
-}
-
-/// A side of a comparison with a finished run.
+/// A side of a comparison: a case, to be run beside a finished run once and beside others from the same
+/// uneven starts, or a finished run.
 enum Side {
     Case(Box<CaseFile>),
     Run(Box<FinishedRun>),
 }
 
-impl Sides {
-    fn read(args: &CompareArgs) -> Result<Self, Failure> {
-        let given: Vec<(&'static str, &PathBuf)> = std::iter::once(("A", &args.a))
-            .chain(args.b.iter().map(|b| ("B", b)))
-            .collect();
-        let folder = given.iter().find(|(_, path)| path.is_dir());
-        let Some((_, folder)) = folder else {
-            let mut cases = vec![];
-            for (name, path) in given {
-                cases.push((
-                    name,
-                    read_checked(path, &args.set, cageless::Case::check_motion)?,
-                ));
-            }
-            if args.with_conventional {
-                cases.insert(0, ("conventional", cases[0].1.with_conventional_ring()?));
-            }
-            return Ok(Self::Cases(cases));
-        };
-        let for_cases = [
-            ("--set", !args.set.is_empty()),
-            ("--starts", args.starts.is_some()),
-        ];
-        if let Some((option, _)) = for_cases.iter().find(|(_, given)| *given) {
-            return Err(Failure::Input(format!(
-                "{option}: {} is a finished run, which cannot be run again; give the case file, or \
-                 its {SUMMARY}",
-                folder.display()
-            )));
-        }
-        let mut sides = vec![];
-        for (name, path) in given {
-            let side = if path.is_dir() {
-                Side::Run(Box::new(FinishedRun::read(path)?))
-            } else {
-                Side::Case(Box::new(read_checked(
-                    path,
-                    &[],
-                    cageless::Case::check_motion,
-                )?))
-            };
-            sides.push((name, side));
-        }
-        if args.with_conventional {
-            let conventional = match &sides[0].1 {
-                Side::Case(file) => file.with_conventional_ring()?,
-                Side::Run(_) => {
-                    CaseFile::read(&args.a.join(SUMMARY), &[])?.with_conventional_ring()?
-                }
-            };
-            sides.insert(0, ("conventional", Side::Case(Box::new(conventional))));
-        }
-        Ok(Self::Runs(sides))
+/// What is compared, the ring that the others are compared with first.
+fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
+    let given: Vec<(&'static str, &PathBuf)> = std::iter::once(("A", &args.a))
+        .chain(args.b.iter().map(|b| ("B", b)))
+        .collect();
+    let for_cases = [
+        ("--set", !args.set.is_empty()),
+        ("--starts", args.starts.is_some()),
+    ];
+    let folder = given.iter().find(|(_, path)| path.is_dir());
+    let option = for_cases.iter().find(|(_, given)| *given);
+    if let (Some((_, folder)), Some((option, _))) = (folder, option) {
+        return Err(Failure::Input(format!(
+            "{option}: {} is a finished run, which cannot be run again; give the case file, or its \
+             {SUMMARY}",
+            folder.display()
+        )));
     }
+    let mut sides = vec![];
+    for (name, path) in given {
+        let side = if path.is_dir() {
+            Side::Run(Box::new(FinishedRun::read(path)?))
+        } else {
+            let file = read_checked(path, &args.set, cageless::Case::check_motion)?;
+            Side::Case(Box::new(file))
+        };
+        sides.push((name, side));
+    }
+    if args.with_conventional {
+        let conventional = match &sides[0].1 {
+            Side::Case(file) => file.with_conventional_ring()?,
+            Side::Run(_) => CaseFile::read(&args.a.join(SUMMARY), &[])?.with_conventional_ring()?,
+        };
+        sides.insert(0, ("conventional", Side::Case(Box::new(conventional))));
+    }
+    Ok(sides)
 }
 
 type Compared = (Vec<ComparedRun>, RingComparison);

@@ -11,7 +11,7 @@ use cageless_study::rings::rings;
 use cageless_study::{StudyError, search};
 
 use crate::args::DesignArgs;
-use crate::driver::{Answer, PAGE, PAGE_DATA, pretty, read_checked};
+use crate::driver::{Answer, PAGE, PAGE_DATA, pretty};
 use crate::failure::Failure;
 use crate::format::{judged, pairs, values, warnings};
 
@@ -25,11 +25,7 @@ const RECOMMENDED: &str = "recommended.toml";
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     let out = output.out.as_deref();
-    let file = read_checked(
-        &args.case.case,
-        &args.case.set,
-        cageless::Case::check_planar,
-    )?;
+    let file = args.case.read(cageless::Case::check_planar)?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
         let paper = structures_of(&file.case().bearing)?;
         let asked = Asked {

@@ -28,12 +28,7 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
     };
     let goals = [goals(&args.low, Aim::Low), goals(&args.high, Aim::High)].concat();
     let data = analyse(path, &goals)?;
-    let output = Output {
-        json: args.json,
-        out: Some(folder.to_owned()),
-        csv: false,
-        open: args.open,
-    };
+    let output = Output::of_page(args.json, args.open, folder);
     output.drive(&[PAGE, PAGE_DATA], |_| {
         Ok(Answer {
             files: output.files(|| Ok(vec![(PAGE, Some(sweep_page(&data)))]))?,

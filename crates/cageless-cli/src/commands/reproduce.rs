@@ -9,12 +9,7 @@ use crate::format::columns;
 
 /// Regenerates the paper.
 pub fn reproduce(args: &Reproduce) -> Result<(), Failure> {
-    let output = Output {
-        json: args.json,
-        out: Some(args.out.clone()),
-        csv: false,
-        open: args.open,
-    };
+    let output = Output::of_page(args.json, args.open, &args.out);
     output.drive(&[PAGE, PAGE_DATA], |bars| {
         let data = cageless_paper::reproduce(bars)?;
         Ok(Answer {

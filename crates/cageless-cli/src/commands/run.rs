@@ -10,7 +10,7 @@ use cageless_study::RunSummary;
 use cageless_study::run::{Options, run as study};
 
 use crate::args::RunArgs;
-use crate::driver::{Answer, PAGE, PAGE_DATA, Tables, read_checked};
+use crate::driver::{Answer, PAGE, PAGE_DATA, Tables};
 use crate::failure::Failure;
 use crate::finished_run::SUMMARY;
 use crate::format::{columns, judged, pairs, values, warnings};
@@ -18,11 +18,7 @@ use crate::format::{columns, judged, pairs, values, warnings};
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let (verify, output) = (args.verify, &args.case.output);
-    let file = read_checked(
-        &args.case.case,
-        &args.case.set,
-        cageless::Case::check_motion,
-    )?;
+    let file = args.case.read(cageless::Case::check_motion)?;
     // A case that cannot start must not touch the folder.
     initial_state(file.case())?;
     output.drive(&[SUMMARY, PAGE, PAGE_DATA], |bars| {

@@ -35,7 +35,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
         return print(&format!("{}\n", path.display()));
     }
     let stop = catch_interrupt();
-    let server = Server::bind(page, Token::random()?)?;
+    let server = Server::bind(page, Token::random()?, &stop)?;
     let address = server.address();
     print(&format!("{address}\n"))?;
     eprintln!("the studio runs until Ctrl-C");
@@ -43,7 +43,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
         // Without a browser the printed address remains.
         let _ = open::that_detached(&address);
     }
-    server.serve(&stop)
+    server.serve()
 }
 
 /// Text of a case file, checked, with replaced values as `cageless` would read them.

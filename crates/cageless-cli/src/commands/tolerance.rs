@@ -6,7 +6,7 @@ use cageless_results::{Record, table_of};
 use cageless_study::tolerance::{Request, tolerance as study};
 
 use crate::args::ToleranceArgs;
-use crate::driver::{Answer, PAGE, read_checked};
+use crate::driver::{Answer, PAGE};
 use crate::failure::Failure;
 use crate::format::{columns, judged, pairs, values};
 
@@ -14,11 +14,7 @@ const NUMBERS: &str = "tolerance.json";
 
 /// Judges the bearing within its tolerances.
 pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
-    let file = read_checked(
-        &args.case.case,
-        &args.case.set,
-        cageless::Case::check_planar,
-    )?;
+    let file = args.case.read(cageless::Case::check_planar)?;
     let name = args.case.case.display().to_string();
     let request = Request {
         samples: args.samples,

@@ -63,9 +63,7 @@ impl Token {
 /// A server that is bound to a free port.
 pub struct Server {
     listener: std::net::TcpListener,
-    port: u16,
-    page: Bytes,
-    token: Token,
+    shared: Arc<Shared>,
 }
 
 struct Shared {
@@ -77,8 +75,8 @@ struct Shared {
 }
 
 impl Server {
-    /// Binds to a free port of the loopback address.
-    pub fn bind(page: String, token: Token) -> Result<Self, Failure> {
+    /// Binds to a free port of the loopback address; the server ends once `stop` is set.
+    pub fn bind(page: String, token: Token, stop: &StopFlag) -> Result<Self, Failure> {
         let failed = |e: std::io::Error| {
             Failure::Other(anyhow::anyhow!("no port of 127.0.0.1 can be opened: {e}"))
         };
@@ -86,21 +84,26 @@ impl Server {
             .map_err(failed)?;
         listener.set_nonblocking(true).map_err(failed)?;
         let port = listener.local_addr().map_err(failed)?.port();
-        Ok(Self {
-            listener,
+        let shared = Arc::new(Shared {
             port,
             page: page.into(),
             token,
-        })
+            computing: Arc::new(Semaphore::new(COMPUTING_MAX)),
+            stop: Arc::clone(stop),
+        });
+        Ok(Self { listener, shared })
     }
 
     /// Address with the token.
     pub fn address(&self) -> String {
-        format!("http://127.0.0.1:{}/?token={}", self.port, self.token.0)
+        format!(
+            "http://127.0.0.1:{}/?token={}",
+            self.shared.port, self.shared.token.0
+        )
     }
 
-    /// Serves until `stop` is set.
-    pub fn serve(self, stop: &StopFlag) -> Result<(), Failure> {
+    /// Serves until the end.
+    pub fn serve(self) -> Result<(), Failure> {
         let failed = |e: std::io::Error| Failure::Other(anyhow::anyhow!("the server failed: {e}"));
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
@@ -108,21 +111,15 @@ impl Server {
             .enable_all()
             .build()
             .map_err(failed)?;
-        let shared = Arc::new(Shared {
-            port: self.port,
-            page: self.page,
-            token: self.token,
-            computing: Arc::new(Semaphore::new(COMPUTING_MAX)),
-            stop: Arc::clone(stop),
-        });
+        let Self { listener, shared } = self;
+        let stop = Arc::clone(&shared.stop);
         let app = Router::new()
             .route("/", get(page))
             .route("/request", post(request))
             .layer(middleware::from_fn_with_state(Arc::clone(&shared), guard))
             .with_state(shared);
-        let listener = self.listener;
         let ended = || {
-            let stop = Arc::clone(stop);
+            let stop = Arc::clone(&stop);
             async move {
                 while !stop.load(Ordering::Relaxed) {
                     tokio::time::sleep(Duration::from_millis(50)).await;

@@ -33,16 +33,7 @@ enum Request {
         tolerances: Tolerances,
     },
     /// The outer ring as a file.
-    Export { case: String, format: Ending },
-}
-
-/// Kind of an exported file, by its ending.
-#[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum Ending {
-    Step,
-    Stl,
-    Csv,
+    Export { case: String, format: Format },
 }
 
 /// The operation of a request, whatever else is in it.
@@ -151,12 +142,7 @@ fn searched(file: &CaseFile, client: &Client<'_>) -> Result<Value, Refusal> {
 }
 
 /// The outer ring as a file: text, or base64 where it is binary.
-fn exported(file: &CaseFile, ending: Ending) -> Result<Value, Refusal> {
-    let format = match ending {
-        Ending::Step => Format::Step,
-        Ending::Stl => Format::Stl,
-        Ending::Csv => Format::Csv,
-    };
+fn exported(file: &CaseFile, format: Format) -> Result<Value, Refusal> {
     let made = export(file, format, &ExportOptions::default()).map_err(|error| match error {
         ExportError::Case(error) => error.into(),
         error => Refusal::new(error.to_string()),

@@ -4,7 +4,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use super::format::Format;
-use super::numbers::{Counts, ExportNumbers};
+use super::numbers::{ExportNumbers, RingFile};
 use super::{points, step, stl};
 use crate::OptionError;
 use crate::case_file::{CaseError, CaseFile};
@@ -80,11 +80,7 @@ pub struct Export {
 #[derive(Debug)]
 enum Contents {
     /// STEP and STL, whose size follows from the curvature: megabytes.
-    Whole {
-        bytes: Vec<u8>,
-        deviation_m: f64,
-        counts: Counts,
-    },
+    Whole(RingFile),
     /// CSV, whose size follows from the spacing: up to gigabytes, computed as they are written.
     Points { spacing_mm: f64 },
 }
@@ -111,33 +107,22 @@ impl Export {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<ExportNumbers> {
-        let (ring, format) = (&self.ring, self.format);
-        match &self.contents {
-            Contents::Whole {
-                bytes,
-                deviation_m,
-                counts,
-            } => {
-                out.write_all(bytes)?;
-                let (size, counts) = (bytes.len() as u64, counts.clone());
-                Ok(ExportNumbers::new(ring, format, size, *deviation_m, counts))
+        let ring = &self.ring;
+        let mut counter = Counter { out, bytes: 0 };
+        let (deviation_m, counts) = match &self.contents {
+            Contents::Whole(file) => {
+                counter.write_all(&file.bytes)?;
+                (file.deviation_m, file.counts.clone())
             }
             Contents::Points { spacing_mm } => {
-                let mut counter = Counter { out, bytes: 0 };
                 let mut lines = BufWriter::with_capacity(1 << 16, &mut counter);
-                let table = points::write(ring, spacing_mm * 1e-3, &mut lines)?;
+                let written = points::write(ring, *spacing_mm, &mut lines)?;
                 lines.flush()?;
-                drop(lines);
-                let counts = Counts::Csv {
-                    spacing_mm: *spacing_mm,
-                    row_distance_mm: table.row_distance_m * 1e3,
-                    surface_points: table.surface_points,
-                    contact_points: table.contact_points,
-                };
-                let (size, deviation_m) = (counter.bytes, table.deviation_m);
-                Ok(ExportNumbers::new(ring, format, size, deviation_m, counts))
+                written
             }
-        }
+        };
+        let (format, size) = (self.format, counter.bytes);
+        Ok(ExportNumbers::new(ring, format, size, deviation_m, counts))
     }
 }
 
@@ -247,43 +232,21 @@ fn contents(
                 "" => "outer ring",
                 title => title,
             };
-            let step =
-                step::write(ring, title, tolerance_um * 1e-6).map_err(|error| OptionError {
-                    option: "tolerance_um",
-                    value: tolerance_um.to_string(),
-                    problem: format!(
-                        "is out of reach: the finest B-spline is still {:.3e} µm off the surface",
-                        error.reached_m * 1e6
-                    ),
-                })?;
-            let counts = Counts::Step {
-                tolerance_um,
-                faces: step.faces,
-                bspline_faces: step.spline_faces,
-                edges: step.edges,
-                control_points: step.control_points,
-            };
-            Ok(Contents::Whole {
-                bytes: step.text.into_bytes(),
-                deviation_m: step.deviation_m,
-                counts,
-            })
+            let step = step::write(ring, title, tolerance_um).map_err(|error| OptionError {
+                option: "tolerance_um",
+                value: tolerance_um.to_string(),
+                problem: format!(
+                    "is out of reach: the finest B-spline is still {:.3e} µm off the surface",
+                    error.reached_m * 1e6
+                ),
+            })?;
+            Ok(Contents::Whole(step))
         }
         Format::Stl => {
             let chord_um = options.chord_um.unwrap_or(CHORD_UM);
-            let stl = stl::write(ring, chord_um * 1e-6)
+            let stl = stl::write(ring, chord_um)
                 .map_err(|error| refused("chord_um", &error, 1e6, "µm"))?;
-            let counts = Counts::Stl {
-                chord_um,
-                triangles: stl.triangles,
-                vertices: stl.vertices,
-                mesh_volume_mm3: stl.volume_m3 * 1e9,
-            };
-            Ok(Contents::Whole {
-                bytes: stl.bytes,
-                deviation_m: stl.deviation_m,
-                counts,
-            })
+            Ok(Contents::Whole(stl))
         }
         Format::Csv => {
             let spacing_mm = options.spacing_mm.unwrap_or(SPACING_MM);

@@ -6,9 +6,9 @@ mod export;
 mod format;
 mod numbers;
 mod part21;
-pub mod points;
-pub mod step;
-pub mod stl;
+mod points;
+mod step;
+mod stl;
 
 pub use export::{Export, ExportError, ExportOptions, export, names_file};
 pub use format::Format;

@@ -50,6 +50,15 @@ pub struct ExportNumbers {
     pub counts: Counts,
 }
 
+/// A file of the ring.
+#[derive(Debug)]
+pub(super) struct RingFile {
+    pub bytes: Vec<u8>,
+    /// Largest distance of its surfaces from the analytic ones.
+    pub deviation_m: f64,
+    pub counts: Counts,
+}
+
 /// Contents of the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]

@@ -14,29 +14,23 @@ use std::io::{self, Write};
 
 use cageless::surface::{Grid, Meridian, OuterRing, Side};
 
+use super::numbers::Counts;
+
 /// Head of the table.
-pub const COLUMNS: &str = "kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz";
+const COLUMNS: &str = "kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz";
 
-/// Contents of a table of points.
-#[derive(Debug)]
-pub struct PointTable {
-    /// Largest distance of a point as written from the surface.
-    pub deviation_m: f64,
-    /// Rows of kind `surface`.
-    pub surface_points: usize,
-    /// Rows of kind `contact`.
-    pub contact_points: usize,
-    /// Largest distance between neighbouring sections at the bottom of the groove.
-    pub row_distance_m: f64,
-}
-
-/// Writes points of the groove no further apart than `spacing_m`, along its bottom and
-/// along its arcs: CSV, LF, ASCII, line by line as they are computed.
+/// Writes points of the groove no further apart than `spacing_mm`, along its bottom and
+/// along its arcs: CSV, LF, ASCII, line by line as they are computed. The largest distance of a point
+/// as written from the surface, m, and the contents.
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(ring: &OuterRing, spacing_m: f64, out: &mut dyn Write) -> io::Result<PointTable> {
-    let grid = Grid::new(ring, spacing_m);
+pub(super) fn write(
+    ring: &OuterRing,
+    spacing_mm: f64,
+    out: &mut dyn Write,
+) -> io::Result<(f64, Counts)> {
+    let grid = Grid::new(ring, spacing_mm * 1e-3);
     writeln!(out, "{COLUMNS}")?;
     let mut table = Table {
         ring,
@@ -60,12 +54,13 @@ pub fn write(ring: &OuterRing, spacing_m: f64, out: &mut dyn Write) -> io::Resul
             table.row("surface", m, side, side.sign() * eta)?;
         }
     }
-    Ok(PointTable {
-        deviation_m: table.deviation_m,
+    let counts = Counts::Csv {
+        spacing_mm,
+        row_distance_mm: grid.row_distance_m(ring) * 1e3,
         surface_points: table.rows - contact_points,
         contact_points,
-        row_distance_m: grid.row_distance_m(ring),
-    })
+    };
+    Ok((table.deviation_m, counts))
 }
 
 struct Table<'a> {

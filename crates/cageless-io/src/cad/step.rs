@@ -4,25 +4,9 @@ use cageless::numerics::bspline::Vec3;
 use cageless::surface::{OuterRing, Patch, PatchError};
 
 use super::brep::{Curve, Face, Solid, Surface};
+use super::numbers::{Counts, RingFile};
 use super::part21::{Id, Part21, list, real, string};
 use crate::results::VERSION;
-
-/// A STEP file and what it holds.
-#[derive(Debug)]
-pub struct StepFile {
-    /// The file, ASCII.
-    pub text: String,
-    /// Largest distance of its surfaces from the analytic ones; 0 without B-splines.
-    pub deviation_m: f64,
-    /// Number of faces.
-    pub faces: usize,
-    /// Number of B-spline faces.
-    pub spline_faces: usize,
-    /// Number of edges.
-    pub edges: usize,
-    /// Number of control points of surfaces.
-    pub control_points: usize,
-}
 
 /// Millimetres of a metre.
 const MM: f64 = 1e3;
@@ -31,13 +15,17 @@ const MM: f64 = 1e3;
 /// a torus or a cylinder are off one of the two by up to the deviation.
 const UNCERTAINTY_MM: f64 = 1e-5;
 
-/// Writes the ring as a solid: B-splines within `tolerance_m` for discrete raceways, exact
-/// tori, cylinders and planes for the rest. The same ring gives the same bytes.
+/// The ring as a solid: B-splines within `tolerance_um` for discrete raceways, exact
+/// tori, cylinders and planes for the rest, ASCII. The same ring gives the same bytes.
 ///
 /// # Errors
 /// A [`PatchError`] if the tolerance is out of reach.
-pub fn write(ring: &OuterRing, name: &str, tolerance_m: f64) -> Result<StepFile, PatchError> {
-    let solid = Solid::new(ring, tolerance_m)?;
+pub(super) fn write(
+    ring: &OuterRing,
+    name: &str,
+    tolerance_um: f64,
+) -> Result<RingFile, PatchError> {
+    let solid = Solid::new(ring, tolerance_um * 1e-6)?;
     let mut data = Part21::default();
     let shell = shell(&mut data, &solid);
     let name = string(name);
@@ -49,23 +37,27 @@ pub fn write(ring: &OuterRing, name: &str, tolerance_m: f64) -> Result<StepFile,
             _ => None,
         })
         .collect();
-    Ok(StepFile {
-        text: format!(
+    Ok(RingFile {
+        bytes: format!(
             "ISO-10303-21;\nHEADER;\n\
              FILE_DESCRIPTION(('Outer ring of a ball bearing'),'2;1');\n\
              FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'Cageless {VERSION}','Cageless {VERSION}','');\n\
              FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\n\
              ENDSEC;\nDATA;\n{}ENDSEC;\nEND-ISO-10303-21;\n",
             data.text()
-        ),
+        )
+        .into_bytes(),
         deviation_m: solid.deviation_m,
-        faces: solid.faces.len(),
-        spline_faces: patches.len(),
-        edges: solid.edges.len(),
-        control_points: patches
-            .iter()
-            .map(|p| p.control_m.iter().flatten().count())
-            .sum(),
+        counts: Counts::Step {
+            tolerance_um,
+            faces: solid.faces.len(),
+            bspline_faces: patches.len(),
+            edges: solid.edges.len(),
+            control_points: patches
+                .iter()
+                .map(|p| p.control_m.iter().flatten().count())
+                .sum(),
+        },
     })
 }
 

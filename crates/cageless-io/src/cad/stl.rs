@@ -3,32 +3,18 @@
 use cageless::InputError;
 use cageless::surface::{Mesh, OuterRing};
 
-/// An STL file and what it holds.
-#[derive(Debug)]
-pub struct StlFile {
-    /// The file.
-    pub bytes: Vec<u8>,
-    /// Largest distance of a triangle from the surface, rounding to single precision
-    /// included.
-    pub deviation_m: f64,
-    /// Number of triangles.
-    pub triangles: usize,
-    /// Number of corners, each shared by several triangles.
-    pub vertices: usize,
-    /// Volume within the triangles.
-    pub volume_m3: f64,
-}
+use super::numbers::{Counts, RingFile};
 
-/// Meshes the ring with a chord error of at most `chord_m` and writes it. The same ring
-/// gives the same bytes.
+/// The ring meshed with a chord error of at most `chord_um`, rounding to single precision included. The
+/// same ring gives the same bytes.
 ///
 /// # Errors
-/// `chord_m` is out of the range of [`Mesh::new`].
-pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, InputError> {
+/// `chord_um` is out of the range of [`Mesh::new`].
+pub(super) fn write(ring: &OuterRing, chord_um: f64) -> Result<RingFile, InputError> {
     // Half a unit in the last place of the largest coordinate, each way.
     let largest_mm = ring.dimensions().outer_ring_outer_radius_m * 1e3;
     let rounding_m = 3f64.sqrt() * largest_mm * f64::from(f32::EPSILON) / 2.0 * 1e-3;
-    let mesh = Mesh::new(ring, chord_m, rounding_m)?;
+    let mesh = Mesh::new(ring, chord_um * 1e-6, rounding_m)?;
     let vertices: Vec<[f32; 3]> = (mesh.vertices_m.iter())
         .map(|v| v.map(|c| (c * 1e3) as f32))
         .collect();
@@ -42,12 +28,15 @@ pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, InputError> {
         }
         bytes.extend([0; 2]);
     }
-    Ok(StlFile {
+    Ok(RingFile {
         bytes,
         deviation_m: mesh.deviation_m,
-        triangles: mesh.triangles.len(),
-        vertices: vertices.len(),
-        volume_m3: mesh.volume_m3(),
+        counts: Counts::Stl {
+            chord_um,
+            triangles: mesh.triangles.len(),
+            vertices: vertices.len(),
+            mesh_volume_mm3: mesh.volume_m3() * 1e9,
+        },
     })
 }
 

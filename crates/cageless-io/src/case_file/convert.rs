@@ -12,7 +12,7 @@ use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
 use cageless::{
-    Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Row, Solver, Support,
+    Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Solver, Support,
 };
 
 use cageless_results::{DROP, Kind, SUCCESSION};
@@ -67,7 +67,7 @@ impl Converter<'_> {
             housing: s.housing.clone(),
             rotor: s.rotor.clone(),
             support: self.support()?,
-            rows: self.rows(),
+            rows: s.row.clone(),
             fit,
             lubrication: s.lubrication.clone(),
             thermal: s.thermal.clone().unwrap_or_default(),
@@ -122,18 +122,6 @@ impl Converter<'_> {
                 .map_err(|e| self.refused(&e, Some(index)))
         });
         raceways.collect()
-    }
-
-    /// Rows on one inner ring.
-    fn rows(&self) -> Vec<Row> {
-        let rows = self.sections.row.iter();
-        rows.map(|row| Row {
-            axial_position_m: row.axial_position_m,
-            contact_sign: row.contact_sign,
-            preload_m: row.preload_m,
-            balls: row.row_balls,
-        })
-        .collect()
     }
 
     /// Limits on results of a drop, which must be among them.

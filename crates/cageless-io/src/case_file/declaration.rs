@@ -20,6 +20,21 @@ pub(crate) trait Field: Sized {
     }
 }
 
+/// Declares a type of value: its kind, and the function of reader, name and node that reads it.
+macro_rules! field {
+    ($Type:ty, $kind:expr, $read:expr) => {
+        impl $crate::case_file::declaration::Field for $Type {
+            const KIND: Kind = $kind;
+
+            fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+                let read: fn(&Reader<'_>, &str, &Node) -> Result<Self, CaseError> = $read;
+                read(reader, name, node)
+            }
+        }
+    };
+}
+pub(crate) use field;
+
 impl Reader<'_> {
     /// The value of a key in SI units.
     pub(crate) fn field<T: Field>(&self, name: &str) -> Result<T, CaseError> {
@@ -99,3 +114,21 @@ macro_rules! key {
     };
 }
 pub(crate) use key;
+
+/// What declarations of sections, keys and formats are written with.
+pub(crate) mod prelude {
+    pub(crate) use super::super::error::CaseError;
+    pub(crate) use super::super::format::{Heading, SCHEMA, sections};
+    pub(crate) use super::super::key::Limit::{Above, AtLeast, Inside, Within};
+    pub(crate) use super::super::key::Line::{Absent, Commented, Shown};
+    pub(crate) use super::super::key::Presence::{Derived, Optional, Required};
+    pub(crate) use super::super::key::{Key, Kind, Line, default};
+    pub(crate) use super::super::named::Named;
+    pub(crate) use super::super::reader::Reader;
+    pub(crate) use super::super::spanned_toml::{Node, Value};
+    pub(crate) use super::super::unit::Unit::{
+        Degree, Gigapascal, Micrometre, Microsecond, Millimetre, Milliradian, None as Plain,
+        RevolutionPerMinute, Si, SquareMillimetrePerSecond,
+    };
+    pub(crate) use super::{SectionKeys, field, section};
+}

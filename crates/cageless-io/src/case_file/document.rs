@@ -10,7 +10,7 @@ use super::key::Key;
 use super::keys;
 use super::overrides::{Change, Replacement};
 use super::sections::CASE_FILE;
-use super::source::{read_text, source};
+use super::source::{read_named, source};
 use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, nth, section_at};
 use super::unit::Unit;
 use super::value::CaseValue;
@@ -31,9 +31,7 @@ impl CaseDocument {
     /// # Errors
     /// A [`CaseError`] if the file cannot be read or is not TOML.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text =
-            read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
+        let (name, text) = read_named(path, "case file")?;
         Self::parse(&text, &name)
     }
 

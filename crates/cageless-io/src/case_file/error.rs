@@ -38,15 +38,13 @@ impl CaseError {
     /// An error on a line of the file, which counts from 1. Without a name, there is no file
     /// and no line.
     pub(crate) fn on_line(name: &str, line: usize, key: Option<String>, message: String) -> Self {
-        if name.is_empty() {
-            return Self {
-                key,
-                ..Self::of_file(name, message)
-            };
-        }
+        let (place, line) = match name {
+            "" => (String::new(), None),
+            name => (format!("{name}:{line}"), Some(line)),
+        };
         Self {
-            place: format!("{name}:{line}"),
-            line: Some(line),
+            place,
+            line,
             key,
             message,
         }
@@ -55,10 +53,8 @@ impl CaseError {
     /// An error of a `--set`.
     pub(crate) fn of_override(text: &str, key: Option<String>, message: String) -> Self {
         Self {
-            place: format!("{OPTION}{text}"),
-            line: None,
             key,
-            message,
+            ..Self::of_file(&format!("{OPTION}{text}"), message)
         }
     }
 

@@ -3,7 +3,7 @@
 use cageless::contact::FrictionTable;
 use cageless::raceway::MeasuredFlanks;
 
-use super::declaration::Field;
+use super::declaration::{Field, field};
 use super::error::CaseError;
 use super::key::Kind;
 use super::named::Named;
@@ -29,49 +29,28 @@ pub(crate) enum GivenGaps {
 pub(crate) struct Step(pub Option<f64>);
 
 /// A quantity of the operation: constant, or piecewise linear in time.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum OverTime {
-    /// One value for the whole run.
-    Constant(f64),
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct OverTime {
+    /// Value at the start.
+    pub start: f64,
     /// Rows of time in s and value; constant before and after.
-    Table(Vec<[f64; 2]>),
+    pub rows: Option<Vec<[f64; 2]>>,
 }
 
-impl Field for f64 {
-    const KIND: Kind = Kind::Number;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        reader.number(name, node)
-    }
-}
-
-impl Field for u64 {
-    const KIND: Kind = Kind::Whole;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        reader.count(name, node)
-    }
-}
-
-impl Field for usize {
-    const KIND: Kind = Kind::Whole;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        // More than an address space has is refused by the checks of the value as well.
-        Ok(Self::try_from(reader.count(name, node)?).unwrap_or(Self::MAX))
-    }
-}
-
-impl Field for String {
-    const KIND: Kind = Kind::Text;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match &node.value {
-            Value::Text(text) => Ok(text.clone()),
-            _ => Err(reader.refuse(name, node, "text in quotes")),
-        }
-    }
-}
+field!(f64, Kind::Number, |reader, name, node| reader
+    .number(name, node));
+field!(u64, Kind::Whole, |reader, name, node| reader
+    .count(name, node));
+field!(usize, Kind::Whole, |reader, name, node| {
+    // More than an address space has is refused by the checks of the value as well.
+    Ok(Self::try_from(reader.count(name, node)?).unwrap_or(Self::MAX))
+});
+field!(String, Kind::Text, |reader, name, node| match &node.value {
+    Value::Text(text) => Ok(text.clone()),
+    _ => Err(reader.refuse(name, node, "text in quotes")),
+});
+field!(Vec<f64>, Kind::Numbers, |reader, name, node| reader
+    .list(name, node));
 
 impl<T: Named> Field for T {
     const KIND: Kind = Kind::Choice(|| T::NAMES.iter().map(|(name, _)| *name).collect());
@@ -93,123 +72,95 @@ impl<T: Field> Field for Option<T> {
     }
 }
 
-impl Field for Vec<f64> {
-    const KIND: Kind = Kind::Numbers;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        reader.list(name, node)
+// The lowest and the highest.
+field!([f64; 2], Kind::Range, |reader, name, node| {
+    let numbers = match &node.value {
+        Value::List(_) => reader.list(name, node)?,
+        _ => vec![reader.number(name, node)?],
+    };
+    match *numbers {
+        [one] => Ok([one, one]),
+        [low, high] if low <= high => Ok([low, high]),
+        _ => Err(reader.refuse(name, node, "a number, or [lowest, highest]")),
     }
-}
+});
 
-/// The lowest and the highest.
-impl Field for [f64; 2] {
-    const KIND: Kind = Kind::Range;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let numbers = match &node.value {
-            Value::List(_) => reader.list(name, node)?,
-            _ => vec![reader.number(name, node)?],
-        };
-        match *numbers {
-            [one] => Ok([one, one]),
-            [low, high] if low <= high => Ok([low, high]),
-            _ => Err(reader.refuse(name, node, "a number, or [lowest, highest]")),
-        }
+field!(Step, Kind::NumberOr(&["auto"]), |reader, name, node| {
+    match &node.value {
+        Value::Text(text) if text == "auto" => Ok(Self(None)),
+        Value::Text(_) => Err(reader.refuse(name, node, "\"auto\" or a number of us")),
+        _ => Ok(Self(Some(reader.number(name, node)?))),
     }
-}
+});
 
-impl Field for Step {
-    const KIND: Kind = Kind::NumberOr(&["auto"]);
+const GAPS: Kind = Kind::NumbersOr(&["uniform", "bunched", "random"]);
 
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match &node.value {
-            Value::Text(text) if text == "auto" => Ok(Self(None)),
-            Value::Text(_) => Err(reader.refuse(name, node, "\"auto\" or a number of us")),
-            _ => Ok(Self(Some(reader.number(name, node)?))),
-        }
+field!(GivenGaps, GAPS, |reader, name, node| {
+    let allowed = "\"uniform\", \"bunched\", \"random\" or a list of gaps in deg";
+    let text = match &node.value {
+        Value::List(_) => return Ok(Self::List(reader.list(name, node)?)),
+        Value::Text(text) => text.as_str(),
+        _ => "",
+    };
+    match text {
+        "uniform" => Ok(Self::Uniform),
+        "bunched" => Ok(Self::Bunched),
+        "random" => Ok(Self::Random),
+        _ => Err(reader.refuse(name, node, allowed)),
     }
-}
+});
 
-impl Field for GivenGaps {
-    const KIND: Kind = Kind::NumbersOr(&["uniform", "bunched", "random"]);
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let allowed = "\"uniform\", \"bunched\", \"random\" or a list of gaps in deg";
-        let text = match &node.value {
-            Value::List(_) => return Ok(Self::List(reader.list(name, node)?)),
-            Value::Text(text) => text.as_str(),
-            _ => "",
-        };
-        match text {
-            "uniform" => Ok(Self::Uniform),
-            "bunched" => Ok(Self::Bunched),
-            "random" => Ok(Self::Random),
-            _ => Err(reader.refuse(name, node, allowed)),
-        }
+field!(OverTime, Kind::OverTime, |reader, name, node| {
+    let Value::List(items) = &node.value else {
+        let (start, rows) = (reader.number(name, node)?, None);
+        return Ok(Self { start, rows });
+    };
+    let row = |item: &Node| match &item.value {
+        Value::List(pair) => match pair.as_slice() {
+            [time, value] => Ok([
+                reader.plain_number(name, time)?,
+                reader.number(name, value)?,
+            ]),
+            _ => Err(reader.refuse(name, item, "[time in s, value] in each row")),
+        },
+        _ => Err(reader.refuse(name, item, "a number, or rows of [time in s, value]")),
+    };
+    let rows = items.iter().map(row).collect::<Result<Vec<_>, _>>()?;
+    let increasing = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+    if rows.is_empty() || !increasing || !(rows[0][0] >= 0.0 && rows[rows.len() - 1][0].is_finite())
+    {
+        let allowed = "rows of [time in s, value] with times that increase from 0 s or later; a step \
+                       is a short ramp";
+        return Err(reader.refuse(name, node, allowed));
     }
-}
+    let (start, rows) = (rows[0][1], Some(rows));
+    Ok(Self { start, rows })
+});
 
-impl Field for OverTime {
-    const KIND: Kind = Kind::OverTime;
+const FRICTION: &str = "[sliding speed in m/s, μ]";
 
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let Value::List(items) = &node.value else {
-            return Ok(Self::Constant(reader.number(name, node)?));
-        };
-        let row = |item: &Node| match &item.value {
-            Value::List(pair) => match pair.as_slice() {
-                [time, value] => Ok([
-                    reader.plain_number(name, time)?,
-                    reader.number(name, value)?,
-                ]),
-                _ => Err(reader.refuse(name, item, "[time in s, value] in each row")),
-            },
-            _ => Err(reader.refuse(name, item, "a number, or rows of [time in s, value]")),
-        };
-        let rows = items.iter().map(row).collect::<Result<Vec<_>, _>>()?;
-        let increasing = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
-        if rows.is_empty()
-            || !increasing
-            || !(rows[0][0] >= 0.0 && rows[rows.len() - 1][0].is_finite())
-        {
-            let allowed = "rows of [time in s, value] with times that increase from 0 s or later; \
-                           a step is a short ramp";
-            return Err(reader.refuse(name, node, allowed));
-        }
-        Ok(Self::Table(rows))
-    }
-}
+field!(FrictionTable, Kind::Rows(FRICTION), |reader, name, node| {
+    let rows = pairs(reader, name, node, FRICTION)?;
+    Self::new(rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
+});
 
-impl Field for FrictionTable {
-    const KIND: Kind = Kind::Rows("[sliding speed in m/s, μ]");
+const FLANK: &str = "[ψ in deg, flank angle in deg]";
 
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let rows = pairs(reader, name, node, "rows of [sliding speed in m/s, μ]")?;
-        Self::new(rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
-    }
-}
-
-impl Field for MeasuredFlanks {
-    const KIND: Kind = Kind::Rows("[ψ in deg, flank angle in deg]");
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let rows = pairs(reader, name, node, "rows of [ψ in deg, flank angle in deg]")?;
-        let rows: Vec<_> = rows
-            .iter()
-            .map(|row| row.map(|angle| Unit::Degree.to_si(angle)))
-            .collect();
-        Self::fit(&rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
-    }
-}
+field!(MeasuredFlanks, Kind::Rows(FLANK), |reader, name, node| {
+    let rows = pairs(reader, name, node, FLANK)?.into_iter();
+    let rows = rows.map(|row| row.map(|angle| Unit::Degree.to_si(angle)));
+    let rows: Vec<_> = rows.collect();
+    Self::fit(&rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
+});
 
 /// Rows of two plain numbers.
 fn pairs(
     reader: &Reader<'_>,
     name: &str,
     node: &Node,
-    allowed: &str,
+    row: &str,
 ) -> Result<Vec<[f64; 2]>, CaseError> {
-    let refused = |item: &Node| reader.refuse(name, item, allowed);
+    let refused = |item: &Node| reader.refuse(name, item, &format!("rows of {row}"));
     let Value::List(items) = &node.value else {
         return Err(refused(node));
     };

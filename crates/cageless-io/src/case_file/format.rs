@@ -20,19 +20,21 @@ pub(crate) struct Format {
     pub sections: &'static [SectionTable],
 }
 
-/// One section of the file format.
-#[derive(Debug)]
-pub(crate) struct SectionTable {
+/// One section of a file format.
+#[derive(Debug, Clone, Copy)]
+pub struct SectionTable {
+    /// Name.
     pub name: &'static str,
     /// What the section holds.
     pub meaning: &'static str,
+    /// Keys, in the order of the file format.
     pub keys: &'static [Key],
     /// Whether the section may be left out as a whole, and then has no values.
     pub optional: bool,
     /// Whether there may be several of the name.
     pub several: bool,
     /// Its heading in the template: in force or not, with a comment.
-    pub heading: Heading,
+    pub(crate) heading: Heading,
 }
 
 /// Heading of a section in the template.

@@ -7,7 +7,7 @@ use super::error::CaseError;
 use super::former;
 use super::key::{Key, Presence};
 use super::keys;
-use super::spanned_toml::{Node, Origin, Place, Section, Value, join};
+use super::spanned_toml::{Node, Origin, Section, Value, excerpt, join};
 
 /// Parses a document.
 pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
@@ -61,9 +61,5 @@ fn node(json: &Json, path: &str) -> Node {
         Json::Null | Json::Bool(_) => Value::Other,
     };
     let written = json.to_string();
-    let place = Place {
-        origin: Origin::File,
-        written: super::spanned_toml::excerpt(&written, 0..written.len()),
-    };
-    Node { value, place }
+    Node::new(value, Origin::File, excerpt(&written, 0..written.len()))
 }

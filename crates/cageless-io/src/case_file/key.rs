@@ -7,7 +7,7 @@ use super::value::CaseValue;
 
 /// What happens if a key is left out.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Presence {
+pub enum Presence {
     /// The file is refused.
     Required,
     /// The key takes this value.
@@ -36,18 +36,22 @@ pub(crate) enum Line {
 
 /// Type of a value as a reader of the documentation meets it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// A number.
     Number,
+    /// A whole number.
     Whole,
+    /// Text.
     Text,
     /// One of these names.
     Choice(fn() -> Vec<&'static str>),
+    /// A list of numbers.
     Numbers,
     /// A number, or the lowest and the highest.
     Range,
     /// A number, or rows of time and value.
     OverTime,
-    /// Rows of two numbers.
+    /// Rows of two numbers, named here.
     Rows(&'static str),
     /// One of these names or a number.
     NumberOr(&'static [&'static str]),
@@ -127,23 +131,32 @@ impl Limit {
     }
 }
 
-/// One key.
+/// A key of a file.
 #[derive(Debug)]
-pub(crate) struct Key {
+pub struct Key {
+    /// Name.
     pub name: &'static str,
     /// Name in files of earlier versions, which is read as well; empty if none.
     pub formerly: &'static str,
-    pub unit: Unit,
-    pub limit: Limit,
+    pub(crate) unit: Unit,
+    pub(crate) limit: Limit,
     /// Field of [`cageless::InputError`], in SI units; empty if none.
-    pub field: &'static str,
+    pub(crate) field: &'static str,
+    /// Meaning of the value.
     pub meaning: &'static str,
+    /// Type of the value.
     pub kind: Kind,
+    /// What happens if the key is left out.
     pub presence: fn() -> Presence,
-    pub line: Line,
+    pub(crate) line: Line,
 }
 
 impl Key {
+    /// Unit as it is printed; empty if there is none.
+    pub fn unit(&self) -> &'static str {
+        self.unit.printed()
+    }
+
     /// Meaning of the key, with its unit.
     pub(crate) fn describe(&self) -> String {
         match self.unit.symbol() {
@@ -153,7 +166,7 @@ impl Key {
     }
 
     /// Whether the file is refused if the key is left out.
-    pub(crate) fn is_required(&self) -> bool {
+    pub fn is_required(&self) -> bool {
         matches!((self.presence)(), Presence::Required)
     }
 }

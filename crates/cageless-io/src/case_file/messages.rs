@@ -21,32 +21,19 @@ pub(super) fn in_file_units(
         let key = format!("raceway.{}.axial_span_mm", index + 1);
         document.number(&key).unwrap_or(f64::NAN)
     };
-    let reason = |why: &str| {
-        if why.is_empty() {
-            String::new()
-        } else {
-            format!(" ({why})")
-        }
+    let limit = |words: &str, si: f64, side: Side, why: &str| match why {
+        "" => format!("{words} {}", unit.show(si, side)),
+        why => format!("{words} {} ({why})", unit.show(si, side)),
     };
     match &error.allowed {
-        Allowed::Above(low, why) => {
-            format!("more than {}{}", unit.show(*low, Side::Lower), reason(why))
+        Allowed::Above(low, why) => limit("more than", *low, Side::Lower, why),
+        Allowed::AtLeast(low, why) => limit("at least", *low, Side::Lower, why),
+        Allowed::Below(high, why) => limit("less than", *high, Side::Upper, why),
+        Allowed::AtMost(high, why) => limit("at most", *high, Side::Upper, why),
+        Allowed::Between(low, high, why) => {
+            let between = format!("between {} and", unit.show(*low, Side::Lower));
+            limit(&between, *high, Side::Upper, why)
         }
-        Allowed::AtLeast(low, why) => {
-            format!("at least {}{}", unit.show(*low, Side::Lower), reason(why))
-        }
-        Allowed::Below(high, why) => {
-            format!("less than {}{}", unit.show(*high, Side::Upper), reason(why))
-        }
-        Allowed::AtMost(high, why) => {
-            format!("at most {}{}", unit.show(*high, Side::Upper), reason(why))
-        }
-        Allowed::Between(low, high, why) => format!(
-            "between {} and {}{}",
-            unit.show(*low, Side::Lower),
-            unit.show(*high, Side::Upper),
-            reason(why)
-        ),
         Allowed::Rule(rule) => match (error.field, raceway) {
             ("half_angle_rad", Some(index)) => format!(
                 "an angle at which the contact path rises steadily to the plain raceway (Zhao \

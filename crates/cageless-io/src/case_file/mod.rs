@@ -40,15 +40,15 @@ use std::path::Path;
 
 pub use document::{CaseDocument, SectionValues};
 pub use error::CaseError;
-pub use format::nearest;
+pub use format::{SectionTable, nearest};
 pub use former::on_former_name;
-pub use keys::is_spatial;
-pub use keys::missing_rotor;
+pub use key::{Key, Kind, Presence};
+pub use keys::{is_spatial, missing_rotor};
 pub use overrides::Change;
-pub use reference::{KeyReference, LeftOut, RangeEnd, SectionReference, ValueType, reference};
+pub use reference::{RangeEnd, reference};
 pub use sections::bearing::Assumption;
 pub use sections::material::MaterialPreset;
-pub(crate) use source::read_text;
+pub(crate) use source::{read_named, read_text};
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
@@ -75,9 +75,7 @@ impl CaseFile {
     /// A [`CaseError`] if the file cannot be read, is not UTF-8 or is refused by
     /// [`CaseFile::parse`].
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text =
-            read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
+        let (name, text) = read_named(path, "case file")?;
         Self::parse(&text, &name, overrides)
     }
 
@@ -319,25 +317,11 @@ impl Source {
 pub fn unit(key: &str) -> &'static str {
     let section = key.split_once('.').map_or("", |(section, _)| section);
     let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
-    keys::find(section, name).map_or("", |key| key.unit.printed())
+    keys::find(section, name).map_or("", Key::unit)
 }
 
-/// A key of a case file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct KeyMeaning {
-    /// Dotted name: `raceway.axial_span_mm`.
-    pub name: String,
-    /// Unit as it is printed; empty if it has none.
-    pub unit: &'static str,
-    /// What it means.
-    pub meaning: &'static str,
-}
-
-/// Every key of a case file, in the order of the file format.
-pub fn keys() -> impl Iterator<Item = KeyMeaning> {
-    keys::all().map(|(section, key)| KeyMeaning {
-        name: spanned_toml::join(section, key.name),
-        unit: key.unit.printed(),
-        meaning: key.meaning,
-    })
+/// Every key of a case file with its dotted name, `raceway.axial_span_mm`, in the order of the file
+/// format.
+pub fn keys() -> impl Iterator<Item = (String, &'static Key)> {
+    keys::all().map(|(section, key)| (join(section, key.name), key))
 }

@@ -4,6 +4,7 @@ use cageless::{
     Assembly, FlankModel, FrictionLaw, IntegrationMethod, Lubricant, Motion, Profile, RacewayShape,
     SkfSeries,
 };
+use cageless_results::Computation;
 
 use super::spanned_toml::{Node, Value};
 
@@ -76,38 +77,34 @@ impl Named for SearchedShapes {
     const NAMES: &'static [(&'static str, Self)] = &[("own", Self::Own), ("all", Self::All)];
 }
 
-impl Named for Assembly {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+/// Choices whose crate lists their names.
+macro_rules! named {
+    ($($Name:ty),*) => {
+        $(impl Named for $Name {
+            const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+        })*
+    };
 }
+
+named!(
+    Assembly,
+    Computation,
+    FrictionLaw,
+    IntegrationMethod,
+    Lubricant,
+    Motion,
+    RacewayShape,
+    SkfSeries
+);
 
 impl Named for FlankModel {
     const NAMES: &'static [(&'static str, Self)] =
         &[("rigid", Self::Rigid), ("elastic", Self::Elastic)];
 }
 
-impl Named for FrictionLaw {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-}
-
-impl Named for Lubricant {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-}
-
-impl Named for Motion {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-}
-
 impl Named for Profile {
     const NAMES: &'static [(&'static str, Self)] =
         &[("physical", Self::Physical), ("paper", Self::Paper)];
-}
-
-impl Named for RacewayShape {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-}
-
-impl Named for SkfSeries {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 
 impl Named for StartState {
@@ -116,8 +113,4 @@ impl Named for StartState {
         ("rolling", Self::Rolling),
         ("at-rest", Self::AtRest),
     ];
-}
-
-impl Named for IntegrationMethod {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }

@@ -3,7 +3,7 @@
 use super::error::CaseError;
 use super::former;
 use super::sections;
-use super::spanned_toml::{self, Node, Origin, Place, Section, Value, section_at};
+use super::spanned_toml::{self, Node, Origin, Section, Value, section_at};
 use super::value::CaseValue;
 
 /// A key and its new value.
@@ -15,6 +15,13 @@ pub struct Change<'a> {
     pub value: &'a CaseValue,
     /// File and line that the change comes from, for messages.
     pub place: (&'a str, usize),
+}
+
+impl<'a> Change<'a> {
+    /// A change of `key` to `value` that comes from a file and line.
+    pub fn new(key: &'a str, value: &'a CaseValue, place: (&'a str, usize)) -> Self {
+        Self { key, value, place }
+    }
 }
 
 /// A key and the value that replaces its own.
@@ -38,11 +45,8 @@ impl Replacement {
     /// The replacement of the text of one `--set`.
     pub(crate) fn from_override(text: &str) -> Result<Self, CaseError> {
         let fail = |key: Option<&str>, message: String| {
-            Err(CaseError::of_override(
-                text,
-                key.map(str::to_owned),
-                message,
-            ))
+            let key = key.map(str::to_owned);
+            Err(CaseError::of_override(text, key, message))
         };
         let Some((key, value)) = text.split_once('=') else {
             return fail(None, "has no `=`: write section.key=value".to_owned());
@@ -50,31 +54,26 @@ impl Replacement {
         let (key, value) = (key.trim(), value.trim());
         let path: Vec<&str> = key.split('.').map(str::trim).collect();
         if path.len() > PARTS_MAX || path.iter().any(|part| !is_bare(part)) {
-            return fail(
-                None,
-                format!("`{key}` is not a key: write section.key=value"),
-            );
+            let message = format!("`{key}` is not a key: write section.key=value");
+            return fail(None, message);
         }
         if value.is_empty() {
-            return fail(
-                Some(key),
-                "has no value: write section.key=value".to_owned(),
-            );
+            let message = "has no value: write section.key=value".to_owned();
+            return fail(Some(key), message);
         }
         let node = match spanned_toml::parse_override(value, text) {
             Ok(node) => node,
-            Err(_) if is_word(value) => Node {
-                value: Value::Text(value.to_owned()),
-                place: Place {
-                    origin: Origin::Override(text.to_owned()),
-                    written: format!("\"{value}\""),
-                },
-            },
+            Err(_) if is_word(value) => {
+                let origin = Origin::Override(text.to_owned());
+                Node::new(
+                    Value::Text(value.to_owned()),
+                    origin,
+                    format!("\"{value}\""),
+                )
+            }
             Err(why) => {
-                return fail(
-                    Some(key),
-                    format!("`{value}` is not a value of TOML: {why}"),
-                );
+                let message = format!("`{value}` is not a value of TOML: {why}");
+                return fail(Some(key), message);
             }
         };
         let path = path.into_iter().map(str::to_owned).collect();
@@ -96,10 +95,8 @@ impl Replacement {
     pub(crate) fn from_change(change: &Change<'_>) -> Self {
         let (file, line) = change.place;
         let path = change.key.split('.').map(str::to_owned).collect();
-        Self::new(
-            path,
-            change.value.node(&Origin::Elsewhere(file.to_owned(), line)),
-        )
+        let origin = Origin::Elsewhere(file.to_owned(), line);
+        Self::new(path, change.value.node(&origin))
     }
 
     /// Puts the value into a file.

@@ -28,6 +28,13 @@ pub(super) fn is_json(text: &str) -> bool {
 /// No case file comes near this; `/dev/zero` does.
 const SIZE_MAX: u64 = 16 << 20;
 
+/// Name and text of a file; `what` it should be, for messages.
+pub(crate) fn read_named(path: &Path, what: &str) -> Result<(String, String), CaseError> {
+    let name = path.display().to_string();
+    let text = read_text(path, what).map_err(|message| CaseError::of_file(&name, message))?;
+    Ok((name, text))
+}
+
 /// The text of a file; `what` it should be, for messages.
 pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, String> {
     // Opening a directory succeeds on Unix; the message of the read that fails

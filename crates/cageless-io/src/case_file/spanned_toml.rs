@@ -20,11 +20,14 @@ pub(crate) struct Node {
 }
 
 impl Node {
-    /// A value that stands in no file.
-    pub(crate) fn nowhere(value: Value) -> Self {
-        let (origin, written) = (Origin::Nowhere, String::new());
+    pub(crate) fn new(value: Value, origin: Origin, written: String) -> Self {
         let place = Place { origin, written };
         Self { value, place }
+    }
+
+    /// A value that stands in no file.
+    pub(crate) fn nowhere(value: Value) -> Self {
+        Self::new(value, Origin::Nowhere, String::new())
     }
 
     /// Forgets where the value and all below it come from.
@@ -279,28 +282,33 @@ pub(crate) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
 pub(crate) fn parse_override(value: &str, whole: &str) -> Result<Node, String> {
     let parsed = DeValue::parse(value).map_err(|e| e.message().to_owned())?;
     let origin = |_: &Range<usize>| Origin::Override(whole.to_owned());
-    let place = Place {
-        origin: origin(&(0..0)),
-        written: value.to_owned(),
-    };
-    Ok(Node {
-        value: convert(parsed.get_ref(), value, &origin),
-        place,
-    })
+    let converted = convert(parsed.get_ref(), value, &origin);
+    Ok(Node::new(converted, origin(&(0..0)), value.to_owned()))
 }
 
 type OriginOf<'a> = dyn Fn(&Range<usize>) -> Origin + 'a;
 
 fn section(table: &DeTable<'_>, text: &str, origin: &OriginOf<'_>) -> Section {
     let entry = |(key, value): (&Spanned<DeString<'_>>, &Spanned<DeValue<'_>>)| {
-        let place = Place {
-            origin: origin(&key.span()),
-            written: excerpt(text, value.span()),
-        };
-        let value = convert(value.get_ref(), text, origin);
-        (key.get_ref().to_string(), Node { value, place })
+        let node = node(value, key.span(), text, origin);
+        (key.get_ref().to_string(), node)
     };
     table.iter().map(entry).collect()
+}
+
+/// A value whose place is that of `span`.
+fn node(
+    value: &Spanned<DeValue<'_>>,
+    span: Range<usize>,
+    text: &str,
+    origin: &OriginOf<'_>,
+) -> Node {
+    let written = excerpt(text, value.span());
+    Node::new(
+        convert(value.get_ref(), text, origin),
+        origin(&span),
+        written,
+    )
 }
 
 fn convert(value: &DeValue<'_>, text: &str, origin: &OriginOf<'_>) -> Value {
@@ -313,18 +321,10 @@ fn convert(value: &DeValue<'_>, text: &str, origin: &OriginOf<'_>) -> Value {
         },
         DeValue::Float(f) => Value::Number(f.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(_) | DeValue::Datetime(_) => Value::Other,
-        DeValue::Array(items) => Value::List(
-            items
-                .iter()
-                .map(|item| Node {
-                    place: Place {
-                        origin: origin(&item.span()),
-                        written: excerpt(text, item.span()),
-                    },
-                    value: convert(item.get_ref(), text, origin),
-                })
-                .collect(),
-        ),
+        DeValue::Array(items) => {
+            let item = |item: &Spanned<DeValue<'_>>| node(item, item.span(), text, origin);
+            Value::List(items.iter().map(item).collect())
+        }
         DeValue::Table(table) => Value::Section(section(table, text, origin)),
     }
 }

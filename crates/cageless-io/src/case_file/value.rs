@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::spanned_toml::{Node, Origin, Place, Tree, Value, section_at};
+use super::spanned_toml::{Node, Origin, Tree, Value, section_at};
 use super::unit::decimal;
 
 /// A value for a key, in the unit of the case file.
@@ -62,9 +62,7 @@ impl CaseValue {
                 Value::List(rows.iter().map(row).collect())
             }
         };
-        let (origin, written) = (origin.clone(), self.written());
-        let place = Place { origin, written };
-        Node { value, place }
+        Node::new(value, origin.clone(), self.written())
     }
 
     /// As TOML.

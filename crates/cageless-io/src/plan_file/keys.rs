@@ -3,17 +3,7 @@
 use cageless_results::Computation;
 
 use super::{Kept, SampleMethod, Scale};
-use crate::case_file::declaration::{Field, SectionKeys, section};
-use crate::case_file::error::CaseError;
-use crate::case_file::format::{Heading, SCHEMA, sections};
-use crate::case_file::key::Limit::AtLeast;
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::{Key, Kind, default};
-use crate::case_file::named::Named;
-use crate::case_file::reader::Reader;
-use crate::case_file::spanned_toml::{Node, Value};
-use crate::case_file::unit::Unit::None as Plain;
+use crate::case_file::declaration::prelude::*;
 
 sections! {
     /// The keys of a plan.
@@ -81,43 +71,30 @@ section! {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Base;
 
-impl Field for Base {
-    const KIND: Kind = Kind::Text;
+field!(Base, Kind::Text, |reader, name, node| match node.value {
+    Value::Text(_) | Value::Section(_) => Ok(Self),
+    _ => Err(reader.refuse(name, node, CASE)),
+});
 
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match node.value {
-            Value::Text(_) | Value::Section(_) => Ok(Self),
-            _ => Err(reader.refuse(name, node, CASE)),
-        }
+// In the order in which they are done, without repetition.
+field!(Vec<Computation>, Computation::KIND, |reader, name, node| {
+    let allowed = format!("a list of {}", Computation::choices());
+    let mut list = reader.items(name, node, &allowed, Computation::of_node)?;
+    if list.is_empty() {
+        return Err(reader.refuse(name, node, &allowed));
     }
-}
+    list.sort_unstable();
+    list.dedup();
+    Ok(list)
+});
 
-/// Computations in the order in which they are done, without repetition.
-impl Field for Vec<Computation> {
-    const KIND: Kind = Computation::KIND;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let allowed = format!("a list of {}", Computation::choices());
-        let mut list = reader.items(name, node, &allowed, Computation::of_node)?;
-        if list.is_empty() {
-            return Err(reader.refuse(name, node, &allowed));
-        }
-        list.sort_unstable();
-        list.dedup();
-        Ok(list)
-    }
-}
-
-impl Field for Vec<Kept> {
-    const KIND: Kind = Kind::Text;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let column = |item: &Node| match &item.value {
-            Value::Text(name) => Some((name.clone(), item.line())),
-            _ => None,
-        };
-        let found = reader.items(name, node, "a list of columns in quotes", column)?;
-        let kept = |(name, line)| Kept { name, line };
-        Ok(found.into_iter().map(kept).collect())
-    }
-}
+field!(Vec<Kept>, Kind::Text, |reader, name, node| {
+    let column = |item: &Node| match &item.value {
+        Value::Text(name) => Some(Kept {
+            name: name.clone(),
+            line: item.line(),
+        }),
+        _ => None,
+    };
+    reader.items(name, node, "a list of columns in quotes", column)
+});

@@ -132,7 +132,3 @@ impl Named for SampleMethod {
         ("random", Self::Random),
     ];
 }
-
-impl Named for Computation {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-}

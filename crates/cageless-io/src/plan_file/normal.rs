@@ -17,48 +17,43 @@ impl PlanFile {
     /// # Errors
     /// None that a plan from a file can cause.
     pub fn normal(&self) -> Result<String, CaseError> {
-        text(self)
-    }
-}
-
-/// One key per line.
-fn text(plan: &PlanFile) -> Result<String, CaseError> {
-    let mut lines = vec![
-        format!("schema = {SCHEMA}"),
-        format!("title = {}", quoted(&plan.title)),
-        format!("seed = {}", plan.seed),
-    ];
-    let names: Vec<_> = plan.compute.iter().map(|c| quoted(c.name())).collect();
-    lines.push(format!("compute = [{}]", names.join(", ")));
-    if let Some(keep) = &plan.keep {
-        let names: Vec<_> = keep.iter().map(|k| quoted(&k.name)).collect();
-        lines.push(format!("keep = [{}]", names.join(", ")));
-    }
-    for axis in &plan.grid {
-        lines.push(format!("grid.{} = {}", axis.key, specification(axis)));
-    }
-    if let Some(samples) = &plan.samples {
-        let method = samples.method.name();
-        lines.push(format!("samples.method = {}", quoted(method)));
-        lines.push(format!("samples.count = {}", samples.count));
-        for axis in &samples.axes {
-            lines.push(format!("samples.{} = {}", axis.key, specification(axis)));
+        let mut lines = vec![
+            format!("schema = {SCHEMA}"),
+            format!("title = {}", quoted(&self.title)),
+            format!("seed = {}", self.seed),
+        ];
+        let names: Vec<_> = self.compute.iter().map(|c| quoted(c.name())).collect();
+        lines.push(format!("compute = [{}]", names.join(", ")));
+        if let Some(keep) = &self.keep {
+            let names: Vec<_> = keep.iter().map(|k| quoted(&k.name)).collect();
+            lines.push(format!("keep = [{}]", names.join(", ")));
         }
-    }
-    if let Some(scatter) = &plan.scatter {
-        lines.push(format!("scatter.repeats = {}", scatter.repeats));
-        for key in &scatter.keys {
-            let law = match key.law {
-                ScatterLaw::Normal(width) => format!("{{ normal = {} }}", Value::from(width)),
-                ScatterLaw::Uniform(width) => format!("{{ uniform = {} }}", Value::from(width)),
-                ScatterLaw::Random => quoted("random"),
-            };
-            lines.push(format!("scatter.{} = {law}", key.key));
+        for axis in &self.grid {
+            lines.push(format!("grid.{} = {}", axis.key, specification(axis)));
         }
+        if let Some(samples) = &self.samples {
+            let method = samples.method.name();
+            lines.push(format!("samples.method = {}", quoted(method)));
+            lines.push(format!("samples.count = {}", samples.count));
+            for axis in &samples.axes {
+                lines.push(format!("samples.{} = {}", axis.key, specification(axis)));
+            }
+        }
+        if let Some(scatter) = &self.scatter {
+            lines.push(format!("scatter.repeats = {}", scatter.repeats));
+            for key in &scatter.keys {
+                let law = match key.law {
+                    ScatterLaw::Normal(width) => format!("{{ normal = {} }}", Value::from(width)),
+                    ScatterLaw::Uniform(width) => format!("{{ uniform = {} }}", Value::from(width)),
+                    ScatterLaw::Random => quoted("random"),
+                };
+                lines.push(format!("scatter.{} = {law}", key.key));
+            }
+        }
+        let case = self.base_file.document()?;
+        flatten("case", &case, &mut lines);
+        Ok(lines.join("\n") + "\n")
     }
-    let case = plan.base_file.document()?;
-    flatten("case", &case, &mut lines);
-    Ok(lines.join("\n") + "\n")
 }
 
 fn flatten(prefix: &str, value: &Value, lines: &mut Vec<String>) {

@@ -11,7 +11,7 @@ use cageless_results::Computation;
 use crate::case_file::sections::CASE_FILE;
 use crate::case_file::spanned_toml::{self, Node, Tree, Value};
 use crate::case_file::{
-    CaseDocument, CaseError, CaseValue, Change, former, keys, nearest, read_text,
+    CaseDocument, CaseError, CaseValue, Change, former, keys, nearest, read_named,
 };
 use crate::rotor_file::address::{address, is_number};
 use crate::rotor_file::keys::ROTOR_FILE;
@@ -24,8 +24,7 @@ impl PlanFile {
     /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete
     /// plan of a possible base case.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text = read_text(path, "plan").map_err(|m| CaseError::of_file(&name, m))?;
+        let (name, text) = read_named(path, "plan")?;
         Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")))
     }
 
@@ -35,79 +34,71 @@ impl PlanFile {
     /// # Errors
     /// Those of [`PlanFile::read`].
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
-        plan(text, name, folder)
-    }
-}
-
-fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
-    let mut root = spanned_toml::parse(text, name)?;
-    former::rename(&mut root, name)?;
-    let mut tree = Tree::new(root, name);
-    check_head(&tree)?;
-    PLAN.fill_in(&mut tree)?;
-    let PlanSections {
-        head,
-        set: BaseKeys,
-        grid: BaseKeys,
-        samples,
-        scatter,
-    } = PlanSections::read(&tree)?;
-    let case = base(&tree, folder)?;
-    let reader = PlanReader {
-        tree: &tree,
-        of_rotor: matches!(case, PlanBase::Rotor(_)),
-    };
-    let mut base = case.clone();
-    let set = reader.set()?;
-    let changes: Vec<_> = set
-        .iter()
-        .map(|(key, value, line)| Change {
-            key,
-            value,
-            place: (name, *line),
-        })
-        .collect();
-    base.change(&changes)?;
-    let base_file = base.with(&[])?;
-    check_computations(&tree, &head.compute, &base_file)?;
-    let grid = reader.entries("grid")?.into_iter();
-    let samples = samples.map(|given| {
-        let axes = reader.entries_of("samples", "axes: section.key = { from = …, to = … }")?;
-        let axes = axes.into_iter().map(|entry| reader.axis(entry, false));
-        Ok(Samples {
-            method: given.method,
-            count: given.count,
-            axes: axes.collect::<Result<_, _>>()?,
-        })
-    });
-    let scatter = scatter.map(|given| {
-        let keys = "keys: section.key = { normal = … } or { uniform = … }";
-        let keys = reader.entries_of("scatter", keys)?.into_iter();
-        let keys = keys.map(|Entry { key, node }| {
-            let (law, line) = (reader.law(&key, node)?, node.line());
-            Ok(ScatteredKey { key, law, line })
+        let mut root = spanned_toml::parse(text, name)?;
+        former::rename(&mut root, name)?;
+        let mut tree = Tree::new(root, name);
+        check_head(&tree)?;
+        PLAN.fill_in(&mut tree)?;
+        let PlanSections {
+            head,
+            set: BaseKeys,
+            grid: BaseKeys,
+            samples,
+            scatter,
+        } = PlanSections::read(&tree)?;
+        let case = base(&tree, folder)?;
+        let reader = PlanReader {
+            tree: &tree,
+            of_rotor: matches!(case, PlanBase::Rotor(_)),
+        };
+        let mut base = case.clone();
+        let set = reader.set()?;
+        let changes: Vec<_> = set
+            .iter()
+            .map(|(key, value, line)| Change::new(key, value, (name, *line)))
+            .collect();
+        base.change(&changes)?;
+        let base_file = base.with(&[])?;
+        check_computations(&tree, &head.compute, &base_file)?;
+        let grid = reader.entries("grid")?.into_iter();
+        let samples = samples.map(|given| {
+            let axes = reader.entries_of("samples", "axes: section.key = { from = …, to = … }")?;
+            let axes = axes.into_iter().map(|entry| reader.axis(entry, false));
+            Ok(Samples {
+                method: given.method,
+                count: given.count,
+                axes: axes.collect::<Result<_, _>>()?,
+            })
         });
-        Ok(Scatter {
-            repeats: given.repeats,
-            keys: keys.collect::<Result<_, _>>()?,
-        })
-    });
-    let plan = PlanFile {
-        name: name.to_owned(),
-        title: head.title,
-        seed: head.seed,
-        grid: grid
-            .map(|entry| reader.axis(entry, true))
-            .collect::<Result<_, _>>()?,
-        samples: samples.transpose()?,
-        scatter: scatter.transpose()?,
-        compute: head.compute,
-        keep: head.keep,
-        base,
-        base_file,
-    };
-    conflict::check(&plan, &case, &changes)?;
-    Ok(plan)
+        let scatter = scatter.map(|given| {
+            let keys = "keys: section.key = { normal = … } or { uniform = … }";
+            let keys = reader.entries_of("scatter", keys)?.into_iter();
+            let keys = keys.map(|Entry { key, node }| {
+                let (law, line) = (reader.law(&key, node)?, node.line());
+                Ok(ScatteredKey { key, law, line })
+            });
+            Ok(Scatter {
+                repeats: given.repeats,
+                keys: keys.collect::<Result<_, _>>()?,
+            })
+        });
+        let plan = Self {
+            name: name.to_owned(),
+            title: head.title,
+            seed: head.seed,
+            grid: grid
+                .map(|entry| reader.axis(entry, true))
+                .collect::<Result<_, _>>()?,
+            samples: samples.transpose()?,
+            scatter: scatter.transpose()?,
+            compute: head.compute,
+            keep: head.keep,
+            base,
+            base_file,
+        };
+        conflict::check(&plan, &case, &changes)?;
+        Ok(plan)
+    }
 }
 
 /// Refuses another schema, and unknown names at the head of the plan.

@@ -67,22 +67,17 @@ pub(super) fn verify(file: &mut File) -> Result<(), Fault> {
     let mut hasher = Hasher::new();
     file.seek(SeekFrom::Start(0))?;
     let mut buffer = vec![0; 1 << 16];
-    let mut before = (&*file).take(place);
-    loop {
-        match before.read(&mut buffer)? {
-            0 => break,
+    let mut add = |part: &mut dyn Read, hasher: &mut Hasher| loop {
+        match part.read(&mut buffer)? {
+            0 => return io::Result::Ok(()),
             count => hasher.update(&buffer[..count]),
         }
-    }
+    };
+    add(&mut (&*file).take(place), &mut hasher)?;
     let mut digits = *BLANK;
     file.read_exact(&mut digits)?;
     hasher.update(BLANK);
-    loop {
-        match file.read(&mut buffer)? {
-            0 => break,
-            count => hasher.update(&buffer[..count]),
-        }
-    }
+    add(file, &mut hasher)?;
     if format!("{:08x}", hasher.finalize()).as_bytes() == digits {
         Ok(())
     } else {

@@ -351,14 +351,7 @@ impl Contents {
                 out.write_batch(values, nullable, None)
             }
         }?;
-        match &mut self.values {
-            Values::Ordinals(values) => values.clear(),
-            Values::Integers(values) => values.clear(),
-            Values::Doubles(values) => values.clear(),
-            Values::Texts(values) => values.clear(),
-        }
-        self.definition.clear();
-        self.repetition.clear();
+        *self = Self::new(self.kind);
         Ok(())
     }
 }

@@ -12,7 +12,7 @@ use super::{RotorFile, RotorFileDocument, read_matrices};
 use crate::case_file::former;
 use crate::case_file::overrides::Replacement;
 use crate::case_file::spanned_toml::{self, Node, Section, Tree, Value};
-use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, read_text};
+use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, read_named, read_text};
 
 /// The texts of a rotor file and of its cases, parsed but not yet read.
 #[derive(Debug, Clone)]
@@ -31,11 +31,14 @@ impl RotorBase {
     /// # Errors
     /// A [`CaseError`] if one of the files cannot be read or is not TOML, or a bearing has no case.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text = read_text(path, "rotor file").map_err(|m| CaseError::of_file(&name, m))?;
-        let mut root = spanned_toml::parse(&text, &name)?;
-        former::rename(&mut root, &name)?;
-        Self::from_sections(root, &name, path.parent().unwrap_or(Path::new("")))
+        let (name, text) = read_named(path, "rotor file")?;
+        Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")))
+    }
+
+    fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
+        let mut root = spanned_toml::parse(text, name)?;
+        former::rename(&mut root, name)?;
+        Self::from_sections(root, name, folder)
     }
 
     /// Whether these sections are of a rotor file rather than of a case: they list bearings.
@@ -213,9 +216,7 @@ impl RotorFile {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, CaseError> {
-        let mut root = spanned_toml::parse(text, name)?;
-        former::rename(&mut root, name)?;
-        RotorBase::from_sections(root, name, folder)?.overridden(overrides)
+        RotorBase::parse(text, name, folder)?.overridden(overrides)
     }
 
     /// The rotor with changes, as [`RotorFile::read`] takes them.

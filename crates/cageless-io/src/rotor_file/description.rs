@@ -7,6 +7,10 @@ use cageless::linear_rotor::{
     Reduction, RigidRotor, RotorError, RotorMatrices,
 };
 
+use serde::Serialize;
+
+use super::matrices::as_in_file;
+
 const MM: f64 = 1e-3;
 const UM: f64 = 1e-6;
 const G_MM: f64 = 1e-6;
@@ -25,7 +29,8 @@ pub struct RotorDescription {
 }
 
 /// Mass and elasticity of a rotor.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum RotorBody {
     /// A rigid rotor.
     Rigid {
@@ -39,8 +44,10 @@ pub enum RotorBody {
     /// A rotor by its matrices.
     Matrices {
         /// The matrices.
+        #[serde(serialize_with = "as_in_file")]
         matrices: Arc<RotorMatrices>,
         /// Modes with the kept nodes held are kept up to this frequency; all of them without it.
+        #[serde(skip_serializing_if = "Option::is_none")]
         frequency_max_hz: Option<f64>,
         /// Further nodes whose displacements are kept.
         kept_nodes: Vec<usize>,
@@ -48,7 +55,8 @@ pub enum RotorBody {
 }
 
 /// Place on a rotor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum RotorPlace {
     /// Distance from the mass centre of a rigid rotor along its axis, mm.
     AxialMm(f64),
@@ -57,9 +65,10 @@ pub enum RotorPlace {
 }
 
 /// An unbalance.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RotorUnbalance {
     /// Its plane.
+    #[serde(flatten)]
     pub place: RotorPlace,
     /// m·ε, g·mm.
     pub amount_g_mm: f64,
@@ -68,11 +77,12 @@ pub struct RotorUnbalance {
 }
 
 /// A clearance between rotor and stator.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RotorClearance {
     /// Name of its plane.
     pub name: String,
     /// Its plane.
+    #[serde(flatten)]
     pub place: RotorPlace,
     /// Radial clearance, µm.
     pub radial_um: f64,

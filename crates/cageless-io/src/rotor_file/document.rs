@@ -1,11 +1,12 @@
 //! A rotor file with its cases and every default, in the units of the file.
 
-use cageless::linear_rotor::RotorMatrices;
-use toml::{Table, Value};
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use toml::Value;
 
 use super::keys::REPLACED;
-use super::matrices::MatricesFile;
-use super::{RotorBody, RotorDescription, RotorPlace};
+use super::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 use crate::case_file::format::SCHEMA;
 use crate::case_file::{CaseDocument, CaseError, CaseValue};
 
@@ -39,71 +40,32 @@ impl RotorFileDocument {
     /// # Errors
     /// None that a document from a file can cause.
     pub fn to_value(&self) -> Result<Value, CaseError> {
-        let mut rotor = Table::new();
-        match &self.rotor.body {
-            RotorBody::Rigid {
-                mass_kg,
-                polar_inertia_kg_m2,
-                transverse_inertia_kg_m2,
-            } => {
-                for (key, value) in [
-                    ("mass_kg", mass_kg),
-                    ("polar_inertia_kg_m2", polar_inertia_kg_m2),
-                    ("transverse_inertia_kg_m2", transverse_inertia_kg_m2),
-                ] {
-                    rotor.insert(key.to_owned(), (*value).into());
-                }
-            }
-            RotorBody::Matrices {
-                matrices,
-                frequency_max_hz,
-                kept_nodes,
-            } => {
-                rotor.insert("matrices".to_owned(), of_matrices(matrices)?);
-                if let Some(frequency) = frequency_max_hz {
-                    rotor.insert("frequency_max_hz".to_owned(), (*frequency).into());
-                }
-                let nodes = kept_nodes.iter().map(|node| whole(*node));
-                rotor.insert("kept_nodes".to_owned(), Value::Array(nodes.collect()));
-            }
-        }
-        rotor.insert("speed_rpm".to_owned(), self.speed_rpm.into());
-        rotor.insert("drive_torque_n_m".to_owned(), self.drive_torque_n_m.into());
-        let bearings = self.rotor.bearings.iter().zip(&self.cases);
-        let bearings = bearings.map(|(place, case)| {
-            let mut bearing = of_place(*place);
+        let RotorDescription {
+            body,
+            bearings,
+            unbalances,
+            clearances,
+        } = &self.rotor;
+        let bearings = bearings.iter().zip(&self.cases).map(|(&place, case)| {
             let mut case = Value::try_from(case).map_err(unwritable)?;
             if let Some(Value::Table(section)) = case.get_mut("rotor") {
                 section.retain(|key, _| !REPLACED.contains(&key));
             }
-            bearing.insert("case".to_owned(), case);
-            Ok(bearing)
+            Ok(BearingText { place, case })
         });
-        let unbalances = self.rotor.unbalances.iter().map(|unbalance| {
-            let mut section = of_place(unbalance.place);
-            section.insert("amount_g_mm".to_owned(), unbalance.amount_g_mm.into());
-            section.insert("angle_deg".to_owned(), unbalance.angle_deg.into());
-            section
-        });
-        let clearances = self.rotor.clearances.iter().map(|clearance| {
-            let mut section = of_place(clearance.place);
-            section.insert("name".to_owned(), clearance.name.clone().into());
-            section.insert("radial_um".to_owned(), clearance.radial_um.into());
-            section
-        });
-        let mut document = Table::new();
-        document.insert("schema".to_owned(), Value::Integer(SCHEMA as i64));
-        document.insert("title".to_owned(), self.title.clone().into());
-        document.insert("rotor".to_owned(), rotor.into());
-        let bearings: Vec<Table> = bearings.collect::<Result<_, CaseError>>()?;
-        document.insert("bearing".to_owned(), numbered(bearings));
-        if !self.rotor.unbalances.is_empty() {
-            document.insert("unbalance".to_owned(), numbered(unbalances.collect()));
-        }
-        if !self.rotor.clearances.is_empty() {
-            document.insert("clearance".to_owned(), numbered(clearances.collect()));
-        }
-        Ok(document.into())
+        let text = RotorText {
+            schema: SCHEMA,
+            title: &self.title,
+            rotor: Rotor {
+                body,
+                speed_rpm: self.speed_rpm,
+                drive_torque_n_m: self.drive_torque_n_m,
+            },
+            bearing: numbered(bearings.collect::<Result<Vec<_>, CaseError>>()?),
+            unbalance: numbered(unbalances),
+            clearance: numbered(clearances),
+        };
+        Value::try_from(text).map_err(unwritable)
     }
 
     /// The value of a key of the rotor, `section.key` or `section.2.key`, its default if it has
@@ -128,28 +90,42 @@ impl RotorFileDocument {
     }
 }
 
-fn numbered(sections: Vec<Table>) -> Value {
-    let sections = sections.into_iter().enumerate();
-    let numbered: Table = sections
-        .map(|(k, section)| ((k + 1).to_string(), section.into()))
-        .collect();
-    numbered.into()
+/// The text of a rotor file.
+#[derive(Serialize)]
+struct RotorText<'a> {
+    schema: u64,
+    title: &'a str,
+    rotor: Rotor<'a>,
+    bearing: Numbered<BearingText>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    unbalance: Numbered<&'a RotorUnbalance>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    clearance: Numbered<&'a RotorClearance>,
 }
 
-fn of_place(place: RotorPlace) -> Table {
-    let (key, value) = match place {
-        RotorPlace::AxialMm(z) => ("axial_mm", z.into()),
-        RotorPlace::Node(node) => ("node", whole(node)),
-    };
-    [(key.to_owned(), value)].into_iter().collect()
+/// `[rotor]`.
+#[derive(Serialize)]
+struct Rotor<'a> {
+    #[serde(flatten)]
+    body: &'a RotorBody,
+    speed_rpm: f64,
+    drive_torque_n_m: f64,
 }
 
-fn whole(node: usize) -> Value {
-    Value::Integer(node as i64)
+/// `[[bearing]]` with its case.
+#[derive(Serialize)]
+struct BearingText {
+    #[serde(flatten)]
+    place: RotorPlace,
+    case: Value,
 }
 
-fn of_matrices(matrices: &RotorMatrices) -> Result<Value, CaseError> {
-    Value::try_from(MatricesFile::new(matrices)).map_err(unwritable)
+/// Sections by their numbers.
+type Numbered<T> = BTreeMap<String, T>;
+
+fn numbered<T>(sections: impl IntoIterator<Item = T>) -> Numbered<T> {
+    let numbers = (1..).map(|number: usize| number.to_string());
+    numbers.zip(sections).collect()
 }
 
 fn unwritable(error: toml::ser::Error) -> CaseError {

@@ -1,17 +1,6 @@
 //! Keys of rotor files.
 
-use crate::case_file::declaration::{Field, section};
-use crate::case_file::error::CaseError;
-use crate::case_file::format::{Heading, SCHEMA, sections};
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::{Kind, default};
-use crate::case_file::reader::Reader;
-use crate::case_file::spanned_toml::{Node, Value};
-use crate::case_file::unit::Unit::{
-    Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si,
-};
+use crate::case_file::declaration::prelude::*;
 
 const OF_RIGID: &str = "of a rigid rotor; or matrices, of a flexible one";
 const PLACE: &str = "place from the mass centre along the axis";
@@ -92,43 +81,31 @@ section! {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AsGiven(pub f64);
 
-impl Field for AsGiven {
-    const KIND: Kind = Kind::Number;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        reader.number(name, node)?;
-        reader.plain_number(name, node).map(Self)
-    }
-}
+field!(AsGiven, Kind::Number, |reader, name, node| {
+    reader.number(name, node)?;
+    reader.plain_number(name, node).map(Self)
+});
 
 /// The path of another file, or its content as a section, which its own reader reads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FileOrSection;
 
-impl Field for FileOrSection {
-    const KIND: Kind = Kind::Text;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match node.value {
-            Value::Text(_) | Value::Section(_) => Ok(Self),
-            _ => Err(reader.refuse(name, node, "the path of its file in quotes")),
-        }
+field!(FileOrSection, Kind::Text, |reader, name, node| {
+    match node.value {
+        Value::Text(_) | Value::Section(_) => Ok(Self),
+        _ => Err(reader.refuse(name, node, "the path of its file in quotes")),
     }
-}
+});
 
-impl Field for Vec<usize> {
-    const KIND: Kind = Kind::Numbers;
-
-    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        match &node.value {
-            Value::List(items) => items
-                .iter()
-                .map(|item| usize::read(reader, name, item))
-                .collect(),
-            _ => Err(reader.refuse(name, node, "a list of nodes in brackets")),
-        }
+field!(Vec<usize>, Kind::Numbers, |reader, name, node| {
+    match &node.value {
+        Value::List(items) => items
+            .iter()
+            .map(|item| usize::read(reader, name, item))
+            .collect(),
+        _ => Err(reader.refuse(name, node, "a list of nodes in brackets")),
     }
-}
+});
 
 /// Keys of the section `[rotor]` of a case that the rotor of the file replaces.
 pub(super) const REPLACED: [&str; 6] = [

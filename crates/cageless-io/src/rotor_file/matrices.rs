@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::case_file::spanned_toml::{Section, Value};
-use crate::case_file::{CaseError, read_text};
+use crate::case_file::{CaseError, read_named};
 use crate::results::{ResultError, write_atomically};
 
 /// The only schema of files of matrices so far.
@@ -16,7 +16,7 @@ pub const MATRICES_SCHEMA: u64 = 1;
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(non_snake_case)] // symbols of rotor dynamics
-pub(super) struct MatricesFile {
+struct MatricesFile {
     schema: u64,
     polar_inertia_kg_m2: f64,
     M: Vec<Vec<f64>>,
@@ -31,8 +31,7 @@ pub(super) struct MatricesFile {
 /// # Errors
 /// A [`CaseError`] if the file cannot be read or its matrices are no rectangles of numbers.
 pub fn read_matrices(path: &Path) -> Result<RotorMatrices, CaseError> {
-    let name = path.display().to_string();
-    let text = read_text(path, "file of matrices").map_err(|m| CaseError::of_file(&name, m))?;
+    let (name, text) = read_named(path, "file of matrices")?;
     let file: MatricesFile = serde_json::from_str(&text).map_err(|error| {
         let message = format!("is no file of the matrices of a rotor: {error}");
         CaseError::on_line(&name, error.line().max(1), None, message)
@@ -63,6 +62,14 @@ fn json(value: &Value) -> serde_json::Value {
     }
 }
 
+/// The matrices of a rotor as those of a file.
+pub(super) fn as_in_file<S: Serializer>(
+    matrices: &RotorMatrices,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    MatricesFile::new(matrices).serialize(serializer)
+}
+
 /// Writes the matrices of a rotor.
 ///
 /// # Errors
@@ -73,7 +80,7 @@ pub fn write_matrices(path: &Path, matrices: &RotorMatrices) -> Result<(), Resul
 }
 
 impl MatricesFile {
-    pub(super) fn new(matrices: &RotorMatrices) -> Self {
+    fn new(matrices: &RotorMatrices) -> Self {
         let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
             let rows = matrix.row_iter();
             rows.map(|row| row.iter().copied().collect()).collect()

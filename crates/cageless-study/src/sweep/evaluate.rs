@@ -11,8 +11,7 @@ use cageless::simulation::{Control, Ending};
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind, Row};
-use cageless_results::Cell;
-use cageless_results::Computation;
+use cageless_results::{Cell, Computation, DropRun, Judged, Solved, Subject};
 
 use super::feasibility;
 use super::outputs::{Output, outputs};
@@ -20,7 +19,6 @@ use super::variants::Variants;
 use crate::StudyError;
 use crate::drop::run_drops;
 use crate::together::{RunRecorder, run_together};
-use cageless_results::{DropRun, Judged, Solved, Subject};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
@@ -66,13 +64,13 @@ impl Sweep {
         }
         let normal = plan.normal().map_err(StudyError::Plan)?;
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
-        let base = &variants.plan().base_file;
+        let base = &variants.plan.base_file;
         let spatial = |file: &CaseFile| file.case().spatial_field().is_some();
         let in_space = base.cases().iter().any(spatial)
-            || variants.columns().iter().any(|c| is_spatial(&c.name));
-        let outputs = outputs(variants.plan(), in_space).map_err(StudyError::Plan)?;
+            || variants.columns.iter().any(|c| is_spatial(&c.name));
+        let outputs = outputs(&variants.plan, in_space).map_err(StudyError::Plan)?;
         let mut columns = vec![spec(INDEX, ColumnKind::Index)];
-        columns.extend_from_slice(variants.columns());
+        columns.extend_from_slice(&variants.columns);
         columns.push(spec(REASON, ColumnKind::Text));
         columns.extend(outputs.iter().map(Output::column));
         feasibility::some_are_possible(&variants)?;
@@ -87,12 +85,12 @@ impl Sweep {
 
     /// Number of variants; their indices count from 0.
     pub fn variants(&self) -> u64 {
-        self.variants.count()
+        self.variants.count
     }
 
     /// The plan.
     pub fn plan(&self) -> &PlanFile {
-        self.variants.plan()
+        &self.variants.plan
     }
 
     /// The plan in its normal form, which reads back as a plan.
@@ -156,7 +154,7 @@ impl Sweep {
 
     fn begin(&self, index: u64) -> Variant<'_> {
         let (inputs, file) = self.variants.variant(index);
-        let compute = &self.variants.plan().compute;
+        let compute = &self.variants.plan.compute;
         let taken = |file: &VariantFile| {
             let mut cases = file.cases().iter();
             cases.try_for_each(|file| check_space(file, compute))

@@ -10,7 +10,7 @@ const PROBES: u64 = 20_000;
 
 /// Refuses a plan none of whose variants is a possible case.
 pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), StudyError> {
-    let count = variants.count();
+    let count = variants.count;
     let probes = count.min(PROBES);
     let index = |k: u64| (u128::from(k) * u128::from(count) / u128::from(probes)) as u64;
     let possible = |k: u64| variants.variant(index(k)).1.is_ok();
@@ -22,7 +22,7 @@ pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), StudyError> {
         Ok(_) => Ok(()),
         Err(first) => Err(StudyError::Input(format!(
             "{}{} variants is a possible case. The first: {first}",
-            match variants.plan().name.as_str() {
+            match variants.plan.name.as_str() {
                 "" => String::new(),
                 name => format!("{name}: "),
             },

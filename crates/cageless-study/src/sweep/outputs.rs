@@ -3,9 +3,8 @@
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind};
-use cageless_results::Cell;
 
-use cageless_results::{DropRun, Kind, Quantity, SPACE, quantities};
+use cageless_results::{Cell, DropRun, Kind, Quantity, SPACE, quantities};
 
 /// A column of results.
 #[derive(Debug, Clone, Copy)]

@@ -4,8 +4,8 @@ use cageless::Gaps;
 use cageless::numerics::random::RandomStream;
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
-    Axis, AxisValues, BALL_DEVIATIONS, GAPS, PlanFile, SampleMethod, ScatterLaw, ScatteredKey,
-    VariantFile, is_per_ball, is_whole, key_in_case, twelve_digits, unit,
+    Axis, BALL_DEVIATIONS, GAPS, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, VariantFile,
+    is_per_ball, is_whole, key_in_case, twelve_digits, unit,
 };
 use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
@@ -20,12 +20,13 @@ pub(crate) const VARIANTS_MAX: u64 = 1_000_000_000;
 /// The variants of a plan, each a pure function of its index.
 #[derive(Debug, Clone)]
 pub(crate) struct Variants {
-    plan: PlanFile,
+    pub plan: PlanFile,
     points: Points,
-    count: u64,
+    pub count: u64,
     /// Value of each scattered key in the base case.
     centres: Vec<Option<CaseValue>>,
-    columns: Vec<Column>,
+    /// Columns of the inputs: axes of the grid, of the samples, scattered keys.
+    pub columns: Vec<Column>,
 }
 
 #[derive(Debug, Clone)]
@@ -47,35 +48,14 @@ impl Variants {
     pub(crate) fn new(plan: PlanFile) -> Result<Self, CaseError> {
         let count = count(&plan)?;
         let points = points(&plan)?;
-        let scattered = plan.scatter.iter().flat_map(|s| &s.keys);
-        let centres = scattered
-            .map(|key| centre(&plan, key))
-            .collect::<Result<_, _>>()?;
-        let columns = columns(&plan);
+        let centres = scattered(&plan).map(|key| centre(&plan, key));
         Ok(Self {
-            plan,
             points,
             count,
-            centres,
-            columns,
+            centres: centres.collect::<Result<_, _>>()?,
+            columns: columns(&plan),
+            plan,
         })
-    }
-
-    pub(crate) fn plan(&self) -> &PlanFile {
-        &self.plan
-    }
-
-    pub(crate) fn count(&self) -> u64 {
-        self.count
-    }
-
-    /// Columns of the inputs: axes of the grid, of the samples, scattered keys.
-    pub(crate) fn columns(&self) -> &[Column] {
-        &self.columns
-    }
-
-    fn scattered(&self) -> impl Iterator<Item = &ScatteredKey> {
-        self.plan.scatter.iter().flat_map(|s| &s.keys)
     }
 
     /// The inputs of a variant and its case or rotor, or why there is none.
@@ -90,18 +70,14 @@ impl Variants {
     }
 
     fn read(&self, settings: &[Setting<'_>]) -> Result<VariantFile, CaseError> {
-        let changes: Vec<_> = settings
-            .iter()
-            .map(|s| Change {
-                key: s.key,
-                value: &s.value,
-                place: (&self.plan.name, s.line),
-            })
+        let changes = settings.iter();
+        let changes: Vec<_> = changes
+            .map(|s| Change::new(s.key, &s.value, (&self.plan.name, s.line)))
             .collect();
         self.plan.base.with(&changes)
     }
 
-    /// In the order of [`Variants::columns`]; null for what could not be drawn.
+    /// In the order of `columns`; null for what could not be drawn.
     fn cells(&self, settings: &[Setting<'_>]) -> Vec<Cell> {
         let columns = self.columns.iter().enumerate();
         columns
@@ -130,7 +106,7 @@ impl Variants {
         }
         // The same deviations at every node of the grid: what differs is the node.
         let draw = sample * repeats + repeat;
-        for (k, (key, centre)) in self.scattered().zip(&self.centres).enumerate() {
+        for (k, (key, centre)) in scattered(&self.plan).zip(&self.centres).enumerate() {
             let stream = Purpose::Scatter.stream(self.plan.seed, k, draw);
             let drawn = self.deviated(key, centre.as_ref(), &settings, stream);
             match (drawn, settings.iter_mut().find(|s| s.key == key.key)) {
@@ -267,6 +243,10 @@ fn cell(value: &CaseValue, kind: ColumnKind) -> Cell {
     }
 }
 
+fn scattered(plan: &PlanFile) -> impl Iterator<Item = &ScatteredKey> {
+    plan.scatter.iter().flat_map(|s| &s.keys)
+}
+
 /// Axes of the grid, then of the samples.
 fn axes(plan: &PlanFile) -> impl Iterator<Item = &Axis> {
     let samples = plan.samples.iter().flat_map(|s| &s.axes);
@@ -283,9 +263,8 @@ fn columns(plan: &PlanFile) -> Vec<Column> {
             _ => ColumnKind::Number,
         },
     });
-    let scattered = plan.scatter.iter().flat_map(|s| &s.keys);
     // What varies and is scattered has one column.
-    let scattered = scattered.filter(|key| !axes(plan).any(|axis| axis.key == key.key));
+    let scattered = scattered(plan).filter(|key| !axes(plan).any(|axis| axis.key == key.key));
     let of_scattered = scattered.map(|key| Column {
         name: column_name(&key.key).into(),
         unit: unit(&key.key).into(),
@@ -366,10 +345,7 @@ fn centre(plan: &PlanFile, key: &ScatteredKey) -> Result<Option<CaseValue>, Case
         None => return Err(differs(plan, key)),
     };
     let numeric = match axis {
-        Some(axis) => match &axis.values {
-            AxisValues::Range(_) => true,
-            AxisValues::List(_) => !axis.is_text(),
-        },
+        Some(axis) => !axis.is_text(),
         None => matches!(centre, Some(CaseValue::Number(_) | CaseValue::Integer(_))),
     };
     if numeric || is_per_ball(&key.key) {

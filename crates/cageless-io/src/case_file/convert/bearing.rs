@@ -223,36 +223,21 @@ impl Converter<'_> {
     ) -> Result<(), CaseError> {
         let b = &self.sections.bearing;
         let groove_m = bearing.dimensions().outer_groove_bottom_radius_m;
-        let refused = |field, value, allowed| {
-            let error = InputError {
-                field,
-                value,
-                allowed,
-            };
-            Err(self.refused(&error, None))
+        let most_m = OUTER_RADII_MAX * groove_m;
+        let above = Allowed::Above(groove_m, "the bottom of the groove");
+        let radius = Allowed::AtMost(most_m, "ten times the bottom of the groove");
+        let width = Allowed::AtMost(2.0 * most_m, "ten times the diameter of the groove");
+        let (field, value, allowed) = match (b.outer_ring_outer_radius_m, b.outer_ring_width_m) {
+            (Some(m), _) if m <= groove_m => ("outer_ring_outer_radius_m", m, above),
+            (Some(m), _) if m > most_m => ("outer_ring_outer_radius_m", m, radius),
+            (_, Some(m)) if m > 2.0 * most_m => ("outer_ring_width_m", m, width),
+            _ => return Ok(()),
         };
-        if let Some(radius_m) = b.outer_ring_outer_radius_m {
-            let field = "outer_ring_outer_radius_m";
-            if radius_m <= groove_m {
-                return refused(
-                    field,
-                    radius_m,
-                    Allowed::Above(groove_m, "the bottom of the groove"),
-                );
-            }
-            let most_m = OUTER_RADII_MAX * groove_m;
-            if radius_m > most_m {
-                let allowed = Allowed::AtMost(most_m, "ten times the bottom of the groove");
-                return refused(field, radius_m, allowed);
-            }
-        }
-        let most_m = 2.0 * OUTER_RADII_MAX * groove_m;
-        match b.outer_ring_width_m {
-            Some(width_m) if width_m > most_m => {
-                let allowed = Allowed::AtMost(most_m, "ten times the diameter of the groove");
-                refused("outer_ring_width_m", width_m, allowed)
-            }
-            _ => Ok(()),
-        }
+        let error = InputError {
+            field,
+            value,
+            allowed,
+        };
+        Err(self.refused(&error, None))
     }
 }

@@ -11,18 +11,16 @@ impl Converter<'_> {
     /// Speed and load.
     pub(in crate::case_file) fn operation(&self) -> Result<Operation, CaseError> {
         let o = &self.sections.operation;
-        let (speed, speeds) = self.over_time("inner_speed_rpm", o.inner_speed_rad_s.as_ref())?;
+        let mut speed = self.over_time("inner_speed_rpm", o.inner_speed_rad_s.as_ref())?;
         // Clockwise is counter-clockwise seen from the other face.
-        let values = || speeds.iter().flatten().map(|[_, value]| *value);
-        let clockwise = speed < 0.0 || values().any(|v| v < 0.0);
-        let reversed = values().any(|v| v > 0.0);
-        let (speed, speeds) = if clockwise && !reversed {
-            let turned = |rows: Vec<[f64; 2]>| rows.into_iter().map(|[t, v]| [t, -v]).collect();
-            (-speed, speeds.map(turned))
-        } else {
-            (speed, speeds)
-        };
-        let (load, loads) = self.over_time("radial_load_n", o.radial_load_n.as_ref())?;
+        let values = || speed.rows.iter().flatten().map(|[_, value]| *value);
+        let clockwise = speed.start < 0.0 || values().any(|v| v < 0.0);
+        if clockwise && !values().any(|v| v > 0.0) {
+            speed.start = -speed.start;
+            let values = speed.rows.iter_mut().flatten();
+            values.for_each(|[_, value]| *value = -*value);
+        }
+        let load = self.over_time("radial_load_n", o.radial_load_n.as_ref())?;
         let table = |field, rows: Option<Vec<[f64; 2]>>| {
             let table = |rows: Vec<[f64; 2]>| {
                 let (times, values) = rows.into_iter().map(|[t, v]| (t, v)).unzip();
@@ -32,11 +30,11 @@ impl Converter<'_> {
         };
         Ok(Operation {
             clockwise,
-            inner_speed_rad_s: speed,
-            radial_load_n: load,
+            inner_speed_rad_s: speed.start,
+            radial_load_n: load.start,
             gravity_m_s2: o.gravity_m_s2,
-            inner_speed_table: table("inner_speed_rad_s", speeds)?,
-            radial_load_table: table("radial_load_n", loads)?,
+            inner_speed_table: table("inner_speed_rad_s", speed.rows)?,
+            radial_load_table: table("radial_load_n", load.rows)?,
             space: self.spatial_load()?,
         })
     }
@@ -82,22 +80,12 @@ impl Converter<'_> {
         })
     }
 
-    /// Value at the start and the table of a quantity, in SI units; 0 under a rotor, where
-    /// the key is left out.
-    #[expect(clippy::type_complexity, reason = "a value and its table")]
-    fn over_time(
-        &self,
-        name: &str,
-        given: Option<&OverTime>,
-    ) -> Result<(f64, Option<Vec<[f64; 2]>>), CaseError> {
+    /// A quantity, in SI units; 0 under a rotor, where the key is left out.
+    fn over_time(&self, name: &str, given: Option<&OverTime>) -> Result<OverTime, CaseError> {
         match given {
-            None if self.sections.rotor.is_some() => Ok((0.0, None)),
+            None if self.sections.rotor.is_some() => Ok(OverTime::default()),
             None => Err(self.missing("operation", name)),
-            Some(OverTime::Constant(value)) => Ok((*value, None)),
-            Some(OverTime::Table(rows)) => Ok((
-                rows.first().map_or(0.0, |[_, value]| *value),
-                Some(rows.clone()),
-            )),
+            Some(given) => Ok(given.clone()),
         }
     }
 }

@@ -6,12 +6,8 @@ use cageless::ring_support::SHOULDER_HEIGHT;
 use cageless::{Assembly, Bearing, BearingDimensions};
 use serde::Serialize;
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::{Absent, Commented, Shown};
-use crate::case_file::key::Presence::{Derived, Optional, Required};
+use crate::case_file::declaration::prelude::*;
 use crate::case_file::spanned_toml::Tree;
-use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre, None as Plain, Si};
 use crate::case_file::unit::{Side, round};
 
 /// Radius of a groove over the diameter of the ball: the usual one of deep groove ball bearings,

@@ -4,12 +4,8 @@ use cageless::FrictionLaw;
 use cageless::case::STRIPS_MAX;
 use cageless::contact::FrictionTable;
 
-use crate::case_file::key::Limit::{Above, AtLeast, Within};
-use crate::case_file::key::Line::{Absent, Commented, Shown};
-use crate::case_file::key::Presence::{Derived, Optional};
-use crate::case_file::key::default;
+use crate::case_file::declaration::prelude::*;
 use crate::case_file::sections::friction::{LAWS, section_with_friction};
-use crate::case_file::unit::Unit::{None as Plain, Si};
 
 /// Unit of K in F = K·δ^1.5.
 const HERTZ: crate::case_file::unit::Unit = Si("N/m^1.5");

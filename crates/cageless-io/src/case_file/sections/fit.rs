@@ -1,11 +1,6 @@
 //! `[fit]`.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, AtLeast, Within};
-use crate::case_file::key::Line::{Absent, Commented};
-use crate::case_file::key::Presence::Optional;
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{Gigapascal, Micrometre, Millimetre, None as Plain, Si};
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[fit]`: fits and temperatures, which make the clearance in operation of that of the bearing by itself.

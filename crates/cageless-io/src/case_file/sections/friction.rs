@@ -1,6 +1,6 @@
 //! The keys of friction, which `[contact]` and `[rotor]` have in common.
 
-use crate::case_file::key::Line;
+use crate::case_file::declaration::prelude::*;
 
 /// The laws, for the template.
 pub(crate) const LAWS: Line = Line::Shown(

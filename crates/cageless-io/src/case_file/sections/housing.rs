@@ -1,10 +1,6 @@
 //! `[housing]`.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::Commented;
-use crate::case_file::key::Presence::Required;
-use crate::case_file::unit::Unit::Si;
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[housing]`: support of the outer ring, for its vibration.

@@ -1,9 +1,6 @@
 //! `[[limit]]`.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::Required;
-use crate::case_file::unit::Unit::None as Plain;
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[[limit]]`: a limit of a user on a result of a drop.

@@ -2,12 +2,7 @@
 
 use cageless::{Lubricant, SkfSeries};
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, AtLeast, Within};
-use crate::case_file::key::Line::Commented;
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{None as Plain, Si, SquareMillimetrePerSecond};
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[lubrication]`: the lubricant, for ratings; the motion does not take it.

@@ -1,12 +1,6 @@
 //! `[material]`, `[ball_material]` and `[ring_material]`: a name, or the three numbers.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::Above;
-use crate::case_file::key::Line::{Absent, Shown};
-use crate::case_file::key::Presence::Optional;
-use crate::case_file::key::default;
-use crate::case_file::named::Named;
-use crate::case_file::unit::Unit::{Gigapascal, None as Plain, Si};
+use crate::case_file::declaration::prelude::*;
 
 /// A bearing material by name. The numbers are typical ones at room temperature, rounded; those
 /// of the supplier are better.

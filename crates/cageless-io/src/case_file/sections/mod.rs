@@ -21,13 +21,8 @@ pub(crate) mod start;
 pub(crate) mod support;
 pub(crate) mod thermal;
 
-use super::declaration::section;
-use super::format::{Heading, SCHEMA, sections};
-use super::key::Line::{Absent, Shown};
-use super::key::Presence::Optional;
-use super::key::default;
-use super::spanned_toml::{Node, Section, Value};
-use super::unit::Unit::None as Plain;
+use super::declaration::prelude::*;
+use super::spanned_toml::Section;
 
 sections! {
     /// The sections of a case file in SI units.
@@ -41,7 +36,7 @@ sections! {
         Heading::Commented("of the rings, if different");
     raceway: Vec<raceway::RacewaySection>, "the discrete raceway",
         Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
-    row: Vec<row::RowSection>, "a row of balls, where one inner ring has several; only for `static`",
+    row: Vec<cageless::Row>, "a row of balls, where one inner ring has several; only for `static`",
         Heading::Absent;
     operation: operation::OperationSection, "speed and load", Heading::Shown("");
     contact: cageless::Contact, "friction, damping and stiffness", Heading::Shown("");

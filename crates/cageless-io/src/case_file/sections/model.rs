@@ -2,11 +2,7 @@
 
 use cageless::{FlankModel, Motion, Profile};
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Line::{Commented, Shown};
-use crate::case_file::key::default;
-use crate::case_file::named::Named;
-use crate::case_file::unit::Unit::None as Plain;
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[model]`: the set of equations.

@@ -1,12 +1,7 @@
 //! `[operation]`.
 
-use crate::case_file::declaration::section;
+use crate::case_file::declaration::prelude::*;
 use crate::case_file::fields::OverTime;
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::{Absent, Shown};
-use crate::case_file::key::Presence::Optional;
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{Milliradian, RevolutionPerMinute, Si};
 
 section! {
     /// `[operation]`: speed and load.

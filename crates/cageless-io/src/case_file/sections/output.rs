@@ -1,10 +1,6 @@
 //! `[output]`.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::Above;
-use crate::case_file::key::Line::Shown;
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::Microsecond;
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[output]`: what a run writes.

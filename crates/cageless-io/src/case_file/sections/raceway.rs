@@ -1,14 +1,9 @@
 //! `[raceway]`.
 
-use crate::case_file::declaration::section;
 use cageless::RacewayShape;
 use cageless::raceway::MeasuredFlanks;
 
-use crate::case_file::key::Limit::{Above, AtLeast, Inside};
-use crate::case_file::key::Line::{Absent, Commented, Shown};
-use crate::case_file::key::Presence::{Derived, Optional};
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre, None as Plain};
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[raceway]`: a discrete raceway.

@@ -3,12 +3,8 @@
 use cageless::FrictionLaw;
 use cageless::contact::FrictionTable;
 
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::{Absent, Shown};
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::default;
+use crate::case_file::declaration::prelude::*;
 use crate::case_file::sections::friction::section_with_friction;
-use crate::case_file::unit::Unit::{Degree, Micrometre, None as Plain, RevolutionPerMinute, Si};
 
 section_with_friction! {
     /// `[rotor]`: a rotor that loses its magnetic bearing and falls onto the inner ring.

@@ -1,22 +1,17 @@
 //! `[[row]]`.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::AtLeast;
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{Micrometre, Millimetre, None as Plain};
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[[row]]`: a row of balls on the common inner ring.
-    struct RowSection {
+    impl cageless::Row {
         axial_position_mm => axial_position_m: f64 = Required, Millimetre,
             "z of the middle of the row", Absent;
         contact_sign => contact_sign: f64 = default(1.0), Plain,
             "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem", Absent;
         preload_um => preload_m: f64 = default(0.0), Micrometre; AtLeast(0.0),
             "preload by displacement of its outer ring against the contact sign", Absent;
-        balls => row_balls: Option<usize> = Optional, Plain,
+        balls => balls: Option<usize> = Optional, Plain,
             "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given", Absent;
     }
 }

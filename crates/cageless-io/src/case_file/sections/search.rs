@@ -2,15 +2,8 @@
 
 use cageless::design::search::{BUDGET, CRITICAL_GAP_MIN_FRACTION};
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Line::Commented;
-use crate::case_file::key::Presence::Optional;
-use crate::case_file::key::{
-    Limit::{Above, AtLeast, Inside, Within},
-    default,
-};
-use crate::case_file::named::{Named, SearchedShapes};
-use crate::case_file::unit::Unit::{Degree, Millimetre, None as Plain, RevolutionPerMinute, Si};
+use crate::case_file::declaration::prelude::*;
+use crate::case_file::named::SearchedShapes;
 
 section! {
     /// `[search]`: what `design --search` looks at. What is `None` is that of the case, or all

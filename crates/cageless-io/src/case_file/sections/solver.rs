@@ -2,13 +2,8 @@
 
 use cageless::IntegrationMethod;
 
-use crate::case_file::declaration::section;
+use crate::case_file::declaration::prelude::*;
 use crate::case_file::fields::Step;
-use crate::case_file::key::Limit::Above;
-use crate::case_file::key::Line::{Commented, Shown};
-use crate::case_file::key::default;
-use crate::case_file::named::Named;
-use crate::case_file::unit::Unit::{Microsecond, None as Plain, Si};
 
 section! {
     /// `[solver]`: integration. The error per step is a hundredth of what a figure shows.

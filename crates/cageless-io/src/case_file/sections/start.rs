@@ -1,12 +1,8 @@
 //! `[start]`.
 
-use crate::case_file::declaration::section;
+use crate::case_file::declaration::prelude::*;
 use crate::case_file::fields::GivenGaps;
-use crate::case_file::key::Line::Commented;
-use crate::case_file::key::Presence::Optional;
-use crate::case_file::key::default;
-use crate::case_file::named::{Named, StartState};
-use crate::case_file::unit::Unit::{Degree, Micrometre, None as Plain};
+use crate::case_file::named::StartState;
 
 section! {
     /// `[start]`: the initial state.

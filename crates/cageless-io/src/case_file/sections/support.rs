@@ -1,10 +1,6 @@
 //! `[support]`: what carries the outer ring under a falling rotor.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::{Absent, Shown};
-use crate::case_file::key::Presence::{Optional, Required};
-use crate::case_file::unit::Unit::{Micrometre, Si};
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[support]`: the support of the outer ring and housing under a falling rotor; without it

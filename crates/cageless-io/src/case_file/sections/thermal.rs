@@ -1,11 +1,6 @@
 //! `[thermal]`.
 
-use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, AtLeast};
-use crate::case_file::key::Line::Absent;
-use crate::case_file::key::Presence::Optional;
-use crate::case_file::key::default;
-use crate::case_file::unit::Unit::Si;
+use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[thermal]`: what the heat of a drop warms, and what happens between drops.

@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use super::result::{BestVariant, BestVariants};
 use cageless_io::results::Row;
-use cageless_results::Cell;
 use cageless_results::number_text::short;
+use cageless_results::{Aim, Cell, quantities as all};
 
 use super::quantities::{Input, Output, Quantities};
 use super::table::Table;
 use crate::StudyError;
-use cageless_results::{Aim, quantities as all};
 
 /// Requested direction of an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,7 +43,7 @@ pub(super) fn goals<'q>(
 ) -> Result<Vec<(&'q Output, Aim)>, StudyError> {
     let number = |name: &str| {
         let mut outputs = quantities.outputs.iter();
-        outputs.find(|o| o.name == name && o.is_name.is_none())
+        outputs.find(|o| o.quantity.name == name && o.is_name.is_none())
     };
     if wanted.is_empty() {
         let known = all().filter(|q| q.in_sweeps);
@@ -56,10 +55,10 @@ pub(super) fn goals<'q>(
     for goal in wanted {
         let Some(output) = number(&goal.column) else {
             let numbers = quantities.outputs.iter().filter(|o| o.is_name.is_none());
-            let names: Vec<_> = numbers.map(|o| o.name.as_str()).collect();
+            let names: Vec<_> = numbers.map(|o| o.quantity.name.as_str()).collect();
             return Err(StudyError::Input(format!(
                 "{}: {} is not an output that varies; these are {}",
-                table.path().display(),
+                table.reader.path().display(),
                 goal.column,
                 names.join(", ")
             )));
@@ -80,7 +79,7 @@ pub(super) fn find(
     wanted.extend(inputs.iter().map(|i| i.column));
     wanted.extend(goals.iter().map(|(output, _)| output.column));
     let conditions: Vec<usize> = (inputs.iter().enumerate())
-        .filter(|(_, input)| input.quantity().is_condition())
+        .filter(|(_, input)| input.quantity.is_condition())
         .map(|(k, _)| k)
         .collect();
     let choices = conditions.len() < inputs.len();
@@ -107,7 +106,7 @@ pub(super) fn find(
     let entry = |((output, aim), ranking): (&(&Output, Aim), Ranking)| {
         let per_condition = ranking.at.as_ref().is_some_and(|at| at.len() > 1);
         BestVariants {
-            quantity: output.quantity(),
+            quantity: output.quantity.clone(),
             high: *aim == Aim::High,
             per_condition,
             variants: match ranking.at {

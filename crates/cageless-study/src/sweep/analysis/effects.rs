@@ -93,7 +93,7 @@ pub(super) fn gather(
             .map(|k| effect(quantities, output, k, &levels[k]))
             .collect();
         SweepOutput {
-            quantity: output.quantity(),
+            quantity: output.quantity.clone(),
             count: all.count as u64,
             mean: all.mean() + output.origin,
             shares,
@@ -140,8 +140,8 @@ fn effect(
         levels.iter().map(value).collect()
     };
     MainEffect {
-        input: input.quantity(),
-        levels: input.levels(),
+        input: input.quantity.clone(),
+        levels: input.levels.clone(),
         mean: of(Moments::mean),
         min: of(|m| m.min),
         max: of(|m| m.max),
@@ -181,10 +181,10 @@ pub(super) fn maps(
         let (x, y) = pairs[k]?;
         let mean = |m: &Moments| m.mean() + output.origin;
         Some(HeatMap {
-            x_input: inputs[x].quantity(),
-            x: inputs[x].levels(),
-            y_input: inputs[y].quantity(),
-            y: inputs[y].levels(),
+            x_input: inputs[x].quantity.clone(),
+            x: inputs[x].levels.clone(),
+            y_input: inputs[y].quantity.clone(),
+            y: inputs[y].levels.clone(),
             mean: grids[k]
                 .iter()
                 .map(|line| line.iter().map(mean).collect())

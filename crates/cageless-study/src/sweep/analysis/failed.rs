@@ -14,7 +14,7 @@ const GROUPS_MAX: usize = 20;
 /// Failed variants by their reason, the most frequent first.
 pub(super) fn groups(table: &Table) -> Result<Vec<FailureGroup>, StudyError> {
     let mut groups: BTreeMap<String, FailureGroup> = BTreeMap::new();
-    table.each(&[0, table.reason()], |row| {
+    table.each(&[0, table.reason], |row| {
         let [index, Cell::Text(reason)] = row.as_slice() else {
             return;
         };

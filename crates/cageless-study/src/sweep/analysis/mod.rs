@@ -19,9 +19,8 @@ pub use result::{
     SweepQuantity,
 };
 
-use crate::{Parameter, Provenance};
+use crate::{Parameter, Provenance, StudyError};
 
-use crate::StudyError;
 use crate::sweep::footer::Identity;
 use cageless_results::Aim;
 
@@ -91,17 +90,22 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
     let failed = failures.iter().map(|group| group.count).sum();
     let setting = |key: &str| text_of(&identity.plan, key);
     let title = setting("title").filter(|title| !title.is_empty());
-    let rows = table.rows();
+    let rows = table.reader.rows();
+    let inputs: Vec<_> = quantities
+        .inputs
+        .iter()
+        .map(|i| i.quantity.clone())
+        .collect();
     Ok(SweepData {
         title: title.clone().unwrap_or_else(|| "A sweep".to_owned()),
         software: format!(
             "Cageless {}, {isa}, seed {}",
             identity.version, identity.seed
         ),
-        lead: lead(rows, &identity, &quantities),
+        lead: lead(rows, &identity, &inputs),
         variants: rows,
         failed,
-        inputs: quantities.inputs.iter().map(|i| i.quantity()).collect(),
+        inputs,
         outputs,
         chosen,
         passed,
@@ -145,7 +149,8 @@ const CHOSEN_MAX: usize = 8;
 fn ordered(mut outputs: Vec<SweepOutput>, goals: &[(&Output, Aim)]) -> (Vec<SweepOutput>, usize) {
     let rank = |output: &SweepOutput| {
         let name = output.quantity.name.as_str();
-        let goal = goals.iter().position(|(goal, _)| goal.name == name);
+        let is_it = |(goal, _): &(&Output, Aim)| goal.quantity.name == name;
+        let goal = goals.iter().position(is_it);
         match goal {
             _ if name == PASSES => 0,
             Some(k) => 1 + k,
@@ -182,13 +187,13 @@ fn passed(
     Ok(Some([if all.value == "1" { judged } else { 0 }, judged]))
 }
 
-fn lead(rows: u64, identity: &Identity, quantities: &Quantities) -> String {
+fn lead(rows: u64, identity: &Identity, inputs: &[SweepQuantity]) -> String {
     let part = if rows < identity.variants {
         format!(" of {}", identity.variants)
     } else {
         String::new()
     };
-    let names: Vec<_> = quantities.inputs.iter().map(|i| i.name.as_str()).collect();
+    let names: Vec<_> = inputs.iter().map(|i| i.name.as_str()).collect();
     format!("{rows}{part} variants. What varies: {}.", names.join(", "))
 }
 

@@ -1,13 +1,12 @@
 //! Inputs with their levels and outputs with their ranges.
 
 use super::result::{Levels, SweepQuantity};
-use crate::Parameter;
+use crate::{Parameter, StudyError};
 use cageless_io::results::Column;
 use cageless_results::Cell;
 use cageless_results::number_text::short;
 
 use super::table::Table;
-use crate::StudyError;
 
 /// Values that an input may have to be shown one by one.
 const LEVELS_MAX: usize = 24;
@@ -45,83 +44,58 @@ pub(super) struct Quantities {
 
 /// An input.
 pub(super) struct Input {
-    pub name: String,
-    pub unit: String,
+    pub quantity: SweepQuantity,
     pub column: usize,
-    scale: Scale,
-}
-
-/// Levels of an input.
-enum Scale {
-    Names(Vec<String>),
-    Values(Vec<f64>),
-    Stretches { from: f64, to: f64 },
+    /// Its levels, for figures.
+    pub levels: Levels,
+    /// Ends of the values of which the levels are the middles of equal stretches.
+    stretches: Option<[f64; 2]>,
 }
 
 /// An output, or the share of one of its names.
 pub(super) struct Output {
-    pub name: String,
-    pub unit: String,
+    pub quantity: SweepQuantity,
     pub column: usize,
     pub is_name: Option<String>,
     /// A value of it, to count from: what is large and hardly varies loses no digits.
     pub origin: f64,
 }
 
-impl Input {
-    pub(super) fn quantity(&self) -> SweepQuantity {
-        SweepQuantity {
-            name: self.name.clone(),
-            unit: self.unit.clone(),
-        }
+/// The quantity of a column.
+fn quantity(column: &Column) -> SweepQuantity {
+    SweepQuantity {
+        name: column.name.to_string(),
+        unit: column.unit.to_string(),
     }
+}
 
+impl Input {
     /// Number of levels.
     pub(super) fn count(&self) -> usize {
-        match &self.scale {
-            Scale::Names(names) => names.len(),
-            Scale::Values(values) => values.len(),
-            Scale::Stretches { .. } => STRETCHES,
+        match &self.levels {
+            Levels::Names(names) => names.len(),
+            Levels::Numbers(values) => values.len(),
         }
     }
 
     /// Level of a value; `None` if there is none.
     pub(super) fn level(&self, cell: &Cell) -> Option<usize> {
-        match (&self.scale, cell) {
-            (Scale::Names(names), Cell::Text(name)) => names.iter().position(|n| n == name),
-            (Scale::Values(values), cell) => {
+        match (&self.levels, cell, self.stretches) {
+            (Levels::Names(names), Cell::Text(name), _) => names.iter().position(|n| n == name),
+            (Levels::Names(_), ..) => None,
+            (Levels::Numbers(values), cell, None) => {
                 let value = cell.number()?;
                 values.iter().position(|v| *v == value)
             }
-            (Scale::Stretches { from, to }, cell) => {
+            (_, cell, Some([from, to])) => {
                 let share = (cell.number()? - from) / (to - from);
                 Some(((share * STRETCHES as f64) as usize).min(STRETCHES - 1))
-            }
-            _ => None,
-        }
-    }
-
-    /// Its levels, for figures.
-    pub(super) fn levels(&self) -> Levels {
-        match &self.scale {
-            Scale::Names(names) => Levels::Names(names.clone()),
-            Scale::Values(values) => Levels::Numbers(values.clone()),
-            Scale::Stretches { from, to } => {
-                let middle = |k: usize| from + (to - from) * (k as f64 + 0.5) / STRETCHES as f64;
-                Levels::Numbers((0..STRETCHES).map(middle).collect())
             }
         }
     }
 }
 
 impl Output {
-    pub(super) fn quantity(&self) -> SweepQuantity {
-        SweepQuantity {
-            name: self.name.clone(),
-            unit: self.unit.clone(),
-        }
-    }
-
     /// Its value in a row; `None` if there is none.
     pub(super) fn value(&self, cell: &Cell) -> Option<f64> {
         match (&self.is_name, cell) {
@@ -162,16 +136,19 @@ impl Seen {
         }
     }
 
-    fn scale(mut self) -> Option<Scale> {
+    /// Levels of an input, and the ends of its values if the levels are stretches of these.
+    fn levels(mut self) -> Option<(Levels, Option<[f64; 2]>)> {
         if !self.names.is_empty() {
-            return (self.names.len() > 1).then_some(Scale::Names(self.names));
+            return (self.names.len() > 1).then_some((Levels::Names(self.names), None));
         }
         let [from, to] = self.range.filter(|[from, to]| from < to)?;
         if self.many {
-            return Some(Scale::Stretches { from, to });
+            let middle = |k: usize| from + (to - from) * (k as f64 + 0.5) / STRETCHES as f64;
+            let middles = (0..STRETCHES).map(middle).collect();
+            return Some((Levels::Numbers(middles), Some([from, to])));
         }
         self.values.sort_unstable_by(f64::total_cmp);
-        Some(Scale::Values(self.values))
+        Some((Levels::Numbers(self.values), None))
     }
 }
 
@@ -203,11 +180,12 @@ impl Quantities {
     }
 
     fn input(&mut self, spec: &Column, column: usize, seen: Seen) {
-        self.inputs.extend(seen.scale().map(|scale| Input {
-            name: spec.name.to_string(),
-            unit: spec.unit.to_string(),
+        let levels = seen.levels();
+        self.inputs.extend(levels.map(|(levels, stretches)| Input {
+            quantity: quantity(spec),
             column,
-            scale,
+            levels,
+            stretches,
         }));
     }
 
@@ -215,8 +193,10 @@ impl Quantities {
         seen.names.truncate(NAMES_MAX);
         if seen.names.len() > 1 {
             let of_name = |name: &String| Output {
-                name: format!("{} = {name}", spec.name),
-                unit: String::new(),
+                quantity: SweepQuantity {
+                    name: format!("{} = {name}", spec.name),
+                    unit: String::new(),
+                },
                 column,
                 is_name: Some(name.clone()),
                 origin: 0.0,
@@ -227,8 +207,7 @@ impl Quantities {
         match seen.range {
             Some([low, high]) if high - low > rounding(&spec.unit, low, high) => {
                 self.outputs.push(Output {
-                    name: spec.name.to_string(),
-                    unit: spec.unit.to_string(),
+                    quantity: quantity(spec),
                     column,
                     is_name: None,
                     origin: low,

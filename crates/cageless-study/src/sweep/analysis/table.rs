@@ -7,8 +7,8 @@ use crate::sweep::evaluate::{INDEX, REASON};
 
 /// The result of a sweep: its index, then inputs, the reason, then outputs.
 pub(super) struct Table {
-    reader: TableReader,
-    reason: usize,
+    pub reader: TableReader,
+    pub reason: usize,
 }
 
 impl Table {
@@ -23,18 +23,6 @@ impl Table {
                 reader.path().display()
             ))),
         }
-    }
-
-    pub(super) fn rows(&self) -> u64 {
-        self.reader.rows()
-    }
-
-    pub(super) fn path(&self) -> &std::path::Path {
-        self.reader.path()
-    }
-
-    pub(super) fn reason(&self) -> usize {
-        self.reason
     }
 
     pub(super) fn column(&self, name: &str) -> Option<usize> {
