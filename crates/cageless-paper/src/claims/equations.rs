@@ -20,9 +20,8 @@ fn centrifugal(e: &Evidence) -> Claim {
         "",
     )
     .says(
-        "It changes nothing.",
-        "The frame is inertial: the force comes out of the motion, and with Fw the outer raceway \
-         carries it again.",
+        "[It changes nothing.|The frame is inertial: the force comes out of the motion, and \
+         with Fw the outer raceway carries it again.]",
     );
     Claim::as_printed(
         "Eq. (12), (15)",
@@ -50,8 +49,8 @@ fn spin(e: &Evidence) -> Claim {
                 "",
             )
             .says(
-                "The rates of the two spins are the same.",
-                "Angular momentum needs the absolute spin, whose rate is another.",
+                "[The rates of the two spins are the same.|Angular momentum needs the \
+                 absolute spin, whose rate is another.]",
             ),
             Requirement::at_most(
                 "largest change of a critical gap (Coulomb) with these two and Fw put right",
@@ -59,10 +58,7 @@ fn spin(e: &Evidence) -> Claim {
                 e.printed.neglected_deg,
                 "°",
             )
-            .says(
-                "For the critical gaps that matters little.",
-                "It matters for the critical gaps.",
-            ),
+            .says("[For the critical gaps that matters little.|It matters for the critical gaps.]"),
         ],
     )
     .numbers(&format!(
@@ -81,8 +77,8 @@ fn reaction(e: &Evidence) -> Claim {
         "",
     )
     .says(
-        "The ring is in equilibrium with it.",
-        "The ring at rest would not be in equilibrium: action and reaction have opposite signs.",
+        "The ring [is in equilibrium with it.|at rest would not be in equilibrium: action and \
+         reaction have opposite signs.]",
     );
     Claim::as_printed(
         "Eq. (12), (14)",

@@ -87,9 +87,8 @@ fn classes(e: &Evidence) -> Claim {
                 e.between.len(),
             )
             .says(
-                "The limits of 2θ predict the verdicts on structures to which nothing was fitted.",
-                "The limits of 2θ do not predict all verdicts on structures to which nothing was \
-                 fitted.",
+                "The limits of 2θ [predict the|do not predict all] verdicts on structures to \
+                 which nothing was fitted.",
             ),
             Requirement::in_all(
                 "`physical`: the ten structures with the paper's verdict",
@@ -97,8 +96,8 @@ fn classes(e: &Evidence) -> Claim {
                 physical.len(),
             )
             .says(
-                "The same thresholds give the paper's classes in `physical`, too.",
-                "The same thresholds do not give all of the paper's classes in `physical`.",
+                "The same thresholds [give the paper's classes in `physical`, too.|do not \
+                 give all of the paper's classes in `physical`.]",
             ),
         ],
     )
@@ -125,7 +124,7 @@ fn three_balls(e: &Evidence) -> Claim {
         100.0 * ROUNDING_DEG,
         "°",
     )
-    .says("It is.", "The paper's own ε and β0 give another value.");
+    .says("[It is.|The paper's own ε and β0 give another value.]");
     Claim::as_printed(
         "Section 4.3",
         &format!("2(ε + β0) = {printed:.2}°."),
@@ -149,10 +148,7 @@ fn recommended(e: &Evidence) -> Claim {
         0.0,
         "°",
     )
-    .says(
-        "The sample lies in the range.",
-        "The sample that was made, called reasonable, lies outside the range.",
-    );
+    .says("The sample [lies in|that was made, called reasonable, lies outside] the range.");
     Claim::as_printed(
         "Sections 4.3, 5, 6",
         &format!("2θ should lie in [{low}°, 2ε]."),
@@ -182,19 +178,16 @@ fn least_angle(e: &Evidence) -> Claim {
     let criterion = pairs
         .map(|(name, found)| {
             let least = found.map_or(f64::NAN, |f| 2.0 * f.half_angle_min_rad.to_degrees());
+            let size = if least < printed { "smaller" } else { "larger" };
             Requirement::at_most(
                 &format!("{name}: difference of the 2θ at which sliding takes 5 % of the gap"),
                 (least - printed).abs(),
                 1.0,
                 "°",
             )
-            .says(
-                &format!("They do in {name}."),
-                &format!(
-                    "In {name} they slide from another angle on, a {} one.",
-                    if least < printed { "smaller" } else { "larger" }
-                ),
-            )
+            .says(&format!(
+                "[They do in {name}|In {name} they slide from another angle on, a {size} one]."
+            ))
         })
         .collect();
     Claim::of_the_model(
@@ -238,10 +231,9 @@ fn spread_outside(e: &Evidence) -> Claim {
             beta0,
             "°",
         )
-        .says(
-            &format!("The gap inside is smaller than β0 in {name}."),
-            &format!("The gap inside is not smaller than β0 in {name}."),
-        )
+        .says(&format!(
+            "The gap inside is [|not ]smaller than β0 in {name}."
+        ))
     });
     criterion.extend(of_both(e, |name, found| {
         Requirement::at_most(
@@ -250,12 +242,10 @@ fn spread_outside(e: &Evidence) -> Claim {
             e.printed.neglected_deg,
             "°",
         )
-        .says(
-            &format!("Balls outside are evenly spaced in {name}."),
-            &format!(
-                "Balls outside are not evenly spaced in {name}, though they were at the start."
-            ),
-        )
+        .says(&format!(
+            "Balls outside are [evenly spaced in {name}.|not evenly spaced in {name}, though \
+             they were at the start.]"
+        ))
     }));
     Claim::of_the_model(
         "Section 6",
