@@ -13,13 +13,8 @@ pub fn claims(e: &Evidence) -> Vec<Claim> {
 
 fn centrifugal(e: &Evidence) -> Claim {
     let [with, without] = e.mechanics.top_force_n;
-    let criterion = Requirement::at_most(
-        "outer force on the topmost ball with Fw over that without, less 1",
-        (with / without - 1.0).abs(),
-        EXACT,
-        "",
-    )
-    .says(
+    let quantity = "outer force on the topmost ball with Fw over that without, less 1";
+    let criterion = Requirement::at_most(quantity, (with / without - 1.0).abs(), EXACT, "").says(
         "[It changes nothing.|The frame is inertial: the force comes out of the motion, and \
          with Fw the outer raceway carries it again.]",
     );
@@ -70,13 +65,8 @@ fn spin(e: &Evidence) -> Claim {
 
 fn reaction(e: &Evidence) -> Claim {
     let [printed, reacting] = e.mechanics.ring_residual;
-    let criterion = Requirement::at_most(
-        "sum of the forces on the ring at rest over its load",
-        printed,
-        EXACT,
-        "",
-    )
-    .says(
+    let quantity = "sum of the forces on the ring at rest over its load";
+    let criterion = Requirement::at_most(quantity, printed, EXACT, "").says(
         "The ring [is in equilibrium with it.|at rest would not be in equilibrium: action and \
          reaction have opposite signs.]",
     );

@@ -55,13 +55,10 @@ fn decrease(e: &Evidence) -> Claim {
     let falls = |what: &str, since: usize, of: fn(&RecordChange) -> &Estimate| {
         let [count, all] = later(STRUCTURE_D, since, of);
         let quarter = ["first", "second"][since];
-        Requirement::in_all(
-            &format!(
-                "lots with significantly less {what} in the last quarter than in the {quarter}"
-            ),
-            count,
-            all,
-        )
+        let quantity = format!(
+            "lots with significantly less {what} in the last quarter than in the {quarter}"
+        );
+        Requirement::in_all(&quantity, count, all)
     };
     let [conventional_too, all] = later(CONVENTIONAL, 0, |c| &c.contacts_per_s);
     let [conventional, discrete] = &e.bearings;
@@ -119,12 +116,9 @@ fn cause(e: &Evidence) -> Claim {
         let parts = cells(&e.comparison, ring, None)
             .map(|c| (c.rms_without_contacts_m_s2.mean / c.rms_m_s2.mean).powi(2));
         let main = parts.clone().filter(|rest| *rest < 0.5).count();
-        Requirement::in_all(
-            &format!("{ring}: cases with less than half of the mean square left without contacts"),
-            main,
-            parts.count(),
-        )
-        .says(&format!(
+        let quantity =
+            format!("{ring}: cases with less than half of the mean square left without contacts");
+        Requirement::in_all(&quantity, main, parts.count()).says(&format!(
             "They are [|not ]in every case with the ring: {ring}."
         ))
     };

@@ -15,13 +15,8 @@ fn eq_10(e: &Evidence) -> Claim {
     let m = &e.mechanics;
     let printed = m.spacing_deg - m.printed_epsilon_deg;
     let gap = e.printed.nominal_gap_deg;
-    let criterion = Requirement::at_most(
-        "nominal gap with this ε, from the paper's own",
-        (printed - gap).abs(),
-        ROUNDING_DEG,
-        "°",
-    )
-    .says(
+    let quantity = "nominal gap with this ε, from the paper's own";
+    let criterion = Requirement::at_most(quantity, (printed - gap).abs(), ROUNDING_DEG, "°").says(
         "It [gives the paper's own nominal gap.|does not give the paper's own nominal gap: \
          its chord is Rw, that of two balls in contact 2 Rw.]",
     );
@@ -58,13 +53,9 @@ fn angle_of_eq_11(e: &Evidence) -> Claim {
         of(rows().map(|r| polar(r) - r.theory_deg).collect())
     };
     let (low, high) = (larger(least), larger(largest));
-    let criterion = Requirement::at_most(
-        "largest change of β0 with the ball's own ψ (tan ψ = x/(−y))",
-        high.max(-low),
-        ROUNDING_DEG,
-        "°",
-    )
-    .says("φ is then [|not ]the angular position ψ of the ball.");
+    let quantity = "largest change of β0 with the ball's own ψ (tan ψ = x/(−y))";
+    let criterion = Requirement::at_most(quantity, high.max(-low), ROUNDING_DEG, "°")
+        .says("φ is then [|not ]the angular position ψ of the ball.");
     Claim::as_printed(
         "Eq. (11)",
         "x = Ro sin φ with φ the angle of integration.",
@@ -80,13 +71,8 @@ fn speed(e: &Evidence) -> Claim {
     let gaps = &e.extra.at_speeds_deg;
     let polar_deg = e.table2.table.rows[3].theory_polar_deg;
     let changed = |name: &str, [slow, fast]: [f64; 2]| {
-        Requirement::at_most(
-            &format!("{name}: change of the critical gap from 3000 to 12 000 rpm"),
-            (fast - slow).abs(),
-            neglected,
-            "°",
-        )
-        .says(&format!(
+        let quantity = format!("{name}: change of the critical gap from 3000 to 12 000 rpm");
+        Requirement::at_most(&quantity, (fast - slow).abs(), neglected, "°").says(&format!(
             "[The gap of {name} does not depend|With sliding the gap of {name} depends] on \
              it."
         ))

@@ -154,7 +154,7 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
              Choices come first, conditions of operation behind them.",
         output.quantity.name
     );
-    Figure::new(&format!("Effects on {name}"), &caption, &provenance, plot)
+    Figure::new(&format!("Effects on {name}"), &caption, provenance, plot)
 }
 
 /// A long title in two lines.
@@ -221,7 +221,7 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
     Figure::new(
         &format!("Map of {}", names::name(&output.quantity)),
         &caption,
-        &provenance,
+        provenance,
         plot,
     )
 }
