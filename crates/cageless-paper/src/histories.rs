@@ -174,11 +174,6 @@ fn gap_history(
     let c = passes_s(snapshots, ahead, -theta, d, true).unwrap_or(d);
     let b = passes_s(snapshots, ball, -zone, c, true).unwrap_or(c);
     let a = passes_s(snapshots, ball, zone, b, true).unwrap_or(b);
-    let stage = |label: &str, time_s: f64, meaning: &str| Event {
-        label: label.to_owned(),
-        time_s,
-        meaning: meaning.to_owned(),
-    };
     let turn: Vec<&Snapshot> = snapshots
         .iter()
         .filter(|s| s.time_s >= a && s.time_s <= e)
@@ -221,11 +216,11 @@ fn gap_history(
         turn_time_s: turn.iter().map(|s| s.time_s).collect(),
         turn_gap_deg: turn.iter().map(|s| gap(s)).collect(),
         stages: vec![
-            stage("a", a, "the trailing ball leaves the load zone"),
-            stage("b", b, "it comes back into the load zone"),
-            stage("c", c, "the leading ball enters the discrete raceway"),
-            stage("d", d, "the trailing ball leaves the discrete raceway"),
-            stage("e", e, "the trailing ball leaves the load zone again"),
+            Event::new("a", a, "the trailing ball leaves the load zone"),
+            Event::new("b", b, "it comes back into the load zone"),
+            Event::new("c", c, "the leading ball enters the discrete raceway"),
+            Event::new("d", d, "the trailing ball leaves the discrete raceway"),
+            Event::new("e", e, "the trailing ball leaves the load zone again"),
         ],
         uniform_gap_deg: beta0,
         provenance,
@@ -283,11 +278,7 @@ fn neighbours(
     };
     let gap = |k: usize| -> Vec<f64> { shown.iter().map(|s| s.gap_rad[k].to_degrees()).collect() };
     let event = |label: &str, time: Option<f64>, meaning: &str| {
-        time.map(|time_s| Event {
-            label: label.to_owned(),
-            time_s,
-            meaning: meaning.to_owned(),
-        })
+        time.map(|time_s| Event::new(label, time_s, meaning))
     };
     let figure = Neighbours {
         structure: label(0, case),

@@ -73,30 +73,22 @@ pub fn design_curve(case: &Case) -> DesignCurve {
     let bearing = &case.bearing;
     let curve = span_angle_curve(bearing, RacewayForm::default(), 240);
     let (epsilon, gap) = (bearing.ball_angle_rad(), bearing.nominal_gap_rad());
+    let three_balls_deg = (epsilon + gap).to_degrees();
+    let span_mm = axial_span_limit_m(bearing) * 1e3;
+    let paper = (0..10).filter_map(|k| {
+        let case = cases::structure(k, READINGS[0], &[]).ok()?;
+        Some(label(k, &case))
+    });
     DesignCurve {
-        paper: (0..10)
-            .filter_map(|k| {
-                cases::structure(k, READINGS[0], &[])
-                    .ok()
-                    .map(|c| label(k, &c))
-            })
-            .collect(),
+        paper: paper.collect(),
         limits: vec![
-            DesignLimit {
-                quantity: LimitedQuantity::AxialSpan,
-                value: axial_span_limit_m(bearing) * 1e3,
-                label: "Eq. (8)".to_owned(),
-            },
-            DesignLimit {
-                quantity: LimitedQuantity::HalfAngle,
-                value: (epsilon + gap).to_degrees(),
-                label: "three balls inside".to_owned(),
-            },
-            DesignLimit {
-                quantity: LimitedQuantity::HalfAngle,
-                value: 22.0,
-                label: "sliding, Section 4.3".to_owned(),
-            },
+            DesignLimit::new(LimitedQuantity::AxialSpan, span_mm, "Eq. (8)"),
+            DesignLimit::new(
+                LimitedQuantity::HalfAngle,
+                three_balls_deg,
+                "three balls inside",
+            ),
+            DesignLimit::new(LimitedQuantity::HalfAngle, 22.0, "sliding, Section 4.3"),
         ],
         provenance: Provenance {
             case: case.title.clone(),

@@ -42,6 +42,7 @@ pub struct Computed {
 }
 
 /// One change of what the paper leaves open.
+#[derive(Clone, Copy)]
 struct Change {
     cause: &'static str,
     overrides: &'static [&'static str],
@@ -56,49 +57,40 @@ impl Change {
     }
 }
 
-/// The steps of the table are its own.
-fn usual_test() -> PairTest {
-    PairTest {
-        coulomb_step_max_s: f64::INFINITY,
-        ..PairTest::default()
+/// Nothing changed, at the step of the spreads. The steps of the table are its own.
+fn base() -> Change {
+    Change {
+        cause: "",
+        overrides: &[],
+        step_us: SPREAD_STEP_US,
+        test: PairTest {
+            coulomb_step_max_s: f64::INFINITY,
+            ..PairTest::default()
+        },
     }
 }
 
 fn changes() -> Vec<Change> {
-    let usual = usual_test();
     let with = |cause, overrides| Change {
         cause,
         overrides,
-        step_us: SPREAD_STEP_US,
-        test: usual,
+        ..base()
     };
-    let tested = |cause, test| Change {
-        cause,
-        overrides: &[],
-        step_us: SPREAD_STEP_US,
-        test,
+    let tested = |cause, change: fn(&mut PairTest)| {
+        let mut changed = with(cause, &[]);
+        change(&mut changed.test);
+        changed
     };
+    let mut fine = with("step 1 to 0.25 µs", &[]);
+    fine.step_us = STEP_US;
     vec![
-        Change {
-            cause: "step 1 to 0.25 µs",
-            overrides: &[],
-            step_us: STEP_US,
-            test: usual,
-        },
-        tested(
-            "start of the trailing ball at ψ = −120°",
-            PairTest {
-                trailing_start_rad: -4.0 / 3.0 * FRAC_PI_2,
-                ..usual
-            },
-        ),
-        tested(
-            "ring starts at y = −22 µm",
-            PairTest {
-                ring_y_m: Some(-22e-6),
-                ..usual
-            },
-        ),
+        fine,
+        tested("start of the trailing ball at ψ = −120°", |t| {
+            t.trailing_start_rad = -4.0 / 3.0 * FRAC_PI_2;
+        }),
+        tested("ring starts at y = −22 µm", |t| {
+            t.ring_y_m = Some(-22e-6)
+        }),
         with(
             "groove radii 0.52 to 0.515 ball diameters",
             &[
@@ -121,20 +113,10 @@ fn changes() -> Vec<Change> {
             "raceway damping 2e5 to 4e5 N·s/m^1.5",
             &["contact.damping_n_s_m1_5=4e5"],
         ),
-        tested(
-            "neighbours of the pair 1.5 times as far",
-            PairTest {
-                neighbours_wider: 1.5,
-                ..usual
-            },
-        ),
-        tested(
-            "touch read as δb > 0",
-            PairTest {
-                touch: Touch::Surface,
-                ..usual
-            },
-        ),
+        tested("neighbours of the pair 1.5 times as far", |t| {
+            t.neighbours_wider = 1.5;
+        }),
+        tested("touch read as δb > 0", |t| t.touch = Touch::Surface),
     ]
 }
 
@@ -160,12 +142,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
     let changes = changes();
     // One task for every gap, the longest first: those of the table itself, then for the
     // columns whose spread is shown the base of the spreads and every change.
-    let base = Change {
-        cause: "",
-        overrides: &[],
-        step_us: SPREAD_STEP_US,
-        test: usual_test(),
-    };
+    let base = base();
     let fine = Change {
         step_us: STEP_US,
         ..base

@@ -6,7 +6,7 @@
 //!
 //! let claim = |difference_deg: f64| {
 //!     let requirement = Requirement::at_most("largest difference", difference_deg, 5e-5, "°");
-//!     let requirement = requirement.says("All values agree.", "Not all values agree.");
+//!     let requirement = requirement.says("[All|Not all] values agree.");
 //!     Claim::of_the_model("Table 2", "The theoretical values.", vec![requirement])
 //! };
 //! assert_eq!(claim(4e-5).status(), ClaimStatus::Confirmed);
@@ -94,9 +94,18 @@ impl Requirement {
         Self::new(quantity, value, Bound::AllOf(cases), "")
     }
 
-    /// Sentences of the finding: one if the requirement is met, one if it is not.
-    pub fn says(mut self, met: &str, missed: &str) -> Self {
-        self.sentences = [met.to_owned(), missed.to_owned()];
+    /// Sentence of the finding. Of words in brackets, `[all|not all]`, the first are said if the
+    /// requirement is met, the second if it is not.
+    pub fn says(mut self, sentence: &str) -> Self {
+        let said = |choice: usize| {
+            let parts = sentence.split(['[', ']']).enumerate();
+            let part = |(k, part): (usize, &'_ str)| match k % 2 {
+                0 => part.to_owned(),
+                _ => part.split('|').nth(choice).unwrap_or_default().to_owned(),
+            };
+            parts.map(part).collect()
+        };
+        self.sentences = [said(0), said(1)];
         self
     }
 

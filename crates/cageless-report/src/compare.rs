@@ -9,7 +9,7 @@ use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::sampling::range;
-use crate::table::{Cell, Row, Table};
+use crate::table::{Cell, Table};
 use crate::text::short;
 
 /// The page of `compare`.
@@ -45,36 +45,30 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     page.table(&table("Results", runs, comparison, all));
     page.section("Spacing of the balls");
     if comparison.starts.seed.is_some() {
-        let note = format!(
-            "Figures and animation show the runs{}.",
-            of_start(comparison)
+        let start = of_start(comparison);
+        page.note(
+            Note::Remark,
+            &format!("Figures and animation show the runs{start}."),
         );
-        page.note(Note::Remark, &note);
     }
-    figures::spacing(runs).iter().for_each(|f| page.figure(f));
+    page.figures(figures::spacing(runs));
     page.section("Inner ring and loads");
-    figures::ring(runs).iter().for_each(|f| page.figure(f));
-    figures::loads(runs).iter().for_each(|f| page.figure(f));
+    page.figures(figures::ring(runs).into_iter().chain(figures::loads(runs)));
     let motions = motions(runs);
     if let Some(first) = motions.first() {
         page.section("Balls in motion");
         let (from, to) = range(&first.time_s);
-        page.motion(&MotionFigure {
-            label: "Motion".to_owned(),
-            caption: format!(
-                "The last orbits of each run{}, to scale, side by side at the same speed: {} from \
-                 t = {} s to {} s. The inner rings turn counter-clockwise, load and gravity point \
-                 down; discrete raceways are shaded orange, balls 1 and 2 blue, balls in contact \
-                 ringed.",
-                of_start(comparison),
-                first.title,
-                short(from),
-                short(to)
-            ),
-            bearings: motions,
-            moments_s: Vec::new(),
-            stretches: Vec::new(),
-        });
+        let caption = format!(
+            "The last orbits of each run{}, to scale, side by side at the same speed: {} from \
+             t = {} s to {} s. The inner rings turn counter-clockwise, load and gravity point \
+             down; discrete raceways are shaded orange, balls 1 and 2 blue, balls in contact \
+             ringed.",
+            of_start(comparison),
+            first.title,
+            short(from),
+            short(to)
+        );
+        page.motion(&MotionFigure::new("Motion", &caption, motions));
     }
     page.html()
 }
@@ -88,15 +82,18 @@ fn table<'r>(
     let headings = comparison.headings();
     let last = headings.len() - 1;
     let numeric = |k: usize| k == 1 || (k > 1 && k < last && (k - 2) % 3 < 2);
-    let rows = comparison.rows(results).into_iter().map(|row| Row {
-        cells: (row.into_iter().enumerate())
-            .map(|(k, text)| match (numeric(k), k > 1 && (k - 2) % 3 == 1) {
-                (true, true) => Cell::dim(text),
-                (true, false) => Cell::number(text),
-                _ => Cell::text(text),
-            })
-            .collect(),
-        ..Row::default()
+    let cell = |(k, text)| match (numeric(k), k > 1 && (k - 2) % 3 == 1) {
+        (true, true) => Cell::dim(text),
+        (true, false) => Cell::number(text),
+        _ => Cell::text(text),
+    };
+    let rows = comparison.rows(results).into_iter();
+    let rows = rows.map(|row| {
+        row.into_iter()
+            .enumerate()
+            .map(cell)
+            .collect::<Vec<_>>()
+            .into()
     });
     let rows = rows.collect();
     let columns = headings.into_iter().enumerate();

@@ -186,10 +186,7 @@ impl RingComparison {
                 };
                 let mut cells = vec![Cell::text(lot), Cell::text(c.ring_text())];
                 cells.extend(numbers(c));
-                Row {
-                    cells,
-                    ..Row::default()
-                }
+                Row::from(cells)
             })
             .collect();
         let groups = groups

@@ -158,3 +158,15 @@ pub struct Event {
     /// Description of the event for the caption.
     pub meaning: String,
 }
+
+impl Event {
+    /// The moment `time_s`.
+    pub fn new(label: &str, time_s: f64, meaning: &str) -> Self {
+        let [label, meaning] = [label, meaning].map(str::to_owned);
+        Self {
+            label,
+            time_s,
+            meaning,
+        }
+    }
+}

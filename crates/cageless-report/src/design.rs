@@ -20,8 +20,7 @@ use crate::recommended::ShownRaceway;
 use crate::reproduce_data::DesignCurve;
 use crate::search_tables as tables;
 use crate::studio_page::case_sections;
-use crate::table::{Cell, Row, Table};
-use crate::tables::parameter_table;
+use crate::table::Table;
 use crate::text::fixed;
 
 /// Data of the page of `design`. Empty parts are omitted from the page.
@@ -78,9 +77,7 @@ pub struct DesignData {
 pub fn design_page(data: &DesignData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
     page.head(&head(data));
-    for warning in &data.warnings {
-        page.note(Note::Warning, warning);
-    }
+    page.notes(Note::Warning, &data.warnings);
     if let Some(shown) = &data.shown {
         drawing_section(&mut page, shown);
     } else if let Some(track) = &data.contact_track {
@@ -100,10 +97,8 @@ pub fn design_page(data: &DesignData) -> String {
     if !data.recommendation.is_empty() {
         // Beside the result of a search it is no recommendation of its own.
         if data.search.is_some() {
-            page.note(
-                Note::Remark,
-                &format!("Without the search: {}", data.recommendation),
-            );
+            let without = format!("Without the search: {}", data.recommendation);
+            page.note(Note::Remark, &without);
         } else {
             page.verdict(data.recommendation_passes, &data.recommendation);
         }
@@ -119,15 +114,9 @@ pub fn design_page(data: &DesignData) -> String {
         if data.search.is_some() && data.passes.is_some() {
             page.note(Note::Remark, &two_critical_gaps());
         }
-        page.table(&parameter_table(
-            "Verdict",
-            "Verdict on the initial design and its geometry.",
-            &data.results,
-            Some(data.provenance.clone()),
-        ));
-        data.reasons
-            .iter()
-            .for_each(|reason| page.note(Note::Remark, reason));
+        let caption = "Verdict on the initial design and its geometry.";
+        page.parameters("Verdict", caption, &data.results, Some(&data.provenance));
+        page.notes(Note::Remark, &data.reasons);
         if data.shown.is_some() && data.contact_track.is_some() {
             page.fold("Contact track and surface of the initial design");
             let track = data.contact_track.as_ref();
@@ -141,17 +130,11 @@ pub fn design_page(data: &DesignData) -> String {
     }
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");
-        page.motion(&MotionFigure {
-            label: "Motion".to_owned(),
-            caption:
-                "The last orbits of the run in which the initial design was judged, to scale. \
-                      The inner ring turns counter-clockwise, load and gravity point down; the \
-                      discrete raceway is shaded orange, balls 1 and 2 blue, touching balls ringed."
-                    .to_owned(),
-            bearings: vec![motion.clone()],
-            moments_s: Vec::new(),
-            stretches: Vec::new(),
-        });
+        let caption = "The last orbits of the run in which the initial design was judged, to scale. \
+                       The inner ring turns counter-clockwise, load and gravity point down; the \
+                       discrete raceway is shaded orange, balls 1 and 2 blue, touching balls ringed.";
+        let bearings = vec![motion.clone()];
+        page.motion(&MotionFigure::new("Motion", caption, bearings));
     }
     let title = "The case as computed";
     case_sections(&mut page, title, &data.parameters, &data.case_toml);
@@ -186,13 +169,9 @@ fn capital(text: &str) -> String {
 /// The recommended raceway as it is to be made.
 fn drawing_section(page: &mut Page, shown: &ShownRaceway) {
     page.section(&capital(&shown.name));
-    page.table(&parameter_table(
-        "Drawing",
-        "Dimensions for the drawing of the outer ring. `cageless export` writes the ring as STEP or \
-         STL.",
-        &shown.drawing,
-        None,
-    ));
+    let caption = "Dimensions for the drawing of the outer ring. `cageless export` writes the ring as STEP \
+                   or STL.";
+    page.parameters("Drawing", caption, &shown.drawing, None);
     page.heading("For the case file");
     page.paste("raceway for the case file", &shown.toml);
     let (track, surface) = (Some(&shown.contact_track), Some(&shown.surface));
@@ -249,37 +228,22 @@ const RING_ROWS: [RingRow; 7] = [
 ];
 
 fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
-    let mut columns = vec![(String::new(), false)];
-    columns.extend(rings.iter().map(|ring| (ring.name.clone(), true)));
-    let row = |(name, decimals, of): &RingRow| {
-        let mut cells = vec![Cell::text(*name)];
-        cells.extend(
-            rings
-                .iter()
-                .map(|ring| Cell::number(fixed(of(ring), *decimals))),
-        );
-        Row {
-            cells,
-            ..Row::default()
-        }
+    let head = rings.iter().map(|ring| ring.name.clone());
+    let mut rows = vec![[String::new()].into_iter().chain(head).collect()];
+    rows.extend(RING_ROWS.iter().map(|(name, decimals, of)| {
+        let values = rings.iter().map(|ring| fixed(of(ring), *decimals));
+        [(*name).to_owned()].into_iter().chain(values).collect()
+    }));
+    let caption = "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
+                   starts; means over both of the second half, except friction. Pressures at rest: the \
+                   largest over the places of the balls. On a conventional ring ideal \
+                   balls all roll at one speed and keep the gaps of the start: few contacts, but a \
+                   spacing that stays uneven.";
+    let provenance = Provenance {
+        discarded: "first 10 of 20 orbits".to_owned(),
+        ..provenance
     };
-    Table {
-        label: "Outer rings".to_owned(),
-        caption:
-            "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
-                  starts; means over both of the second half, except friction. Pressures at rest: the \
-                  largest over the places of the balls. On a conventional ring ideal \
-                  balls all roll at one speed and keep the gaps of the start: few contacts, but a \
-                  spacing that stays uneven."
-                .to_owned(),
-        columns,
-        rows: RING_ROWS.iter().map(row).collect(),
-        provenance: Some(Provenance {
-            discarded: "first 10 of 20 orbits".to_owned(),
-            ..provenance
-        }),
-        ..Table::default()
-    }
+    Table::of("Outer rings", caption, rows, Some(provenance))
 }
 
 fn search_sections(page: &mut Page, search: &Record) {
@@ -292,15 +256,10 @@ fn search_sections(page: &mut Page, search: &Record) {
         } else {
             String::new()
         };
-        page.verdict(
-            verdict.flag("passes"),
-            &format!("{at}{}", verdict.text("headline")),
-        );
+        let headline = format!("{at}{}", verdict.text("headline"));
+        page.verdict(verdict.flag("passes"), &headline);
     }
-    search
-        .sentences("findings")
-        .iter()
-        .for_each(|finding| page.note(Note::Remark, finding));
+    page.notes(Note::Remark, search.sentences("findings"));
     if search.part("recommended").or(search.part("own")).is_some() {
         page.table(&tables::comparison(search));
     }

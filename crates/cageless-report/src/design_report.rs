@@ -24,19 +24,15 @@ const CURVE_POINTS: usize = 240;
 pub fn rings_of(file: &CaseFile, result: &DesignResult) -> Vec<(&'static str, Case)> {
     let own = file.case();
     let conventional = entered(file, &[], None);
+    let recommended = recommended_case(file, result).filter(|_| recommends(result));
+    let initial = (!own.raceways.is_empty()).then(|| own.clone());
     let rings = [
-        (
-            "recommended",
-            recommended_case(file, result).filter(|_| recommends(result)),
-        ),
-        (
-            "initial design",
-            (!own.raceways.is_empty()).then(|| own.clone()),
-        ),
+        ("recommended", recommended),
+        ("initial design", initial),
         ("conventional", conventional),
     ];
+    let rings = rings.into_iter();
     rings
-        .into_iter()
         .filter_map(|(name, case)| Some((name, case?)))
         .collect()
 }
@@ -55,7 +51,8 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     let steady = steady_case(case);
     let discarded = format!("t < {:.4} s", steady_after_s(case));
     let source = provenance(&steady, discarded);
-    let own = RacewayLabel::new("", case.raceways.first());
+    let first = case.raceways.first();
+    let own = RacewayLabel::new("", first);
     let (record, results_of) = (&result.record, &result.record.results);
     let passes = results_of.flag("passes");
     let title = match passes {
@@ -79,22 +76,13 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         results: results(result),
         recommendation_passes: near.and_then(Recommended::passes),
         recommendation: near.map_or(String::new(), |r| {
-            format!(
-                "{}. Its verdict: {}",
-                r.sentence(),
-                r.0.results.text("headline")
-            )
+            let verdict = r.0.results.text("headline");
+            format!("{}. Its verdict: {verdict}", r.sentence())
         }),
         reasons: record.sentences("reasons").to_vec(),
         curve: Some(curve(case, result, &own)),
-        contact_track: case
-            .raceways
-            .first()
-            .map(|r| ContactTrack::sample(r, &case.bearing, own.clone())),
-        surface: case
-            .raceways
-            .first()
-            .map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
+        contact_track: first.map(|r| ContactTrack::sample(r, &case.bearing, own.clone())),
+        surface: first.map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
         motion: (!snapshots.is_empty()).then(|| motion(case, &title, snapshots, source.clone())),
         shown: ShownRaceway::new(file, result),
         rings: Vec::new(),
@@ -152,37 +140,23 @@ fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve 
     let bearing = &case.bearing;
     let points = span_angle_curve(bearing, case.raceway_form(), CURVE_POINTS);
     let number = |name| result.record.results.number(name);
-    let limit = |quantity, value, label: &str| DesignLimit {
-        quantity,
-        value,
-        label: label.to_owned(),
-    };
-    let mut limits = vec![
-        limit(
-            LimitedQuantity::AxialSpan,
-            axial_span_limit_m(bearing) * 1e3,
-            "Eq. (8)",
-        ),
-        limit(
+    let span_mm = axial_span_limit_m(bearing) * 1e3;
+    let three_balls_deg = number("epsilon_deg") + number("uniform_gap_deg");
+    let near = result.recommendation().map(|near| {
+        let least_deg = near.0.results.number("half_angle_min_deg");
+        DesignLimit::new(LimitedQuantity::HalfAngle, least_deg, "slip")
+    });
+    let limits = [
+        DesignLimit::new(LimitedQuantity::AxialSpan, span_mm, "Eq. (8)"),
+        DesignLimit::new(
             LimitedQuantity::HalfAngle,
-            number("epsilon_deg") + number("uniform_gap_deg"),
+            three_balls_deg,
             "three balls inside",
         ),
     ];
-    if let Some(near) = result.recommendation() {
-        limits.push(limit(
-            LimitedQuantity::HalfAngle,
-            near.0.results.number("half_angle_min_deg"),
-            "slip",
-        ));
-    }
     DesignCurve {
-        paper: if own.axial_span_mm.is_finite() {
-            vec![own.clone()]
-        } else {
-            vec![]
-        },
-        limits,
+        paper: Vec::from_iter(own.axial_span_mm.is_finite().then(|| own.clone())),
+        limits: limits.into_iter().chain(near).collect(),
         provenance: Provenance {
             case: case.title.clone(),
             ..Provenance::default()

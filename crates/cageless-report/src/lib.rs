@@ -43,6 +43,7 @@ pub mod table;
 pub mod tables;
 pub mod text;
 pub mod tolerance;
+mod trace;
 pub mod verification;
 
 pub use cageless_io::estimate::{Change, Estimate};

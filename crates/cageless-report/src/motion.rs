@@ -9,7 +9,7 @@ use crate::figure::below;
 use crate::text::{escape, script_json, slug};
 
 /// One or more bearings that move together.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotionFigure {
     /// `Figure 13 and 14`.
     pub label: String,
@@ -37,6 +37,16 @@ const INK: &str = "#333333";
 const HIT: &str = "#d55e00";
 
 impl MotionFigure {
+    /// Bearings in motion, without moments and stretches to choose from.
+    pub fn new(label: &str, caption: &str, bearings: Vec<Motion>) -> Self {
+        Self {
+            label: label.to_owned(),
+            caption: caption.to_owned(),
+            bearings,
+            ..Self::default()
+        }
+    }
+
     /// Anchor that the label asks for.
     pub fn slug(&self) -> String {
         slug(&self.label)

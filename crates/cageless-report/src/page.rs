@@ -4,11 +4,13 @@ use std::collections::HashSet;
 use std::sync::OnceLock;
 
 use crate::claim::{self, Claim};
+use crate::data::{Parameter, Provenance};
 use crate::figure::Figure;
 use crate::head::{Head, verdict_html};
 use crate::motion::MotionFigure;
 use crate::studio::{self, Opening};
 use crate::table::Table;
+use crate::tables::parameter_table;
 use crate::text::{escape, rich, slug};
 
 /// A page under construction.
@@ -84,6 +86,13 @@ impl Page {
             .push_str(&format!("<p class=\"{class}\">{}</p>\n", rich(text)));
     }
 
+    /// Adds a note for each text.
+    pub fn notes<T: AsRef<str>>(&mut self, weight: Note, texts: &[T]) {
+        texts
+            .iter()
+            .for_each(|text| self.note(weight, text.as_ref()));
+    }
+
     /// Adds a verdict in a box: green if it passes, red if it fails, grey if nothing was judged.
     pub fn verdict(&mut self, passes: Option<bool>, headline: &str) {
         self.body.push_str(&verdict_html(passes, headline));
@@ -125,6 +134,27 @@ impl Page {
         let id = self.unique(&figure.slug());
         self.plots = true;
         self.body.push_str(&figure.html(&id));
+    }
+
+    /// Adds figures.
+    pub fn figures(&mut self, figures: impl IntoIterator<Item = Figure>) {
+        figures.into_iter().for_each(|figure| self.figure(&figure));
+    }
+
+    /// Adds a table of parameters or results.
+    pub fn parameters(
+        &mut self,
+        label: &str,
+        caption: &str,
+        parameters: &[Parameter],
+        source: Option<&Provenance>,
+    ) {
+        self.table(&parameter_table(
+            label,
+            caption,
+            parameters,
+            source.cloned(),
+        ));
     }
 
     /// Adds a table.

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::description;
+pub use crate::trace::{Trace, line, line_of, markers, number, numbers, plain, with};
 
 /// Colours that stay apart for colour-blind readers (Okabe and Ito).
 pub const PALETTE: [&str; 7] = [
@@ -110,22 +111,56 @@ impl Plot {
         self.set("showlegend", true.into())
     }
 
+    /// Shows the legend from the height `y` on, 1 being the top of the plot.
+    pub fn legend_above(self, y: f64) -> Self {
+        let font = json!({ "size": 12 });
+        let at = json!({ "orientation": "h", "x": 0, "y": y, "yanchor": "bottom", "font": font });
+        self.legend().set("legend", at)
+    }
+
+    /// Sets the margins left, right, top and bottom, pixels.
+    pub fn margin(self, [left, right, top, bottom]: [u32; 4]) -> Self {
+        let margin = json!({ "l": left, "r": right, "t": top, "b": bottom });
+        self.set("margin", margin)
+    }
+
     /// Sets axis `name` (`xaxis`, `yaxis2`), titled `title`, with further keys.
     pub fn axis(mut self, name: &str, title: &str, more: Value) -> Self {
-        let mut axis = json!({
+        let axis = json!({
             "title": { "text": crate::text::symbols(title), "standoff": 8 },
             "showline": true, "linecolor": "#555", "linewidth": 1,
             "ticks": "outside", "ticklen": 4, "tickcolor": "#555",
             "gridcolor": "#e6e6e6", "zeroline": false, "automargin": true,
         });
-        merge(&mut axis, more);
-        self.layout.insert(name.to_owned(), axis);
+        self.layout.insert(name.to_owned(), with(axis, more));
         self
     }
 
+    /// Sets the first axis along x, with further keys.
+    pub fn x(self, title: &str, more: Value) -> Self {
+        self.axis("xaxis", title, more)
+    }
+
+    /// Sets the first axis along y, with further keys.
+    pub fn y(self, title: &str, more: Value) -> Self {
+        self.axis("yaxis", title, more)
+    }
+
+    /// Sets axes of one scale, with further keys of the one along x.
+    pub fn to_scale(self, x: &str, y: &str, x_more: Value) -> Self {
+        let across = json!({ "scaleanchor": "y", "constrain": "domain" });
+        let plot = self.x(x, with(across, x_more));
+        plot.y(y, json!({ "constrain": "domain" }))
+    }
+
+    /// Sets the axes of a plot of one panel.
+    pub fn axes(self, x: &str, y: &str) -> Self {
+        self.x(x, json!({})).y(y, json!({}))
+    }
+
     /// Adds a trace.
-    pub fn trace(mut self, trace: Value) -> Self {
-        self.data.push(trace);
+    pub fn trace(mut self, trace: impl Into<Trace>) -> Self {
+        self.data.push(trace.into().0);
         self
     }
 
@@ -140,33 +175,37 @@ impl Plot {
     }
 
     /// Draws a vertical line at `at` over the whole height of the axis `y`.
-    pub fn vertical(mut self, x: &str, y: &str, at: f64, dash: &str) -> Self {
-        self.shapes.push(json!({
-            "type": "line", "layer": "above", "opacity": 0.75,
-            "line": { "width": 1, "color": "#555", "dash": dash },
-            "xref": x, "yref": domain(y), "x0": number(at), "x1": number(at), "y0": 0, "y1": 1,
-        }));
-        self
+    pub fn vertical(self, x: &str, y: &str, at: f64, dash: &str) -> Self {
+        let at = number(at);
+        self.rule(
+            json!({ "xref": x, "yref": domain(y), "x0": at, "x1": at, "y0": 0, "y1": 1 }),
+            dash,
+        )
     }
 
     /// Draws a horizontal line at `at` over the whole width of the axis `x`.
-    pub fn horizontal(mut self, x: &str, y: &str, at: f64, dash: &str) -> Self {
-        self.shapes.push(json!({
-            "type": "line", "layer": "above", "opacity": 0.75,
-            "line": { "width": 1, "color": "#555", "dash": dash },
-            "xref": domain(x), "yref": y, "y0": number(at), "y1": number(at), "x0": 0, "x1": 1,
-        }));
+    pub fn horizontal(self, x: &str, y: &str, at: f64, dash: &str) -> Self {
+        let at = number(at);
+        self.rule(
+            json!({ "xref": domain(x), "yref": y, "y0": at, "y1": at, "x0": 0, "x1": 1 }),
+            dash,
+        )
+    }
+
+    fn rule(mut self, ends: Value, dash: &str) -> Self {
+        let line = json!({ "width": 1, "color": "#555", "dash": dash });
+        let rule = json!({ "type": "line", "layer": "above", "opacity": 0.75, "line": line });
+        self.shapes.push(with(rule, ends));
         self
     }
 
     /// Writes `text` at (`x`, `y`) of the references `xref`, `yref`.
     pub fn text(mut self, text: &str, at: (f64, f64), refs: (&str, &str), more: Value) -> Self {
-        let mut annotation = json!({
+        let annotation = json!({
             "text": text, "showarrow": false, "font": { "size": 12, "color": "#333" },
             "x": number(at.0), "y": number(at.1), "xref": refs.0, "yref": refs.1,
         });
-        merge(&mut annotation, more);
-        self.annotations.push(annotation);
+        self.annotations.push(with(annotation, more));
         self
     }
 
@@ -200,64 +239,4 @@ fn domain(axis: &str) -> String {
     } else {
         format!("{axis} domain")
     }
-}
-
-/// A line through (`x`, `y`), every point of it; the name is plain text.
-pub fn line(name: &str, x: &[f64], y: &[f64], colour: &str) -> Value {
-    json!({
-        "type": "scatter", "mode": "lines", "name": plain(name),
-        "x": numbers(x), "y": numbers(y), "line": { "color": colour, "width": 1.4, "simplify": false },
-    })
-}
-
-/// Markers at (`x`, `y`).
-pub fn markers(name: &str, x: &[f64], y: &[f64], colour: &str) -> Value {
-    json!({
-        "type": "scatter", "mode": "markers", "name": plain(name),
-        "x": numbers(x), "y": numbers(y), "marker": { "color": colour, "size": 8 },
-    })
-}
-
-/// `trace` with further keys, merged at every level.
-pub fn with(mut trace: Value, more: Value) -> Value {
-    merge(&mut trace, more);
-    trace
-}
-
-fn merge(into: &mut Value, more: Value) {
-    match (into, more) {
-        (Value::Object(into), Value::Object(more)) => {
-            for (key, value) in more {
-                merge(into.entry(key).or_insert(Value::Null), value);
-            }
-        }
-        (into, more) => *into = more,
-    }
-}
-
-/// Text without the markup that plotly.js would read in it; lC and β0 get their index.
-pub fn plain(text: &str) -> String {
-    let escaped = text
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;");
-    crate::text::symbols(&escaped)
-}
-
-/// Six significant digits; `null` for what is not a number.
-pub fn number(value: f64) -> Value {
-    if !value.is_finite() {
-        return Value::Null;
-    }
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    if rounded == rounded.trunc() && rounded.abs() < 1e9 {
-        (rounded as i64).into()
-    } else {
-        rounded.into()
-    }
-}
-
-/// [`number`] of each.
-pub fn numbers(values: &[f64]) -> Value {
-    values.iter().copied().map(number).collect()
 }

@@ -99,44 +99,42 @@ impl ShownRaceway {
         let (passes, headline) = verdict(result);
         let found = result.search.as_ref().and_then(|s| s.part("recommended"));
         let point = found.and_then(|r| r.parts("points").first());
+        let at_point = |name: &str| point.and_then(|numbers| numbers.value(name));
         let critical = match point {
-            Some(numbers) => numbers.value("critical_gap_deg"),
+            Some(_) => at_point("critical_gap_deg"),
             None => (result.recommendation()).and_then(|r| r.0.results.value("critical_gap_deg")),
         };
         let steady = found.and_then(|r| r.value("steady_gap_deg"));
-        let number = |name: &str, value: Option<f64>, digits: usize, unit: &str| {
-            value.map(|v| parameter(name, format!("{v:.digits$}"), unit))
-        };
         let first = |key: &str| document.number(&format!("raceway.1.{key}"));
+        let (span, angle) = (first("axial_span_mm"), first("half_angle_deg"));
+        let (reserve, pressure) = (at_point("margin_deg"), at_point("pressure_mpa"));
         let facts = [
-            number("axial span lC", first("axial_span_mm"), 3, "mm"),
-            number("half angle θ", first("half_angle_deg"), 3, "°"),
-            number("largest depth below the plain groove", Some(depth), 1, "µm"),
-            number(
+            ("axial span lC", span, 3, "mm"),
+            ("half angle θ", angle, 3, "°"),
+            ("largest depth below the plain groove", Some(depth), 1, "µm"),
+            (
                 "guaranteed gap after the raceway (critical gap)",
                 critical,
                 4,
                 "°",
             ),
-            number("steady-state gap (even spacing)", steady, 4, "°"),
-            number(
-                "gap reserve",
-                point.and_then(|n| n.value("margin_deg")),
-                4,
-                "°",
-            ),
-            number(
+            ("steady-state gap (even spacing)", steady, 4, "°"),
+            ("gap reserve", reserve, 4, "°"),
+            (
                 "peak contact pressure at rest, outer raceway",
-                point.and_then(|n| n.value("pressure_mpa")),
+                pressure,
                 0,
                 "MPa",
             ),
         ];
+        let facts = facts.into_iter();
+        let facts =
+            facts.filter_map(|(name, value, digits, unit)| Some(line(name, value?, digits, unit)));
         Some(Self {
             name: name.to_owned(),
             passes,
             headline,
-            facts: facts.into_iter().flatten().collect(),
+            facts: facts.collect(),
             drawing: drawing(&case, &document, depth, height),
             toml: toml(&document),
             contact_track: ContactTrack::sample(raceway, &case.bearing, label),
@@ -157,27 +155,28 @@ fn verdict(result: &DesignResult) -> (Option<bool>, String) {
     }
 }
 
+/// A number with so many decimals.
+fn line(name: &str, value: f64, digits: usize, unit: &str) -> Parameter {
+    parameter(name, format!("{value:.digits$}"), unit)
+}
+
 /// Dimensions of the first raceway and of the ring around it.
 fn drawing(case: &Case, document: &CaseDocument, depth: f64, height: f64) -> Vec<Parameter> {
     let d = case.bearing.dimensions();
     let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|key| values(document, key)[0]);
     let bottom = d.outer_groove_bottom_radius_m * 1e3;
-    let line = |name: &str, value: f64, digits: usize, unit: &str| {
-        parameter(name, format!("{value:.digits$}"), unit)
-    };
+    let length = 2.0 * angle.to_radians() * bottom;
+    let curvature = d.outer_groove_curvature_radius_m * 1e3;
+    let shoulder = d.outer_shoulder_radius_m * 1e3;
     let centres: Vec<String> = (values(document, "centre_angle_deg").iter())
         .map(|centre| format!("{centre:.3}"))
         .collect();
     let contact = (span / 2.0 / (d.ball_radius_m * 1e3)).clamp(0.0, 1.0);
+    let contact = contact.asin().to_degrees();
     vec![
         line("axial span lC of the contact track", span, 3, "mm"),
         line("half angle θ", angle, 3, "°"),
-        line(
-            "length along the groove bottom, 2θ·Ro",
-            2.0 * angle.to_radians() * bottom,
-            3,
-            "mm",
-        ),
+        line("length along the groove bottom, 2θ·Ro", length, 3, "mm"),
         parameter(
             "angular position ψ of the middle, 0 at the load",
             centres.join(", "),
@@ -185,30 +184,15 @@ fn drawing(case: &Case, document: &CaseDocument, depth: f64, height: f64) -> Vec
         ),
         line("largest depth below the plain groove", depth, 1, "µm"),
         line("largest height above the plain groove", height, 1, "µm"),
-        line(
-            "contact angle in the middle",
-            contact.asin().to_degrees(),
-            3,
-            "°",
-        ),
+        line("contact angle in the middle", contact, 3, "°"),
         line(
             "radius of the groove bottom Ro, plain part",
             bottom,
             4,
             "mm",
         ),
-        line(
-            "groove curvature radius, plain part",
-            d.outer_groove_curvature_radius_m * 1e3,
-            4,
-            "mm",
-        ),
-        line(
-            "shoulder bore radius Ros",
-            d.outer_shoulder_radius_m * 1e3,
-            3,
-            "mm",
-        ),
+        line("groove curvature radius, plain part", curvature, 4, "mm"),
+        line("shoulder bore radius Ros", shoulder, 3, "mm"),
     ]
 }
 

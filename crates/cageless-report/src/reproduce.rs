@@ -1,9 +1,9 @@
 //! Every table and figure of Zhao 2022 beside the paper's own numbers.
 
 use cageless::vibration::AFTER_CONTACT_S;
+use cageless_study::parameter;
 
 use crate::claim::ClaimStatus;
-use crate::data::Parameter;
 use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::head::Head;
 use crate::motion::MotionFigure;
@@ -35,12 +35,8 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     }
     if data.contact_track.is_some() || data.surface.is_some() {
         page.section("The discrete raceway");
-        data.contact_track
-            .iter()
-            .for_each(|t| page.figure(&shape::contact_track(t)));
-        data.surface
-            .iter()
-            .for_each(|s| page.figure(&shape::surface(s)));
+        page.figures(data.contact_track.iter().map(shape::contact_track));
+        page.figures(data.surface.iter().map(shape::surface));
     }
     if let Some(curve) = &data.design_curve {
         page.section("Axial span and half angle");
@@ -48,12 +44,8 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     }
     if !data.gap_histories.is_empty() || !data.neighbours.is_empty() {
         page.section("Spacing of the balls");
-        data.gap_histories
-            .iter()
-            .for_each(|g| page.figure(&spacing::gap_history(g)));
-        data.neighbours
-            .iter()
-            .for_each(|n| page.figure(&spacing::neighbours(n)));
+        page.figures(data.gap_histories.iter().map(spacing::gap_history));
+        page.figures(data.neighbours.iter().map(spacing::neighbours));
     }
     if let Some(table) = &data.table2 {
         page.section("Ten structures: theory and simulation");
@@ -64,15 +56,12 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     if !data.phase_portraits.is_empty() {
         page.section("Phase portraits of ball 1");
         for portraits in &data.phase_portraits {
-            page.figure(&phase::velocities(portraits));
-            page.figure(&phase::positions(portraits));
+            page.figures([phase::velocities(portraits), phase::positions(portraits)]);
         }
     }
     if !data.orbit_speeds.is_empty() {
         page.section("Orbital speed in the discrete raceway");
-        data.orbit_speeds
-            .iter()
-            .for_each(|s| page.figure(&orbit::speeds(s)));
+        page.figures(data.orbit_speeds.iter().map(orbit::speeds));
     }
     if !data.vibrations.is_empty() {
         page.section("Vibration");
@@ -111,16 +100,13 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     }
     if !data.motions.is_empty() {
         page.section("Balls in motion");
+        let caption = "The balls over time, to scale. The inner ring turns counter-clockwise, load and \
+                       gravity point down; the discrete raceway is shaded orange, balls 1 and 2 \
+                       blue, touching balls ringed. The buttons show the moments of the paper's \
+                       photographs.";
         page.motion(&MotionFigure {
-            label: "Figures 13 and 14".to_owned(),
-            caption: "The balls over time, to scale. The inner ring turns counter-clockwise, load \
-                      and gravity point down; the discrete raceway is shaded orange, balls 1 and \
-                      2 blue, touching balls ringed. The buttons show the moments of the paper's \
-                      photographs."
-                .to_owned(),
-            bearings: data.motions.clone(),
             moments_s: PHOTOGRAPHS_S.to_vec(),
-            stretches: Vec::new(),
+            ..MotionFigure::new("Figures 13 and 14", caption, data.motions.clone())
         });
     }
     studio_section(&mut page, &data.case_toml, STUDIO);
@@ -137,22 +123,14 @@ fn head(data: &ReproduceData) -> Head {
         ("Errata", count(ClaimStatus::Erratum)),
         ("Not tested", count(ClaimStatus::NotTested)),
     ];
-    let facts = facts.map(|(name, count)| Parameter {
-        name: name.to_owned(),
-        value: count.to_string(),
-        unit: "claims".to_owned(),
-        ..Parameter::default()
-    });
+    let facts = facts.map(|(name, count)| parameter(name, count.to_string(), "claims"));
     let off = data.table2.iter().flat_map(|table| &table.rows).map(|row| {
         let own = row.theory_deg;
         (own - row.paper_theory_deg).abs()
     });
-    let theory = off.reduce(f64::max).map(|most| Parameter {
-        name: "β0 of Table 2, largest difference".to_owned(),
-        value: short(most),
-        unit: "°".to_owned(),
-        ..Parameter::default()
-    });
+    let theory = off.reduce(f64::max);
+    let theory =
+        theory.map(|most| parameter("β0 of Table 2, largest difference", short(most), "°"));
     if data.claims.is_empty() {
         return Head::default().facts(theory);
     }

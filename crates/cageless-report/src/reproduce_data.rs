@@ -157,6 +157,18 @@ pub struct DesignLimit {
     pub label: String,
 }
 
+impl DesignLimit {
+    /// A bound, mm or degrees, with its label.
+    pub fn new(quantity: LimitedQuantity, value: f64, label: &str) -> Self {
+        let label = label.to_owned();
+        Self {
+            quantity,
+            value,
+            label,
+        }
+    }
+}
+
 /// What a [`DesignLimit`] bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

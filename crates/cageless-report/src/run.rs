@@ -1,7 +1,6 @@
 //! Page of a run.
 
 use crate::data::Motion;
-use crate::figure::Figure;
 use crate::figures::{RUN, SPACING};
 use crate::head::Head;
 use crate::motion::MotionFigure;
@@ -9,36 +8,28 @@ use crate::page::{Note, Page};
 use crate::run_data::RunData;
 use crate::sampling::range;
 use crate::studio_page::case_sections;
-use crate::tables::parameter_table;
 use crate::text::short;
 
 /// The page of one run.
 pub fn run_page(data: &RunData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
     page.head(&Head::new(data.passes, &data.headline).facts(data.facts.clone()));
-    for warning in &data.warnings {
-        page.note(Note::Warning, warning);
-    }
+    page.notes(Note::Warning, &data.warnings);
     for (title, figures) in RUN {
         let figures = figures.iter().filter_map(|figure| (figure.draw)(data));
-        let figures: Vec<Figure> = figures.collect();
-        if !figures.is_empty() {
+        let mut figures = figures.peekable();
+        if figures.peek().is_some() {
             page.section(title);
         }
-        figures.iter().for_each(|figure| page.figure(figure));
+        page.figures(figures);
         if title == SPACING {
             motion(&mut page, data);
         }
     }
     if !data.results.is_empty() {
         page.section("Results");
-        let source = Some(data.provenance.clone());
-        page.table(&parameter_table(
-            "Results",
-            "Summary of results.",
-            &data.results,
-            source,
-        ));
+        let source = Some(&data.provenance);
+        page.parameters("Results", "Summary of results.", &data.results, source);
     }
     if let Some(verification) = &data.verification {
         page.section("Numerical verification");
@@ -83,18 +74,16 @@ fn motion(page: &mut Page, data: &RunData) {
 /// The balls of a run in motion, with its passages to choose from.
 fn motion_figure(motion: &Motion, passages: &[(String, [f64; 2])]) -> MotionFigure {
     let (from, to) = range(&motion.time_s);
+    let caption = format!(
+        "The balls from t = {} s to {} s, to scale. The inner ring turns counter-clockwise, \
+         load and gravity point down; the discrete raceway is shaded orange, balls 1 and 2 \
+         blue, balls in contact ringed. A passage or any stretch of time can be chosen, and \
+         saved as an animated GIF.",
+        short(from),
+        short(to)
+    );
     MotionFigure {
-        label: "Motion".to_owned(),
-        caption: format!(
-            "The balls from t = {} s to {} s, to scale. The inner ring turns counter-clockwise, \
-             load and gravity point down; the discrete raceway is shaded orange, balls 1 and 2 \
-             blue, balls in contact ringed. A passage or any stretch of time can be chosen, and \
-             saved as an animated GIF.",
-            short(from),
-            short(to)
-        ),
-        bearings: vec![motion.clone()],
-        moments_s: Vec::new(),
         stretches: passages.to_vec(),
+        ..MotionFigure::new("Motion", &caption, vec![motion.clone()])
     }
 }

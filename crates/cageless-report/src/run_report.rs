@@ -122,6 +122,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         LoadProfile::new(bearing, &recent[after..])
     };
     let shown = last_orbits(&recent, orbit, ORBITS_PLAYED);
+    let Recent { time_s, balls } = histories_of(&snapshots, bearing.balls());
     RunData {
         // A seed beyond the whole numbers of TOML leaves the page without a studio.
         case_toml: file.document().to_toml().unwrap_or_default(),
@@ -142,17 +143,10 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         settled_after_s: settled,
         uniform_gap_deg: bearing.nominal_gap_rad().to_degrees(),
         rolling_orbit_speed_deg_s: Some(orbit.to_degrees()),
-        time_s: snapshots.iter().map(|s| s.time_s).collect(),
-        balls: (0..bearing.balls())
-            .map(|k| ball_history(&snapshots, k))
-            .collect(),
+        time_s,
+        balls,
         stretch_s,
-        recent: decimated.then(|| Recent {
-            time_s: recent.iter().map(|s| s.time_s).collect(),
-            balls: (0..bearing.balls())
-                .map(|k| ball_history(&recent, k))
-                .collect(),
-        }),
+        recent: decimated.then(|| histories_of(&recent, bearing.balls())),
         view_s: view(&recent, orbit),
         facts: facts(summary),
         ring: RingHistory {
@@ -188,6 +182,7 @@ impl RunData {
     pub fn within(&self, snapshots: &[Snapshot]) -> Self {
         let begin = snapshots.first().map_or(0.0, |s| s.time_s);
         let end = snapshots.last().map_or(0.0, |s| s.time_s);
+        let Recent { time_s, balls } = histories_of(snapshots, self.balls.len());
         let mut collisions = self.collisions.clone();
         collisions.retain(|c| (begin..=end).contains(&c.time_s));
         let mut vibration = self.vibration.clone();
@@ -198,10 +193,8 @@ impl RunData {
             signal.acceleration_m_s2 = signal.acceleration_m_s2[from..to].to_vec();
         }
         Self {
-            time_s: snapshots.iter().map(|s| s.time_s).collect(),
-            balls: (0..self.balls.len())
-                .map(|k| ball_history(snapshots, k))
-                .collect(),
+            time_s,
+            balls,
             stretch_s: None,
             recent: None,
             view_s: None,
@@ -333,6 +326,14 @@ fn lead(case: &Case, outcome: &RunOutcome) -> String {
     .to_owned()
 }
 
+/// Histories of all balls, row by row.
+fn histories_of(snapshots: &[Snapshot], balls: usize) -> Recent {
+    Recent {
+        time_s: snapshots.iter().map(|s| s.time_s).collect(),
+        balls: (0..balls).map(|k| ball_history(snapshots, k)).collect(),
+    }
+}
+
 fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
     let over = |f: &dyn Fn(&Snapshot) -> f64| snapshots.iter().map(f).collect::<Vec<f64>>();
     BallHistory {
@@ -351,23 +352,15 @@ fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
 
 /// The ledger; positive into the bearing.
 fn energy(outcome: &RunOutcome) -> Vec<EnergyItem> {
-    let mut items: Vec<EnergyItem> = outcome
-        .state
-        .layout()
-        .energy_terms()
-        .iter()
-        .map(|&work| {
-            let value = outcome.state.energy_term_j(work);
-            EnergyItem {
-                name: work.name().replace('_', " "),
-                energy_j: if work.is_loss() { -value } else { value },
-            }
-        })
-        .filter(|item| item.energy_j != 0.0)
-        .collect();
-    items.push(EnergyItem {
-        name: "stored (kinetic, elastic)".to_owned(),
-        energy_j: -(outcome.end_energy_j - outcome.start_energy_j),
+    let item = |name, energy_j| EnergyItem { name, energy_j };
+    let layout = outcome.state.layout();
+    let terms = layout.energy_terms().iter().map(|&work| {
+        let value = outcome.state.energy_term_j(work);
+        let energy_j = if work.is_loss() { -value } else { value };
+        item(work.name().replace('_', " "), energy_j)
     });
-    items
+    let stored_j = -(outcome.end_energy_j - outcome.start_energy_j);
+    let stored = item("stored (kinetic, elastic)".to_owned(), stored_j);
+    let terms = terms.filter(|item| item.energy_j != 0.0);
+    terms.chain([stored]).collect()
 }

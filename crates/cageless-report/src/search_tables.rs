@@ -57,10 +57,8 @@ pub fn comparison(search: &Record) -> Table {
     let mut groups = vec![(String::new(), 1)];
     for (role, structure) in &structures {
         columns.extend(points.iter().map(|p| (point_label(p), true)));
-        groups.push((
-            format!("{role}: {}", structure_label(structure)),
-            points.len(),
-        ));
+        let name = format!("{role}: {}", structure_label(structure));
+        groups.push((name, points.len()));
     }
     let size = [
         "axial_span_mm",
@@ -74,10 +72,7 @@ pub fn comparison(search: &Record) -> Table {
             let at = structure.parts("points").iter();
             cells.extend(at.map(|point| Cell::number(shown(structure, point, q))));
         }
-        Row {
-            cells,
-            ..Row::default()
-        }
+        Row::from(cells)
     });
     Table {
         label: "Comparison".to_owned(),

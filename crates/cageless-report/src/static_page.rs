@@ -51,7 +51,7 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
     page.table(&balls(file, record));
     page.section("Displacement, stiffness, ratings and frequencies");
     page.table(&results(file, record.rows()));
-    notes(&mut page, record);
+    page.notes(Note::Remark, record.sentences("notes"));
     // A seed beyond the whole numbers of TOML leaves the page without a studio, which is planar.
     let toml = match file.case().spatial_field() {
         None => file.document().to_toml().unwrap_or_default(),
@@ -78,7 +78,7 @@ pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
     figure.plot.height_px = 400u32.saturating_sub(10 * more).max(330);
     page.figure(&figure);
     page.table(&table);
-    notes(&mut page, record);
+    page.notes(Note::Remark, record.sentences("notes"));
     page.html()
 }
 
@@ -104,9 +104,7 @@ fn head(file: &CaseFile, record: &Record) -> Page {
     let mut page = Page::new(&title, &lead, &software());
     let facts = FACTS.iter().filter_map(|name| record.row(name));
     page.head(&Head::default().facts(lines(facts)));
-    for warning in record.sentences("warnings") {
-        page.note(Note::Warning, warning);
-    }
+    page.notes(Note::Warning, record.sentences("warnings"));
     page
 }
 
@@ -126,10 +124,4 @@ fn results(file: &CaseFile, rows: impl Iterator<Item = (&'static str, String, St
 fn balls(file: &CaseFile, record: &Record) -> Table {
     let caption = format!("Each ball in equilibrium: {}.", record.legend());
     Table::of("Balls", &caption, record.columns(), Some(provenance(file)))
-}
-
-fn notes(page: &mut Page, record: &Record) {
-    for note in record.sentences("notes") {
-        page.note(Note::Remark, note);
-    }
 }

@@ -3,7 +3,6 @@
 use crate::data::Parameter;
 use crate::page::Page;
 use crate::studio::Opening;
-use crate::tables::parameter_table;
 
 /// The studio of a case as a page of its own.
 pub fn studio_page(toml: &str, software: &str) -> String {
@@ -28,12 +27,7 @@ pub(crate) fn studio_section(page: &mut Page, toml: &str, about: &str) {
 pub(crate) fn case_sections(page: &mut Page, title: &str, keys: &[Parameter], toml: &str) {
     if !keys.is_empty() {
         page.section(title);
-        page.table(&parameter_table(
-            "Case",
-            "Every key of the case.",
-            keys,
-            None,
-        ));
+        page.parameters("Case", "Every key of the case.", keys, None);
     }
     studio_section(page, toml, "");
 }

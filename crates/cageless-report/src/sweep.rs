@@ -5,13 +5,13 @@ pub use cageless_study::sweep::analysis::{
     SweepQuantity,
 };
 
-use crate::data::Parameter;
+use cageless_study::parameter;
+
 use crate::figures::sweep;
 use crate::head::Head;
 use crate::names;
 use crate::page::{Note, Page};
 use crate::table::{Cell, Row, Table};
-use crate::tables::parameter_table;
 use crate::text::short;
 
 /// Tables of best variants that are shown at once.
@@ -73,18 +73,13 @@ pub fn sweep_page(data: &SweepData) -> String {
     if !data.constants.is_empty() {
         page.fold("Outputs that do not depend on any input");
         let caption = "Outputs that do not depend on any input.";
-        page.table(&parameter_table(
-            "Constants",
-            caption,
-            &data.constants,
-            None,
-        ));
+        page.parameters("Constants", caption, &data.constants, None);
         page.end_fold();
     }
     if !data.plan.is_empty() {
         page.fold("Every key of the plan and of its case");
         let caption = "Every key of the plan and of its case.";
-        page.table(&parameter_table("Plan", caption, &data.plan, None));
+        page.parameters("Plan", caption, &data.plan, None);
         page.end_fold();
     }
     page.html()
@@ -117,34 +112,20 @@ fn head(data: &SweepData) -> Head {
             &format!("{passed} of {judged} variants pass ({share:.0} %)"),
         );
     }
-    let fact = |name: &str, value: String, unit: &str| Parameter {
-        name: name.to_owned(),
-        value,
-        unit: unit.to_owned(),
-        ..Parameter::default()
-    };
     let mut facts = vec![
-        fact("variants", data.variants.to_string(), ""),
-        fact("failed", data.failed.to_string(), ""),
+        parameter("variants", data.variants.to_string(), ""),
+        parameter("failed", data.failed.to_string(), ""),
     ];
-    let goals = data
-        .best
-        .iter()
-        .filter(|b| b.quantity.name != "verdict_passes");
+    let goals = data.best.iter();
+    let goals = goals.filter(|b| b.quantity.name != "verdict_passes");
     for best in goals.take(4) {
-        let values = best.variants.iter().map(|v| v.value);
-        let value = if best.high {
-            values.reduce(f64::max)
-        } else {
-            values.reduce(f64::min)
+        let (which, better): (_, fn(f64, f64) -> f64) = match best.high {
+            true => ("highest", f64::max),
+            false => ("lowest", f64::min),
         };
-        if let Some(value) = value {
-            let name = format!(
-                "{} {}",
-                if best.high { "highest" } else { "lowest" },
-                names::name(&best.quantity)
-            );
-            facts.push(fact(&name, short(value), best.quantity.sign()));
+        if let Some(value) = best.variants.iter().map(|v| v.value).reduce(better) {
+            let name = format!("{which} {}", names::name(&best.quantity));
+            facts.push(parameter(&name, short(value), best.quantity.sign()));
         }
     }
     head.facts(facts)
@@ -167,10 +148,7 @@ fn best_table(data: &SweepData, best: &BestVariants) -> Table {
             .collect();
         cells.push(Cell::number(short(variant.value)));
         cells.push(Cell::dim(variant.variant.to_string()));
-        Row {
-            cells,
-            ..Row::default()
-        }
+        Row::from(cells)
     };
     let name = names::name(&best.quantity);
     Table {
@@ -193,23 +171,14 @@ fn best_table(data: &SweepData, best: &BestVariants) -> Table {
 }
 
 fn failure_table(data: &SweepData) -> Table {
-    let row = |group: &FailureGroup| Row {
-        cells: vec![
-            Cell::number(group.count.to_string()),
-            Cell::number(group.variant.to_string()),
-            Cell::text(&group.reason),
-        ],
-        ..Row::default()
+    let row = |group: &FailureGroup| {
+        let counts = [group.count, group.variant].map(|n| n.to_string());
+        counts.into_iter().chain([group.reason.clone()]).collect()
     };
-    Table {
-        label: "Failed".to_owned(),
-        caption: "Variants that failed, by their reason, and the first of each.".to_owned(),
-        columns: vec![
-            ("Variants".to_owned(), true),
-            ("First".to_owned(), true),
-            ("Reason of the first".to_owned(), false),
-        ],
-        rows: data.failures.iter().map(row).collect(),
-        ..Table::default()
-    }
+    let head = ["Variants", "First", "Reason of the first"].map(str::to_owned);
+    let rows = [head.to_vec()]
+        .into_iter()
+        .chain(data.failures.iter().map(row));
+    let caption = "Variants that failed, by their reason, and the first of each.";
+    Table::of("Failed", caption, rows.collect(), None)
 }

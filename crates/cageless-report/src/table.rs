@@ -60,6 +60,15 @@ pub struct Row {
     pub summary: bool,
 }
 
+impl From<Vec<Cell>> for Row {
+    fn from(cells: Vec<Cell>) -> Self {
+        Self {
+            cells,
+            ..Self::default()
+        }
+    }
+}
+
 /// A table.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Table {
@@ -107,9 +116,9 @@ impl Table {
             true => Cell::number(text),
             false => Cell::text(text),
         };
-        let row = |row: Vec<String>| Row {
-            cells: row.into_iter().zip(&numeric).map(cell).collect(),
-            ..Row::default()
+        let row = |row: Vec<String>| -> Row {
+            let cells: Vec<Cell> = row.into_iter().zip(&numeric).map(cell).collect();
+            cells.into()
         };
         Self {
             label: label.to_owned(),

@@ -43,10 +43,7 @@ pub fn parameter_table(
             if sources {
                 cells.push(Cell::text(&p.source));
             }
-            Row {
-                cells,
-                ..Row::default()
-            }
+            Row::from(cells)
         })
         .collect();
     Table {
@@ -120,27 +117,25 @@ pub fn table2(table: &Table2) -> Table {
 }
 
 fn table2_row(table: &Table2, row: &Table2Row, polar: bool) -> Row {
-    let four = |v: Option<f64>| fixed(v, 4);
+    let number = |value: Option<f64>, decimals| Cell::number(fixed(value, decimals));
+    let less = |difference: Option<f64>| Cell::dim(signed(difference, 4));
     let mut cells = vec![
-        Cell::number(fixed(Some(row.structure.axial_span_mm), 2)),
-        Cell::number(fixed(Some(row.structure.half_angle_deg), 3)),
-        Cell::number(four(Some(row.theory_deg))),
-        Cell::number(four(Some(row.paper_theory_deg))),
+        number(Some(row.structure.axial_span_mm), 2),
+        number(Some(row.structure.half_angle_deg), 3),
+        number(Some(row.theory_deg), 4),
+        number(Some(row.paper_theory_deg), 4),
     ];
     if polar {
-        cells.push(Cell::number(four(row.theory_polar_deg)));
+        cells.push(number(row.theory_polar_deg, 4));
     }
-    cells.push(Cell::number(four(Some(row.paper_simulated_deg))));
-    cells.push(Cell::dim(signed(
-        Some(row.paper_simulated_deg - row.paper_theory_deg),
-        4,
-    )));
+    cells.push(number(Some(row.paper_simulated_deg), 4));
+    cells.push(less(Some(row.paper_simulated_deg - row.paper_theory_deg)));
     for (k, variant) in table.variants.iter().enumerate() {
         let gap = row.critical_gap_deg.get(k).copied().flatten();
-        cells.push(Cell::number(four(gap)));
+        cells.push(number(gap, 4));
         let difference = gap.map(|g| g - row.paper_simulated_deg);
         let compared = variant.is_of_the_paper();
-        cells.extend(compared.then(|| Cell::dim(signed(difference, 4))));
+        cells.extend(compared.then(|| less(difference)));
     }
     Row {
         cells,
@@ -160,18 +155,12 @@ fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) 
         if !variant.is_of_the_paper() {
             continue;
         }
-        let most = table
-            .rows
-            .iter()
-            .filter(|row| counts(row))
-            .filter_map(|row| {
-                Some(
-                    (row.critical_gap_deg.get(k).copied().flatten()? - row.paper_simulated_deg)
-                        .abs(),
-                )
-            })
-            .filter(|d| d.is_finite())
-            .reduce(f64::max);
+        let difference = |row: &Table2Row| {
+            let gap = row.critical_gap_deg.get(k).copied().flatten()?;
+            Some((gap - row.paper_simulated_deg).abs()).filter(|d| d.is_finite())
+        };
+        let counted = table.rows.iter().filter(|row| counts(row));
+        let most = counted.filter_map(difference).reduce(f64::max);
         cells.push(Cell::number(fixed(most, 4)));
     }
     Row {
@@ -187,51 +176,35 @@ pub fn spread(table: &Table2) -> Option<Table> {
     if table.spreads.is_empty() {
         return None;
     }
-    let mut columns = vec![("Changed".to_owned(), false), ("Variant".to_owned(), false)];
-    for row in &table.rows {
-        columns.push((fixed(Some(row.structure.axial_span_mm), 2), true));
-    }
-    columns.push(("largest".to_owned(), true));
-    let rows = table
-        .spreads
-        .iter()
-        .map(|s| {
-            let mut cells = vec![Cell::text(&s.cause), Cell::text(&s.variant)];
-            for k in 0..table.rows.len() {
-                cells.push(Cell::number(signed(
-                    s.change_deg.get(k).copied().flatten(),
-                    4,
-                )));
-            }
-            let most = s
-                .change_deg
-                .iter()
-                .flatten()
-                .copied()
-                .filter(|c| c.is_finite());
-            let most = most.reduce(|a, b| if b.abs() > a.abs() { b } else { a });
-            cells.push(Cell::number(signed(most, 4)));
-            Row {
-                cells,
-                ..Row::default()
-            }
-        })
-        .collect();
+    let spans = table.rows.iter();
+    let spans = spans.map(|row| fixed(Some(row.structure.axial_span_mm), 2));
+    let mut rows = vec![vec!["Changed".to_owned(), "Variant".to_owned()]];
+    rows[0].extend(spans.chain(["largest".to_owned()]));
+    rows.extend(table.spreads.iter().map(|s| {
+        let change = |k: usize| s.change_deg.get(k).copied().flatten();
+        let finite = s
+            .change_deg
+            .iter()
+            .flatten()
+            .copied()
+            .filter(|c| c.is_finite());
+        let most = finite.reduce(|a, b| if b.abs() > a.abs() { b } else { a });
+        let changes = (0..table.rows.len()).map(change).chain([most]);
+        let changes = changes.map(|change| signed(change, 4));
+        let first = [s.cause.clone(), s.variant.clone()];
+        first.into_iter().chain(changes).collect()
+    }));
+    let caption = "How far the computed critical gaps move with what the paper leaves open: change in \
+                   degrees per structure, in the order of Table 2.";
+    let changes = "Change of the critical gap (°) at lC (mm)".to_owned();
+    let empty = String::new;
     Some(Table {
-        label: "Spread of Table 2".to_owned(),
-        caption: "How far the computed critical gaps move with what the paper leaves open: change \
-                  in degrees per structure, in the order of Table 2."
-            .to_owned(),
-        groups: vec![
-            (String::new(), 2),
-            (
-                "Change of the critical gap (°) at lC (mm)".to_owned(),
-                table.rows.len(),
-            ),
-            (String::new(), 1),
-        ],
-        columns,
-        rows,
-        provenance: Some(table.provenance.clone()),
+        groups: vec![(empty(), 2), (changes, table.rows.len()), (empty(), 1)],
+        ..Table::of(
+            "Spread of Table 2",
+            caption,
+            rows,
+            Some(table.provenance.clone()),
+        )
     })
 }

@@ -10,7 +10,6 @@ use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::plot::{GREY, PALETTE, Plot, number, numbers};
 use crate::table::Table;
-use crate::tables::parameter_table;
 
 /// The self-contained page.
 pub fn tolerance_page(record: &Record) -> String {
@@ -23,17 +22,12 @@ pub fn tolerance_page(record: &Record) -> String {
     if let Some(samples) = record.part("samples") {
         page.section("All at once");
         if let Some(reason) = Some(samples.text("first_impossible")).filter(|r| !r.is_empty()) {
-            page.note(
-                Note::Warning,
-                &format!("The first infeasible bearing: {reason}"),
-            );
+            let first = format!("The first infeasible bearing: {reason}");
+            page.note(Note::Warning, &first);
         }
-        page.table(&parameter_table(
-            "Monte Carlo sample",
-            "Every deviation is uniform within its range and independent of the others.",
-            &lines(samples.rows()),
-            record.provenance.clone(),
-        ));
+        let caption = "Every deviation is uniform within its range and independent of the others.";
+        let (rows, source) = (lines(samples.rows()), record.provenance.as_ref());
+        page.parameters("Monte Carlo sample", caption, &rows, source);
         page.table(&verdict_table(record, samples));
         page.figure(&sample_figure(record, samples));
     }
@@ -76,9 +70,9 @@ pub fn influence_figure(record: &Record) -> Figure {
         }
     }
     let mut plot = Plot::new(90 + 34 * names.len().max(2) as u32)
-        .set("margin", json!({ "l": 150, "r": 24, "t": 44, "b": 58 }))
-        .axis("xaxis", "Critical gap (°)", json!({}))
-        .axis("yaxis", "", json!({ "type": "category" }))
+        .margin([150, 24, 44, 58])
+        .x("Critical gap (°)", json!({}))
+        .y("", json!({ "type": "category" }))
         .trace(json!({
             "type": "bar", "orientation": "h", "y": names, "x": numbers(&width),
             "base": numbers(&base), "marker": { "color": PALETTE[0] }, "width": 0.6,
@@ -87,12 +81,8 @@ pub fn influence_figure(record: &Record) -> Figure {
     if let Some(nominal) = record.value("nominal_critical_gap_deg") {
         plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
-    Figure {
-        label: "Figure 1".to_owned(),
-        caption: "Critical gap at the ends of each range and nominal value (line).".to_owned(),
-        provenance: provenance(record),
-        plot,
-    }
+    let caption = "Critical gap at the ends of each range and nominal value (line).";
+    Figure::new("Figure 1", caption, &provenance(record), plot)
 }
 
 fn mark(plot: Plot, at: f64, text: &str, y: f64, dash: &str) -> Plot {
@@ -122,13 +112,13 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
     let mut plot = Plot::new(360)
         .legend()
         .set("barmode", json!("stack"))
-        .set("margin", json!({ "l": 72, "r": 24, "t": 84, "b": 58 }))
+        .margin([72, 24, 84, 58])
         .set(
             "legend",
             json!({ "orientation": "h", "x": 0, "y": 1.09, "yanchor": "bottom" }),
         )
-        .axis("xaxis", "Critical gap (°)", json!({}))
-        .axis("yaxis", "Bearings", json!({ "rangemode": "tozero" }));
+        .x("Critical gap (°)", json!({}))
+        .y("Bearings", json!({ "rangemode": "tozero" }));
     let verdicts = samples.parts("verdicts");
     let gaps = verdicts.iter().map(|v| v.values("critical_gap_deg"));
     let all: Vec<f64> = gaps.flatten().copied().collect();
@@ -151,13 +141,9 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
     if let Some(nominal) = record.value("nominal_critical_gap_deg") {
         plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
-    Figure {
-        label: "Figure 2".to_owned(),
-        caption: format!(
-            "Critical gap of the bearings by verdict. Evenly spaced balls have a gap of {:.4}°.",
-            record.number("uniform_gap_deg")
-        ),
-        provenance: provenance(record),
-        plot,
-    }
+    let caption = format!(
+        "Critical gap of the bearings by verdict. Evenly spaced balls have a gap of {:.4}°.",
+        record.number("uniform_gap_deg")
+    );
+    Figure::new("Figure 2", &caption, &provenance(record), plot)
 }

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::data::{Parameter, Provenance};
 use crate::page::Page;
 use crate::table::Table;
-use crate::tables::parameter_table;
 
 /// Verification as it is shown.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -30,12 +29,13 @@ impl VerificationTable {
 
     /// Adds the tables to a page; `label` is that of the judgements.
     pub fn show(&self, page: &mut Page, label: &str, source: &Provenance) {
-        page.table(&parameter_table(
+        let caption = "Repetitions from perturbed initial states and at half the step.";
+        page.parameters(
             &format!("{label}: replicas"),
-            "Repetitions from perturbed initial states and at half the step.",
+            caption,
             &self.facts,
-            Some(source.clone()),
-        ));
+            Some(source),
+        );
         let caption = "Converged: neither perturbed initial states nor half the step change the \
                        result by more than the tolerance. Statistical: chaotic but statistically \
                        consistent, one sample of a distribution that does not depend on the step. \

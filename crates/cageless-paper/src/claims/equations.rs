@@ -13,16 +13,10 @@ pub fn claims(e: &Evidence) -> Vec<Claim> {
 
 fn centrifugal(e: &Evidence) -> Claim {
     let [with, without] = e.mechanics.top_force_n;
-    let criterion = Requirement::at_most(
-        "outer force on the topmost ball with Fw over that without, less 1",
-        (with / without - 1.0).abs(),
-        EXACT,
-        "",
-    )
-    .says(
-        "It changes nothing.",
-        "The frame is inertial: the force comes out of the motion, and with Fw the outer raceway \
-         carries it again.",
+    let quantity = "outer force on the topmost ball with Fw over that without, less 1";
+    let criterion = Requirement::at_most(quantity, (with / without - 1.0).abs(), EXACT, "").says(
+        "[It changes nothing.|The frame is inertial: the force comes out of the motion, and \
+         with Fw the outer raceway carries it again.]",
     );
     Claim::as_printed(
         "Eq. (12), (15)",
@@ -50,8 +44,8 @@ fn spin(e: &Evidence) -> Claim {
                 "",
             )
             .says(
-                "The rates of the two spins are the same.",
-                "Angular momentum needs the absolute spin, whose rate is another.",
+                "[The rates of the two spins are the same.|Angular momentum needs the \
+                 absolute spin, whose rate is another.]",
             ),
             Requirement::at_most(
                 "largest change of a critical gap (Coulomb) with these two and Fw put right",
@@ -59,10 +53,7 @@ fn spin(e: &Evidence) -> Claim {
                 e.printed.neglected_deg,
                 "°",
             )
-            .says(
-                "For the critical gaps that matters little.",
-                "It matters for the critical gaps.",
-            ),
+            .says("[For the critical gaps that matters little.|It matters for the critical gaps.]"),
         ],
     )
     .numbers(&format!(
@@ -74,15 +65,10 @@ fn spin(e: &Evidence) -> Claim {
 
 fn reaction(e: &Evidence) -> Claim {
     let [printed, reacting] = e.mechanics.ring_residual;
-    let criterion = Requirement::at_most(
-        "sum of the forces on the ring at rest over its load",
-        printed,
-        EXACT,
-        "",
-    )
-    .says(
-        "The ring is in equilibrium with it.",
-        "The ring at rest would not be in equilibrium: action and reaction have opposite signs.",
+    let quantity = "sum of the forces on the ring at rest over its load";
+    let criterion = Requirement::at_most(quantity, printed, EXACT, "").says(
+        "The ring [is in equilibrium with it.|at rest would not be in equilibrium: action and \
+         reaction have opposite signs.]",
     );
     Claim::as_printed(
         "Eq. (12), (14)",

@@ -1,6 +1,6 @@
 //! Numbers on which the claims rest.
 
-use cageless_report::RingComparison;
+use cageless_report::{Requirement, RingComparison};
 
 use crate::experiment::Bearing;
 use crate::extra::Extra;
@@ -40,6 +40,17 @@ pub struct Evidence {
 
 /// Names of the readings.
 pub(super) const NAMES: [&str; 2] = ["`paper`", "`physical`"];
+
+/// A requirement under each reading, by its name and what was found.
+pub(super) fn of_both<'e, T>(
+    found: &'e [T; 2],
+    requirement: impl Fn(&str, &'e T) -> Requirement,
+) -> Vec<Requirement> {
+    let pairs = NAMES.iter().zip(found);
+    pairs
+        .map(|(name, found)| requirement(name, found))
+        .collect()
+}
 
 /// Largest of `values`; NaN if there is none or one is not a number.
 pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {

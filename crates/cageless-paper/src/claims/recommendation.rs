@@ -3,8 +3,7 @@
 use cageless::design::{Judgement, RacewayVerdict, StartingPoint};
 use cageless_report::{Claim, Requirement};
 
-use super::evidence::{Evidence, NAMES, largest};
-use super::structures::of_both;
+use super::evidence::{Evidence, NAMES, largest, of_both};
 use super::theory::ROUNDING_DEG;
 use crate::PUBLISHED;
 use crate::structures::{Between, Found, Steady};
@@ -87,9 +86,8 @@ fn classes(e: &Evidence) -> Claim {
                 e.between.len(),
             )
             .says(
-                "The limits of 2θ predict the verdicts on structures to which nothing was fitted.",
-                "The limits of 2θ do not predict all verdicts on structures to which nothing was \
-                 fitted.",
+                "The limits of 2θ [predict the|do not predict all] verdicts on structures to \
+                 which nothing was fitted.",
             ),
             Requirement::in_all(
                 "`physical`: the ten structures with the paper's verdict",
@@ -97,8 +95,8 @@ fn classes(e: &Evidence) -> Claim {
                 physical.len(),
             )
             .says(
-                "The same thresholds give the paper's classes in `physical`, too.",
-                "The same thresholds do not give all of the paper's classes in `physical`.",
+                "The same thresholds [give the paper's classes in `physical`, too.|do not \
+                 give all of the paper's classes in `physical`.]",
             ),
         ],
     )
@@ -119,13 +117,10 @@ fn classes(e: &Evidence) -> Claim {
 fn three_balls(e: &Evidence) -> Claim {
     let m = &e.mechanics;
     let printed = e.printed.three_balls_deg;
-    let criterion = Requirement::at_most(
-        "difference from twice 360°/N, which ε + β0 is",
-        (2.0 * m.spacing_deg - printed).abs(),
-        100.0 * ROUNDING_DEG,
-        "°",
-    )
-    .says("It is.", "The paper's own ε and β0 give another value.");
+    let quantity = "difference from twice 360°/N, which ε + β0 is";
+    let value = (2.0 * m.spacing_deg - printed).abs();
+    let criterion = Requirement::at_most(quantity, value, 100.0 * ROUNDING_DEG, "°")
+        .says("[It is.|The paper's own ε and β0 give another value.]");
     Claim::as_printed(
         "Section 4.3",
         &format!("2(ε + β0) = {printed:.2}°."),
@@ -143,16 +138,9 @@ fn recommended(e: &Evidence) -> Claim {
     let (low, sample) = (e.printed.span_min_deg, e.printed.sample_span_deg);
     let high = 2.0 * e.mechanics.epsilon_deg;
     let outside = (sample - high).max(low - sample);
-    let criterion = Requirement::at_most(
-        "distance of the sample's 2θ from the range",
-        outside.max(0.0),
-        0.0,
-        "°",
-    )
-    .says(
-        "The sample lies in the range.",
-        "The sample that was made, called reasonable, lies outside the range.",
-    );
+    let quantity = "distance of the sample's 2θ from the range";
+    let criterion = Requirement::at_most(quantity, outside.max(0.0), 0.0, "°")
+        .says("The sample [lies in|that was made, called reasonable, lies outside] the range.");
     Claim::as_printed(
         "Sections 4.3, 5, 6",
         &format!("2θ should lie in [{low}°, 2ε]."),
@@ -182,19 +170,12 @@ fn least_angle(e: &Evidence) -> Claim {
     let criterion = pairs
         .map(|(name, found)| {
             let least = found.map_or(f64::NAN, |f| 2.0 * f.half_angle_min_rad.to_degrees());
-            Requirement::at_most(
-                &format!("{name}: difference of the 2θ at which sliding takes 5 % of the gap"),
-                (least - printed).abs(),
-                1.0,
-                "°",
-            )
-            .says(
-                &format!("They do in {name}."),
-                &format!(
-                    "In {name} they slide from another angle on, a {} one.",
-                    if least < printed { "smaller" } else { "larger" }
-                ),
-            )
+            let size = if least < printed { "smaller" } else { "larger" };
+            let quantity =
+                format!("{name}: difference of the 2θ at which sliding takes 5 % of the gap");
+            Requirement::at_most(&quantity, (least - printed).abs(), 1.0, "°").says(&format!(
+                "[They do in {name}|In {name} they slide from another angle on, a {size} one]."
+            ))
         })
         .collect();
     Claim::of_the_model(
@@ -231,29 +212,18 @@ fn spread_outside(e: &Evidence) -> Claim {
                 .map(|s| s.gap_outside_deviation_deg),
         )
     };
-    let mut criterion = of_both(e, |name, found| {
-        Requirement::at_most(
-            &format!("{name}: mean gap of balls inside the raceway"),
-            inside(found),
-            beta0,
-            "°",
-        )
-        .says(
-            &format!("The gap inside is smaller than β0 in {name}."),
-            &format!("The gap inside is not smaller than β0 in {name}."),
-        )
+    let mut criterion = of_both(&e.structures, |name, found| {
+        let quantity = format!("{name}: mean gap of balls inside the raceway");
+        Requirement::at_most(&quantity, inside(found), beta0, "°").says(&format!(
+            "The gap inside is [|not ]smaller than β0 in {name}."
+        ))
     });
-    criterion.extend(of_both(e, |name, found| {
-        Requirement::at_most(
-            &format!("{name}: standard deviation of the gaps outside"),
-            outside(found),
-            e.printed.neglected_deg,
-            "°",
-        )
-        .says(
-            &format!("Balls outside are evenly spaced in {name}."),
+    criterion.extend(of_both(&e.structures, |name, found| {
+        let quantity = format!("{name}: standard deviation of the gaps outside");
+        Requirement::at_most(&quantity, outside(found), e.printed.neglected_deg, "°").says(
             &format!(
-                "Balls outside are not evenly spaced in {name}, though they were at the start."
+                "Balls outside are [evenly spaced in {name}.|not evenly spaced in {name}, though \
+             they were at the start.]"
             ),
         )
     }));

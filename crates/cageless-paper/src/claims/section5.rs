@@ -55,13 +55,10 @@ fn decrease(e: &Evidence) -> Claim {
     let falls = |what: &str, since: usize, of: fn(&RecordChange) -> &Estimate| {
         let [count, all] = later(STRUCTURE_D, since, of);
         let quarter = ["first", "second"][since];
-        Requirement::in_all(
-            &format!(
-                "lots with significantly less {what} in the last quarter than in the {quarter}"
-            ),
-            count,
-            all,
-        )
+        let quantity = format!(
+            "lots with significantly less {what} in the last quarter than in the {quarter}"
+        );
+        Requirement::in_all(&quantity, count, all)
     };
     let [conventional_too, all] = later(CONVENTIONAL, 0, |c| &c.contacts_per_s);
     let [conventional, discrete] = &e.bearings;
@@ -84,23 +81,17 @@ fn decrease(e: &Evidence) -> Claim {
          and less under the action of the discrete raceway.",
         vec![
             falls("lower RMS", 0, |c| &c.rms_m_s2).says(
-                "From bunches at the start the vibration is lower in the last quarter of a record \
-                 than in the first.",
-                "From bunches at the start the vibration is not always lower in the last quarter \
-                 of a record than in the first.",
+                "From bunches at the start the vibration is [|not always ]lower in the last \
+                 quarter of a record than in the first.",
             ),
-            falls("fewer contacts", 0, |c| &c.contacts_per_s).says(
-                "Contacts become fewer.",
-                "Contacts do not always become fewer.",
-            ),
-            falls("less impulse of contacts", 0, |c| &c.impulse_rate_n).says(
-                "Their impulse becomes less.",
-                "Their impulse does not always become less.",
-            ),
+            falls("fewer contacts", 0, |c| &c.contacts_per_s)
+                .says("Contacts [|do not always ]become fewer."),
+            falls("less impulse of contacts", 0, |c| &c.impulse_rate_n)
+                .says("Their impulse [becomes|does not always become] less."),
             falls("fewer contacts", 1, |c| &c.contacts_per_s).says(
-                "They go on becoming fewer after the first quarter: the decrease is gradual.",
-                "After the first quarter they do not always become fewer: what decreases is the \
-                 transient from the start.",
+                "[They go on becoming fewer after the first quarter: the decrease is \
+                 gradual.|After the first quarter they do not always become fewer: what \
+                 decreases is the transient from the start.]",
             ),
             Requirement::in_all(
                 "lots whose contacts do not become significantly fewer in a conventional ring",
@@ -108,8 +99,8 @@ fn decrease(e: &Evidence) -> Claim {
                 all,
             )
             .says(
-                "A conventional ring does not do the same.",
-                "A conventional ring does the same: it is not the action of the discrete raceway.",
+                "A conventional ring does [not do the same.|the same: it is not the action of \
+                 the discrete raceway.]",
             ),
         ],
     )
@@ -125,15 +116,11 @@ fn cause(e: &Evidence) -> Claim {
         let parts = cells(&e.comparison, ring, None)
             .map(|c| (c.rms_without_contacts_m_s2.mean / c.rms_m_s2.mean).powi(2));
         let main = parts.clone().filter(|rest| *rest < 0.5).count();
-        Requirement::in_all(
-            &format!("{ring}: cases with less than half of the mean square left without contacts"),
-            main,
-            parts.count(),
-        )
-        .says(
-            &format!("They are in every case with the ring: {ring}."),
-            &format!("They are not in every case with the ring: {ring}."),
-        )
+        let quantity =
+            format!("{ring}: cases with less than half of the mean square left without contacts");
+        Requirement::in_all(&quantity, main, parts.count()).says(&format!(
+            "They are [|not ]in every case with the ring: {ring}."
+        ))
     };
     Claim::of_the_model(
         "Section 5, Fig. 12",
@@ -157,20 +144,14 @@ fn photographs(e: &Evidence) -> Claim {
                 conventional.iter().filter(|n| **n > 0).count(),
                 conventional.len(),
             )
-            .says(
-                "Balls of the conventional ring touch at each of the moments.",
-                "Balls of the conventional ring do not touch at each of the moments.",
-            ),
+            .says("Balls of the conventional ring [|do not ]touch at each of the moments."),
             Requirement::at_least(
                 "such pairs at all four moments, conventional less discrete",
                 total(conventional) - total(discrete),
                 1.0,
                 "",
             )
-            .says(
-                "Fewer touch with the discrete raceway.",
-                "Not fewer touch with the discrete raceway.",
-            ),
+            .says("[Fewer|Not fewer] touch with the discrete raceway."),
         ],
     )
     .remark(
@@ -202,8 +183,7 @@ fn less(
          the same starts in {lower} of {all} cases{at}, the opposite in {}.",
         count(Change::Higher)
     );
-    Requirement::in_all(&format!("cases with significantly {what}{at}"), lower, all)
-        .says(&sentence, &sentence)
+    Requirement::in_all(&format!("cases with significantly {what}{at}"), lower, all).says(&sentence)
 }
 
 fn spacing(e: &Evidence) -> Claim {
@@ -279,12 +259,12 @@ fn transition(e: &Evidence) -> Claim {
             let quantity = format!(
                 "{rpm} rpm: density of contacts {part} over chance, lower limit of 95 % confidence"
             );
-            criterion.push(Requirement::at_least(&quantity, least, 1.0, "").says(
-                &format!("At {rpm} rpm contacts are more frequent than by chance {part}."),
-                &format!(
-                    "At {rpm} rpm contacts are not clearly more frequent than by chance {part}."
-                ),
-            ));
+            criterion.push(
+                Requirement::at_least(&quantity, least, 1.0, "").says(&format!(
+                    "At {rpm} rpm contacts are [|not clearly ]more frequent than by chance \
+                 {part}."
+                )),
+            );
             let chance = 100.0 * shares[k][1];
             found.push(format!(
                 "{rpm} rpm, {part}: {} × chance, {:.0} % of the contacts where chance gives \

@@ -2,11 +2,10 @@
 
 use cageless_report::{Claim, Requirement};
 
-use super::evidence::{Evidence, NAMES, rms};
+use super::evidence::{Evidence, of_both, rms};
 use super::theory::ROUNDING_DEG;
 use crate::PUBLISHED;
 use crate::cases::ODD_ROW;
-use crate::histories::Stages;
 
 /// Difference from a simulated value of Table 2 that the step, the start and the other things which
 /// the paper leaves open explain, degrees.
@@ -38,12 +37,8 @@ fn simulated(e: &Evidence) -> Claim {
     };
     let [short, long] = [residuals(4..10), residuals(0..4)];
     let ratio = |name: &str, [model, constant]: [f64; 2], limit: f64| {
-        Requirement::at_most(
-            &format!("{name}: RMS residual over that of the constant β0"),
-            model / constant,
-            limit,
-            "",
-        )
+        let quantity = format!("{name}: RMS residual over that of the constant β0");
+        Requirement::at_most(&quantity, model / constant, limit, "")
     };
     Claim::of_the_model(
         "Table 2, simulated values",
@@ -55,17 +50,11 @@ fn simulated(e: &Evidence) -> Claim {
                 SIMULATED_DEG,
                 "°",
             )
-            .says(
-                "The model as published with sign(ΔV) gives nine of the ten.",
-                "The model as published with sign(ΔV) does not give nine of the ten.",
-            ),
-            ratio("(e) to (j)", short, 0.2).says(
-                "(e) to (j) tell it from a constant gap.",
-                "(e) to (j) do not tell it from a constant gap.",
-            ),
+            .says("The model as published with sign(ΔV) [gives|does not give] nine of the ten."),
+            ratio("(e) to (j)", short, 0.2)
+                .says("(e) to (j) [|do not ]tell it from a constant gap."),
             ratio("(a) to (d)", long, 0.5).says(
-                "(a) to (d) do, too.",
-                "(a) to (d) do not tell it from a constant gap: they confirm nothing.",
+                "(a) to (d) [do, too.|do not tell it from a constant gap: they confirm nothing.]",
             ),
         ],
     )
@@ -104,7 +93,7 @@ fn odd_row(e: &Evidence) -> Claim {
                 SIMULATED_DEG,
                 "°",
             )
-            .says("It comes out.", "It does not come out."),
+            .says("It [comes|does not come] out."),
             Requirement::at_least(
                 "fall of the printed value from 5.40 mm over that of the computed gap",
                 fall(&printed) / fall(&computed),
@@ -112,8 +101,8 @@ fn odd_row(e: &Evidence) -> Claim {
                 "",
             )
             .says(
-                "It follows its neighbours.",
-                "It does not follow its neighbours: it differs little from that of 5.40 mm.",
+                "It [follows its neighbours.|does not follow its neighbours: it differs \
+                 little from that of 5.40 mm.]",
             ),
         ],
     )
@@ -145,27 +134,15 @@ fn differences(e: &Evidence) -> Claim {
             .replace('-', "−")
         })
         .collect();
-    let criterion = Requirement::in_all(
-        "rows whose difference is that of their two numbers",
-        PUBLISHED.len() - wrong.len(),
-        PUBLISHED.len(),
-    )
-    .says(
-        "Each is that of the two numbers next to it.",
-        "Not each is that of the two numbers next to it.",
-    );
+    let quantity = "rows whose difference is that of their two numbers";
+    let criterion = Requirement::in_all(quantity, PUBLISHED.len() - wrong.len(), PUBLISHED.len())
+        .says("[Each|Not each] is that of the two numbers next to it.");
     Claim::as_printed(
         "Table 2, differences",
         "Differences of the simulated from the theoretical gaps.",
         vec![criterion],
     )
     .numbers(&wrong.join("; "))
-}
-
-/// A requirement for each reading, which says its second sentence with the name of the reading.
-fn of_both(e: &Evidence, requirement: impl Fn(&str, &Stages) -> Requirement) -> Vec<Requirement> {
-    let pairs = NAMES.iter().zip(&e.stages);
-    pairs.map(|(name, s)| requirement(name, s)).collect()
 }
 
 fn unloaded(e: &Evidence) -> Claim {
@@ -175,17 +152,11 @@ fn unloaded(e: &Evidence) -> Claim {
         &format!(
             "In the unloaded zone the gap falls by {printed}° by sliding; that can be neglected."
         ),
-        of_both(e, |name, s| {
-            Requirement::at_most(
-                &format!("{name}: change of the gap, from {printed}°"),
-                (s.unloaded_change_deg - printed).abs(),
-                0.01,
-                "°",
-            )
-            .says(
-                &format!("It does in {name}."),
-                &format!("It changes by another amount in {name}."),
-            )
+        of_both(&e.stages, |name, s| {
+            let quantity = format!("{name}: change of the gap, from {printed}°");
+            let value = (s.unloaded_change_deg - printed).abs();
+            Requirement::at_most(&quantity, value, 0.01, "°")
+                .says(&format!("It [does|changes by another amount] in {name}."))
         }),
     )
     .numbers(&format!(
@@ -198,29 +169,15 @@ fn unloaded(e: &Evidence) -> Claim {
 }
 
 fn loaded(e: &Evidence) -> Claim {
-    let mut criterion = of_both(e, |name, s| {
-        Requirement::at_most(
-            &format!("{name}: largest departure of the gap from β0"),
-            s.loaded_change_deg,
-            e.printed.neglected_deg,
-            "°",
-        )
-        .says(
-            &format!("The gap keeps to β0 in {name}."),
-            &format!("The gap does not keep to β0 in {name}."),
-        )
+    let mut criterion = of_both(&e.stages, |name, s| {
+        let quantity = format!("{name}: largest departure of the gap from β0");
+        Requirement::at_most(&quantity, s.loaded_change_deg, e.printed.neglected_deg, "°")
+            .says(&format!("The gap [keeps|does not keep] to β0 in {name}."))
     });
-    criterion.extend(of_both(e, |name, s| {
-        Requirement::at_most(
-            &format!("{name}: largest sliding speed over the speed of the inner raceway"),
-            100.0 * s.loaded_slip,
-            1.0,
-            " %",
-        )
-        .says(
-            &format!("The ball scarcely slides in {name}."),
-            &format!("The ball slides in {name}."),
-        )
+    criterion.extend(of_both(&e.stages, |name, s| {
+        let quantity = format!("{name}: largest sliding speed over the speed of the inner raceway");
+        Requirement::at_most(&quantity, 100.0 * s.loaded_slip, 1.0, " %")
+            .says(&format!("The ball [scarcely |]slides in {name}."))
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 6, b–c and d–e",
@@ -235,17 +192,11 @@ fn raceway(e: &Evidence) -> Claim {
     Claim::of_the_model(
         "Section 4.3, Fig. 6, c–d",
         "In the discrete raceway the gap falls and rises again by about β0.",
-        of_both(e, |name, s| {
-            Requirement::at_most(
-                &format!("{name}: change of the gap, from β0"),
-                (s.raceway_change_deg - beta0).abs(),
-                0.05 * beta0,
-                "°",
-            )
-            .says(
-                &format!("It does in {name}."),
-                &format!("It changes by another amount in {name}."),
-            )
+        of_both(&e.stages, |name, s| {
+            let quantity = format!("{name}: change of the gap, from β0");
+            let value = (s.raceway_change_deg - beta0).abs();
+            Requirement::at_most(&quantity, value, 0.05 * beta0, "°")
+                .says(&format!("It [does|changes by another amount] in {name}."))
         }),
     )
     .numbers(&format!(
@@ -259,17 +210,10 @@ fn first(e: &Evidence) -> Claim {
         "Section 4.3, Fig. 6",
         "The gap falls rapidly at first, because the iteration of the solution is perturbed by the \
          initial values.",
-        of_both(e, |name, s| {
-            Requirement::at_least(
-                &format!("{name}: largest change of the gap in the first millisecond"),
-                s.first_change_deg,
-                e.printed.neglected_deg,
-                "°",
-            )
-            .says(
-                &format!("It changes in {name}."),
-                &format!("No such fall appears in {name}."),
-            )
+        of_both(&e.stages, |name, s| {
+            let quantity = format!("{name}: largest change of the gap in the first millisecond");
+            Requirement::at_least(&quantity, s.first_change_deg, e.printed.neglected_deg, "°")
+                .says(&format!("[It changes|No such fall appears] in {name}."))
         }),
     )
     .remark("The multistep method starts here with an error-controlled Runge–Kutta pair.")
@@ -279,17 +223,11 @@ fn both_neighbours(e: &Evidence) -> Claim {
     Claim::of_the_model(
         "Section 4.3, Fig. 7",
         "Ball i of structure (a) is hit by ball i+1 and then by ball i−1 in one passage.",
-        of_both(e, |name, s| {
-            Requirement::at_least(
-                &format!("{name}: such passages in 0.2 s"),
-                s.double_passages as f64,
-                1.0,
-                "",
-            )
-            .says(
-                &format!("Such passages occur in {name}."),
-                &format!("No such passage occurs in {name}."),
-            )
+        of_both(&e.stages, |name, s| {
+            let quantity = format!("{name}: such passages in 0.2 s");
+            Requirement::at_least(&quantity, s.double_passages as f64, 1.0, "").says(&format!(
+                "[Such passages occur|No such passage occurs] in {name}."
+            ))
         }),
     )
 }

@@ -15,16 +15,10 @@ fn eq_10(e: &Evidence) -> Claim {
     let m = &e.mechanics;
     let printed = m.spacing_deg - m.printed_epsilon_deg;
     let gap = e.printed.nominal_gap_deg;
-    let criterion = Requirement::at_most(
-        "nominal gap with this ε, from the paper's own",
-        (printed - gap).abs(),
-        ROUNDING_DEG,
-        "°",
-    )
-    .says(
-        "It gives the paper's own nominal gap.",
-        "It does not give the paper's own nominal gap: its chord is Rw, that of two balls in \
-         contact 2 Rw.",
+    let quantity = "nominal gap with this ε, from the paper's own";
+    let criterion = Requirement::at_most(quantity, (printed - gap).abs(), ROUNDING_DEG, "°").says(
+        "It [gives the paper's own nominal gap.|does not give the paper's own nominal gap: \
+         its chord is Rw, that of two balls in contact 2 Rw.]",
     );
     Claim::as_printed(
         "Eq. (10)",
@@ -44,10 +38,7 @@ fn eq_11(e: &Evidence) -> Claim {
     let rows = e.table2.table.rows.iter();
     let worst = largest(rows.map(|r| (r.theory_deg - r.paper_theory_deg).abs()));
     let criterion = Requirement::at_most("largest difference of a row", worst, ROUNDING_DEG, "°")
-        .says(
-            "All ten come out as printed.",
-            "Not all come out as printed.",
-        );
+        .says("[All ten|Not all] come out as printed.");
     Claim::of_the_model(
         "Eq. (11), Table 2",
         "Theoretical gaps β0 of the ten structures.",
@@ -62,16 +53,9 @@ fn angle_of_eq_11(e: &Evidence) -> Claim {
         of(rows().map(|r| polar(r) - r.theory_deg).collect())
     };
     let (low, high) = (larger(least), larger(largest));
-    let criterion = Requirement::at_most(
-        "largest change of β0 with the ball's own ψ (tan ψ = x/(−y))",
-        high.max(-low),
-        ROUNDING_DEG,
-        "°",
-    )
-    .says(
-        "φ is then the angular position ψ of the ball.",
-        "φ is then not the angular position ψ of the ball.",
-    );
+    let quantity = "largest change of β0 with the ball's own ψ (tan ψ = x/(−y))";
+    let criterion = Requirement::at_most(quantity, high.max(-low), ROUNDING_DEG, "°")
+        .says("φ is then [|not ]the angular position ψ of the ball.");
     Claim::as_printed(
         "Eq. (11)",
         "x = Ro sin φ with φ the angle of integration.",
@@ -87,16 +71,11 @@ fn speed(e: &Evidence) -> Claim {
     let gaps = &e.extra.at_speeds_deg;
     let polar_deg = e.table2.table.rows[3].theory_polar_deg;
     let changed = |name: &str, [slow, fast]: [f64; 2]| {
-        Requirement::at_most(
-            &format!("{name}: change of the critical gap from 3000 to 12 000 rpm"),
-            (fast - slow).abs(),
-            neglected,
-            "°",
-        )
-        .says(
-            &format!("The gap of {name} does not depend on it."),
-            &format!("With sliding the gap of {name} depends on it."),
-        )
+        let quantity = format!("{name}: change of the critical gap from 3000 to 12 000 rpm");
+        Requirement::at_most(&quantity, (fast - slow).abs(), neglected, "°").says(&format!(
+            "[The gap of {name} does not depend|With sliding the gap of {name} depends] on \
+             it."
+        ))
     };
     Claim::of_the_model(
         "Section 2.3",
@@ -109,8 +88,8 @@ fn speed(e: &Evidence) -> Claim {
                 "°",
             )
             .says(
-                "Where balls scarcely slide, the gap is that of Eq. (11), which has no speed in it.",
-                "At 3000 rpm already the gap is not that of Eq. (11).",
+                "[Where balls scarcely slide, the gap is that of Eq. (11), which has no speed \
+                 in it.|At 3000 rpm already the gap is not that of Eq. (11).]",
             ),
             changed("(d)", gaps[0]),
             changed("(h)", gaps[1]),
@@ -128,10 +107,8 @@ fn inverse(e: &Evidence) -> Claim {
     let falls = angles.windows(2).filter(|pair| pair[1] < pair[0]).count();
     let steps = angles.len().saturating_sub(1);
     let criterion =
-        Requirement::in_all("steps of lC along Eq. (11) at which θ falls", falls, steps).says(
-            "The larger lC, the smaller θ, along the whole curve.",
-            "θ does not fall along the whole curve.",
-        );
+        Requirement::in_all("steps of lC along Eq. (11) at which θ falls", falls, steps)
+            .says("[The larger lC, the smaller θ,|θ does not fall] along the whole curve.");
     Claim::of_the_model(
         "Section 4.2, Fig. 5; Section 6",
         "For a given gap lC and θ are inversely related.",

@@ -34,12 +34,8 @@ pub(super) fn loads(
     let mut plot = Plot::new(380)
         .legend()
         .set("barmode", json!("group"))
-        .axis("xaxis", "Ball", json!({ "dtick": 1 }))
-        .axis(
-            "yaxis",
-            "Largest normal force (N)",
-            json!({ "rangemode": "tozero" }),
-        );
+        .x("Ball", json!({ "dtick": 1 }))
+        .y("Largest normal force (N)", json!({ "rangemode": "tozero" }));
     let mut bars = |name: &str, forces: &[f64], colour: &str| {
         let balls: Vec<usize> = (1..=forces.len()).collect();
         plot = plot.clone().trace(json!({
@@ -58,19 +54,15 @@ pub(super) fn loads(
         let forces = other.result.results.values(INNER);
         bars("inner raceway, conventional ring", forces, GREY);
     }
-    Figure::new(
-        "Loads of the balls",
-        &format!(
-            "Largest normal force of each ball in the whole drop. The largest pressures are {} MPa \
+    let caption = format!(
+        "Largest normal force of each ball in the whole drop. The largest pressures are {} MPa \
              at the inner and {} MPa at the outer raceway and {} MPa between balls; 4200 MPa is the \
              limit of ISO 76.",
-            short(own.results.number("inner_pressure_max_mpa")),
-            short(own.results.number("outer_pressure_max_mpa")),
-            short(own.results.number("ball_pressure_max_mpa"))
-        ),
-        source,
-        plot,
-    )
+        short(own.results.number("inner_pressure_max_mpa")),
+        short(own.results.number("outer_pressure_max_mpa")),
+        short(own.results.number("ball_pressure_max_mpa"))
+    );
+    Figure::new("Loads of the balls", &caption, source, plot)
 }
 
 /// All bearings in motion, those with conventional outer rings beside them, from shortly before the
@@ -91,15 +83,12 @@ pub(super) fn balls_in_motion(study: &DropStudy) -> MotionFigure {
         stretches.push(("first impact".to_owned(), around));
     }
     stretches.push(("whole drop".to_owned(), [0.0, end]));
+    let caption = "Rotor, inner ring and balls from the start of the drop, with a mark on what turns; \
+                   red: balls that touch. To scale except for the touch-down clearance and the \
+                   place of the rotor in it, which are enlarged.";
     MotionFigure {
-        label: "Motion of the balls".to_owned(),
-        caption: "Rotor, inner ring and balls from the start of the drop, with a \
-                  mark on what turns; red: balls that touch. To scale except for the touch-down clearance and the \
-                  place of the rotor in it, which are enlarged."
-            .to_owned(),
-        bearings: bearings.collect(),
-        moments_s: vec![],
         stretches,
+        ..MotionFigure::new("Motion of the balls", caption, bearings.collect())
     }
 }
 
@@ -112,9 +101,9 @@ pub(super) fn heat(
     let mut plot = Plot::new(420)
         .legend()
         .set("barmode", json!("group"))
-        .set("margin", json!({ "l": 190, "r": 24, "t": 44, "b": 58 }))
-        .axis("xaxis", "Heat (J)", json!({ "rangemode": "tozero" }))
-        .axis("yaxis", "", json!({ "autorange": "reversed" }));
+        .margin([190, 24, 44, 58])
+        .x("Heat (J)", json!({ "rangemode": "tozero" }))
+        .y("", json!({ "autorange": "reversed" }));
     let drops = [
         ("this drop", Some(record), PALETTE[1]),
         ("conventional outer ring", conventional, GREY),
@@ -128,14 +117,10 @@ pub(super) fn heat(
             "marker": { "color": colour },
         }));
     }
-    Figure::new(
-        "Heat of the interfaces",
-        &format!(
-            "Heat of each interface since the start of the drop. The energy balance closes to {:.1e} of \
+    let caption = format!(
+        "Heat of each interface since the start of the drop. The energy balance closes to {:.1e} of \
              all terms.",
-            record.outcome.energy_residual_relative
-        ),
-        source,
-        plot,
-    )
+        record.outcome.energy_residual_relative
+    );
+    Figure::new("Heat of the interfaces", &caption, source, plot)
 }

@@ -44,37 +44,24 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
         None => head(&study.record.bearings[0].result),
         Some(rotor) => head_of_rotor(rotor, study),
     });
-    for warning in &study.warnings {
-        page.note(Note::Warning, warning);
-    }
+    page.notes(Note::Warning, &study.warnings);
     page.section("Architecture");
     report::architecture(&mut page, study);
-    report::keys(
+    let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, study, sections);
+    keys(
         &mut page,
-        file,
-        study,
         &["bearing", "raceway", "material", "ball_material"],
     );
     page.section("Requirements");
     report::requirements(&mut page, file, study);
     page.section("Dynamic system");
-    report::keys(
-        &mut page,
-        file,
-        study,
-        &["rotor", "support", "contact", "solver"],
-    );
+    keys(&mut page, &["rotor", "support", "contact", "solver"]);
     page.section("Environment");
     report::environment(&mut page, study);
-    report::keys(
-        &mut page,
-        file,
-        study,
-        &["operation", "thermal", "fit", "lubrication"],
-    );
+    keys(&mut page, &["operation", "thermal", "fit", "lubrication"]);
     page.section("Event");
     page.paragraph(&event(file));
-    report::keys(&mut page, file, study, &["start"]);
+    keys(&mut page, &["start"]);
     page.section("Failure modes");
     report::failure_modes(&mut page, study);
     page.section("Simulation");

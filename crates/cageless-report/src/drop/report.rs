@@ -12,7 +12,6 @@ use cageless_study::{Parameter, parameters, provenance};
 use super::label::label;
 use crate::page::Page;
 use crate::table::Table;
-use crate::tables::parameter_table;
 use crate::text::short;
 
 /// Contact pressures, which have a limit in every drop.
@@ -114,13 +113,10 @@ pub(super) fn keys(page: &mut Page, file: &VariantFile, study: &DropStudy, secti
         };
         let lines: Vec<Parameter> = parameters(case).into_iter().filter(of_section).collect();
         if !lines.is_empty() {
-            page.fold(&label(
-                study,
-                &format!("Keys of {}", sections.join(", ")),
-                k,
-            ));
-            let name = label(study, &format!("Keys: {}", sections.join(", ")), k);
-            page.table(&parameter_table(&name, "", &lines, None));
+            let listed = sections.join(", ");
+            page.fold(&label(study, &format!("Keys of {listed}"), k));
+            let name = label(study, &format!("Keys: {listed}"), k);
+            page.parameters(&name, "", &lines, None);
             page.end_fold();
         }
     }
@@ -170,14 +166,8 @@ pub(super) fn failure_modes(page: &mut Page, study: &DropStudy) {
     let caption = "What can go wrong in a touch-down bearing, with the results that show it. The inner \
                    ring slides on the journal until it has come up to speed; the temperatures are those \
                    at standstill, with all heat kept.";
-    listed(
-        page,
-        study,
-        "Failure modes",
-        caption,
-        "Failure mode",
-        &FAILURE_MODES,
-    );
+    let titles = ["Failure modes", caption, "Failure mode"];
+    listed(page, study, titles, &FAILURE_MODES);
 }
 
 /// What an acceptance test measures.
@@ -185,22 +175,15 @@ pub(super) fn acceptance_test(page: &mut Page, study: &DropStudy) {
     let caption = "What to measure in a drop at the conditions of this one, and what this simulation \
                    predicts for it. One drop is one sample: --samples gives the distribution to compare \
                    with.";
-    listed(
-        page,
-        study,
-        "Acceptance test",
-        caption,
-        "Measured by",
-        &MEASUREMENTS,
-    );
+    let titles = ["Acceptance test", caption, "Measured by"];
+    listed(page, study, titles, &MEASUREMENTS);
 }
 
+/// A table of groups of results by its name, caption and first heading.
 fn listed(
     page: &mut Page,
     study: &DropStudy,
-    name: &str,
-    caption: &str,
-    first: &str,
+    [name, caption, first]: [&str; 3],
     groups: &[(&str, &[&str])],
 ) {
     let mut rows = head(study, &[first, "Result"]);

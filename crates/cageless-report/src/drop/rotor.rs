@@ -9,7 +9,7 @@ use cageless_study::drop::BearingRecord;
 use serde_json::json;
 
 use crate::figure::Figure;
-use crate::plot::{GREY, PALETTE, Plot, line, markers, with};
+use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers};
 use crate::sampling::history;
 use crate::text::short;
 
@@ -61,24 +61,20 @@ impl Drops<'_> {
         mut plot: Plot,
         name: &str,
         colour: &str,
-        rows: impl Fn(&BearingRecord) -> [Vec<f64>; 2],
+        rows: impl Fn(&BearingRecord) -> (Vec<f64>, Vec<f64>),
     ) -> Plot {
         if let Some(other) = self.conventional {
-            let [x, y] = rows(other);
-            plot = plot.trace(with(
-                line(&format!("{name}, conventional ring"), &x, &y, GREY),
-                json!({ "line": { "dash": "dash" } }),
-            ));
+            let name = format!("{name}, conventional ring");
+            plot = plot.trace(line_of(&name, rows(other), GREY).dash("dash"));
         }
-        let [x, y] = rows(self.record);
-        plot.trace(line(name, &x, &y, colour))
+        plot.trace(line_of(name, rows(self.record), colour))
     }
 }
 
 /// Path of the centre of the journal from the centre of the inner ring, or from that of the stator,
 /// µm.
-fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> [Vec<f64>; 2] {
-    let [mut x, mut y] = [Vec::new(), Vec::new()];
+fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> (Vec<f64>, Vec<f64>) {
+    let (mut x, mut y) = (Vec::new(), Vec::new());
     let rotor = case.rotor.as_ref();
     for (s, r, rotor) in snapshots.iter().filter_map(|s| Some((s, s.rotor?, rotor?))) {
         let journal = rotor.journal_m([r.x_m, r.y_m], r.angle_rad);
@@ -89,16 +85,13 @@ fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> [Vec<f64>; 2] 
         x.push(1e6 * (journal[0] - centre[0]));
         y.push(1e6 * (journal[1] - centre[1]));
     }
-    [x, y]
+    (x, y)
 }
 
-fn circle(name: &str, radius_um: f64, colour: &str) -> serde_json::Value {
+fn circle(name: &str, radius_um: f64, colour: &str) -> Trace {
     let angles: Vec<f64> = (0..=120).map(|k| TAU * f64::from(k) / 120.0).collect();
     let of = |f: fn(f64) -> f64| -> Vec<f64> { angles.iter().map(|a| radius_um * f(*a)).collect() };
-    with(
-        line(name, &of(f64::cos), &of(f64::sin), colour),
-        json!({ "line": { "dash": "dot" } }),
-    )
+    line(name, &of(f64::cos), &of(f64::sin), colour).dash("dot")
 }
 
 /// Path of the journal from the centre of the stator, with the circle of its clearance.
@@ -111,23 +104,18 @@ fn displacement(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
         path_um(drops.case, &record.snapshots, false)
     });
-    Figure::new(
-        "Displacement",
-        "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
+    let caption = "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
          fails where it crosses the dotted circle, the clearance that the case gives \
-         (rotor.clearance_limit_um).",
-        source,
-        plot,
-    )
+         (rotor.clearance_limit_um).";
+    Figure::new("Displacement", caption, source, plot)
 }
 
 /// A plot with equal scales of x and y.
 fn square(x: &str) -> Plot {
     Plot::new(560)
         .legend()
-        .axis("xaxis", x, json!({ "constrain": "domain" }))
-        .axis(
-            "yaxis",
+        .x(x, json!({ "constrain": "domain" }))
+        .y(
             "y (µm)",
             json!({ "scaleanchor": "x", "scaleratio": 1, "constrain": "domain" }),
         )
@@ -139,8 +127,7 @@ fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let Some(rotor) = &case.rotor else {
         return Figure::new("Orbit", "", source, Plot::new(200));
     };
-    let [x, y] = path_um(case, &drops.record.snapshots, true);
-    let last = x.len().saturating_sub(1);
+    let (x, y) = path_um(case, &drops.record.snapshots, true);
     let plot = square("x of the journal in the bore (µm)").trace(circle(
         "touch-down clearance",
         1e6 * rotor.radial_clearance_m,
@@ -149,130 +136,94 @@ fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let mut plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
         path_um(case, &record.snapshots, true)
     });
-    if let (Some(x), Some(y)) = (x.get(last), y.get(last)) {
+    if let (Some(x), Some(y)) = (x.last(), y.last()) {
         plot = plot.trace(markers("end", &[*x], &[*y], PALETTE[1]));
     }
-    Figure::new(
-        "Orbit",
-        "Centre of the journal relative to the centre of the inner ring. Beyond the dotted circle, \
-         the touch-down clearance, it is in contact.",
-        source,
-        plot,
-    )
+    let caption = "Centre of the journal relative to the centre of the inner ring. Beyond the dotted circle, \
+         the touch-down clearance, it is in contact.";
+    Figure::new("Orbit", caption, source, plot)
 }
 
 /// Time axis in ms.
 fn over_time(height: u32, title: &str) -> Plot {
     Plot::new(height)
         .legend()
-        .axis("xaxis", "Time since the start of the drop (ms)", json!({}))
-        .axis("yaxis", title, json!({}))
+        .axes("Time since the start of the drop (ms)", title)
 }
 
-fn trace(name: &str, rows: &[(f64, f64)], colour: &str) -> serde_json::Value {
-    let (x, y): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
-    let (x, y) = history(&x, &y, POINTS);
-    line(name, &x, &y, colour)
+/// Rows of time and value, thinned.
+fn thinned(rows: impl Iterator<Item = (f64, f64)>) -> (Vec<f64>, Vec<f64>) {
+    let (x, y): (Vec<f64>, Vec<f64>) = rows.unzip();
+    history(&x, &y, POINTS)
 }
 
 /// Speeds of rotor and inner ring.
 fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
-    let of = |f: fn(&RotorSnapshot) -> f64| -> Vec<(f64, f64)> {
-        rotors
-            .iter()
-            .map(|(t, r)| (*t, 60.0 / TAU * f(r)))
-            .collect()
-    };
+    let rpm =
+        |f: fn(&RotorSnapshot) -> f64| thinned(rotors.iter().map(|(t, r)| (*t, 60.0 / TAU * f(r))));
     let plot = over_time(380, "Speed (rpm)")
-        .trace(trace("rotor", &of(|r| r.speed_rad_s), PALETTE[1]))
-        .trace(trace("inner ring", &of(|r| r.ring_speed_rad_s), PALETTE[0]));
-    Figure::new(
-        "Spin-up",
-        "Speed of the rotor and of the inner ring that it drives by friction, counter-clockwise \
-         positive.",
-        source,
-        plot,
-    )
+        .trace(line_of("rotor", rpm(|r| r.speed_rad_s), PALETTE[1]))
+        .trace(line_of(
+            "inner ring",
+            rpm(|r| r.ring_speed_rad_s),
+            PALETTE[0],
+        ));
+    let caption = "Speed of the rotor and of the inner ring that it drives by friction, counter-clockwise \
+         positive.";
+    Figure::new("Spin-up", caption, source, plot)
 }
 
 /// Forces of rotor and balls.
 fn forces(drops: &Drops<'_>, source: &Provenance) -> Figure {
-    let thinned = |rows: Vec<(f64, f64)>| -> [Vec<f64>; 2] {
-        let (x, y): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
-        let (x, y) = history(&x, &y, POINTS);
-        [x, y]
-    };
     let contact = |record: &BearingRecord| {
-        let rows = record.snapshots.iter();
         let row = |s: &Snapshot| Some((1e3 * s.time_s, s.rotor?.contact_force_n));
-        thinned(rows.filter_map(row).collect())
+        thinned(record.snapshots.iter().filter_map(row))
     };
     let outer = |record: &BearingRecord| {
-        let rows = record.snapshots.iter();
         let force = |s: &Snapshot| s.ring.outer_force_x_n.hypot(s.ring.outer_force_y_n);
-        thinned(rows.map(|s| (1e3 * s.time_s, force(s))).collect())
+        thinned(record.snapshots.iter().map(|s| (1e3 * s.time_s, force(s))))
     };
     let plot = over_time(400, "Force (N)");
     let plot = drops.both(plot, "balls on the outer ring", PALETTE[2], outer);
     let plot = drops.both(plot, "rotor on the inner ring", PALETTE[0], contact);
     let rotor = drops.case.rotor.as_ref();
     let weight_n = rotor.map_or(0.0, |r| r.mass_kg) * drops.case.operation.gravity_m_s2;
-    Figure::new(
-        "Forces",
-        &format!(
-            "Normal force between rotor and inner ring and the force of the balls on the outer \
+    let caption = format!(
+        "Normal force between rotor and inner ring and the force of the balls on the outer \
              ring, at the output interval: peaks between two rows are in the table only. The \
              weight on this bearing is {} N.",
-            short(weight_n)
-        ),
-        source,
-        plot,
-    )
+        short(weight_n)
+    );
+    Figure::new("Forces", &caption, source, plot)
 }
 
 /// Whirl frequency over time.
 fn whirl(drops: &Drops<'_>, source: &Provenance) -> Figure {
-    let over = |of: fn(&WindowRow) -> f64| -> Vec<f64> {
-        drops.record.result.windows.iter().map(of).collect()
+    let over_windows = |record: &BearingRecord, of: fn(&WindowRow) -> f64| {
+        let windows = record.result.windows.iter();
+        windows.map(|w| (w.time_ms, of(w))).unzip()
     };
-    let time = over(|w| w.time_ms);
-    let contact = over(|w| 100.0 * w.contact_fraction);
-    let plot = over_time(420, "Whirl frequency (Hz)");
-    let plot = drops.both(plot, "whirl frequency", PALETTE[3], |record| {
-        let windows = &record.result.windows;
-        [
-            windows.iter().map(|w| w.time_ms).collect(),
-            windows.iter().map(|w| w.whirl_frequency_hz).collect(),
-        ]
-    });
-    let plot = plot
-        .axis(
-            "yaxis",
-            "Whirl frequency (Hz)",
-            json!({ "domain": [0.42, 1.0] }),
+    let contact = over_windows(drops.record, |w| 100.0 * w.contact_fraction);
+    let contact = line_of("contact", contact, PALETTE[2]);
+    let plot = Plot::new(420)
+        .set("showlegend", json!(drops.conventional.is_some()))
+        .x(
+            "Time since the start of the drop (ms)",
+            json!({ "anchor": "y2" }),
         )
+        .y("Whirl frequency (Hz)", json!({ "domain": [0.42, 1.0] }))
         .axis(
             "yaxis2",
             "Contact (%)",
             json!({ "domain": [0.0, 0.3], "range": [0, 105] }),
         )
-        .axis(
-            "xaxis",
-            "Time since the start of the drop (ms)",
-            json!({ "anchor": "y2" }),
-        )
-        .set("showlegend", json!(drops.conventional.is_some()))
-        .horizontal("x", "y", 0.0, "dot")
-        .trace(with(
-            line("contact", &time, &contact, PALETTE[2]),
-            json!({ "yaxis": "y2" }),
-        ));
-    Figure::new(
-        "Whirl",
-        "Mean frequency at which the journal moves round the bore, in windows of 5 ms, and the \
+        .horizontal("x", "y", 0.0, "dot");
+    let plot = drops.both(plot, "whirl frequency", PALETTE[3], |record| {
+        over_windows(record, |w| w.whirl_frequency_hz)
+    });
+    let plot = plot.trace(contact.with(json!({ "yaxis": "y2" })));
+    let caption = "Mean frequency at which the journal moves round the bore, in windows of 5 ms, and the \
          part of each window in contact. A swing at the bottom has alternating signs. Negative: \
-         against the rotation of a rotor that turns counter-clockwise.",
-        source,
-        plot,
-    )
+         against the rotation of a rotor that turns counter-clockwise.";
+    Figure::new("Whirl", caption, source, plot)
 }

@@ -3,7 +3,6 @@
 use cageless_results::end_state_text;
 use cageless_study::drop::{BearingRow, Distribution, DropStudy, Ensemble, WhirlProbability};
 use cageless_study::{Provenance, provenance};
-use serde_json::json;
 
 use super::label::label;
 use crate::figure::Figure;
@@ -36,12 +35,8 @@ pub(super) fn scattered(page: &mut Page, study: &DropStudy, ensemble: &Ensemble)
         let table = Table::of(&label("Distribution"), &caption, rows, Some(source.clone()));
         page.table(&table);
         let rows = ensemble.drops.iter().map(|drop| &drop.bearings[k]);
-        page.figure(&scatter(
-            distribution,
-            rows,
-            &label("State at the end"),
-            &source,
-        ));
+        let label = label("State at the end");
+        page.figure(&scatter(distribution, rows, &label, &source));
     }
 }
 
@@ -97,12 +92,7 @@ fn scatter<'a>(
     };
     let mut plot = Plot::new(420)
         .legend()
-        .axis(
-            "xaxis",
-            "Friction coefficient between rotor and inner ring",
-            json!({}),
-        )
-        .axis("yaxis", title, json!({}));
+        .axes("Friction coefficient between rotor and inner ring", title);
     for (k, entry) in distribution.end_states.iter().enumerate() {
         let (x, y): (Vec<f64>, Vec<f64>) = (rows.clone())
             .filter(|row| row.result.end_state() == entry.end_state)
@@ -114,10 +104,6 @@ fn scatter<'a>(
         let name = end_state_text(&entry.end_state);
         plot = plot.trace(markers(&name, &x, &y, PALETTE[k % PALETTE.len()]));
     }
-    Figure::new(
-        label,
-        "State of each drop at its end over what was drawn for it.",
-        source,
-        plot,
-    )
+    let caption = "State of each drop at its end over what was drawn for it.";
+    Figure::new(label, caption, source, plot)
 }

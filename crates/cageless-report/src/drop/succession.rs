@@ -8,7 +8,7 @@ use serde_json::json;
 use super::label::label;
 use crate::figure::Figure;
 use crate::page::{Note, Page};
-use crate::plot::{PALETTE, Plot, line, with};
+use crate::plot::{PALETTE, Plot, line, line_of};
 use crate::table::Table;
 
 /// Parts of a bearing with the ends of the names of their temperatures.
@@ -36,18 +36,12 @@ pub(super) fn succession(page: &mut Page, study: &DropStudy) {
     ));
     match study.succession.first_failure() {
         Some((drop, reasons)) => {
-            page.note(
-                Note::Warning,
-                &format!("Drop {drop} is the first beyond a limit: {reasons}."),
-            );
+            let first = format!("Drop {drop} is the first beyond a limit: {reasons}.");
+            page.note(Note::Warning, &first);
         }
         None => page.note(Note::Remark, "No drop is beyond a limit."),
     }
-    for k in 0..study.drop.cases().len() {
-        if let Some(figure) = temperatures(study, k) {
-            page.figure(&figure);
-        }
-    }
+    page.figures((0..study.drop.cases().len()).filter_map(|k| temperatures(study, k)));
 }
 
 /// Temperatures of bearing `k` after each drop; `None` of a single drop.
@@ -57,8 +51,8 @@ fn temperatures(study: &DropStudy, k: usize) -> Option<Figure> {
     let rows = || study.succession.records.iter().skip(k).step_by(bearings);
     let mut plot = Plot::new(380)
         .legend()
-        .axis("xaxis", "Drops", json!({ "dtick": 1 }))
-        .axis("yaxis", "Temperature (°C)", json!({}));
+        .x("Drops", json!({ "dtick": 1 }))
+        .y("Temperature (°C)", json!({}));
     for ((name, part), colour) in PARTS.into_iter().zip(PALETTE) {
         // Before each drop and at the standstill after it.
         let points = rows().flat_map(|row: &Record| {
@@ -67,28 +61,20 @@ fn temperatures(study: &DropStudy, k: usize) -> Option<Figure> {
             [(drop - 1.0, of("start")), (drop, of("standstill"))]
         });
         let points = points.filter_map(|(drop, at)| Some((drop, at?)));
-        let (x, y): (Vec<f64>, Vec<f64>) = points.unzip();
-        plot = plot.trace(with(
-            line(name, &x, &y, colour),
-            json!({ "mode": "lines+markers" }),
-        ));
+        let measured = line_of(name, points.unzip(), colour);
+        plot = plot.trace(measured.with(json!({ "mode": "lines+markers" })));
         let limits = case.limits.iter();
         for limit in limits.filter(|limit| limit.result == format!("{part}_standstill_c")) {
             let (x, y) = ([0.0, rows().count() as f64], [limit.value; 2]);
-            plot = plot.trace(with(
-                line(&format!("limit, {name}: {}", limit.source), &x, &y, colour),
-                json!({ "line": { "dash": "dot" } }),
-            ));
+            let name = format!("limit, {name}: {}", limit.source);
+            plot = plot.trace(line(&name, &x, &y, colour).dash("dot"));
         }
     }
     let source = provenance(case, String::new());
     (rows().count() > 1).then(|| {
-        Figure::new(
-            &label(study, "Temperatures", k),
-            "Temperatures before each drop and at the standstill after it; a step at a drop is what the \
-             bearing loses in the pause.",
-            &source,
-            plot,
-        )
+        let caption = "Temperatures before each drop and at the standstill after it; a step at a drop is what the \
+             bearing loses in the pause.";
+        let label = label(study, "Temperatures", k);
+        Figure::new(&label, caption, &source, plot)
     })
 }

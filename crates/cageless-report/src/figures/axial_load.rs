@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::data::Provenance;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, with};
+use crate::plot::{PALETTE, Plot, line};
 
 /// Lags under axial load, at one tilt each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -66,18 +66,16 @@ impl AxialLoads {
 pub fn axial_load(data: &AxialLoads) -> Figure {
     let mut plot = Plot::new(400)
         .legend()
-        .axis("xaxis", "Axial load (N)", json!({ "rangemode": "tozero" }))
-        .axis("yaxis", "Lag per pass (°)", json!({}))
+        .x("Axial load (N)", json!({ "rangemode": "tozero" }))
+        .y("Lag per pass (°)", json!({}))
         .horizontal("x", "y", 0.0, "dot");
     for (curve, colour) in data.tilts.iter().zip(PALETTE) {
         let name = format!("tilt {} mrad", curve.tilt_x_mrad);
-        plot = plot.trace(with(
-            line(&name, &curve.axial_load_n, &curve.lag_per_pass_deg, colour),
-            json!({
-                "mode": "lines+markers", "customdata": curve.inner_contact_angle_mean_deg,
-                "hovertemplate": "%{x:.0f} N, lag %{y:.3f}°<br>contact angle, inner %{customdata:.2f}°<extra></extra>",
-            }),
-        ));
+        let lags = line(&name, &curve.axial_load_n, &curve.lag_per_pass_deg, colour);
+        plot = plot.trace(lags.with(json!({
+            "mode": "lines+markers", "customdata": curve.inner_contact_angle_mean_deg,
+            "hovertemplate": "%{x:.0f} N, lag %{y:.3f}°<br>contact angle, inner %{customdata:.2f}°<extra></extra>",
+        })));
     }
     let caption = format!(
         "What a ball loses in one passage of the raceway under an axial load, with a radial load of \

@@ -2,69 +2,43 @@
 
 use serde_json::json;
 
-use super::history::{Shown, figure, shown_ball};
+use super::history::{figure, shown_ball};
 use super::panels::shade_sectors;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, with};
+use crate::plot::{PALETTE, Plot, line_of};
 use crate::run_data::RunData;
 use crate::sampling::{curve, wrapped};
 
 /// Phase portrait of a ball.
 pub fn phase(run: &RunData) -> Option<Figure> {
-    let Shown {
-        number,
-        ball,
-        from,
-        part,
-    } = shown_ball(run)?;
+    let (number, ball, from, part) = shown_ball(run)?;
     if ball.vx_m_s.is_empty() || ball.vy_m_s.is_empty() {
         return None;
     }
     let after = |v: &[f64]| v.get(from..).unwrap_or_default().to_vec();
-    let (px, py) = curve(&after(&ball.vx_m_s), &after(&ball.vy_m_s), 8000);
+    let velocities = curve(&after(&ball.vx_m_s), &after(&ball.vy_m_s), 8000);
     let plot = Plot::new(560)
-        .axis(
-            "xaxis",
-            "vx (m/s)",
-            json!({ "scaleanchor": "y", "constrain": "domain" }),
-        )
-        .axis("yaxis", "vy (m/s)", json!({ "constrain": "domain" }))
-        .trace(with(
-            line(&format!("ball {number}"), &px, &py, PALETTE[0]),
-            json!({ "line": { "width": 1 } }),
-        ));
-    Some(figure(
-        run,
-        &format!("Phase portrait of ball {number}"),
-        &format!("Velocity of the centre of ball {number}, y against x, {part}."),
-        plot,
-    ))
+        .to_scale("vx (m/s)", "vy (m/s)", json!({}))
+        .trace(line_of(&format!("ball {number}"), velocities, PALETTE[0]).width(1.0));
+    let caption = format!("Velocity of the centre of ball {number}, y against x, {part}.");
+    let label = format!("Phase portrait of ball {number}");
+    Some(figure(run, &label, &caption, plot))
 }
 
 /// Loads of a ball against its angular position.
 pub fn loads(run: &RunData) -> Option<Figure> {
-    let Shown {
-        number,
-        ball,
-        from,
-        part,
-    } = shown_ball(run)?;
+    let (number, ball, from, part) = shown_ball(run)?;
     if ball.inner_force_n.is_empty() || ball.angle_deg.is_empty() {
         return None;
     }
     let from = from.min(ball.angle_deg.len());
     let mut plot = Plot::new(440)
         .legend()
-        .axis(
-            "xaxis",
+        .x(
             "ψ, 0 at the bottom (°)",
             json!({ "range": [-180, 180], "dtick": 45 }),
         )
-        .axis(
-            "yaxis",
-            "Contact force (N)",
-            json!({ "rangemode": "tozero" }),
-        );
+        .y("Contact force (N)", json!({ "rangemode": "tozero" }));
     plot = shade_sectors(plot, &run.sectors, "x", "y");
     for (values, name, colour) in [
         (&ball.outer_force_n, "outer raceway Fo", PALETTE[1]),
@@ -72,19 +46,17 @@ pub fn loads(run: &RunData) -> Option<Figure> {
     ] {
         let values = values.get(from..).unwrap_or_default();
         let (angle, force) = wrapped(&ball.angle_deg[from..], values);
-        let (x, y) = curve_with_breaks(&angle, &force);
-        plot = plot.trace(with(
-            line(name, &x, &y, colour),
-            json!({ "line": { "width": 1 } }),
-        ));
+        let drawn = curve_with_breaks(&angle, &force);
+        plot = plot.trace(line_of(name, drawn, colour).width(1.0));
     }
+    let caption = format!(
+        "Normal forces on ball {number} at both raceways against its angular position ψ, all turns {part}; \
+             the discrete raceway is shaded."
+    );
     Some(figure(
         run,
         "Ball load vs. angular position ψ",
-        &format!(
-            "Normal forces on ball {number} at both raceways against its angular position ψ, all turns {part}; \
-             the discrete raceway is shaded."
-        ),
+        &caption,
         plot,
     ))
 }

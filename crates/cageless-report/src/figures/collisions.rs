@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::history::{figure, with_time};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, markers, numbers, with};
+use crate::plot::{PALETTE, Plot, markers, numbers};
 use crate::run_data::RunData;
 use crate::text::short;
 
@@ -44,33 +44,23 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
         [edge(-1.0), edge(1.0)].map(|a| a - 360.0 * (a / 360.0).round())
     });
     let most_angle = (hits.iter().map(|c| c.angle_deg))
-        .chain(edges)
+        .chain(edges.clone())
         .fold(0.0f64, |m, a| m.max(a.abs()));
     let most_angle = (1.25 * most_angle / 5.0).ceil() * 5.0;
-    let mut plot = with_time(run, Plot::new(460), "y").axis(
-        "yaxis",
-        "ψ of the contact, 0 at the bottom (°)",
-        if most_angle > 120.0 {
-            json!({ "range": [-180, 180], "dtick": 45 })
-        } else {
-            json!({ "range": [-most_angle, most_angle] })
-        },
-    );
-    for sector in &run.sectors {
-        for edge in [
-            sector.centre_angle_deg - sector.half_angle_deg,
-            sector.centre_angle_deg + sector.half_angle_deg,
-        ] {
-            plot = plot.horizontal("x", "y", edge - 360.0 * (edge / 360.0).round(), "dash");
-        }
+    let shown = match most_angle > 120.0 {
+        true => json!({ "range": [-180, 180], "dtick": 45 }),
+        false => json!({ "range": [-most_angle, most_angle] }),
+    };
+    let plot = with_time(run, Plot::new(460), "y");
+    let mut plot = plot.y("ψ of the contact, 0 at the bottom (°)", shown);
+    for edge in edges {
+        plot = plot.horizontal("x", "y", edge, "dash");
     }
-    plot = plot.trace(with(
-        markers("collisions", &column(|c| c.time_s), &column(|c| c.angle_deg), PALETTE[1]),
-        json!({
-            "marker": { "size": numbers(&size), "opacity": 0.55, "line": { "width": 0.5, "color": "#7a3500" } },
-            "text": text, "hovertemplate": "%{text}<br>t %{x} s, ψ %{y}°<extra></extra>",
-        }),
-    ));
+    let (time, angle) = (column(|c| c.time_s), column(|c| c.angle_deg));
+    plot = plot.trace(markers("collisions", &time, &angle, PALETTE[1]).with(json!({
+        "marker": { "size": numbers(&size), "opacity": 0.55, "line": { "width": 0.5, "color": "#7a3500" } },
+        "text": text, "hovertemplate": "%{text}<br>t %{x} s, ψ %{y}°<extra></extra>",
+    })));
     plot.views.reverse();
     let plot = plot.first_view();
     let drawn = if total > COLLISIONS {
@@ -88,14 +78,10 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     } else {
         String::new()
     };
-    Some(figure(
-        run,
-        "Collisions",
-        &format!(
-            "{total} contacts between balls of the whole run{counted}: place over time. The area of a marker grows with the impulse, the largest \
+    let caption = format!(
+        "{total} contacts between balls of the whole run{counted}: place over time. The area of a marker grows with the impulse, the largest \
          being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
-            short(most)
-        ),
-        plot,
-    ))
+        short(most)
+    );
+    Some(figure(run, "Collisions", &caption, plot))
 }

@@ -1,10 +1,8 @@
 //! Runs on the same axes.
 
-use serde_json::json;
-
 use crate::compared_run::{ComparedRun, provenance};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, POINTS, Plot, line};
+use crate::plot::{PALETTE, POINTS, Plot, line_of};
 use crate::sampling::history;
 
 /// Name, abscissa and ordinate of a line.
@@ -78,13 +76,10 @@ fn figure(
     if lines.iter().all(|(_, x, _)| x.is_empty()) {
         return None;
     }
-    let mut plot = Plot::new(360)
-        .legend()
-        .axis("xaxis", x, json!({}))
-        .axis("yaxis", y, json!({}));
+    let mut plot = Plot::new(360).legend().axes(x, y);
     for (k, (name, x, y)) in lines.iter().enumerate() {
-        let (x, y) = history(x, y, POINTS);
-        plot = plot.trace(line(name, &x, &y, PALETTE[k % PALETTE.len()]));
+        let colour = PALETTE[k % PALETTE.len()];
+        plot = plot.trace(line_of(name, history(x, y, POINTS), colour));
     }
     Some(Figure::new(label, caption, &provenance(runs), plot))
 }

@@ -3,10 +3,10 @@
 use cageless_io::estimate::Estimate;
 use serde_json::{Value, json};
 
-use super::panels::{axis_name, axis_ref, on, panels};
+use super::panels::Panel;
 use crate::comparison::{ComparisonCell, RingComparison};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, number, plain};
+use crate::plot::{PALETTE, Plot, Trace, number, plain};
 
 /// A quantity of a cell.
 type Quantity = fn(&ComparisonCell) -> Estimate;
@@ -26,17 +26,12 @@ const ROWS: [(&str, Quantity); 6] = [
 /// A panel per quantity and speed, grouped by lot, a bar per ring.
 pub fn comparison(comparison: &RingComparison) -> Figure {
     let speeds = comparison.speeds_rpm();
-    let across = panels(speeds.len(), 0.16);
-    let down = panels(ROWS.len(), 0.035);
+    let panels = Panel::grid(ROWS.len() * speeds.len(), speeds.len(), [0.16, 0.035]);
+    // The legend stands above the titles of the columns.
     let mut plot = Plot::new(980)
-        .legend()
+        .legend_above(1.04)
         .set("barmode", json!("group"))
-        .set("margin", json!({ "l": 72, "r": 16, "t": 84, "b": 48 }));
-    // Above the titles of the columns.
-    plot = plot.set(
-        "legend",
-        json!({ "orientation": "h", "x": 0, "y": 1.04, "yanchor": "bottom", "font": { "size": 12 } }),
-    );
+        .margin([72, 16, 84, 48]);
     for (column, &speed_rpm) in speeds.iter().enumerate() {
         let cells: Vec<&ComparisonCell> = comparison.at_speed(speed_rpm).collect();
         let mut rings: Vec<&str> = vec![];
@@ -46,28 +41,13 @@ pub fn comparison(comparison: &RingComparison) -> Figure {
             }
         }
         for (row, (title, quantity)) in ROWS.iter().enumerate() {
-            let panel = row * speeds.len() + column;
-            let (x, y) = (axis_ref("x", panel), axis_ref("y", panel));
-            let [low, high] = down[ROWS.len() - 1 - row];
-            let last = row + 1 == ROWS.len();
-            plot = plot
-                .axis(
-                    &axis_name("x", panel),
-                    "",
-                    json!({ "anchor": y, "domain": across[column], "showticklabels": last, "type": "category" }),
-                )
-                .axis(
-                    &axis_name("y", panel),
-                    title,
-                    json!({ "anchor": x, "domain": [low, high], "rangemode": "tozero", "nticks": 5, "title": { "font": { "size": 12 } } }),
-                );
+            let panel = &panels[row * speeds.len() + column];
+            let across = json!({ "showticklabels": panel.lowest, "type": "category" });
+            let font = json!({ "size": 12 });
+            let up = json!({ "rangemode": "tozero", "nticks": 5, "title": { "font": font } });
+            plot = plot.panel(panel, ["", title], [across, up]);
             if row == 0 {
-                plot = plot.text(
-                    &format!("<b>{} rpm</b>", speed_rpm),
-                    (0.5, 1.02),
-                    (&format!("{x} domain"), &format!("{y} domain")),
-                    json!({ "yanchor": "bottom" }),
-                );
+                plot = plot.title_above(panel, &format!("<b>{speed_rpm} rpm</b>"), json!({}));
             }
             for (k, ring) in rings.iter().enumerate() {
                 let bars: Vec<&&ComparisonCell> =
@@ -78,26 +58,22 @@ pub fn comparison(comparison: &RingComparison) -> Figure {
                 let errors: Value = estimates.iter().map(|e| number(e.standard_error)).collect();
                 let trace = json!({
                     "type": "bar", "name": plain(ring), "legendgroup": plain(ring),
-                    "showlegend": panel == 0, "x": lots, "y": means,
+                    "showlegend": panel.first, "x": lots, "y": means,
                     "error_y": { "type": "data", "array": errors, "thickness": 1.2, "width": 3 },
                     "marker": { "color": PALETTE[k % PALETTE.len()] },
                     "hovertemplate": "%{x}: %{y}<extra>%{fullData.name}</extra>",
                 });
-                plot = plot.trace(on(trace, &x, &y));
+                plot = plot.trace(Trace::from(trace).on(panel.axes()));
             }
         }
     }
-    Figure {
-        label: "Rings compared".to_owned(),
-        caption: format!(
-            "Vertical acceleration of the housing (RMS), its part at the multiples of the orbital \
+    let caption = format!(
+        "Vertical acceleration of the housing (RMS), its part at the multiples of the orbital \
              frequency and the part between them, the RMS with the contacts between balls cut out \
              of the force, standard deviation (SD) of the gaps at the end, \
              and contacts between balls per second: means over the starts with their standard \
              errors, for equal balls and lots of grades of ISO 3290-1. {}",
-            comparison.starts
-        ),
-        provenance: comparison.provenance.clone(),
-        plot,
-    }
+        comparison.starts
+    );
+    Figure::new("Rings compared", &caption, &comparison.provenance, plot)
 }

@@ -4,45 +4,32 @@ use serde_json::{Value, json};
 
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, markers, number, plain, with};
-use crate::reproduce_data::{DesignCurve, LimitedQuantity, Table2};
+use crate::reproduce_data::{DesignCurve, LimitedQuantity, Table2, Table2Row};
 use crate::sampling::range;
 
 /// Fig. 5: θ over lC that satisfies Zhao 2022, Eq. (11), with the paper's structures.
 pub fn curve(design: &DesignCurve) -> Figure {
+    let spans = &design.axial_span_mm;
     let mut plot = Plot::new(470)
         .legend()
-        .axis("xaxis", "Axial span lC (mm)", json!({}))
-        .axis("yaxis", "Half angle θ of the raceway (°)", json!({}))
-        .trace(with(
-            line(
-                "Eq. (11)",
-                &design.axial_span_mm,
-                &design.half_angle_deg,
-                PALETTE[0],
-            ),
-            json!({ "line": { "width": 2.2 } }),
-        ));
+        .axes("Axial span lC (mm)", "Half angle θ of the raceway (°)")
+        .trace(line("Eq. (11)", spans, &design.half_angle_deg, PALETTE[0]).width(2.2));
     if !design.half_angle_polar_deg.is_empty() {
-        plot = plot.trace(with(
-            line(
-                "Eq. (11) with the ball's own ψ",
-                &design.axial_span_mm,
-                &design.half_angle_polar_deg,
-                PALETTE[2],
-            ),
-            json!({ "line": { "dash": "dash", "width": 1.8 } }),
-        ));
+        let (name, angles) = (
+            "Eq. (11) with the ball's own ψ",
+            &design.half_angle_polar_deg,
+        );
+        let polar = line(name, spans, angles, PALETTE[2]);
+        plot = plot.trace(polar.dash("dash").width(1.8));
     }
     let spans: Vec<f64> = design.paper.iter().map(|s| s.axial_span_mm).collect();
     let angles: Vec<f64> = design.paper.iter().map(|s| s.half_angle_deg).collect();
     let letters: Value = design.paper.iter().map(|s| plain(&s.letter)).collect();
-    plot = plot.trace(with(
-        markers("structures of the paper", &spans, &angles, PALETTE[1]),
-        json!({
-            "mode": "markers+text", "text": letters, "textposition": "top right",
-            "hovertemplate": "(%{text}) lC %{x} mm, θ %{y}°<extra></extra>",
-        }),
-    ));
+    let structures = markers("structures of the paper", &spans, &angles, PALETTE[1]);
+    plot = plot.trace(structures.with(json!({
+        "mode": "markers+text", "text": letters, "textposition": "top right",
+        "hovertemplate": "(%{text}) lC %{x} mm, θ %{y}°<extra></extra>",
+    })));
     for limit in &design.limits {
         let label = plain(&limit.label);
         let small = json!({ "font": { "size": 11, "color": "#555" } });
@@ -64,46 +51,33 @@ pub fn curve(design: &DesignCurve) -> Figure {
             ),
         };
     }
-    Figure {
-        label: "Figure 5".to_owned(),
-        caption: format!(
-            "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
+    let caption = format!(
+        "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
              gap of {:.4}° (Zhao 2022, Eq. (10), (11)){}, and the limits on both.",
-            design.uniform_gap_deg,
-            match design.paper.as_slice() {
-                [] => String::new(),
-                [first, .., last] if !first.letter.is_empty() => format!(
-                    ", the paper's structures ({}) to ({})",
-                    first.letter, last.letter
-                ),
-                _ => ", and the structure of the case".to_owned(),
-            }
-        ),
-        provenance: design.provenance.clone(),
-        plot,
-    }
+        design.uniform_gap_deg,
+        match design.paper.as_slice() {
+            [] => String::new(),
+            [first, .., last] if !first.letter.is_empty() => format!(
+                ", the paper's structures ({}) to ({})",
+                first.letter, last.letter
+            ),
+            _ => ", and the structure of the case".to_owned(),
+        }
+    );
+    Figure::new("Figure 5", &caption, &design.provenance, plot)
 }
 
 /// Table 2 drawn: critical gap over θ, per variant, with the paper's columns.
 pub fn table2(table: &Table2) -> Figure {
-    let theta: Vec<f64> = table
-        .rows
-        .iter()
-        .map(|r| r.structure.half_angle_deg)
-        .collect();
-    let column = |of: &dyn Fn(&crate::reproduce_data::Table2Row) -> f64| -> Vec<f64> {
-        table.rows.iter().map(of).collect()
-    };
+    let column =
+        |of: &dyn Fn(&Table2Row) -> f64| -> Vec<f64> { table.rows.iter().map(of).collect() };
+    let theta = column(&|r| r.structure.half_angle_deg);
     let theory = column(&|r| r.theory_deg);
     let paper = column(&|r| r.paper_simulated_deg);
     let mut plot = Plot::new(460)
         .legend()
-        .axis("xaxis", "Half angle θ of the raceway (°)", json!({}))
-        .axis("yaxis", "Critical gap (°)", json!({}))
-        .trace(with(
-            line("theory, Eq. (11)", &theta, &theory, "#777777"),
-            json!({ "line": { "dash": "dash" } }),
-        ));
+        .y("Critical gap (°)", json!({}))
+        .trace(line("theory, Eq. (11)", &theta, &theory, "#777777").dash("dash"));
     let symbols = [
         "square-open",
         "diamond-open",
@@ -113,23 +87,15 @@ pub fn table2(table: &Table2) -> Figure {
     ];
     let colours = [PALETTE[0], PALETTE[5], PALETTE[2], PALETTE[4], PALETTE[1]];
     for (k, variant) in table.variants.iter().enumerate() {
-        let gaps = column(&|r| {
-            r.critical_gap_deg
-                .get(k)
-                .copied()
-                .flatten()
-                .unwrap_or(f64::NAN)
-        });
+        let gap = |r: &Table2Row| r.critical_gap_deg.get(k).copied().flatten();
+        let gaps = column(&|r| gap(r).unwrap_or(f64::NAN));
         let name = format!("{}, {}", variant.profile, variant.friction_law);
-        plot = plot.trace(with(
-            line(&name, &theta, &gaps, colours[k % colours.len()]),
-            json!({ "mode": "lines+markers", "marker": { "symbol": symbols[k % symbols.len()], "size": 8 } }),
-        ));
+        let marker = json!({ "symbol": symbols[k % symbols.len()], "size": 8 });
+        let gaps = line(&name, &theta, &gaps, colours[k % colours.len()]);
+        plot = plot.trace(gaps.with(json!({ "mode": "lines+markers", "marker": marker })));
     }
-    plot = plot.trace(with(
-        markers("paper, simulated", &theta, &paper, "#111111"),
-        json!({ "marker": { "symbol": "x", "size": 9 } }),
-    ));
+    let crosses = markers("paper, simulated", &theta, &paper, "#111111");
+    plot = plot.trace(crosses.with(json!({ "marker": { "symbol": "x", "size": 9 } })));
     for row in table.rows.iter().filter(|r| !r.remark.is_empty()) {
         let at = (row.structure.half_angle_deg, row.paper_simulated_deg);
         plot = plot.text(
@@ -144,17 +110,9 @@ pub fn table2(table: &Table2) -> Figure {
     }
     let (low, high) = range(&theta);
     let room = (high - low) * 0.04;
-    plot = plot.axis(
-        "xaxis",
-        "Half angle θ of the raceway (°)",
-        json!({ "range": [number(low - room), number(high + room)] }),
-    );
-    Figure {
-        label: "Table 2 as a figure".to_owned(),
-        caption: "Critical gap over θ: the paper's simulated column (crosses), the computed \
-                  variants, and the theory that supposes rolling without sliding."
-            .to_owned(),
-        provenance: table.provenance.clone(),
-        plot,
-    }
+    let shown = json!({ "range": [number(low - room), number(high + room)] });
+    plot = plot.x("Half angle θ of the raceway (°)", shown);
+    let caption = "Critical gap over θ: the paper's simulated column (crosses), the computed \
+                  variants, and the theory that supposes rolling without sliding.";
+    Figure::new("Table 2 as a figure", caption, &table.provenance, plot)
 }

@@ -25,16 +25,11 @@ pub fn energy(run: &RunData) -> Option<Figure> {
         .map(|v| if *v < 0.0 { PALETTE[1] } else { PALETTE[0] })
         .collect();
     let plot = Plot::new(44 * run.energy.len() as u32 + 130)
-        .axis(
-            "xaxis",
+        .x(
             "Energy, positive into the bearing (J)",
             json!({ "zeroline": true, "zerolinecolor": "#555" }),
         )
-        .axis(
-            "yaxis",
-            "",
-            json!({ "type": "category", "autorange": "reversed" }),
-        )
+        .y("", json!({ "type": "category", "autorange": "reversed" }))
         .trace(json!({
             "type": "bar", "orientation": "h", "y": names, "x": numbers(&values),
             "marker": { "color": colours }, "hovertemplate": "%{y}<extra></extra>",
@@ -42,10 +37,6 @@ pub fn energy(run: &RunData) -> Option<Figure> {
     let rest = run.energy_residual_relative.map_or(String::new(), |r| {
         format!(" Residual: {} of the sum of all energy flows.", short(r))
     });
-    Some(figure(
-        run,
-        "Energy balance",
-        &format!("Work and energy over the run.{rest}"),
-        plot,
-    ))
+    let caption = format!("Work and energy over the run.{rest}");
+    Some(figure(run, "Energy balance", &caption, plot))
 }

@@ -50,9 +50,8 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
         .map(|k| begin + (k as f64 + 0.5) * width)
         .collect();
     let mut plot = with_time(run, Plot::new(130 + 22 * count.clamp(8, 30) as u32), "y")
-        .set("margin", json!({ "l": 72, "r": 24, "t": 24, "b": 58 }))
-        .axis(
-            "yaxis",
+        .margin([72, 24, 24, 58])
+        .y(
             "Pair of balls (numbers)",
             json!({ "type": "category", "showgrid": false, "ticks": "" }),
         )
@@ -66,11 +65,7 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
     // The whole run is what this figure is for.
     plot.views.reverse();
     let plot = plot.first_view();
-    Some(figure(
-        run,
-        "Gaps of all pairs",
-        "Smallest gap of each pair in each of many stretches of the run: red is contact, white the \
-         nominal gap, blue twice that and more.",
-        plot,
-    ))
+    let caption = "Smallest gap of each pair in each of many stretches of the run: red is contact, white the \
+         nominal gap, blue twice that and more.";
+    Some(figure(run, "Gaps of all pairs", caption, plot))
 }

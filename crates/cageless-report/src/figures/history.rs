@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::panels::on;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, number, with};
+use crate::plot::{PALETTE, Plot, Trace, line_of, number};
 use crate::run_data::{BallHistory, RunData};
 use crate::sampling::{history, range};
 use crate::text::short;
@@ -28,17 +27,13 @@ pub fn gaps(run: &RunData) -> Option<Figure> {
     .horizontal("x", "y", 0.0, "solid")
     .horizontal("x", "y", run.uniform_gap_deg, "dot")
     .finding(&smallest_gap(run));
-    Some(figure(
-        run,
-        "Gaps",
-        &format!(
-            "Gaps over time of balls 1 to {SHOWN} to the ball ahead; 0 is contact, the dotted line is \
+    let caption = format!(
+        "Gaps over time of balls 1 to {SHOWN} to the ball ahead; 0 is contact, the dotted line is \
              the nominal gap. Click a ball in the legend to add or hide it, double-click to see it \
              alone.{}",
-            stretches(run)
-        ),
-        plot,
-    ))
+        stretches(run)
+    );
+    Some(figure(run, "Gaps", &caption, plot))
 }
 
 /// The smallest gap of the run in a sentence.
@@ -68,100 +63,77 @@ pub fn orbit_speed(run: &RunData) -> Option<Figure> {
     if let Some(rolling) = run.rolling_orbit_speed_deg_s {
         plot = plot.horizontal("x", "y", rolling, "dot");
     }
-    Some(figure(
-        run,
-        "Orbital speed",
-        &format!(
-            "Orbital speed of ball 1 over time; the dotted line is pure rolling on the plain \
+    let caption = format!(
+        "Orbital speed of ball 1 over time; the dotted line is pure rolling on the plain \
              raceway. Click a ball in the legend to add it.{}",
-            stretches(run)
-        ),
-        plot,
-    ))
+        stretches(run)
+    );
+    Some(figure(run, "Orbital speed", &caption, plot))
 }
 
 /// ΔVi and ΔVo over time.
 pub fn slip(run: &RunData) -> Option<Figure> {
     let mut plot = with_time(run, Plot::new(620), "y2")
         .legend()
-        .set("legend", ball_legend())
-        .axis(
-            "yaxis",
+        .set("legend", ball_legend());
+    let kinds: [(History, &str, &str, [f64; 2]); 2] = [
+        (
+            |b| &b.inner_sliding_m_s,
+            "y",
             "Sliding speed, inner<br>raceway ΔVi (m/s)",
-            json!({ "domain": [0.54, 1.0], "anchor": "x" }),
-        )
-        .axis(
-            "yaxis2",
+            [0.54, 1.0],
+        ),
+        (
+            |b| &b.outer_sliding_m_s,
+            "y2",
             "Sliding speed, outer<br>raceway ΔVo (m/s)",
-            json!({ "domain": [0.0, 0.46], "anchor": "x" }),
-        );
-    let kinds: [(History, &str); 2] = [
-        (|b| &b.inner_sliding_m_s, "y"),
-        (|b| &b.outer_sliding_m_s, "y2"),
+            [0.0, 0.46],
+        ),
     ];
     let mut any = false;
-    for (of, y) in kinds {
+    for (of, y, title, domain) in kinds {
+        let axis = y.replace('y', "yaxis");
+        plot = plot.axis(&axis, title, json!({ "domain": domain, "anchor": "x" }));
         for (k, ball) in run.balls.iter().enumerate().rev() {
             if of(ball).is_empty() {
                 continue;
             }
             any = true;
             let trace = ball_trace(run, k, of, 2 * run.balls.len(), 1);
-            plot = plot.trace(on(with(trace, json!({ "showlegend": y == "y" })), "x", y));
+            plot = plot.trace(trace.with(json!({ "showlegend": y == "y" })).on(["x", y]));
         }
     }
     any.then(|| {
-        figure(
-            run,
-            "Slip",
-            &format!(
-                "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a \
+        let caption = format!(
+            "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a \
                  ball in the legend to add it. Positive ΔVi speeds orbit and spin up, positive ΔVo \
                  slows the orbit and speeds the spin up.{}",
-                stretches(run)
-            ),
-            plot,
-        )
+            stretches(run)
+        );
+        figure(run, "Slip", &caption, plot)
     })
 }
 
 pub(super) fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
-    Figure {
-        label: label.to_owned(),
-        caption: caption.to_owned(),
-        provenance: run.provenance.clone(),
-        plot,
-    }
+    Figure::new(label, caption, &run.provenance, plot)
 }
 
-/// A ball to be shown in a plane.
-pub(super) struct Shown<'r> {
-    /// Number, from 1.
-    pub number: usize,
-    pub ball: &'r BallHistory,
-    /// First row to be shown.
-    pub from: usize,
-    /// The part of the run that is shown.
-    pub part: String,
-}
-
-/// The first ball that has a history.
-pub(super) fn shown_ball(run: &RunData) -> Option<Shown<'_>> {
+/// The first ball that has a history: its number from 1, its rows, the first of them to be shown, and
+/// what part of the run they are.
+pub(super) fn shown_ball(run: &RunData) -> Option<(usize, &BallHistory, usize, String)> {
     let first = run.balls.iter().position(|b| !b.angle_deg.is_empty())?;
-    Some(match &run.recent {
-        Some(recent) => Shown {
-            number: first + 1,
-            ball: recent.balls.get(first)?,
-            from: 0,
-            part: format!("after t = {} s", short(recent.from_s())),
-        },
-        None => Shown {
-            number: first + 1,
-            ball: &run.balls[first],
-            from: settled(run),
-            part: "after the transient".to_owned(),
-        },
-    })
+    let (ball, from, part) = match &run.recent {
+        Some(recent) => {
+            let part = format!("after t = {} s", short(recent.from_s()));
+            (recent.balls.get(first)?, 0, part)
+        }
+        None => (
+            &run.balls[first],
+            settled(run),
+            "after the transient".to_owned(),
+        ),
+    };
+    Some((first + 1, ball, from, part))
 }
 
 /// Remark on the decimation of histories over time.
@@ -185,11 +157,8 @@ pub(super) fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
     let times = run.time_s.iter().chain(&run.ring.time_s);
     let begin = times.clone().copied().reduce(f64::min).unwrap_or(0.0);
     let end = times.copied().fold(begin, f64::max);
-    let mut plot = plot.axis(
-        "xaxis",
-        "Time t (s)",
-        json!({ "anchor": anchor, "range": [number(begin), number(end)] }),
-    );
+    let shown = json!({ "anchor": anchor, "range": [number(begin), number(end)] });
+    let mut plot = plot.x("Time t (s)", shown);
     if let Some(view) = run.view_s {
         plot = plot
             .view("last orbits", view)
@@ -213,15 +182,12 @@ fn per_ball(
     shown: usize,
     of: impl Fn(&BallHistory) -> &Vec<f64>,
 ) -> Option<Plot> {
+    let format = if title.contains("°/s") { ",.0f" } else { "" };
     let mut plot = with_time(run, Plot::new(470), "y")
         .legend()
-        .set("margin", json!({ "l": 72, "r": 24, "t": 30, "b": 58 }))
+        .margin([72, 24, 30, 58])
         .set("legend", ball_legend())
-        .axis(
-            "yaxis",
-            title,
-            json!({ "tickformat": if title.contains("°/s") { ",.0f" } else { "" } }),
-        );
+        .y(title, json!({ "tickformat": format }));
     let mut any = false;
     for (k, ball) in run.balls.iter().enumerate().rev() {
         if !of(ball).is_empty() {
@@ -238,22 +204,23 @@ fn ball_trace(
     of: impl Fn(&BallHistory) -> &Vec<f64>,
     traces: usize,
     shown: usize,
-) -> Value {
-    let (x, y) = run_history(run, k, of, traces);
+) -> Trace {
+    let history = run_history(run, k, of, traces);
     let colour = PALETTE[k % PALETTE.len()];
     let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
     // Of selected balls all are shown alike.
     let selected = run.balls.iter().any(|ball| ball.angle_deg.is_empty());
     let strong = k == 0 || selected;
     let width = if strong { 1.8 } else { 1.0 };
-    with(
-        line(&format!("ball {}", k + 1), &x, &y, colour),
-        json!({
-            "line": { "width": width, "dash": dash },
-            "visible": if strong || k < shown { Value::Bool(true) } else { "legendonly".into() },
-            "legendgroup": k + 1,
-        }),
-    )
+    let visible = if strong || k < shown {
+        Value::Bool(true)
+    } else {
+        "legendonly".into()
+    };
+    line_of(&format!("ball {}", k + 1), history, colour)
+        .width(width)
+        .dash(dash)
+        .with(json!({ "visible": visible, "legendgroup": k + 1 }))
 }
 
 /// History of ball `k`: every row of the stretch that is shown first, few points before it.

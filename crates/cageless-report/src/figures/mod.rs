@@ -45,58 +45,35 @@ const fn named<D: 'static>(
 }
 
 /// Figures of a run under the headings of its page, in its order.
+#[rustfmt::skip]
 pub const RUN: [(&str, &[Named<RunData>]); 5] = [
     (
         SPACING,
         &[
-            named(
-                "gap_map",
-                "smallest gap of each pair of neighbours over time, as colours",
-                gap_map::gap_map,
-            ),
+            named("gap_map", "smallest gap of each pair of neighbours over time, as colours", gap_map::gap_map),
             named("gaps", "gaps between neighbours over time", history::gaps),
-            named(
-                "collisions",
-                "contacts between balls: where, when, how hard",
-                collisions::collisions,
-            ),
+            named("collisions", "contacts between balls: where, when, how hard", collisions::collisions),
         ],
     ),
     (
         "Loads, pressures and the inner ring",
         &[
-            named(
-                "load_profile",
-                "loads and pressures of all balls around the bearing, of the last orbits",
-                polar::loads,
-            ),
-            named(
-                "ring_orbit",
-                "orbit of the inner ring's centre",
-                ring::ring_orbit,
-            ),
+            named("load_profile", "loads and pressures of all balls around the bearing, of the last orbits", polar::loads),
+            named("ring_orbit", "orbit of the inner ring's centre", ring::ring_orbit),
             named("energy", "energy balance of the whole run", energy::energy),
         ],
     ),
     (
         "Motion of the balls",
         &[
-            named(
-                "orbit_speed",
-                "orbital speed of the balls over time",
-                history::orbit_speed,
-            ),
+            named("orbit_speed", "orbital speed of the balls over time", history::orbit_speed),
             named("sliding", "sliding speeds at the raceways", history::slip),
         ],
     ),
     (
         "Ball 1",
         &[
-            named(
-                "loads",
-                "forces on a ball at the raceways over ψ",
-                ball::loads,
-            ),
+            named("loads", "forces on a ball at the raceways over ψ", ball::loads),
             named("phase", "phase portrait of a ball", ball::phase),
         ],
     ),
@@ -117,136 +94,70 @@ pub const RUN: [(&str, &[Named<RunData>]); 5] = [
 pub(crate) const SPACING: &str = "Spacing and collisions";
 
 /// Figures of a design.
+#[rustfmt::skip]
 pub const DESIGN: [Named<DesignData>; 4] = [
-    named(
-        "curve",
-        "θ over lC by Eq. (11), with the raceway and the limits",
-        |data| data.curve.as_ref().map(design::curve),
-    ),
-    named(
-        "contact_track",
-        "contact track of the first raceway",
-        |data| data.contact_track.as_ref().map(shape::contact_track),
-    ),
-    named("surface", "surface of the first raceway", |data| {
-        data.surface.as_ref().map(shape::surface)
-    }),
-    named(
-        "axial_load",
-        "lag in the raceway over the axial load, of a design with axial loads",
-        |data| data.axial.as_ref().map(axial_load::axial_load),
-    ),
+    named("curve", "θ over lC by Eq. (11), with the raceway and the limits", |data| data.curve.as_ref().map(design::curve)),
+    named("contact_track", "contact track of the first raceway", |data| data.contact_track.as_ref().map(shape::contact_track)),
+    named("surface", "surface of the first raceway", |data| data.surface.as_ref().map(shape::surface)),
+    named("axial_load", "lag in the raceway over the axial load, of a design with axial loads", |data| data.axial.as_ref().map(axial_load::axial_load)),
 ];
 
 /// Figures of a search.
+#[rustfmt::skip]
 pub const SEARCH: [Named<Record>; 3] = [
-    named(
-        "verdicts",
-        "feasible designs and reasons for exclusion",
-        |data| Some(search::verdicts(data)),
-    ),
-    named("critical_gaps", "critical gap over lC and θ", |data| {
-        Some(search::critical_gaps(data))
-    }),
-    named("trade_offs", "trade-offs of the Pareto front", |data| {
-        (!data.parts("front").is_empty()).then(|| search::trade_offs(data))
-    }),
+    named("verdicts", "feasible designs and reasons for exclusion", |data| Some(search::verdicts(data))),
+    named("critical_gaps", "critical gap over lC and θ", |data| Some(search::critical_gaps(data))),
+    named("trade_offs", "trade-offs of the Pareto front", |data| (!data.parts("front").is_empty()).then(|| search::trade_offs(data))),
 ];
 
 /// Figures of a tolerance analysis.
+#[rustfmt::skip]
 pub const TOLERANCE: [Named<Record>; 2] = [
-    named(
-        "influences",
-        "range of the critical gap over each influence",
-        |data| Some(influence_figure(data)),
-    ),
-    named(
-        "samples",
-        "critical gaps of the bearings in which everything deviates, by verdict",
-        |data| data.part("samples").map(|s| sample_figure(data, s)),
-    ),
+    named("influences", "range of the critical gap over each influence", |data| Some(influence_figure(data))),
+    named("samples", "critical gaps of the bearings in which everything deviates, by verdict", |data| data.part("samples").map(|s| sample_figure(data, s))),
 ];
 
 /// Figures of the analysis of a sweep that are about all of its outputs.
+#[rustfmt::skip]
 pub const SWEEP: [Named<SweepData>; 1] = [named("shares", "sensitivity (main effects)", |data| {
     let varies = !data.outputs.is_empty() && !data.inputs.is_empty();
     varies.then(|| sweep::shares(data))
 })];
 
 /// Figures of the analysis of a sweep that are about one of its outputs.
+#[rustfmt::skip]
 const OF_OUTPUT: [(&str, &str); 2] = [
-    (
-        "effects",
-        "means of an output over the inputs that explain most of it",
-    ),
-    (
-        "map",
-        "mean of an output over the two inputs that explain most of it",
-    ),
+    ("effects", "means of an output over the inputs that explain most of it"),
+    ("map", "mean of an output over the two inputs that explain most of it"),
 ];
 
 /// Name, anchor on the page and meaning of the figures of a drop.
+#[rustfmt::skip]
 const DROP: [[&str; 3]; 9] = [
-    [
-        "orbit",
-        "orbit",
-        "path of the journal in the bore of the inner ring",
-    ],
-    [
-        "displacement",
-        "displacement",
-        "path of the journal from the centre of the stator, with its clearance",
-    ],
-    [
-        "spin_up",
-        "spin-up",
-        "speeds of rotor and inner ring over time",
-    ],
-    [
-        "forces",
-        "forces",
-        "forces of the rotor on the inner ring and of the balls on the outer ring over time",
-    ],
+    ["orbit", "orbit", "path of the journal in the bore of the inner ring"],
+    ["displacement", "displacement", "path of the journal from the centre of the stator, with its clearance"],
+    ["spin_up", "spin-up", "speeds of rotor and inner ring over time"],
+    ["forces", "forces", "forces of the rotor on the inner ring and of the balls on the outer ring over time"],
     ["whirl", "whirl", "whirl frequency and contact over time"],
     ["loads", "loads-of-the-balls", "largest forces of each ball"],
     ["heat", "heat-of-the-interfaces", "heat of each interface"],
-    [
-        "temperatures",
-        "temperatures",
-        "temperatures of rings and balls drop after drop",
-    ],
-    [
-        "end_states",
-        "state-at-the-end",
-        "states at the end of scattered drops over friction and support damping",
-    ],
+    ["temperatures", "temperatures", "temperatures of rings and balls drop after drop"],
+    ["end_states", "state-at-the-end", "states at the end of scattered drops over friction and support damping"],
 ];
 
 /// Name, anchor on the page and meaning of the figures of a comparison.
+#[rustfmt::skip]
 const COMPARISON: [[&str; 3]; 3] = [
-    [
-        "spacing",
-        "scatter-of-the-gaps",
-        "standard deviation of the gaps over time",
-    ],
-    [
-        "ring",
-        "height-of-the-inner-ring",
-        "height of the inner ring over time",
-    ],
-    [
-        "loads",
-        "largest-loads",
-        "largest loads at the inner raceway around the bearing",
-    ],
+    ["spacing", "scatter-of-the-gaps", "standard deviation of the gaps over time"],
+    ["ring", "height-of-the-inner-ring", "height of the inner ring over time"],
+    ["loads", "largest-loads", "largest loads at the inner raceway around the bearing"],
 ];
 
 /// Name, anchor on the page and meaning of the figures of a static equilibrium.
-const STATIC: [[&str; 3]; 1] = [[
-    "loads",
-    "load-distribution",
-    "contact forces and pressures of each ball over ψ",
-]];
+#[rustfmt::skip]
+const STATIC: [[&str; 3]; 1] = [
+    ["loads", "load-distribution", "contact forces and pressures of each ball over ψ"],
+];
 
 fn on_page(kind: &str) -> &'static [[&'static str; 3]] {
     match kind {

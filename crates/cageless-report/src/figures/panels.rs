@@ -3,39 +3,88 @@
 use serde_json::{Value, json};
 
 use crate::data::RacewaySector;
-use crate::plot::{Plot, SECTOR};
+use crate::plot::{Plot, SECTOR, with};
 
-/// Places of `count` panels side by side or one above the other, over 0 to 1, with
-/// `space` between them.
-pub fn panels(count: usize, space: f64) -> Vec<[f64; 2]> {
-    let width = (1.0 - space * (count.max(1) - 1) as f64) / count.max(1) as f64;
-    (0..count)
-        .map(|k| k as f64 * (width + space))
-        .map(|low| [low, low + width])
-        .collect()
+/// A pair of axes of a figure that has several.
+pub struct Panel {
+    /// `x` of the first, `x2` of the second, …
+    x: String,
+    y: String,
+    /// Stretches of the figure that it takes up along x and y; all of it if there are none.
+    places: Option<[[f64; 2]; 2]>,
+    /// Whether it is the first of its figure.
+    pub first: bool,
+    /// Whether it stands at the left edge.
+    pub leftmost: bool,
+    /// Whether no other stands below it.
+    pub lowest: bool,
 }
 
-/// `xaxis` for `x` 0, `xaxis2` for 1, …
-pub fn axis_name(letter: &str, index: usize) -> String {
-    if index == 0 {
-        format!("{letter}axis")
-    } else {
-        format!("{letter}axis{}", index + 1)
+impl Panel {
+    /// Panel `index`, from 0.
+    pub fn new(index: usize) -> Self {
+        let number = if index == 0 {
+            String::new()
+        } else {
+            (index + 1).to_string()
+        };
+        Self {
+            x: format!("x{number}"),
+            y: format!("y{number}"),
+            places: None,
+            first: index == 0,
+            leftmost: true,
+            lowest: true,
+        }
+    }
+
+    /// `count` panels in rows of `columns`, with `space` between them along x and y.
+    pub fn grid(count: usize, columns: usize, [x_space, y_space]: [f64; 2]) -> Vec<Self> {
+        let columns = columns.max(1);
+        let rows = count.div_ceil(columns).max(1);
+        let (across, up) = (stretches(columns, x_space), stretches(rows, y_space));
+        let panel = |k: usize| Self {
+            places: Some([across[k % columns], up[rows - 1 - k / columns]]),
+            leftmost: k.is_multiple_of(columns),
+            lowest: k + columns >= count,
+            ..Self::new(k)
+        };
+        (0..count).map(panel).collect()
+    }
+
+    /// Names of its axes, for traces and marks.
+    pub fn axes(&self) -> [&str; 2] {
+        [&self.x, &self.y]
     }
 }
 
-/// `x` for 0, `x2` for 1, …
-pub fn axis_ref(letter: &str, index: usize) -> String {
-    if index == 0 {
-        letter.to_owned()
-    } else {
-        format!("{letter}{}", index + 1)
-    }
+/// `count` stretches one after the other, over 0 to 1, with `space` between them.
+fn stretches(count: usize, space: f64) -> Vec<[f64; 2]> {
+    let width = (1.0 - space * (count - 1) as f64) / count as f64;
+    let lows = (0..count).map(|k| k as f64 * (width + space));
+    lows.map(|low| [low, low + width]).collect()
 }
 
-/// Puts a trace on a pair of axes.
-pub fn on(trace: Value, x: &str, y: &str) -> Value {
-    crate::plot::with(trace, json!({ "xaxis": x, "yaxis": y }))
+impl Plot {
+    /// Sets the axes of a panel, with further keys.
+    pub fn panel(self, panel: &Panel, titles: [&str; 2], more: [Value; 2]) -> Self {
+        let [x, y] = panel.axes();
+        let axis = |k: usize, more: Value| {
+            let axis = json!({ "anchor": ([y, x][k]) });
+            let domain = panel.places.map(|places| json!({ "domain": places[k] }));
+            with(with(axis, domain.unwrap_or(json!({}))), more)
+        };
+        let [x_more, y_more] = more;
+        self.axis(&x.replace('x', "xaxis"), titles[0], axis(0, x_more))
+            .axis(&y.replace('y', "yaxis"), titles[1], axis(1, y_more))
+    }
+
+    /// Writes a title above a panel.
+    pub fn title_above(self, panel: &Panel, text: &str, font: Value) -> Self {
+        let [x, y] = panel.axes().map(|axis| format!("{axis} domain"));
+        let more = json!({ "yanchor": "bottom", "font": font });
+        self.text(text, (0.5, 1.02), (&x, &y), more)
+    }
 }
 
 /// Shades discrete raceways on an axis of ψ in (−180°, 180°].

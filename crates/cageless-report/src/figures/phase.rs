@@ -2,9 +2,9 @@
 
 use serde_json::json;
 
-use super::panels::{axis_name, axis_ref, labelled, on, panel_title, panels};
+use super::panels::{Panel, labelled, panel_title};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, number, with};
+use crate::plot::{PALETTE, Plot, line_of, number, with};
 use crate::reproduce_data::{PhasePortrait, PhasePortraits};
 use crate::sampling::{curve, range};
 
@@ -12,6 +12,8 @@ use crate::sampling::{curve, range};
 const PORTRAIT_POINTS: usize = 3000;
 /// Portraits in a row.
 const COLUMNS: usize = 5;
+/// Height of a row of portraits, pixels.
+const ROW_PX: u32 = 240;
 
 /// Fig. 8: x-velocity against y-velocity, all on one scale.
 pub fn velocities(portraits: &PhasePortraits) -> Figure {
@@ -22,125 +24,78 @@ pub fn velocities(portraits: &PhasePortraits) -> Figure {
         .fold(1e-9, |most: f64, (low, high)| most.max(-low).max(high))
         * 1.06;
     let both = json!([number(-most), number(most)]);
-    let plot = multiples(
-        portraits,
-        480,
-        ("vx (m/s)", "vy (m/s)"),
-        json!({ "range": both, "constrain": "domain" }),
-        true,
-        |p| (&p.vx_m_s, &p.vy_m_s),
-    );
-    Figure {
-        label: labelled("Figure 8", &portraits.provenance),
-        caption: "Phase portraits of ball 1: velocity of its centre, y against x, for the ten \
+    let y_more = json!({ "range": both, "constrain": "domain" });
+    let plot = multiples(portraits, ["vx (m/s)", "vy (m/s)"], y_more, true, |p| {
+        (&p.vx_m_s, &p.vy_m_s)
+    });
+    let caption = "Phase portraits of ball 1: velocity of its centre, y against x, for the ten \
                   structures, all on one scale. The discrete raceway lies where vx is positive \
-                  and vy small."
-            .to_owned(),
-        provenance: portraits.provenance.clone(),
+                  and vy small.";
+    Figure::new(
+        &labelled("Figure 8", &portraits.provenance),
+        caption,
+        &portraits.provenance,
         plot,
-    }
+    )
 }
 
 /// Fig. 8, second set: x-velocity against x on the way through the loaded zone.
 pub fn positions(portraits: &PhasePortraits) -> Figure {
-    let ranges: Vec<(f64, f64)> = portraits
-        .portraits
-        .iter()
-        .map(|p| range(&p.vx_m_s))
-        .collect();
-    let most = ranges
-        .iter()
-        .fold(1e-9, |most: f64, (_, high)| most.max(*high))
-        * 1.02;
-    let plot = multiples(
-        portraits,
-        480,
-        ("x (mm)", "vx (m/s)"),
-        json!({ "range": [number(0.55 * most), number(most)] }),
-        false,
-        |p| (&p.x_mm, &p.vx_m_s),
-    );
-    Figure {
-        label: labelled("Figure 8, position and velocity", &portraits.provenance),
-        caption: "The same turns as x-velocity against x, enlarged where the ball passes the \
-                  bottom of the bearing; a double click shows all of a panel."
-            .to_owned(),
-        provenance: portraits.provenance.clone(),
+    let speeds = portraits.portraits.iter().map(|p| range(&p.vx_m_s).1);
+    let most = speeds.fold(1e-9, f64::max) * 1.02;
+    let y_more = json!({ "range": [number(0.55 * most), number(most)] });
+    let plot = multiples(portraits, ["x (mm)", "vx (m/s)"], y_more, false, |p| {
+        (&p.x_mm, &p.vx_m_s)
+    });
+    let caption = "The same turns as x-velocity against x, enlarged where the ball passes the \
+                  bottom of the bearing; a double click shows all of a panel.";
+    Figure::new(
+        &labelled("Figure 8, position and velocity", &portraits.provenance),
+        caption,
+        &portraits.provenance,
         plot,
-    }
+    )
 }
 
 fn multiples(
     portraits: &PhasePortraits,
-    height_px: u32,
-    (x_title, y_title): (&str, &str),
+    [x_title, y_title]: [&str; 2],
     y_more: serde_json::Value,
     equal: bool,
     of: impl Fn(&PhasePortrait) -> (&Vec<f64>, &Vec<f64>),
 ) -> Plot {
     let count = portraits.portraits.len();
     let rows = count.div_ceil(COLUMNS).max(1);
-    let (across, down) = (panels(COLUMNS, 0.025), panels(rows, 0.24));
-    let mut plot = Plot::new(height_px * rows as u32 / 2 + 66)
-        .set("margin", json!({ "l": 62, "r": 12, "t": 78, "b": 54 }));
-    for (k, portrait) in portraits.portraits.iter().enumerate() {
-        let (row, column) = (k / COLUMNS, k % COLUMNS);
-        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
-        let lowest = k + COLUMNS >= count;
-        let small = json!({ "tickfont": { "size": 11 }, "nticks": 5, "automargin": false });
-        let mut x_axis = with(
-            small.clone(),
-            json!({
-                "domain": across[column], "anchor": y, "showticklabels": lowest,
-            }),
-        );
-        if equal {
-            x_axis = with(
-                x_axis,
-                json!({
-                    "scaleanchor": y, "constrain": "domain", "range": y_more["range"],
-                }),
-            );
-        } else {
-            x_axis = with(
-                x_axis,
-                json!({ "matches": if k == 0 { None } else { Some("x") } }),
-            );
-        }
-        let y_axis = with(
-            with(small, y_more.clone()),
-            json!({
-                "domain": down[rows - 1 - row], "anchor": x, "showticklabels": column == 0,
-                "matches": if k == 0 || equal { None } else { Some("y") },
-            }),
-        );
+    let mut plot = Plot::new(ROW_PX * rows as u32 + 66).margin([62, 12, 78, 54]);
+    let panels = Panel::grid(count, COLUMNS, [0.025, 0.24]);
+    for (panel, portrait) in panels.iter().zip(&portraits.portraits) {
+        let axis = |shown: bool, more| {
+            let font = json!({ "size": 11 });
+            let small = json!({ "tickfont": font, "nticks": 5, "automargin": false });
+            with(with(small, json!({ "showticklabels": shown })), more)
+        };
+        let [x, y] = panel.axes();
+        let x_more = match equal {
+            true => json!({ "scaleanchor": y, "constrain": "domain", "range": y_more["range"] }),
+            false => json!({ "matches": (!panel.first).then_some("x") }),
+        };
+        let matches = json!({ "matches": (!panel.first && !equal).then_some("y") });
+        let up = with(y_more.clone(), matches);
+        let titles = [
+            if panel.lowest { x_title } else { "" },
+            if panel.leftmost { y_title } else { "" },
+        ];
         let (xs, ys) = of(portrait);
-        let (px, py) = curve(xs, ys, PORTRAIT_POINTS);
+        let (name, drawn) = (portrait.structure.label(), curve(xs, ys, PORTRAIT_POINTS));
+        let title = panel_title(&portrait.structure, &portrait.verdict);
         plot = plot
-            .axis(
-                &axis_name("x", k),
-                if lowest { x_title } else { "" },
-                x_axis,
+            .panel(
+                panel,
+                titles,
+                [axis(panel.lowest, x_more), axis(panel.leftmost, up)],
             )
-            .axis(
-                &axis_name("y", k),
-                if column == 0 { y_title } else { "" },
-                y_axis,
-            )
-            .trace(on(
-                with(
-                    line(&portrait.structure.label(), &px, &py, PALETTE[0]),
-                    json!({ "line": { "width": 1 } }),
-                ),
-                &x,
-                &y,
-            ))
-            .text(
-                &panel_title(&portrait.structure, &portrait.verdict),
-                (0.5, 1.02),
-                (&format!("{x} domain"), &format!("{y} domain")),
-                json!({ "yanchor": "bottom", "font": { "size": 11.5 } }),
-            );
+            .trace(line_of(&name, drawn, PALETTE[0]).width(1.0).on([x, y]))
+            .title_above(panel, &title, json!({ "size": 11.5 }));
     }
     plot
 }

@@ -1,13 +1,13 @@
 //! Loads and contact pressures around the bearing.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::history::figure;
 use cageless_results::Results;
 
 use crate::data::{Provenance, RacewaySector};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, numbers, plain, with};
+use crate::plot::{PALETTE, Plot, Trace, numbers, plain};
 use crate::run_data::{LoadProfile, RunData};
 use crate::sampling::range;
 use crate::text::short;
@@ -21,81 +21,56 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         most(&profile.outer_pressure_max_mpa).max(most(&profile.inner_pressure_max_mpa)),
     );
     let mut plot = frame(force, pressure, &run.sectors);
-    let traces: [(&str, &[f64], usize, &str, bool); 6] = [
+    let traces: [(&str, usize, &str, &[f64]); 6] = [
+        ("outer raceway", 1, "largest", &profile.outer_force_max_n),
+        ("outer raceway", 1, "mean", &profile.outer_force_mean_n),
+        ("inner raceway", 0, "largest", &profile.inner_force_max_n),
+        ("inner raceway", 0, "mean", &profile.inner_force_mean_n),
         (
-            "outer raceway, largest",
-            &profile.outer_force_max_n,
+            "outer raceway",
             1,
-            "polar",
-            true,
-        ),
-        (
-            "outer raceway, mean",
-            &profile.outer_force_mean_n,
-            1,
-            "polar",
-            false,
-        ),
-        (
-            "inner raceway, largest",
-            &profile.inner_force_max_n,
-            0,
-            "polar",
-            true,
-        ),
-        (
-            "inner raceway, mean",
-            &profile.inner_force_mean_n,
-            0,
-            "polar",
-            false,
-        ),
-        (
-            "outer raceway, largest",
+            "largest",
             &profile.outer_pressure_max_mpa,
-            1,
-            "polar2",
-            true,
         ),
         (
-            "inner raceway, largest",
-            &profile.inner_pressure_max_mpa,
+            "inner raceway",
             0,
-            "polar2",
-            true,
+            "largest",
+            &profile.inner_pressure_max_mpa,
         ),
     ];
-    for (name, values, colour, subplot, largest) in traces {
-        let unit = if subplot == "polar" { "N" } else { "MPa" };
-        plot = plot.trace(with(
-            ring(profile, values),
-            json!({
-                "name": plain(name), "subplot": subplot, "legendgroup": name,
-                "showlegend": subplot == "polar",
-                "line": { "color": PALETTE[colour], "width": if largest { 1.8 } else { 1.2 },
-                          "dash": if largest { "solid" } else { "dot" } },
-                "hovertemplate": format!("{name}<br>ψ %{{theta:.0f}}°<br>%{{r:.4r}} {unit}<extra></extra>"),
-            }),
-        ));
+    for (k, (raceway, colour, which, values)) in traces.into_iter().enumerate() {
+        let (subplot, unit) = if k < 4 {
+            ("polar", "N")
+        } else {
+            ("polar2", "MPa")
+        };
+        let (width, dash) = if which == "largest" {
+            (1.8, "solid")
+        } else {
+            (1.2, "dot")
+        };
+        let name = format!("{raceway}, {which}");
+        let ring = ring(profile, values).in_group(&name, subplot == "polar");
+        plot = plot.trace(ring.width(width).dash(dash).with(json!({
+            "name": plain(&name), "subplot": subplot, "line": { "color": PALETTE[colour] },
+            "hovertemplate": format!("{name}<br>ψ %{{theta:.0f}}°<br>%{{r:.4r}} {unit}<extra></extra>"),
+        })));
     }
     let plot = plot.finding(&format!(
         "The largest contact force is {} N, the highest contact pressure {} MPa.",
         short(force),
         short(pressure)
     ));
-    Some(figure(
-        run,
-        "Loads and pressures",
-        &format!(
-            "Forces and peak contact pressures (Hertz) of all balls over their angular position ψ, \
+    let caption = format!(
+        "Forces and peak contact pressures (Hertz) of all balls over their angular position ψ, \
              0° at the bottom, t = {} s to {} s: largest and mean in steps of {}°; the discrete \
              raceway is shaded.",
-            short(profile.from_s),
-            short(profile.to_s),
-            short(360.0 / profile.angle_deg.len().max(1) as f64)
-        ),
-        plot,
-    ))
+        short(profile.from_s),
+        short(profile.to_s),
+        short(360.0 / profile.angle_deg.len().max(1) as f64)
+    );
+    Some(figure(run, "Loads and pressures", &caption, plot))
 }
 
 /// Two empty polar diagrams with the discrete raceways shaded: forces to the left, pressures to the right.
@@ -116,12 +91,8 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
         })
     };
     let mut plot = Plot::new(520)
-        .legend()
-        .set("margin", json!({ "l": 40, "r": 40, "t": 70, "b": 30 }))
-        .set(
-            "legend",
-            json!({ "orientation": "h", "x": 0, "y": 1.04, "yanchor": "bottom", "font": { "size": 12 } }),
-        )
+        .legend_above(1.04)
+        .margin([40, 40, 70, 30])
         .set("polar", polar([0.0, 0.46], force, "Force (N)"))
         .set("polar2", polar([0.54, 1.0], pressure, "Pressure (MPa)"));
     for (k, title) in ["Contact force (N)", "Peak contact pressure (MPa)"]
@@ -144,73 +115,61 @@ pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Prove
     let angles = of("ball_angle_deg");
     let most = |values: &[f64]| range(values).1;
     let series = [
-        (
-            "polar",
-            "N",
-            ["inner_force_n", "outer_force_n"].map(|name| of(name).to_vec()),
-        ),
+        ("polar", "N", ["inner_force_n", "outer_force_n"].map(of)),
         (
             "polar2",
             "MPa",
-            ["inner_pressure_mpa", "outer_pressure_mpa"].map(|name| of(name).to_vec()),
+            ["inner_pressure_mpa", "outer_pressure_mpa"].map(of),
         ),
     ];
-    let [force, pressure] = [0, 1].map(|k| most(&series[k].2[0]).max(most(&series[k].2[1])));
+    let [force, pressure] = series.map(|(_, _, [inner, outer])| most(inner).max(most(outer)));
     let mut plot = frame(force, pressure, raceways);
     let balls: Vec<String> = (1..=angles.len()).map(|k| format!("ball {k}")).collect();
-    for (subplot, unit, [inner, outer]) in &series {
+    for (subplot, unit, [inner, outer]) in series {
         for (colour, name, values) in [(1, "outer raceway", outer), (0, "inner raceway", inner)] {
             // The narrower bars are drawn last, in front.
             let share = if colour == 0 { 0.3 } else { 0.6 };
             let width = vec![share * 360.0 / angles.len() as f64; angles.len()];
             plot = plot.trace(json!({
                 "type": "barpolar", "name": name, "subplot": subplot, "legendgroup": name,
-                "showlegend": *subplot == "polar",
+                "showlegend": subplot == "polar",
                 "theta": numbers(angles), "r": numbers(values), "width": numbers(&width),
                 "marker": { "color": PALETTE[colour] }, "opacity": 0.85, "text": balls,
                 "hovertemplate": format!("%{{text}}, ψ %{{theta:.1f}}°<br>%{{r:.4g}} {unit}<extra>{name}</extra>"),
             }));
         }
     }
-    Figure {
-        label: "Load distribution".to_owned(),
-        caption: "Contact force and peak contact pressure (Hertz) of each ball in static equilibrium over \
+    let plot = plot.finding(&format!(
+        "The largest contact force is {} N, the highest contact pressure {} MPa.",
+        short(force),
+        short(pressure)
+    ));
+    let caption = "Contact force and peak contact pressure (Hertz) of each ball in static equilibrium over \
                   its angular position ψ, 0° at the bottom. Discrete raceways are shaded; there the \
-                  pressure at the outer raceway is that of one of two contact points."
-            .to_owned(),
-        provenance: source,
-        plot: plot.finding(&format!(
-            "The largest contact force is {} N, the highest contact pressure {} MPa.",
-            short(force),
-            short(pressure)
-        )),
-    }
+                  pressure at the outer raceway is that of one of two contact points.";
+    Figure::new("Load distribution", caption, &source, plot)
 }
 
 /// A closed line around the bearing.
-fn ring(profile: &LoadProfile, values: &[f64]) -> Value {
+fn ring(profile: &LoadProfile, values: &[f64]) -> Trace {
     let closed =
         |values: &[f64]| -> Vec<f64> { values.iter().chain(values.first()).copied().collect() };
-    json!({
+    Trace::from(json!({
         "type": "scatterpolar", "mode": "lines",
         "theta": numbers(&closed(&profile.angle_deg)), "r": numbers(&closed(values)),
-    })
+    }))
 }
 
 /// Shades the discrete raceways in both plots.
 fn sectors(mut plot: Plot, raceways: &[RacewaySector], force: f64, pressure: f64) -> Plot {
     for sector in raceways {
         for (subplot, most) in [("polar", force), ("polar2", pressure)] {
-            let arc: Vec<f64> = (0..=24)
-                .map(|k| {
-                    sector.centre_angle_deg + sector.half_angle_deg * (f64::from(k) / 12.0 - 1.0)
-                })
-                .collect();
-            let mut theta = vec![sector.centre_angle_deg];
-            theta.extend(&arc);
-            let radius: Vec<f64> = (0..theta.len())
-                .map(|k| if k == 0 { 0.0 } else { 1.05 * most })
-                .collect();
+            let centre = sector.centre_angle_deg;
+            let arc =
+                (0..=24).map(|k| centre + sector.half_angle_deg * (f64::from(k) / 12.0 - 1.0));
+            let theta: Vec<f64> = [centre].into_iter().chain(arc).collect();
+            let mut radius = vec![1.05 * most; theta.len()];
+            radius[0] = 0.0;
             plot = plot.trace(json!({
                 "type": "scatterpolar", "mode": "lines", "subplot": subplot, "fill": "toself",
                 "theta": numbers(&theta), "r": numbers(&radius), "hoverinfo": "skip",

@@ -3,9 +3,9 @@
 use serde_json::json;
 
 use super::history::figure;
-use super::panels::on;
+use super::panels::Panel;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, with};
+use crate::plot::{PALETTE, Plot, line_of};
 use crate::run_data::RunData;
 use crate::sampling::{curve, history, range};
 use crate::text::short;
@@ -21,46 +21,28 @@ pub fn ring_orbit(run: &RunData) -> Option<Figure> {
         return None;
     }
     let (time, across, up) = (&ring.time_s[..n], &ring.x_um[..n], &ring.y_um[..n]);
-    let (x, y) = curve(across, up, 6000);
+    let path = curve(across, up, 6000);
     let mut plot = Plot::new(520)
-        .axis(
-            "xaxis",
+        .to_scale(
             "Ring x (µm)",
-            json!({ "scaleanchor": "y", "constrain": "domain", "domain": [0.0, 0.42] }),
+            "Ring y (µm)",
+            json!({ "domain": [0.0, 0.42] }),
         )
-        .axis("yaxis", "Ring y (µm)", json!({ "constrain": "domain" }))
-        .trace(with(
-            line("path", &x, &y, PALETTE[0]),
-            json!({ "line": { "width": 1 } }),
-        ));
-    for (k, (title, values, domain)) in [
+        .trace(line_of("path", path, PALETTE[0]).width(1.0));
+    let coordinates = [
         ("Ring x (µm)", across, [0.56, 1.0]),
         ("Ring y (µm)", up, [0.0, 0.44]),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let (x_axis, y_axis) = (format!("x{}", k + 2), format!("y{}", k + 2));
-        let (t, v) = history(time, values, POINTS);
+    ];
+    for ((title, values, domain), k) in coordinates.into_iter().zip(1..) {
+        let panel = Panel::new(k);
+        let places = [
+            json!({ "domain": [0.55, 1.0], "nticks": 5 }),
+            json!({ "domain": domain }),
+        ];
+        let drawn = line_of(title, history(time, values, POINTS), PALETTE[k]);
         plot = plot
-            .axis(
-                &format!("xaxis{}", k + 2),
-                "Time t (s)",
-                json!({ "domain": [0.55, 1.0], "anchor": y_axis, "nticks": 5 }),
-            )
-            .axis(
-                &format!("yaxis{}", k + 2),
-                title,
-                json!({ "domain": domain, "anchor": x_axis }),
-            )
-            .trace(on(
-                with(
-                    line(title, &t, &v, PALETTE[k + 1]),
-                    json!({ "line": { "width": 1 } }),
-                ),
-                &x_axis,
-                &y_axis,
-            ));
+            .panel(&panel, ["Time t (s)", title], places)
+            .trace(drawn.width(1.0).on(panel.axes()));
     }
     let (low, high) = range(up);
     let plot = plot.finding(&format!(
@@ -73,16 +55,12 @@ pub fn ring_orbit(run: &RunData) -> Option<Figure> {
     } else {
         ""
     };
-    Some(figure(
-        run,
-        "Path of the inner ring",
-        &format!(
-            "Centre of the inner ring, from the centre of the outer ring; load and gravity point \
+    let caption = format!(
+        "Centre of the inner ring, from the centre of the outer ring; load and gravity point \
              down. The last part of the run, t = {} s to {} s, sampled every {} µs.{transient}",
-            short(time[0]),
-            short(time[n - 1]),
-            short((time[n - 1] - time[0]) / (n.max(2) - 1) as f64 * 1e6)
-        ),
-        plot,
-    ))
+        short(time[0]),
+        short(time[n - 1]),
+        short((time[n - 1] - time[0]) / (n.max(2) - 1) as f64 * 1e6)
+    );
+    Some(figure(run, "Path of the inner ring", &caption, plot))
 }

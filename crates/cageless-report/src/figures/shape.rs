@@ -2,10 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::panels::on;
+use super::panels::Panel;
 use crate::figure::Figure;
 use crate::geometry::{ContactTrack, RacewaySurface};
-use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, plain, with};
+use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, plain};
 use crate::sampling::range;
 use crate::text::fixed;
 
@@ -21,99 +21,62 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
     let (least, _) = range(&track.effective_radius_mm);
     let half_span = track.structure.axial_span_mm / 2.0;
     let edge = json!([number(-1.08 * rw), number(1.08 * rw)]);
+    let section = Panel::new(0);
+    let [along_r, along_z] = [1, 2].map(Panel::new);
+    let right = [0.52, 1.0];
     let mut plot = Plot::new(470)
-        .set("margin", json!({ "l": 64, "r": 20, "t": 40, "b": 58 }))
-        .axis(
-            "xaxis",
-            "Axial position z on the ball (mm)",
-            json!({
-                "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "anchor": "y", "range": edge,
-            }),
+        .margin([64, 20, 40, 58])
+        .panel(
+            &section,
+            ["Axial position z on the ball (mm)", "Radial position y on the ball (mm)"],
+            [
+                json!({ "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "range": edge }),
+                json!({ "constrain": "domain", "range": edge }),
+            ],
         )
-        .axis(
-            "yaxis",
-            "Radial position y on the ball (mm)",
-            json!({ "constrain": "domain", "range": edge }),
+        .panel(
+            &along_r,
+            ["", "Contact radius r (mm)"],
+            [
+                json!({ "domain": right, "matches": "x3", "showticklabels": false }),
+                json!({ "domain": [0.55, 1.0] }),
+            ],
         )
-        .axis(
-            "xaxis2",
-            "",
-            json!({
-                "domain": [0.52, 1.0], "anchor": "y2", "matches": "x3", "showticklabels": false,
-            }),
-        )
-        .axis(
-            "yaxis2",
-            "Contact radius r (mm)",
-            json!({ "domain": [0.55, 1.0], "anchor": "x2" }),
-        )
-        .axis(
-            "xaxis3",
-            "ψ from the middle of the raceway (°)",
-            json!({
-                "domain": [0.52, 1.0], "anchor": "y3",
-            }),
-        )
-        .axis(
-            "yaxis3",
-            "Axial position z (mm)",
-            json!({ "domain": [0.0, 0.45], "anchor": "x3" }),
+        .panel(
+            &along_z,
+            ["ψ from the middle of the raceway (°)", "Axial position z (mm)"],
+            [json!({ "domain": right }), json!({ "domain": [0.0, 0.45] })],
         );
-    for (x, y) in [("x2", "y2"), ("x3", "y3")] {
+    for [x, y] in [along_r.axes(), along_z.axes()] {
         plot = plot.band(x, y, -theta, theta, SECTOR);
     }
-    let thick = json!({ "line": { "width": 4 } });
+    let (psi, r, z) = (
+        &track.angle_deg,
+        &track.effective_radius_mm,
+        &track.axial_mm,
+    );
+    let span = line("lC", &[-half_span, half_span], &[-least, -least], "#333333");
     plot = plot
         .trace(line("ball", &circle_x, &circle_y, GREY))
-        .trace(with(
-            line("track, z > 0", &track.axial_mm, &below, PALETTE[0]),
-            thick.clone(),
-        ))
-        .trace(with(
-            line("track, z < 0", &mirrored, &below, PALETTE[1]),
-            thick,
-        ))
-        .trace(with(
-            line("lC", &[-half_span, half_span], &[-least, -least], "#333333"),
-            json!({ "line": { "dash": "dot" } }),
-        ))
+        .trace(line("track, z > 0", z, &below, PALETTE[0]).width(4.0))
+        .trace(line("track, z < 0", &mirrored, &below, PALETTE[1]).width(4.0))
+        .trace(span.dash("dot"))
         .text(
             &plain(&format!("lC = {} mm", track.structure.axial_span_mm)),
             (0.0, -least),
             ("x", "y"),
             json!({ "yanchor": "bottom" }),
         )
-        .trace(on(
-            line(
-                "r",
-                &track.angle_deg,
-                &track.effective_radius_mm,
-                PALETTE[2],
-            ),
-            "x2",
-            "y2",
-        ))
-        .trace(on(
-            line("z > 0", &track.angle_deg, &track.axial_mm, PALETTE[0]),
-            "x3",
-            "y3",
-        ))
-        .trace(on(
-            line("z < 0", &track.angle_deg, &mirrored, PALETTE[1]),
-            "x3",
-            "y3",
-        ));
-    Figure {
-        label: "Figure 1b".to_owned(),
-        caption: format!(
-            "Contact track on the ball. Left: the meridian section of the ball with the two \
+        .trace(line("r", psi, r, PALETTE[2]).on(along_r.axes()))
+        .trace(line("z > 0", psi, z, PALETTE[0]).on(along_z.axes()))
+        .trace(line("z < 0", psi, &mirrored, PALETTE[1]).on(along_z.axes()));
+    let caption = format!(
+        "Contact track on the ball. Left: the meridian section of the ball with the two \
              branches of the track (blue z > 0, orange z < 0), outward being down as at the \
              bottom of the bearing. Right: effective contact radius r and axial position z along \
              the raceway (shaded, θ = {theta}°), Zhao 2022, Eq. (4) to (6)."
-        ),
-        provenance: track.provenance.clone(),
-        plot,
-    }
+    );
+    Figure::new("Figure 1b", &caption, &track.provenance, plot)
 }
 
 /// Fig. 2: the surface, in three dimensions.
@@ -137,7 +100,7 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
         "gridcolor": "#dddddd", "showbackground": false, "zeroline": false, "nticks": 5 })
     };
     let plot = Plot::new(560)
-        .set("margin", json!({ "l": 0, "r": 0, "t": 10, "b": 0 }))
+        .margin([0, 0, 10, 0])
         .set("scene", json!({
             "xaxis": title("x (mm)"), "yaxis": title("y (mm)"), "zaxis": title("z (mm)"),
             "aspectmode": "data",
@@ -163,19 +126,15 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
         }))
         .trace(track(&z))
         .trace(track(&mirrored));
-    Figure {
-        label: "Figure 2".to_owned(),
-        caption: format!(
-            "Surface of the discrete raceway and a fifth of θ of the plain raceway at each end, \
+    let caption = format!(
+        "Surface of the discrete raceway and a fifth of θ of the plain raceway at each end, \
              to scale, up to the shoulder; drag to turn it. Colour: distance from the plain \
              groove, positive where material is taken away. The lines are the contact tracks, \
              drawn 0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {} to {} µm.",
-            fixed(Some(low), 1),
-            fixed(Some(high), 1)
-        ),
-        provenance: surface.provenance.clone(),
-        plot,
-    }
+        fixed(Some(low), 1),
+        fixed(Some(high), 1)
+    );
+    Figure::new("Figure 2", &caption, &surface.provenance, plot)
 }
 
 /// A point of the track, a little closer to the axis, so that the surface does not

@@ -2,43 +2,27 @@
 
 use serde_json::json;
 
-use super::panels::{labelled, on};
+use super::panels::{Panel, labelled};
+use crate::data::Event;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, POINTS, Plot, line, plain, with};
+use crate::plot::{PALETTE, POINTS, Plot, line_of, plain};
 use crate::reproduce_data::{GapHistory, Neighbours};
 use crate::sampling::history;
 
 /// Fig. 6: gap of one pair, all of the run and one turn enlarged.
 pub fn gap_history(gap: &GapHistory) -> Figure {
-    let (time, value) = history(&gap.time_s, &gap.gap_deg, POINTS);
-    let start = gap.turn_time_s.first().copied().unwrap_or_default();
-    let ms: Vec<f64> = gap.turn_time_s.iter().map(|t| (t - start) * 1e3).collect();
-    let (turn, turn_value) = history(&ms, &gap.turn_gap_deg, POINTS);
-    let begin = time.first().copied().unwrap_or_default();
+    let (start, ms, time_after) = enlarged(&gap.turn_time_s);
+    let begin = gap.time_s.first().copied().unwrap_or_default();
+    let run = history(&gap.time_s, &gap.gap_deg, POINTS);
+    let turn = history(&ms, &gap.turn_gap_deg, POINTS);
+    let [whole, enlarged] = [0, 1].map(Panel::new);
+    let place = |low: f64, high: f64| [json!({}), json!({ "domain": [low, high] })];
     let mut plot = Plot::new(640)
-        .axis("xaxis", "Time t (s)", json!({ "anchor": "y" }))
-        .axis(
-            "yaxis",
-            "Gap (°)",
-            json!({ "domain": [0.6, 1.0], "anchor": "x" }),
-        )
-        .axis(
-            "xaxis2",
-            &format!("Time after t = {start:.5} s (ms)"),
-            json!({ "anchor": "y2" }),
-        )
-        .axis(
-            "yaxis2",
-            "Gap (°)",
-            json!({ "domain": [0.0, 0.42], "anchor": "x2" }),
-        )
+        .panel(&whole, ["Time t (s)", "Gap (°)"], place(0.6, 1.0))
+        .panel(&enlarged, [&time_after, "Gap (°)"], place(0.0, 0.42))
         .discarded("x", "y", begin, gap.settled_after_s)
-        .trace(line("gap", &time, &value, PALETTE[0]))
-        .trace(on(
-            line("gap, one turn", &turn, &turn_value, PALETTE[0]),
-            "x2",
-            "y2",
-        ));
+        .trace(line_of("gap", run, PALETTE[0]))
+        .trace(line_of("gap, one turn", turn, PALETTE[0]).on(enlarged.axes()));
     if let Some(&end) = gap.turn_time_s.last() {
         plot = plot.band("x", "y", start, end, "rgba(213,94,0,0.35)");
     }
@@ -53,92 +37,86 @@ pub fn gap_history(gap: &GapHistory) -> Figure {
         ("x2 domain", "y2"),
         json!({ "xanchor": "left", "yanchor": "bottom", "font": { "size": 11 } }),
     );
-    let mut meanings = String::new();
-    for stage in &gap.stages {
-        let at = (stage.time_s - start) * 1e3;
-        plot = plot.vertical("x2", "y2", at, "dash").text(
-            &format!("<b>{}</b>", plain(&stage.label)),
-            (at, 1.0),
-            ("x2", "y2 domain"),
-            json!({ "yanchor": "bottom" }),
-        );
-        if !stage.meaning.is_empty() {
-            meanings.push_str(&format!(" {}: {};", stage.label, stage.meaning));
-        }
-    }
-    Figure {
-        label: labelled("Figure 6", &gap.provenance),
-        caption: format!(
-            "Gap between ball {} and the ball ahead, {}. Above: the whole run, the transient \
+    let (plot, meanings) = marked(plot, &gap.stages, start, ("x2", "y2", "y2 domain", 1.0));
+    let caption = format!(
+        "Gap between ball {} and the ball ahead, {}. Above: the whole run, the transient \
              shaded grey; below: the turn shaded orange, enlarged.{}",
-            gap.ball,
-            gap.structure.label(),
-            meanings.trim_end_matches(';')
-        ),
-        provenance: gap.provenance.clone(),
+        gap.ball,
+        gap.structure.label(),
+        meanings
+    );
+    Figure::new(
+        &labelled("Figure 6", &gap.provenance),
+        &caption,
+        &gap.provenance,
         plot,
-    }
+    )
 }
 
 /// Fig. 7: orbital speeds and gaps of three neighbours through the raceway.
 pub fn neighbours(three: &Neighbours) -> Figure {
-    let start = three.time_s.first().copied().unwrap_or_default();
-    let ms: Vec<f64> = three.time_s.iter().map(|t| (t - start) * 1e3).collect();
+    let (start, ms, time_after) = enlarged(&three.time_s);
     let mut plot = Plot::new(640)
-        .legend()
-        .axis("xaxis", &format!("Time after t = {start:.5} s (ms)"), json!({ "anchor": "y2" }))
-        .axis("yaxis", "Orbital speed (°/s)", json!({
+        .legend_above(1.03)
+        .x(&time_after, json!({ "anchor": "y2" }))
+        .y("Orbital speed (°/s)", json!({
             "domain": [0.54, 0.96], "anchor": "x", "separatethousands": true, "tickformat": ",.0f",
         }))
-        .axis("yaxis2", "Gap (°)", json!({ "domain": [0.0, 0.48], "anchor": "x" }))
-        .set("legend", json!({
-            "orientation": "h", "x": 0, "y": 1.03, "yanchor": "bottom", "font": { "size": 12 },
-        }));
+        .axis("yaxis2", "Gap (°)", json!({ "domain": [0.0, 0.48], "anchor": "x" }));
     let names = ["i−1", "i", "i+1"];
     let dashes = ["dash", "solid", "dot"];
     for k in 0..3 {
-        let (x, y) = history(&ms, &three.orbit_speed_deg_s[k], POINTS);
         let name = format!("ball {} (number {})", names[k], three.balls[k]);
-        plot = plot.trace(with(
-            line(&name, &x, &y, PALETTE[k]),
-            json!({ "line": { "dash": dashes[k], "width": 1.8 } }),
-        ));
+        let speed = history(&ms, &three.orbit_speed_deg_s[k], POINTS);
+        plot = plot.trace(line_of(&name, speed, PALETTE[k]).dash(dashes[k]).width(1.8));
     }
     for k in 0..2 {
-        let (x, y) = history(&ms, &three.gap_deg[k], POINTS);
         let name = format!("gap {} to {}", names[k], names[k + 1]);
-        plot = plot.trace(on(
-            with(
-                line(&name, &x, &y, [PALETTE[3], "#111111"][k]),
-                json!({ "line": { "width": 1.8 } }),
-            ),
-            "x",
-            "y2",
-        ));
+        let gap = history(&ms, &three.gap_deg[k], POINTS);
+        let gap = line_of(&name, gap, [PALETTE[3], "#111111"][k]);
+        plot = plot.trace(gap.width(1.8).on(["x", "y2"]));
     }
     plot = plot.horizontal("x", "y2", 0.0, "solid");
-    let mut meanings = String::new();
-    for event in &three.events {
-        let at = (event.time_s - start) * 1e3;
-        plot = plot.vertical("x", "paper", at, "dash").text(
-            &format!("<b>{}</b>", plain(&event.label)),
-            (at, 0.97),
-            ("x", "paper"),
-            json!({ "yanchor": "bottom" }),
-        );
+    let (plot, meanings) = marked(plot, &three.events, start, ("x", "paper", "paper", 0.97));
+    let caption = format!(
+        "Three neighbours on their way through the discrete raceway, {}: orbital speeds \
+             above, gaps below.{}",
+        three.structure.label(),
+        meanings
+    );
+    Figure::new(
+        &labelled("Figure 7", &three.provenance),
+        &caption,
+        &three.provenance,
+        plot,
+    )
+}
+
+/// Begin of a stretch of time in s, its times from there on in ms, and the title of their axis.
+fn enlarged(time_s: &[f64]) -> (f64, Vec<f64>, String) {
+    let start = time_s.first().copied().unwrap_or_default();
+    let ms = time_s.iter().map(|t| (t - start) * 1e3).collect();
+    (start, ms, format!("Time after t = {start:.5} s (ms)"))
+}
+
+/// The plot with a line and a label at each event, and the meanings of the events for its caption. Labels
+/// stand at a height of a reference.
+fn marked(
+    mut plot: Plot,
+    events: &[Event],
+    start_s: f64,
+    (x, y, reference, height): (&str, &str, &str, f64),
+) -> (Plot, String) {
+    let mut meanings = vec![];
+    for event in events {
+        let at = (event.time_s - start_s) * 1e3;
+        let label = format!("<b>{}</b>", plain(&event.label));
+        let bottom = json!({ "yanchor": "bottom" });
+        plot = plot.vertical(x, y, at, "dash");
+        plot = plot.text(&label, (at, height), (x, reference), bottom);
         if !event.meaning.is_empty() {
-            meanings.push_str(&format!(" {}: {};", event.label, event.meaning));
+            meanings.push(format!(" {}: {}", event.label, event.meaning));
         }
     }
-    Figure {
-        label: labelled("Figure 7", &three.provenance),
-        caption: format!(
-            "Three neighbours on their way through the discrete raceway, {}: orbital speeds \
-             above, gaps below.{}",
-            three.structure.label(),
-            meanings.trim_end_matches(';')
-        ),
-        provenance: three.provenance.clone(),
-        plot,
-    }
+    (plot, meanings.join(";"))
 }

@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::panels::{axis_name, axis_ref, on, panels};
+use super::panels::Panel;
 use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::names;
-use crate::plot::{PALETTE, Plot, numbers, plain};
+use crate::plot::{PALETTE, Plot, Trace, numbers, plain};
 use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
 use crate::text::short;
 
@@ -60,16 +60,11 @@ pub fn shares(data: &SweepData) -> Figure {
         .collect();
     let height = 150 + 30 * outputs.len() as u32;
     let mut plot = Plot::new(height.max(240))
-        .axis(
-            "xaxis",
+        .x(
             "",
             json!({ "side": "top", "showgrid": false, "type": "category" }),
         )
-        .axis(
-            "yaxis",
-            "",
-            json!({ "showgrid": false, "type": "category" }),
-        )
+        .y("", json!({ "showgrid": false, "type": "category" }))
         .trace(json!({
             "type": "heatmap", "x": inputs, "y": labels, "z": z, "text": text,
             "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": BLUES,
@@ -86,17 +81,18 @@ pub fn shares(data: &SweepData) -> Figure {
         _ if choices == 0 => " All inputs are conditions of operation.",
         _ => " Right of the line: conditions of operation and of the computation.",
     };
-    Figure {
-        label: "Sensitivity (main effects)".to_owned(),
-        caption: format!(
-            "Fraction of the variance of each output, in percent, that each input explains \
+    let caption = format!(
+        "Fraction of the variance of each output, in percent, that each input explains \
              alone (correlation ratio η²).{conditions} The remainder to 100 in a row is \
              interaction of the inputs and scatter; with few variants at a level, scatter \
              alone gives a few percent."
-        ),
-        provenance: data.provenance.clone(),
+    );
+    Figure::new(
+        "Sensitivity (main effects)",
+        &caption,
+        &data.provenance,
         plot,
-    }
+    )
 }
 
 /// The input that explains most of each of the first outputs, in sentences.
@@ -122,51 +118,43 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
     drawn.sort_by_key(|effect| effect.input.is_condition());
     let count = drawn.len();
     let rows = count.div_ceil(ACROSS);
-    let across = panels(count.min(ACROSS), 0.06);
-    let up = panels(rows, 0.28 / rows.max(1) as f64 + 0.06);
-    let mut plot = Plot::new(ROW_PX * rows as u32 + 20)
-        .set("margin", json!({ "l": 72, "r": 24, "t": 16, "b": 58 }));
-    for (k, effect) in drawn.iter().enumerate() {
-        let (column, row) = (k % ACROSS, k / ACROSS);
-        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
-        let mut along = json!({ "domain": across[column], "anchor": y });
+    let space = [0.06, 0.28 / rows.max(1) as f64 + 0.06];
+    let mut plot = Plot::new(ROW_PX * rows as u32 + 20).margin([72, 24, 16, 58]);
+    let panels = Panel::grid(count, count.min(ACROSS), space);
+    for (panel, effect) in panels.iter().zip(drawn) {
+        let mut along = json!({});
         if matches!(effect.levels, Levels::Names(_)) {
             along["type"] = "category".into();
         }
         // The first row is the uppermost; all panels have one scale.
-        let first = column == 0;
-        let title = if first {
-            names::label(&output.quantity)
-        } else {
-            String::new()
+        let title = match panel.leftmost {
+            true => names::label(&output.quantity),
+            false => String::new(),
         };
-        let mut upwards =
-            json!({ "domain": up[rows - 1 - row], "anchor": x, "showticklabels": first });
-        if k > 0 {
+        let mut upwards = json!({ "showticklabels": panel.leftmost });
+        if !panel.first {
             upwards["matches"] = "y".into();
         }
-        plot = plot
-            .axis(
-                &axis_name("x", k),
-                &capital(&names::label(&effect.input)),
-                along,
-            )
-            .axis(&axis_name("y", k), &broken(&capital(&title)), upwards);
+        let titles = [
+            capital(&names::label(&effect.input)),
+            broken(&capital(&title)),
+        ];
+        plot = plot.panel(
+            panel,
+            titles.each_ref().map(String::as_str),
+            [along, upwards],
+        );
         for trace in effect_traces(effect) {
-            plot = plot.trace(on(trace, &x, &y));
+            plot = plot.trace(Trace::from(trace).on(panel.axes()));
         }
     }
     let name = names::name(&output.quantity);
-    Figure {
-        label: format!("Effects on {name}"),
-        caption: format!(
-            "Mean of {name} (`{}`) at each level of an input, over all others; band: min–max. \
+    let caption = format!(
+        "Mean of {name} (`{}`) at each level of an input, over all others; band: min–max. \
              Choices come first, conditions of operation behind them.",
-            output.quantity.name
-        ),
-        provenance: provenance.clone(),
-        plot,
-    }
+        output.quantity.name
+    );
+    Figure::new(&format!("Effects on {name}"), &caption, provenance, plot)
 }
 
 /// A long title in two lines.
@@ -218,23 +206,24 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
     let axis = || json!({ "type": "category", "showgrid": false });
     let z: Value = map.mean.iter().map(|row| numbers(row)).collect();
     let plot = Plot::new(340)
-        .set("margin", json!({ "l": 72, "r": 24, "t": 16, "b": 58 }))
-        .axis("xaxis", &capital(&names::label(&map.x_input)), axis())
-        .axis("yaxis", &capital(&names::label(&map.y_input)), axis())
+        .margin([72, 24, 16, 58])
+        .x(&capital(&names::label(&map.x_input)), axis())
+        .y(&capital(&names::label(&map.y_input)), axis())
         .trace(json!({
             "type": "heatmap", "x": names(&map.x), "y": names(&map.y), "z": z,
             "colorscale": "Viridis",
             "colorbar": { "title": { "text": plain(colour_title(output)), "side": "right" }, "thickness": 14 },
         }));
-    Figure {
-        label: format!("Map of {}", names::name(&output.quantity)),
-        caption: format!(
-            "Mean of {} over the two inputs that explain most of it.",
-            names::label(&output.quantity)
-        ),
-        provenance: provenance.clone(),
+    let caption = format!(
+        "Mean of {} over the two inputs that explain most of it.",
+        names::label(&output.quantity)
+    );
+    Figure::new(
+        &format!("Map of {}", names::name(&output.quantity)),
+        &caption,
+        provenance,
         plot,
-    }
+    )
 }
 
 /// Title of the scale of colours: the unit; `mean` for an output without one.

@@ -2,10 +2,10 @@
 
 use serde_json::json;
 
-use super::panels::{axis_name, axis_ref, on};
+use super::panels::Panel;
 use crate::data::Vibration;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, POINTS, Plot, line, number, plain, with};
+use crate::plot::{PALETTE, POINTS, Plot, line_of, number, plain};
 use crate::sampling::{history, range};
 use crate::text::short;
 
@@ -24,41 +24,25 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
     // Pixels from the top down: signals, then the spectrum.
     let (panel, between, room, spectrum) = (170.0, 34.0, 72.0, 250.0);
     let inner = panel * count as f64 + between * (count - 1) as f64 + room + spectrum;
-    let mut plot =
-        Plot::new(inner as u32 + 110).set("margin", json!({ "l": 72, "r": 24, "t": 46, "b": 64 }));
+    let mut plot = Plot::new(inner as u32 + 110).margin([72, 24, 46, 64]);
     let mut sizes = Vec::new();
     for (k, signal) in vibration.signals.iter().enumerate() {
-        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+        let axes = Panel::new(k);
+        let [x, y] = axes.axes();
         let high = 1.0 - (panel + between) * k as f64 / inner;
         let last = k + 1 == count;
         let colour = PALETTE[k % PALETTE.len()];
-        let (time, value) = history(&signal.time_s, &signal.acceleration_m_s2, POINTS);
+        let matches = |axis| (k > 0).then_some(axis);
+        let over_time = json!({ "showticklabels": last, "matches": matches("x") });
+        let up = json!({
+            "domain": [high - panel / inner, high], "range": [number(-most), number(most)],
+            "matches": matches("y"),
+        });
+        let titles = [if last { "Time t (s)" } else { "" }, "Acceleration (m/s²)"];
+        let drawn = history(&signal.time_s, &signal.acceleration_m_s2, POINTS);
         plot = plot
-            .axis(
-                &axis_name("x", k),
-                if last { "Time t (s)" } else { "" },
-                json!({
-                    "anchor": y, "showticklabels": last,
-                    "matches": if k == 0 { None } else { Some("x") },
-                }),
-            )
-            .axis(
-                &axis_name("y", k),
-                "Acceleration (m/s²)",
-                json!({
-                    "anchor": x, "domain": [high - panel / inner, high],
-                    "range": [number(-most), number(most)],
-                    "matches": if k == 0 { None } else { Some("y") },
-                }),
-            )
-            .trace(on(
-                with(
-                    line(&signal.name, &time, &value, colour),
-                    json!({ "line": { "width": 1 } }),
-                ),
-                &x,
-                &y,
-            ))
+            .panel(&axes, titles, [over_time, up])
+            .trace(line_of(&signal.name, drawn, colour).width(1.0).on([x, y]))
             .text(
                 &format!(
                     "<span style=\"color:{colour}\">▬</span> {}",
@@ -75,59 +59,42 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
             sizes.push(format!("{}: {} m/s²{peak}", signal.name, short(rms)));
         }
     }
-    let (x, y) = (axis_ref("x", count), axis_ref("y", count));
-    plot = plot
-        .axis(&axis_name("x", count), "Frequency f (Hz)", json!({ "anchor": y, "range": [0, HIGHEST_HZ] }))
-        .axis(&axis_name("y", count), "Amplitude (m/s²)", json!({
-            "anchor": x, "domain": [0.0, spectrum / inner], "type": "log", "exponentformat": "power",
-            "dtick": 1,
-        }));
+    let axes = Panel::new(count);
+    let [x, y] = axes.axes();
+    let up = json!({
+        "domain": [0.0, spectrum / inner], "type": "log", "exponentformat": "power", "dtick": 1,
+    });
+    let more = [json!({ "range": [0, HIGHEST_HZ] }), up];
+    plot = plot.panel(&axes, ["Frequency f (Hz)", "Amplitude (m/s²)"], more);
     for (k, signal) in vibration.signals.iter().enumerate() {
-        let upto = signal
-            .frequency_hz
-            .iter()
-            .take_while(|f| **f <= HIGHEST_HZ)
-            .count();
-        let upto = upto.min(signal.amplitude_m_s2.len());
-        let (f, a) = history(
-            &signal.frequency_hz[..upto],
-            &signal.amplitude_m_s2[..upto],
-            POINTS,
-        );
-        plot = plot.trace(on(
-            with(
-                line(&signal.name, &f, &a, PALETTE[k % PALETTE.len()]),
-                json!({ "line": { "width": 1.1 } }),
-            ),
-            &x,
-            &y,
-        ));
+        let (frequency, amplitude) = (&signal.frequency_hz, &signal.amplitude_m_s2);
+        let low = frequency.iter().take_while(|f| **f <= HIGHEST_HZ);
+        let upto = low.count().min(amplitude.len());
+        let drawn = history(&frequency[..upto], &amplitude[..upto], POINTS);
+        let drawn = line_of(&signal.name, drawn, PALETTE[k % PALETTE.len()]);
+        plot = plot.trace(drawn.width(1.1).on([x, y]));
     }
     for mark in &vibration.marks {
-        plot = plot.vertical(&x, &y, mark.frequency_hz, "dot").text(
+        plot = plot.vertical(x, y, mark.frequency_hz, "dot").text(
             &plain(&mark.label),
             (mark.frequency_hz, 1.0),
-            (&x, &format!("{y} domain")),
+            (x, &format!("{y} domain")),
             json!({ "yanchor": "bottom", "font": { "size": 11, "color": "#555" } }),
         );
     }
-    Figure {
-        label: label.to_owned(),
-        caption: format!(
-            "Acceleration of the outer ring over time, on one scale, and below its single-sided \
+    let caption = format!(
+        "Acceleration of the outer ring over time, on one scale, and below its single-sided \
              amplitude spectrum up to {HIGHEST_HZ} Hz{}.{}{}{}",
-            resolution(vibration),
-            stretches(vibration),
-            if sizes.is_empty() { "" } else { " " },
-            if sizes.is_empty() {
-                String::new()
-            } else {
-                format!("Root mean square of {}.", sizes.join("; "))
-            }
-        ),
-        provenance: vibration.provenance.clone(),
-        plot,
-    }
+        resolution(vibration),
+        stretches(vibration),
+        if sizes.is_empty() { "" } else { " " },
+        if sizes.is_empty() {
+            String::new()
+        } else {
+            format!("Root mean square of {}.", sizes.join("; "))
+        }
+    );
+    Figure::new(label, &caption, &vibration.provenance, plot)
 }
 
 /// Remark on the resolution of the spectrum.

@@ -1,14 +1,14 @@
 //! Trade-offs of a search.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::OWN;
 use cageless_results::{MOTION, Record, STRUCTURE_AT, heading};
 use cageless_study::search::structure_label;
 
 use crate::figure::Figure;
-use crate::figures::panels::{axis_name, axis_ref, on, panels};
-use crate::plot::{GREY, PALETTE, Plot, markers, numbers, plain, with};
+use crate::figures::panels::Panel;
+use crate::plot::{GREY, PALETTE, Plot, Trace, markers, numbers, plain};
 use crate::sampling::range;
 use crate::text::short;
 
@@ -56,7 +56,7 @@ fn frame_of(values: &[f64]) -> Option<[f64; 2]> {
 }
 
 /// A mark at the edge of the frames with its values, for a point outside of them.
-fn outside(point: &[f64; 2], frames: [Option<[f64; 2]>; 2]) -> Option<Value> {
+fn outside(point: &[f64; 2], frames: [Option<[f64; 2]>; 2]) -> Option<Trace> {
     let [Some(x), Some(y)] = frames else {
         return None;
     };
@@ -65,23 +65,13 @@ fn outside(point: &[f64; 2], frames: [Option<[f64; 2]>; 2]) -> Option<Value> {
         return None;
     }
     let text = format!("{}, {}", short(point[0]), short(point[1]));
-    let side = if at[0] > 0.5 * (x[0] + x[1]) {
-        "left"
-    } else {
-        "right"
-    };
-    let height = if at[1] > 0.5 * (y[0] + y[1]) {
-        "bottom"
-    } else {
-        "top"
-    };
-    Some(with(
-        markers(OWN, &[at[0]], &[at[1]], ""),
-        json!({
-            "mode": "markers+text", "text": [text], "cliponaxis": false,
-            "textposition": format!("{height} {side}"), "textfont": { "size": 11 },
-        }),
-    ))
+    let beyond_middle = |k: usize, [low, high]: [f64; 2]| at[k] > 0.5 * (low + high);
+    let side = if beyond_middle(0, x) { "left" } else { "right" };
+    let height = if beyond_middle(1, y) { "bottom" } else { "top" };
+    Some(markers(OWN, &[at[0]], &[at[1]], "").with(json!({
+        "mode": "markers+text", "text": [text], "cliponaxis": false,
+        "textposition": format!("{height} {side}"), "textfont": { "size": 11 },
+    })))
 }
 
 /// Trade-offs of the acceptable structures.
@@ -91,105 +81,64 @@ pub fn trade_offs(search: &Record) -> Figure {
         band.filter(|s| s.text("status") == "accepted" && s.flag("on_front") == Some(front))
             .collect()
     };
-    let (x_places, y_places) = (panels(2, 0.12), panels(2, 0.2));
-    let mut plot = Plot::new(720)
-        .legend()
-        .set("margin", json!({ "l": 72, "r": 24, "t": 60, "b": 58 }))
-        .set(
-            "legend",
-            json!({ "orientation": "h", "x": 0, "y": 1.03, "yanchor": "bottom", "font": { "size": 12 } }),
-        );
+    let mut plot = Plot::new(720).legend_above(1.03).margin([72, 24, 60, 58]);
+    let one = |name: &str| search.part(name).into_iter().collect();
+    let [own, found] = ["own_from_usual_starts", "recommended_from_usual_starts"].map(one);
     let groups: [(&str, Vec<&Record>, &str, u32, &str); 4] = [
         ("acceptable", accepted(false), GREY, 6, "circle"),
         ("Pareto front", accepted(true), PALETTE[0], 7, "circle"),
-        (
-            OWN,
-            search.part("own_from_usual_starts").into_iter().collect(),
-            PALETTE[4],
-            11,
-            "square",
-        ),
-        (
-            "recommended",
-            search
-                .part("recommended_from_usual_starts")
-                .into_iter()
-                .collect(),
-            "#ffdd00",
-            15,
-            "star",
-        ),
+        (OWN, own, PALETTE[4], 11, "square"),
+        ("recommended", found, "#ffdd00", 15, "star"),
     ];
-    for (k, pair) in PAIRS.iter().enumerate() {
-        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+    for (panel, pair) in Panel::grid(PAIRS.len(), 2, [0.12, 0.2]).iter().zip(&PAIRS) {
         let frames = pair.map(|name| {
             let shown = groups.iter().filter(|g| g.0 != OWN).flat_map(|g| &g.1);
             frame_of(&shown.map(|s| worst(s, name)).collect::<Vec<_>>())
         });
-        let axis = |place: [f64; 2], anchor: &str, frame: Option<[f64; 2]>| match frame {
-            Some(frame) => json!({ "domain": place, "anchor": anchor, "range": numbers(&frame) }),
-            None => json!({ "domain": place, "anchor": anchor }),
+        let shown = |frame: Option<[f64; 2]>| {
+            frame.map_or(json!({}), |frame| json!({ "range": numbers(&frame) }))
         };
-        plot = plot
-            .axis(
-                &axis_name("x", k),
-                &title(pair[0]),
-                axis(x_places[k % 2], &y, frames[0]),
-            )
-            .axis(
-                &axis_name("y", k),
-                &title(pair[1]),
-                axis(y_places[1 - k / 2], &x, frames[1]),
-            );
+        let titles = pair.map(title);
+        plot = plot.panel(
+            panel,
+            titles.each_ref().map(String::as_str),
+            frames.map(shown),
+        );
         for (group, structures, colour, size, symbol) in &groups {
             if structures.is_empty() {
                 continue;
             }
             let values =
                 |name: &str| -> Vec<f64> { structures.iter().map(|s| worst(s, name)).collect() };
-            let labels: Vec<String> = structures
-                .iter()
-                .map(|s| plain(&structure_label(s)))
-                .collect();
-            if *group == OWN
-                && let Some(mark) = outside(&pair.map(|name| values(name)[0]), frames)
-            {
-                let trace = with(
-                    mark,
-                    json!({
-                        "legendgroup": group, "showlegend": k == 0, "name": group,
-                        "marker": { "size": size, "symbol": symbol, "color": colour,
-                                    "line": { "width": 1.2, "color": "#000" } },
-                        "hovertext": labels,
-                        "hovertemplate": "%{hovertext}<br>outside: %{text}<extra></extra>",
-                    }),
-                );
-                plot = plot.trace(on(trace, &x, &y));
-                continue;
-            }
-            plot = plot.trace(on(
-                with(
-                    markers(group, &values(pair[0]), &values(pair[1]), colour),
-                    json!({
-                        "marker": { "size": size, "symbol": symbol,
-                                    "line": { "width": if *size > 8 { 1.2 } else { 0.0 }, "color": "#000" } },
-                        "text": labels, "legendgroup": group, "showlegend": k == 0,
-                        "hovertemplate": "%{text}<br>%{x:.4g}, %{y:.4g}<extra></extra>",
-                    }),
-                ),
-                &x,
-                &y,
-            ));
+            let labels = structures.iter().map(|s| plain(&structure_label(s)));
+            let labels: Vec<String> = labels.collect();
+            let mark = match *group {
+                OWN => outside(&pair.map(|name| values(name)[0]), frames),
+                _ => None,
+            };
+            let drawn = match mark {
+                Some(mark) => mark.with(json!({
+                    "marker": { "color": colour }, "hovertext": labels,
+                    "hovertemplate": "%{hovertext}<br>outside: %{text}<extra></extra>",
+                })),
+                None => markers(group, &values(pair[0]), &values(pair[1]), colour).with(json!({
+                    "text": labels, "hovertemplate": "%{text}<br>%{x:.4g}, %{y:.4g}<extra></extra>",
+                })),
+            };
+            let outline = json!({ "width": if *size > 8 { 1.2 } else { 0.0 }, "color": "#000" });
+            let marker = json!({ "size": size, "symbol": symbol, "line": outline });
+            let drawn = drawn.with(json!({ "marker": marker }));
+            plot = plot.trace(drawn.in_group(group, panel.first).on(panel.axes()));
         }
     }
-    Figure {
-        label: "Trade-offs".to_owned(),
-        caption: "Acceptable structures, each at the worst of its operating points. What spreads \
+    let caption = "Acceptable structures, each at the worst of its operating points. What spreads \
                   the balls more evenly costs friction. The axes show the acceptable structures; \
                   the initial design, where it lies outside, is drawn at the edge with its \
-                  values (horizontal, vertical)."
-            .to_owned(),
-        provenance: search.provenance.clone().unwrap_or_default(),
+                  values (horizontal, vertical).";
+    Figure::new(
+        "Trade-offs",
+        caption,
+        &search.provenance.clone().unwrap_or_default(),
         plot,
-    }
+    )
 }
