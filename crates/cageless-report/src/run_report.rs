@@ -22,7 +22,7 @@ use crate::verification::VerificationTable;
 /// The balls of snapshots in motion.
 pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Provenance) -> Motion {
     let over = |f: &dyn Fn(&Snapshot, usize) -> f64| -> Vec<Vec<f64>> {
-        (0..case.bearing.balls())
+        (0..case.balls())
             .map(|k| snapshots.iter().map(|s| f(s, k).to_degrees()).collect())
             .collect()
     };
@@ -143,13 +143,13 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         uniform_gap_deg: bearing.nominal_gap_rad().to_degrees(),
         rolling_orbit_speed_deg_s: Some(orbit.to_degrees()),
         time_s: snapshots.iter().map(|s| s.time_s).collect(),
-        balls: (0..bearing.balls())
+        balls: (0..case.balls())
             .map(|k| ball_history(&snapshots, k))
             .collect(),
         stretch_s,
         recent: decimated.then(|| Recent {
             time_s: recent.iter().map(|s| s.time_s).collect(),
-            balls: (0..bearing.balls())
+            balls: (0..case.balls())
                 .map(|k| ball_history(&recent, k))
                 .collect(),
         }),
@@ -315,8 +315,12 @@ fn facts(summary: &RunSummary) -> Vec<Parameter> {
 }
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
+    let rows = match case.rows.len() {
+        0 | 1 => String::new(),
+        rows => format!("{rows} rows of "),
+    };
     format!(
-        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. {}",
+        "{rows}{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. {}",
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,
