@@ -240,9 +240,10 @@ fn a_run_in_space_says_what_it_does_not_take() {
     }
     let folder = tempfile::tempdir().unwrap();
     let rows = pair(folder.path(), "axial_position_mm = 8.0");
-    let answer = call_on("run", &rows, &[], &[]);
+    let answer = call_on("run", &rows, &["row.2.balls=13"], &[]);
     assert_eq!(answer.code, Some(2), "{answer:?}");
-    assert!(answer.stderr.contains("one row of balls"), "{answer:?}");
+    let words = "row.2.balls = 13 is not possible: it must be 14";
+    assert!(answer.stderr.contains(words), "{answer:?}");
 }
 
 /// A run under axial load prints what only space has, and its tables have the columns of space.

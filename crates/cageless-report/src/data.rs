@@ -12,7 +12,7 @@ pub use cageless_study::{Parameter, Provenance, RacewayLabel};
 /// Outline of a bearing, for drawings to scale.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BearingOutline {
-    /// N.
+    /// N of a row.
     pub balls: usize,
     /// Rw, mm.
     pub ball_radius_mm: f64,

@@ -22,7 +22,7 @@ use crate::verification::VerificationTable;
 /// The balls of snapshots in motion.
 pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Provenance) -> Motion {
     let over = |f: &dyn Fn(&Snapshot, usize) -> f64| -> Vec<Vec<f64>> {
-        (0..case.bearing.balls())
+        (0..case.balls())
             .map(|k| snapshots.iter().map(|s| f(s, k).to_degrees()).collect())
             .collect()
     };
@@ -122,7 +122,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         LoadProfile::new(bearing, &recent[after..])
     };
     let shown = last_orbits(&recent, orbit, ORBITS_PLAYED);
-    let Recent { time_s, balls } = histories_of(&snapshots, bearing.balls());
+    let Recent { time_s, balls } = histories_of(&snapshots, case.balls());
     RunData {
         // A seed beyond the whole numbers of TOML leaves the page without a studio.
         case_toml: file.document().to_toml().unwrap_or_default(),
@@ -146,7 +146,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         time_s,
         balls,
         stretch_s,
-        recent: decimated.then(|| histories_of(&recent, bearing.balls())),
+        recent: decimated.then(|| histories_of(&recent, case.balls())),
         view_s: view(&recent, orbit),
         facts: facts(summary),
         ring: RingHistory {
@@ -308,8 +308,12 @@ fn facts(summary: &RunSummary) -> Vec<Parameter> {
 }
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
+    let rows = match case.rows.len() {
+        0 | 1 => String::new(),
+        rows => format!("{rows} rows of "),
+    };
     format!(
-        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. {}",
+        "{rows}{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. {}",
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,

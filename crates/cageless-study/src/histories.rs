@@ -52,7 +52,7 @@ pub struct Histories {
 impl Histories {
     /// Empty histories of a run of `case`.
     pub fn new(case: &Case) -> Self {
-        let balls = case.bearing.balls();
+        let balls = case.balls();
         Self {
             interval_s: case.output.interval_s,
             rows: MinMaxDecimator::new((ROWS * 14 / balls).min(ROWS)),

@@ -98,7 +98,7 @@ impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
         Self {
             view,
             ball: k,
-            next_ball: (k + 1) % view.layout().balls,
+            next_ball: view.layout().next(k),
             distance_m,
         }
     }
@@ -155,6 +155,7 @@ impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
 impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDetector<F> {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let n = context.model.balls();
+        let next = |k| context.model.layout().next(k);
         self.distances = (0..n).map(|k| context.model.pair_distance_m(k)).collect();
         self.forces = vec![0.0; n];
         self.earlier = vec![0.0; n];
@@ -162,13 +163,13 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
         let (x, y) = (context.start.x_m(), context.start.y_m());
         self.deflections = (0..n)
             .map(|k| {
-                let next = (k + 1) % n;
+                let next = next(k);
                 self.distances[k] - (x[next] - x[k]).hypot(y[next] - y[k])
             })
             .collect();
         for k in 0..n {
             if self.deflections[k] > 0.0 {
-                let next = (k + 1) % n;
+                let next = next(k);
                 self.open[k] = Some(Collision {
                     start_s: 0.0,
                     duration_s: 0.0,

@@ -36,7 +36,7 @@ impl Direction {
     /// Direction from ball `k` to the ball ahead, forwards, about the centre of the outer ring.
     #[inline]
     pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
-        let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
+        let next = x_m.next(k);
         let [x, y] = [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
         let [next_x, next_y] = [x_m[next] - centre_m[0], y_m[next] - centre_m[1]];
         Self {

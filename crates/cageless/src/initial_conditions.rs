@@ -39,7 +39,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     step_limits::check(case)?;
     case.check_motion()?;
     let bearing = &case.bearing;
-    let n = bearing.balls();
+    let (n, rows) = (bearing.balls(), case.all_rows());
     let pitch = bearing.pitch_radius_m();
     let mut state = State::zero(Layout::of_case(case));
     if let Some(rotor) = &case.rotor {
@@ -52,15 +52,16 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             speed: rotor.speed_rad_s,
         });
     }
-    let angles = start_angles_rad(case);
+    // Every row alike.
+    let angles = start_angles_rad(case).repeat(rows.len());
     let inner_speed = match case.start {
         Start::AtRest { .. } => 0.0,
         _ => case.operation.inner_speed_rad_s,
     };
     // Balls on Rm between rings that press them would spring to where the two forces are equal.
     let between = |ring| match bearing.radial_internal_clearance_m() < 0.0 {
-        true => equilibrium::seated_distances_m(case, ring, inner_speed),
-        false => vec![pitch; n],
+        true => equilibrium::seated_distances_m(case, ring, inner_speed).repeat(rows.len()),
+        false => vec![pitch; case.balls()],
     };
     let mut in_space = None;
     let (distances, ring) = match case.start {
@@ -84,12 +85,14 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
         let rest = in_space.as_ref().map(|e| Rest::of_ball(e, k));
         let rest = rest.unwrap_or_else(|| {
-            let r = effective_radius_m(case, k, angle, distance);
-            let radius = bearing.ball(k).radius_m;
+            let r = effective_radius_m(case, k % n, angle, distance);
+            let radius = bearing.ball(k % n).radius_m;
+            let row = &rows[k / n];
             Rest {
                 effective_radius_m: r,
                 orbit_speed_rad_s: orbit_speed_of_rad_s(bearing, radius, inner_speed, r),
-                z_m: 0.0,
+                // Halfway between where its grooves hold it.
+                z_m: row.axial_position_m - 0.5 * row.contact_sign * row.preload_m,
                 pitch_angle_rad: 0.0,
             }
         });

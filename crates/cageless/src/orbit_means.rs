@@ -36,6 +36,7 @@ pub struct OrbitMeans {
     pub rotation_rad_s: f64,
     /// Whether the inner ring is driven at a constant ωi.
     driven: bool,
+    /// Balls of a row.
     balls: usize,
     power_w: [f64; EnergyTerm::ALL.len()],
 }
@@ -194,7 +195,7 @@ impl OrbitMeansTracker {
             } else {
                 f64::NAN
             },
-            orbit_speed_rad_s: (angle(end) - angle(begin)) / (balls as f64 * time_s),
+            orbit_speed_rad_s: (angle(end) - angle(begin)) / (end.angles.len() as f64 * time_s),
             rotation_rad_s: (end.rotation_sum - begin.rotation_sum) / samples as f64,
             driven,
             balls,

@@ -291,7 +291,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let gap = |k: usize| {
             Direction::to_next(x, y, [centre.x, centre.y], k).gap_rad(self.pair_angles[k])
         };
-        (time_s, [k, previous(k, layout.balls)].map(gap))
+        (time_s, [k, x.previous(k)].map(gap))
     }
 
     /// Looks at all balls and keeps in mind which are near an end.
@@ -384,11 +384,6 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     }
 }
 
-/// The ball behind ball `k`.
-fn previous(k: usize, balls: usize) -> usize {
-    if k == 0 { balls - 1 } else { k - 1 }
-}
-
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let n = context.model.balls();
@@ -425,7 +420,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
             if begun {
                 let started = |k| u32::from(self.contact_tracker.started(k));
                 passage.collisions_ahead += started(k);
-                passage.collisions_behind += started(previous(k, x.len()));
+                passage.collisions_behind += started(x.previous(k));
             }
             passage.sliding_max_m_s = passage.sliding_max_m_s.max(c.loaded_sliding_m_s(k));
             if !c.is_loaded(k) {

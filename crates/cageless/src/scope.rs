@@ -3,8 +3,8 @@
 /// What the model assumes and leaves out, one statement each. Commands and documents quote it,
 /// so that a reader of a result knows what it cannot say.
 pub const SCOPE: [&str; 6] = [
-    "planar motion, but in `cageless run` also under axial load, moments, tilt and contact angles; several rows only in static equilibrium",
-    "preload in motion only by radial interference, a clearance below zero: no axial preload",
+    "planar motion, but in `cageless run` also under axial load, moments, tilt and contact angles and with several rows",
+    "preload in motion only by radial interference, a clearance below zero, or by displacement of the outer rings of rows: no preload by spring",
     "rings rigid except at the Hertz contacts; the outer ring is fixed (in a drop it may have an elastic support)",
     "speed and load prescribed, constant or as tables over time; a dropped rotor has no axial and no torsional motion",
     "dry friction laws: no lubricant film, no churning",

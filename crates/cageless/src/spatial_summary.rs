@@ -24,7 +24,8 @@ use crate::simulation::StepView;
 pub struct SpatialSummary {
     /// Mean of the ring's centre along the axis.
     pub ring_z_mean_m: f64,
-    /// Angle of the sum of all forces at the inner raceway, each in its meridian plane.
+    /// Angle of the sum of all forces at the inner raceway, each in its meridian plane and positive
+    /// on the side of the contact sign of its row.
     pub inner_contact_angle_mean_rad: f64,
     /// The same at the outer raceway.
     pub outer_contact_angle_mean_rad: f64,
@@ -48,9 +49,9 @@ impl SpatialSummaryTracker {
         self.time_s += step_s;
     }
 
-    /// Takes the contacts at the end of a step.
-    pub fn look(&mut self, contacts: &Contacts<'_>) {
-        for k in 0..contacts.balls() {
+    /// Takes the contacts at the end of a step, with the sign of each ball's row.
+    pub fn look(&mut self, contacts: &Contacts<'_>, signs: &[f64]) {
+        for (k, sign) in signs.iter().enumerate() {
             let Some(ball) = contacts.in_space(k) else {
                 return;
             };
@@ -61,7 +62,7 @@ impl SpatialSummaryTracker {
             for (sums, (force, angle)) in self.forces.iter_mut().zip(pairs) {
                 if force > 0.0 {
                     sums[0] += force * angle.cos();
-                    sums[1] += force * angle.sin();
+                    sums[1] += sign * (force * angle.sin());
                 }
             }
         }

@@ -312,7 +312,9 @@ impl StepLimits {
         let down = case.largest_radial_load_n()
             + drop.force_n
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
-        let under = |force: f64| OVERLOAD * (force + centrifugal) + case.preload_n();
+        let under = |force: f64| {
+            OVERLOAD * (force + centrifugal) + case.preload_n() + case.axial_preload_n()
+        };
         let carried = under(5.0 * down / d.balls as f64);
         // A ball of mass m against a raceway: the reduced mass is m.
         let (_, struck, _) = hertz::impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);

@@ -94,6 +94,8 @@ pub struct SummaryRecorder {
     peaks: Option<ContactPeakTracker>,
     means: OrbitMeansTracker,
     space: SpatialSummaryTracker,
+    /// σ of the row of every ball.
+    contact_signs: Vec<f64>,
 }
 
 impl SummaryRecorder {
@@ -114,6 +116,7 @@ impl SummaryRecorder {
             peaks: None,
             means: OrbitMeansTracker::default(),
             space: SpatialSummaryTracker::default(),
+            contact_signs: vec![],
         }
     }
 
@@ -156,6 +159,10 @@ impl Observer for SummaryRecorder {
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
         self.peaks = Some(ContactPeakTracker::new(&case.bearing));
+        let rows = case.all_rows();
+        self.contact_signs = (0..case.balls())
+            .map(|k| rows[k / case.bearing.balls()].contact_sign)
+            .collect();
         self.case = Some(case.clone());
         Ok(())
     }
@@ -184,7 +191,7 @@ impl Observer for SummaryRecorder {
         self.slip_max = self.slip_max.max(contacts.sliding_max_m_s());
         let loaded = self.steps.is_multiple_of(LOADS_EVERY);
         if loaded {
-            self.space.look(contacts);
+            self.space.look(contacts, &self.contact_signs);
             let force = contacts.outer_ring_force_n();
             for (moments, force) in self.outer_ring_force.iter_mut().zip(force) {
                 moments.add(force, h);

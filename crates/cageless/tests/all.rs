@@ -42,6 +42,7 @@ mod rotor_planes;
 mod search;
 mod space;
 mod space_motion;
+mod space_rows;
 mod static_minimum;
 mod step_limits;
 mod tolerance;

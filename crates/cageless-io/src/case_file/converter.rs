@@ -54,7 +54,16 @@ pub(super) fn refused_in(
         return tree.error("", error.to_string());
     };
     let several = document.count(section);
-    let path = raceway.map_or_else(|| section.to_owned(), |index| nth(section, index, several));
+    // The row at fault is the one that has the value.
+    let has_value = |index: &usize| {
+        let number = document.number(&join(&nth(section, *index, several), key.name));
+        number.map(|value| key.unit.to_si(value)) == Some(error.value)
+    };
+    let index = match section {
+        "row" => (0..several).find(has_value),
+        _ => raceway,
+    };
+    let path = index.map_or_else(|| section.to_owned(), |index| nth(section, index, several));
     let path = join(&path, key.name);
     let allowed = messages::in_file_units(error, key, document, raceway);
     // A key that is optional by itself, and that something else in the case needs.

@@ -76,12 +76,12 @@ class Raceway(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Row(Section):
-    """`[row]`: a row of balls, where one inner ring has several; only for `static`."""
+    """`[row]`: a row of balls, where one inner ring has several; only for `static` and `run`."""
 
     axial_position_mm: Annotated[float, "z of the middle of the row"]
     contact_sign: Annotated[float | None, "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem"] = None
     preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign"] = None
-    balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given"] = None
+    balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always"] = None
 
 
 @dataclass(frozen=True, kw_only=True)

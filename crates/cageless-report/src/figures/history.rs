@@ -46,7 +46,8 @@ pub(super) fn smallest_gap(run: &RunData) -> String {
     let Some((k, gap)) = pairs.min_by(|a, b| a.1.total_cmp(&b.1)) else {
         return String::new();
     };
-    let next = (k + 1) % run.balls.len() + 1;
+    let row = run.outline.balls;
+    let next = k - k % row + (k + 1) % row + 1;
     format!(
         "The smallest gap is {}°, between balls {} and {next}; the nominal gap is {}°.",
         short(gap),

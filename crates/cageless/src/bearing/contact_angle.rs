@@ -106,4 +106,15 @@ impl Bearing {
         // The grooves are A cos α0 apart along the radius.
         (stretched.powi(2) - (room * angle.cos()).powi(2)).sqrt() - room * angle.sin()
     }
+
+    /// Approach of the rings along the contact of a ball, where a displacement along the axis stretches
+    /// the distance of the grooves from that of the free contact angle, m.
+    pub(crate) fn axial_approach_m(&self, displacement_m: f64) -> f64 {
+        let (room, (sin, cos)) = (
+            self.dimensions.groove_distance_m(),
+            self.contact_angle_rad.sin_cos(),
+        );
+        let stretched = (room * cos).hypot(room * sin + displacement_m);
+        displacement_m * (2.0 * room * sin + displacement_m) / (stretched + room)
+    }
 }

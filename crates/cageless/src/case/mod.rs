@@ -242,6 +242,24 @@ pub const DURATION_MIN_S: f64 = 1e-15;
 pub const INTERVAL_MIN_S: f64 = 1e-9;
 
 impl Case {
+    /// N, balls of all rows.
+    pub fn balls(&self) -> usize {
+        self.bearing.balls() * self.rows.len().max(1)
+    }
+
+    /// The rows of the bearing, that of a bearing without further rows in the middle plane.
+    pub(crate) fn all_rows(&self) -> Vec<Row> {
+        match self.rows.is_empty() {
+            false => self.rows.clone(),
+            true => vec![Row {
+                axial_position_m: 0.0,
+                contact_sign: 1.0,
+                preload_m: 0.0,
+                balls: None,
+            }],
+        }
+    }
+
     /// Temperatures of inner ring, balls and outer ring, °C: those of the fit, else that at which
     /// clearances are stated.
     pub fn parts_c(&self) -> [f64; PARTS] {
@@ -298,11 +316,21 @@ impl Case {
     }
 
     /// Force with which rings that fit together by interference press each nominal ball without
-    /// load, weight and speed, N: both contacts in series; 0 unless the clearance is negative.
+    /// load, weight and speed, N: both contacts in series; 0 unless the clearance is negative. That of
+    /// an axial preload is [`Self::axial_preload_n`].
     pub fn preload_n(&self) -> f64 {
         let [inner, outer, _] = self.stiffness_n_m1_5();
         let interference = (-0.5 * self.bearing.radial_internal_clearance_m()).max(0.0);
         series_stiffness_n_m1_5(inner, outer) * interference.powf(1.5)
+    }
+
+    /// Force with which the largest axial preload of a row presses each of its balls between rings that
+    /// nothing else moves, N.
+    pub fn axial_preload_n(&self) -> f64 {
+        let [inner, outer, _] = self.stiffness_n_m1_5();
+        let preloads = self.rows.iter().map(|row| row.preload_m);
+        let approach = self.bearing.axial_approach_m(preloads.fold(0.0, f64::max));
+        series_stiffness_n_m1_5(inner, outer) * approach.powf(1.5)
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

@@ -68,14 +68,12 @@ impl Case {
             return Ok(());
         }
         let load = &self.operation.space;
-        if let Some(row) = self.rows.first() {
+        let most = self.bearing.balls();
+        let mut fewer = self.rows.iter().filter_map(|row| row.balls);
+        if let Some(balls) = fewer.find(|balls| *balls != most) {
             let rule =
-                "left out here: a run has one row of balls, `cageless static` computes several";
-            return Err(InputError::rule(
-                "axial_position_m",
-                row.axial_position_m,
-                rule,
-            ));
+                format!("{most}, or left out: in motion every row has the balls of [bearing]");
+            return Err(InputError::rule("row_balls", balls as f64, rule));
         }
         if self.profile == Profile::Paper {
             let rule = "physical: the published equations are planar";

@@ -31,8 +31,10 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 /// it is [`BALL_IN_SPACE`] and [`RING_IN_SPACE`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
-    /// N.
+    /// N, of all rows.
     pub balls: usize,
+    /// Balls of a row.
+    row: usize,
     /// Length of one array over the balls.
     pub stride: usize,
     /// Coordinates of a ball.
@@ -53,7 +55,10 @@ impl Layout {
         let balls = case.bearing.balls();
         match &case.rotor {
             Some(_) => Self::with_rotor(balls),
-            None if case.moves_in_space() => Self::in_space(balls),
+            None if case.moves_in_space() => Self {
+                row: balls,
+                ..Self::in_space(case.balls())
+            },
             None => Self::new(balls),
         }
     }
@@ -75,12 +80,18 @@ impl Layout {
 
     /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
     pub fn side_by_side(self) -> Self {
-        Self::with_bodies(self.balls, [self.of_ball, self.bodies], BATCH_WIDTH)
+        Self {
+            row: self.row,
+            ..Self::with_bodies(self.balls, [self.of_ball, self.bodies], BATCH_WIDTH)
+        }
     }
 
     /// Layout for one such bearing alone.
     pub fn alone(self) -> Self {
-        Self::with_bodies(self.balls, [self.of_ball, self.bodies], 1)
+        Self {
+            row: self.row,
+            ..Self::with_bodies(self.balls, [self.of_ball, self.bodies], 1)
+        }
     }
 
     fn with_bodies(
@@ -90,6 +101,7 @@ impl Layout {
     ) -> Self {
         Self {
             balls,
+            row: balls,
             stride: (balls * width).next_multiple_of(LANES),
             of_ball,
             bodies,
@@ -224,6 +236,12 @@ impl Layout {
         }
     }
 
+    /// The ball ahead of ball `k` in its row.
+    #[inline]
+    pub fn next(&self, k: usize) -> usize {
+        next_in_row(k, self.row)
+    }
+
     /// Motion of ball `k` in a vector.
     pub fn ball_motion(&self, values: &[f64], k: usize) -> BallMotion {
         let at = |coordinate| values[self.ball(coordinate, k)];
@@ -294,6 +312,7 @@ impl Layout {
             values: &values[self.array(coordinate) + self.bearing..],
             step: self.width,
             count: self.balls,
+            row: self.row,
         }
     }
 
@@ -365,6 +384,16 @@ pub struct Balls<'a> {
     values: &'a [f64],
     step: usize,
     count: usize,
+    row: usize,
+}
+
+/// The ball ahead of ball `k`, which for the last of a row is its first.
+#[inline]
+fn next_in_row(k: usize, row: usize) -> usize {
+    match (k + 1).is_multiple_of(row) {
+        true => k + 1 - row,
+        false => k + 1,
+    }
 }
 
 impl<'a> Balls<'a> {
@@ -373,6 +402,21 @@ impl<'a> Balls<'a> {
     #[inline]
     pub fn len(&self) -> usize {
         self.count
+    }
+
+    /// The ball ahead of ball `k` in its row.
+    #[inline]
+    pub fn next(&self, k: usize) -> usize {
+        next_in_row(k, self.row)
+    }
+
+    /// The ball behind ball `k` in its row.
+    #[inline]
+    pub fn previous(&self, k: usize) -> usize {
+        match k.is_multiple_of(self.row) {
+            true => k + self.row - 1,
+            false => k - 1,
+        }
     }
 
     /// Ball by ball.

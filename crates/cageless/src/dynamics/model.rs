@@ -87,7 +87,10 @@ impl Model {
             d.outer_groove_bottom_radius_m,
             d.inner_groove_bottom_radius_m,
         ];
-        let balls: Vec<Ball> = (0..d.balls)
+        // Every row has the balls of the bearing.
+        let in_row = |k: usize| k % d.balls;
+        let balls: Vec<Ball> = (0..case.balls())
+            .map(in_row)
             .map(|k| {
                 let (ball, next) = (bearing.ball(k), bearing.ball((k + 1) % d.balls));
                 let [
@@ -124,10 +127,12 @@ impl Model {
             outer_ring: OuterRing::new(case.support.as_ref()),
             profile: case.profile,
             law: c.friction_law,
-            inertia: (0..d.balls)
-                .map(|k| bearing.ball(k).inertia_kg_m2)
+            inertia: (0..case.balls())
+                .map(|k| bearing.ball(in_row(k)).inertia_kg_m2)
                 .collect(),
-            pair_angle: (0..d.balls).map(|k| bearing.pair_angle_rad(k)).collect(),
+            pair_angle: (0..case.balls())
+                .map(|k| bearing.pair_angle_rad(in_row(k)))
+                .collect(),
             balls,
             unequal: !case.has_nominal_geometry(),
             flanks: case.flanks,

@@ -340,8 +340,8 @@ impl<'m> RightHandSide<'m> {
             rotation_rad_s: each(&|k| c.rotation_rad_s(k)),
             orbit_speed_rad_s: each(&|k| c.orbit_speed_rad_s(k)),
             gap_rad: each(&|k| {
-                let ahead = (k + 1) % n;
-                let turn = if ahead == 0 {
+                let ahead = layout.next(k);
+                let turn = if ahead <= k {
                     std::f64::consts::TAU
                 } else {
                     0.0

@@ -110,11 +110,12 @@ impl Equilibrium {
     /// # Errors
     /// [`EquilibriumError::BallsOverlap`] for the two that overlap most.
     pub(crate) fn check_balls_apart(&self, bearing: &Bearing) -> Result<(), EquilibriumError> {
-        let n = bearing.balls();
+        let (n, row) = (self.ball_angle_rad.len(), bearing.balls());
         let of = |k: usize| {
-            let next = (k + 1) % n;
+            let next = k - k % row + (k + 1) % row;
             let [a, b] = [k, next].map(|k| self.ball_distance_m[k]);
-            let reach = bearing.ball(k).radius_m + bearing.ball(next).radius_m;
+            let [own, ahead] = [k, next].map(|k| bearing.ball(k % row).radius_m);
+            let reach = own + ahead;
             // Balls at the angle of this cosine touch.
             let cosine = (a * a + b * b - reach * reach) / (2.0 * a * b);
             let angle = self.ball_angle_rad[next] - self.ball_angle_rad[k];
@@ -127,7 +128,7 @@ impl Equilibrium {
                 Err(EquilibriumError::BallsOverlap {
                     ball,
                     overlap_m,
-                    gap_rad: angle - bearing.pair_angle_rad(ball),
+                    gap_rad: angle - bearing.pair_angle_rad(ball % row),
                 })
             }
             _ => Ok(()),

@@ -12,6 +12,6 @@ section! {
         preload_um => preload_m: f64 = default(0.0), Micrometre; AtLeast(0.0),
             "preload by displacement of its outer ring against the contact sign", Absent;
         balls => balls: Option<usize> = Optional, Plain,
-            "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given", Absent;
+            "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always", Absent;
     }
 }

@@ -20,7 +20,7 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
         let distance = place.x.hypot(place.y);
         let direction = [place.x / distance, place.y / distance];
         let beyond = distance - ball.outer_orbit_radius;
-        let outer = match space.flanks_at(direction) {
+        let outer = match space.flanks_at(k, direction) {
             Some(here) => grooves.outer.touch_flanks(beyond, place.z, &here),
             None => grooves.outer.touch(beyond, place.z),
         };
@@ -31,7 +31,7 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
             + hertz::energy_j(ball.outer_stiffness_n_m1_5, outer.approach)
             + hertz::energy_j(ball.inner_stiffness_n_m1_5, inner.approach);
         if model.balls.len() > 1 {
-            let [next, ..] = ball_motion(layout, y, (k + 1) % model.balls.len());
+            let [next, ..] = ball_motion(layout, y, layout.next(k));
             let pair = ball.pair_distance - (next - place).norm();
             sum += hertz::energy_j(ball.pair_stiffness, pair);
         }

@@ -95,7 +95,7 @@ fn ball_pairs(
     let layout = model.layout;
     let mut deepest: f64 = 0.0;
     for k in 0..layout.balls {
-        let next = (k + 1) % layout.balls;
+        let next = layout.next(k);
         let ball = &model.balls[k];
         let place = |k: usize| {
             let at = |coordinate| y[layout.ball(coordinate, k)];

@@ -10,6 +10,8 @@ use crate::case::{Case, Tilt};
 pub(crate) struct BallInGrooves {
     pub outer: OuterGroove,
     pub inner: InnerGroove,
+    /// σ of its row, 1 or −1: the sections of its raceways are turned by σ αg.
+    pub contact_sign: f64,
     /// a of a contact under 1 N, m: outer, inner.
     pub half_length_m_n1_3: [f64; 2],
     /// κ of a contact, 1/m: outer, inner.
@@ -52,22 +54,25 @@ impl SpaceModel {
             d.inner_groove_curvature_radius_m,
         );
         let angle = bearing.contact_angle_rad();
-        let offset = bearing.groove_offset_m();
         let ellipses = bearing.contacts_at([angle; 2]);
-        let balls = (0..bearing.balls()).map(|k| {
-            let radius = bearing.ball(k).radius_m;
+        let rows = case.all_rows();
+        let balls = (0..case.balls()).map(|k| {
+            let row = &rows[k / bearing.balls()];
+            let radius = bearing.ball(k % bearing.balls()).radius_m;
+            let offset = row.contact_sign * bearing.groove_offset_m();
             BallInGrooves {
                 outer: OuterGroove {
                     gap: re - radius,
                     nominal_gap: re - d.ball_radius_m,
-                    axial: -offset,
+                    axial: -offset - (row.contact_sign * row.preload_m - row.axial_position_m),
                 },
                 inner: InnerGroove {
                     gap: ri - radius,
                     curvature: ri,
                     centre: d.inner_groove_bottom_radius_m + ri,
-                    axial: offset,
+                    axial: row.axial_position_m + offset,
                 },
+                contact_sign: row.contact_sign,
                 half_length_m_n1_3: [1, 0].map(|ring: usize| ellipses[ring].semi_axes_m(1.0)[1]),
                 curvature: [re, ri].map(|groove| 0.25 * (1.0 / radius + 1.0 / groove)),
             }
@@ -100,9 +105,10 @@ impl SpaceModel {
         })
     }
 
-    /// The flanks in the direction **e**; `None` outside the discrete raceways.
+    /// The flanks under ball `k` in the direction **e**; `None` outside the discrete raceways.
     #[inline]
-    pub fn flanks_at(&self, direction: [f64; 2]) -> Option<FlanksHere> {
-        self.flanks.iter().find_map(|flanks| flanks.at(direction))
+    pub fn flanks_at(&self, k: usize, direction: [f64; 2]) -> Option<FlanksHere> {
+        let here = self.flanks.iter().find_map(|flanks| flanks.at(direction));
+        here.map(|here| here.mirrored(self.balls[k].contact_sign))
     }
 }

@@ -52,7 +52,7 @@ pub(super) fn normal_contacts(
     }
     for lane in 0..LANES.min(layout.balls - block * LANES) {
         let direction = [results.polar.ex.0[lane], results.polar.ey.0[lane]];
-        if let Some(here) = space.flanks_at(direction) {
+        if let Some(here) = space.flanks_at(block * LANES + lane, direction) {
             let beyond = results.polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
             let groove = b.outer_groove.get(lane);
             outer.put(lane, groove.touch_flanks(beyond, place[2].0[lane], &here));

@@ -51,6 +51,17 @@ pub(crate) struct FlanksHere {
     depth: [f64; 2],
 }
 
+impl FlanksHere {
+    /// Those of a section that is turned to the other side where the sign is −1.
+    #[inline(always)]
+    pub fn mirrored(self, contact_sign: f64) -> Self {
+        Self {
+            sin_section: contact_sign * self.sin_section,
+            ..self
+        }
+    }
+}
+
 impl FlankModel {
     pub fn new(raceway: &Raceway, piece: &Piece) -> Self {
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();

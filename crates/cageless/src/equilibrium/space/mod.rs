@@ -113,19 +113,6 @@ pub fn forces_at_rest(case: &Case) -> Result<SpatialEquilibrium, EquilibriumErro
     solve(&still)
 }
 
-/// The rows of a case; that of a bearing without further rows in the middle plane.
-fn rows(case: &Case) -> Vec<Row> {
-    match case.rows.is_empty() {
-        false => case.rows.clone(),
-        true => vec![Row {
-            axial_position_m: 0.0,
-            contact_sign: 1.0,
-            preload_m: 0.0,
-            balls: None,
-        }],
-    }
-}
-
 /// ψ of the balls of a row, with the number of each in its row.
 fn row_angles_rad(case: &Case, row: &Row) -> Vec<f64> {
     match row.balls.filter(|n| *n != case.bearing.balls()) {
@@ -143,7 +130,7 @@ fn balance(case: &Case) -> LoadBalance {
     let bearing = &case.bearing;
     let d = bearing.dimensions();
     let mut balls = vec![];
-    for (number, row) in rows(case).iter().enumerate() {
+    for (number, row) in case.all_rows().iter().enumerate() {
         let offset = row.contact_sign * bearing.groove_offset_m();
         for (k, angle_rad) in row_angles_rad(case, row).into_iter().enumerate() {
             let ball = bearing.ball(k);
