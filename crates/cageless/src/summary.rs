@@ -155,7 +155,7 @@ impl Observer for SummaryRecorder {
         self.contact_counter = Some(ContactCounter::new(context.model));
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
-        self.peaks = Some(ContactPeakTracker::new(&case.bearing));
+        self.peaks = Some(ContactPeakTracker::new(case));
         self.case = Some(case.clone());
         Ok(())
     }
