@@ -25,7 +25,7 @@ pub(crate) fn about() -> Value {
             })
         })
         .collect();
-    let shapes = RacewayShape::without_profile();
+    let shapes = RacewayShape::by_dimensions();
     let shapes: Vec<&str> = shapes.map(RacewayShape::name).collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),

@@ -14,12 +14,12 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
 use crate::dynamics::Contacts;
 use crate::equilibrium::RacewayContact;
 use crate::kinematics::rolling_rotation_rad_s;
+use crate::raceway::Raceway;
 
 /// Peak loads of one kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -140,16 +140,20 @@ pub(crate) struct ContactPeakTracker {
     inner: Largest,
     outer: Largest,
     raceway: Largest,
+    /// Of one edge of every slot, with the place along the slot for the radius.
+    edges: Vec<(Raceway, Largest)>,
     balls: Largest,
 }
 
 impl ContactPeakTracker {
-    pub fn new(bearing: &Bearing) -> Self {
+    pub fn new(case: &Case) -> Self {
+        let slots = case.raceways.iter().filter(|r| r.slot().is_some());
         Self {
-            ball_radius_m: bearing.ball_radius_m(),
+            ball_radius_m: case.bearing.ball_radius_m(),
             inner: Largest::default(),
             outer: Largest::default(),
             raceway: Largest::default(),
+            edges: slots.map(|r| (r.clone(), Largest::default())).collect(),
             balls: Largest::default(),
         }
     }
@@ -168,6 +172,9 @@ impl ContactPeakTracker {
                     contacts.outer_sliding_m_s(k),
                     contacts.effective_radius_m(k),
                 );
+                if self.add_edge(contacts, k) {
+                    continue;
+                }
                 if radius < self.ball_radius_m {
                     // Two points share the force, Zhao 2022, Eq. (19).
                     let of_one = outer * self.ball_radius_m / (2.0 * radius);
@@ -177,6 +184,25 @@ impl ContactPeakTracker {
                 }
             }
         }
+    }
+
+    /// Takes the more loaded edge at a ball in a slot; whether it is in one.
+    fn add_edge(&mut self, contacts: &Contacts<'_>, k: usize) -> bool {
+        if self.edges.is_empty() {
+            return false;
+        }
+        let angle = contacts.angle_rad(k);
+        let found = self.edges.iter_mut().find(|(r, _)| r.contains(angle));
+        let (Some((raceway, largest)), Some(space)) = (found, contacts.in_space(k)) else {
+            return false;
+        };
+        let (local, point_n) = (raceway.local_angle_rad(angle), space.outer_point_n());
+        let ratio = raceway
+            .slot()
+            .map_or(1.0, |slot| slot.pressure_ratio(local));
+        let slip = contacts.outer_sliding_m_s(k);
+        largest.add(point_n, point_n * ratio.powi(3), slip, local);
+        true
     }
 
     /// Takes the contacts between balls, which last some tens of microseconds.
@@ -214,13 +240,23 @@ impl ContactPeakTracker {
                 contact.semi_axes_m(force_n)[0],
             ]
         };
+        let edges = self.edges.iter().filter_map(|(raceway, largest)| {
+            let slot = raceway.slot()?;
+            let edge = |force_n: f64, local: f64| {
+                let contact = slot.contact(local, bearing);
+                let axis = contact.semi_axes_m(force_n)[0];
+                [contact.peak_pressure_pa(force_n), axis]
+            };
+            Some(largest.peak(outer_friction, &edge, outer_m_s))
+        });
+        let outer = (self.outer.peak(outer_friction, &outer, outer_m_s)).or(self.raceway.peak(
+            outer_friction,
+            &outer,
+            outer_m_s,
+        ));
         ContactPeaks {
             inner: self.inner.peak(friction, &inner, inner_m_s),
-            outer: (self.outer.peak(outer_friction, &outer, outer_m_s)).or(self.raceway.peak(
-                outer_friction,
-                &outer,
-                outer_m_s,
-            )),
+            outer: edges.fold(outer, ContactPeak::or),
             balls: self.balls.peak(ball_friction, &between, ball_m_s),
         }
     }

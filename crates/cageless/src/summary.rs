@@ -158,7 +158,7 @@ impl Observer for SummaryRecorder {
         self.contact_counter = Some(ContactCounter::new(context.model));
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
-        self.peaks = Some(ContactPeakTracker::new(&case.bearing));
+        self.peaks = Some(ContactPeakTracker::new(case));
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
             .map(|k| rows[k / case.bearing.balls()].contact_sign)

@@ -40,6 +40,7 @@ mod recorder;
 mod rotor_damping;
 mod rotor_planes;
 mod search;
+mod slot;
 mod space;
 mod space_motion;
 mod space_rows;

@@ -77,6 +77,7 @@ fn a_ball_in_the_middle_of_a_section_in_space_is_that_of_the_plane() {
                 nominal_gap_m: nominal,
                 depth_error_m: depth_error,
                 depth_m: 0.0,
+                slot: None,
             }),
         };
         // From the place of a ball that touches the plain groove to that of one on the flanks.

@@ -102,6 +102,7 @@ fn errors_of_the_machine_average_out() {
             measured: Some(flanks),
             blend_m: 0.0,
             depth_m: 0.0,
+            edge_radius_m: 0.0,
         };
         let measured = Raceway::formed(dimensions, form, &case.bearing).unwrap();
         let miss = lag(&measured) - lag(raceway);

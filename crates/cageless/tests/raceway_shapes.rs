@@ -40,6 +40,7 @@ fn form(shape: RacewayShape, blend_m: f64) -> RacewayForm {
         measured: (shape == RacewayShape::Measured).then(paper),
         blend_m,
         depth_m: 0.0,
+        edge_radius_m: 0.0,
     }
 }
 
@@ -266,7 +267,7 @@ fn lags_are_integrals_of_the_flank_angle() {
                     .map(|ends| by_angle(ends[0], ends[1]))
                     .sum()
             }
-            RacewayShape::Ellipse => half(1, start),
+            RacewayShape::Ellipse | RacewayShape::Slot => half(1, start),
             RacewayShape::Shuttle => half(2, start),
         };
         let expected = 2.0 * (inner + by_angle(start, theta));

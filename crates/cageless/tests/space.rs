@@ -389,6 +389,7 @@ fn a_turned_section_without_flanks_is_the_plain_raceway() {
         nominal_gap_m: 0.19e-3,
         depth_error_m: 0.0,
         depth_m: 0.0,
+        slot: None,
     }));
     let nearly = section(Some(Flanks {
         angle_rad: 2e-5,
@@ -396,6 +397,7 @@ fn a_turned_section_without_flanks_is_the_plain_raceway() {
         nominal_gap_m: 0.19e-3,
         depth_error_m: 0.0,
         depth_m: 0.0,
+        slot: None,
     }));
     let plain = section(None);
     for place in [[3e-6, 5e-6], [1e-6, 60e-6], [8e-6, -20e-6]] {
@@ -423,6 +425,7 @@ fn joined_flanks_are_one_plain_contact_or_two_that_share_it() {
                 nominal_gap_m: g,
                 depth_error_m: 0.0,
                 depth_m: 0.0,
+                slot: None,
             }),
         };
         let (sin_t, cos_t) = turned.sin_cos();
@@ -476,6 +479,7 @@ fn the_gradient_of_the_joined_flanks_is_that_of_differences() {
                 nominal_gap_m: g,
                 depth_error_m: 0.0,
                 depth_m: 0.0,
+                slot: None,
             }),
         };
         let [u, zeta, psi] = Taylor::<3>::variables([u, zeta, psi]);

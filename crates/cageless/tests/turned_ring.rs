@@ -121,6 +121,7 @@ fn balls_feel_the_flanks_of_the_model() {
                     nominal_gap_m: gap_m,
                     depth_error_m: 0.0,
                     depth_m,
+                    slot: None,
                 }),
             };
             for (patch, side) in pair.iter().zip([1.0, -1.0]) {

@@ -112,6 +112,7 @@ impl Converter<'_> {
                 measured: raceway.measured,
                 blend_m: raceway.blend_m,
                 depth_m: raceway.depth_m,
+                edge_radius_m: raceway.edge_radius_m.unwrap_or(0.0),
             };
             Raceway::formed(dimensions, form, bearing)
                 .and_then(|made| made.with_depth_error(raceway.depth_error_m))

@@ -66,10 +66,11 @@ class Raceway(Section):
     axial_span_mm: Annotated[float | None, "lC, largest axial distance between the two contact points; that of a profile unless given, which stretches it"] = None
     half_angle_deg: Annotated[float | None, "θ, half the angle that the raceway takes up; that of a profile unless given, which stretches it"] = None
     centre_angle_deg: Annotated[float | None, "angular position of raceway centre"] = None
-    shape: Annotated[Literal["quartic", "ellipse", "shuttle", "steady", "measured"] | None, "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": that of the profile, all but the first only in \"physical\""] = None
+    shape: Annotated[Literal["quartic", "ellipse", "shuttle", "steady", "measured", "slot"] | None, "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": that of the profile, \"slot\": of a ball on the edges of a slot, all but the first only in \"physical\""] = None
     profile: Annotated[Sequence[Sequence[float]] | None, "measured flank angle over ψ from the middle of the raceway, of shape = \"measured\": 5 rows or more of one side or both up to the ends, where the angle is 0"] = None
     blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\""] = None
     depth_um: Annotated[float | None, "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\""] = None
+    edge_radius_mm: Annotated[float | None, "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run` and `compare`"] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None
     contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given"] = None
 

@@ -4,12 +4,13 @@ use super::{Case, Motion, Row, Tilt};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, positive};
 use crate::profile::Profile;
+use crate::raceway::Raceway;
 
 /// Largest tilt, rad: more is beyond all shoulders.
 const TILT_MAX_RAD: f64 = 0.1;
 
 /// Fields that can take a bearing out of its plane, in the order in which [`Case::spatial_field`] looks.
-pub const SPATIAL_FIELDS: [&str; 8] = [
+pub const SPATIAL_FIELDS: [&str; 9] = [
     "axial_load_n",
     "tilt_x_rad",
     "tilt_y_rad",
@@ -17,6 +18,7 @@ pub const SPATIAL_FIELDS: [&str; 8] = [
     "moment_y_n_m",
     "contact_angle_rad",
     "raceway_contact_angle_rad",
+    "edge_radius_m",
     "axial_position_m",
 ];
 
@@ -42,6 +44,8 @@ impl Case {
         let angle = self.bearing.contact_angle_rad();
         let turned = self.raceways.iter().map(|r| r.section_angle_rad());
         let turned = turned.map(|a| ("raceway_contact_angle_rad", a, a != 0.0));
+        let slots = self.raceways.iter().filter_map(Raceway::slot);
+        let slots = slots.map(|slot| ("edge_radius_m", slot.edge_radius_m(), true));
         let rows = self.rows.iter();
         let rows = rows.map(|row| ("axial_position_m", row.axial_position_m, true));
         [("axial_load_n", load.axial_load_n, load.axial_load_n != 0.0)]
@@ -49,6 +53,7 @@ impl Case {
             .chain(tilts)
             .chain([("contact_angle_rad", angle, angle != 0.0)])
             .chain(turned)
+            .chain(slots)
             .chain(rows)
             .find(|(_, _, given)| *given)
             .map(|(field, value, _)| (field, value))
@@ -106,6 +111,11 @@ impl Case {
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
+            if field == "edge_radius_m" {
+                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare` and \
+                            sweeps of static or run compute the edges of a slot";
+                return Err(InputError::rule(field, value, rule));
+            }
             let rule = "left out here: only `cageless static`, `run`, `compare`, sweeps of static or run, \
                         and `export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));

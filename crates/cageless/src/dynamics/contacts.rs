@@ -81,6 +81,13 @@ impl Contacts<'_> {
         outer_friction_n: outer_friction;
     }
 
+    /// ψ of ball `k`.
+    pub(crate) fn angle_rad(&self, k: usize) -> f64 {
+        let (block, lane) = self.place(k);
+        let polar = &self.work.blocks[block].polar;
+        polar.ex.0[lane].atan2(-polar.ey.0[lane])
+    }
+
     /// Whether any two balls touch.
     #[inline]
     pub fn balls_touch(&self) -> bool {

@@ -32,6 +32,7 @@ mod outline;
 mod piece;
 mod power_angle;
 mod shape;
+mod slot;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
@@ -53,6 +54,8 @@ use outline::Outline;
 pub(crate) use piece::Piece;
 pub(crate) use power_angle::PowerAngle;
 pub use shape::{RacewayForm, RacewayShape};
+use slot::SlotPlan;
+pub use slot::{Slot, SlotSection};
 
 /// The three numbers that a discrete raceway of any shape has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,6 +79,8 @@ pub struct Raceway {
     /// Re.
     groove_curvature_radius_m: f64,
     form: RacewayForm,
+    /// The slot, if it is one.
+    slot: Option<Slot>,
     /// Without blends, from the middle to the end.
     unblended: Vec<Piece>,
     /// From the middle to the end.
@@ -142,9 +147,17 @@ impl Raceway {
             axial_span_m: span,
             half_angle_rad: theta,
             measured: form.measured,
+            edge_radius_m: form.edge_radius_m,
             bearing,
         };
         let flanks = form.flanks(&outline)?;
+        let slot = match form.shape {
+            RacewayShape::Slot => {
+                let plan = SlotPlan::new(&outline)?;
+                Some(Slot::new(plan, form.edge_radius_m, bearing))
+            }
+            _ => None,
+        };
         let raceway = Self {
             dimensions,
             ball_radius_m: d.ball_radius_m,
@@ -154,6 +167,7 @@ impl Raceway {
                 blend_m: 0.0,
                 ..form
             },
+            slot,
             unblended: Piece::all(&flanks, theta, d.ball_radius_m),
             pieces: vec![],
             depth_error_m: 0.0,
@@ -174,8 +188,18 @@ impl Raceway {
             let allowed = Allowed::Between(0.0, room, why);
             return Err(InputError::new("depth_m", depth_m, allowed));
         }
+        self.check_no_slot("depth_m", depth_m)?;
         self.form.depth_m = depth_m;
         Ok(self)
+    }
+
+    /// Refuses what a slot has by its edges.
+    fn check_no_slot(&self, field: &'static str, value_m: f64) -> Result<(), InputError> {
+        if self.slot.is_none() || value_m == 0.0 {
+            return Ok(());
+        }
+        let rule = "0 with shape = \"slot\": depth and ends of a slot follow from its edges";
+        Err(InputError::rule(field, value_m, rule))
     }
 
     /// Raceway with its ends blended into the plain one over `blend_m` each, along the bottom of the
@@ -186,6 +210,7 @@ impl Raceway {
     /// steadily over it.
     pub fn with_blend(mut self, blend_m: f64) -> Result<Self, InputError> {
         not_negative("blend_m", blend_m)?;
+        self.check_no_slot("blend_m", blend_m)?;
         let theta = self.half_angle_rad();
         self.form.blend_m = blend_m;
         self.pieces = self.unblended.clone();
@@ -251,15 +276,19 @@ impl Raceway {
         self.depth_error_m * self.depth_share(angle_rad)[0]
     }
 
-    /// How much deeper a ball sits at ψ than on the plain raceway, m, and the slope over ψ, m/rad.
+    /// How much deeper a ball sits at ψ than on the plain raceway, m, and the slope over ψ, m/rad; in a
+    /// slot by how much it sinks.
     pub fn depth_at_m(&self, angle_rad: f64) -> [f64; 2] {
+        if let Some(slot) = &self.slot {
+            return slot.at(self.local_angle_rad(angle_rad)).sink_m;
+        }
         self.depth_share(angle_rad)
             .map(|share| self.form.depth_m * share)
     }
 
     /// Whether balls of the nominal radius sit as far out as on the plain raceway.
     pub(crate) fn is_flush(&self) -> bool {
-        self.depth_error_m == 0.0 && self.form.depth_m == 0.0
+        self.depth_error_m == 0.0 && self.form.depth_m == 0.0 && self.slot.is_none()
     }
 
     /// Raceway whose section is turned about the centre of the ball by αg towards +Z, as a bearing
@@ -375,6 +404,11 @@ impl Raceway {
     /// Shape, blend and depth.
     pub fn form(&self) -> RacewayForm {
         self.form
+    }
+
+    /// The slot, if the raceway is one.
+    pub fn slot(&self) -> Option<&Slot> {
+        self.slot.as_ref()
     }
 
     /// Local ψ at which the blend before +θ starts.

@@ -11,6 +11,8 @@ pub(super) struct Outline<'a> {
     pub half_angle_rad: f64,
     /// The shape of a measured ring, if the raceway has it.
     pub measured: Option<MeasuredFlanks>,
+    /// re of a slot, m.
+    pub edge_radius_m: f64,
     pub bearing: &'a Bearing,
 }
 

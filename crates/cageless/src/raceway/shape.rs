@@ -9,6 +9,7 @@ mod ellipse;
 mod measured;
 mod quartic;
 mod shuttle;
+mod slot;
 mod steady_angle;
 
 use super::MeasuredFlanks;
@@ -59,13 +60,15 @@ raceway_shapes! {
     Steady = "steady", steady_angle, "orbital speed that changes at a constant rate";
     /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
     Measured = "measured", measured, "that of the profile";
+    /// Balls roll on the two rounded edges of a slot, [`RacewayForm::edge_radius_m`], see [`super::Slot`].
+    Slot = "slot", slot, "of a ball on the edges of a slot";
 }
 
 impl RacewayShape {
-    /// Those that need no profile.
-    pub fn without_profile() -> impl Iterator<Item = Self> {
+    /// Those that lC and θ define alone.
+    pub fn by_dimensions() -> impl Iterator<Item = Self> {
         let all = Self::NAMES.iter().map(|&(_, shape)| shape);
-        all.filter(|shape| *shape != Self::Measured)
+        all.filter(|shape| !matches!(shape, Self::Measured | Self::Slot))
     }
 
     /// Its name.
@@ -89,6 +92,8 @@ pub struct RacewayForm {
     /// How much deeper a ball in the middle sits than on the plain raceway, along the axis of the
     /// section, m; the depth runs out to nothing at the ends, as [`super::Raceway::depth_at_m`].
     pub depth_m: f64,
+    /// re, radius of the rounded edges of a slot, m; of [`RacewayShape::Slot`] alone, else 0.
+    pub edge_radius_m: f64,
 }
 
 impl RacewayForm {
@@ -100,6 +105,10 @@ impl RacewayForm {
         if self.measured.is_some() && self.shape != RacewayShape::Measured {
             let rule = "left out, or shape = \"measured\"";
             return Err(InputError::rule("measured", f64::NAN, rule));
+        }
+        if (self.edge_radius_m != 0.0) != (self.shape == RacewayShape::Slot) {
+            let rule = "given with shape = \"slot\", and left out with any other";
+            return Err(InputError::rule("edge_radius_m", self.edge_radius_m, rule));
         }
         self.shape.flanks(outline)
     }

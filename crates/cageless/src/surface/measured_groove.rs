@@ -61,6 +61,9 @@ impl MeasuredGroove {
         let seen: Vec<_> = seen.filter(|point| point.local_rad.abs() < theta).collect();
         let count = seen.len();
         let refuse = |rule: &str| Err(InputError::rule("points", count as f64, rule));
+        if raceway.slot().is_some() {
+            return refuse("those of another shape: the edges of a slot are not fitted");
+        }
         if count < POINTS_MIN {
             return refuse("50 or more within the half angle of the raceway, or nothing is fitted");
         }

@@ -104,6 +104,14 @@ impl OuterRing {
         not_negative("blend_m", dimensions.blend_m)?;
         for raceway in raceways {
             raceway.fits(bearing)?;
+            if let Some(slot) = raceway.slot() {
+                let rule = "left out here: the ring of a slot is not made";
+                return Err(InputError::rule(
+                    "edge_radius_m",
+                    slot.edge_radius_m(),
+                    rule,
+                ));
+            }
         }
         apart(raceways)?;
         let d = bearing.dimensions();

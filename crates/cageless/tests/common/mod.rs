@@ -6,7 +6,7 @@ use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, FlankModel, FrictionLaw, FrictionParameters, Gaps,
     InnerRingBore, IntegrationMethod, Material, Motion, Operation, Output, Profile, Raceway,
-    RacewayDimensions, Rotor, Solver, SpatialLoad, Start, Support,
+    RacewayDimensions, RacewayForm, RacewayShape, Rotor, Solver, SpatialLoad, Start, Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -115,6 +115,24 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         limits: vec![],
         output: Output { interval_s: 1e-4 },
     }
+}
+
+/// The same with a slot at the bottom whose edges have a radius of 0.3 mm.
+#[allow(dead_code)]
+pub fn slotted() -> Case {
+    let case = conventional(dimensions());
+    let form = RacewayForm {
+        shape: RacewayShape::Slot,
+        edge_radius_m: 0.3e-3,
+        ..RacewayForm::default()
+    };
+    let dimensions = RacewayDimensions {
+        axial_span_m: 5.1e-3,
+        half_angle_rad: 25.2f64.to_radians(),
+        centre_angle_rad: 0.0,
+    };
+    let slot = Raceway::formed(dimensions, form, &case.bearing).unwrap();
+    case.with_raceways(vec![slot])
 }
 
 /// The same with a discrete raceway at the bottom.

@@ -34,7 +34,7 @@ impl Converter<'_> {
                 return Err(self.refuse("search.shapes", "\"own\" in the profile \"paper\""));
             }
             let own = case.raceway_form();
-            let others = RacewayShape::without_profile().filter(|shape| *shape != own.shape);
+            let others = RacewayShape::by_dimensions().filter(|shape| *shape != own.shape);
             request.forms.extend(others.map(|shape| RacewayForm {
                 shape,
                 measured: None,

@@ -63,7 +63,9 @@ pub(crate) struct SpaceBlock {
     pub inner_groove: InnerGrooveLanes,
     /// a of a contact over √δ, m^½: outer, inner.
     pub half_length_m1_2: [Lanes; 2],
-    /// κ of a contact, 1/m: outer, inner.
+    /// κ of a contact with the plain outer groove, 1/m.
+    pub groove_curvature: Lanes,
+    /// κ of a contact, 1/m: outer as of the last evaluation, inner.
     pub curvature: [Lanes; 2],
 
     // As of the last evaluation.
@@ -128,6 +130,7 @@ impl SpaceBlock {
             half_length_m1_2: of_rings(&|ring, k| {
                 space.balls[k].half_length_m_n1_3[ring] * stiffness(ring, k).cbrt()
             }),
+            groove_curvature: of_balls(&|k| space.balls[k].curvature[0], 0.0),
             curvature: of_rings(&|ring, k| space.balls[k].curvature[ring]),
             outer: OuterTouchLanes::ZERO,
             inner: InnerTouchLanes::ZERO,

@@ -28,7 +28,10 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
         let inner = grooves.inner.touch(from_ring, ring.axis.into());
         sum += 0.5 * ball.mass * velocity.norm_squared()
             + 0.5 * model.inertia[k] * rotation.norm_squared()
-            + hertz::energy_j(ball.outer_stiffness_n_m1_5, outer.approach)
+            + hertz::energy_j(
+                ball.outer_stiffness_n_m1_5 * outer.stiffness,
+                outer.approach,
+            )
             + hertz::energy_j(ball.inner_stiffness_n_m1_5, inner.approach);
         if model.balls.len() > 1 {
             let [next, ..] = ball_motion(layout, y, layout.next(k));

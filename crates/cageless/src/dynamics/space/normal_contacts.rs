@@ -64,6 +64,7 @@ pub(super) fn normal_contacts(
     let mut forces = [Lanes::ZERO; 3];
     let mut on_outer_ring = [Lanes::ZERO; 3];
     let (mut damping, mut outer_force) = (Lanes::ZERO, Lanes::ZERO);
+    let mut curvature = Lanes::ZERO;
     for lane in 0..LANES {
         let (ball, touch, polar) = (balls.get(lane), b.outer.get(lane), results.polar.get(lane));
         let mut rate = touch.slope * polar.orbit;
@@ -74,14 +75,18 @@ pub(super) fn normal_contacts(
         }
         let approach = positive(touch.approach);
         let contact = NormalForce::at_raceway(
-            ball.outer_stiffness_n_m1_5,
+            ball.outer_stiffness_n_m1_5 * touch.stiffness,
             ball.raceway_damping,
             approach,
             rate,
         );
-        let half_length = b.half_length_m1_2[0].0[lane] * approach.sqrt();
+        let root = approach.sqrt();
+        let half_length = b.half_length_m1_2[0].0[lane] * touch.half_length * root;
         let [along, across] = touch.resultant();
-        let turning = contact.force_n * touch.slope / polar.distance;
+        // Of ⅖ K δ^(5/2) both K and δ change with ψ.
+        let stiffening = ball.outer_stiffness_n_m1_5 * touch.stiffening;
+        let stiffening = 0.4 * stiffening * approach * approach * root;
+        let turning = (contact.force_n * touch.slope + stiffening) / polar.distance;
         let radial = contact.force_n * along;
         let on_ring = [
             radial * polar.ex - turning * polar.ey,
@@ -114,6 +119,7 @@ pub(super) fn normal_contacts(
         let in_contact = total > 0.0;
         let effective = if in_contact { resultant / total } else { 1.0 };
         results.geometry.effective_radius.0[lane] = ball.radius * effective;
+        curvature.0[lane] = b.groove_curvature.0[lane] + 0.25 * touch.curvature_change;
         results.outer.deflection.0[lane] = touch.approach;
         results.outer.force.0[lane] = contact.force_n * resultant;
         outer_force.0[lane] = contact.force_n;
@@ -125,6 +131,7 @@ pub(super) fn normal_contacts(
         damping.0[lane] = contact.damping_power_w;
     }
     (b.outer_force_n, b.outer_ring_force_n) = (outer_force, on_outer_ring);
+    b.curvature[0] = curvature;
 
     let axis = ring.axis.into();
     let (centre, tilting) = (ring.centre.into(), ring.tilting.into());

@@ -8,7 +8,7 @@ use std::f64::consts::LN_2;
 
 use crate::numerics::chebyshev::Polynomial;
 use crate::numerics::lanes::lane_struct;
-use crate::raceway::{Piece, Raceway};
+use crate::raceway::{Piece, Raceway, Slot, SlotSection};
 
 /// Flank angle below which the raceway is the plain groove, rad.
 const PLAIN_RAD: f64 = 1e-5;
@@ -34,6 +34,8 @@ pub(crate) struct FlankModel {
     depth_error: f64,
     /// How much deeper a ball in the middle sits than on the plain raceway, m.
     depth: f64,
+    /// The slot, if the raceway is one: all but the error follows from it.
+    slot: Option<Slot>,
 }
 
 /// The flanks at the ψ of a ball.
@@ -49,6 +51,8 @@ pub(crate) struct FlanksHere {
     error: [f64; 2],
     /// How much deeper a ball sits than on the plain raceway, m, and its slope over ψ.
     depth: [f64; 2],
+    /// The edges of a slot.
+    slot: Option<SlotSection>,
 }
 
 impl FlanksHere {
@@ -79,6 +83,7 @@ impl FlankModel {
             cos_section,
             depth_error: raceway.depth_error_m(),
             depth: raceway.form().depth_m,
+            slot: raceway.slot().cloned(),
         }
     }
 
@@ -120,10 +125,16 @@ impl FlankModel {
             return None;
         }
         let left = self.end - square;
-        let [value, rise] = self.angle.value_and_slope(square);
         let turning = 2.0 * sine * cosine;
-        let [power, fall] = self.power(left);
-        let angle = power * value;
+        let slot = self.slot.as_ref().map(|slot| slot.at(sine.asin()));
+        let [angle, slope] = match &slot {
+            Some(slot) => slot.angle_rad,
+            None => {
+                let [value, rise] = self.angle.value_and_slope(square);
+                let [power, fall] = self.power(left);
+                [power * value, (power * rise - fall * value) * turning]
+            }
+        };
         let share = left / self.end;
         let run_out = |depth: f64| {
             let slope = -2.0 * depth * share / self.end * turning;
@@ -131,11 +142,12 @@ impl FlankModel {
         };
         (angle > PLAIN_RAD).then_some(FlanksHere {
             angle,
-            slope: (power * rise - fall * value) * turning,
+            slope,
             sin_section: self.sin_section,
             cos_section: self.cos_section,
             error: run_out(self.depth_error),
-            depth: run_out(self.depth),
+            depth: slot.map_or_else(|| run_out(self.depth), |slot| slot.sink_m),
+            slot,
         })
     }
 }
@@ -178,6 +190,14 @@ lane_struct! {
         share_1,
         /// Its cube root.
         root_1,
+        /// K over that of the plain groove.
+        stiffness,
+        /// Its slope over ψ.
+        stiffening,
+        /// a/√δ over that of the plain groove, a the semi-axis across it.
+        half_length,
+        /// Curvature of the ring across the groove less that of the plain one, 1/m.
+        curvature_change,
     }
 }
 
@@ -216,6 +236,35 @@ fn approach([radial, axial]: [f64; 2], radius: f64) -> (f64, [f64; 2]) {
     )
 }
 
+/// Approach of a nominal ball at **x** from its place on both edges of a slot to one with the normal
+/// **n**c there, its normal, and the slope of the approach over ψ with **x** held.
+#[inline(always)]
+fn approach_to_edge(
+    x: [f64; 2],
+    [cos, sin]: [f64; 2],
+    slot: &SlotSection,
+    sign: f64,
+) -> (f64, [f64; 2], f64) {
+    let [curvature, bending] = slot.centre_curvature_per_m;
+    let along = x[0] * cos + x[1] * sin;
+    let square = x[0] * x[0] + x[1] * x[1];
+    let q = 1.0 + curvature * (2.0 * along + curvature * square);
+    // Near the centre there is no direction.
+    if q < 0.25 {
+        return (f64::NEG_INFINITY, [1.0, 0.0], 0.0);
+    }
+    let root = q.sqrt();
+    let delta = (2.0 * along + curvature * square) / (1.0 + root);
+    let normal = [cos, sin].map(|c| c / root);
+    let normal = [
+        normal[0] + curvature * x[0] / root,
+        normal[1] + curvature * x[1] / root,
+    ];
+    let turning = sign * slot.angle_rad[1] * (x[1] * cos - x[0] * sin);
+    let slope = (turning + 0.5 * bending * (square - delta * delta)) / root;
+    (delta, normal, slope)
+}
+
 impl OuterGroove {
     /// Contact of a ball `beyond` the place at which it touches the plain groove in its middle and
     /// at z, outside the discrete raceways.
@@ -229,6 +278,8 @@ impl OuterGroove {
             axial_0,
             share_0: 1.0,
             root_0: 1.0,
+            stiffness: 1.0,
+            half_length: 1.0,
             ..OuterTouch::default()
         }
     }
@@ -246,13 +297,26 @@ impl OuterGroove {
         for (k, sign) in [1.0, -1.0].into_iter().enumerate() {
             let cos_flank = here.cos_section * cos - sign * here.sin_section * sin;
             let sin_flank = here.sin_section * cos + sign * here.cos_section * sin;
-            let d = [
-                plain[0] + g * (cos_flank - here.cos_section) - depth * here.cos_section,
-                plain[1] + g * (sin_flank - here.sin_section) - depth * here.sin_section,
-            ];
-            (delta[k], normals[k]) = approach(d, self.gap + error);
+            let turned = if let Some(slot) = &here.slot {
+                let x = [
+                    plain[0] - (g + depth) * here.cos_section,
+                    plain[1] - (g + depth) * here.sin_section,
+                ];
+                let edge = approach_to_edge(x, [cos_flank, sin_flank], slot, sign);
+                let larger = g - self.gap - error;
+                (delta[k], normals[k]) = (edge.0 + larger, edge.1);
+                edge.2
+            } else {
+                let d = [
+                    plain[0] + g * (cos_flank - here.cos_section) - depth * here.cos_section,
+                    plain[1] + g * (sin_flank - here.sin_section) - depth * here.sin_section,
+                ];
+                (delta[k], normals[k]) = approach(d, self.gap + error);
+                let normal = normals[k];
+                -sign * g * here.slope * (normal[0] * sin_flank - normal[1] * cos_flank)
+            };
             let normal = normals[k];
-            slopes[k] = -sign * g * here.slope * (normal[0] * sin_flank - normal[1] * cos_flank)
+            slopes[k] = turned
                 - error_slope
                 - depth_slope * (normal[0] * here.cos_section + normal[1] * here.sin_section);
         }
@@ -268,6 +332,10 @@ impl OuterGroove {
             axial_1: normals[1][1],
             share_1: shares[1],
             root_1: shares[1].cbrt(),
+            stiffness: here.slot.map_or(1.0, |slot| slot.stiffness_ratio[0]),
+            stiffening: here.slot.map_or(0.0, |slot| slot.stiffness_ratio[1]),
+            half_length: here.slot.map_or(1.0, |slot| slot.half_length_ratio),
+            curvature_change: here.slot.map_or(0.0, |slot| slot.curvature_change_per_m),
         };
         let (most, least) = if delta[0] >= delta[1] { (0, 1) } else { (1, 0) };
         let mut shares = [0.0; 2];
@@ -276,7 +344,10 @@ impl OuterGroove {
             return touch(delta[most], slopes[most], shares);
         }
         // s = ln 2/(−ln cos αc).
-        let inverse = -cos.ln() / LN_2;
+        let inverse = match &here.slot {
+            Some(slot) => slot.inverse_exponent[0],
+            None => -cos.ln() / LN_2,
+        };
         let exponent = 1.0 / inverse;
         let log = (delta[least] / delta[most]).ln();
         let power = (log * exponent).exp();
@@ -285,93 +356,14 @@ impl OuterGroove {
         shares[most] = (-(1.0 - inverse) * joined).exp();
         shares[least] = shares[most] * ((exponent - 1.0) * log).exp();
         let by_exponent = effective * inverse * (power / (1.0 + power) * log - joined * inverse);
-        let exponent_slope = -exponent * exponent * (sin / cos) * here.slope / LN_2;
+        let exponent_slope = match &here.slot {
+            Some(slot) => -exponent * exponent * slot.inverse_exponent[1],
+            None => -exponent * exponent * (sin / cos) * here.slope / LN_2,
+        };
         let slope = shares[0] * slopes[0] + shares[1] * slopes[1] + by_exponent * exponent_slope;
         touch(effective, slope, shares)
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::common::structure;
-    use crate::equilibrium::space::outer_section::{Flanks, OuterSection};
-    use crate::numerics::taylor::Taylor;
-
-    fn direction(psi: f64) -> [f64; 2] {
-        [psi.sin(), -psi.cos()]
-    }
-
-    /// Over the whole raceway, on one flank and on both: approach and shares are those of the section
-    /// in equilibrium, the normals its gradient, the slope the derivative over ψ.
-    #[test]
-    fn contacts_are_those_of_the_section() {
-        let case = structure(5.1, 25.2);
-        for (turned, error, depth) in [
-            (0.0, 0.0, 0.0),
-            (0.1, 0.0, 0.0),
-            (0.0, 2e-6, 0.0),
-            (0.1, 1e-6, 3e-6),
-        ] {
-            let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
-            let raceway = raceway.with_depth(depth).unwrap();
-            let raceway = raceway.with_section_angle(turned, &case.bearing).unwrap();
-            let model = FlankModel::new(&raceway, &raceway.pieces()[0]);
-            let d = case.bearing.dimensions();
-            let gap = d.outer_groove_curvature_radius_m - d.ball_radius_m;
-            let groove = OuterGroove {
-                gap,
-                nominal_gap: gap,
-                axial: 0.0,
-            };
-            for psi in [-0.43, -0.3, 0.02, 0.2, 0.4395] {
-                let [flank, slope] = raceway.contact_angle_rad(psi);
-                for place in [[6e-6, 0.0], [6e-6, 3e-6], [8e-6, -30e-6], [5e-6, 80e-6]] {
-                    let at = |psi: f64, place: [f64; 2]| match model.at(direction(psi)) {
-                        Some(here) => groove.touch_flanks(place[0], place[1], &here),
-                        None => groove.touch(place[0], place[1]),
-                    };
-                    let touch = at(psi, place);
-                    let section = OuterSection {
-                        gap_m: gap,
-                        axial_m: 0.0,
-                        flanks: Some(Flanks {
-                            angle_rad: flank,
-                            section_angle_rad: turned,
-                            nominal_gap_m: gap,
-                            depth_error_m: raceway.depth_error_at_m(psi),
-                            depth_m: raceway.depth_at_m(psi)[0],
-                        }),
-                    };
-                    let [u, z, angle] = Taylor::variables([place[0], place[1], flank]);
-                    let Some(exact) = section.approach([u, z], angle) else {
-                        assert!(touch.approach <= 0.0);
-                        continue;
-                    };
-                    assert!(
-                        (touch.approach - exact.value).abs() < 1e-15,
-                        "{psi} {place:?}"
-                    );
-                    for axis in 0..2 {
-                        let found = touch.resultant()[axis];
-                        assert!(
-                            (found - exact.gradient[axis]).abs() < 1e-9,
-                            "{psi} {place:?}"
-                        );
-                    }
-                    let h = 1e-6;
-                    let across =
-                        (at(psi + h, place).approach - at(psi - h, place).approach) / (2.0 * h);
-                    assert!(
-                        (touch.slope - across).abs() < 1e-9,
-                        "{psi} {place:?} {} {across}",
-                        touch.slope
-                    );
-                    if [error, depth] == [0.0; 2] {
-                        assert!((touch.slope - exact.gradient[2] * slope).abs() < 1e-12);
-                    }
-                }
-            }
-        }
-    }
-}
+mod tests;

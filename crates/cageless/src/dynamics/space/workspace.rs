@@ -13,6 +13,8 @@ pub struct BallContacts {
     inner_force_n: [f64; 2],
     /// Force at the outer raceway along the radius and the axis, N.
     outer_force_n: [f64; 2],
+    /// Force of the more loaded of two contact points with the outer raceway, N.
+    outer_point_n: f64,
 }
 
 /// Angle of a force of a contact from the radius; NaN without one.
@@ -28,6 +30,11 @@ impl BallContacts {
     /// NaN without contact.
     pub fn inner_contact_angle_rad(&self) -> f64 {
         angle_rad(self.inner_force_n)
+    }
+
+    /// Normal force of the more loaded of the contact points with the outer raceway, N.
+    pub(crate) fn outer_point_n(&self) -> f64 {
+        self.outer_point_n
     }
 
     /// Angle of the force at the outer raceway, rad; NaN without contact.
@@ -66,6 +73,7 @@ impl SpaceWorkspace {
         BallContacts {
             inner_force_n: [inner.cosine, inner.sine].map(|part| part * inner_n),
             outer_force_n: outer.resultant().map(|part| part * outer_n),
+            outer_point_n: outer.share_0.max(outer.share_1) * outer_n,
         }
     }
 

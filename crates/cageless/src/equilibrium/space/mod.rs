@@ -36,6 +36,7 @@ use crate::error::InputError;
 use crate::kinematics::orbit_speed_in_space_rad_s;
 use crate::numerics::cholesky::solve as solve_equations;
 use crate::profile::Profile;
+use crate::raceway::Slot;
 use ball::{Ring, SpatialBall};
 use load_balance::{Balanced, LoadBalance};
 use outer_section::{Flanks, OuterSection, SectionContact};
@@ -147,7 +148,12 @@ fn balance(case: &Case) -> LoadBalance {
                 Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
                 Profile::Physical => 0.0,
             };
-            let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.ball_stiffness_n_m1_5(k);
+            let [inner_stiffness_n_m1_5, mut outer_stiffness_n_m1_5, _] =
+                case.ball_stiffness_n_m1_5(k);
+            let flanks = flanks(case, angle_rad, row.contact_sign);
+            if let Some(slot) = flanks.and_then(|flanks| flanks.slot) {
+                outer_stiffness_n_m1_5 *= slot.stiffness_ratio[0];
+            }
             balls.push(SpatialBall {
                 row: number,
                 angle_rad,
@@ -157,7 +163,7 @@ fn balance(case: &Case) -> LoadBalance {
                 outer: OuterSection {
                     gap_m: d.outer_groove_curvature_radius_m - ball.radius_m,
                     axial_m: -offset - row.contact_sign * row.preload_m,
-                    flanks: flanks(case, angle_rad, row.contact_sign),
+                    flanks,
                 },
                 axial_m: row.axial_position_m,
                 inner_gap_m: d.inner_groove_curvature_radius_m - ball.radius_m,
@@ -181,6 +187,12 @@ fn balance(case: &Case) -> LoadBalance {
     }
 }
 
+/// The slot at ψ, and ψ from its middle.
+fn slot(case: &Case, angle_rad: f64) -> Option<(&Slot, f64)> {
+    let raceway = case.raceways.iter().find(|r| r.contains(angle_rad))?;
+    Some((raceway.slot()?, raceway.local_angle_rad(angle_rad)))
+}
+
 /// Flanks of the raceway at ψ, in a row of this sign.
 fn flanks(case: &Case, angle_rad: f64, sign: f64) -> Option<Flanks> {
     let d = case.bearing.dimensions();
@@ -192,6 +204,7 @@ fn flanks(case: &Case, angle_rad: f64, sign: f64) -> Option<Flanks> {
         nominal_gap_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
         depth_error_m: raceway.depth_error_at_m(angle_rad),
         depth_m: raceway.depth_at_m(angle_rad)[0],
+        slot: slot(case, angle_rad).map(|(slot, local)| slot.at(local)),
     })
 }
 
@@ -254,9 +267,8 @@ fn follow_speeds(
     changed
 }
 
-/// Contact of a ball at an angle under a force.
-fn contact(contacts: &[PointContact; 2], ring: usize, force_n: f64) -> RacewayContact {
-    let contact = &contacts[ring];
+/// Contact of a ball under a force.
+fn contact(contact: &PointContact, force_n: f64) -> RacewayContact {
     RacewayContact {
         pressure_pa: contact.peak_pressure_pa(force_n),
         semi_axes_m: contact.semi_axes_m(force_n),
@@ -342,17 +354,22 @@ fn push_ball(
     let number = solved.row.len();
     let heavier = contacts.iter().max_by(|a, b| a.share.total_cmp(&b.share));
     let at = |angle: f64| bearing.contacts_at([if angle.is_nan() { 0.0 } else { angle }; 2]);
+    let slot = slot(case, ball.angle_rad).map(|(slot, local)| slot.contact(local, bearing));
+    let at_outer = |angle: f64, force_n: f64| match &slot {
+        Some(edge) => contact(edge, force_n),
+        None => contact(&at(angle)[1], force_n),
+    };
+    let at_inner = |angle: f64, force_n: f64| contact(&at(angle)[0], force_n);
     let rest = &mut solved.rest;
     rest.ball_angle_rad.push(ball.angle_rad);
     rest.ball_distance_m.push(ball.orbit_radius_m + place[0]);
     rest.effective_radius_m.push(arms[0]);
     rest.inner_force_n.push(inner_force);
     rest.outer_force_n.push(force * along.hypot(across));
-    rest.inner_contact
-        .push(contact(&at(inner_angle), 0, inner_force));
+    rest.inner_contact.push(at_inner(inner_angle, inner_force));
     rest.outer_contact.push(match heavier {
-        Some(one) => contact(&at(one.angle_rad), 1, force * one.share),
-        None => contact(&at(0.0), 1, 0.0),
+        Some(one) => at_outer(one.angle_rad, force * one.share),
+        None => at_outer(0.0, 0.0),
     });
     let share = |k: usize| contacts.get(k).map_or(0.0, |c| force * c.share);
     let towards_plus = contacts.len() != 1 || outer_angle >= 0.0 || ball.outer.flanks.is_none();
@@ -366,15 +383,16 @@ fn push_ball(
     solved.outer_contact_angle_rad.push(outer_angle);
     let orbit = orbit_speed_in_space_rad_s(bearing, speed, arms, rolling_angle);
     solved.orbit_speed_rad_s.push(orbit);
-    let on_groove = |ring: usize, angle_rad: f64, force_n: f64| GrooveContact {
+    let on_groove = |ring: usize, angle_rad: f64, contact: RacewayContact| GrooveContact {
         ball: number,
         ring,
         angle_rad,
-        reach_rad: contact(&at(angle_rad), ring, force_n).semi_axes_m[1] / ball.radius_m,
+        reach_rad: contact.semi_axes_m[1] / ball.radius_m,
     };
     let outer = contacts.iter();
-    let outer = outer.map(|c| on_groove(1, c.angle_rad, force * c.share));
-    let inner = (inner_force > 0.0).then(|| on_groove(0, inner_angle, inner_force));
+    let outer = outer.map(|c| on_groove(1, c.angle_rad, at_outer(c.angle_rad, force * c.share)));
+    let inner =
+        (inner_force > 0.0).then(|| on_groove(0, inner_angle, at_inner(inner_angle, inner_force)));
     outer.chain(inner).collect()
 }
 

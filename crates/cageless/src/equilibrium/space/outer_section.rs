@@ -10,7 +10,11 @@
 //!
 //!   δe = (δ₊ˢ + δ₋ˢ)^(1/s) (positive parts),   s = ln 2/(−ln cos αc):
 //!
-//! δ on one flank, δo of Zhao 2022, Eq. (19), where both are pressed in by δo cos αc.
+//! δ on one flank, δo of Zhao 2022, Eq. (19), where both are pressed in by δo cos αc. Edges of a slot
+//! have their own s and the curvature κg of the line that a ball's centre follows along an edge,
+//! 1/g at the groove. With **x** from B and **n**c = −(**C** − **B**)/g,
+//!
+//!   δ = (2 **x**·**n**c + κg x²)/(1 + √q) + R − Rw,   q = |**n**c + κg **x**|²,   **n** = (**n**c + κg **x**)/√q.
 //!
 //! ```
 //! use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
@@ -21,6 +25,7 @@
 //!     nominal_gap_m: 0.19e-3,
 //!     depth_error_m: 0.0,
 //!     depth_m: 0.0,
+//!     slot: None,
 //! };
 //! let section = OuterSection {
 //!     gap_m: 0.19e-3,
@@ -35,6 +40,7 @@
 use std::f64::consts::LN_2;
 
 use crate::numerics::taylor::Taylor;
+use crate::raceway::SlotSection;
 
 /// Flank angle below which the raceway is the plain groove, rad.
 const PLAIN_RAD: f64 = 1e-5;
@@ -54,6 +60,8 @@ pub struct Flanks {
     pub depth_error_m: f64,
     /// How much deeper the ball sits than on the plain raceway, along αg.
     pub depth_m: f64,
+    /// The edges of a slot, whose sink is the depth.
+    pub slot: Option<SlotSection>,
 }
 
 /// Section at a ball.
@@ -99,15 +107,51 @@ impl OuterSection {
         (d, self.gap_m + flanks.depth_error_m)
     }
 
-    /// δ of the groove or of a flank; `None` where it is open.
-    fn approach_to<const N: usize>(
+    /// δ of the groove or of a flank, and a vector along its **n**; `None` where it is open.
+    fn touch<const N: usize>(
         &self,
         place: [Taylor<N>; 2],
         flank: Option<(&Flanks, Taylor<N>, f64)>,
-    ) -> Option<Taylor<N>> {
-        let ([radial, axial], radius) = self.relative_to_centre(place, flank);
+    ) -> Option<(Taylor<N>, [Taylor<N>; 2])> {
+        if let Some((flanks, angle, sign)) = flank
+            && let Some(slot) = &flanks.slot
+        {
+            return self.touch_edge(place, flanks, slot, angle * sign);
+        }
+        let (d, radius) = self.relative_to_centre(place, flank);
+        let [radial, axial] = d;
         // Near the centre there is no direction.
-        (radial.value.hypot(axial.value) > radius).then(|| radial.hypot(axial) + -radius)
+        (radial.value.hypot(axial.value) > radius).then(|| (radial.hypot(axial) + -radius, d))
+    }
+
+    /// The same of an edge of a slot.
+    fn touch_edge<const N: usize>(
+        &self,
+        [beyond, axial]: [Taylor<N>; 2],
+        flanks: &Flanks,
+        slot: &SlotSection,
+        angle: Taylor<N>,
+    ) -> Option<(Taylor<N>, [Taylor<N>; 2])> {
+        let g = flanks.nominal_gap_m;
+        let (sin_g, cos_g) = flanks.section_angle_rad.sin_cos();
+        let back = g + flanks.depth_m;
+        let x = [
+            beyond + (self.gap_m - back * cos_g),
+            axial + -(self.axial_m + back * sin_g),
+        ];
+        let (sin, cos) = (angle + flanks.section_angle_rad).sin_cos();
+        let [curvature, _] = slot.centre_curvature_per_m;
+        let along = x[0] * cos + x[1] * sin;
+        let bent = (x[0] * x[0] + x[1] * x[1]) * curvature;
+        let q = (along * 2.0 + bent) * curvature + 1.0;
+        // Near the centre there is no direction.
+        if q.value < 0.25 {
+            return None;
+        }
+        let larger = g - self.gap_m - flanks.depth_error_m;
+        let delta = (along * 2.0 + bent) * (q.sqrt() + 1.0).recip() + larger;
+        let direction = [cos + x[0] * curvature, sin + x[1] * curvature];
+        (delta.value > 0.0).then_some((delta, direction))
     }
 
     /// δe of a ball at (u, ζ); `None` where nothing touches. `flank_angle` is αc, which may
@@ -117,15 +161,15 @@ impl OuterSection {
         place: [Taylor<N>; 2],
         flank_angle: Taylor<N>,
     ) -> Option<Taylor<N>> {
+        let approach = |flank| self.touch(place, flank).map(|(delta, _)| delta);
         let Some(flanks) = self
             .flanks
             .as_ref()
             .filter(|_| flank_angle.value > PLAIN_RAD)
         else {
-            return self.approach_to(place, None);
+            return approach(None);
         };
-        let [one, other] =
-            [1.0, -1.0].map(|sign| self.approach_to(place, Some((flanks, flank_angle, sign))));
+        let [one, other] = [1.0, -1.0].map(|sign| approach(Some((flanks, flank_angle, sign))));
         let (one, other) = match (one, other) {
             (Some(one), Some(other)) if one.value >= other.value => (one, other),
             (Some(one), Some(other)) => (other, one),
@@ -134,8 +178,10 @@ impl OuterSection {
         if other.value < OPEN * one.value {
             return Some(one);
         }
-        let (_, cos) = flank_angle.sin_cos();
-        let inverse = cos.ln() * (-1.0 / LN_2);
+        let inverse = match &flanks.slot {
+            Some(slot) => Taylor::constant(slot.inverse_exponent[0]),
+            None => flank_angle.sin_cos().1.ln() * (-1.0 / LN_2),
+        };
         let ratio = other * one.recip();
         let power = (ratio.ln() * inverse.recip()).exp();
         Some(one * (power.ln_1p() * inverse).exp())
@@ -145,8 +191,7 @@ impl OuterSection {
     pub fn contacts(&self, [beyond, axial]: [f64; 2]) -> Vec<SectionContact> {
         let place = [beyond, axial].map(Taylor::<0>::constant);
         let touching = |flank| {
-            let delta: Taylor<0> = self.approach_to(place, flank)?;
-            let ([radial, axial], _) = self.relative_to_centre(place, flank);
+            let (delta, [radial, axial]): (Taylor<0>, _) = self.touch(place, flank)?;
             Some((delta.value, axial.value.atan2(radial.value)))
         };
         let flanks = self.flanks.as_ref().filter(|f| f.angle_rad > PLAIN_RAD);
@@ -159,7 +204,10 @@ impl OuterSection {
         };
         let angle = Taylor::constant(flanks.angle_rad);
         let both = [1.0, -1.0].map(|sign| touching(Some((flanks, angle, sign))));
-        let s = LN_2 / -flanks.angle_rad.cos().ln();
+        let s = match &flanks.slot {
+            Some(slot) => 1.0 / slot.inverse_exponent[0],
+            None => LN_2 / -flanks.angle_rad.cos().ln(),
+        };
         let joined = self.approach(place, angle).map_or(0.0, |d| d.value);
         both.into_iter()
             .flatten()
