@@ -6,7 +6,7 @@ use super::coordinates::{BallCoordinate, RingCoordinate};
 use super::layout::Layout;
 use super::model::Model;
 use super::rotor::JournalCompliance;
-use super::space::{self, BallContacts, Bearing, Drive, SpaceWorkspace};
+use super::space::{self, BallContacts, Drive, SpaceWorkspace};
 use super::state::State;
 use crate::contact::JournalContact;
 use crate::integrator::{
@@ -174,7 +174,7 @@ impl<'m> RightHandSide<'m> {
             let b = (p, self.models[0], space, drive);
             return with_instructions!(
                 self.isa,
-                [](b: Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
+                [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
                 space::evaluate(b, (w, s), y, dydt, raceway_friction)
             );
         }
@@ -414,7 +414,7 @@ impl System for RightHandSide<'_> {
             let b = (p, self.models[0], space, drive);
             return with_instructions!(
                 self.isa,
-                [](b: Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
+                [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
                 space::add_implicit_friction(b, (w, s), h_s, y0, y, dydt)
             );
         }
