@@ -10,6 +10,6 @@ pub mod points;
 pub mod step;
 pub mod stl;
 
-pub use export::{Export, ExportError, ExportOptions, export, names_file};
+pub use export::{Export, ExportError, ExportOptions, blend_not_simulated, export, names_file};
 pub use format::Format;
 pub use numbers::{Counts, ExportNumbers};
