@@ -1,7 +1,6 @@
 //! The types of value that keys have.
 
 use cageless::contact::FrictionTable;
-use cageless::raceway::MeasuredFlanks;
 
 use super::declaration::Field;
 use super::error::CaseError;
@@ -189,16 +188,18 @@ impl Field for FrictionTable {
     }
 }
 
-impl Field for MeasuredFlanks {
+/// Rows of ψ and flank angle, rad.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FlankRows(pub Vec<[f64; 2]>);
+
+impl Field for FlankRows {
     const KIND: Kind = Kind::Rows("[ψ in deg, flank angle in deg]");
 
     fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
         let rows = pairs(reader, name, node, "rows of [ψ in deg, flank angle in deg]")?;
-        let rows: Vec<_> = rows
-            .iter()
-            .map(|row| row.map(|angle| Unit::Degree.to_si(angle)))
-            .collect();
-        Self::fit(&rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
+        let rows = rows.iter();
+        let rows = rows.map(|row| row.map(|angle| Unit::Degree.to_si(angle)));
+        Ok(Self(rows.collect()))
     }
 }
 

@@ -32,6 +32,7 @@ mod outline;
 mod piece;
 mod power_angle;
 mod shape;
+mod spline_flanks;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
@@ -53,6 +54,7 @@ use outline::Outline;
 pub(crate) use piece::Piece;
 pub(crate) use power_angle::PowerAngle;
 pub use shape::{RacewayForm, RacewayShape};
+pub use spline_flanks::SplineFlanks;
 
 /// The three numbers that a discrete raceway of any shape has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,6 +144,7 @@ impl Raceway {
             axial_span_m: span,
             half_angle_rad: theta,
             measured: form.measured,
+            spline: form.spline,
             bearing,
         };
         let flanks = form.flanks(&outline)?;

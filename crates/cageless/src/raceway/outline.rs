@@ -1,6 +1,6 @@
 //! Outline of a discrete raceway.
 
-use super::MeasuredFlanks;
+use super::{MeasuredFlanks, SplineFlanks};
 use crate::bearing::Bearing;
 
 /// What the flanks of a shape are laid out for.
@@ -11,6 +11,8 @@ pub(super) struct Outline<'a> {
     pub half_angle_rad: f64,
     /// The shape of a measured ring, if the raceway has it.
     pub measured: Option<MeasuredFlanks>,
+    /// The spline of the raceway, if it has one.
+    pub spline: Option<SplineFlanks>,
     pub bearing: &'a Bearing,
 }
 
