@@ -47,7 +47,7 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let (form, paper) = (file.case().raceway_form(), RacewayForm::default());
     let keys = [
         (SHAPE, form.shape != paper.shape),
-        ("profile", form.measured.is_some()),
+        ("profile", form.profile_rad().is_some()),
         (BLEND, form.blend_m != paper.blend_m),
         (DEPTH, form.depth_m != paper.depth_m),
     ];

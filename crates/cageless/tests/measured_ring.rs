@@ -100,9 +100,7 @@ fn errors_of_the_machine_average_out() {
         let form = RacewayForm {
             shape: RacewayShape::Measured,
             measured: Some(flanks),
-            blend_m: 0.0,
-            depth_m: 0.0,
-            edge_radius_m: 0.0,
+            ..RacewayForm::default()
         };
         let measured = Raceway::formed(dimensions, form, &case.bearing).unwrap();
         let miss = lag(&measured) - lag(raceway);

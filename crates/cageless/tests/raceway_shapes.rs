@@ -4,7 +4,7 @@ use cageless::design::{Eq11, theoretical_gap_rad};
 use cageless::kinematics::{raceway_delay_rad, rolling_orbit_speed_rad_s, speed_change_max};
 use cageless::numerics::random::RandomStream;
 use cageless::outer_contact_geometry::outer_contact_geometry;
-use cageless::raceway::MeasuredFlanks;
+use cageless::raceway::{MeasuredFlanks, SplineFlanks};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, run};
 use cageless::snapshot::Snapshot;
@@ -17,7 +17,7 @@ use cageless::{
 use crate::common::{STRUCTURES, complete, conventional, dimensions, steel, structure, undamped};
 
 /// Every shape with and without blends.
-fn forms() -> [RacewayForm; 10] {
+fn forms() -> [RacewayForm; 12] {
     [
         form(RacewayShape::Quartic, 0.0),
         form(RacewayShape::Quartic, 0.5e-3),
@@ -29,15 +29,19 @@ fn forms() -> [RacewayForm; 10] {
         form(RacewayShape::Steady, 0.5e-3),
         form(RacewayShape::Measured, 0.0),
         form(RacewayShape::Measured, 0.5e-3),
+        form(RacewayShape::Spline, 0.0),
+        form(RacewayShape::Spline, 0.5e-3),
     ]
 }
 
-/// A form; what is measured is a ring with the quartic path.
+/// A form; what is measured is a ring with the quartic path, through points of which a spline leads as well.
 fn form(shape: RacewayShape, blend_m: f64) -> RacewayForm {
-    let paper = || measured(&formed(&bearing(), RacewayForm::default(), 0.0), 40);
+    let paper = || formed(&bearing(), RacewayForm::default(), 0.0);
+    let spline = || SplineFlanks::through(&one_side(&paper(), 10)).unwrap();
     RacewayForm {
         shape,
-        measured: (shape == RacewayShape::Measured).then(paper),
+        measured: (shape == RacewayShape::Measured).then(|| measured(&paper(), 40)),
+        spline: (shape == RacewayShape::Spline).then(spline),
         blend_m,
         depth_m: 0.0,
         edge_radius_m: 0.0,
@@ -50,6 +54,11 @@ fn points(raceway: &Raceway, intervals: i32) -> Vec<[f64; 2]> {
     let at = |k: i32| theta * (f64::from(2 * k) / f64::from(intervals) - 1.0);
     let point = |psi: f64| [psi, raceway.contact_angle_rad(psi)[0]];
     (0..=intervals).map(|k| point(at(k))).collect()
+}
+
+/// ψ and αc at `intervals` + 1 places from the middle to an end.
+fn one_side(raceway: &Raceway, intervals: i32) -> Vec<[f64; 2]> {
+    points(raceway, 2 * intervals).split_off(intervals as usize)
 }
 
 fn measured(raceway: &Raceway, intervals: i32) -> MeasuredFlanks {
@@ -189,6 +198,7 @@ fn blends_are_smooth_at_both_ends() {
         RacewayShape::Shuttle,
         RacewayShape::Steady,
         RacewayShape::Measured,
+        RacewayShape::Spline,
     ] {
         let blend_m = 1e-3;
         let blended = formed(&bearing, form(shape, blend_m), 0.0);
@@ -259,7 +269,9 @@ fn lags_are_integrals_of_the_flank_angle() {
         };
         let start = raceway.blend_start_rad().unwrap_or(theta);
         let inner = match form.shape {
-            RacewayShape::Quartic | RacewayShape::Measured => by_angle(0.0, start),
+            RacewayShape::Quartic | RacewayShape::Measured | RacewayShape::Spline => {
+                by_angle(0.0, start)
+            }
             RacewayShape::Steady => {
                 let junctions = [0.0, 0.35 * theta, (0.9 * theta).min(start), start];
                 junctions
@@ -355,10 +367,12 @@ fn ledgers_close_to_second_order() {
     space.motion = Motion::Space;
     space.operation.space.axial_load_n = 100.0;
     let shuttle = form(RacewayShape::Shuttle, blend_m);
+    let spline = form(RacewayShape::Spline, blend_m);
     for (name, case) in [
         ("rigid", rigid),
         ("elastic", elastic(quartic)),
         ("shuttle", elastic(shuttle)),
+        ("spline", elastic(spline)),
         ("space", space),
     ] {
         let residuals = [1.0, 0.5, 0.25].map(|step_us| residual(&case, step_us));
@@ -468,6 +482,7 @@ fn points_of_every_shape_are_fitted() {
         let fit = measured(&raceway, 40);
         let allowed = match form.shape {
             RacewayShape::Quartic => 2e-6,
+            RacewayShape::Spline => 1e-4,
             RacewayShape::Steady => 1e-2,
             _ => 1e-12,
         };
@@ -574,7 +589,7 @@ fn points_that_cannot_be_are_refused() {
         good.iter().map(rising).collect(),
     ] {
         let error = MeasuredFlanks::fit(&rows).unwrap_err();
-        assert_eq!(error.field, "measured", "{rows:?}");
+        assert_eq!(error.field, "profile", "{rows:?}");
     }
     let dimensions = *formed(&bearing, RacewayForm::default(), 0.0).dimensions();
     for (shape, measured) in [
@@ -589,7 +604,60 @@ fn points_that_cannot_be_are_refused() {
             ..form(shape, 0.0)
         };
         let error = Raceway::formed(dimensions, form, &bearing).unwrap_err();
-        assert_eq!(error.field, "measured");
+        assert_eq!(error.field, "profile");
+    }
+}
+
+/// A spline meets its rows, is flat in the middle and lags like the path whose points they are, up to the kink
+/// at its ends.
+#[test]
+fn a_spline_leads_through_its_rows() {
+    let bearing = bearing();
+    let kinked = formed(&bearing, RacewayForm::default(), 0.0);
+    let rows = one_side(&kinked, 10);
+    let spline = form(RacewayShape::Spline, 0.0);
+    let raceway = formed(&bearing, spline, 0.0);
+    for [psi, angle] in &rows {
+        let [found, slope] = raceway.contact_angle_rad(*psi);
+        assert!((found - angle).abs() < 1e-15, "{psi}");
+        // No jumps of the slope or its slope.
+        let beside = [-1e-7, 1e-7].map(|step| raceway.contact_angle_rad(psi + step)[1]);
+        if (1e-6..raceway.half_angle_rad() - 1e-6).contains(psi) {
+            let bends = beside.map(|other| (other - slope).abs() * 1e7);
+            assert!((bends[0] - bends[1]).abs() < 1e-3, "{psi} {bends:?}");
+        }
+    }
+    assert_eq!(raceway.contact_angle_rad(0.0)[1], 0.0);
+    let miss = (lag(&raceway) - lag(&kinked)).to_degrees();
+    assert!(miss.abs() < 1e-3, "{miss}");
+    let [kink, own] = [&raceway, &kinked].map(|r| r.kink_angle_rad(0.78));
+    assert!((kink / own - 1.0).abs() < 0.01, "{kink} {own}");
+}
+
+/// What is no spline through rows of one side is refused with what is missing.
+#[test]
+fn splines_that_cannot_be_are_refused() {
+    let good = one_side(&formed(&bearing(), RacewayForm::default(), 0.0), 6);
+    let with = |index: usize, row: [f64; 2]| {
+        let mut rows = good.clone();
+        rows[index] = row;
+        rows
+    };
+    for (rows, rule) in [
+        (good[..4].to_vec(), "5 to 30 rows"),
+        (good.repeat(5), "5 to 30 rows"),
+        (good[..6].to_vec(), "to its end"),
+        (good[1..].to_vec(), "from the middle"),
+        (with(2, [0.1, 1.6]), "less than 90°"),
+        (with(2, [f64::NAN, 0.1]), "less than 90°"),
+        (with(2, [-0.1, 0.1]), "of one side"),
+        (with(2, good[1]), "less than before"),
+        (with(1, [0.07, 0.03]), "less than before"),
+        (with(3, [0.22, 0.299]), "falls as well"),
+    ] {
+        let error = SplineFlanks::through(&rows).unwrap_err();
+        assert_eq!(error.field, "profile");
+        assert!(error.to_string().contains(rule), "{rule}: {error} {rows:?}");
     }
 }
 

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use cageless::{Case, FlankModel, Material, Profile, SCOPE};
+use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument};
 use cageless_io::rotor_file::RotorFile;
 use cageless_results::number_text::significant;
@@ -69,8 +70,12 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         ),
         ("nominal gap 360°/N − ε", degrees(bearing.nominal_gap_rad())),
         ("motion", motion_text(file.case()).to_owned()),
-        ("steps of a run", steps_text(file.case())),
     ];
+    let blend_not_simulated = blend_not_simulated(file.case());
+    if let Some(sentence) = &blend_not_simulated {
+        lines.push(("blend of the exported ring", sentence.clone()));
+    }
+    lines.push(("steps of a run", steps_text(file.case())));
     let notes = check_warnings([file.case()]);
     let assumptions = file.assumptions();
     for assumption in &assumptions {
@@ -97,6 +102,8 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         assumptions: &'a [Assumption],
         scope: [&'static str; SCOPE.len()],
         motion: &'static str,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        blend_not_simulated: Option<String>,
         warnings: &'a [String],
     }
     let result = Checked {
@@ -109,6 +116,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
             true => "space",
             false => "plane",
         },
+        blend_not_simulated,
         warnings: &notes,
     };
     let text = pairs(&lines) + &warnings(&notes);

@@ -197,6 +197,9 @@ fn text(r: &ExportNumbers) -> String {
             ),
         ]);
     }
+    if let Some(sentence) = &r.blend_not_simulated {
+        lines.push(("blend", sentence.clone()));
+    }
     if r.contact_angle_deg.or(r.groove_centre_z_mm).is_some() {
         let numbers = [r.contact_angle_deg, r.groove_centre_z_mm].map(Option::unwrap_or_default);
         let [angle, height] = numbers;

@@ -9,9 +9,9 @@ use super::{points, step, stl};
 use crate::OptionError;
 use crate::case_file::{CaseError, CaseFile};
 use crate::results::{PartialFile, ResultError};
-use cageless::InputError;
 use cageless::error::Allowed;
 use cageless::surface::OuterRing;
+use cageless::{Case, InputError, Profile, Raceway};
 
 /// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
 const BLEND_MM: f64 = 0.5;
@@ -73,6 +73,7 @@ pub enum ExportError {
 #[derive(Debug)]
 pub struct Export {
     ring: OuterRing,
+    not_simulated: Option<String>,
     format: Format,
     contents: Contents,
 }
@@ -122,7 +123,9 @@ impl Export {
             }
         };
         let (format, size) = (self.format, counter.bytes);
-        Ok(ExportNumbers::new(ring, format, size, deviation_m, counts))
+        let mut numbers = ExportNumbers::new(ring, format, size, deviation_m, counts);
+        numbers.blend_not_simulated.clone_from(&self.not_simulated);
+        Ok(numbers)
     }
 }
 
@@ -145,6 +148,10 @@ impl Write for Counter<'_> {
 }
 
 impl ExportOptions {
+    fn blend_mm(&self, case: &Case) -> f64 {
+        self.blend_mm.unwrap_or_else(|| default_blend_mm(case))
+    }
+
     /// Refuses what goes with none of the formats.
     ///
     /// # Errors
@@ -183,19 +190,50 @@ pub fn export(
     let ring = outer_ring(file, options)?;
     let contents = contents(file, &ring, format, options)?;
     Ok(Export {
+        not_simulated: not_simulated(file.case(), options.blend_mm(file.case())),
         ring,
         format,
         contents,
     })
 }
 
+/// Raceways without a blend of their own.
+fn kinked(case: &Case) -> impl Iterator<Item = &Raceway> {
+    let raceways = case.raceways.iter();
+    raceways.filter(|raceway| raceway.form().blend_m == 0.0)
+}
+
+fn default_blend_mm(case: &Case) -> f64 {
+    let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
+    kinked(case)
+        .map(|raceway| BLEND_FRACTION * raceway.half_angle_rad() * bottom_m * 1e3)
+        .fold(BLEND_MM, f64::min)
+}
+
+/// A sentence about the blend that an export adds to the raceways of a case unless told otherwise, and that
+/// the case does not simulate; `None` if there is no such blend.
+pub fn blend_not_simulated(case: &Case) -> Option<String> {
+    not_simulated(case, default_blend_mm(case))
+}
+
+/// As [`blend_not_simulated`], of a given length.
+fn not_simulated(case: &Case, blend_mm: f64) -> Option<String> {
+    let added = blend_mm > 0.0 && kinked(case).next().is_some();
+    let mm = plain(blend_mm);
+    added.then(|| match case.profile {
+        Profile::Physical => format!(
+            "not simulated: raceway.blend_mm = {mm} simulates the raceway as `export` blends it"
+        ),
+        Profile::Paper => {
+            format!(
+                "not simulated: `export` blends the raceway over {mm} mm, the paper has no blend"
+            )
+        }
+    })
+}
+
 fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
     let case = file.case();
-    let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
-    let kinked = case.raceways.iter().filter(|r| r.form().blend_m == 0.0);
-    let share = kinked
-        .map(|r| BLEND_FRACTION * r.half_angle_rad() * bottom_m)
-        .fold(BLEND_MM * 1e-3, f64::min);
     if let Some(mm) = options.blend_mm
         && case.raceways.iter().any(|r| r.form().blend_m > 0.0)
     {
@@ -207,7 +245,7 @@ fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, Exp
         }
         .into());
     }
-    let blend_m = options.blend_mm.map_or(share, |mm| mm * 1e-3);
+    let blend_m = options.blend_mm(case) * 1e-3;
     let dimensions = file.outer_ring_dimensions(blend_m)?;
     OuterRing::of(case, dimensions).map_err(|error| {
         if error.field == "blend_m" {

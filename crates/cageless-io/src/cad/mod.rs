@@ -10,6 +10,6 @@ mod points;
 mod step;
 mod stl;
 
-pub use export::{Export, ExportError, ExportOptions, export, names_file};
+pub use export::{Export, ExportError, ExportOptions, blend_not_simulated, export, names_file};
 pub use format::Format;
 pub use numbers::{Counts, ExportNumbers};

@@ -20,6 +20,9 @@ pub struct ExportNumbers {
     pub deviation_um: f64,
     /// Length of the blends; 0 for none.
     pub blend_mm: f64,
+    /// What to set for the case to simulate the blend; `None` if it does or there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blend_not_simulated: Option<String>,
     /// Largest distance between the blended surface and the one designed.
     pub blend_deviation_um: f64,
     /// Angle left between the normals at an end of a raceway, 45° up the groove; 0 if
@@ -126,6 +129,7 @@ impl ExportNumbers {
             volume_mm3: ring.volume_m3() * 1e9,
             deviation_um: deviation_m * 1e6,
             blend_mm,
+            blend_not_simulated: None,
             blend_deviation_um: ring.blend_deviation_m() * 1e6,
             slope_discontinuity_45_deg,
             slope_discontinuity_shoulder_deg,

@@ -7,7 +7,6 @@ mod search;
 mod start;
 
 use cageless::design::search::Request;
-use cageless::raceway::MeasuredFlanks;
 use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
@@ -20,6 +19,7 @@ use cageless_results::{DROP, Kind, SUCCESSION};
 use super::converter::Converter;
 use super::document::CaseDocument;
 use super::error::CaseError;
+use super::fields::FlankRows;
 use super::format::nearest;
 use super::sections::CaseSections;
 use super::spanned_toml::{join, nth};
@@ -94,25 +94,31 @@ impl Converter<'_> {
     fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, CaseError> {
         let raceways = self.sections.raceway.iter().enumerate();
         let raceways = raceways.map(|(index, raceway)| {
-            let own = raceway.measured.as_ref();
+            let section = nth("raceway", index, self.sections.raceway.len());
+            let mut form = RacewayForm {
+                shape: raceway.shape,
+                blend_m: raceway.blend_m,
+                depth_m: raceway.depth_m,
+                edge_radius_m: raceway.edge_radius_m.unwrap_or(0.0),
+                ..RacewayForm::default()
+            };
+            if let Some(FlankRows(rows)) = &raceway.profile {
+                let key = join(&section, "profile");
+                form = form
+                    .with_profile(rows)
+                    .map_err(|e| self.refuse(&key, &e.allowed.to_string()))?;
+            }
             let given = |value: Option<f64>, name: &str, own: Option<f64>| {
-                let section = nth("raceway", index, self.sections.raceway.len());
                 let missing = || self.missing(&section, name);
                 value.or(own).ok_or_else(missing)
             };
-            let span = own.map(|own| own.axial_span_m(bearing.ball_radius_m()));
-            let half_angle = own.map(MeasuredFlanks::half_angle_rad);
+            let own = form.profile_rad();
+            let span = own.map(|[middle, _]| 2.0 * bearing.ball_radius_m() * middle.sin());
+            let half_angle = own.map(|[_, theta]| theta);
             let dimensions = RacewayDimensions {
                 axial_span_m: given(raceway.axial_span_m, "axial_span_mm", span)?,
                 half_angle_rad: given(raceway.half_angle_rad, "half_angle_deg", half_angle)?,
                 centre_angle_rad: raceway.centre_angle_rad,
-            };
-            let form = RacewayForm {
-                shape: raceway.shape,
-                measured: raceway.measured,
-                blend_m: raceway.blend_m,
-                depth_m: raceway.depth_m,
-                edge_radius_m: raceway.edge_radius_m.unwrap_or(0.0),
             };
             Raceway::formed(dimensions, form, bearing)
                 .and_then(|made| made.with_depth_error(raceway.depth_error_m))

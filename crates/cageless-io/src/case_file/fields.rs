@@ -1,7 +1,6 @@
 //! The types of value that keys have.
 
 use cageless::contact::FrictionTable;
-use cageless::raceway::MeasuredFlanks;
 
 use super::declaration::{Field, field};
 use super::error::CaseError;
@@ -144,13 +143,16 @@ field!(FrictionTable, Kind::Rows(FRICTION), |reader, name, node| {
     Self::new(rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
 });
 
+/// Rows of ψ and flank angle, rad.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FlankRows(pub Vec<[f64; 2]>);
+
 const FLANK: &str = "[ψ in deg, flank angle in deg]";
 
-field!(MeasuredFlanks, Kind::Rows(FLANK), |reader, name, node| {
+field!(FlankRows, Kind::Rows(FLANK), |reader, name, node| {
     let rows = pairs(reader, name, node, FLANK)?.into_iter();
     let rows = rows.map(|row| row.map(|angle| Unit::Degree.to_si(angle)));
-    let rows: Vec<_> = rows.collect();
-    Self::fit(&rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
+    Ok(Self(rows.collect()))
 });
 
 /// Rows of two plain numbers.

@@ -51,6 +51,11 @@ class Export:
         return float(self.values[0]["blend_mm"])
 
     @property
+    def blend_not_simulated(self) -> str | None:
+        """What to set for the case to simulate the blend; ``None`` if it does or there is none."""
+        return self.values[0].get("blend_not_simulated")
+
+    @property
     def blend_deviation_um(self) -> float:
         """Largest distance between the blended surface and the one designed."""
         return float(self.values[0]["blend_deviation_um"])

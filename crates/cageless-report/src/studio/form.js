@@ -13,7 +13,7 @@ class Form {
     });
     this.group("Raceway").append(element("div", { class: "control choice" }, element("label", { for: "studio-shape" }, "Shape"), this.shape));
     studio.about.then((about) => {
-      this.shape.append(...about.shapes.map((name) => element("option", { value: name }, name)), element("option", { value: "measured", disabled: true }, "measured, as in the file"));
+      this.shape.append(...about.shapes.map((name) => element("option", { value: name }, name)), ...["measured", "spline"].map((name) => element("option", { value: name, disabled: true }, name + ", as in the file")));
       if (studio.g) this.show(studio.g);
     }, () => {});
     this.materials = MATERIAL_PARTS.map((part) => new MaterialChoice(studio, part));

@@ -44,6 +44,10 @@ pub struct RightHandSide<'m> {
 /// and has the same bits.
 macro_rules! with_instructions {
     ($isa:expr, [$($generics:tt)*]($($argument:ident: $type:ty),*) $(-> $output:ty)?, $call:expr) => {{
+        #[inline(always)]
+        fn baseline<$($generics)*>($($argument: $type),*) $(-> $output)? {
+            $call
+        }
         #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
         #[target_feature(enable = "avx2")]
         fn avx2<$($generics)*>($($argument: $type),*) $(-> $output)? {
@@ -55,7 +59,7 @@ macro_rules! with_instructions {
             $call
         }
         match $isa {
-            InstructionSet::Baseline => $call,
+            InstructionSet::Baseline => baseline($($argument),*),
             // SAFETY: `RightHandSide::build` admits only what the processor has.
             #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
             InstructionSet::Avx2 => unsafe { avx2($($argument),*) },
@@ -63,7 +67,7 @@ macro_rules! with_instructions {
             #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
             InstructionSet::Avx512 => unsafe { avx512($($argument),*) },
             #[cfg(any(not(target_arch = "x86_64"), test, debug_assertions))]
-            _ => $call,
+            _ => baseline($($argument),*),
         }
     }};
 }

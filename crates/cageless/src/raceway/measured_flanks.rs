@@ -54,10 +54,10 @@ impl MeasuredFlanks {
     /// ends ±θ are the rows farthest from the middle and have αc = 0.
     ///
     /// # Errors
-    /// An [`InputError`] of `measured` if there are fewer than 5 rows or more than 20 000, the farthest
+    /// An [`InputError`] of `profile` if there are fewer than 5 rows or more than 20 000, the farthest
     /// has another αc than 0, or no function that falls steadily comes near the points.
     pub fn fit(rows: &[[f64; 2]]) -> Result<Self, InputError> {
-        let refuse = |value: f64, rule: &str| Err(InputError::rule("measured", value, rule));
+        let refuse = |value: f64, rule: &str| Err(InputError::rule("profile", value, rule));
         let [least, most] = POINTS;
         if !(least..=most).contains(&rows.len()) {
             let rule = format!("{least} to {most} rows of ψ and flank angle");

@@ -33,6 +33,7 @@ mod piece;
 mod power_angle;
 mod shape;
 mod slot;
+mod spline_flanks;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
@@ -56,6 +57,7 @@ pub(crate) use power_angle::PowerAngle;
 pub use shape::{RacewayForm, RacewayShape};
 use slot::SlotPlan;
 pub use slot::{Slot, SlotSection};
+pub use spline_flanks::SplineFlanks;
 
 /// The three numbers that a discrete raceway of any shape has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,6 +150,7 @@ impl Raceway {
             half_angle_rad: theta,
             measured: form.measured,
             edge_radius_m: form.edge_radius_m,
+            spline: form.spline,
             bearing,
         };
         let flanks = form.flanks(&outline)?;

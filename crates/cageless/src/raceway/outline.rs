@@ -1,6 +1,6 @@
 //! Outline of a discrete raceway.
 
-use super::MeasuredFlanks;
+use super::{MeasuredFlanks, SplineFlanks};
 use crate::bearing::Bearing;
 
 /// What the flanks of a shape are laid out for.
@@ -13,6 +13,8 @@ pub(super) struct Outline<'a> {
     pub measured: Option<MeasuredFlanks>,
     /// re of a slot, m.
     pub edge_radius_m: f64,
+    /// The spline of the raceway, if it has one.
+    pub spline: Option<SplineFlanks>,
     pub bearing: &'a Bearing,
 }
 

@@ -10,11 +10,12 @@ mod measured;
 mod quartic;
 mod shuttle;
 mod slot;
+mod spline;
 mod steady_angle;
 
-use super::MeasuredFlanks;
 use super::flank_angle::Flanks;
 use super::outline::Outline;
+use super::{MeasuredFlanks, SplineFlanks};
 use crate::error::InputError;
 
 /// Declares the list of shapes and what follows from it: the name of each in files, its module with
@@ -59,7 +60,9 @@ raceway_shapes! {
     /// friction is asked for evenly.
     Steady = "steady", steady_angle, "orbital speed that changes at a constant rate";
     /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
-    Measured = "measured", measured, "that of the profile";
+    Measured = "measured", measured, "fitted to the profile";
+    /// A spline through given angles, [`RacewayForm::spline`].
+    Spline = "spline", spline, "a spline through the rows of the profile";
     /// Balls roll on the two rounded edges of a slot, [`RacewayForm::edge_radius_m`], see [`super::Slot`].
     Slot = "slot", slot, "of a ball on the edges of a slot";
 }
@@ -68,7 +71,7 @@ impl RacewayShape {
     /// Those that lC and θ define alone.
     pub fn by_dimensions() -> impl Iterator<Item = Self> {
         let all = Self::NAMES.iter().map(|&(_, shape)| shape);
-        all.filter(|shape| !matches!(shape, Self::Measured | Self::Slot))
+        all.filter(|shape| !matches!(shape, Self::Measured | Self::Spline | Self::Slot))
     }
 
     /// Its name.
@@ -86,6 +89,8 @@ pub struct RacewayForm {
     /// The shape of a measured ring, stretched to the lC and θ of the raceway; of
     /// [`RacewayShape::Measured`] alone.
     pub measured: Option<MeasuredFlanks>,
+    /// The spline, stretched to the lC and θ of the raceway; of [`RacewayShape::Spline`] alone.
+    pub spline: Option<SplineFlanks>,
     /// Length of the blend before each end along the bottom of the groove, m; 0 leaves the end as the
     /// shape has it.
     pub blend_m: f64,
@@ -97,14 +102,41 @@ pub struct RacewayForm {
 }
 
 impl RacewayForm {
-    /// The flanks of the form in an outline, which has its measured shape.
+    /// The form with the rows of ψ and αc, in rad, that its shape needs.
+    ///
+    /// # Errors
+    /// An [`InputError`] of `profile` if the shape needs none, or as [`MeasuredFlanks::fit`] and
+    /// [`SplineFlanks::through`].
+    pub fn with_profile(self, rows: &[[f64; 2]]) -> Result<Self, InputError> {
+        match self.shape {
+            RacewayShape::Measured => Ok(Self {
+                measured: Some(MeasuredFlanks::fit(rows)?),
+                ..self
+            }),
+            RacewayShape::Spline => Ok(Self {
+                spline: Some(SplineFlanks::through(rows)?),
+                ..self
+            }),
+            _ => Err(no_profile()),
+        }
+    }
+
+    /// α0 and θ of its profile.
+    pub fn profile_rad(&self) -> Option<[f64; 2]> {
+        let measured = self.measured.map(|m| [m.middle_rad(), m.half_angle_rad()]);
+        let spline = self.spline.map(|s| [s.middle_rad(), s.half_angle_rad()]);
+        measured.or(spline)
+    }
+
+    /// The flanks of the form in an outline, which has its profile.
     ///
     /// # Errors
     /// An [`InputError`] if the bearing cannot carry them or the form has what is not its shape's.
     pub(super) fn flanks(&self, outline: &Outline<'_>) -> Result<Flanks, InputError> {
-        if self.measured.is_some() && self.shape != RacewayShape::Measured {
-            let rule = "left out, or shape = \"measured\"";
-            return Err(InputError::rule("measured", f64::NAN, rule));
+        let other = (self.measured.is_some() && self.shape != RacewayShape::Measured)
+            || (self.spline.is_some() && self.shape != RacewayShape::Spline);
+        if other {
+            return Err(no_profile());
         }
         if (self.edge_radius_m != 0.0) != (self.shape == RacewayShape::Slot) {
             let rule = "given with shape = \"slot\", and left out with any other";
@@ -112,4 +144,10 @@ impl RacewayForm {
         }
         self.shape.flanks(outline)
     }
+}
+
+/// A profile with a shape that has none.
+fn no_profile() -> InputError {
+    let rule = "left out, or shape = \"measured\" or \"spline\"";
+    InputError::rule("profile", f64::NAN, rule)
 }

@@ -38,6 +38,7 @@ impl Converter<'_> {
             request.forms.extend(others.map(|shape| RacewayForm {
                 shape,
                 measured: None,
+                spline: None,
                 ..own
             }));
         }

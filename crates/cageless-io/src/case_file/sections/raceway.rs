@@ -1,9 +1,9 @@
 //! `[raceway]`.
 
 use cageless::RacewayShape;
-use cageless::raceway::MeasuredFlanks;
 
 use crate::case_file::declaration::prelude::*;
+use crate::case_file::fields::FlankRows;
 
 section! {
     /// `[raceway]`: a discrete raceway.
@@ -19,10 +19,10 @@ section! {
             Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
         shape => shape: RacewayShape = default(RacewayShape::Quartic.name()), Plain,
             RacewayShape::DESCRIPTION,
-            Commented("\"quartic\"", "path of the paper; \"ellipse\", \"shuttle\", \"steady\" or\n\
-                \"measured\" (with profile = [[ψ in deg, angle in deg], …])");
-        profile => measured: Option<MeasuredFlanks> = Optional, Plain,
-            "measured flank angle over ψ from the middle of the raceway, of shape = \"measured\": 5 rows or more of one side or both up to the ends, where the angle is 0", Absent;
+            Commented("\"quartic\"", "path of the paper; \"ellipse\", \"shuttle\", \"steady\",\n\
+                \"measured\" or \"spline\" (profile = [[ψ, angle in deg], …])");
+        profile => profile: Option<FlankRows> = Optional, Plain,
+            "flank angle over ψ from the middle of the raceway up to the ends, where it is 0: of shape = \"measured\", fitted to 5 rows or more of one side or both; of shape = \"spline\", met by 5 to 30 rows of one side from the middle, ψ = 0", Absent;
         blend_mm => blend_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
             "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\"",
             Commented("0.0", "length of the blend before each end; 0: ends as the shape has them");

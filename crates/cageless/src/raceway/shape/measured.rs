@@ -8,7 +8,7 @@ use crate::raceway::outline::Outline;
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
     let Some(measured) = outline.measured else {
         let rule = "given with shape = \"measured\"";
-        return Err(InputError::rule("measured", f64::NAN, rule));
+        return Err(InputError::rule("profile", f64::NAN, rule));
     };
     Ok(measured.scaled(outline.middle_rad(), outline.half_angle_rad))
 }
