@@ -139,7 +139,7 @@ impl RacewayForm {
             return Err(no_profile());
         }
         if (self.edge_radius_m != 0.0) != (self.shape == RacewayShape::Slot) {
-            let rule = "given with shape = \"slot\", and left out with any other";
+            let rule = "above 0 with shape = \"slot\", and left out with any other";
             return Err(InputError::rule("edge_radius_m", self.edge_radius_m, rule));
         }
         self.shape.flanks(outline)
