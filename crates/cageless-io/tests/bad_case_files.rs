@@ -131,7 +131,7 @@ const EDITS: &[Row] = &[
     ("[raceway]", "[[raceway]]\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["missing in [raceway]"]),
     ("# shape = \"quartic\"", "shape = \"slot\"", "raceway.edge_radius_mm", &["missing in [raceway]", "above 0 with shape = \"slot\""]),
     ("# shape = \"quartic\"", "edge_radius_mm = 0.3", "raceway.edge_radius_mm", &["left out with any other"]),
-    ("# shape = \"quartic\"", "shape = \"slot\"\nedge_radius_mm = 0.0", "raceway.edge_radius_mm", &["= 0 mm", "above 0 with shape"]),
+    ("# shape = \"quartic\"", "shape = \"slot\"\nedge_radius_mm = 0.0", "raceway.edge_radius_mm", &["more than 0"]),
     ("# shape = \"quartic\"", "shape = \"measured\"", "raceway.profile", &["missing in [raceway]", "given with shape = \"measured\""]),
     ("# shape = \"quartic\"", "profile = [[0, 20], [5, 19], [10, 16], [15, 12], [20, 7], [25, 0]]", "raceway.profile", &["left out, or shape = \"measured\" or \"spline\""]),
     ("# shape = \"quartic\"", "shape = \"spline\"\nprofile = [[0, 20], [25, 0]]", "raceway.profile", &["5 to 30 rows of ψ and flank angle"]),

@@ -20,7 +20,7 @@ pub fn line(name: &str, x: &[f64], y: &[f64], colour: &str) -> Trace {
     }))
 }
 
-/// [`line`] through thinned points.
+/// [`line()`] through thinned points.
 pub fn line_of(name: &str, (x, y): (Vec<f64>, Vec<f64>), colour: &str) -> Trace {
     line(name, &x, &y, colour)
 }

@@ -59,6 +59,7 @@ macro_rules! with_instructions {
             $call
         }
         match $isa {
+            #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
             InstructionSet::Baseline => baseline($($argument),*),
             // SAFETY: `RightHandSide::build` admits only what the processor has.
             #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]

@@ -140,7 +140,12 @@ impl RacewayForm {
         }
         if (self.edge_radius_m != 0.0) != (self.shape == RacewayShape::Slot) {
             let rule = "above 0 with shape = \"slot\", and left out with any other";
-            return Err(InputError::rule("edge_radius_m", self.edge_radius_m, rule));
+            let given = Some(self.edge_radius_m).filter(|radius| *radius != 0.0);
+            return Err(InputError::rule(
+                "edge_radius_m",
+                given.unwrap_or(f64::NAN),
+                rule,
+            ));
         }
         self.shape.flanks(outline)
     }
