@@ -140,7 +140,7 @@ pub(crate) struct ContactPeakTracker {
     inner: Largest,
     outer: Largest,
     raceway: Largest,
-    /// Of one edge of every slot, with the place along the slot for the radius.
+    /// Largest loads of one edge of each slot; their `radius_m` holds the local ψ in the slot, rad.
     edges: Vec<(Raceway, Largest)>,
     balls: Largest,
 }

@@ -11,7 +11,7 @@ use cageless::{Bearing, Case, Gaps, IntegrationMethod, Row, Start, Tilt};
 
 use crate::common::{complete, raceway, steel, structure};
 
-/// Of the rows of [`pair`], from the middle.
+/// Axial distance of each row of [`pair`] from the middle plane, m.
 const PLACE_M: f64 = 10e-3;
 
 const FREE: Tilt = Tilt::Free {

@@ -117,7 +117,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
     }
 }
 
-/// The same with a slot at the bottom whose edges have a radius of 0.3 mm.
+/// The bearing of Zhao 2022, Table 1, with a slot at the bottom whose edges have a radius of 0.3 mm.
 #[allow(dead_code)]
 pub fn slotted() -> Case {
     let case = conventional(dimensions());

@@ -124,7 +124,7 @@ impl OuterSection {
         (radial.value.hypot(axial.value) > radius).then(|| (radial.hypot(axial) + -radius, d))
     }
 
-    /// The same of an edge of a slot.
+    /// δ of an edge of a slot, and a vector along its **n**; `None` where it is open.
     fn touch_edge<const N: usize>(
         &self,
         [beyond, axial]: [Taylor<N>; 2],
