@@ -97,6 +97,30 @@ fn rows_of_a_pair_carry_alike() {
     assert!(value["tilt_stiffness_xx_n_m_rad"].as_f64().unwrap() > 0.0);
 }
 
+/// A spring presses with its force; the displacement that `static` finds for it is what a run takes.
+#[test]
+fn a_spring_gives_the_displacement_of_its_force() {
+    let folder = tempfile::tempdir().unwrap();
+    let second = "axial_position_mm = 8.0\ncontact_sign = -1\npreload_n = 200.0";
+    let case = pair(folder.path(), second);
+    // The first row is held where it is.
+    let loads = ["operation.radial_load_n=100", "operation.axial_load_n=50"];
+    let value = statics(&case, &[&["row.1.preload_um=0"][..], &loads].concat());
+    let forces = numbers(&value, "row_axial_force_n");
+    assert!(
+        (forces[0] - 250.0).abs() < 1e-6 && (forces[1] + 200.0).abs() < 1e-6,
+        "{forces:?}"
+    );
+    let displaced = numbers(&value, "row_preload_um");
+    assert!(displaced[0] == 0.0 && displaced[1] > 1.0, "{displaced:?}");
+    let run = call_on("run", &case, &[], &[]);
+    assert_eq!(run.code, Some(2), "{run:?}");
+    assert!(
+        run.stderr.contains("row.2.preload_n = 200") && run.stderr.contains("cageless static"),
+        "{run:?}"
+    );
+}
+
 #[test]
 fn impossible_values_are_named() {
     let case = repository_case("zhao-d.toml");
@@ -138,6 +162,12 @@ fn impossible_values_are_named() {
     for (second, word) in [
         ("axial_position_mm = 8.0\nballs = 0", "row without balls"),
         ("axial_position_mm = 8.0\npreload_um = 900.0", "4200 MPa"),
+        ("axial_position_mm = 8.0\npreload_n = -1.0", "at least 0 N"),
+        ("axial_position_mm = 8.0\npreload_n = 9e5", "4200 MPa"),
+        (
+            "axial_position_mm = 8.0\npreload_um = 5.0\npreload_n = 100.0",
+            "row.2.preload_n = 100 is not possible: it must be 0 or left out",
+        ),
         ("axial_position_mm = 8.0\ncontact_sign = 2", "1 or -1"),
         ("contact_sign = 1", "axial_position_mm is missing"),
     ] {

@@ -4,7 +4,7 @@
 /// so that a reader of a result knows what it cannot say.
 pub const SCOPE: [&str; 6] = [
     "planar motion, but in `cageless run` also under axial load, moments, tilt and contact angles and with several rows",
-    "preload in motion only by radial interference, a clearance below zero, or by displacement of the outer rings of rows: no preload by spring",
+    "preload in motion only by radial interference, a clearance below zero, or by displacement of the outer rings of rows: springs preload rows at rest only",
     "rings rigid except at the Hertz contacts; the outer ring is fixed (in a drop it may have an elastic support)",
     "speed and load prescribed, constant or as tables over time; a dropped rotor has no axial and no torsional motion",
     "dry friction laws: no lubricant film, no churning",

@@ -51,8 +51,7 @@ fn rings() -> [Case; 4] {
     mirrored.rows = vec![Row {
         axial_position_m: 0.0,
         contact_sign: -1.0,
-        preload_m: 0.0,
-        balls: None,
+        ..Row::default()
     }];
     [case, deep, turned, mirrored]
 }

@@ -305,7 +305,7 @@ fn pair(case: &Case, sign: f64, preload_m: f64) -> Case {
         axial_position_m,
         contact_sign,
         preload_m,
-        balls: None,
+        ..Row::default()
     };
     Case {
         rows: vec![row(-10e-3, sign), row(10e-3, -sign)],
@@ -347,9 +347,7 @@ fn tandem_rows_share_the_load() {
     let single = solve(&case).unwrap();
     let row = |axial_position_m: f64| Row {
         axial_position_m,
-        contact_sign: 1.0,
-        preload_m: 0.0,
-        balls: None,
+        ..Row::default()
     };
     case.rows = vec![row(-8e-3), row(8e-3)];
     case.operation.space.axial_load_n = 2000.0;
@@ -666,4 +664,94 @@ fn a_contact_angle_takes_the_effect_of_a_raceway_as_worked_out_before() {
             assert!((found - known).abs() < 0.0501, "{span}: {found} {known}");
         }
     }
+}
+
+/// A pair whose second row a spring presses.
+fn sprung_pair(case: &Case, force_n: f64) -> Case {
+    let mut case = pair(case, 1.0, 0.0);
+    case.rows[1].preload_n = force_n;
+    case
+}
+
+/// A spring displaces the outer ring as far as a displacement that presses with its force.
+#[test]
+fn preload_by_a_spring_is_the_displacement_of_the_same_force() {
+    let case = angular_contact(15.0);
+    let sprung = solve(&sprung_pair(&case, 400.0)).unwrap();
+    close(sprung.row_axial_force_n[0], 400.0, 1e-9);
+    close(sprung.row_axial_force_n[1], -400.0, 1e-9);
+    let mut displaced = pair(&case, 1.0, 0.0);
+    displaced.rows[1].preload_m = sprung.row_preload_m[1];
+    let same = solve(&displaced).unwrap();
+    assert!(sprung.row_preload_m[1] > 1e-6 && sprung.row_preload_m[0] == 0.0);
+    close(same.row_axial_force_n[0], 400.0, 1e-9);
+    for k in 0..28 {
+        close(
+            sprung.rest.inner_force_n[k],
+            same.rest.inner_force_n[k],
+            1e-8,
+        );
+        close(sprung.ball_z_m[k], same.ball_z_m[k], 1e-9);
+    }
+    // F = Z Q sin α of one row (Harris, Rolling Bearing Analysis).
+    let of_row: f64 = (14..28)
+        .map(|k| sprung.rest.inner_force_n[k] * sprung.inner_contact_angle_rad[k].sin())
+        .sum();
+    close(of_row, -400.0, 1e-6);
+}
+
+/// The held row takes all of an axial load, and the ring is as stiff as on that row alone; across the
+/// axis both rows carry it.
+#[test]
+fn a_spring_bears_its_force_whatever_the_load() {
+    let mut case = sprung_pair(&angular_contact(15.0), 400.0);
+    case.operation.radial_load_n = 300.0;
+    case.operation.space.axial_load_n = 250.0;
+    let at = |radial_n: f64, axial_n: f64| {
+        let mut case = case.clone();
+        case.operation.radial_load_n = radial_n;
+        case.operation.space.axial_load_n = axial_n;
+        solve(&case).unwrap()
+    };
+    let e = at(300.0, 250.0);
+    close(e.row_axial_force_n[1], -400.0, 1e-9);
+    close(e.row_axial_force_n[0], 650.0, 1e-9);
+    let stiffness = e.stiffness.unwrap();
+    // Displacements of loads are those of the stiffness.
+    let step = 0.02;
+    let [more, less] = [at(300.0, 250.0 + step), at(300.0, 250.0 - step)];
+    let moved = [
+        more.rest.ring_y_m - less.rest.ring_y_m,
+        more.ring_z_m - less.ring_z_m,
+    ];
+    let push = |row: usize| stiffness[row][1] * moved[0] + stiffness[row][2] * moved[1];
+    close(push(2), 2.0 * step, 1e-5);
+    assert!(push(1).abs() < 1e-5 * step, "{}", push(1));
+    let mut alone = angular_contact(15.0);
+    alone.operation.space.axial_load_n = 400.0;
+    let sprung = solve(&sprung_pair(&angular_contact(15.0), 400.0)).unwrap();
+    let alone = solve(&alone).unwrap().stiffness.unwrap();
+    let both = sprung.stiffness.unwrap();
+    close(both[2][2], alone[2][2], 1e-6);
+    close(both[1][1], 2.0 * alone[1][1], 1e-6);
+}
+
+#[test]
+fn impossible_springs_are_named() {
+    let error = |case: &Case| match solve(case) {
+        Err(EquilibriumError::Input(error)) => error.to_string(),
+        other => panic!("{other:?}"),
+    };
+    let good = sprung_pair(&angular_contact(15.0), 400.0);
+    let mut all = good.clone();
+    all.rows[0].preload_n = 400.0;
+    assert!(error(&all).contains("one row at least"), "{}", error(&all));
+    let mut twice = good.clone();
+    twice.rows[1].preload_m = 1e-6;
+    assert!(error(&twice).contains("displaced already"));
+    let mut heavy = good.clone();
+    heavy.rows[1].preload_n = 1e6;
+    assert!(error(&heavy).contains("4200 MPa"));
+    let motion = good.check_motion().unwrap_err().to_string();
+    assert!(motion.contains("cageless static"), "{motion}");
 }

@@ -41,7 +41,7 @@ fn pair(case: &Case, sign: f64, preload_m: f64) -> Case {
         axial_position_m,
         contact_sign,
         preload_m,
-        balls: None,
+        ..Row::default()
     };
     Case {
         rows: vec![row(-PLACE_M, sign), row(PLACE_M, -sign)],
@@ -141,9 +141,7 @@ fn two_rows_in_one_plane_are_one_row_twice() {
     two.operation.space.axial_load_n *= 2.0;
     let row = Row {
         axial_position_m: 0.0,
-        contact_sign: 1.0,
-        preload_m: 0.0,
-        balls: None,
+        ..Row::default()
     };
     two.rows = vec![row; 2];
     let short = |case: &Case| {

@@ -46,8 +46,7 @@ fn with_row(mut case: Case, contact_sign: f64) -> Case {
     case.rows = vec![Row {
         axial_position_m: 3e-3,
         contact_sign,
-        preload_m: 0.0,
-        balls: None,
+        ..Row::default()
     }];
     case
 }

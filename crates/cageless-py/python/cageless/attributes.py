@@ -256,6 +256,8 @@ class StaticAttributes:
     loaded_bsf_hz: float  # BSF of the loaded bearing, Hz
     stiffness_matrix: Floats  # stiffness matrix
     row: Floats  # row of the ball, from 1
+    row_preload_um: Floats  # preload of the rows by displacement, um
+    row_axial_force_n: Floats  # axial force of the rows, N
     inner_contact_angle_deg: Floats  # contact angle, inner raceway, deg
     outer_contact_angle_deg: Floats  # contact angle, outer raceway, deg
     flank_plus_force_n: Floats  # force at the outer groove, or at the flank towards +z, N

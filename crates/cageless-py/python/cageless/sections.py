@@ -82,6 +82,7 @@ class Row(Section):
     axial_position_mm: Annotated[float, "z of the middle of the row"]
     contact_sign: Annotated[float | None, "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem"] = None
     preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign"] = None
+    preload_n: Annotated[float | None, "preload by a soft spring, in place of preload_um: force on its outer ring against the contact sign; only in `static`, which finds the displacement"] = None
     balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always"] = None
 
 

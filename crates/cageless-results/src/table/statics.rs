@@ -128,6 +128,8 @@ pub const SPACE: &[Quantity] = &[
         None => Cell::Null,
     })))),
     part(list("row", "", "row of the ball, from 1", Static(|s| of_space(s, |e| e.row.iter().map(|row| (row + 1) as f64).collect())))),
+    means("by which the outer ring of each row is displaced against its contact sign, given or by its spring", part(list("row_preload_um", "um", "preload of the rows by displacement", Static(|s| of_space(s, |e| e.row_preload_m.iter().map(|m| m * 1e6).collect()))))),
+    means("of the balls of each row on its outer ring, along z", part(list("row_axial_force_n", "N", "axial force of the rows", Static(|s| of_space(s, |e| e.row_axial_force_n.clone()))))),
     means("positive where the inner ring is pushed towards +z", column("αi", part(list("inner_contact_angle_deg", "deg", "contact angle, inner raceway", Static(|s| of_space(s, |e| in_degrees(&e.inner_contact_angle_rad))))))),
     means("angle of the force on the outer ring, on a discrete raceway of both flanks together", column("αo", part(list("outer_contact_angle_deg", "deg", "contact angle, outer raceway", Static(|s| of_space(s, |e| in_degrees(&e.outer_contact_angle_rad))))))),
     column("F+", part(list("flank_plus_force_n", "N", "force at the outer groove, or at the flank towards +z", Static(|s| of_space(s, |e| e.flank_force_n.iter().map(|f| f[0]).collect()))))),

@@ -251,12 +251,7 @@ impl Case {
     pub(crate) fn all_rows(&self) -> Vec<Row> {
         match self.rows.is_empty() {
             false => self.rows.clone(),
-            true => vec![Row {
-                axial_position_m: 0.0,
-                contact_sign: 1.0,
-                preload_m: 0.0,
-                balls: None,
-            }],
+            true => vec![Row::default()],
         }
     }
 
@@ -331,6 +326,19 @@ impl Case {
         let preloads = self.rows.iter().map(|row| row.preload_m);
         let approach = self.bearing.axial_approach_m(preloads.fold(0.0, f64::max));
         series_stiffness_n_m1_5(inner, outer) * approach.powf(1.5)
+    }
+
+    /// Largest axial force of `balls` balls between unloaded rings, N: each bears 4200 MPa.
+    pub(crate) fn axial_preload_max_n(&self, balls: usize) -> f64 {
+        let [inner, outer, _] = self.stiffness_n_m1_5();
+        let (most, angle) = (
+            self.bearing.axial_preload_max_m(),
+            self.bearing.contact_angle_rad(),
+        );
+        let room = self.bearing.dimensions().groove_distance_m();
+        let approach = self.bearing.axial_approach_m(most);
+        let sine = (room * angle.sin() + most) / (room + approach);
+        balls as f64 * series_stiffness_n_m1_5(inner, outer) * approach.powf(1.5) * sine
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

@@ -80,6 +80,11 @@ impl Case {
                 format!("{most}, or left out: in motion every row has the balls of [bearing]");
             return Err(InputError::rule("row_balls", balls as f64, rule));
         }
+        if let Some(row) = self.rows.iter().find(|row| row.preload_n != 0.0) {
+            let rule = "0 in motion, with the displacement that `cageless static` finds for this force in \
+                        its place: an outer ring that slides along the axis is computed at rest only";
+            return Err(InputError::rule("preload_n", row.preload_n, rule));
+        }
         if self.profile == Profile::Paper {
             let rule = "physical: the published equations are planar";
             return Err(InputError::rule("formulation", 0.0, rule));
@@ -160,6 +165,13 @@ impl Case {
         for row in &self.rows {
             self.check_row(row)?;
         }
+        if let Some(last) = self.rows.last()
+            && self.rows.iter().all(|row| row.preload_n > 0.0)
+        {
+            let rule = "0 for one row at least, whose outer ring is held: springs alone do not place the \
+                        inner ring along the axis";
+            return Err(InputError::rule("preload_n", last.preload_n, rule));
+        }
         if let (Some((field, value)), Some(_)) = (self.spatial_field(), &self.rotor) {
             let rule = "left out: a rotor falls in the plane";
             return Err(InputError::rule(field, value, rule));
@@ -188,6 +200,20 @@ impl Case {
                 "more presses the balls of a pair with over 4200 MPa, the limit of ISO 76",
             );
             return Err(InputError::new("preload_m", row.preload_m, allowed));
+        }
+        if row.preload_m != 0.0 && row.preload_n != 0.0 {
+            let rule =
+                "0 or left out: the outer ring of the row is displaced already, and held there";
+            return Err(InputError::rule("preload_n", row.preload_n, rule));
+        }
+        let most = self.axial_preload_max_n(row.balls.unwrap_or(self.bearing.balls()));
+        if !(row.preload_n >= 0.0 && row.preload_n <= most) {
+            let allowed = Allowed::Between(
+                0.0,
+                most,
+                "more presses its balls with over 4200 MPa, the limit of ISO 76",
+            );
+            return Err(InputError::new("preload_n", row.preload_n, allowed));
         }
         Ok(())
     }

@@ -65,6 +65,20 @@ pub struct Row {
     pub contact_sign: f64,
     /// Displacement of its outer ring by −σ times this, which presses rows of opposite signs.
     pub preload_m: f64,
+    /// Force of a soft spring on its outer ring by −σ times this; 0: the outer ring is held.
+    pub preload_n: f64,
     /// Balls; those of the bearing if `None`.
     pub balls: Option<usize>,
+}
+
+impl Default for Row {
+    fn default() -> Self {
+        Self {
+            axial_position_m: 0.0,
+            contact_sign: 1.0,
+            preload_m: 0.0,
+            preload_n: 0.0,
+            balls: None,
+        }
+    }
 }

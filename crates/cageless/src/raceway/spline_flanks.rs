@@ -178,3 +178,27 @@ fn end_slope([a, b, c, d]: [[f64; 2]; 4]) -> f64 {
     let third = (second(b, c, d) - second(a, b, c)) / (d[0] - a[0]);
     first(a, b) + (a[0] - b[0]) * (second(a, b, c) + (a[0] - c[0]) * third)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Its slopes at both ends are those of cubics, so that a spline through a cubic is that cubic.
+    #[test]
+    fn a_spline_through_a_cubic_is_the_cubic() {
+        let (middle, half_angle): (f64, f64) = (0.5, 0.44);
+        let cubic = |s: f64| middle * (1.0 - s) * (1.0 + 0.3 * s + 0.2 * s * s);
+        let slope = |s: f64| middle * (-0.7 - 0.2 * s - 0.6 * s * s);
+        let places = [0.0, 0.3, 0.5, 0.6, 0.75, 0.9, 1.0];
+        let rows = places.map(|share: f64| [share * half_angle, cubic(share * share)]);
+        let flanks = SplineFlanks::through(&rows).unwrap();
+        for k in -50..=50 {
+            let share = f64::from(k) / 50.0;
+            let [angle, rate] = flanks.at(share * half_angle);
+            let square = share * share;
+            assert!((angle - cubic(square)).abs() < 1e-14, "{share}");
+            let expected = slope(square) * 2.0 * share / half_angle;
+            assert!((rate - expected).abs() < 1e-12, "{share} {rate} {expected}");
+        }
+    }
+}

@@ -2,6 +2,8 @@
 //!
 //! V(**R**, p, q) = Fr Y − Fa Z − My p + Mx q + Σ min U. Its gradient is the force and the moment
 //! left on the ring, its Hessian Uxx − Uxu Uuu⁻¹ Uux the stiffness with the balls in equilibrium.
+//! A spring of the constant force σF moves the outer ring of its row until the balls push back with as
+//! much; to its row that is a ring at another Z, over which V is least as well.
 //! Moments act on p and q; a couple that stays fixed in space differs by the square of the tilt.
 
 use super::ball::{Rest, Ring, SpatialBall};
@@ -10,6 +12,12 @@ use crate::case::Tilt;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::cholesky::solve;
 
+/// Coordinate of the ring along the axis.
+const Z: usize = 2;
+/// Fraction of the force of a spring that may be left on its outer ring.
+const SPRING_TOLERANCE: f64 = 1e-12;
+const SPRING_ITERATIONS: usize = 100;
+
 /// Fraction of all forces that may be left on the ring.
 const FORCE_TOLERANCE: f64 = 1e-9;
 
@@ -17,6 +25,9 @@ const FORCE_TOLERANCE: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub(super) struct LoadBalance {
     pub balls: Vec<SpatialBall>,
+    /// Of every row the force of its balls on the outer ring that a spring balances, along Z; `None`
+    /// where the outer ring is held.
+    pub springs_n: Vec<Option<f64>>,
     /// Load and weight on the ring, −Y.
     pub down_n: f64,
     /// Fa.
@@ -33,8 +44,90 @@ pub(super) struct LoadBalance {
 pub(super) struct Balanced {
     pub ring: Ring,
     pub rests: Vec<Rest>,
+    /// Displacement of the outer ring of every row by its spring, m.
+    pub shifts_m: Vec<f64>,
     /// V over **R**, p, q.
     pub local: Local<5>,
+}
+
+impl Balanced {
+    /// Coordinates of the ring, seen from the outer ring of a row.
+    pub fn ring_of(&self, row: usize) -> Ring {
+        seen_from(self.ring, self.shifts_m[row])
+    }
+}
+
+fn seen_from([x, y, z, p, q]: Ring, shift_m: f64) -> Ring {
+    [x, y, z - shift_m, p, q]
+}
+
+/// Every ball of a row where its energy is least; their sum is added to an energy over the coordinates
+/// of the ring.
+fn add_row(balls: &[SpatialBall], ring: Ring, local: &mut Local<5>) -> Vec<Rest> {
+    let rests: Vec<Rest> = balls.iter().map(|ball| ball.rest(ring)).collect();
+    for rest in &rests {
+        let (u, h) = (&rest.energy, &rest.energy.hessian);
+        local.energy += u.value;
+        local.magnitude += rest.magnitude;
+        let own = [[h[0][0], h[0][1]], [h[1][0], h[1][1]]];
+        for i in 0..5 {
+            local.gradient[i] += u.gradient[i + 2];
+            let follows = solve(&own, 0.0, [h[0][i + 2], h[1][i + 2]]).unwrap_or([0.0; 2]);
+            for j in 0..5 {
+                let eased = h[j + 2][0] * follows[0] + h[j + 2][1] * follows[1];
+                local.hessian[j][i] += h[j + 2][i + 2] - eased;
+            }
+        }
+    }
+    rests
+}
+
+/// A row whose outer ring is where its balls push with `force_n`: its energy and the displacement of
+/// that ring are added.
+fn add_sprung_row(
+    balls: &[SpatialBall],
+    ring: Ring,
+    force_n: f64,
+    longest_m: f64,
+    local: &mut Local<5>,
+) -> (Vec<Rest>, f64) {
+    let mut shift = 0.0;
+    let mut bounds = [f64::NEG_INFINITY, f64::INFINITY];
+    let mut tries = 0;
+    let (mut own, rests) = loop {
+        let mut own = Local::nothing(ring);
+        let rests = add_row(balls, seen_from(ring, shift), &mut own);
+        // Grows as the outer ring moves against Z.
+        let beyond = own.gradient[Z] - force_n;
+        bounds[usize::from(beyond < 0.0)] = shift;
+        let step = match own.hessian[Z][Z] > 0.0 {
+            true => (beyond / own.hessian[Z][Z]).clamp(-longest_m, longest_m),
+            false => longest_m.copysign(beyond),
+        };
+        let mut next = shift + step;
+        if !(bounds[0] < next && next < bounds[1]) {
+            next = 0.5 * (bounds[0] + bounds[1]);
+        }
+        tries += 1;
+        let done = beyond.abs() <= SPRING_TOLERANCE * force_n.abs() || next == shift;
+        if done || tries == SPRING_ITERATIONS {
+            break (own, rests);
+        }
+        shift = next;
+    };
+    let work = force_n * shift;
+    own.energy += work;
+    own.magnitude += work.abs();
+    let h = own.hessian;
+    for i in 0..5 {
+        local.gradient[i] += own.gradient[i];
+        for j in (0..5).filter(|j| h[Z][Z] > 0.0 && i != Z && *j != Z) {
+            local.hessian[i][j] += h[i][j] - h[i][Z] * h[Z][j] / h[Z][Z];
+        }
+    }
+    local.energy += own.energy;
+    local.magnitude += own.magnitude;
+    (rests, shift)
 }
 
 impl LoadBalance {
@@ -45,8 +138,8 @@ impl LoadBalance {
         [x, y, z, p / self.arm_m, q / self.arm_m]
     }
 
-    /// V at coordinates of the ring, and every ball.
-    fn energy(&self, ring: Ring) -> (Local<5>, Vec<Rest>) {
+    /// V at coordinates of the ring, every ball, and the displacement of the outer ring of every row.
+    fn energy(&self, ring: Ring) -> (Local<5>, Vec<Rest>, Vec<f64>) {
         let [mx, my] = match self.tilt {
             Tilt::Held { .. } => [0.0; 2],
             Tilt::Free {
@@ -63,22 +156,17 @@ impl LoadBalance {
             gradient: load,
             hessian: [[0.0; 5]; 5],
         };
-        let rests: Vec<Rest> = self.balls.iter().map(|ball| ball.rest(ring)).collect();
-        for rest in &rests {
-            let (u, h) = (&rest.energy, &rest.energy.hessian);
-            local.energy += u.value;
-            local.magnitude += rest.magnitude;
-            let own = [[h[0][0], h[0][1]], [h[1][0], h[1][1]]];
-            for i in 0..5 {
-                local.gradient[i] += u.gradient[i + 2];
-                let follows = solve(&own, 0.0, [h[0][i + 2], h[1][i + 2]]).unwrap_or([0.0; 2]);
-                for j in 0..5 {
-                    let eased = h[j + 2][0] * follows[0] + h[j + 2][1] * follows[1];
-                    local.hessian[j][i] += h[j + 2][i + 2] - eased;
-                }
-            }
+        let (mut rests, mut shifts) = (vec![], vec![]);
+        let rows = self.balls.chunk_by(|a, b| a.row == b.row);
+        for (balls, spring) in rows.zip(&self.springs_n) {
+            let (own, shift) = match spring {
+                None => (add_row(balls, ring, &mut local), 0.0),
+                Some(force) => add_sprung_row(balls, ring, *force, self.longest_m, &mut local),
+            };
+            rests.extend(own);
+            shifts.push(shift);
         }
-        (local, rests)
+        (local, rests, shifts)
     }
 
     /// V with tilts as displacements; those that are held do not move.
@@ -114,13 +202,18 @@ impl LoadBalance {
         };
         let push =
             |ball: &SpatialBall| (ball.steady_n + ball.turning_n_m / ball.orbit_radius_m).abs();
-        self.down_n.abs() + self.axial_n.abs() + moments + self.balls.iter().map(push).sum::<f64>()
+        let springs: f64 = self.springs_n.iter().flatten().map(|f| f.abs()).sum();
+        self.down_n.abs()
+            + self.axial_n.abs()
+            + moments
+            + springs
+            + self.balls.iter().map(push).sum::<f64>()
     }
 
     /// Force with which the balls push back at the places where the search starts, N: what an
     /// interference or a preload adds to the forces.
     fn preload_n(&self, place: [f64; 5]) -> f64 {
-        let rests = self.energy(self.ring(place)).1;
+        let (_, rests, _) = self.energy(self.ring(place));
         let balls = self.balls.iter().zip(&rests);
         balls
             .map(|(ball, rest)| ball.outer_force_n(rest.place))
@@ -175,7 +268,12 @@ impl LoadBalance {
             iterations: failed.1,
         })?;
         let ring = self.ring(lowest.place);
-        let (local, rests) = self.energy(ring);
-        Ok(Balanced { ring, rests, local })
+        let (local, rests, shifts_m) = self.energy(ring);
+        Ok(Balanced {
+            ring,
+            rests,
+            shifts_m,
+            local,
+        })
     }
 }

@@ -14,6 +14,19 @@ pub(super) struct Local<const N: usize> {
     pub hessian: [[f64; N]; N],
 }
 
+impl<const N: usize> Local<N> {
+    /// No energy.
+    pub fn nothing(place: [f64; N]) -> Self {
+        Self {
+            place,
+            energy: 0.0,
+            magnitude: 0.0,
+            gradient: [0.0; N],
+            hessian: [[0.0; N]; N],
+        }
+    }
+}
+
 const ITERATIONS: usize = 400;
 /// Newton steps after the energy no longer tells them from rounding.
 const POLISHING: usize = 4;

@@ -59,6 +59,10 @@ pub struct SpatialEquilibrium {
     pub tilt_y_rad: f64,
     /// Row of each ball, from 0.
     pub row: Vec<usize>,
+    /// Displacement of the outer ring of each row by −σ times this: as given, or by its spring.
+    pub row_preload_m: Vec<f64>,
+    /// Force of the balls of each row on its outer ring along the axis.
+    pub row_axial_force_n: Vec<f64>,
     /// Contact angle at the inner raceway, positive where the axial load along +Z presses; NaN
     /// without contact.
     pub inner_contact_angle_rad: Vec<f64>,
@@ -177,8 +181,10 @@ fn balance(case: &Case) -> LoadBalance {
         }
     }
     let weight = d.inner_ring_mass_kg * case.operation.gravity_m_s2;
+    let spring = |row: &Row| (row.preload_n > 0.0).then_some(row.contact_sign * row.preload_n);
     LoadBalance {
         balls,
+        springs_n: case.all_rows().iter().map(spring).collect(),
         down_n: case.operation.radial_load_n + weight,
         axial_n: case.operation.space.axial_load_n,
         tilt: case.operation.space.tilt,
@@ -257,7 +263,7 @@ fn follow_speeds(
     let bearing = &case.bearing;
     let mut changed = false;
     for (ball, rest) in balance.balls.iter_mut().zip(&settled.rests) {
-        let (arms, angle) = arms_m(ball, rest.place, settled.ring);
+        let (arms, angle) = arms_m(ball, rest.place, settled.ring_of(ball.row));
         let speed = bearing.pitch_radius_m()
             * orbit_speed_in_space_rad_s(bearing, inner_speed_rad_s, arms, angle);
         let turning = ball.mass_kg * speed * speed;
@@ -312,6 +318,10 @@ fn result(
         tilt_x_rad: -ring[4],
         tilt_y_rad: ring[3],
         row: vec![],
+        row_preload_m: (case.all_rows().iter().zip(&settled.shifts_m))
+            .map(|(row, shift)| row.preload_m - row.contact_sign * shift)
+            .collect(),
+        row_axial_force_n: vec![0.0; settled.shifts_m.len()],
         inner_contact_angle_rad: vec![],
         outer_contact_angle_rad: vec![],
         flank_force_n: vec![],
@@ -321,6 +331,12 @@ fn result(
     };
     let mut contacts = vec![];
     for (ball, rest) in balance.balls.iter().zip(&settled.rests) {
+        // Z is the fifth of u, ζ, **R**, p, q; without friction the force goes through the ball.
+        solved.row_axial_force_n[ball.row] += rest.energy.gradient[4];
+        solved
+            .ball_z_m
+            .push(ball.axial_m + settled.shifts_m[ball.row] + rest.place[1]);
+        let ring = settled.ring_of(ball.row);
         contacts.extend(push_ball(&mut solved, case, ball, rest.place, ring));
     }
     let largest =
@@ -377,7 +393,6 @@ fn push_ball(
         true => [share(0), share(1)],
         false => [0.0, share(0)],
     });
-    solved.ball_z_m.push(ball.axial_m + place[1]);
     solved.row.push(ball.row);
     solved.inner_contact_angle_rad.push(inner_angle);
     solved.outer_contact_angle_rad.push(outer_angle);
