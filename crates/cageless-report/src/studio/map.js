@@ -15,8 +15,8 @@ const MAP_REGIONS = [
 
 // Values of lC and θ with what the engine found at them, interpolated between them.
 class MapGrid {
-  constructor(spans, angles, { beta0_deg, margins, possible_axial_span_mm }) {
-    Object.assign(this, { spans, angles, beta0_deg, margins, ranges: possible_axial_span_mm });
+  constructor(spans, angles, { beta0_deg, margins, possible }) {
+    Object.assign(this, { spans, angles, beta0_deg, margins, ranges: possible });
     this.filled = Object.fromEntries(Object.entries({ beta0: beta0_deg, ...margins }).map(([name, rows]) => [name, filled(rows)]));
     this.terms = Object.keys(margins);
   }
@@ -121,7 +121,8 @@ class RacewayMap {
     const points = async ([low, high, from, to], [across, up]) => {
       // lC and θ of 0 are no raceways: the axes begin a little beyond.
       const spans = evenly(low || high / 1000, high, across), angles = evenly(from || to / 1000, to, up);
-      const found = await studio.engine.request("map", { op: "map", case: toml, axial_span_mm: spans, half_angle_deg: angles }, { signal: abort.signal });
+      const axis = (key, values) => ({ key: firstOf(key, studio.g.document), values });
+      const found = await studio.engine.request("map", { op: "map", case: toml, across: axis("raceway.axial_span_mm", spans), up: axis("raceway.half_angle_deg", angles) }, { signal: abort.signal });
       return new MapGrid(spans, angles, found);
     };
     try {
