@@ -15,7 +15,7 @@ from pathlib import Path
 from browser import in_browsers, thrown_text
 from pages import axe
 from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
-from studio_map import older, raceway_map
+from studio_map import axes, older, raceway_map
 from studio_tab import S, StudioTab
 
 
@@ -359,6 +359,7 @@ def studio(browser, name, url, screens):
     if name in ("page", "server"):
         raceway_map(s)
         older(s)
+        axes(s)
         times(s)
         drop(s, screens)
         studies(s) if served else alone(s)

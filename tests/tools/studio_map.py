@@ -1,4 +1,4 @@
-"""The map of the studio: its point, moved by mouse, touch and keys, and its age."""
+"""The map of the studio: its axes, its point, moved by mouse, touch and keys, and its age."""
 
 from studio_tab import S
 
@@ -98,3 +98,45 @@ def older(s):
     s.press("undo")
     s.settled()
     s.judged()
+
+
+def axes(s):
+    """Any two controls of the raceway span the map, its point and what is saved of it."""
+    fresh = f"{S}.map.current({S}.toml) && !{S}.map.root.classList.contains('stale') && {S}.map.grids.length > 0"
+    choose = "(() => {{ const e = document.querySelector('[data-axis=\"{}\"]'); e.value = '{}'; e.dispatchEvent(new Event('change')); }})()"
+    saved = f"{S}.saving.things.find((t) => t.id === 'map').csv()"
+    s.tab.wait_for(fresh)
+    first, before = s.toml(), s.js(saved).splitlines()[0]
+    offered = s.js("[...document.querySelectorAll('[data-axis=\"1\"] option')].map((o) => o.value)")
+    s.check("the axes are the controls of the raceway", offered == ["span", "theta", "centre", "blend", "depth"], offered)
+    s.js(choose.format(0, "depth"))
+    s.check("a map over others is not shown as one of the new axes", s.js(f"{S}.map.box") is None)
+    s.tab.wait_for(fresh)
+    head, *rows = s.js(saved).splitlines()
+    s.check("the map is that of the chosen axis", head == before.replace("axial_span_mm", "depth_um"), head)
+    depths, betas = ({row.split(",")[k] for row in rows} for k in (0, 2))
+    s.check("from the first depth of its control to the last", "0" in depths and max(map(float, depths)) == 30 and len(depths) >= 31, len(depths))
+    s.check("with an estimate at its points", len(betas - {""}) > 10, len(betas))
+    s.js("document.querySelector('[data-point]').focus()")
+    key(s, "ArrowRight")
+    s.settled()
+    said = s.js("document.querySelector('[data-point]').getAttribute('aria-valuetext')")
+    s.check("arrow keys move along it", "depth_um = 1" in s.toml() and said.startswith("depth 1.0 µm"), said)
+    s.press("undo")
+    s.settled()
+    s.check("in one step of undo", s.toml() == first)
+    s.js(choose.format(0, "blend"))
+    s.tab.wait_for(fresh)
+    # The longest blend on the shortest raceway.
+    title = s.js(
+        f"(() => {{ const c = {S}.map.canvas, r = c.getBoundingClientRect(), {{ left, top, wide, high }} = {S}.map.plane;"
+        " c.dispatchEvent(new PointerEvent('pointermove', { clientX: r.x + left + 0.98 * wide, clientY: r.y + top + 0.98 * high })); return c.title; })()"
+    )
+    s.check("an impossible place says why it is", title.startswith("raceway.blend_mm"), title)
+    s.js(choose.format(0, "theta"))
+    chosen = s.js("[...document.querySelectorAll('[data-axis]')].map((e) => e.value)")
+    s.check("the axes change places", chosen == ["theta", "blend"], chosen)
+    s.js(choose.format(0, "span"))
+    s.js(choose.format(1, "theta"))
+    s.tab.wait_for(fresh)
+    s.check("and the map is as before", s.js(saved).splitlines()[0] == before)

@@ -23,7 +23,7 @@ enum Request {
         case: String,
         controls: Vec<ranges::Span>,
     },
-    /// Estimates over lC and θ.
+    /// Estimates over two keys.
     Map(map::Grid),
     /// Static equilibrium.
     Static(OfCase),

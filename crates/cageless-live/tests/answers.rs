@@ -1,6 +1,6 @@
 //! Answers to requests of pages.
 
-use cageless_io::case_file::template;
+use cageless_io::case_file::{CaseFile, template};
 use cageless_live::{Control, REQUEST_BYTES_MAX, answer};
 use serde_json::{Value, json};
 
@@ -201,7 +201,7 @@ fn work_can_be_cancelled() {
     for request in [
         json!({ "op": "verdict", "case": case }),
         json!({ "op": "motion", "case": case, "duration_s": 0.1, "frames": 2 }),
-        json!({ "op": "map", "case": case, "axial_span_mm": [5.0, 5.1], "half_angle_deg": [25.2] }),
+        over_structures(&case, &[5.0, 5.1], &[25.2]),
     ] {
         let mut asked = 0;
         let text = answer(&request.to_string(), &mut |_| {
@@ -242,15 +242,82 @@ fn the_estimate_agrees_with_the_verdicts_on_the_structures_of_the_paper() {
     }
 }
 
+/// The request for a map over two keys.
+fn over(case: &str, across: (&str, &[f64]), up: (&str, &[f64])) -> Value {
+    let axis = |(key, values): (&str, &[f64])| json!({ "key": key, "values": values });
+    json!({ "op": "map", "case": case, "across": axis(across), "up": axis(up) })
+}
+
+/// The request for a map over lC and θ.
+fn over_structures(case: &str, spans: &[f64], angles: &[f64]) -> Value {
+    let [across, up] = ["raceway.axial_span_mm", "raceway.half_angle_deg"];
+    over(case, (across, spans), (up, angles))
+}
+
+/// A point of a map is the case with its two keys set as `--set` sets them, or the message of that.
+#[test]
+fn a_map_has_any_two_keys() {
+    let case = structure(5.1, 25.2);
+    let (blends, depths) = ([0.0, 0.5, 90.0], [0.0, 12.5, -1.0]);
+    let map = good(&over(
+        &case,
+        ("raceway.blend_mm", &blends),
+        ("raceway.depth_um", &depths),
+    ));
+    let mut refusals = 0;
+    for (j, depth) in depths.into_iter().enumerate() {
+        for (k, blend) in blends.into_iter().enumerate() {
+            let sets = [
+                format!("raceway.depth_um={depth}"),
+                format!("raceway.blend_mm={blend}"),
+            ];
+            let message = map["refused"][j][k].as_str();
+            match CaseFile::parse(&case, "case", &sets) {
+                Ok(file) => {
+                    assert_eq!(message, None, "{sets:?}");
+                    let text = file.document().to_toml().expect("TOML");
+                    let own = good(&json!({ "op": "geometry", "case": text }));
+                    assert_eq!(map["beta0_deg"][j][k], own["numbers"]["beta0_deg"]);
+                    for term in own["estimate"]["terms"].as_array().unwrap() {
+                        let rows = &map["margins"][term["name"].as_str().unwrap()];
+                        assert_eq!(rows[j][k], term["margin"], "{sets:?} {term}");
+                    }
+                }
+                Err(error) => {
+                    refusals += 1;
+                    let rule = |text: &str| text.split_once(" = ").map(|(_, r)| r.to_owned());
+                    let own = rule(&error.to_string());
+                    assert_eq!(message.and_then(rule), own, "{sets:?}");
+                    assert!(map["beta0_deg"][j][k].is_null(), "{sets:?}");
+                }
+            }
+        }
+    }
+    assert_eq!(refusals, 5);
+    let turned = good(&over(
+        &case,
+        ("raceway.contact_angle_deg", &[0.0, 15.0]),
+        ("raceway.half_angle_deg", &[25.2]),
+    ));
+    assert_eq!(turned["refused"][0][0], Value::Null);
+    let said = turned["refused"][0][1].as_str().unwrap();
+    assert!(said.contains("all else is planar"), "{said}");
+    let unknown = good(&over(
+        &case,
+        ("raceway.width_mm", &[1.0, 2.0]),
+        ("raceway.depth_um", &[0.0]),
+    ));
+    let said = unknown["refused"][0][0].as_str().unwrap();
+    assert!(said.contains("raceway.width_mm"), "{said}");
+}
+
 /// The estimate of each raceway is that of the request for its own case.
 #[test]
 fn a_map_has_the_estimates_of_its_points() {
     let (spans, angles) = ([3.0, 5.1, 9.0], [20.0, 25.2, 89.5]);
     let conventional = template(true);
     for case in [structure(5.1, 25.2), conventional] {
-        let map = good(&json!({
-            "op": "map", "case": case, "axial_span_mm": spans, "half_angle_deg": angles,
-        }));
+        let map = good(&over_structures(&case, &spans, &angles));
         for (j, angle) in angles.into_iter().enumerate() {
             for (k, span) in spans.into_iter().enumerate() {
                 let own = ask(&json!({ "op": "geometry", "case": structure(span, angle) }));
@@ -267,10 +334,10 @@ fn a_map_has_the_estimates_of_its_points() {
             }
         }
         assert!(map["beta0_deg"][1][2].is_null(), "9 mm is beyond Eq. (8)");
-        let limit = map["possible_axial_span_mm"][1][0][1].as_f64().unwrap();
+        let limit = map["possible"][1][0][1].as_f64().unwrap();
         assert!((7.39..7.4018).contains(&limit), "{limit}");
         assert_eq!(
-            map["possible_axial_span_mm"][2],
+            map["possible"][2],
             json!([]),
             "89.5° takes up half of the ring"
         );
@@ -282,9 +349,7 @@ fn a_map_has_the_estimates_of_its_points() {
         (&many[..1], &many[..]),
         (&[2.0, 1.0], &[1.0]),
     ] {
-        refused(
-            &json!({ "op": "map", "case": case, "axial_span_mm": spans, "half_angle_deg": angles }),
-        );
+        refused(&over_structures(&case, spans, angles));
     }
 }
 

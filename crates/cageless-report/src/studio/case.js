@@ -30,15 +30,14 @@ function withValue(text, dotted, value) {
   return lines.join("\n");
 }
 
-// `text` without its sections of this name.
-function withoutSection(text, section) {
-  const kept = [];
+// `text` without its sections of this name, or without these keys of them.
+function without(text, section, keys) {
+  const pattern = new RegExp(keys ? "^\\s*(" + keys.join("|") + ")\\s*=" : "");
   let inside = false;
-  for (const line of text.split("\n")) {
+  return text.split("\n").filter((line) => {
     if (isSection(line)) inside = isSection(line, section);
-    if (!inside) kept.push(line);
-  }
-  return kept.join("\n");
+    return !(inside && pattern.test(line));
+  }).join("\n");
 }
 
 function written(value) {

@@ -40,7 +40,7 @@ class Comparison {
     this.pinned = null;
     this.bar = element("div", { class: "bar", role: "toolbar", "aria-label": "Comparison" },
       button("Pin as A", () => this.pin(studio.toml, "A, pinned"), { "data-pin": true }),
-      button("Conventional ring as A", () => this.pin(withoutSection(studio.toml, "raceway"), "A, conventional"), { "data-conventional": true }),
+      button("Conventional ring as A", () => this.pin(without(studio.toml, "raceway"), "A, conventional"), { "data-conventional": true }),
       button("Unpin", () => this.unpin(), { "data-unpin": true, disabled: true }));
     this.table = element("div", { "data-part": "table" });
   }

@@ -38,6 +38,7 @@ function dimensions(n, g) {
 function ofKey(key) {
   const [section, name] = key.split(".");
   return {
+    key,
     read: ({ document: d }) => { const part = section === "raceway" && Array.isArray(d.raceway) ? d.raceway[0] : d[section]; return part ? part[name] : undefined; },
     keys: (value) => ({ [key]: value }),
   };
@@ -53,9 +54,10 @@ function ofNominal(name) {
 const fixed = (low, high) => () => [low, high];
 // From 0 to twice what the file says.
 const upTo = (section, key) => ({ document: d }) => [0, 2 * Math.abs((d[section] || {})[key] || 1)];
+// `mapped` are the ends on the map of a control that cannot be 0, where they are not those of its slider.
 const CONTROLS = [
-  { group: "Raceway", id: "span", label: "Axial span lC", unit: "mm", step: 0.01, help: "largest axial distance between the two contact points", range: (g) => [0, 1.15 * g.numbers.axial_span_limit_mm], ...ofKey("raceway.axial_span_mm") },
-  { group: "Raceway", id: "theta", label: "Half angle θ", unit: "°", step: 0.1, help: "half the angle that the raceway takes up", range: fixed(1, 90), ...ofKey("raceway.half_angle_deg") },
+  { group: "Raceway", id: "span", label: "Axial span lC", unit: "mm", step: 0.01, help: "largest axial distance between the two contact points", range: (g) => [0, 1.15 * g.numbers.axial_span_limit_mm], mapped: (g) => [0, 1.08 * g.numbers.axial_span_limit_mm], ...ofKey("raceway.axial_span_mm") },
+  { group: "Raceway", id: "theta", label: "Half angle θ", unit: "°", step: 0.1, help: "half the angle that the raceway takes up", range: fixed(1, 90), mapped: ({ numbers: n, raceways: [r] }) => [0, Math.min(90, Math.max(1.7 * (n.epsilon_deg + n.uniform_gap_deg), r ? 1.15 * r.half_angle_deg : 0))], ...ofKey("raceway.half_angle_deg") },
   { group: "Raceway", id: "centre", label: "Centre ψ", unit: "°", step: 1, help: "position of the middle of the raceway; 0° is in the middle of the load zone", range: fixed(-180, 180), ...ofKey("raceway.centre_angle_deg") },
   { group: "Raceway", id: "blend", label: "Blend", unit: "mm", step: 0.05, help: "length over which either end runs out into the plain raceway; 0: ends as the shape has them", range: (g) => [0, g.raceways.length ? digits(g.raceways[0].half_angle_deg * Math.PI / 360 * g.bearing.outer_radius_mm, 2) : 1], ...ofKey("raceway.blend_mm") },
   { group: "Raceway", id: "depth", label: "Depth", unit: "µm", step: 0.5, help: "how much deeper a ball in the middle sits than on the plain raceway", range: (g) => [0, Math.max(30, 2 * (ofKey("raceway.depth_um").read(g) || 0))], ...ofKey("raceway.depth_um") },

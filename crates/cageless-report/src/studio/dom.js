@@ -13,6 +13,14 @@ function element(tag, attributes = {}, ...children) {
 
 const button = (label, onclick, attributes = {}) => element("button", { type: "button", onclick, ...attributes }, label);
 
+// Calls `moved` for a pointer that is down on an element until it is let go.
+function follow(el, { pointerId }, moved) {
+  const ended = new AbortController(), { signal } = ended;
+  el.setPointerCapture(pointerId);
+  el.addEventListener("pointermove", moved, { signal });
+  for (const name of ["pointerup", "pointercancel"]) el.addEventListener(name, () => ended.abort(), { signal });
+}
+
 const minus = (text) => text.replace("-", "\u2212");
 const shown = (value, count = 4) => (value === null || value === undefined || !isFinite(value) ? "–" : minus(Number(value).toFixed(count)));
 

@@ -7,24 +7,14 @@ const TRAIL = 240;
 // Bore over groove radius of an inner ring whose bore is not given.
 const BORE = 0.82;
 
-// `text` without these keys of a section.
-function withoutKeys(text, section, names) {
-  const pattern = new RegExp("^\\s*(" + names.join("|") + ")\\s*=");
-  let inside = false;
-  return text.split("\n").filter((line) => {
-    if (isSection(line)) inside = isSection(line, section);
-    return !(inside && pattern.test(line));
-  }).join("\n");
-}
-
 // The case at rest with the assumed rotor of the engine in its inner ring.
 function withRotor(text, g, rotor) {
   let drop = text;
-  for (const section of ["solver", "housing", "search"]) drop = withoutSection(drop, section);
-  drop = withoutKeys(drop, "operation", ["inner_speed_rpm", "radial_load_n"]);
-  drop = withoutKeys(drop, "start", ["state", "ring_x_um", "ring_y_um"]);
-  drop = withoutKeys(drop, "model", ["formulation"]);
-  drop = withoutKeys(drop, "bearing", ["inner_ring_damping_n_s_m"]);
+  for (const section of ["solver", "housing", "search"]) drop = without(drop, section);
+  drop = without(drop, "operation", ["inner_speed_rpm", "radial_load_n"]);
+  drop = without(drop, "start", ["state", "ring_x_um", "ring_y_um"]);
+  drop = without(drop, "model", ["formulation"]);
+  drop = without(drop, "bearing", ["inner_ring_damping_n_s_m"]);
   const { bearing } = g.document, groove = g.bearing.inner_radius_mm;
   const bore = bearing.inner_ring_bore_radius_mm || digits(BORE * groove, 2);
   const inertia = 0.5e-6 * bearing.inner_ring_mass_kg * (bore * bore + groove * groove);

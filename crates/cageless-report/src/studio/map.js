@@ -1,4 +1,4 @@
-// Map of the estimate over axial span and half angle, with the raceway as a point to be moved.
+// Map of the estimate over two controls of the raceway, with the raceway as a point to be moved.
 
 const MAP_POINTS = [31, 25];
 const MAP_REFINED = [17, 17];
@@ -13,22 +13,30 @@ const MAP_REGIONS = [
   ["impossible", "impossible (hatched)", [128, 128, 128, 170]],
 ];
 
-// Values of lC and θ with what the engine found at them, interpolated between them.
+const MAP_AXES = CONTROLS.filter(({ group }) => group === "Raceway");
+// lC and θ: the axes at first, and where there is no raceway, which they make.
+const MAP_DEFAULT = MAP_AXES.slice(0, 2);
+
+// Name of an axis within a sentence, and its symbol with a value.
+const axisName = ({ label }) => label[0].toLowerCase() + label.slice(1);
+const axisValue = (axis, v) => axisName(axis).split(" ").at(-1) + " " + shown(v, decimals(axis)) + (axis.unit === "°" ? "" : " ") + axis.unit;
+
+// Values across and up with what the engine found at them, interpolated between them.
 class MapGrid {
-  constructor(spans, angles, { beta0_deg, margins, possible_axial_span_mm }) {
-    Object.assign(this, { spans, angles, beta0_deg, margins, ranges: possible_axial_span_mm });
-    this.filled = Object.fromEntries(Object.entries({ beta0: beta0_deg, ...margins }).map(([name, rows]) => [name, filled(rows)]));
+  constructor(across, up, { beta0_deg, margins, possible, refused }) {
+    Object.assign(this, { across, up, beta0_deg, margins, refused, ranges: possible });
+    this.filled = Object.fromEntries(Object.entries(margins).map(([name, rows]) => [name, filled(rows)]));
     this.terms = Object.keys(margins);
   }
 
-  // Cell and share of it at lC, θ; null outside.
-  cell(span, angle) {
+  // Cell and share of it at a place; null outside.
+  cell(x, y) {
     const along = (values, v) => {
-      const n = values.length - 1, part = (v - values[0]) / (values[n] - values[0]) * n;
-      return part >= -1e-9 && part <= n + 1e-9 ? [Math.max(0, Math.min(n - 1, Math.floor(part))), part - Math.max(0, Math.min(n - 1, Math.floor(part)))] : null;
+      const n = values.length - 1, part = (v - values[0]) / (values[n] - values[0]) * n, whole = Math.max(0, Math.min(n - 1, Math.floor(part)));
+      return part >= -1e-9 && part <= n + 1e-9 ? [whole, part - whole] : null;
     };
-    const k = along(this.spans, span), j = along(this.angles, angle);
-    return k && j ? { k: k[0], u: k[1], j: j[0], v: j[1] } : null;
+    const k = along(this.across, x), j = along(this.up, y);
+    return k && j && { k: k[0], u: k[1], j: j[0], v: j[1] };
   }
 
   value(name, c) {
@@ -36,17 +44,23 @@ class MapGrid {
     return along(low) + (along(high) - along(low)) * c.v;
   }
 
-  possible(span, c) {
+  possible(x, c) {
     const [low, high] = [this.ranges[c.j], this.ranges[c.j + 1]];
     // Ends of a range that goes from row to row move evenly between them.
-    if (low.length === 1 && high.length === 1) return [0, 1].every((end) => (end ? 1 : -1) * (low[0][end] + (high[0][end] - low[0][end]) * c.v - span) >= -1e-9);
-    return (c.v < 0.5 ? low : high).some(([from, to]) => span >= from && span <= to);
+    if (low.length === 1 && high.length === 1) return [0, 1].every((end) => (end ? 1 : -1) * (low[0][end] + (high[0][end] - low[0][end]) * c.v - x) >= -1e-9);
+    return (c.v < 0.5 ? low : high).some(([from, to]) => x >= from && x <= to);
   }
 
-  region(span, angle) {
-    const c = this.cell(span, angle);
+  // The message of the nearest refused corner of a cell.
+  reason({ k, u, j, v }) {
+    const nearest = (n, share) => (share < 0.5 ? [n, n + 1] : [n + 1, n]);
+    return nearest(j, v).flatMap((row) => nearest(k, u).map((at) => this.refused[row][at])).find(Boolean);
+  }
+
+  region(x, y) {
+    const c = this.cell(x, y);
     if (!c) return null;
-    if (!this.possible(span, c)) return "impossible";
+    if (!this.possible(x, c)) return "impossible";
     if (!this.terms.length) return "unjudged";
     let least = 0, worst = "pass";
     for (const term of this.terms) {
@@ -74,38 +88,64 @@ class RacewayMap {
   constructor(studio) {
     this.studio = studio;
     this.grids = [];
-    this.canvas = element("canvas", { role: "img", "aria-label": "Map of the estimate over axial span and half angle", "data-canvas": "map", onpointerdown: (event) => this.grab(event), onclick: (event) => this.tap(event) });
-    this.point = element("div", { class: "point", role: "slider", tabindex: 0, "data-point": true, "aria-orientation": "horizontal", "aria-label": "Raceway in the map: axial span lC and half angle θ, by arrow keys", onpointerdown: (event) => this.grab(event), onkeydown: (event) => this.step(event) });
+    this.chosen = this.axes = MAP_DEFAULT;
+    this.selects = [0, 1].map((k) => element("select", { "data-axis": k, onchange: (event) => this.choose(k, event.target.value) }, ...MAP_AXES.map(({ id, label }) => element("option", { value: id }, label))));
+    this.canvas = element("canvas", { role: "img", "aria-label": "Map of the estimate", "data-canvas": "map", onpointerdown: (event) => this.grab(event), onclick: (event) => this.tap(event), onpointermove: (event) => this.explain(event) });
+    this.point = element("div", { class: "point", role: "slider", tabindex: 0, "data-point": true, "aria-orientation": "horizontal", "aria-label": "Raceway in the map, by arrow keys", onpointerdown: (event) => this.grab(event), onkeydown: (event) => this.step(event) });
     this.state = element("div", { class: "state", "data-part": "map", role: "status" });
     this.old = element("p", { class: "old", "data-part": "map-old" }, "Map of the case before the last change; it is computed anew after the verdict.");
     this.legend = element("ul", { class: "legend" },
       ...MAP_REGIONS.map(([id, label, [r, g, b, a]]) => element("li", { "data-region": id }, element("span", { class: "swatch " + id, style: "background-color: rgb(" + [r, g, b].join(" ") + " / " + (a / 255).toFixed(2) + ")" }), label)),
       element("li", {}, element("span", { class: "swatch line" }), "β0 = nominal gap, Eq. (11)"), element("li", {}, element("span", { class: "swatch thin" }), "equal β0"));
-    this.root = element("figure", { class: "map" }, element("div", { class: "plane" }, this.canvas, this.point), this.old, this.state, this.legend);
+    this.root = element("figure", { class: "map" },
+      element("div", { class: "bar" }, ...["Across", "Up"].map((label, k) => element("label", {}, label + " ", this.selects[k]))),
+      element("div", { class: "plane" }, this.canvas, this.point), this.old, this.state, this.legend);
     new ResizeObserver(() => this.paint()).observe(this.canvas);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
   }
 
-  // The case apart from lC and θ, on which the map does not depend.
-  apart(toml) {
-    return withValue(withValue(toml, "raceway.axial_span_mm", "0"), "raceway.half_angle_deg", "0");
+  // Takes another control for an axis; the two change places if it is that of the other axis.
+  choose(k, id) {
+    const axis = MAP_AXES.find((a) => a.id === id);
+    this.chosen = this.chosen.map((other, n) => (n === k ? axis : other === axis ? this.chosen[k] : other));
+    this.turn();
+    this.show();
+    if (!this.studio.impossible) this.compute(this.studio.good);
   }
 
-  // Ends of the axes: all possible lC, and θ to well beyond the longest raceway that passes.
+  // Axes as they were chosen, of a ring with a raceway; a map over others ends.
+  turn() {
+    const { g } = this.studio, none = !!g && !g.raceways.length, axes = none ? MAP_DEFAULT : this.chosen;
+    this.selects.forEach((select, n) => { select.value = axes[n].id; select.disabled = none; });
+    if (axes.every((axis, n) => axis === this.axes[n])) return;
+    this.cancel();
+    Object.assign(this, { axes, grids: [], box: null, plane: null });
+    this.canvas.title = "";
+  }
+
+  // The case apart from its values on the axes, on which the map does not depend.
+  apart(toml, axes = this.axes) {
+    return axes.reduce((text, { key }) => withValue(text, key, "0"), toml);
+  }
+
+  // Ends of the axes.
   extent(g) {
-    const { epsilon_deg, uniform_gap_deg, axial_span_limit_mm } = g.numbers;
-    const own = g.raceways[0] ? g.raceways[0].half_angle_deg : 0;
-    return [0, 1.08 * axial_span_limit_mm, 0, Math.min(90, Math.max(1.7 * (epsilon_deg + uniform_gap_deg), 1.15 * own))];
+    const own = this.own();
+    return this.axes.flatMap(({ mapped, range }, k) => {
+      const [low, high] = (mapped || range)(g);
+      return own ? [Math.min(low, own[k]), Math.max(high, own[k])] : [low, high];
+    });
   }
 
   // Whether the map that is shown or under way is that of this case.
   current(toml) {
     const own = this.own();
-    return this.apart(toml) === this.computed && (!own || !this.box || own[1] < this.box[3]);
+    return this.apart(toml) === this.computed && (!own || !this.box || own.every((v, k) => v <= this.box[2 * k + 1]));
   }
 
   // Ends the map of another case than this one, and marks it as such.
   expect(toml) {
+    this.turn();
     if (this.current(toml)) return;
     this.cancel();
     this.root.classList.add("stale");
@@ -118,27 +158,29 @@ class RacewayMap {
     const { studio } = this, extent = this.extent(studio.g);
     const abort = this.abort = new AbortController(), began = performance.now();
     this.computed = this.apart(toml);
-    const points = async ([low, high, from, to], [across, up]) => {
-      // lC and θ of 0 are no raceways: the axes begin a little beyond.
-      const spans = evenly(low || high / 1000, high, across), angles = evenly(from || to / 1000, to, up);
-      const found = await studio.engine.request("map", { op: "map", case: toml, axial_span_mm: spans, half_angle_deg: angles }, { signal: abort.signal });
-      return new MapGrid(spans, angles, found);
+    const points = async (ends, counts) => {
+      const [across, up] = this.axes.map(({ key, mapped }, k) => {
+        const [low, high] = ends.slice(2 * k);
+        // lC and θ of 0 are no raceways: these axes begin a little beyond.
+        return { key: firstOf(key, studio.g.document), values: evenly(low || (mapped ? high / 1000 : 0), high, counts[k]) };
+      });
+      const found = await studio.engine.request("map", { op: "map", case: toml, across, up }, { signal: abort.signal });
+      return new MapGrid(across.values, up.values, found);
+    };
+    const take = (...grids) => {
+      Object.assign(this, { grids, picture: null, box: extent });
+      this.root.classList.remove("stale");
+      this.show();
     };
     try {
       const whole = await points(extent, MAP_POINTS);
       if (abort !== this.abort) return;
-      this.box = extent;
-      this.grids = [whole];
-      this.root.classList.remove("stale");
-      this.picture = null;
-      this.show();
+      take(whole);
       const band = this.band(whole);
       if (band) {
         const fine = await points(band, MAP_REFINED);
         if (abort !== this.abort) return;
-        this.grids = [fine, whole];
-        this.picture = null;
-        this.show();
+        take(fine, whole);
       }
       studio.root.dataset.mapMs = (performance.now() - began).toFixed(0);
     } catch (error) {
@@ -155,51 +197,57 @@ class RacewayMap {
   }
 
   // The part of a grid that passes, one cell wider; null if nothing does.
-  band({ spans, angles, margins }) {
+  band({ across, up, margins }) {
     let box = null;
     const terms = Object.values(margins);
-    angles.forEach((_angle, j) => spans.forEach((_span, k) => {
+    up.forEach((_y, j) => across.forEach((_x, k) => {
       if (!terms.length || terms.some((rows) => rows[j][k] === null || rows[j][k] < 0)) return;
       box = box ? [Math.min(box[0], k), Math.max(box[1], k), Math.min(box[2], j), Math.max(box[3], j)] : [k, k, j, j];
     }));
     if (!box) return null;
-    const end = (values, k) => values[Math.max(0, Math.min(values.length - 1, k))];
-    return [end(spans, box[0] - 1), end(spans, box[1] + 1), end(angles, box[2] - 1), end(angles, box[3] + 1)];
+    return box.map((at, n) => { const values = n < 2 ? across : up; return values[Math.max(0, Math.min(values.length - 1, at + (n % 2 ? 1 : -1)))]; });
   }
 
-  region(span, angle) {
+  region(x, y) {
     for (const grid of this.grids) {
-      const found = grid.region(span, angle);
+      const found = grid.region(x, y);
       if (found) return found;
     }
     return null;
   }
 
+  // Says at an impossible place why it is.
+  explain(event) {
+    if (!this.plane) return;
+    const at = this.value(event), grid = this.grids.find((g) => g.cell(...at));
+    const why = !this.root.classList.contains("stale") && this.region(...at) === "impossible" && grid.reason(grid.cell(...at));
+    this.canvas.title = (why || "").replace(/^\w+(:\d+)?: /, "");
+  }
+
   // --- the point ---
 
   own() {
-    const r = this.studio.g && this.studio.g.raceways[0];
-    return r ? [r.axial_span_mm, r.half_angle_deg] : null;
+    const { g } = this.studio;
+    // lC and θ that the case file leaves to a measured profile are those of the raceway.
+    return g && g.raceways.length ? this.axes.map((axis) => axis.read(g) ?? g.raceways[0][axis.key.split(".")[1]]) : null;
   }
 
   // The last possible place on the way from the present raceway.
-  towards(span, angle) {
-    const possible = (s, a) => s > 0 && a > 0 && !["impossible", null].includes(this.region(s, a));
-    if (!this.grids.length || possible(span, angle)) return [span, angle];
+  towards(x, y) {
+    const possible = (a, b) => !["impossible", null].includes(this.region(a, b));
+    if (!this.grids.length || possible(x, y)) return [x, y];
     const own = this.own();
     if (!own) return null;
     let good = 0, bad = 1;
-    const at = (t) => [own[0] + (span - own[0]) * t, own[1] + (angle - own[1]) * t];
+    const at = (t) => own.map((v, k) => v + ([x, y][k] - v) * t);
     for (let k = 0; k < 12; k++) { const middle = (good + bad) / 2; if (possible(...at(middle))) good = middle; else bad = middle; }
     return at(good);
   }
 
-  move(span, angle, joined) {
-    const held = this.towards(span, angle);
+  move(x, y, joined) {
+    const held = this.towards(x, y);
     if (!held) return;
-    let text = withValue(this.studio.toml, "raceway.axial_span_mm", written(digits(held[0], 3)));
-    text = withValue(text, "raceway.half_angle_deg", written(digits(held[1], 2)));
-    this.studio.edit(text, joined);
+    this.studio.edit(this.axes.reduce((text, axis, k) => withValue(text, axis.key, written(digits(held[k], decimals(axis) + 1))), this.studio.toml), joined);
   }
 
   // A finger on the map itself scrolls the page; a tap moves the point.
@@ -211,9 +259,7 @@ class RacewayMap {
     const touched = event.pointerType === "touch" && event.currentTarget === this.canvas;
     if (!this.plane || event.button > 0 || touched) return;
     event.preventDefault();
-    const held = this.point;
-    held.focus();
-    held.setPointerCapture(event.pointerId);
+    this.point.focus();
     // From where it began, by as much as the pointer has moved: the page may shift below it.
     const start = event.currentTarget === this.canvas ? this.value(event) : this.own(), at = [event.clientX, event.clientY];
     let joined = false;
@@ -223,15 +269,13 @@ class RacewayMap {
       joined = true;
     };
     if (event.currentTarget === this.canvas) to(event);
-    const end = () => { held.removeEventListener("pointermove", to); held.removeEventListener("pointerup", end); held.removeEventListener("pointercancel", end); };
-    held.addEventListener("pointermove", to);
-    held.addEventListener("pointerup", end);
-    held.addEventListener("pointercancel", end);
+    follow(this.point, event, to);
   }
 
   step(event) {
-    const own = this.own(), far = event.shiftKey ? 10 : 1;
-    const by = { ArrowLeft: [-0.02, 0], ArrowRight: [0.02, 0], ArrowDown: [0, -0.1], ArrowUp: [0, 0.1], PageDown: [0, -1], PageUp: [0, 1] }[event.key];
+    const own = this.own(), [across, up] = this.axes, far = event.shiftKey ? 10 : 1;
+    const [x, y] = [2 * across.step, up.step];
+    const by = { ArrowLeft: [-x, 0], ArrowRight: [x, 0], ArrowDown: [0, -y], ArrowUp: [0, y], PageDown: [0, -10 * y], PageUp: [0, 10 * y] }[event.key];
     if (!by || !own || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     // Presses in quick succession are one step of undo, and each goes on from the last.
@@ -244,11 +288,11 @@ class RacewayMap {
 
   // --- drawing ---
 
-  // lC and θ at the place of a pointer.
-  value(event) {
-    const { left, top, wide, high } = this.plane, bounds = this.canvas.getBoundingClientRect(), [low, most, from, to] = this.box;
+  // Values on the axes at the place of a pointer.
+  value({ clientX, clientY }) {
+    const { left, top, wide, high } = this.plane, { x, y } = this.canvas.getBoundingClientRect(), [low, most, from, to] = this.box;
     const share = (v) => Math.max(0, Math.min(1, v));
-    return [low + (most - low) * share((event.clientX - bounds.left - left) / wide), to - (to - from) * share((event.clientY - bounds.top - top) / high)];
+    return [low + (most - low) * share((clientX - x - left) / wide), to - (to - from) * share((clientY - y - top) / high)];
   }
 
   show() {
@@ -260,9 +304,9 @@ class RacewayMap {
     // A map of another case says nothing about this one.
     const region = this.root.classList.contains("stale") ? null : this.region(...own), known = MAP_REGIONS.find(([id]) => id === region);
     const beta0 = this.studio.g.numbers.beta0_deg;
-    const text = "lC " + shown(own[0], 2) + " mm, θ " + shown(own[1], 1) + "°, β0 " + shown(beta0, 3) + "°" + (known ? ": " + known[1] : "");
-    const most = this.box ? this.box[1] : this.studio.g.numbers.axial_span_limit_mm;
-    for (const [name, value] of Object.entries({ valuemin: 0, valuemax: digits(most, 3), valuenow: digits(own[0], 3), valuetext: text })) point.setAttribute("aria-" + name, value);
+    const text = this.axes.map((axis, k) => axisValue(axis, own[k])).join(", ") + ", β0 " + shown(beta0, 3) + "°" + (known ? ": " + known[1] : "");
+    const [low, most] = this.box || this.extent(this.studio.g);
+    for (const [name, value] of Object.entries({ valuemin: low, valuemax: digits(most, 3), valuenow: digits(own[0], 3), valuetext: text })) point.setAttribute("aria-" + name, value);
     this.state.textContent = text;
   }
 
@@ -296,21 +340,23 @@ class RacewayMap {
     this.legend.hidden = !this.box;
     if (!this.box) { c.fillStyle = k.soft; c.textAlign = "center"; c.fillText("computing the map …", width / 2, height / 2); return; }
     const [low, most, from, to] = this.box;
-    const px = (span) => left + wide * (span - low) / (most - low), py = (angle) => top + high * (to - angle) / (to - from);
+    const px = (x) => left + wide * (x - low) / (most - low), py = (y) => top + high * (to - y) / (to - from);
     if (!saved) {
       this.plane = { left, top, wide, high };
       if (!this.picture || this.picture.width !== Math.round(wide)) this.picture = this.regions(wide, high);
-      c.drawImage(this.picture, left, top, wide, high);
-    } else c.drawImage(this.regions(wide, high, true), left, top, wide, high);
+    }
+    c.drawImage(saved ? this.regions(wide, high, true) : this.picture, left, top, wide, high);
     this.contours(c, k, px, py);
     c.strokeStyle = k.soft; c.lineWidth = 1; c.fillStyle = k.soft;
     c.beginPath(); c.moveTo(left, top); c.lineTo(left, top + high); c.lineTo(left + wide, top + high); c.stroke();
+    // Degrees stand at the numbers, other units at the name.
+    const [across, up] = this.axes.map((axis) => (axis.unit === "°" ? [axisName(axis), "°"] : [axisName(axis) + ", " + axis.unit, ""]));
     c.textAlign = "center";
-    for (const tick of ticks(low, most, 6)) c.fillText(String(tick), px(tick), top + high + 14);
+    for (const tick of ticks(low, most, 6)) c.fillText(minus(tick + across[1]), px(tick), top + high + 14);
     c.textAlign = "right";
-    for (const tick of ticks(from, to, 6)) c.fillText(tick + "°", left - 4, py(tick) + 4);
-    c.textAlign = "left"; c.fillText("half angle θ", 4, 12);
-    c.textAlign = "right"; c.fillText("axial span lC, mm", left + wide, top + high + 30);
+    for (const tick of ticks(from, to, 6)) c.fillText(minus(tick + up[1]), left - 4, py(tick) + 4);
+    c.textAlign = "left"; c.fillText(up[0], 4, 12);
+    c.textAlign = "right"; c.fillText(across[0], left + wide, top + high + 30);
     if (saved) this.words(c, k, shownRegions, left, MAP_RATIO * width + 10, 0.028 * width);
     const own = this.own();
     if (!own) return;
@@ -345,11 +391,11 @@ class RacewayMap {
       c.strokeStyle = level === even ? k.ink : k.soft;
       c.lineWidth = level === even ? 2.5 : 0.75;
       c.beginPath();
-      for (let j = 0; j + 1 < grid.angles.length; j++) {
-        for (let i = 0; i + 1 < grid.spans.length; i++) {
-          const cuts = this.cuts(grid, i, j, level).map(([span, angle]) => [px(span), py(angle)]);
+      for (let j = 0; j + 1 < grid.up.length; j++) {
+        for (let i = 0; i + 1 < grid.across.length; i++) {
+          const cuts = this.cuts(grid, i, j, level).map(([x, y]) => [px(x), py(y)]);
           for (let n = 0; n + 1 < cuts.length; n += 2) { c.moveTo(...cuts[n]); c.lineTo(...cuts[n + 1]); }
-          if (cuts.length && j === Math.floor(0.86 * grid.angles.length)) label = cuts[0];
+          if (cuts.length && j === Math.floor(0.86 * grid.up.length)) label = cuts[0];
         }
       }
       c.stroke();
@@ -363,13 +409,13 @@ class RacewayMap {
 
   // Where β0 has a level on the sides of a cell.
   cuts(grid, i, j, level) {
-    const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([a, b]) => [grid.spans[a], grid.angles[b], grid.beta0_deg[b][a]]);
+    const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(([a, b]) => [grid.across[a], grid.up[b], grid.beta0_deg[b][a]]);
     if (corners.some(([, , v]) => v === null)) return [];
-    return corners.flatMap(([span, angle, v], n) => {
-      const [span2, angle2, v2] = corners[(n + 1) % 4];
+    return corners.flatMap(([x, y, v], n) => {
+      const [x2, y2, v2] = corners[(n + 1) % 4];
       if ((v < level) === (v2 < level)) return [];
       const t = (level - v) / (v2 - v);
-      return [[span + (span2 - span) * t, angle + (angle2 - angle) * t]];
+      return [[x + (x2 - x) * t, y + (y2 - y) * t]];
     });
   }
 }

@@ -8,7 +8,7 @@ const MATERIAL_PARTS = [
 // `text` with the named material in `section`, in place of its numbers; without the section if
 // no name is given.
 function withMaterial(text, section, name) {
-  const rest = withoutSection(text, section).replace(/\n*$/, "\n");
+  const rest = without(text, section).replace(/\n*$/, "\n");
   return name ? rest + "\n[" + section + "]\npreset = " + written(name) + "\n" : rest;
 }
 

@@ -87,9 +87,9 @@ class SaveMenu {
   }
 
   points() {
-    const { grids } = this.studio.map, { terms } = grids[grids.length - 1];
-    return asCsv(["axial_span_mm", "half_angle_deg", "beta0_deg", ...terms.map((term) => "margin_" + term.replace("-", "_"))],
-      grids.flatMap((grid) => grid.angles.flatMap((angle, j) => grid.spans.map((span, k) => [span, angle, grid.beta0_deg[j][k], ...terms.map((term) => (grid.margins[term] || [])[j]?.[k])]))));
+    const { grids, axes } = this.studio.map, { terms } = grids[grids.length - 1];
+    return asCsv([...axes.map((axis) => axis.key.split(".")[1]), "beta0_deg", ...terms.map((term) => "margin_" + term.replace("-", "_"))],
+      grids.flatMap((grid) => grid.up.flatMap((y, j) => grid.across.map((x, k) => [x, y, grid.beta0_deg[j][k], ...terms.map((term) => (grid.margins[term] || [])[j]?.[k])]))));
   }
 
   // The last frames of the motion, bearing and gaps, as GIF.

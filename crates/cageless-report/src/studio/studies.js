@@ -22,7 +22,7 @@ function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg, 
     return Object.entries(keys(centre_angles_deg[0])).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), text);
   }
   const blocks = centre_angles_deg.map((centre) => "\n[[raceway]]\n" + Object.entries({ ...keys(centre), ...kept(g) }).map(([key, value]) => key + " = " + written(value) + "\n").join(""));
-  return withoutSection(text, "raceway").replace(/\n*$/, "\n") + blocks.join("");
+  return without(text, "raceway").replace(/\n*$/, "\n") + blocks.join("");
 }
 
 class Studies {
@@ -76,7 +76,7 @@ class Studies {
     this.tolerance.disabled = busy || !this.able.has("tolerance") || !g || !!g.rotor || !g.raceways.length;
     this.files.forEach((file) => { file.disabled = busy || !this.able.has("export") || !g; });
     // A search does not depend on the raceway that is there.
-    const of = (toml) => (this.found && this.found.op === "search" ? this.studio.map.apart(toml) : toml);
+    const of = (toml) => (this.found && this.found.op === "search" ? this.studio.map.apart(toml, MAP_DEFAULT) : toml);
     this.old.hidden = !this.found || busy || of(this.found.toml) === of(this.studio.toml);
     this.root.classList.toggle("stale", !this.old.hidden);
     this.working.hidden = !busy;

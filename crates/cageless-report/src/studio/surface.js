@@ -22,19 +22,14 @@ class Surface {
   drag(event) {
     const { canvas } = this;
     let at = [event.clientX, event.clientY];
-    canvas.setPointerCapture(event.pointerId);
-    const move = (moved) => {
+    follow(canvas, event, (moved) => {
       this.turn = (this.turn + (moved.clientX - at[0]) * 0.5 + 540) % 360 - 180;
       this.tilt = Math.max(5, Math.min(90, this.tilt + (moved.clientY - at[1]) * 0.5));
       at = [moved.clientX, moved.clientY];
       this.sliders.turn.value = this.turn;
       this.sliders.tilt.value = this.tilt;
       this.paint();
-    };
-    const end = () => { canvas.removeEventListener("pointermove", move); canvas.removeEventListener("pointerup", end); canvas.removeEventListener("pointercancel", end); };
-    canvas.addEventListener("pointermove", move);
-    canvas.addEventListener("pointerup", end);
-    canvas.addEventListener("pointercancel", end);
+    });
   }
 
   paint(target = this.canvas) {
