@@ -6,10 +6,12 @@ use std::f64::consts::FRAC_PI_4;
 use crate::common::*;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
-    PairSeparation, RacewayLayout, Request, SearchError, SpeedMap, Task, perturbed_runs, run_jobs,
-    search, uneven_gaps_rad,
+    PairSeparation, RacewayLayout, Request, SearchError, SpeedMap, Stage, Task, perturbed_runs,
+    run_jobs, search, uneven_gaps_rad,
 };
-use cageless::design::{Eq11, RacewayVerdict, judge, steady_gap_rad, theoretical_gap_rad};
+use cageless::design::{
+    Eq11, RacewayVerdict, axial_lag, judge, steady_gap_rad, theoretical_gap_rad,
+};
 use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
 use cageless::{Case, Raceway, RacewayForm, RacewayShape};
@@ -377,29 +379,41 @@ fn an_impossible_load_is_refused() {
     );
 }
 
-/// As if every raceway that the closed forms allow were acceptable, which takes the most
-/// simulations. Returns how many each search takes.
+/// Half angle from which [`acceptable`] has three fifths of the lag left under axial load, two fifths below.
+const KEEPS_LAG_RAD: f64 = 25.3 * std::f64::consts::PI / 180.0;
+
+/// As if every raceway that the closed forms allow were acceptable without axial load.
+fn acceptable(case: &Case, job: &Job) -> Outcome {
+    Ok(match job.task {
+        Task::PairSeparation => {
+            let raceways = job.structure.raceways(&case.bearing).unwrap();
+            Numbers::PairSeparation(PairSeparation {
+                critical_gap_rad: 0.9 * steady_gap_rad(&case.bearing, &raceways),
+                shortfall: 0.0,
+                stress_pa: 1e9 * (1.0 + job.structure.half_angle_rad),
+            })
+        }
+        Task::Motion(_) => {
+            let mut motion = Motion::from_values([1.0; 11]);
+            motion.double_collision_fraction = 0.0;
+            motion.sliding_m_s = job.structure.axial_span_m;
+            Numbers::Motion(motion)
+        }
+        Task::AxialLag(0.0) => Numbers::AxialLag(0.05),
+        Task::AxialLag(_) if job.structure.half_angle_rad < KEEPS_LAG_RAD => {
+            Numbers::AxialLag(0.02)
+        }
+        Task::AxialLag(_) => Numbers::AxialLag(0.03),
+    })
+}
+
+/// How many simulations a search takes at most.
 fn simulations(case: &Case, request: &Request) -> usize {
     let mut motions = 0;
     let found = run(case, request, &mut |_, jobs| {
-        let outcome = |job: &Job| match job.task {
-            Task::PairSeparation => {
-                let raceways = job.structure.raceways(&case.bearing).unwrap();
-                Ok(Numbers::PairSeparation(PairSeparation {
-                    critical_gap_rad: 0.9 * steady_gap_rad(&case.bearing, &raceways),
-                    shortfall: 0.0,
-                    stress_pa: 1e9 * (1.0 + job.structure.half_angle_rad),
-                }))
-            }
-            Task::Motion(_) => {
-                motions += 1;
-                let mut motion = Motion::from_values([1.0; 11]);
-                motion.double_collision_fraction = 0.0;
-                motion.sliding_m_s = job.structure.axial_span_m;
-                Ok(Numbers::Motion(motion))
-            }
-        };
-        Ok(jobs.iter().map(outcome).collect())
+        let of_all = jobs.iter().filter(|j| matches!(j.task, Task::Motion(_)));
+        motions += of_all.count();
+        Ok(jobs.iter().map(|job| acceptable(case, job)).collect())
     });
     assert!(found.recommended.is_some() && found.confirmed.len() == 2);
     let cells = |m: &SpeedMap| (m.axial_span_m.len() * m.half_angle_rad.len(), m.cells.len());
@@ -441,4 +455,66 @@ fn a_search_keeps_to_its_budget() {
         let error = search(&case, &request, &mut |_, _| panic!("nothing to compute")).unwrap_err();
         assert!(matches!(error, SearchError::Impossible(_)), "{error:?}");
     }
+}
+
+/// Raceways that lose too much of their lag under the largest axial load leave the front to others, and the
+/// optimiser does not bring them back; under a load that leaves none of them enough by rolling only that of the case is simulated.
+#[test]
+fn a_search_demands_lag_under_axial_load() {
+    let case = structure(5.1, 25.2);
+    let own = RacewayLayout::from_case(&case).unwrap();
+    let under = |ratio: f64| {
+        let request = Request {
+            axial_load_max_n: ratio * case.operation.radial_load_n,
+            ..small(&case)
+        };
+        run(&case, &request, &mut |stage, jobs| {
+            let of_case = jobs.iter().all(|job| job.structure == own);
+            assert!(ratio == 0.1 || stage != Stage::Axial || of_case);
+            Ok(jobs.iter().map(|job| acceptable(&case, job)).collect())
+        })
+    };
+    let counted = |found: &Found| {
+        let mut of = found.rejections().into_iter();
+        of.find(|(name, _)| *name == "axial-load")
+            .map_or(0, |(_, count)| count)
+    };
+    let free = under(0.0);
+    let best = &free.evaluations[free.recommended.unwrap()];
+    assert!(best.structure.half_angle_rad < KEEPS_LAG_RAD && best.axial.is_empty());
+    assert_eq!(counted(&free), 0);
+
+    let loaded = under(0.1);
+    let best = &loaded.evaluations[loaded.recommended.unwrap()];
+    assert!(best.structure.half_angle_rad >= KEEPS_LAG_RAD);
+    assert_eq!(best.axial[0].lags_rad, Some([0.05, 0.03]));
+    assert!((0.6..1.0).contains(&best.axial[0].rolling_fraction));
+    assert!(counted(&loaded) > 0);
+    let front = loaded.evaluations.iter().filter(|e| e.on_front);
+    assert!(front.into_iter().all(|e| e.axial[0].fraction() > Some(0.5)));
+
+    let heavy = under(0.6);
+    assert_eq!(heavy.recommended, None);
+    assert!(counted(&heavy) > 0);
+}
+
+/// The lag under axial load is that of `design --axial` with the integrator of the case.
+#[test]
+fn the_lag_under_axial_load_is_that_of_the_design() {
+    let case = structure(5.1, 25.2);
+    let axial_load_n = 0.2 * case.operation.radial_load_n;
+    let job = Job {
+        structure: RacewayLayout::from_case(&case).unwrap(),
+        point: OperatingPoint::from_case(&case),
+        task: Task::AxialLag(axial_load_n),
+    };
+    let Numbers::AxialLag(searched) = all(&case, &[job]).swap_remove(0).unwrap() else {
+        panic!("outcome of another task");
+    };
+    let designed = axial_lag(&case, [axial_load_n, 0.0], &mut go_on).unwrap();
+    let [designed, _] = designed.lag_and_angle_rad.unwrap();
+    assert!(
+        (searched / designed - 1.0).abs() < 0.01,
+        "{searched} {designed}"
+    );
 }

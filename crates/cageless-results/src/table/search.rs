@@ -169,6 +169,7 @@ fn rejection_text(name: &str) -> &'static str {
         "stress" => "contact pressure above 4200 MPa (ISO 76)",
         "gross-sliding" => "gross sliding over the raceway",
         "gap-not-retained" => "gap lost before the load zone",
+        "axial-load" => "too little of the lag left under the largest axial load",
         "double-collision" => "double collisions in too many passages",
         _ => "a run failed",
     }

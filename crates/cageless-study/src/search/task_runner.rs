@@ -22,6 +22,9 @@ pub const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
 
+/// Work of a run in space under axial load over that of a run of all balls.
+const AXIAL_WORK: f64 = 3.0;
+
 /// Name of the task of a stage.
 pub fn task_name(stage: Stage) -> String {
     format!("search: {}", stage.name())
@@ -165,6 +168,7 @@ fn work(job: &Job) -> f64 {
     match job.task {
         Task::PairSeparation => SPACING_WORK,
         Task::Motion(_) => 1.0,
+        Task::AxialLag(_) => AXIAL_WORK,
     }
 }
 
@@ -172,6 +176,7 @@ fn entry(outcome: &Outcome) -> Entry {
     outcome.clone().map(|numbers| match numbers {
         Numbers::PairSeparation(s) => vec![s.critical_gap_rad, s.shortfall, s.stress_pa],
         Numbers::Motion(m) => m.values().to_vec(),
+        Numbers::AxialLag(lag_rad) => vec![lag_rad],
     })
 }
 
@@ -181,7 +186,10 @@ fn outcome(key: &str, entry: Entry) -> Option<Outcome> {
         Ok(values) => values,
         Err(reason) => return Some(Err(reason)),
     };
-    if key.starts_with("spacing") {
+    if key.starts_with("axial") {
+        let [lag_rad] = values.try_into().ok()?;
+        Some(Ok(Numbers::AxialLag(lag_rad)))
+    } else if key.starts_with("spacing") {
         let [critical_gap_rad, shortfall, stress_pa] = values.try_into().ok()?;
         Some(Ok(Numbers::PairSeparation(PairSeparation {
             critical_gap_rad,

@@ -42,6 +42,10 @@ impl Converter<'_> {
                 ..own
             }));
         }
+        if search.axial_load_max_n > 0.0 && case.profile == Profile::Paper {
+            return Err(self.refuse("search.axial_load_max_n", "0 in the profile \"paper\""));
+        }
+        request.axial_load_max_n = search.axial_load_max_n;
         request.critical_gap_min_fraction = search.critical_gap_min_fraction;
         request.starts = search.initial_states;
         request.map_speeds_rad_s = search.map_speeds_rad_s.clone().unwrap_or_default();

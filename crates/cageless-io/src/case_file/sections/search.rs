@@ -33,6 +33,9 @@ section! {
         critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(CRITICAL_GAP_MIN_FRACTION), Plain; Inside(0.0, 1.0),
             "smallest accepted critical gap, as a fraction of the steady-state gap",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");
+        axial_load_max_n => axial_load_max_n: f64 = default(0.0), Si("N"); AtLeast(0.0),
+            "largest axial load, under which a raceway must keep half of its lag: by rolling at the contact angle of the load, then in space; 0: none; only in \"physical\"",
+            Commented("0.0", "largest axial load under which a raceway keeps half of its lag, N");
         initial_states formerly starts => initial_states: u64 = default(2), Plain; Within(1.0, 64.0),
             "unevenly spaced starts per design",
             Commented("2", "unevenly spaced starts per design, 1 to 64");

@@ -32,6 +32,7 @@ fn evaluation(number: f64, objectives: Option<f64>) -> Evaluation {
         }),
         spacing: vec![Some(spacing(0.001 * number)), Some(spacing(0.002 * number))],
         motion: vec![Some(motion(number)), Some(motion(10.0 * number))],
+        axial: vec![],
         rejection: None,
         objectives: objectives.map(|o| [o; 7]),
         on_front: objectives.is_some(),

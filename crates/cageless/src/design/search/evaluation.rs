@@ -1,5 +1,6 @@
 //! Structures with all that is known of them, and the batches of work that find it out.
 
+use super::axial::AxialSeparation;
 use super::job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task};
 use super::pareto::OBJECTIVES;
 use super::perturbed_run::{Motion, VALUES};
@@ -21,6 +22,8 @@ pub struct Evaluation {
     pub spacing: Vec<Option<PairSeparation>>,
     /// Mean over the uneven starts at each operating point.
     pub motion: Vec<Option<Motion>>,
+    /// What the largest axial load leaves at each operating point; empty without one.
+    pub axial: Vec<AxialSeparation>,
     /// Reason of the rejection; `None` if acceptable.
     pub rejection: Option<Rejection>,
     /// Objectives in the order of [`super::ALL_OBJECTIVES`]; `None` if it is rejected or
@@ -95,34 +98,41 @@ pub(super) struct Batch<'r, 'e> {
     pub ranges: [[f64; 2]; 2],
     pub execute: &'r mut Execute<'e>,
     pub bearing: &'r Bearing,
+    /// Contact angle and deflection under the largest axial load at each operating point; empty without one.
+    pub seats: Vec<[f64; 2]>,
 }
 
 impl Evaluation {
     /// Results of the closed forms.
     pub(super) fn new(batch: &Batch<'_, '_>, structure: RacewayLayout, placement: usize) -> Self {
         let points = batch.request.points.len();
+        let mut axial = vec![];
         let (forms, cause) = match structure.raceways(batch.bearing) {
             Ok(raceways) => {
+                axial = AxialSeparation::by_rolling(batch, &raceways[0]);
                 let forms = ClosedForms::new(batch.bearing, &raceways);
                 let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
                 (Some(forms), cause)
             }
             Err(error) => (None, Some(Cause::of_geometry(&error))),
         };
-        Self {
+        let mut evaluation = Self {
             structure,
             placement,
             forms,
             spacing: vec![None; points],
             motion: vec![None; points],
+            axial,
             rejection: cause.map(|cause| Rejection { cause, point: None }),
             objectives: None,
             on_front: false,
-        }
+        };
+        evaluation.reject(Cause::of_axial);
+        evaluation
     }
 
     /// The first cause found at any point.
-    fn reject(&mut self, found: impl Fn(&Self, usize) -> Option<Cause>) {
+    pub(super) fn reject(&mut self, found: impl Fn(&Self, usize) -> Option<Cause>) {
         if self.rejection.is_some() {
             return;
         }
@@ -210,7 +220,7 @@ impl Batch<'_, '_> {
             let e = &mut evaluations[k];
             match outcome {
                 Ok(Numbers::PairSeparation(spacing)) => e.spacing[p] = Some(spacing),
-                Ok(Numbers::Motion(_)) => unreachable!("outcome of another task"),
+                Ok(_) => unreachable!("outcome of another task"),
                 Err(reason) => fail(e, reason, p),
             }
         }
@@ -298,6 +308,7 @@ impl Batch<'_, '_> {
         if one[0].forms.is_some() {
             self.spacing(Stage::Confirm, &mut one)?;
         }
+        self.axial_lags(&mut [&mut one[0]])?;
         let usual = self.request.starts as usize;
         let starts = self.request.confirming_starts();
         let jobs = self.motion_jobs(structure, starts);
@@ -335,13 +346,13 @@ pub(super) fn motions(outcomes: &[Outcome]) -> Result<Vec<Motion>, String> {
         .iter()
         .map(|outcome| match outcome {
             Ok(Numbers::Motion(motion)) => Ok(*motion),
-            Ok(Numbers::PairSeparation(_)) => unreachable!("outcome of another task"),
+            Ok(_) => unreachable!("outcome of another task"),
             Err(reason) => Err(reason.clone()),
         })
         .collect()
 }
 
-fn fail(evaluation: &mut Evaluation, reason: String, point: usize) {
+pub(super) fn fail(evaluation: &mut Evaluation, reason: String, point: usize) {
     evaluation.rejection.get_or_insert(Rejection {
         cause: Cause::Failed(reason),
         point: Some(point),
@@ -372,6 +383,7 @@ mod tests {
             }),
             spacing: spacing.into_iter().map(Some).collect(),
             motion: motion.into_iter().map(Some).collect(),
+            axial: vec![],
             rejection: None,
             objectives: None,
             on_front: false,

@@ -428,6 +428,7 @@ mod tests {
             request: &request,
             execute: &mut |_, _| unreachable!("nothing to compute"),
             bearing: &case.bearing,
+            seats: vec![],
         };
         let found = candidates(&batch);
         assert_eq!(found.len(), 2 * 26 * 9);
@@ -479,6 +480,7 @@ mod tests {
             request: &request,
             execute: &mut |_, _| unreachable!("nothing to compute"),
             bearing: &case.bearing,
+            seats: vec![],
         };
         let mut found = candidates(&batch);
         let [quartic, of_steady] = [26 * 9 - 1, 26 * 9].map(|k| &found[k].structure);

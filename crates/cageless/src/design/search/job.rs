@@ -1,6 +1,7 @@
 //! The pieces of work of a search: pure functions of the case, to be run in any order on any
 //! thread.
 
+use super::axial;
 use super::perturbed_run::{Motion, PerturbedRunError, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::case::{Case, Gaps, Start};
@@ -11,12 +12,14 @@ use crate::raceway::Raceway;
 use crate::simulation::Control;
 
 /// Task of a job.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Task {
     /// Critical gap and contact stress.
     PairSeparation,
     /// A run of all balls from this uneven start.
     Motion(u64),
+    /// Lag of evenly spaced balls in space under this axial load, N.
+    AxialLag(f64),
 }
 
 /// One piece of work.
@@ -50,6 +53,8 @@ pub enum Numbers {
     PairSeparation(PairSeparation),
     /// Numbers of [`Task::Motion`].
     Motion(Motion),
+    /// Lag of [`Task::AxialLag`], rad.
+    AxialLag(f64),
 }
 
 /// Numbers, or why there are none.
@@ -76,6 +81,7 @@ impl Job {
         let mut key = match self.task {
             Task::PairSeparation => "spacing".to_owned(),
             Task::Motion(start) => format!("motion {start}"),
+            Task::AxialLag(axial_load_n) => format!("axial {axial_load_n:?}"),
         };
         let (s, p) = (&self.structure, &self.point);
         for value in [
@@ -118,6 +124,10 @@ pub fn run_jobs(
                     Err(CriticalGapError::Interrupted) => None,
                     Err(error) => Some(Err(error.to_string())),
                 };
+            }
+            (Ok(raceways), Task::AxialLag(axial_load_n)) => {
+                let lag = axial::lag(case, &job.point, &raceways, axial_load_n, control);
+                outcomes[k] = lag.map(|lag| lag.map(Numbers::AxialLag));
             }
             (Ok(raceways), Task::Motion(start)) => {
                 runs.push((k, job.point.case(case, raceways), start));

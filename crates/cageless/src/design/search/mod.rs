@@ -24,6 +24,7 @@
 //! assert!(places[0][0].abs() < 1e-12);
 //! ```
 
+mod axial;
 mod budget;
 mod evaluation;
 mod grid;
@@ -36,6 +37,7 @@ mod raceway_layout;
 mod rejection;
 mod request;
 
+pub use axial::{AXIAL_LAG_MIN_FRACTION, AxialSeparation};
 pub use evaluation::{Confirmed, Evaluation, Statistics};
 pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
@@ -159,6 +161,7 @@ pub fn search(
         ranges: ranges(case, request)?,
         execute,
         bearing: &case.bearing,
+        seats: seats(case, request)?,
     };
     let maps = grid::maps(&mut batch)?;
     let mut evaluations = grid::candidates(&batch);
@@ -190,22 +193,32 @@ pub fn search(
     })
 }
 
+/// Indices of the structures on the front.
+fn front(evaluations: &[Evaluation]) -> Vec<usize> {
+    let rated = evaluations.iter().enumerate();
+    let rated = rated.filter_map(|(k, e)| Some((k, e.objectives?)));
+    let (rated, objectives): (Vec<usize>, Vec<_>) = rated.unzip();
+    let front = pareto_front(&objectives).into_iter();
+    front.map(|k| rated[k]).collect()
+}
+
 /// The front, the choice and the optimiser.
 fn recommend(
     batch: &mut Batch<'_, '_>,
     evaluations: &mut Vec<Evaluation>,
 ) -> Result<Option<usize>, Interrupted> {
-    let rated: Vec<usize> = (0..evaluations.len())
-        .filter(|&k| evaluations[k].objectives.is_some())
-        .collect();
-    let objectives: Vec<[f64; OBJECTIVES]> = rated
-        .iter()
-        .filter_map(|&k| evaluations[k].objectives)
-        .collect();
-    let front: Vec<usize> = pareto_front(&objectives)
-        .into_iter()
-        .map(|k| rated[k])
-        .collect();
+    let front = loop {
+        let front = front(evaluations);
+        let of = evaluations.iter_mut().enumerate();
+        let of =
+            of.filter(|(k, e)| front.contains(k) && e.axial.iter().any(|at| at.lags_rad.is_none()));
+        let mut of: Vec<&mut Evaluation> = of.map(|(_, e)| e).collect();
+        if of.is_empty() {
+            break front;
+        }
+        // What it rejects leaves room on the front for others.
+        batch.axial_lags(&mut of)?;
+    };
     for &k in &front {
         evaluations[k].on_front = true;
     }
@@ -225,8 +238,11 @@ fn recommend(
         .into_iter()
         .min_by(|&a, &b| distance(&evaluations[a]).total_cmp(&distance(&evaluations[b])));
     let Some(best) = best else { return Ok(None) };
-    let optimised = optimise_from(batch, &evaluations[best], &distance)?;
-    Ok(Some(match optimised {
+    let mut optimised = optimise_from(batch, &evaluations[best], &distance)?;
+    if let Some(better) = &mut optimised {
+        batch.axial_lags(&mut [better])?;
+    }
+    Ok(Some(match optimised.filter(|e| e.rejection.is_none()) {
         Some(better) => {
             evaluations.push(better);
             evaluations.len() - 1
@@ -288,6 +304,20 @@ fn optimise_from(
             })
             .filter(|e| e.objectives.is_some())
     }))
+}
+
+/// Contact angle and deflection under the largest axial load at each operating point.
+fn seats(case: &Case, request: &Request) -> Result<Vec<[f64; 2]>, SearchError> {
+    let axial_load_n = request.axial_load_max_n;
+    let loaded = request.points.iter().filter(|_| axial_load_n > 0.0);
+    let seat = |point| match axial::seat(case, point, axial_load_n) {
+        Err(EquilibriumError::Input(error)) => Err(error.into()),
+        Err(error) => Err(SearchError::Impossible(format!(
+            "under an axial load of {axial_load_n} N {error}"
+        ))),
+        Ok(seat) => Ok(seat),
+    };
+    loaded.map(seat).collect()
 }
 
 /// Refuses operating points that overload the inner raceway, or that have no equilibrium,
@@ -358,6 +388,9 @@ impl Evaluation {
             slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
             slack[1] = slack[1].min(1.0 - fraction);
             slack[2] = slack[2].min(fraction - critical_gap_min_fraction);
+        }
+        for axial in &self.axial {
+            slack[2] = slack[2].min(axial.rolling_fraction - AXIAL_LAG_MIN_FRACTION);
         }
         for motion in self.motion.iter().flatten() {
             slack[3] = slack[3].min(DOUBLE_COLLISION_FRACTION - motion.double_collision_fraction);

@@ -1,5 +1,7 @@
 //! Causes of rejection of a raceway design.
 
+use super::axial::AXIAL_LAG_MIN_FRACTION;
+use super::evaluation::Evaluation;
 use super::job::PairSeparation;
 use super::perturbed_run::Motion;
 use super::raceway_layout::ClosedForms;
@@ -38,6 +40,8 @@ pub enum Cause {
     GapNotRetained(f64),
     /// Contact pressure at the outer raceway, Pa.
     Stress(f64),
+    /// Share of the lag that is left under the largest axial load.
+    AxialLoad(f64),
     /// Failure of a run, with its message.
     Failed(String),
 }
@@ -53,7 +57,7 @@ pub struct Rejection {
 
 impl Cause {
     /// Names of all causes, in the order in which they are tested.
-    pub const NAMES: [&'static str; 11] = [
+    pub const NAMES: [&'static str; 12] = [
         "eq-8",
         "eq-9",
         "overlap",
@@ -64,6 +68,7 @@ impl Cause {
         "gross-sliding",
         "gap-not-retained",
         "double-collision",
+        "axial-load",
         "failed",
     ];
 
@@ -80,6 +85,7 @@ impl Cause {
             Self::GrossSliding(_) => "gross-sliding",
             Self::GapNotRetained(_) => "gap-not-retained",
             Self::DoubleCollision(_) => "double-collision",
+            Self::AxialLoad(_) => "axial-load",
             Self::Failed(_) => "failed",
         }
     }
@@ -92,6 +98,7 @@ impl Cause {
             Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
             Self::DoubleCollision(fraction) => fraction - DOUBLE_COLLISION_FRACTION,
             Self::Stress(pa) => pa / STRESS_LIMIT_PA - 1.0,
+            Self::AxialLoad(fraction) => AXIAL_LAG_MIN_FRACTION - fraction,
             Self::GrossSliding(fraction) => SPEED_DROP_FRACTION - fraction,
             Self::GapNotRetained(fraction) => RETAINED_FRACTION - fraction,
             Self::Span | Self::Path | Self::Overlap | Self::Failed(_) => f64::INFINITY,
@@ -135,6 +142,14 @@ impl Cause {
         } else {
             None
         }
+    }
+
+    /// Cause of rejection by what an axial load leaves of the lag at an operating point: in space, or by rolling as long
+    /// as that is not known.
+    pub(super) fn of_axial(evaluation: &Evaluation, point: usize) -> Option<Self> {
+        let axial = evaluation.axial.get(point)?;
+        let fraction = axial.fraction().unwrap_or(axial.rolling_fraction);
+        (fraction < AXIAL_LAG_MIN_FRACTION).then_some(Self::AxialLoad(fraction))
     }
 
     /// Cause of rejection by the motion of all balls.
@@ -201,6 +216,12 @@ impl std::fmt::Display for Cause {
                 "double collisions in {} of the passages ({:.0} % allowed)",
                 beside(fraction, DOUBLE_COLLISION_FRACTION),
                 100.0 * DOUBLE_COLLISION_FRACTION
+            ),
+            Self::AxialLoad(fraction) => write!(
+                f,
+                "under the largest axial load {} of the lag is left ({:.0} % required)",
+                beside(fraction, AXIAL_LAG_MIN_FRACTION),
+                100.0 * AXIAL_LAG_MIN_FRACTION
             ),
             Self::Stress(pa) => write!(
                 f,

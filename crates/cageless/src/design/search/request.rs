@@ -22,6 +22,9 @@ pub struct Request {
     pub forms: Vec<RacewayForm>,
     /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
     pub critical_gap_min_fraction: f64,
+    /// Largest axial load under which a raceway must keep [`super::AXIAL_LAG_MIN_FRACTION`] of its lag, N; 0
+    /// asks for none.
+    pub axial_load_max_n: f64,
     /// Uneven starts per structure, 1 or more.
     pub starts: u64,
     /// Simulations of all balls at most, [`Request::budget_least`] or more; below the default, maps
@@ -45,6 +48,7 @@ impl Request {
             placements: vec![vec![centre]],
             forms: vec![case.raceway_form()],
             critical_gap_min_fraction: CRITICAL_GAP_MIN_FRACTION,
+            axial_load_max_n: 0.0,
             starts: 2,
             budget: BUDGET,
         }
@@ -69,6 +73,8 @@ pub enum Stage {
     Motion,
     /// Steps of the optimiser.
     Polish,
+    /// Motion in space under axial load.
+    Axial,
     /// More starts.
     Confirm,
 }
@@ -81,6 +87,7 @@ impl Stage {
             Self::Candidates => "critical gaps of the candidates",
             Self::Motion => "motion of all balls",
             Self::Polish => "optimiser",
+            Self::Axial => "motion under axial load",
             Self::Confirm => "confirmation",
         }
     }

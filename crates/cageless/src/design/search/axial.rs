@@ -1,0 +1,149 @@
+//! What the largest axial load of a search leaves of the lag of a structure.
+
+use super::evaluation::{Batch, Evaluation, fail};
+use super::job::{Interrupted, Job, Numbers, Outcome, Task};
+use super::raceway_layout::OperatingPoint;
+use super::rejection::Cause;
+use super::request::Stage;
+use crate::case::{Case, Motion};
+use crate::design::{axial_lag, kinematic_lag_rad};
+use crate::equilibrium::{self, EquilibriumError};
+use crate::integrator::IntegrationMethod;
+use crate::raceway::Raceway;
+use crate::simulation::Control;
+
+/// Share of its lag that a raceway must keep under the largest axial load: with less it hardly spaces the balls.
+pub const AXIAL_LAG_MIN_FRACTION: f64 = 0.5;
+
+/// Lag that the largest axial load leaves at an operating point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxialSeparation {
+    /// Share of the lag without axial load, by rolling at the contact angle of the load.
+    pub rolling_fraction: f64,
+    /// Lag of the balls in space without and under the axial load, rad; `None` of structures that do not
+    /// come to be simulated under it.
+    pub lags_rad: Option<[f64; 2]>,
+}
+
+impl AxialSeparation {
+    /// By rolling, at each operating point; empty without an axial load.
+    pub(super) fn by_rolling(batch: &Batch<'_, '_>, raceway: &Raceway) -> Vec<Self> {
+        let at = |&[angle_rad, pressed_in_m]: &[f64; 2]| {
+            let lag = |angle| kinematic_lag_rad(batch.bearing, raceway, angle, pressed_in_m);
+            Self {
+                rolling_fraction: lag(angle_rad) / lag(0.0),
+                lags_rad: None,
+            }
+        };
+        batch.seats.iter().map(at).collect()
+    }
+
+    /// Share of the lag in space without axial load.
+    pub fn fraction(&self) -> Option<f64> {
+        self.lags_rad.map(|[without, under]| under / without)
+    }
+}
+
+impl Batch<'_, '_> {
+    /// Lags of some structures in space without and under the largest axial load, and what they reject.
+    pub fn axial_lags(&mut self, of: &mut [&mut Evaluation]) -> Result<(), Interrupted> {
+        let loads_n = [0.0, self.request.axial_load_max_n];
+        let mut jobs = vec![];
+        for e in of.iter().filter(|e| !e.axial.is_empty()) {
+            for &point in &self.request.points {
+                jobs.extend(loads_n.map(|axial_load_n| Job {
+                    structure: e.structure.clone(),
+                    point,
+                    task: Task::AxialLag(axial_load_n),
+                }));
+            }
+        }
+        let outcomes = self.execute(Stage::Axial, &jobs)?;
+        let mut pairs = outcomes.chunks(2);
+        for e in of {
+            for p in 0..e.axial.len() {
+                let lags: Result<Vec<f64>, _> = pairs
+                    .next()
+                    .unwrap_or_default()
+                    .iter()
+                    .map(lag_of)
+                    .collect();
+                match lags {
+                    Ok(lags) => e.axial[p].lags_rad = lags.try_into().ok(),
+                    Err(reason) => fail(e, reason, p),
+                }
+            }
+            e.reject(Cause::of_axial);
+            if e.rejection.is_some() {
+                e.objectives = None;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn lag_of(outcome: &Outcome) -> Result<f64, String> {
+    match outcome {
+        Ok(Numbers::AxialLag(lag_rad)) => Ok(*lag_rad),
+        Ok(_) => unreachable!("outcome of another task"),
+        Err(reason) => Err(reason.clone()),
+    }
+}
+
+/// Contact angle and deflection of the most loaded ball on a plain outer ring under an axial load, in static
+/// equilibrium in space.
+pub(super) fn seat(
+    case: &Case,
+    point: &OperatingPoint,
+    axial_load_n: f64,
+) -> Result<[f64; 2], EquilibriumError> {
+    let plain = in_space(case, point, vec![], axial_load_n);
+    let solved = equilibrium::space::solve(&plain)?;
+    let forces = solved.rest.outer_force_n.iter().copied().enumerate();
+    let (most, force) = forces.fold((0, 0.0), |most, at| if at.1 > most.1 { at } else { most });
+    let stiffness = solved.rest.outer_stiffness_n_m1_5;
+    Ok([
+        solved.inner_contact_angle_rad[most].abs(),
+        (force / stiffness).powf(2.0 / 3.0),
+    ])
+}
+
+/// Lag of evenly spaced balls in space under an axial load, rad; `None` if `control` ended the run.
+pub(super) fn lag(
+    case: &Case,
+    point: &OperatingPoint,
+    raceways: &[Raceway],
+    axial_load_n: f64,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Option<Result<f64, String>> {
+    let case = in_space(case, point, raceways.to_vec(), axial_load_n);
+    let mut ended = false;
+    let found = axial_lag(&case, [axial_load_n, 0.0], &mut |done| {
+        let next = control(done);
+        ended |= next.is_break();
+        next
+    });
+    if ended {
+        return None;
+    }
+    Some(match found {
+        Ok(at) => at
+            .lag_and_angle_rad
+            .map(|[lag, _]| lag)
+            .ok_or_else(|| format!("the bearing does not bear an axial load of {axial_load_n} N")),
+        Err(error) => Err(error.to_string()),
+    })
+}
+
+fn in_space(
+    case: &Case,
+    point: &OperatingPoint,
+    raceways: Vec<Raceway>,
+    axial_load_n: f64,
+) -> Case {
+    let mut case = point.case(case, raceways);
+    case.motion = Motion::Space;
+    case.operation.space.axial_load_n = axial_load_n;
+    case.set_method(IntegrationMethod::VelocityVerlet);
+    case
+}
