@@ -303,6 +303,7 @@ class SearchAttributes:
     """Attributes of a result of this kind."""
 
     critical_gap_min_fraction: float  # smallest critical gap, fraction of the steady-state gap
+    axial_load_max_n: float  # largest axial load, N
     starts: int | None  # uneven initial states of each structure
     seed: int | None  # seed
     curve_axial_span_mm: Floats  # axial span lC of the curve of Eq. (11), mm

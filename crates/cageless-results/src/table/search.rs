@@ -15,6 +15,7 @@ use crate::{AtPoint, SearchedPlacement};
 #[rustfmt::skip]
 pub const SEARCH: &[Quantity] = &[
     part(quantity("critical_gap_min_fraction", "", "smallest critical gap, fraction of the steady-state gap", Search(|s| some(s.found.request.critical_gap_min_fraction)))),
+    part(quantity("axial_load_max_n", "N", "largest axial load", Search(|s| some(s.found.request.axial_load_max_n)))),
     part(integer("starts", "uneven initial states of each structure", Search(|s| s.found.request.starts.into()))),
     part(integer("seed", "seed", Search(|s| s.case.seed.into()))),
     part(list("curve_axial_span_mm", "mm", "axial span lC of the curve of Eq. (11)", Search(|s| Cell::Numbers(s.curve.iter().map(|p| p.0 * 1e3).collect())))),
@@ -56,6 +57,9 @@ pub const STRUCTURE_AT: &[Quantity] = &[
     part(means("steady-state gap less critical gap", high(quantity("margin_deg", "deg", "gap reserve", StructureAt(|a| at(a, |s, steady| (steady - s.critical_gap_rad).to_degrees())))))),
     part(low(quantity("slip_shortfall", "", "sliding lowers the critical gap, fraction of β0", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.shortfall).into())))),
     part(low(quantity("pressure_mpa", "MPa", "peak contact pressure at rest, outer raceway", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.stress_pa * 1e-6).into())))),
+    part(means("by rolling at the contact angle of the load", high(quantity("axial_lag_rolling_fraction", "", "lag left under the largest axial load, by rolling", StructureAt(|a| a.evaluation.axial.get(a.point).map(|s| s.rolling_fraction).into()))))),
+    part(means("of the structures on the front, in space", high(quantity("axial_lag_fraction", "", "lag left under the largest axial load", StructureAt(|a| a.evaluation.axial.get(a.point).and_then(|s| s.fraction()).into()))))),
+    part(means("in space", high(quantity("axial_lag_deg", "deg", "lag per pass under the largest axial load", StructureAt(|a| a.evaluation.axial.get(a.point).and_then(|s| s.lags_rad).map(|[_, under]| under.to_degrees()).into()))))),
 ];
 
 /// Runs of all balls from uneven initial states.
