@@ -81,7 +81,7 @@ impl Case {
             return Err(InputError::rule("row_balls", balls as f64, rule));
         }
         if let Some(row) = self.rows.iter().find(|row| row.preload_n != 0.0) {
-            let rule = "0 in motion, with the displacement that `cageless static` finds for this force in \
+            let rule = "0 in motion, with the row_preload_um that `cageless static --json` finds for this force in \
                         its place: an outer ring that slides along the axis is computed at rest only";
             return Err(InputError::rule("preload_n", row.preload_n, rule));
         }
