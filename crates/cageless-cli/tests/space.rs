@@ -166,7 +166,7 @@ fn impossible_values_are_named() {
         ("axial_position_mm = 8.0\npreload_n = 9e5", "4200 MPa"),
         (
             "axial_position_mm = 8.0\npreload_um = 5.0\npreload_n = 100.0",
-            "row.2.preload_n = 100 is not possible: it must be 0 or left out",
+            "row.2.preload_n = 100.0 is not possible: it must be 0 or left out",
         ),
         ("axial_position_mm = 8.0\ncontact_sign = 2", "1 or -1"),
         ("contact_sign = 1", "axial_position_mm is missing"),

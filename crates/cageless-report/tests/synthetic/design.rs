@@ -15,6 +15,7 @@ fn searched(k: usize, status: &str) -> Value {
         "why": if status == "rejected" { "slip <takes> 9 %" } else { "" },
         "on_front": k.is_multiple_of(2), "beta0_deg": 1.8, "steady_gap_deg": 1.97,
         "points": [{
+            "axial_lag_rolling_fraction": null, "axial_lag_fraction": null, "axial_lag_deg": null,
             "critical_gap_deg": 1.7 + 0.05 * x, "margin_deg": 0.27 - 0.05 * x,
             "slip_shortfall": 0.02, "pressure_mpa": 1410.0,
             "motion": {
@@ -47,7 +48,7 @@ pub fn search_json() -> Value {
         "centre_angles_deg": [0.0], "shape": "quartic", "structures": 0, "accepted": 0, "least_shortfall": null, "best": null,
     });
     json!({
-        "critical_gap_min_fraction": 0.8, "starts": 2, "seed": 0,
+        "critical_gap_min_fraction": 0.8, "axial_load_max_n": 0.0, "starts": 2, "seed": 0,
         "curve_axial_span_mm": [4.9, 6.0], "curve_half_angle_deg": [35.0, 12.0],
         "findings": ["Recommended: <this>."], "points": [point(12000.0)],
         "recommended": searched(0, "accepted"), "recommended_verdicts": [],

@@ -1,10 +1,7 @@
 //! What the largest axial load of a search leaves of the lag of a structure.
 
-use super::evaluation::{Batch, Evaluation, fail};
-use super::job::{Interrupted, Job, Numbers, Outcome, Task};
 use super::raceway_layout::OperatingPoint;
-use super::rejection::Cause;
-use super::request::Stage;
+use crate::bearing::Bearing;
 use crate::case::{Case, Motion};
 use crate::design::{axial_lag, kinematic_lag_rad};
 use crate::equilibrium::{self, EquilibriumError};
@@ -27,66 +24,24 @@ pub struct AxialSeparation {
 
 impl AxialSeparation {
     /// By rolling, at each operating point; empty without an axial load.
-    pub(super) fn by_rolling(batch: &Batch<'_, '_>, raceway: &Raceway) -> Vec<Self> {
+    pub(super) fn by_rolling(
+        bearing: &Bearing,
+        raceway: &Raceway,
+        seats: &[[f64; 2]],
+    ) -> Vec<Self> {
         let at = |&[angle_rad, pressed_in_m]: &[f64; 2]| {
-            let lag = |angle| kinematic_lag_rad(batch.bearing, raceway, angle, pressed_in_m);
+            let lag = |angle| kinematic_lag_rad(bearing, raceway, angle, pressed_in_m);
             Self {
                 rolling_fraction: lag(angle_rad) / lag(0.0),
                 lags_rad: None,
             }
         };
-        batch.seats.iter().map(at).collect()
+        seats.iter().map(at).collect()
     }
 
     /// Share of the lag in space without axial load.
     pub fn fraction(&self) -> Option<f64> {
         self.lags_rad.map(|[without, under]| under / without)
-    }
-}
-
-impl Batch<'_, '_> {
-    /// Lags of some structures in space without and under the largest axial load, and what they reject.
-    pub fn axial_lags(&mut self, of: &mut [&mut Evaluation]) -> Result<(), Interrupted> {
-        let loads_n = [0.0, self.request.axial_load_max_n];
-        let mut jobs = vec![];
-        for e in of.iter().filter(|e| !e.axial.is_empty()) {
-            for &point in &self.request.points {
-                jobs.extend(loads_n.map(|axial_load_n| Job {
-                    structure: e.structure.clone(),
-                    point,
-                    task: Task::AxialLag(axial_load_n),
-                }));
-            }
-        }
-        let outcomes = self.execute(Stage::Axial, &jobs)?;
-        let mut pairs = outcomes.chunks(2);
-        for e in of {
-            for p in 0..e.axial.len() {
-                let lags: Result<Vec<f64>, _> = pairs
-                    .next()
-                    .unwrap_or_default()
-                    .iter()
-                    .map(lag_of)
-                    .collect();
-                match lags {
-                    Ok(lags) => e.axial[p].lags_rad = lags.try_into().ok(),
-                    Err(reason) => fail(e, reason, p),
-                }
-            }
-            e.reject(Cause::of_axial);
-            if e.rejection.is_some() {
-                e.objectives = None;
-            }
-        }
-        Ok(())
-    }
-}
-
-fn lag_of(outcome: &Outcome) -> Result<f64, String> {
-    match outcome {
-        Ok(Numbers::AxialLag(lag_rad)) => Ok(*lag_rad),
-        Ok(_) => unreachable!("outcome of another task"),
-        Err(reason) => Err(reason.clone()),
     }
 }
 

@@ -109,7 +109,7 @@ impl Evaluation {
         let mut axial = vec![];
         let (forms, cause) = match structure.raceways(batch.bearing) {
             Ok(raceways) => {
-                axial = AxialSeparation::by_rolling(batch, &raceways[0]);
+                axial = AxialSeparation::by_rolling(batch.bearing, &raceways[0], &batch.seats);
                 let forms = ClosedForms::new(batch.bearing, &raceways);
                 let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
                 (Some(forms), cause)
@@ -127,7 +127,7 @@ impl Evaluation {
             objectives: None,
             on_front: false,
         };
-        evaluation.reject(Cause::of_axial);
+        evaluation.reject(|e, point| Cause::of_axial(e.axial.get(point)?));
         evaluation
     }
 

@@ -25,6 +25,7 @@
 //! ```
 
 mod axial;
+mod axial_runs;
 mod budget;
 mod evaluation;
 mod grid;

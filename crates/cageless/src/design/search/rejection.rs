@@ -1,7 +1,6 @@
 //! Causes of rejection of a raceway design.
 
-use super::axial::AXIAL_LAG_MIN_FRACTION;
-use super::evaluation::Evaluation;
+use super::axial::{AXIAL_LAG_MIN_FRACTION, AxialSeparation};
 use super::job::PairSeparation;
 use super::perturbed_run::Motion;
 use super::raceway_layout::ClosedForms;
@@ -146,8 +145,7 @@ impl Cause {
 
     /// Cause of rejection by what an axial load leaves of the lag at an operating point: in space, or by rolling as long
     /// as that is not known.
-    pub(super) fn of_axial(evaluation: &Evaluation, point: usize) -> Option<Self> {
-        let axial = evaluation.axial.get(point)?;
+    pub(super) fn of_axial(axial: &AxialSeparation) -> Option<Self> {
         let fraction = axial.fraction().unwrap_or(axial.rolling_fraction);
         (fraction < AXIAL_LAG_MIN_FRACTION).then_some(Self::AxialLoad(fraction))
     }
