@@ -25,7 +25,7 @@ const FORCE_TOLERANCE: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub(super) struct LoadBalance {
     pub balls: Vec<SpatialBall>,
-    /// Of every row the force of its balls on the outer ring that a spring balances, along Z; `None`
+    /// Axial force of the preload spring of each row, that of its balls on the outer ring, N; `None`
     /// where the outer ring is held.
     pub springs_n: Vec<Option<f64>>,
     /// Load and weight on the ring, −Y.
@@ -150,11 +150,10 @@ impl LoadBalance {
         let load = [0.0, self.down_n, -self.axial_n, -my, mx];
         let work = (0..5).map(|k| load[k] * ring[k]);
         let mut local = Local {
-            place: ring,
             energy: work.clone().sum(),
             magnitude: work.map(f64::abs).sum(),
             gradient: load,
-            hessian: [[0.0; 5]; 5],
+            ..Local::nothing(ring)
         };
         let (mut rests, mut shifts) = (vec![], vec![]);
         let rows = self.balls.chunk_by(|a, b| a.row == b.row);
