@@ -21,7 +21,7 @@ use crate::reproduce_data::DesignCurve;
 use crate::search_tables as tables;
 use crate::studio_page::case_sections;
 use crate::table::Table;
-use crate::text::fixed;
+use crate::text::{capital, fixed};
 
 /// Data of the page of `design`. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -158,12 +158,6 @@ fn head(data: &DesignData) -> Head {
         (None, headline) => headline.to_owned(),
     };
     head.verdict(data.passes, &own)
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }
 
 /// The recommended raceway as it is to be made.

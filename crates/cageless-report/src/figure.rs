@@ -1,5 +1,7 @@
 //! A figure: plot, number, caption, provenance, and buttons that save it.
 
+use cageless_results::Record;
+
 use crate::data::Provenance;
 use crate::plot::Plot;
 use crate::text::{escape, rich, script_json, slug};
@@ -26,6 +28,25 @@ impl Figure {
             provenance: provenance.clone(),
             plot,
         }
+    }
+
+    /// A figure of the paper, labelled with the profile too.
+    pub fn of_paper(label: &str, caption: &str, provenance: &Provenance, plot: Plot) -> Self {
+        Self::new(label, caption, provenance, plot).with_profile()
+    }
+
+    /// The profile behind a comma of the label, if there is one.
+    pub fn with_profile(mut self) -> Self {
+        if let Some(profile) = &self.provenance.profile {
+            self.label = format!("{}, profile {profile}", self.label);
+        }
+        self
+    }
+
+    /// A figure of the numbers of `record`.
+    pub fn of_record(label: &str, caption: &str, record: &Record, plot: Plot) -> Self {
+        let provenance = record.provenance.clone().unwrap_or_default();
+        Self::new(label, caption, &provenance, plot)
     }
 
     /// HTML with the anchor `id`.

@@ -59,21 +59,24 @@ impl Page {
         self
     }
 
+    fn add(&mut self, html: &str) {
+        self.body.push_str(html);
+    }
+
     /// Starts a section; it appears in the table of contents.
     pub fn section(&mut self, title: &str) {
         let id = self.unique(&format!("section-{}", slug(title)));
         if self.section_open {
-            self.body.push_str("</section>\n");
+            self.add("</section>\n");
         }
         self.section_open = true;
-        self.body
-            .push_str(&format!("<section id=\"{id}\"><h2>{}</h2>\n", rich(title)));
+        self.add(&format!("<section id=\"{id}\"><h2>{}</h2>\n", rich(title)));
         self.contents.push((id, title.to_owned()));
     }
 
     /// Adds a paragraph.
     pub fn paragraph(&mut self, text: &str) {
-        self.body.push_str(&format!("<p>{}</p>\n", rich(text)));
+        self.add(&format!("<p>{}</p>\n", rich(text)));
     }
 
     /// Adds a note in a box.
@@ -82,20 +85,19 @@ impl Page {
             Note::Remark => "note",
             Note::Warning => "note warning",
         };
-        self.body
-            .push_str(&format!("<p class=\"{class}\">{}</p>\n", rich(text)));
+        self.add(&format!("<p class=\"{class}\">{}</p>\n", rich(text)));
     }
 
     /// Adds a note for each text.
     pub fn notes<T: AsRef<str>>(&mut self, weight: Note, texts: &[T]) {
-        texts
-            .iter()
-            .for_each(|text| self.note(weight, text.as_ref()));
+        for text in texts {
+            self.note(weight, text.as_ref());
+        }
     }
 
     /// Adds a verdict in a box: green if it passes, red if it fails, grey if nothing was judged.
     pub fn verdict(&mut self, passes: Option<bool>, headline: &str) {
-        self.body.push_str(&verdict_html(passes, headline));
+        self.add(&verdict_html(passes, headline));
     }
 
     /// Sets the box on top of the page.
@@ -105,12 +107,12 @@ impl Page {
 
     /// Adds a heading within a section.
     pub fn heading(&mut self, title: &str) {
-        self.body.push_str(&format!("<h3>{}</h3>\n", rich(title)));
+        self.add(&format!("<h3>{}</h3>\n", rich(title)));
     }
 
     /// Adds a text to be pasted into a file, with a button that copies it.
     pub fn paste(&mut self, name: &str, text: &str) {
-        self.body.push_str(&format!(
+        self.add(&format!(
             "<div class=\"paste\"><pre tabindex=\"0\" aria-label=\"{name}\">{}</pre>\
              <button type=\"button\" data-copy aria-label=\"Copy {name}\">Copy</button></div>\n",
             escape(text),
@@ -120,20 +122,19 @@ impl Page {
 
     /// Starts a part that is folded away until it is asked for.
     pub fn fold(&mut self, summary: &str) {
-        self.body
-            .push_str(&format!("<details><summary>{}</summary>\n", rich(summary)));
+        self.add(&format!("<details><summary>{}</summary>\n", rich(summary)));
     }
 
     /// Ends such a part.
     pub fn end_fold(&mut self) {
-        self.body.push_str("</details>\n");
+        self.add("</details>\n");
     }
 
     /// Adds a figure.
     pub fn figure(&mut self, figure: &Figure) {
         let id = self.unique(&figure.slug());
         self.plots = true;
-        self.body.push_str(&figure.html(&id));
+        self.add(&figure.html(&id));
     }
 
     /// Adds figures.
@@ -149,52 +150,46 @@ impl Page {
         parameters: &[Parameter],
         source: Option<&Provenance>,
     ) {
-        self.table(&parameter_table(
-            label,
-            caption,
-            parameters,
-            source.cloned(),
-        ));
+        let table = parameter_table(label, caption, parameters, source.cloned());
+        self.table(&table);
     }
 
     /// Adds a table.
     pub fn table(&mut self, table: &Table) {
         let id = self.unique(&table.slug());
-        self.body.push_str(&table.html(&id));
+        self.add(&table.html(&id));
     }
 
     /// Adds balls in motion.
     pub fn motion(&mut self, motion: &MotionFigure) {
         let id = self.unique(&motion.slug());
         self.motion = true;
-        self.body.push_str(&motion.html(&id));
+        self.add(&motion.html(&id));
     }
 
     /// Adds a studio of the case in `toml`, which computes in the page what its reader changes.
     pub fn studio(&mut self, toml: &str, opening: Opening) {
         self.studio = true;
-        self.body.push_str(&studio::place(toml, opening));
+        self.add(&studio::place(toml, opening));
     }
 
     /// Adds claims with their criteria and statuses.
     pub fn claims(&mut self, claims: &[Claim]) {
         self.paragraph(claim::RULE);
-        claims.iter().for_each(|c| self.body.push_str(&c.html()));
+        claims.iter().for_each(|c| self.add(&c.html()));
     }
 
     /// The page.
     pub fn html(mut self) -> String {
         if self.section_open {
-            self.body.push_str("</section>\n");
+            self.add("</section>\n");
         }
-        let mut contents = String::new();
-        for (id, title) in &self.contents {
-            contents.push_str(&format!("<li><a href=\"#{id}\">{}</a></li>", rich(title)));
-        }
-        let nav = if contents.is_empty() {
-            String::new()
-        } else {
-            format!("<nav aria-label=\"Contents\"><ol>{contents}</ol></nav>\n")
+        let link = |(id, title): &(String, String)| {
+            format!("<li><a href=\"#{id}\">{}</a></li>", rich(title))
+        };
+        let nav = match self.contents.iter().map(link).collect::<String>().as_str() {
+            "" => String::new(),
+            links => format!("<nav aria-label=\"Contents\"><ol>{links}</ol></nav>\n"),
         };
         let mut scripts = String::new();
         if self.plots {

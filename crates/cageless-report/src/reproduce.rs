@@ -4,7 +4,7 @@ use cageless::vibration::AFTER_CONTACT_S;
 use cageless_study::parameter;
 
 use crate::claim::ClaimStatus;
-use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
+use crate::figures::{comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
@@ -66,8 +66,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     if !data.vibrations.is_empty() {
         page.section("Vibration");
         for vibration in &data.vibrations {
-            let label = figures::panels::labelled("Figure 12", &vibration.provenance);
-            page.figure(&vibration::vibration(&label, vibration));
+            page.figure(&vibration::vibration("Figure 12", vibration).with_profile());
         }
     }
     if let Some(rings) = &data.ring_comparison {

@@ -31,20 +31,16 @@ impl Cell {
     /// A number, aligned right.
     pub fn number(text: impl Into<String>) -> Self {
         Self {
-            text: text.into(),
             numeric: true,
-            dim: false,
-            columns: 1,
+            ..Self::text(text)
         }
     }
 
     /// A number that recedes.
     pub fn dim(text: impl Into<String>) -> Self {
         Self {
-            text: text.into(),
-            numeric: true,
             dim: true,
-            columns: 1,
+            ..Self::number(text)
         }
     }
 }

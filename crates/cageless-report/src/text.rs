@@ -38,6 +38,17 @@ fn code(escaped: &str) -> String {
     out + rest
 }
 
+/// Text with a capital letter at the beginning, unless it begins with a symbol.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) if first.is_ascii_lowercase() => {
+            first.to_ascii_uppercase().to_string() + letters.as_str()
+        }
+        _ => text.to_owned(),
+    }
+}
+
 /// PASS, FAIL, or that nothing was judged.
 pub fn pass_word(passes: Option<bool>) -> &'static str {
     match passes {

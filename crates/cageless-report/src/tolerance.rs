@@ -4,7 +4,6 @@ use cageless_results::{Record, table_of};
 use cageless_study::lines;
 use serde_json::json;
 
-use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::{Note, Page};
@@ -32,10 +31,6 @@ pub fn tolerance_page(record: &Record) -> String {
         page.figure(&sample_figure(record, samples));
     }
     page.html()
-}
-
-fn provenance(record: &Record) -> Provenance {
-    record.provenance.clone().unwrap_or_default()
 }
 
 fn influence_table(record: &Record) -> Table {
@@ -82,7 +77,7 @@ pub fn influence_figure(record: &Record) -> Figure {
         plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
     let caption = "Critical gap at the ends of each range and nominal value (line).";
-    Figure::new("Figure 1", caption, &provenance(record), plot)
+    Figure::of_record("Figure 1", caption, record, plot)
 }
 
 fn mark(plot: Plot, at: f64, text: &str, y: f64, dash: &str) -> Plot {
@@ -145,5 +140,5 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
         "Critical gap of the bearings by verdict. Evenly spaced balls have a gap of {:.4}°.",
         record.number("uniform_gap_deg")
     );
-    Figure::new("Figure 2", &caption, &provenance(record), plot)
+    Figure::of_record("Figure 2", &caption, record, plot)
 }

@@ -1,9 +1,10 @@
 //! Figures of the balls and of the heat of a drop.
 
-use cageless_study::drop::{BearingRecord, DropStudy};
-use cageless_study::{Provenance, provenance};
+use cageless_study::drop::DropStudy;
+use cageless_study::provenance;
 use serde_json::json;
 
+use super::bearing::Bearing;
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
 use crate::plot::{GREY, PALETTE, Plot, numbers};
@@ -26,11 +27,7 @@ const HEAT: [(&str, &str); 7] = [
 ];
 
 /// Peak load of every ball; with the drop onto a conventional outer ring, if there is one.
-pub(super) fn loads(
-    record: &BearingRecord,
-    conventional: Option<&BearingRecord>,
-    source: &Provenance,
-) -> Figure {
+pub(super) fn loads(bearing: &Bearing<'_>) -> Figure {
     let mut plot = Plot::new(380)
         .legend()
         .set("barmode", json!("group"))
@@ -43,14 +40,11 @@ pub(super) fn loads(
             "marker": { "color": colour },
         }));
     };
-    let own = &record.result;
-    bars("inner raceway", own.results.values(INNER), PALETTE[0]);
-    bars(
-        "outer raceway",
-        own.results.values("outer_force_max_of_ball_n"),
-        PALETTE[5],
-    );
-    if let Some(other) = conventional {
+    let own = &bearing.record.result.results;
+    bars("inner raceway", own.values(INNER), PALETTE[0]);
+    let outer = own.values("outer_force_max_of_ball_n");
+    bars("outer raceway", outer, PALETTE[5]);
+    if let Some(other) = bearing.conventional {
         let forces = other.result.results.values(INNER);
         bars("inner raceway, conventional ring", forces, GREY);
     }
@@ -58,11 +52,11 @@ pub(super) fn loads(
         "Largest normal force of each ball in the whole drop. The largest pressures are {} MPa \
              at the inner and {} MPa at the outer raceway and {} MPa between balls; 4200 MPa is the \
              limit of ISO 76.",
-        short(own.results.number("inner_pressure_max_mpa")),
-        short(own.results.number("outer_pressure_max_mpa")),
-        short(own.results.number("ball_pressure_max_mpa"))
+        short(own.number("inner_pressure_max_mpa")),
+        short(own.number("outer_pressure_max_mpa")),
+        short(own.number("ball_pressure_max_mpa"))
     );
-    Figure::new("Loads of the balls", &caption, source, plot)
+    bearing.figure("Loads of the balls", &caption, plot)
 }
 
 /// All bearings in motion, those with conventional outer rings beside them, from shortly before the
@@ -93,11 +87,7 @@ pub(super) fn balls_in_motion(study: &DropStudy) -> MotionFigure {
 }
 
 /// Heat of each interface; with that of the drop onto a conventional outer ring, if there is one.
-pub(super) fn heat(
-    record: &BearingRecord,
-    conventional: Option<&BearingRecord>,
-    source: &Provenance,
-) -> Figure {
+pub(super) fn heat(bearing: &Bearing<'_>) -> Figure {
     let mut plot = Plot::new(420)
         .legend()
         .set("barmode", json!("group"))
@@ -105,8 +95,8 @@ pub(super) fn heat(
         .x("Heat (J)", json!({ "rangemode": "tozero" }))
         .y("", json!({ "autorange": "reversed" }));
     let drops = [
-        ("this drop", Some(record), PALETTE[1]),
-        ("conventional outer ring", conventional, GREY),
+        ("this drop", Some(bearing.record), PALETTE[1]),
+        ("conventional outer ring", bearing.conventional, GREY),
     ];
     for (name, drop, colour) in drops {
         let Some(drop) = drop else { continue };
@@ -120,7 +110,7 @@ pub(super) fn heat(
     let caption = format!(
         "Heat of each interface since the start of the drop. The energy balance closes to {:.1e} of \
              all terms.",
-        record.outcome.energy_residual_relative
+        bearing.record.outcome.energy_residual_relative
     );
-    Figure::new("Heat of the interfaces", &caption, source, plot)
+    bearing.figure("Heat of the interfaces", &caption, plot)
 }

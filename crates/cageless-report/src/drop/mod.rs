@@ -1,22 +1,20 @@
 //! The page of a drop of a rotor.
 
 mod balls;
-mod label;
+mod bearing;
 mod report;
 mod rotor;
 mod scattered;
 mod succession;
 
-use cageless::Case;
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::plan_file::VariantFile;
 use cageless_io::results::VERSION;
 use cageless_results::{DropResult, Record, plane_records, table_of};
-use cageless_study::drop::{BearingRecord, DropStudy};
-use cageless_study::{Provenance, parameter, provenance};
+use cageless_study::drop::DropStudy;
+use cageless_study::{Provenance, parameter};
 
-use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::studio_page::studio_section;
@@ -25,20 +23,20 @@ use crate::text::short;
 use crate::verification::VerificationTable;
 
 use balls::{balls_in_motion, heat, loads};
-use label::label;
+use bearing::Bearing;
 use rotor::of_rotor;
 use scattered::scattered;
 use succession::succession;
 
 /// The self-contained page of a drop of the rotor in `file`.
 pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
-    let cases = study.drop.cases();
+    let bearings = Bearing::all(study);
+    let source = &bearings[0].source;
     let title = match (file.title(), study.drop.rotor()) {
         ("", None) => "Drop of a rotor",
         ("", Some(_)) => "Drop of a rotor onto several bearings",
         (title, _) => title,
     };
-    let source = provenance(&cases[0], String::new());
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
     page.head(&match study.drop.rotor() {
         None => head(&study.record.bearings[0].result),
@@ -46,59 +44,49 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     });
     page.notes(Note::Warning, &study.warnings);
     page.section("Architecture");
-    report::architecture(&mut page, study);
-    let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, study, sections);
+    report::architecture(&mut page, &bearings);
+    let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, &bearings, sections);
     keys(
         &mut page,
         &["bearing", "raceway", "material", "ball_material"],
     );
     page.section("Requirements");
-    report::requirements(&mut page, file, study);
+    report::requirements(&mut page, file, &bearings);
     page.section("Dynamic system");
     keys(&mut page, &["rotor", "support", "contact", "solver"]);
     page.section("Environment");
-    report::environment(&mut page, study);
+    report::environment(&mut page, &bearings);
     keys(&mut page, &["operation", "thermal", "fit", "lubrication"]);
     page.section("Event");
     page.paragraph(&event(file));
     keys(&mut page, &["start"]);
     page.section("Failure modes");
-    report::failure_modes(&mut page, study);
+    report::failure_modes(&mut page, &bearings);
     page.section("Simulation");
     let planes = study.record.rotor.iter().map(|rotor| &rotor.planes);
     for planes in planes.filter(|planes| !planes.is_empty()) {
-        page.table(&clearances(planes, &source));
+        page.table(&clearances(planes, source));
     }
-    page.table(&results(study, source));
-    for k in 0..cases.len() {
-        page.section(&label(study, "Rotor and inner ring", k));
-        figures(&mut page, study, k, |case, record, other, source| {
-            of_rotor(case, record, other, source).collect()
-        });
+    page.table(&results(study, source.clone()));
+    for bearing in &bearings {
+        page.section(&bearing.label("Rotor and inner ring"));
+        page.figures(of_rotor(bearing));
     }
     page.section("Balls");
-    for k in 0..cases.len() {
-        figures(&mut page, study, k, |_, record, other, source| {
-            vec![loads(record, other, source)]
-        });
-    }
+    page.figures(bearings.iter().map(loads));
     page.motion(&balls_in_motion(study));
     page.section("Energy");
-    for k in 0..cases.len() {
-        figures(&mut page, study, k, |_, record, other, source| {
-            vec![heat(record, other, source)]
-        });
-    }
+    page.figures(bearings.iter().map(heat));
     if let Some(ensemble) = &study.ensemble {
-        scattered(&mut page, study, ensemble);
+        scattered(&mut page, &bearings, ensemble);
     }
     if let Some(verification) = &study.verification {
-        verification_section(&mut page, study, verification);
+        verification_section(&mut page, &bearings, verification);
     }
     page.section("Acceptance test");
-    report::acceptance_test(&mut page, study);
+    report::acceptance_test(&mut page, &bearings);
     page.section("Drops in succession");
-    succession(&mut page, study);
+    succession(&mut page, &bearings, &study.succession);
     if let VariantFile::Case(file) = file {
         let toml = file.document().to_toml().unwrap_or_default();
         studio_section(&mut page, &toml, "");
@@ -114,22 +102,6 @@ fn event(file: &VariantFile) -> String {
          it, falls through the touch-down clearance and lands on an inner ring at rest.",
         short(speed_rpm.unwrap_or_default())
     )
-}
-
-/// Shows figures of bearing `k`: of its case, its record and that with a conventional outer ring.
-fn figures(
-    page: &mut Page,
-    study: &DropStudy,
-    k: usize,
-    of: impl Fn(&Case, &BearingRecord, Option<&BearingRecord>, &Provenance) -> Vec<Figure>,
-) {
-    let case = &study.drop.cases()[k];
-    let other = study.conventional.as_ref().map(|other| &other.bearings[k]);
-    let source = provenance(case, String::new());
-    for mut figure in of(case, &study.record.bearings[k], other, &source) {
-        figure.label = label(study, &figure.label, k);
-        page.figure(&figure);
-    }
 }
 
 /// The head of a drop of a linear rotor.
@@ -166,15 +138,14 @@ fn head(drop: &DropResult) -> Head {
         Some(parameter(name, short(value), unit))
     };
     let limit_mpa = report::pressure_limit_mpa();
-    let pressure_mpa = [
-        "inner_pressure_max_mpa",
-        "outer_pressure_max_mpa",
-        "ball_pressure_max_mpa",
-    ]
-    .into_iter()
-    .filter_map(|name| drop.results.value(name))
-    .fold(0.0, f64::max);
-    let state = at_end(drop);
+    let pressure_mpa = (report::PRESSURES.iter())
+        .filter_map(|name| drop.results.value(name))
+        .fold(0.0, f64::max);
+    let state = format!(
+        "State after {} s: {}.",
+        short(drop.results.number("simulated_s")),
+        drop.end_state_text()
+    );
     let facts = [
         fact("First contact", "first_contact_ms", "ms"),
         fact("Largest force on the rotor", "rotor_force_max_n", "N"),
@@ -203,15 +174,6 @@ fn head(drop: &DropResult) -> Head {
         .facts(facts.into_iter().flatten())
 }
 
-/// "State after 0.5 s: rest at the bottom."
-fn at_end(drop: &DropResult) -> String {
-    format!(
-        "State after {} s: {}.",
-        short(drop.results.number("simulated_s")),
-        drop.end_state_text()
-    )
-}
-
 /// Table of the results of all bearings, one column each.
 fn results(study: &DropStudy, source: Provenance) -> Table {
     let caption = "From the start of the drop to the end of the run.";
@@ -227,7 +189,7 @@ fn clearances(planes: &[PlaneDisplacement], source: &Provenance) -> Table {
     Table::of("Clearances", caption, rows, Some(source.clone()))
 }
 
-fn verification_section(page: &mut Page, study: &DropStudy, verification: &Record) {
+fn verification_section(page: &mut Page, bearings: &[Bearing<'_>], verification: &Record) {
     page.section("Verification");
     if let [full, half] = verification.values("rotor_energy_residual_relative") {
         page.paragraph(&format!(
@@ -235,13 +197,12 @@ fn verification_section(page: &mut Page, study: &DropStudy, verification: &Recor
              {half:.1e} at half of it."
         ));
     }
-    let bearings = match verification.parts("bearings") {
+    let verified = match verification.parts("bearings") {
         [] => std::slice::from_ref(verification),
         several => several,
     };
-    for (k, (case, bearing)) in study.drop.cases().iter().zip(bearings).enumerate() {
-        let table = VerificationTable::new(bearing, bearing.parts("numbers").iter());
-        let source = provenance(case, String::new());
-        table.show(page, &label(study, "Verification", k), &source);
+    for (bearing, verified) in bearings.iter().zip(verified) {
+        let table = VerificationTable::new(verified, verified.parts("numbers").iter());
+        table.show(page, &bearing.label("Verification"), &bearing.source);
     }
 }

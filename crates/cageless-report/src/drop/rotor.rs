@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use cageless::{Case, RotorSnapshot, Snapshot};
 use cageless_results::WindowRow;
-use cageless_study::Provenance;
 use cageless_study::drop::BearingRecord;
 use serde_json::json;
 
+use super::bearing::Bearing;
 use crate::figure::Figure;
 use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers};
 use crate::sampling::history;
@@ -16,59 +16,33 @@ use crate::text::short;
 /// Points of a trace over time.
 const POINTS: usize = 3000;
 
-fn rotors(snapshots: &[Snapshot]) -> Vec<(f64, RotorSnapshot)> {
-    (snapshots.iter())
-        .filter_map(|s| Some((1e3 * s.time_s, s.rotor?)))
-        .collect()
-}
-
 /// Figures of the journal in the inner ring; that of the whirl where there are windows to draw a
 /// line through. With the drop onto a conventional outer ring, if there
 /// is one, dashed.
-pub(super) fn of_rotor(
-    case: &Case,
-    record: &BearingRecord,
-    conventional: Option<&BearingRecord>,
-    source: &Provenance,
-) -> impl Iterator<Item = Figure> {
-    let windows = &record.result.windows;
-    let drops = Drops {
-        case,
-        record,
-        conventional,
-    };
+pub(super) fn of_rotor(bearing: &Bearing<'_>) -> impl Iterator<Item = Figure> {
     let figures = [
-        orbit(&drops, source),
-        displacement(&drops, source),
-        speeds(&rotors(&record.snapshots), source),
-        forces(&drops, source),
+        orbit(bearing),
+        displacement(bearing),
+        speeds(bearing),
+        forces(bearing),
     ];
-    let whirl = (windows.len() > 1).then(|| whirl(&drops, source));
+    let whirl = (bearing.record.result.windows.len() > 1).then(|| whirl(bearing));
     figures.into_iter().chain(whirl)
 }
 
-/// A drop and that of the same rotor onto a conventional outer ring.
-struct Drops<'a> {
-    case: &'a Case,
-    record: &'a BearingRecord,
-    conventional: Option<&'a BearingRecord>,
-}
-
-impl Drops<'_> {
-    /// Adds a trace of the drop onto a conventional ring to those of the drop.
-    fn both(
-        &self,
-        mut plot: Plot,
-        name: &str,
-        colour: &str,
-        rows: impl Fn(&BearingRecord) -> (Vec<f64>, Vec<f64>),
-    ) -> Plot {
-        if let Some(other) = self.conventional {
-            let name = format!("{name}, conventional ring");
-            plot = plot.trace(line_of(&name, rows(other), GREY).dash("dash"));
-        }
-        plot.trace(line_of(name, rows(self.record), colour))
+/// Adds a trace of the drop and one of that onto a conventional ring.
+fn both(
+    bearing: &Bearing<'_>,
+    mut plot: Plot,
+    name: &str,
+    colour: &str,
+    rows: impl Fn(&BearingRecord) -> (Vec<f64>, Vec<f64>),
+) -> Plot {
+    if let Some(other) = bearing.conventional {
+        let name = format!("{name}, conventional ring");
+        plot = plot.trace(line_of(&name, rows(other), GREY).dash("dash"));
     }
+    plot.trace(line_of(name, rows(bearing.record), colour))
 }
 
 /// Path of the centre of the journal from the centre of the inner ring, or from that of the stator,
@@ -95,19 +69,23 @@ fn circle(name: &str, radius_um: f64, colour: &str) -> Trace {
 }
 
 /// Path of the journal from the centre of the stator, with the circle of its clearance.
-fn displacement(drops: &Drops<'_>, source: &Provenance) -> Figure {
+fn displacement(bearing: &Bearing<'_>) -> Figure {
     let mut plot = square("x of the journal in the stator (µm)");
-    let limit_m = (drops.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
+    let limit_m = (bearing.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
     if let Some(limit_m) = limit_m {
         plot = plot.trace(circle("clearance to the stator", 1e6 * limit_m, PALETTE[3]));
     }
-    let plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
-        path_um(drops.case, &record.snapshots, false)
-    });
+    let plot = both(
+        bearing,
+        plot,
+        "centre of the journal",
+        PALETTE[0],
+        |record| path_um(bearing.case, &record.snapshots, false),
+    );
     let caption = "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
          fails where it crosses the dotted circle, the clearance that the case gives \
          (rotor.clearance_limit_um).";
-    Figure::new("Displacement", caption, source, plot)
+    bearing.figure("Displacement", caption, plot)
 }
 
 /// A plot with equal scales of x and y.
@@ -122,26 +100,30 @@ fn square(x: &str) -> Plot {
 }
 
 /// Path of the journal in the bore, with the circle of the touch-down clearance.
-fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
-    let case = drops.case;
+fn orbit(bearing: &Bearing<'_>) -> Figure {
+    let case = bearing.case;
     let Some(rotor) = &case.rotor else {
-        return Figure::new("Orbit", "", source, Plot::new(200));
+        return bearing.figure("Orbit", "", Plot::new(200));
     };
-    let (x, y) = path_um(case, &drops.record.snapshots, true);
+    let (x, y) = path_um(case, &bearing.record.snapshots, true);
     let plot = square("x of the journal in the bore (µm)").trace(circle(
         "touch-down clearance",
         1e6 * rotor.radial_clearance_m,
         GREY,
     ));
-    let mut plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
-        path_um(case, &record.snapshots, true)
-    });
+    let mut plot = both(
+        bearing,
+        plot,
+        "centre of the journal",
+        PALETTE[0],
+        |record| path_um(case, &record.snapshots, true),
+    );
     if let (Some(x), Some(y)) = (x.last(), y.last()) {
         plot = plot.trace(markers("end", &[*x], &[*y], PALETTE[1]));
     }
     let caption = "Centre of the journal relative to the centre of the inner ring. Beyond the dotted circle, \
          the touch-down clearance, it is in contact.";
-    Figure::new("Orbit", caption, source, plot)
+    bearing.figure("Orbit", caption, plot)
 }
 
 /// Time axis in ms.
@@ -151,16 +133,21 @@ fn over_time(height: u32, title: &str) -> Plot {
         .axes("Time since the start of the drop (ms)", title)
 }
 
-/// Rows of time and value, thinned.
-fn thinned(rows: impl Iterator<Item = (f64, f64)>) -> (Vec<f64>, Vec<f64>) {
+/// Time in ms and a value of the snapshots that have it, thinned.
+fn thinned(
+    record: &BearingRecord,
+    value: impl Fn(&Snapshot) -> Option<f64>,
+) -> (Vec<f64>, Vec<f64>) {
+    let rows = (record.snapshots.iter()).filter_map(|s| Some((1e3 * s.time_s, value(s)?)));
     let (x, y): (Vec<f64>, Vec<f64>) = rows.unzip();
     history(&x, &y, POINTS)
 }
 
 /// Speeds of rotor and inner ring.
-fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
-    let rpm =
-        |f: fn(&RotorSnapshot) -> f64| thinned(rotors.iter().map(|(t, r)| (*t, 60.0 / TAU * f(r))));
+fn speeds(bearing: &Bearing<'_>) -> Figure {
+    let rpm = |f: fn(&RotorSnapshot) -> f64| {
+        thinned(bearing.record, |s| Some(60.0 / TAU * f(s.rotor.as_ref()?)))
+    };
     let plot = over_time(380, "Speed (rpm)")
         .trace(line_of("rotor", rpm(|r| r.speed_rad_s), PALETTE[1]))
         .trace(line_of(
@@ -170,43 +157,46 @@ fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
         ));
     let caption = "Speed of the rotor and of the inner ring that it drives by friction, counter-clockwise \
          positive.";
-    Figure::new("Spin-up", caption, source, plot)
+    bearing.figure("Spin-up", caption, plot)
 }
 
 /// Forces of rotor and balls.
-fn forces(drops: &Drops<'_>, source: &Provenance) -> Figure {
-    let contact = |record: &BearingRecord| {
-        let row = |s: &Snapshot| Some((1e3 * s.time_s, s.rotor?.contact_force_n));
-        thinned(record.snapshots.iter().filter_map(row))
-    };
+fn forces(bearing: &Bearing<'_>) -> Figure {
+    let contact = |record: &BearingRecord| thinned(record, |s| Some(s.rotor?.contact_force_n));
     let outer = |record: &BearingRecord| {
         let force = |s: &Snapshot| s.ring.outer_force_x_n.hypot(s.ring.outer_force_y_n);
-        thinned(record.snapshots.iter().map(|s| (1e3 * s.time_s, force(s))))
+        thinned(record, |s| Some(force(s)))
     };
     let plot = over_time(400, "Force (N)");
-    let plot = drops.both(plot, "balls on the outer ring", PALETTE[2], outer);
-    let plot = drops.both(plot, "rotor on the inner ring", PALETTE[0], contact);
-    let rotor = drops.case.rotor.as_ref();
-    let weight_n = rotor.map_or(0.0, |r| r.mass_kg) * drops.case.operation.gravity_m_s2;
+    let plot = both(bearing, plot, "balls on the outer ring", PALETTE[2], outer);
+    let plot = both(
+        bearing,
+        plot,
+        "rotor on the inner ring",
+        PALETTE[0],
+        contact,
+    );
+    let rotor = bearing.case.rotor.as_ref();
+    let weight_n = rotor.map_or(0.0, |r| r.mass_kg) * bearing.case.operation.gravity_m_s2;
     let caption = format!(
         "Normal force between rotor and inner ring and the force of the balls on the outer \
              ring, at the output interval: peaks between two rows are in the table only. The \
              weight on this bearing is {} N.",
         short(weight_n)
     );
-    Figure::new("Forces", &caption, source, plot)
+    bearing.figure("Forces", &caption, plot)
 }
 
 /// Whirl frequency over time.
-fn whirl(drops: &Drops<'_>, source: &Provenance) -> Figure {
+fn whirl(bearing: &Bearing<'_>) -> Figure {
     let over_windows = |record: &BearingRecord, of: fn(&WindowRow) -> f64| {
         let windows = record.result.windows.iter();
         windows.map(|w| (w.time_ms, of(w))).unzip()
     };
-    let contact = over_windows(drops.record, |w| 100.0 * w.contact_fraction);
+    let contact = over_windows(bearing.record, |w| 100.0 * w.contact_fraction);
     let contact = line_of("contact", contact, PALETTE[2]);
     let plot = Plot::new(420)
-        .set("showlegend", json!(drops.conventional.is_some()))
+        .set("showlegend", json!(bearing.conventional.is_some()))
         .x(
             "Time since the start of the drop (ms)",
             json!({ "anchor": "y2" }),
@@ -218,12 +208,12 @@ fn whirl(drops: &Drops<'_>, source: &Provenance) -> Figure {
             json!({ "domain": [0.0, 0.3], "range": [0, 105] }),
         )
         .horizontal("x", "y", 0.0, "dot");
-    let plot = drops.both(plot, "whirl frequency", PALETTE[3], |record| {
+    let plot = both(bearing, plot, "whirl frequency", PALETTE[3], |record| {
         over_windows(record, |w| w.whirl_frequency_hz)
     });
     let plot = plot.trace(contact.with(json!({ "yaxis": "y2" })));
     let caption = "Mean frequency at which the journal moves round the bore, in windows of 5 ms, and the \
          part of each window in contact. A swing at the bottom has alternating signs. Negative: \
          against the rotation of a rotor that turns counter-clockwise.";
-    Figure::new("Whirl", caption, source, plot)
+    bearing.figure("Whirl", caption, plot)
 }

@@ -1,10 +1,9 @@
 //! Tables and figures of scattered drops.
 
 use cageless_results::end_state_text;
-use cageless_study::drop::{BearingRow, Distribution, DropStudy, Ensemble, WhirlProbability};
-use cageless_study::{Provenance, provenance};
+use cageless_study::drop::{BearingRow, Distribution, Ensemble, WhirlProbability};
 
-use super::label::label;
+use super::bearing::Bearing;
 use crate::figure::Figure;
 use crate::page::Page;
 use crate::plot::{PALETTE, Plot, markers};
@@ -15,14 +14,12 @@ const SCATTERED: &str =
     "friction (±30 %), touch-down clearance (±10 %), support damping (factor 2)";
 
 /// Tables and figures of scattered drops.
-pub(super) fn scattered(page: &mut Page, study: &DropStudy, ensemble: &Ensemble) {
+pub(super) fn scattered(page: &mut Page, bearings: &[Bearing<'_>], ensemble: &Ensemble) {
     page.section("Scattered drops");
     if let Some(any) = &ensemble.in_any_bearing {
-        page.table(&end_states(study, ensemble, any));
+        page.table(&end_states(&bearings[0], ensemble, any));
     }
-    for (k, case) in study.drop.cases().iter().enumerate() {
-        let source = provenance(case, String::new());
-        let (distribution, label) = (&ensemble.bearings[k], |name| label(study, name, k));
+    for (k, (bearing, distribution)) in bearings.iter().zip(ensemble.bearings.iter()).enumerate() {
         let caption = match ensemble.in_any_bearing {
             None => of_only_bearing(ensemble, distribution),
             Some(_) => format!(
@@ -31,12 +28,15 @@ pub(super) fn scattered(page: &mut Page, study: &DropStudy, ensemble: &Ensemble)
                 distribution.end_states_text()
             ),
         };
-        let rows = distribution.rows();
-        let table = Table::of(&label("Distribution"), &caption, rows, Some(source.clone()));
-        page.table(&table);
+        let (label, source) = (bearing.label("Distribution"), bearing.source.clone());
+        page.table(&Table::of(
+            &label,
+            &caption,
+            distribution.rows(),
+            Some(source),
+        ));
         let rows = ensemble.drops.iter().map(|drop| &drop.bearings[k]);
-        let label = label("State at the end");
-        page.figure(&scatter(distribution, rows, &label, &source));
+        page.figure(&scatter(bearing, distribution, rows));
     }
 }
 
@@ -56,7 +56,7 @@ fn of_only_bearing(ensemble: &Ensemble, distribution: &Distribution) -> String {
 }
 
 /// Table of the states at the end of scattered drops of a linear rotor.
-fn end_states(study: &DropStudy, ensemble: &Ensemble, any: &WhirlProbability) -> Table {
+fn end_states(first: &Bearing<'_>, ensemble: &Ensemble, any: &WhirlProbability) -> Table {
     let row = |name: String, whirl: &WhirlProbability, states: String| {
         vec![name, whirl.percent().unwrap_or("–".to_owned()), states]
     };
@@ -73,16 +73,14 @@ fn end_states(study: &DropStudy, ensemble: &Ensemble, any: &WhirlProbability) ->
         ensemble.completed, ensemble.seed
     );
     let label = "Probability of backward whirl";
-    let source = provenance(&study.drop.cases()[0], String::new());
-    Table::of(label, &caption, rows, Some(source))
+    Table::of(label, &caption, rows, Some(first.source.clone()))
 }
 
 /// State at the end of drops over friction and support damping, by the rows of a bearing.
 fn scatter<'a>(
+    bearing: &Bearing<'_>,
     distribution: &Distribution,
     rows: impl Iterator<Item = &'a BearingRow> + Clone,
-    label: &str,
-    source: &Provenance,
 ) -> Figure {
     let damped = rows.clone().any(|row| row.support_damping_n_s_m.is_some());
     let title = if damped {
@@ -105,5 +103,5 @@ fn scatter<'a>(
         plot = plot.trace(markers(&name, &x, &y, PALETTE[k % PALETTE.len()]));
     }
     let caption = "State of each drop at its end over what was drawn for it.";
-    Figure::new(label, caption, source, plot)
+    bearing.figure("State at the end", caption, plot)
 }

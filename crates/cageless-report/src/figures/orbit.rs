@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::panels::{Panel, labelled, panel_title};
+use super::panels::{Panel, panel_title};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, SECTOR, line_of, with};
 use crate::reproduce_data::OrbitSpeeds;
@@ -66,10 +66,5 @@ pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
     let caption = "Orbital speed of a ball against its place ψ on the way through the discrete \
                   raceway (shaded), with the speed of pure rolling at that place. Where the two \
                   part, the ball slides.";
-    Figure::new(
-        &labelled("Figure 9", &speeds.provenance),
-        caption,
-        &speeds.provenance,
-        plot,
-    )
+    Figure::of_paper("Figure 9", caption, &speeds.provenance, plot)
 }

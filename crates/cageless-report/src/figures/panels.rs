@@ -106,14 +106,6 @@ pub fn shade_sectors(mut plot: Plot, sectors: &[RacewaySector], x: &str, y: &str
     plot
 }
 
-/// `label` with the profile behind a comma, if there is one.
-pub fn labelled(label: &str, provenance: &crate::data::Provenance) -> String {
-    match &provenance.profile {
-        Some(profile) => format!("{label}, profile {profile}"),
-        None => label.to_owned(),
-    }
-}
-
 /// Letter, lC and θ, and below it the verdict, for a small panel.
 pub fn panel_title(structure: &crate::data::RacewayLabel, verdict: &str) -> String {
     let plain = crate::plot::plain;

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::panels::{Panel, labelled, panel_title};
+use super::panels::{Panel, panel_title};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line_of, number, with};
 use crate::reproduce_data::{PhasePortrait, PhasePortraits};
@@ -31,12 +31,7 @@ pub fn velocities(portraits: &PhasePortraits) -> Figure {
     let caption = "Phase portraits of ball 1: velocity of its centre, y against x, for the ten \
                   structures, all on one scale. The discrete raceway lies where vx is positive \
                   and vy small.";
-    Figure::new(
-        &labelled("Figure 8", &portraits.provenance),
-        caption,
-        &portraits.provenance,
-        plot,
-    )
+    Figure::of_paper("Figure 8", caption, &portraits.provenance, plot)
 }
 
 /// Fig. 8, second set: x-velocity against x on the way through the loaded zone.
@@ -49,8 +44,8 @@ pub fn positions(portraits: &PhasePortraits) -> Figure {
     });
     let caption = "The same turns as x-velocity against x, enlarged where the ball passes the \
                   bottom of the bearing; a double click shows all of a panel.";
-    Figure::new(
-        &labelled("Figure 8, position and velocity", &portraits.provenance),
+    Figure::of_paper(
+        "Figure 8, position and velocity",
         caption,
         &portraits.provenance,
         plot,

@@ -12,6 +12,14 @@ use crate::run_data::{LoadProfile, RunData};
 use crate::sampling::range;
 use crate::text::short;
 
+/// A raceway with the colour of what is at it.
+const INNER: (&str, &str) = ("inner raceway", PALETTE[0]);
+const OUTER: (&str, &str) = ("outer raceway", PALETTE[1]);
+
+/// A part of the figure with the unit of what it shows.
+const FORCE: (&str, &str) = ("polar", "N");
+const PRESSURE: (&str, &str) = ("polar2", "MPa");
+
 /// Loads of the balls over the angular position, and the pressures.
 pub fn loads(run: &RunData) -> Option<Figure> {
     let profile = run.load_profile.as_ref()?;
@@ -21,39 +29,23 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         most(&profile.outer_pressure_max_mpa).max(most(&profile.inner_pressure_max_mpa)),
     );
     let mut plot = frame(force, pressure, &run.sectors);
-    let traces: [(&str, usize, &str, &[f64]); 6] = [
-        ("outer raceway", 1, "largest", &profile.outer_force_max_n),
-        ("outer raceway", 1, "mean", &profile.outer_force_mean_n),
-        ("inner raceway", 0, "largest", &profile.inner_force_max_n),
-        ("inner raceway", 0, "mean", &profile.inner_force_mean_n),
-        (
-            "outer raceway",
-            1,
-            "largest",
-            &profile.outer_pressure_max_mpa,
-        ),
-        (
-            "inner raceway",
-            0,
-            "largest",
-            &profile.inner_pressure_max_mpa,
-        ),
+    let traces: [(_, _, _, &[f64]); 6] = [
+        (OUTER, "largest", FORCE, &profile.outer_force_max_n),
+        (OUTER, "mean", FORCE, &profile.outer_force_mean_n),
+        (INNER, "largest", FORCE, &profile.inner_force_max_n),
+        (INNER, "mean", FORCE, &profile.inner_force_mean_n),
+        (OUTER, "largest", PRESSURE, &profile.outer_pressure_max_mpa),
+        (INNER, "largest", PRESSURE, &profile.inner_pressure_max_mpa),
     ];
-    for (k, (raceway, colour, which, values)) in traces.into_iter().enumerate() {
-        let (subplot, unit) = if k < 4 {
-            ("polar", "N")
-        } else {
-            ("polar2", "MPa")
-        };
-        let (width, dash) = if which == "largest" {
-            (1.8, "solid")
-        } else {
-            (1.2, "dot")
+    for ((raceway, colour), which, (subplot, unit), values) in traces {
+        let (width, dash) = match which {
+            "largest" => (1.8, "solid"),
+            _ => (1.2, "dot"),
         };
         let name = format!("{raceway}, {which}");
         let ring = ring(profile, values).in_group(&name, subplot == "polar");
         plot = plot.trace(ring.width(width).dash(dash).with(json!({
-            "name": plain(&name), "subplot": subplot, "line": { "color": PALETTE[colour] },
+            "name": plain(&name), "subplot": subplot, "line": { "color": colour },
             "hovertemplate": format!("{name}<br>ψ %{{theta:.0f}}°<br>%{{r:.4r}} {unit}<extra></extra>"),
         })));
     }

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::panels::{Panel, labelled};
+use super::panels::Panel;
 use crate::data::Event;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line_of, plain};
@@ -45,12 +45,7 @@ pub fn gap_history(gap: &GapHistory) -> Figure {
         gap.structure.label(),
         meanings
     );
-    Figure::new(
-        &labelled("Figure 6", &gap.provenance),
-        &caption,
-        &gap.provenance,
-        plot,
-    )
+    Figure::of_paper("Figure 6", &caption, &gap.provenance, plot)
 }
 
 /// Fig. 7: orbital speeds and gaps of three neighbours through the raceway.
@@ -84,12 +79,7 @@ pub fn neighbours(three: &Neighbours) -> Figure {
         three.structure.label(),
         meanings
     );
-    Figure::new(
-        &labelled("Figure 7", &three.provenance),
-        &caption,
-        &three.provenance,
-        plot,
-    )
+    Figure::of_paper("Figure 7", &caption, &three.provenance, plot)
 }
 
 /// Begin of a stretch of time in s, its times from there on in ms, and the title of their axis.

@@ -8,7 +8,7 @@ use crate::figure::Figure;
 use crate::names;
 use crate::plot::{PALETTE, Plot, Trace, numbers, plain};
 use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
-use crate::text::short;
+use crate::text::{capital, short};
 
 /// Panels side by side.
 const ACROSS: usize = 3;
@@ -168,17 +168,6 @@ fn broken(title: &str) -> String {
     match spaces.min_by_key(|at| at.abs_diff(middle)) {
         Some(at) => format!("{}<br>{}", &title[..at], &title[at + 1..]),
         None => title.to_owned(),
-    }
-}
-
-/// Text with a capital letter at the beginning, unless it begins with a symbol.
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) if first.is_ascii_lowercase() => {
-            first.to_ascii_uppercase().to_string() + letters.as_str()
-        }
-        _ => text.to_owned(),
     }
 }
 

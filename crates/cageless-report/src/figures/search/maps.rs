@@ -261,12 +261,7 @@ pub fn verdicts(search: &Record) -> Figure {
             ""
         }
     );
-    Figure::new(
-        "Design map, verdicts",
-        &caption,
-        &search.provenance.clone().unwrap_or_default(),
-        plot,
-    )
+    Figure::of_record("Design map, verdicts", &caption, search, plot)
 }
 
 /// Critical gap of every cell, one panel per speed.
@@ -310,10 +305,5 @@ pub fn critical_gaps(search: &Record) -> Figure {
              100 %, between which a raceway spreads the balls and leaves room in steady flow.",
         100.0 * least
     );
-    Figure::new(
-        "Design map, critical gap",
-        &caption,
-        &search.provenance.clone().unwrap_or_default(),
-        plot,
-    )
+    Figure::of_record("Design map, critical gap", &caption, search, plot)
 }

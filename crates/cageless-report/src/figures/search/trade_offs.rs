@@ -135,10 +135,5 @@ pub fn trade_offs(search: &Record) -> Figure {
                   the balls more evenly costs friction. The axes show the acceptable structures; \
                   the initial design, where it lies outside, is drawn at the edge with its \
                   values (horizontal, vertical).";
-    Figure::new(
-        "Trade-offs",
-        caption,
-        &search.provenance.clone().unwrap_or_default(),
-        plot,
-    )
+    Figure::of_record("Trade-offs", caption, search, plot)
 }
