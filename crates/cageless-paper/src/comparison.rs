@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::design::search::uneven_gaps_rad;
+use cageless::recorder::keeping;
 use cageless::simulation::{
     Control, Ending, Observer, ObserverError, StepView, batches, run_batch,
 };
@@ -301,12 +302,7 @@ fn side_by_side(
     let ended = {
         let mut detectors: Vec<_> = contacts
             .iter_mut()
-            .map(|contacts| {
-                CollisionDetector::new(move |contact: Collision| {
-                    contacts.push(contact);
-                    Ok(())
-                })
-            })
+            .map(|contacts| CollisionDetector::new(keeping(contacts, |_| true)))
             .collect();
         let mut observers: Vec<Vec<&mut dyn Observer>> = vibrations
             .iter_mut()

@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::numerics::moments::Moments;
-use cageless::recorder::Recorder;
+use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::{Ending, run};
 use cageless::snapshot::Snapshot;
 use cageless::vibration::VibrationRecorder;
@@ -142,10 +142,7 @@ fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, PaperError> 
         }
         Ok(())
     });
-    let mut detector = CollisionDetector::new(|collision| {
-        collisions.push(collision);
-        Ok(())
-    });
+    let mut detector = CollisionDetector::new(keeping(&mut collisions, |_| true));
     let duration_s = case.solver.duration_s;
     let outcome = run(
         case,

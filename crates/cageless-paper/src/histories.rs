@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
-use cageless::recorder::Recorder;
+use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::{Ending, run};
 use cageless::snapshot::Snapshot;
 use cageless::{Case, FrictionLaw, Profile};
@@ -78,14 +78,8 @@ fn one(reading: (Profile, FrictionLaw), progress: &Work<'_>) -> Result<History, 
     let case = cases::structure(0, reading, &overrides)?;
     let mut snapshots: Vec<Snapshot> = vec![];
     let mut collisions: Vec<Collision> = vec![];
-    let mut recorder = Recorder::new(INTERVAL_S, |snapshot| {
-        snapshots.push(snapshot);
-        Ok(())
-    });
-    let mut detector = CollisionDetector::new(|collision| {
-        collisions.push(collision);
-        Ok(())
-    });
+    let mut recorder = Recorder::new(INTERVAL_S, keeping(&mut snapshots, |_| true));
+    let mut detector = CollisionDetector::new(keeping(&mut collisions, |_| true));
     let outcome = run(
         &case,
         &mut [&mut recorder, &mut detector],

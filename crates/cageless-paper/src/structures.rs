@@ -8,7 +8,7 @@ use cageless::design::{
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::numerics::angle::wrap_angle_rad;
 use cageless::numerics::moments::Moments;
-use cageless::recorder::Recorder;
+use cageless::recorder::{Recorder, keeping};
 use cageless::snapshot::Snapshot;
 use cageless::{Case, FrictionLaw, Profile, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
@@ -176,18 +176,9 @@ fn one(
     let mut contacts: Vec<Collision> = vec![];
     let after_s = steady_after_s(&case);
     let judgement = {
-        let mut detector = CollisionDetector::new(|contact: Collision| {
-            if contact.start_s > after_s {
-                contacts.push(contact);
-            }
-            Ok(())
-        });
-        let mut recorder = Recorder::new(INTERVAL_S, |snapshot| {
-            if snapshot.time_s >= from_s {
-                snapshots.push(snapshot);
-            }
-            Ok(())
-        });
+        let mut detector = CollisionDetector::new(keeping(&mut contacts, |c| c.start_s > after_s));
+        let mut recorder =
+            Recorder::new(INTERVAL_S, keeping(&mut snapshots, |s| s.time_s >= from_s));
         judge_watched(
             &case,
             &mut [&mut recorder, &mut detector],

@@ -109,6 +109,14 @@ impl Requirement {
         self
     }
 
+    /// The requirement on one of several things: `name` stands before the quantity and for
+    /// `{name}` in the sentence.
+    pub fn on(mut self, name: &str) -> Self {
+        self.quantity = format!("{name}: {}", self.quantity);
+        self.sentences = self.sentences.map(|said| said.replace("{name}", name));
+        self
+    }
+
     /// How far the value keeps its limit.
     pub fn holds(&self) -> Holds {
         let met = match self.bound {

@@ -13,7 +13,7 @@ mod drop_result;
 mod drop_run;
 mod limited;
 #[cfg(test)]
-mod list;
+mod list_tests;
 #[rustfmt::skip]
 mod meanings;
 mod judged;

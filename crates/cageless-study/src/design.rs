@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
 use cageless::raceway::RacewayDimensions;
-use cageless::recorder::Recorder;
+use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::Stop;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
@@ -137,12 +137,8 @@ fn judged(
     let mut snapshots = vec![];
     let judgement = {
         let interval_s = (end_s - from_s) / SNAPSHOTS;
-        let mut recorder = Recorder::new(interval_s, |snapshot: Snapshot| {
-            if snapshot.time_s >= from_s {
-                snapshots.push(snapshot);
-            }
-            Ok(())
-        });
+        let kept = keeping(&mut snapshots, |s: &Snapshot| s.time_s >= from_s);
+        let mut recorder = Recorder::new(interval_s, kept);
         judge_watched(case, &mut [&mut recorder], &mut task.run_control(1.0, 1.0))
     };
     if progress.interrupted() {

@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::collision::CollisionDetector;
 use cageless::design::search::{from_uneven_start, peak_pressure_pa};
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::recorder::Recorder;
+use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::{Ending, Observer, run};
 use cageless::snapshot::Snapshot;
 use serde::{Deserialize, Serialize};
@@ -102,12 +102,8 @@ fn motion(case: &Case, control: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Optio
             Ok(())
         });
         let interval_s = case.rolling_orbit_s() / SNAPSHOTS;
-        let mut recorder = Recorder::new(interval_s, |snapshot: Snapshot| {
-            if snapshot.time_s > half_s {
-                snapshots.push(snapshot);
-            }
-            Ok(())
-        });
+        let mut recorder =
+            Recorder::new(interval_s, keeping(&mut snapshots, |s| s.time_s > half_s));
         let mut observers: Vec<&mut dyn Observer> = vec![&mut collisions, &mut recorder];
         run(case, &mut observers, control).ok()?
     };

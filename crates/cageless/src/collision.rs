@@ -13,7 +13,7 @@ use crate::numerics::root;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// One contact of two neighbouring balls, from touch to parting.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Collision {
     /// Time of first touch.
     pub start_s: f64,
@@ -138,7 +138,6 @@ impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
         let (dvx, dvy) = (offset(BallCoordinate::Vx), offset(BallCoordinate::Vy));
         Collision {
             start_s,
-            duration_s: 0.0,
             ball: self.ball,
             next_ball: self.next_ball,
             angle_rad: (x[0] + x[1]).atan2(-(y[0] + y[1])),
@@ -146,8 +145,7 @@ impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
                 true => 0.0,
                 false => -(dvx * dx + dvy * dy) / dx.hypot(dy),
             },
-            peak_force_n: 0.0,
-            impulse_n_s: 0.0,
+            ..Collision::default()
         }
     }
 }
@@ -155,32 +153,21 @@ impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
 impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDetector<F> {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let n = context.model.balls();
-        let next = |k| context.model.layout().next(k);
         self.distances = (0..n).map(|k| context.model.pair_distance_m(k)).collect();
         self.forces = vec![0.0; n];
         self.earlier = vec![0.0; n];
         self.open = vec![None; n];
         let (x, y) = (context.start.x_m(), context.start.y_m());
-        self.deflections = (0..n)
-            .map(|k| {
-                let next = next(k);
-                self.distances[k] - (x[next] - x[k]).hypot(y[next] - y[k])
-            })
-            .collect();
+        self.deflections = vec![0.0; n];
         for k in 0..n {
-            if self.deflections[k] > 0.0 {
-                let next = next(k);
-                self.open[k] = Some(Collision {
-                    start_s: 0.0,
-                    duration_s: 0.0,
-                    ball: k,
-                    next_ball: next,
-                    angle_rad: (x[k] + x[next]).atan2(-(y[k] + y[next])),
-                    approach_speed_m_s: 0.0,
-                    peak_force_n: 0.0,
-                    impulse_n_s: 0.0,
-                });
-            }
+            let next = context.model.layout().next(k);
+            self.deflections[k] = self.distances[k] - (x[next] - x[k]).hypot(y[next] - y[k]);
+            self.open[k] = (self.deflections[k] > 0.0).then(|| Collision {
+                ball: k,
+                next_ball: next,
+                angle_rad: (x[k] + x[next]).atan2(-(y[k] + y[next])),
+                ..Collision::default()
+            });
         }
         Ok(())
     }

@@ -20,6 +20,19 @@
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::snapshot::Snapshot;
 
+/// A closure for a recorder or a detector that keeps those of its `rows` for which `keep` is true.
+pub fn keeping<T>(
+    rows: &mut Vec<T>,
+    keep: impl Fn(&T) -> bool,
+) -> impl FnMut(T) -> Result<(), ObserverError> {
+    move |row| {
+        if keep(&row) {
+            rows.push(row);
+        }
+        Ok(())
+    }
+}
+
 /// Passes a [`Snapshot`] at t = 0, after every interval and at the end of the run to a
 /// closure.
 pub struct Recorder<F> {

@@ -44,11 +44,11 @@ pub(super) const NAMES: [&str; 2] = ["`paper`", "`physical`"];
 /// A requirement under each reading, by its name and what was found.
 pub(super) fn of_both<'e, T>(
     found: &'e [T; 2],
-    requirement: impl Fn(&str, &'e T) -> Requirement,
+    requirement: impl Fn(&'e T) -> Requirement,
 ) -> Vec<Requirement> {
     let pairs = NAMES.iter().zip(found);
     pairs
-        .map(|(name, found)| requirement(name, found))
+        .map(|(name, found)| requirement(found).on(name))
         .collect()
 }
 

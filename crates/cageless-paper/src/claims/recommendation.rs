@@ -212,19 +212,16 @@ fn spread_outside(e: &Evidence) -> Claim {
                 .map(|s| s.gap_outside_deviation_deg),
         )
     };
-    let mut criterion = of_both(&e.structures, |name, found| {
-        let quantity = format!("{name}: mean gap of balls inside the raceway");
-        Requirement::at_most(&quantity, inside(found), beta0, "°").says(&format!(
-            "The gap inside is [|not ]smaller than β0 in {name}."
-        ))
+    let mut criterion = of_both(&e.structures, |found| {
+        let quantity = "mean gap of balls inside the raceway";
+        Requirement::at_most(quantity, inside(found), beta0, "°")
+            .says("The gap inside is [|not ]smaller than β0 in {name}.")
     });
-    criterion.extend(of_both(&e.structures, |name, found| {
-        let quantity = format!("{name}: standard deviation of the gaps outside");
-        Requirement::at_most(&quantity, outside(found), e.printed.neglected_deg, "°").says(
-            &format!(
-                "Balls outside are [evenly spaced in {name}.|not evenly spaced in {name}, though \
-             they were at the start.]"
-            ),
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "standard deviation of the gaps outside";
+        Requirement::at_most(quantity, outside(found), e.printed.neglected_deg, "°").says(
+            "Balls outside are [evenly spaced in {name}.|not evenly spaced in {name}, though \
+             they were at the start.]",
         )
     }));
     Claim::of_the_model(

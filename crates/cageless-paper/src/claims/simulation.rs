@@ -152,11 +152,11 @@ fn unloaded(e: &Evidence) -> Claim {
         &format!(
             "In the unloaded zone the gap falls by {printed}° by sliding; that can be neglected."
         ),
-        of_both(&e.stages, |name, s| {
-            let quantity = format!("{name}: change of the gap, from {printed}°");
+        of_both(&e.stages, |s| {
+            let quantity = format!("change of the gap, from {printed}°");
             let value = (s.unloaded_change_deg - printed).abs();
             Requirement::at_most(&quantity, value, 0.01, "°")
-                .says(&format!("It [does|changes by another amount] in {name}."))
+                .says("It [does|changes by another amount] in {name}.")
         }),
     )
     .numbers(&format!(
@@ -169,15 +169,15 @@ fn unloaded(e: &Evidence) -> Claim {
 }
 
 fn loaded(e: &Evidence) -> Claim {
-    let mut criterion = of_both(&e.stages, |name, s| {
-        let quantity = format!("{name}: largest departure of the gap from β0");
-        Requirement::at_most(&quantity, s.loaded_change_deg, e.printed.neglected_deg, "°")
-            .says(&format!("The gap [keeps|does not keep] to β0 in {name}."))
+    let mut criterion = of_both(&e.stages, |s| {
+        let quantity = "largest departure of the gap from β0";
+        Requirement::at_most(quantity, s.loaded_change_deg, e.printed.neglected_deg, "°")
+            .says("The gap [keeps|does not keep] to β0 in {name}.")
     });
-    criterion.extend(of_both(&e.stages, |name, s| {
-        let quantity = format!("{name}: largest sliding speed over the speed of the inner raceway");
-        Requirement::at_most(&quantity, 100.0 * s.loaded_slip, 1.0, " %")
-            .says(&format!("The ball [scarcely |]slides in {name}."))
+    criterion.extend(of_both(&e.stages, |s| {
+        let quantity = "largest sliding speed over the speed of the inner raceway";
+        Requirement::at_most(quantity, 100.0 * s.loaded_slip, 1.0, " %")
+            .says("The ball [scarcely |]slides in {name}.")
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 6, b–c and d–e",
@@ -192,11 +192,11 @@ fn raceway(e: &Evidence) -> Claim {
     Claim::of_the_model(
         "Section 4.3, Fig. 6, c–d",
         "In the discrete raceway the gap falls and rises again by about β0.",
-        of_both(&e.stages, |name, s| {
-            let quantity = format!("{name}: change of the gap, from β0");
+        of_both(&e.stages, |s| {
+            let quantity = "change of the gap, from β0";
             let value = (s.raceway_change_deg - beta0).abs();
-            Requirement::at_most(&quantity, value, 0.05 * beta0, "°")
-                .says(&format!("It [does|changes by another amount] in {name}."))
+            Requirement::at_most(quantity, value, 0.05 * beta0, "°")
+                .says("It [does|changes by another amount] in {name}.")
         }),
     )
     .numbers(&format!(
@@ -210,10 +210,10 @@ fn first(e: &Evidence) -> Claim {
         "Section 4.3, Fig. 6",
         "The gap falls rapidly at first, because the iteration of the solution is perturbed by the \
          initial values.",
-        of_both(&e.stages, |name, s| {
-            let quantity = format!("{name}: largest change of the gap in the first millisecond");
-            Requirement::at_least(&quantity, s.first_change_deg, e.printed.neglected_deg, "°")
-                .says(&format!("[It changes|No such fall appears] in {name}."))
+        of_both(&e.stages, |s| {
+            let quantity = "largest change of the gap in the first millisecond";
+            Requirement::at_least(quantity, s.first_change_deg, e.printed.neglected_deg, "°")
+                .says("[It changes|No such fall appears] in {name}.")
         }),
     )
     .remark("The multistep method starts here with an error-controlled Runge–Kutta pair.")
@@ -223,11 +223,10 @@ fn both_neighbours(e: &Evidence) -> Claim {
     Claim::of_the_model(
         "Section 4.3, Fig. 7",
         "Ball i of structure (a) is hit by ball i+1 and then by ball i−1 in one passage.",
-        of_both(&e.stages, |name, s| {
-            let quantity = format!("{name}: such passages in 0.2 s");
-            Requirement::at_least(&quantity, s.double_passages as f64, 1.0, "").says(&format!(
-                "[Such passages occur|No such passage occurs] in {name}."
-            ))
+        of_both(&e.stages, |s| {
+            let quantity = "such passages in 0.2 s";
+            Requirement::at_least(quantity, s.double_passages as f64, 1.0, "")
+                .says("[Such passages occur|No such passage occurs] in {name}.")
         }),
     )
 }

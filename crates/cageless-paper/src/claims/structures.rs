@@ -63,20 +63,17 @@ fn low_frequency(e: &Evidence) -> Claim {
         let durations = found.iter().map(|f| f.steady.contact_duration_s);
         0.5 / largest(durations.filter(|d| !d.is_nan()))
     };
-    let mut criterion = of_both(&e.structures, |name, found| {
-        let quantity = format!("{name}: contacts per ball and orbit, largest of the ten");
-        Requirement::at_most(&quantity, contacts(found), 1.0, "").says(&format!(
-            "Contacts are [|not ]rarer than passages in {name}."
-        ))
+    let mut criterion = of_both(&e.structures, |found| {
+        let quantity = "contacts per ball and orbit, largest of the ten";
+        Requirement::at_most(quantity, contacts(found), 1.0, "")
+            .says("Contacts are [|not ]rarer than passages in {name}.")
     });
-    criterion.extend(of_both(&e.structures, |name, found| {
-        let quantity = format!(
-            "{name}: frequency 1/(2 T) of contacts of mean duration T over that of ball passing"
-        );
-        Requirement::at_most(&quantity, impact_hz(found) / e.ball_pass_hz, 1.0, "").says(&format!(
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "frequency 1/(2 T) of contacts of mean duration T over that of ball passing";
+        Requirement::at_most(quantity, impact_hz(found) / e.ball_pass_hz, 1.0, "").says(
             "A contact is [as slow as the passing of balls in {name}.|faster than the passing \
-             of balls in {name}: a stiff impact.]"
-        ))
+             of balls in {name}: a stiff impact.]",
+        )
     }));
     Claim::of_the_model(
         "Section 4",
@@ -97,17 +94,15 @@ fn low_frequency(e: &Evidence) -> Claim {
 
 fn twice(e: &Evidence) -> Claim {
     let share = |found: &[Found]| passages(&found[0..3], |p| p.double_collision_fraction);
-    let mut criterion = of_both(&e.structures, |name, found| {
+    let mut criterion = of_both(&e.structures, |found| {
         let some = share(found).iter().filter(|s| **s > 0.0).count();
-        Requirement::in_all(&format!("{name}: structures with such passages"), some, 3).says(
-            &format!("Such passages [|do not ]occur in each of the three in {name}."),
-        )
+        Requirement::in_all("structures with such passages", some, 3)
+            .says("Such passages [|do not ]occur in each of the three in {name}.")
     });
-    criterion.extend(of_both(&e.structures, |name, found| {
-        let quantity = format!("{name}: share of passages with both contacts, least of the three");
-        Requirement::at_least(&quantity, 100.0 * least(share(found)), 50.0, " %").says(&format!(
-            "[Most passages are such|They are not the rule] in {name}."
-        ))
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "share of passages with both contacts, least of the three";
+        Requirement::at_least(quantity, 100.0 * least(share(found)), 50.0, " %")
+            .says("[Most passages are such|They are not the rule] in {name}.")
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 8a–c",
@@ -122,22 +117,19 @@ fn twice(e: &Evidence) -> Claim {
 fn smooth(e: &Evidence) -> Claim {
     let mean = |found: &[Found]| passages(&found[3..6], |p| p.collisions_mean);
     let double = |found: &[Found]| passages(found, |p| p.double_collision_fraction);
-    let mut criterion = of_both(&e.structures, |name, found| {
+    let mut criterion = of_both(&e.structures, |found| {
         let share = double(found);
         let most = largest(share[3..6].to_vec()) / least(share[0..3].to_vec());
-        let quantity = format!(
-            "{name}: passages with both contacts, most of (d) to (f) over least of (a) to (c)"
-        );
-        Requirement::at_most(&quantity, most, 0.5, "").says(&format!(
+        let quantity = "passages with both contacts, most of (d) to (f) over least of (a) to (c)";
+        Requirement::at_most(quantity, most, 0.5, "").says(
             "Double collisions are [at most|more than] half as frequent as in (a) to (c) in \
-             {name}."
-        ))
+             {name}.",
+        )
     });
-    criterion.extend(of_both(&e.structures, |name, found| {
-        let quantity = format!("{name}: contacts per passage, most of the three");
-        Requirement::at_most(&quantity, largest(mean(found)), NO_CONTACTS, "").says(&format!(
-            "[They do not collide|Neighbours do touch] in {name}."
-        ))
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "contacts per passage, most of the three";
+        Requirement::at_most(quantity, largest(mean(found)), NO_CONTACTS, "")
+            .says("[They do not collide|Neighbours do touch] in {name}.")
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 8d–f",
@@ -150,19 +142,15 @@ fn smooth(e: &Evidence) -> Claim {
 fn slide(e: &Evidence) -> Claim {
     let slip = |found: &[Found]| passages(found, |p| p.sliding_mean_m_s);
     let apart = |values: &[f64]| least(values[6..].to_vec()) / largest(values[3..6].to_vec());
-    let mut criterion = of_both(&e.structures, |name, found| {
-        let quantity =
-            format!("{name}: sliding speed, least of (g) to (j) over most of (d) to (f)");
-        Requirement::at_least(&quantity, apart(&slip(found)), 1.0, "").says(&format!(
-            "[Each|Not each] slides more than any of (d) to (f) in {name}."
-        ))
+    let mut criterion = of_both(&e.structures, |found| {
+        let quantity = "sliding speed, least of (g) to (j) over most of (d) to (f)";
+        Requirement::at_least(quantity, apart(&slip(found)), 1.0, "")
+            .says("[Each|Not each] slides more than any of (d) to (f) in {name}.")
     });
-    criterion.extend(of_both(&e.structures, |name, found| {
-        let quantity =
-            format!("{name}: loss of critical gap, least of (g) to (j) over most of (d) to (f)");
-        Requirement::at_least(&quantity, apart(&losses(found)), 1.0, "").says(&format!(
-            "[Each|Not each] loses more of the critical gap in {name}."
-        ))
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "loss of critical gap, least of (g) to (j) over most of (d) to (f)";
+        Requirement::at_least(quantity, apart(&losses(found)), 1.0, "")
+            .says("[Each|Not each] loses more of the critical gap in {name}.")
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 8g–j",
@@ -188,11 +176,11 @@ fn plain_raceway(e: &Evidence) -> Claim {
     Claim::of_the_model(
         "Section 4.3, Fig. 8",
         "In the conventional part of the raceway the tracks are smooth: balls do not collide there.",
-        of_both(&e.structures, |name, found| {
+        of_both(&e.structures, |found| {
             let none = found.iter().filter(|f| outside(f) == 0.0).count();
-            let quantity = format!("{name}: structures without a contact of two balls outside the raceway");
-            Requirement::in_all(&quantity, none, found.len())
-            .says(&format!("[No contact occurs|Contacts occur] there in {name}."))
+            let quantity = "structures without a contact of two balls outside the raceway";
+            Requirement::in_all(quantity, none, found.len())
+            .says("[No contact occurs|Contacts occur] there in {name}.")
         }),
     )
     .remark("Balls are evenly spaced at the start, 16 of 32 orbits are counted.")
@@ -203,19 +191,16 @@ fn plain_raceway(e: &Evidence) -> Claim {
 
 fn speed_drop(e: &Evidence) -> Claim {
     let drop = |found: &[Found]| passages(found, |p| p.speed_drop_fraction);
-    let mut criterion = of_both(&e.structures, |name, found| {
+    let mut criterion = of_both(&e.structures, |found| {
         let short = drop(&found[6..]).iter().filter(|d| **d < REACHED).count();
-        let quantity =
-            format!("{name}: structures (g) to (j) that reach less than {REACHED} of the drop");
-        Requirement::in_all(&quantity, short, 4).says(&format!(
-            "[All|Not all] of (g) to (j) fall short in {name}."
-        ))
+        let quantity = format!("structures (g) to (j) that reach less than {REACHED} of the drop");
+        Requirement::in_all(&quantity, short, 4)
+            .says("[All|Not all] of (g) to (j) fall short in {name}.")
     });
-    criterion.extend(of_both(&e.structures, |name, found| {
+    criterion.extend(of_both(&e.structures, |found| {
         let full = drop(&found[..6]).iter().filter(|d| **d >= REACHED).count();
-        let quantity = format!("{name}: structures (a) to (f) that reach {REACHED} of it");
-        Requirement::in_all(&quantity, full, 6)
-            .says(&format!("[|Not all of ](a) to (f) reach it in {name}."))
+        let quantity = format!("structures (a) to (f) that reach {REACHED} of it");
+        Requirement::in_all(&quantity, full, 6).says("[|Not all of ](a) to (f) reach it in {name}.")
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 9",

@@ -220,15 +220,13 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         maps.iter_mut().for_each(thin);
         places = left(maps);
     }
-    let jobs: Vec<Job> = places
-        .iter()
-        .flat_map(|&(k, c)| batch.motion_jobs_at(&maps[k].cells[c].structure, maps[k].point))
-        .collect();
+    let starts = batch.request.starts;
+    let jobs = places.iter().flat_map(|&(k, c)| {
+        Batch::motion_jobs_at(&maps[k].cells[c].structure, maps[k].point, starts)
+    });
+    let jobs: Vec<Job> = jobs.collect();
     let outcomes = batch.execute(Stage::Map, &jobs)?;
-    for ((k, c), runs) in places
-        .into_iter()
-        .zip(outcomes.chunks(batch.request.starts as usize))
-    {
+    for ((k, c), runs) in places.into_iter().zip(outcomes.chunks(starts as usize)) {
         let cell = &mut maps[k].cells[c];
         cell.cause = match (motions(runs), &cell.spacing) {
             (Ok(all), Some(spacing)) => Cause::of_motion(&Motion::mean(&all), spacing),

@@ -45,7 +45,7 @@ pub use job::{
     CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
     peak_pressure_pa, run_jobs,
 };
-pub use pareto::{ALL_OBJECTIVES, OBJECTIVES, Objective, ObjectiveScale, RESOLUTION, pareto_front};
+pub use pareto::{OBJECTIVES, ObjectiveScale, RESOLUTION, pareto_front};
 pub use perturbed_run::{
     Motion, PerturbedRunError, TURNS, VALUES, from_uneven_start, perturbed_runs, uneven_gaps_rad,
 };

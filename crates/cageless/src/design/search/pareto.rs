@@ -1,48 +1,7 @@
 //! Objectives, Pareto front and compromise choice of a search.
 
-/// A number that is to be small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Objective {
-    /// Name in files.
-    pub key: &'static str,
-    /// Name in tables and figures.
-    pub label: &'static str,
-}
-
 /// Number of objectives.
 pub const OBJECTIVES: usize = 7;
-
-/// Objectives, each at the worst of the operating points. SI units and fractions.
-pub const ALL_OBJECTIVES: [Objective; OBJECTIVES] = [
-    Objective {
-        key: "spacing_scatter",
-        label: "spacing scatter (std. dev. / mean gap)",
-    },
-    Objective {
-        key: "collisions_late",
-        label: "collisions per ball and orbit, in steady state",
-    },
-    Objective {
-        key: "used_fraction",
-        label: "critical over steady gap",
-    },
-    Objective {
-        key: "sliding_m_s",
-        label: "slip",
-    },
-    Objective {
-        key: "stress_pa",
-        label: "contact pressure",
-    },
-    Objective {
-        key: "force_deviation_n",
-        label: "vibration",
-    },
-    Objective {
-        key: "friction_w",
-        label: "friction loss",
-    },
-];
 
 /// Differences below this fraction of the range count as none.
 pub const RESOLUTION: f64 = 0.01;

@@ -12,6 +12,7 @@ use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;
 use crate::numerics::random::{GOLDEN_GAMMA, mix};
 use crate::passage::{Passage, PassageRecorder, PassageTally};
+use crate::recorder::keeping;
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, batches,
     run_batch,
@@ -148,12 +149,7 @@ pub fn perturbed_runs(
             let mut passages: Vec<_> = late
                 .iter_mut()
                 .map(|late| {
-                    PassageRecorder::new(move |passage: Passage| {
-                        if passage.enter_s > half_s {
-                            late.push(passage);
-                        }
-                        Ok(())
-                    })
+                    PassageRecorder::new(keeping(late, move |p: &Passage| p.enter_s > half_s))
                 })
                 .collect();
             let mut observers: Vec<Vec<&mut dyn Observer>> = passages
