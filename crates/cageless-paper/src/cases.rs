@@ -14,7 +14,7 @@
 use cageless::{Bearing, Case, FrictionLaw, Profile};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
-use cageless_study::{RacewayLabel, profile_name};
+use cageless_study::RacewayLabel;
 
 /// The two sets of equations, each with the friction law that goes with it: as published,
 /// and physically consistent.
@@ -172,7 +172,7 @@ pub(crate) fn structure_file(
 
 fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
     [
-        format!("model.formulation=\"{}\"", profile_name(profile)),
+        format!("model.formulation=\"{}\"", profile.name()),
         format!("contact.friction_law=\"{}\"", law.name()),
     ]
 }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::cases::{self, ODD_ROW, PUBLISHED, label};
 use crate::error::PaperError;
-use cageless_study::{Work, profile_name};
+use cageless_study::Work;
 
 /// Columns: what the paper can be read as, and the flanks of metal.
 const VARIANTS: [((Profile, FrictionLaw), FlankModel); 5] = [
@@ -211,7 +211,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
         for change in &changes {
             spreads.push(Spread {
                 cause: change.cause.to_owned(),
-                variant: format!("{}, {}", profile_name(profile), law.name()),
+                variant: format!("{}, {}", profile.name(), law.name()),
                 change_deg: (0..10)
                     .map(|row| {
                         let before = find(column, row, &base)?;
@@ -228,7 +228,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
                 .iter()
                 .map(|&((profile, law), flanks)| Variant {
                     profile: match flanks {
-                        FlankModel::Rigid => profile_name(profile).to_owned(),
+                        FlankModel::Rigid => profile.name().to_owned(),
                         FlankModel::Elastic => Variant::ELASTIC.to_owned(),
                     },
                     friction_law: law.name().to_owned(),
@@ -280,7 +280,7 @@ impl Computed {
     /// Largest |change| of a spread over the rows, degrees.
     pub fn spread_deg(&self, cause: &str, column: usize) -> f64 {
         let ((profile, law), _) = VARIANTS[column];
-        let variant = format!("{}, {}", profile_name(profile), law.name());
+        let variant = format!("{}, {}", profile.name(), law.name());
         self.table
             .spreads
             .iter()

@@ -38,7 +38,7 @@ fn provenance(file: &CaseFile) -> Provenance {
     Provenance {
         case: file.case().title.clone(),
         method: Some("static equilibrium".to_owned()),
-        profile: Some(cageless_study::profile_name(file.case().profile).to_owned()),
+        profile: Some(file.case().profile.name().to_owned()),
         ..Provenance::default()
     }
 }

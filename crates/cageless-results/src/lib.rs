@@ -44,7 +44,7 @@ pub use drop_result::{DropResult, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
-pub use provenance::{Provenance, profile_name, provenance, software};
+pub use provenance::{Provenance, provenance, software};
 pub use quantity::{Aim, Quantity, bearing_in_column};
 pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};

@@ -1,7 +1,7 @@
 //! The settings under which a number was computed.
 
+use cageless::Case;
 use cageless::dynamics::InstructionSet;
-use cageless::{Case, Profile};
 use serde::{Deserialize, Serialize};
 
 use crate::number_text::short;
@@ -54,19 +54,11 @@ pub fn software() -> String {
     format!("Cageless {version}, {}", InstructionSet::chosen().name())
 }
 
-/// Name of a profile in files and figures.
-pub fn profile_name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::Paper => "paper",
-        Profile::Physical => "physical",
-    }
-}
-
 /// Provenance of a simulated figure.
 pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: case.title.clone(),
-        profile: Some(profile_name(case.profile).to_owned()),
+        profile: Some(case.profile.name().to_owned()),
         friction_law: Some(case.contact.friction_law.describe(&case.contact.friction)),
         method: Some(case.solver.method.properties().label.to_owned()),
         step_us: Some(microseconds(case.solver.step_s)),

@@ -29,7 +29,7 @@ pub mod tolerance;
 pub mod verification;
 mod warnings;
 
-pub use cageless_results::{Provenance, profile_name, provenance};
+pub use cageless_results::{Provenance, provenance};
 pub use design::DesignResult;
 pub use entered::{entered, raceway_section, reshaped, with_raceways};
 pub use error::StudyError;

@@ -4,22 +4,18 @@
 /// bearings reach 204°.
 const ECCENTRIC_FILLING_MAX_RAD: f64 = 205.0 / 180.0 * std::f64::consts::PI;
 
-/// Way of assembly. ISO 281 rates bearings with a filling slot lower.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Assembly {
-    /// Between eccentric rings (Conrad), or with a fractured or split ring: plain shoulders.
-    WithoutSlot,
-    /// Through a slot in the shoulders.
-    FillingSlot,
+crate::named_enum! {
+    /// Way of assembly. ISO 281 rates bearings with a filling slot lower.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Assembly {
+        /// Between eccentric rings (Conrad), or with a fractured or split ring: plain shoulders.
+        WithoutSlot = "without-slot",
+        /// Through a slot in the shoulders.
+        FillingSlot = "filling-slot",
+    }
 }
 
 impl Assembly {
-    /// Every way with its name in files.
-    pub const NAMES: &'static [(&'static str, Self)] = &[
-        ("without-slot", Self::WithoutSlot),
-        ("filling-slot", Self::FillingSlot),
-    ];
-
     /// Way of a bearing of which none is given: through a slot where more balls are to go in
     /// than eccentric rings take.
     pub(crate) fn of(balls: usize, ball_radius_m: f64, pitch_radius_m: f64) -> Self {
@@ -30,12 +26,6 @@ impl Assembly {
         } else {
             Self::WithoutSlot
         }
-    }
-
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        let found = Self::NAMES.iter().find(|(_, way)| *way == self);
-        found.map_or("", |(name, _)| name)
     }
 
     /// bm of ISO 281, single-row deep groove ball bearings.

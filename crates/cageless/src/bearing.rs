@@ -33,7 +33,7 @@ use std::f64::consts::{PI, TAU};
 use crate::assembly::Assembly;
 use crate::contact::hertz::PointContact;
 use crate::error::{Allowed, InputError};
-use crate::limits::positive;
+use crate::limits::{from_to, positive};
 use crate::material::Materials;
 
 use dimensions::ROUNDING_M;
@@ -123,13 +123,8 @@ impl Bearing {
         positive("inner_ring_polar_inertia_kg_m2", bore.polar_inertia_kg_m2)?;
         positive("inner_ring_bore_radius_m", bore.radius_m)?;
         let groove = self.dimensions.inner_groove_bottom_radius_m;
-        if bore.radius_m >= groove {
-            return Err(InputError::new(
-                "inner_ring_bore_radius_m",
-                bore.radius_m,
-                Allowed::Below(groove, "the bottom of the groove of the inner ring"),
-            ));
-        }
+        Allowed::Below(groove, "the bottom of the groove of the inner ring")
+            .check("inner_ring_bore_radius_m", bore.radius_m)?;
         self.bore = Some(bore);
         Ok(self)
     }
@@ -158,12 +153,8 @@ impl Bearing {
             ));
         }
         let most = DEVIATION_MAX * self.ball_radius_m();
-        if let Some(&wrong) = deviations_m.iter().find(|d| !(d.abs() <= most)) {
-            return Err(InputError::new(
-                FIELD,
-                wrong,
-                Allowed::Between(-most, most, "1 % of the ball radius"),
-            ));
+        for deviation_m in &deviations_m {
+            from_to(FIELD, *deviation_m, [-most, most], "1 % of the ball radius")?;
         }
         let d = &self.dimensions;
         let groove = d

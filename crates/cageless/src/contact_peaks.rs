@@ -88,28 +88,28 @@ impl Largest {
     fn peak(
         &self,
         friction_coefficient: f64,
-        contact: &dyn Fn(f64, f64) -> [f64; 2],
+        contact: &dyn Fn(f64, f64) -> RacewayContact,
         surface_m_s: f64,
     ) -> ContactPeak {
         if self.load.force_n <= 0.0 {
             return ContactPeak::default();
         }
-        let [pressure_pa, _] = contact(self.load.force_n, self.load.radius_m);
+        let pressure_pa = contact(self.load.force_n, self.load.radius_m).pressure_pa;
         let Sample {
             force_n,
             sliding_m_s,
             radius_m,
             ..
         } = self.sliding;
-        let [sliding_pressure, semi_axis_m] = contact(force_n, radius_m);
+        let sliding = contact(force_n, radius_m);
         ContactPeak {
             force_n: self.load.force_n,
             pressure_pa,
-            pressure_velocity_pa_m_s: sliding_pressure * sliding_m_s.abs(),
+            pressure_velocity_pa_m_s: sliding.pressure_pa * sliding_m_s.abs(),
             flash_temperature_k: flash_temperature_k(
                 friction_coefficient,
-                sliding_pressure,
-                semi_axis_m,
+                sliding.pressure_pa,
+                sliding.semi_axes_m[0],
                 [surface_m_s, surface_m_s - sliding_m_s],
                 STEEL_EFFUSIVITY,
             ),
@@ -229,23 +229,13 @@ impl ContactPeakTracker {
         let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
         let ball_m_s =
             rolling_rotation_rad_s(bearing, orbit, self.ball_radius_m) * self.ball_radius_m;
-        let of = |c: RacewayContact| [c.pressure_pa, c.semi_axes_m[0]];
-        let inner = |force_n: f64, _: f64| of(RacewayContact::inner(bearing, force_n));
-        let outer =
-            |force_n: f64, radius_m: f64| of(RacewayContact::outer(bearing, radius_m, force_n));
-        let between = |force_n: f64, _: f64| {
-            let contact = bearing.ball_contact();
-            [
-                contact.peak_pressure_pa(force_n),
-                contact.semi_axes_m(force_n)[0],
-            ]
-        };
+        let inner = |force_n: f64, _: f64| RacewayContact::inner(bearing, force_n);
+        let outer = |force_n: f64, radius_m: f64| RacewayContact::outer(bearing, radius_m, force_n);
+        let between = |force_n: f64, _: f64| RacewayContact::new(bearing.ball_contact(), force_n);
         let edges = self.edges.iter().filter_map(|(raceway, largest)| {
             let slot = raceway.slot()?;
             let edge = |force_n: f64, local: f64| {
-                let contact = slot.contact(local, bearing);
-                let axis = contact.semi_axes_m(force_n)[0];
-                [contact.peak_pressure_pa(force_n), axis]
+                RacewayContact::new(&slot.contact(local, bearing), force_n)
             };
             Some(largest.peak(outer_friction, &edge, outer_m_s))
         });
@@ -264,11 +254,14 @@ impl ContactPeakTracker {
 
 #[cfg(test)]
 mod tests {
-    use super::{ContactPeak, Largest};
+    use super::{ContactPeak, Largest, RacewayContact};
 
-    /// Pressure and semi-axis of a contact that is a point of force^(1/3).
-    fn contact(force_n: f64, _: f64) -> [f64; 2] {
-        [1e9 * force_n.cbrt(), 1e-4]
+    /// A contact whose pressure goes with the cube root of the force.
+    fn contact(force_n: f64, _: f64) -> RacewayContact {
+        RacewayContact {
+            pressure_pa: 1e9 * force_n.cbrt(),
+            semi_axes_m: [1e-4; 2],
+        }
     }
 
     /// The largest force, pressure and product come from three contacts; the product and the flash

@@ -45,23 +45,36 @@ pub enum Allowed {
 
 impl std::fmt::Display for Allowed {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let reason = |f: &mut std::fmt::Formatter<'_>, why: &str| {
-            if why.is_empty() {
-                Ok(())
-            } else {
-                write!(f, " ({why})")
-            }
+        let (bound, why) = match self {
+            Self::Above(low, why) => (format!("more than {low}"), why),
+            Self::AtLeast(low, why) => (format!("at least {low}"), why),
+            Self::Below(high, why) => (format!("less than {high}"), why),
+            Self::AtMost(high, why) => (format!("at most {high}"), why),
+            Self::Between(low, high, why) => (format!("between {low} and {high}"), why),
+            Self::Rule(rule) => return f.write_str(rule),
+            Self::LeftOut(why) => return write!(f, "left out: {why}"),
         };
-        match self {
-            Self::Above(low, why) => write!(f, "more than {low}").and_then(|()| reason(f, why)),
-            Self::AtLeast(low, why) => write!(f, "at least {low}").and_then(|()| reason(f, why)),
-            Self::Below(high, why) => write!(f, "less than {high}").and_then(|()| reason(f, why)),
-            Self::AtMost(high, why) => write!(f, "at most {high}").and_then(|()| reason(f, why)),
-            Self::Between(low, high, why) => {
-                write!(f, "between {low} and {high}").and_then(|()| reason(f, why))
-            }
-            Self::Rule(rule) => f.write_str(rule),
-            Self::LeftOut(why) => write!(f, "left out: {why}"),
+        match *why {
+            "" => f.write_str(&bound),
+            why => write!(f, "{bound} ({why})"),
+        }
+    }
+}
+
+impl Allowed {
+    /// Passes the value of a field that keeps to the bound; none keeps to words.
+    pub(crate) fn check(self, field: &'static str, value: f64) -> Result<(), InputError> {
+        let kept = match self {
+            Self::Above(low, _) => value > low,
+            Self::AtLeast(low, _) => value >= low,
+            Self::Below(high, _) => value < high,
+            Self::AtMost(high, _) => value <= high,
+            Self::Between(low, high, _) => value > low && value < high,
+            Self::Rule(_) | Self::LeftOut(_) => false,
+        };
+        match kept {
+            true => Ok(()),
+            false => Err(InputError::new(field, value, self)),
         }
     }
 }

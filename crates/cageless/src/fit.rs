@@ -263,19 +263,14 @@ impl Fit {
         finite("shaft_interference_m", self.shaft_interference_m)?;
         finite("housing_interference_m", self.housing_interference_m)?;
         not_negative("shaft_bore_diameter_m", self.shaft_bore_diameter_m)?;
-        if let Some(bore) = bore.filter(|bore| self.shaft_bore_diameter_m >= *bore) {
-            let allowed = Allowed::Below(bore, "the bore of the inner ring");
-            let value = self.shaft_bore_diameter_m;
-            return Err(InputError::new("shaft_bore_diameter_m", value, allowed));
+        if let Some(bore) = bore {
+            Allowed::Below(bore, "the bore of the inner ring")
+                .check("shaft_bore_diameter_m", self.shaft_bore_diameter_m)?;
         }
-        let outside = self.outside_diameter_m.unwrap_or(outer_m);
-        if let Some(value) = self.housing_outside_diameter_m.filter(|v| !(*v > outside)) {
-            let allowed = Allowed::Above(outside, "the outside of the outer ring");
-            return Err(InputError::new(
-                "housing_outside_diameter_m",
-                value,
-                allowed,
-            ));
+        if let Some(value) = self.housing_outside_diameter_m {
+            let outside = self.outside_diameter_m.unwrap_or(outer_m);
+            Allowed::Above(outside, "the outside of the outer ring")
+                .check("housing_outside_diameter_m", value)?;
         }
         for (field, value) in [
             ("shaft_youngs_modulus_pa", self.shaft_youngs_modulus_pa),

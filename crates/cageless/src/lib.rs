@@ -38,6 +38,7 @@ pub mod linear_rotor;
 mod lubrication;
 mod material;
 pub mod min_max_decimator;
+mod named_enum;
 pub mod numerics;
 pub mod orbit_means;
 pub mod outer_contact_geometry;

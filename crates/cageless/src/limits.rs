@@ -75,14 +75,8 @@ pub(crate) fn within(field: &'static str, value: f64) -> Result<(), InputError> 
     let Some(limit) = find(field).or_else(of_contact) else {
         return Ok(());
     };
-    let refuse = |allowed| Err(InputError::new(field, value, allowed));
-    if value < limit.least {
-        refuse(Allowed::AtLeast(limit.least, limit.reason))
-    } else if value > limit.most {
-        refuse(Allowed::AtMost(limit.most, limit.reason))
-    } else {
-        Ok(())
-    }
+    Allowed::AtLeast(limit.least, limit.reason).check(field, value)?;
+    Allowed::AtMost(limit.most, limit.reason).check(field, value)
 }
 
 /// Passes a finite value above zero, within the limits of its field.
@@ -92,6 +86,20 @@ pub(crate) fn positive(field: &'static str, value: f64) -> Result<(), InputError
     } else {
         Err(InputError::new(field, value, Allowed::Above(0.0, "")))
     }
+}
+
+/// Passes a value from one bound to the other, both included; `why` says what they are.
+pub(crate) fn from_to(
+    field: &'static str,
+    value: f64,
+    [least, most]: [f64; 2],
+    why: &'static str,
+) -> Result<(), InputError> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    let allowed = Allowed::Between(least, most, why);
+    Err(InputError::new(field, value, allowed))
 }
 
 /// Passes a finite value of zero or more, within the limits of its field.

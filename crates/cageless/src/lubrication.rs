@@ -3,58 +3,43 @@
 use crate::error::InputError;
 use crate::limits::{not_negative, positive};
 
-/// How the lubricant comes to the contacts, for its replenishment in SKF's friction model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Lubricant {
-    /// Oil bath of a low level, or oil jet.
-    Oil,
-    /// Grease, or oil with air.
-    Grease,
+crate::named_enum! {
+    /// How the lubricant comes to the contacts, for its replenishment in SKF's friction model.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Lubricant {
+        /// Oil bath of a low level, or oil jet.
+        Oil = "oil",
+        /// Grease, or oil with air.
+        Grease = "grease",
+    }
 }
 
-impl Lubricant {
-    /// Every kind with its name in files.
-    pub const NAMES: &'static [(&'static str, Self)] =
-        &[("oil", Self::Oil), ("grease", Self::Grease)];
-}
-
-/// Series of deep groove ball bearings that SKF's friction model has constants for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SkfSeries {
-    /// 2 and 3, with a filling slot.
-    FillingSlot,
-    /// 42 and 43.
-    S42,
-    /// 60 and 630.
-    S60,
-    /// 62 and 622.
-    S62,
-    /// 63 and 623.
-    S63,
-    /// 64.
-    S64,
-    /// 160 and 161.
-    S160,
-    /// 617, 618, 628, 637 and 638.
-    S618,
-    /// 619 and 639.
-    S619,
+crate::named_enum! {
+    /// Series of deep groove ball bearings that SKF's friction model has constants for.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum SkfSeries {
+        /// 2 and 3, with a filling slot.
+        FillingSlot = "filling-slot",
+        /// 42 and 43.
+        S42 = "42",
+        /// 60 and 630.
+        S60 = "60",
+        /// 62 and 622.
+        S62 = "62",
+        /// 63 and 623.
+        S63 = "63",
+        /// 64.
+        S64 = "64",
+        /// 160 and 161.
+        S160 = "160",
+        /// 617, 618, 628, 637 and 638.
+        S618 = "618",
+        /// 619 and 639.
+        S619 = "619",
+    }
 }
 
 impl SkfSeries {
-    /// Every series with its name in files.
-    pub const NAMES: &'static [(&'static str, Self)] = &[
-        ("filling-slot", Self::FillingSlot),
-        ("42", Self::S42),
-        ("60", Self::S60),
-        ("62", Self::S62),
-        ("63", Self::S63),
-        ("64", Self::S64),
-        ("160", Self::S160),
-        ("618", Self::S618),
-        ("619", Self::S619),
-    ];
-
     /// R1 and S1 of SKF (*General catalogue* 6000 (2006), table of deep groove ball bearings).
     pub fn constants(self) -> [f64; 2] {
         match self {

@@ -113,21 +113,12 @@ impl Rotor {
         positive("rotor_polar_inertia_kg_m2", self.polar_inertia_kg_m2)?;
         finite("rotor_speed_rad_s", self.speed_rad_s)?;
         positive("radial_clearance_m", self.radial_clearance_m)?;
-        if self.radial_clearance_m >= bore_radius_m {
-            return Err(InputError::new(
-                "radial_clearance_m",
-                self.radial_clearance_m,
-                Allowed::Below(bore_radius_m, "the radius of the bore"),
-            ));
-        }
+        let in_bore = Allowed::Below(bore_radius_m, "the radius of the bore");
+        in_bore
+            .clone()
+            .check("radial_clearance_m", self.radial_clearance_m)?;
         not_negative("eccentricity_m", self.eccentricity_m)?;
-        if self.eccentricity_m >= bore_radius_m {
-            return Err(InputError::new(
-                "eccentricity_m",
-                self.eccentricity_m,
-                Allowed::Below(bore_radius_m, "the radius of the bore"),
-            ));
-        }
+        in_bore.check("eccentricity_m", self.eccentricity_m)?;
         finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
         self.friction_law
             .check(&self.friction, ContactKind::Rotor)?;

@@ -79,6 +79,7 @@ pub fn transient_s(case: &Case) -> f64 {
 }
 
 /// Gathers a [`Summary`].
+#[derive(Default)]
 pub struct SummaryRecorder {
     case: Option<Case>,
     settled_after_s: f64,
@@ -101,23 +102,7 @@ pub struct SummaryRecorder {
 impl SummaryRecorder {
     /// Leaves out [`transient_s`].
     pub fn new() -> Self {
-        Self {
-            case: None,
-            settled_after_s: 0.0,
-            gaps: GapRange::default(),
-            scatter: GapScatter::default(),
-            outer_ring_force: [Moments::default(); 2],
-            steps: 0,
-            collisions: ContactCounts::default(),
-            ring_sum: [0.0; 2],
-            time: 0.0,
-            slip_max: 0.0,
-            contact_counter: None,
-            peaks: None,
-            means: OrbitMeansTracker::default(),
-            space: SpatialSummaryTracker::default(),
-            contact_signs: vec![],
-        }
+        Self::default()
     }
 
     /// The numbers so far; `None` before the end of the transient.
@@ -141,12 +126,6 @@ impl SummaryRecorder {
             means: self.means.means(case),
             space: self.space.summary(),
         })
-    }
-}
-
-impl Default for SummaryRecorder {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

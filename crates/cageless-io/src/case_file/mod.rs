@@ -288,28 +288,18 @@ impl CaseDocument {
     }
 }
 
-/// Origin of a value of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Source {
-    /// The key is left out.
-    Default,
-    /// The case file, or the document that stands for it.
-    CaseFile,
-    /// A `--set` of the command line, or a replacement.
-    Override,
-    /// The plan of a sweep.
-    Plan,
-}
-
-impl Source {
-    /// The name for a reader.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Default => "default",
-            Self::CaseFile => "case file",
-            Self::Override => "--set",
-            Self::Plan => "plan",
-        }
+cageless::named_enum! {
+    /// Origin of a value of a case.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Source {
+        /// The key is left out.
+        Default = "default",
+        /// The case file, or the document that stands for it.
+        CaseFile = "case file",
+        /// A `--set` of the command line, or a replacement.
+        Override = "--set",
+        /// The plan of a sweep.
+        Plan = "plan",
     }
 }
 

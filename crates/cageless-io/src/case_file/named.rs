@@ -89,23 +89,15 @@ macro_rules! named {
 named!(
     Assembly,
     Computation,
+    FlankModel,
     FrictionLaw,
     IntegrationMethod,
     Lubricant,
     Motion,
+    Profile,
     RacewayShape,
     SkfSeries
 );
-
-impl Named for FlankModel {
-    const NAMES: &'static [(&'static str, Self)] =
-        &[("rigid", Self::Rigid), ("elastic", Self::Elastic)];
-}
-
-impl Named for Profile {
-    const NAMES: &'static [(&'static str, Self)] =
-        &[("physical", Self::Physical), ("paper", Self::Paper)];
-}
 
 impl Named for StartState {
     const NAMES: &'static [(&'static str, Self)] = &[

@@ -56,15 +56,17 @@ pub struct PlanFile {
     pub keep: Option<Vec<Kept>>,
 }
 
-/// Method of sampling the space of the axes of `[samples]`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SampleMethod {
-    /// Sobol's sequence, shifted by the seed.
-    Sobol,
-    /// One point in each of `count` slices of each axis.
-    LatinHypercube,
-    /// Independent points.
-    Random,
+cageless::named_enum! {
+    /// Method of sampling the space of the axes of `[samples]`.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum SampleMethod {
+        /// Sobol's sequence, shifted by the seed.
+        Sobol = "sobol",
+        /// One point in each of `count` slices of each axis.
+        LatinHypercube = "latin-hypercube",
+        /// Independent points.
+        Random = "random",
+    }
 }
 
 /// `[samples]`.
@@ -126,9 +128,5 @@ impl PlanFile {
 }
 
 impl Named for SampleMethod {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("sobol", Self::Sobol),
-        ("latin-hypercube", Self::LatinHypercube),
-        ("random", Self::Random),
-    ];
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }

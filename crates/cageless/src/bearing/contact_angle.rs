@@ -46,14 +46,8 @@ impl Bearing {
         let free = d.angle_of_clearance_rad();
         let [inner, outer] = self.shoulder_angles_rad();
         let most = inner.min(outer);
-        if !(angle_rad > 0.0 && angle_rad < most) {
-            let why = "at a larger angle the contact leaves the groove over its shoulder";
-            return Err(InputError::new(
-                FIELD,
-                angle_rad,
-                Allowed::Between(0.0, most, why),
-            ));
-        }
+        let why = "at a larger angle the contact leaves the groove over its shoulder";
+        Allowed::Between(0.0, most, why).check(FIELD, angle_rad)?;
         if (free - angle_rad).abs() > SAME_ANGLE_RAD {
             return Err(InputError::rule(
                 FIELD,

@@ -91,13 +91,8 @@ impl BearingDimensions {
         not_negative("inner_ring_damping_n_s_m", d.inner_ring_damping_n_s_m)?;
         materials.ball.check()?;
         materials.ring.check()?;
-        if d.balls < BALLS_MIN {
-            return Err(InputError::new(
-                "balls",
-                d.balls as f64,
-                Allowed::AtLeast(BALLS_MIN as f64, ""),
-            ));
-        }
+        let balls = d.balls as f64;
+        Allowed::AtLeast(BALLS_MIN as f64, "").check("balls", balls)?;
         let clearance = d.play_m();
         // Dimensions given in millimetres do not add up to zero exactly.
         if clearance < -ROUNDING_M && -clearance > d.interference_max_m(materials) {
@@ -118,21 +113,9 @@ impl BearingDimensions {
                 ),
             ));
         }
-        if d.balls > BALLS_MAX {
-            return Err(InputError::new(
-                "balls",
-                d.balls as f64,
-                Allowed::AtMost(BALLS_MAX as f64, "room in the vectors"),
-            ));
-        }
+        Allowed::AtMost(BALLS_MAX as f64, "room in the vectors").check("balls", balls)?;
         let most = (TAU / (2.0 * (d.ball_radius_m / d.pitch_radius_m()).asin())).floor();
-        if d.balls as f64 > most {
-            return Err(InputError::new(
-                "balls",
-                d.balls as f64,
-                Allowed::AtMost(most, "more do not fit on the pitch circle"),
-            ));
-        }
+        Allowed::AtMost(most, "more do not fit on the pitch circle").check("balls", balls)?;
         if clearance > 2.0 * d.ball_radius_m {
             return Err(InputError::new(
                 "outer_groove_bottom_radius_m",
@@ -153,40 +136,15 @@ impl BearingDimensions {
                 d.outer_groove_curvature_radius_m,
             ),
         ] {
-            if radius <= d.ball_radius_m {
-                return Err(InputError::new(
-                    field,
-                    radius,
-                    Allowed::Above(d.ball_radius_m, "the radius of the ball"),
-                ));
-            }
+            Allowed::Above(d.ball_radius_m, "the radius of the ball").check(field, radius)?;
             let flattest = CONFORMITY_MAX * 2.0 * d.ball_radius_m;
-            if radius > flattest {
-                return Err(InputError::new(
-                    field,
-                    radius,
-                    Allowed::AtMost(
-                        flattest,
-                        "the diameter of the ball; grooves have 0.51 to 0.58 of it",
-                    ),
-                ));
-            }
+            let why = "the diameter of the ball; grooves have 0.51 to 0.58 of it";
+            Allowed::AtMost(flattest, why).check(field, radius)?;
         }
-        let touching = d.outer_groove_bottom_radius_m - d.ball_radius_m;
-        if d.outer_shoulder_radius_m <= touching
-            || d.outer_shoulder_radius_m >= d.outer_groove_bottom_radius_m
-        {
-            return Err(InputError::new(
-                "outer_shoulder_radius_m",
-                d.outer_shoulder_radius_m,
-                Allowed::Between(
-                    touching,
-                    d.outer_groove_bottom_radius_m,
-                    "ball centre at the outer raceway and groove bottom",
-                ),
-            ));
-        }
-        Ok(())
+        let bottom = d.outer_groove_bottom_radius_m;
+        let why = "ball centre at the outer raceway and groove bottom";
+        Allowed::Between(bottom - d.ball_radius_m, bottom, why)
+            .check("outer_shoulder_radius_m", d.outer_shoulder_radius_m)
     }
 
     /// A nominal ball against the plain raceways: inner, outer.

@@ -41,14 +41,7 @@ pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
     case.check_planar()?;
     case.check_constant_operation("--axial")?;
     let radial = case.operation.radial_load_n;
-    if !(radial > 0.0) {
-        let why = "axial loads are fractions of it";
-        return Err(InputError::new(
-            "radial_load_n",
-            radial,
-            Allowed::Above(0.0, why),
-        ));
-    }
+    Allowed::Above(0.0, "axial loads are fractions of it").check("radial_load_n", radial)?;
     if case.raceways.is_empty() {
         let rule = "given: axial loads are judged by the lag in the raceway";
         return Err(InputError::rule("axial_span_m", f64::NAN, rule));

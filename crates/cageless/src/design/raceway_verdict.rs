@@ -1,18 +1,20 @@
 //! Verdicts on a raceway.
 
-/// Verdict on a raceway, the worst last.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum RacewayVerdict {
-    /// There is no discrete raceway to judge.
-    NotJudged,
-    /// Balls pass without sliding and without being hit from both sides.
-    Smooth,
-    /// Balls are hit by both neighbours in one passage.
-    DoubleCollision,
-    /// Balls slide so much that the separation suffers.
-    Slips,
-    /// The raceway does not work at all.
-    Infeasible,
+crate::named_enum! {
+    /// Verdict on a raceway, the worst last.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum RacewayVerdict {
+        /// There is no discrete raceway to judge.
+        NotJudged = "not-judged",
+        /// Balls pass without sliding and without being hit from both sides.
+        Smooth = "smooth",
+        /// Balls are hit by both neighbours in one passage.
+        DoubleCollision = "double-collision",
+        /// Balls slide so much that the separation suffers.
+        Slips = "slips",
+        /// The raceway does not work at all.
+        Infeasible = "infeasible",
+    }
 }
 
 impl RacewayVerdict {
@@ -33,17 +35,6 @@ impl RacewayVerdict {
             Self::DoubleCollision => "double collision",
             Self::Slips => "excessive sliding",
             Self::Infeasible => "no solution",
-        }
-    }
-
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NotJudged => "not-judged",
-            Self::Smooth => "smooth",
-            Self::DoubleCollision => "double-collision",
-            Self::Slips => "slips",
-            Self::Infeasible => "infeasible",
         }
     }
 }

@@ -6,7 +6,7 @@
 //! while it tells them from rounding, then by the decrement gᵀH⁻¹g.
 
 use super::error::EquilibriumError;
-use super::potential::{Local, Potential};
+use super::potential::{Local, Problem};
 
 const ITERATIONS: usize = 500;
 /// Fraction of all forces that may be left on the ring.
@@ -108,17 +108,17 @@ impl Local {
 
 /// Minimum that is reached from `start`; no step is longer than `longest`.
 fn minimum_from(
-    potential: &Potential,
+    problem: &Problem<'_>,
     start: [f64; 2],
     longest: f64,
 ) -> Result<Local, EquilibriumError> {
-    let forces = potential.forces();
-    let room = potential
+    let forces = problem.forces();
+    let room = problem
         .balls
         .iter()
         .map(|b| b.outer_orbit_radius)
         .fold(f64::INFINITY, f64::min);
-    let mut here = potential.at(start);
+    let mut here = problem.at(start);
     let mut radius = longest.min(length(start).max(1e-3 * longest));
     let mut iterations = 0;
     while iterations < ITERATIONS {
@@ -134,7 +134,7 @@ fn minimum_from(
         if span <= f64::EPSILON * length(here.ring) {
             break;
         }
-        let there = potential.at([here.ring[0] + trust.step[0], here.ring[1] + trust.step[1]]);
+        let there = problem.at([here.ring[0] + trust.step[0], here.ring[1] + trust.step[1]]);
         if trust.predicted > here.rounding() {
             let ratio = (here.energy - there.energy) / trust.predicted;
             if ratio < 0.25 {
@@ -173,16 +173,16 @@ fn minimum_from(
 /// where two are level to rounding, the one on the right (+X). Without load and weight that
 /// which is reached from the middle.
 pub(super) fn lowest_minimum(
-    potential: &Potential,
+    problem: &Problem<'_>,
     depth: f64,
     longest: f64,
 ) -> Result<Local, EquilibriumError> {
-    if potential.down == 0.0 {
-        return minimum_from(potential, [0.0; 2], longest);
+    if problem.down == 0.0 {
+        return minimum_from(problem, [0.0; 2], longest);
     }
     let mut lowest: Result<Local, EquilibriumError> = Err(EquilibriumError::Unsupported);
     for side in [1.0, -1.0, 0.0] {
-        let found = minimum_from(potential, [side * depth, -depth], longest);
+        let found = minimum_from(problem, [side * depth, -depth], longest);
         lowest = match (lowest, found) {
             (Ok(best), Ok(found)) if found.energy < best.energy - best.rounding() => Ok(found),
             (Ok(best), _) => Ok(best),

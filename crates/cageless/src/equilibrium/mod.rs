@@ -36,8 +36,8 @@ use crate::kinematics::orbit_speed_of_rad_s;
 use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
 use crate::profile::Profile;
 pub use error::EquilibriumError;
-use newton::{BallProblem, BallSolution, Problem};
-use potential::{Potential, PotentialBall};
+use newton::BallSolution;
+use potential::{Ball, Problem};
 pub use raceway_contact::{RacewayContact, outer_pressure_pa};
 
 /// Coordinates of the ring's centre, m.
@@ -319,7 +319,8 @@ fn turning_n_m(case: &Case, k: usize, r_m: f64, inner_speed_rad_s: f64) -> f64 {
 /// The balls of a case at their starting angles, rolling at `inner_speed_rad_s`, and its ring.
 fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
     let bearing = &case.bearing;
-    let balls: Vec<BallProblem> = start_angles_rad(case)
+    let inner = bearing.dimensions().inner_groove_bottom_radius_m;
+    let balls: Vec<Ball> = start_angles_rad(case)
         .into_iter()
         .enumerate()
         .map(|(k, angle)| {
@@ -332,10 +333,12 @@ fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
                 Profile::Physical => 0.0,
             };
             let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.ball_stiffness_n_m1_5(k);
-            BallProblem {
+            let outer_orbit_radius = outer_geometry.outer_orbit_radius_m;
+            Ball {
                 angle,
                 radius: ball.radius_m,
-                outer_geometry,
+                outer_orbit_radius,
+                slack: inner + ball.radius_m - outer_orbit_radius,
                 flanks: elastic_flanks(case, k, angle),
                 inner_stiffness_n_m1_5,
                 outer_stiffness_n_m1_5,
@@ -358,32 +361,12 @@ fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
 /// it stays in the middle.
 fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), EquilibriumError> {
     let bearing = problem.bearing;
-    let potential = Potential {
-        balls: problem
-            .balls
-            .iter()
-            .map(|ball| PotentialBall {
-                e: ball.e,
-                outer_orbit_radius: ball.outer_geometry.outer_orbit_radius_m,
-                slack: bearing.dimensions().inner_groove_bottom_radius_m + ball.radius
-                    - ball.outer_geometry.outer_orbit_radius_m,
-                inner_stiffness_n_m1_5: ball.inner_stiffness_n_m1_5,
-                outer_stiffness_n_m1_5: ball.outer_stiffness_n_m1_5,
-                flanks: ball.flanks,
-                steady: ball.steady,
-                turning: ball.turning,
-                deepest: bearing.ball_radius_m(),
-            })
-            .collect(),
-        down: problem.down,
-        preload: problem.preload,
-    };
-    let settled = |ring: Place| (ring, potential.at(ring).stiffness_n_m());
+    let settled = |ring: Place| (ring, problem.at(ring).stiffness_n_m());
     if problem.at_rest_in_the_middle() {
         return Ok(settled([0.0; 2]));
     }
     let depth = problem.contact_depth_m();
-    let lowest = minimum::lowest_minimum(&potential, depth, 0.05 * bearing.ball_radius_m())?;
+    let lowest = minimum::lowest_minimum(problem, depth, 0.05 * bearing.ball_radius_m())?;
     let [x, y] = lowest.ring;
     if x.hypot(y) > bearing.shoulder_clearance_m() {
         return Err(EquilibriumError::Unsupported);

@@ -1,37 +1,8 @@
 //! Newton's method for the forces on the ring, the place of each ball from a bracketed root.
 
 use super::outer_force::OuterForce;
-use crate::bearing::Bearing;
-use crate::contact::FlankSection;
+use super::potential::{Ball, Problem};
 use crate::numerics::root;
-use crate::outer_contact_geometry::OuterContactGeometry;
-
-/// Equilibrium of one ball for a given place of the inner ring.
-pub(super) struct BallProblem {
-    pub angle: f64,
-    pub radius: f64,
-    pub outer_geometry: OuterContactGeometry,
-    /// Elastic flanks under the ball.
-    pub flanks: Option<FlankSection>,
-    pub inner_stiffness_n_m1_5: f64,
-    pub outer_stiffness_n_m1_5: f64,
-    /// Unit vector e.
-    pub e: [f64; 2],
-    /// Outward force that does not come from a contact, times |rb| where it is
-    /// centrifugal: push = steady + turning/|rb|.
-    pub steady: f64,
-    pub turning: f64,
-}
-
-/// Ring and balls, each ball at its angle.
-pub(super) struct Problem<'c> {
-    pub bearing: &'c Bearing,
-    pub balls: Vec<BallProblem>,
-    /// Load and weight on the ring, −Y.
-    pub down: f64,
-    /// Sum of the forces with which interference presses the balls without load, N.
-    pub preload: f64,
-}
 
 /// Solution of one ball for a given ring.
 pub(super) struct BallSolution {
@@ -46,8 +17,8 @@ pub(super) struct BallSolution {
 
 impl Problem<'_> {
     /// Place and forces of a ball for a given ring.
-    pub fn ball(&self, ball: &BallProblem, ring: [f64; 2]) -> BallSolution {
-        let outer_orbit_radius = ball.outer_geometry.outer_orbit_radius_m;
+    pub fn ball(&self, ball: &Ball, ring: [f64; 2]) -> BallSolution {
+        let outer_orbit_radius = ball.outer_orbit_radius;
         let inner_contact_distance =
             self.bearing.dimensions().inner_groove_bottom_radius_m + ball.radius;
         let outer_force = |distance: f64| {

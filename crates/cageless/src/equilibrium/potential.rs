@@ -12,11 +12,14 @@
 //!   V(**R**) = (load + weight) Y + Σ φ.
 
 use super::outer_force::OuterForce;
+use crate::bearing::Bearing;
 use crate::contact::FlankSection;
 
-/// One ball at its angle.
+/// One ball at its angle, with the outward force on it that does not come from a contact, S + C/ρ.
 #[derive(Debug, Clone)]
-pub(super) struct PotentialBall {
+pub(super) struct Ball {
+    pub angle: f64,
+    pub radius: f64,
     /// Unit vector **e** from the axis to the ball.
     pub e: [f64; 2],
     /// T, distance from the axis at which the ball just touches the outer raceway.
@@ -29,10 +32,8 @@ pub(super) struct PotentialBall {
     pub flanks: Option<FlankSection>,
     /// S, N.
     pub steady: f64,
-    /// C, N·m.
+    /// C, N·m, which is centrifugal.
     pub turning: f64,
-    /// Largest u.
-    pub deepest: f64,
 }
 
 /// V and its derivatives at a place of the ring.
@@ -65,17 +66,18 @@ struct Rest {
     sine: f64,
 }
 
-/// V of a bearing.
+/// Ring and balls, each ball at its angle.
 #[derive(Debug, Clone)]
-pub(super) struct Potential {
-    pub balls: Vec<PotentialBall>,
+pub(super) struct Problem<'c> {
+    pub bearing: &'c Bearing,
+    pub balls: Vec<Ball>,
     /// Load and weight on the ring, −Y.
     pub down: f64,
     /// Sum of the forces with which interference presses the balls without load, N.
     pub preload: f64,
 }
 
-impl PotentialBall {
+impl Ball {
     /// u at which the ball touches no more than it must for its push, to start from.
     fn guess(&self, ring: [f64; 2]) -> f64 {
         let fraction = |k: f64| k.cbrt().powi(2);
@@ -136,9 +138,9 @@ impl PotentialBall {
 
     /// Newton's method for ∂U/∂u = 0, bisection where it leaves the bracket or halves
     /// nothing.
-    fn rest(&self, ring: [f64; 2]) -> Rest {
+    fn rest(&self, ring: [f64; 2], deepest: f64) -> Rest {
         let away = ring[0].hypot(ring[1]);
-        let (mut low, mut high) = (-0.9 * (self.outer_orbit_radius - away), self.deepest);
+        let (mut low, mut high) = (-0.9 * (self.outer_orbit_radius - away), deepest);
         let mut rest = self.at(ring, self.guess(ring).clamp(low, high));
         let mut last = high - low;
         for _ in 0..200 {
@@ -165,7 +167,7 @@ impl PotentialBall {
     }
 }
 
-impl Potential {
+impl Problem<'_> {
     /// V and its derivatives at a place of the ring.
     pub fn at(&self, ring: [f64; 2]) -> Local {
         let load = self.down * ring[1];
@@ -176,8 +178,9 @@ impl Potential {
             gradient: [0.0, self.down],
             hessian: [0.0; 3],
         };
+        let deepest = self.bearing.ball_radius_m();
         for ball in &self.balls {
-            let rest = ball.rest(ring);
+            let rest = ball.rest(ring, deepest);
             let elastic =
                 |k: f64, depth: f64| 0.4 * k * depth.max(0.0).powi(2) * depth.max(0.0).sqrt();
             for term in [

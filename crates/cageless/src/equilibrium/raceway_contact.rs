@@ -13,7 +13,8 @@ pub struct RacewayContact {
 }
 
 impl RacewayContact {
-    fn new(contact: &PointContact, force_n: f64) -> Self {
+    /// That of `contact` under the force `force_n`.
+    pub(crate) fn new(contact: &PointContact, force_n: f64) -> Self {
         Self {
             pressure_pa: contact.peak_pressure_pa(force_n),
             semi_axes_m: contact.semi_axes_m(force_n),

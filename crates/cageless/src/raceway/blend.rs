@@ -1,7 +1,8 @@
 //! Blend of the flanks of a discrete raceway into the plain one.
 
 use super::flank_angle::FlankAngle;
-use crate::error::{Allowed, InputError};
+use crate::error::InputError;
+use crate::limits::from_to;
 
 /// Shortest blend in fractions of half a raceway: in less, the kink is not resolved.
 const SHARE_MIN: f64 = 0.002;
@@ -29,18 +30,14 @@ impl Blend {
         bottom_m: f64,
     ) -> Result<Self, InputError> {
         let half = half_angle_rad * bottom_m;
-        let (least, most) = (SHARE_MIN * half, SHARE_MAX * half);
-        if !(blend_m >= least && blend_m <= most) {
-            return Err(InputError::new(
-                "blend_m",
-                blend_m,
-                Allowed::Between(
-                    least,
-                    most,
-                    "or 0, which leaves the slope discontinuity; a quarter of the length of the raceway at most",
-                ),
-            ));
-        }
+        let why = "or 0, which leaves the slope discontinuity; a quarter of the length of the raceway \
+                   at most";
+        from_to(
+            "blend_m",
+            blend_m,
+            [SHARE_MIN * half, SHARE_MAX * half],
+            why,
+        )?;
         let blend = Self::continuing(flanks, half_angle_rad, blend_m / bottom_m);
         let rises = |k: i32| blend.along(f64::from(k) / 100.0)[1] > 0.0;
         if (0..100).any(rises) {

@@ -40,7 +40,7 @@ use std::sync::Arc;
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError};
-use crate::limits::{not_negative, positive};
+use crate::limits::{from_to, not_negative, positive};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::root;
 
@@ -119,31 +119,10 @@ impl Raceway {
         } = dimensions;
         positive("axial_span_m", span)?;
         positive("half_angle_rad", theta)?;
-        if theta >= FRAC_PI_2 {
-            return Err(InputError::new(
-                "half_angle_rad",
-                theta,
-                Allowed::Below(FRAC_PI_2, ""),
-            ));
-        }
-        if !(centre_angle_rad.abs() <= TAU) {
-            return Err(InputError::new(
-                "centre_angle_rad",
-                centre_angle_rad,
-                Allowed::Between(-TAU, TAU, ""),
-            ));
-        }
-        let limit = axial_span_limit_m(bearing);
-        if span >= limit {
-            return Err(InputError::new(
-                "axial_span_m",
-                span,
-                Allowed::Below(
-                    limit,
-                    "the contact points must stay on the groove, Zhao 2022, Eq. (8)",
-                ),
-            ));
-        }
+        Allowed::Below(FRAC_PI_2, "").check("half_angle_rad", theta)?;
+        from_to("centre_angle_rad", centre_angle_rad, [-TAU, TAU], "")?;
+        let why = "the contact points must stay on the groove, Zhao 2022, Eq. (8)";
+        Allowed::Below(axial_span_limit_m(bearing), why).check("axial_span_m", span)?;
         let d = bearing.dimensions();
         let outline = Outline {
             axial_span_m: span,
@@ -186,11 +165,8 @@ impl Raceway {
     /// An [`InputError`] below 0 or beyond Re − Rw.
     pub fn with_depth(mut self, depth_m: f64) -> Result<Self, InputError> {
         let room = self.groove_curvature_radius_m - self.ball_radius_m;
-        if !(0.0..=room).contains(&depth_m) {
-            let why = "what the groove's curvature radius exceeds the ball's";
-            let allowed = Allowed::Between(0.0, room, why);
-            return Err(InputError::new("depth_m", depth_m, allowed));
-        }
+        let why = "what the groove's curvature radius exceeds the ball's";
+        from_to("depth_m", depth_m, [0.0, room], why)?;
         self.check_no_slot("depth_m", depth_m)?;
         self.form.depth_m = depth_m;
         Ok(self)
@@ -238,17 +214,8 @@ impl Raceway {
     /// An [`InputError`] beyond a tenth of Re − Rw: the ball would touch elsewhere.
     pub fn with_depth_error(mut self, depth_error_m: f64) -> Result<Self, InputError> {
         let most = self.depth_error_max_m();
-        if !(depth_error_m.abs() <= most) {
-            return Err(InputError::new(
-                "depth_error_m",
-                depth_error_m,
-                Allowed::Between(
-                    -most,
-                    most,
-                    "a tenth of what the groove's curvature radius exceeds the ball's",
-                ),
-            ));
-        }
+        let why = "a tenth of what the groove's curvature radius exceeds the ball's";
+        from_to("depth_error_m", depth_error_m, [-most, most], why)?;
         self.depth_error_m = depth_error_m;
         Ok(self)
     }
@@ -306,14 +273,9 @@ impl Raceway {
     ) -> Result<Self, InputError> {
         let [_, shoulder] = bearing.shoulder_angles_rad();
         let most = shoulder - self.contact_angle_rad(0.0)[0];
-        if angle_rad != 0.0 && !(angle_rad.abs() < most) {
+        if angle_rad != 0.0 {
             let why = "with a larger one a flank of the raceway reaches beyond the shoulder";
-            let allowed = Allowed::Between(-most, most, why);
-            return Err(InputError::new(
-                "raceway_contact_angle_rad",
-                angle_rad,
-                allowed,
-            ));
+            Allowed::Between(-most, most, why).check("raceway_contact_angle_rad", angle_rad)?;
         }
         self.section_angle_rad = angle_rad;
         Ok(self)

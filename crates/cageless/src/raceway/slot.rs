@@ -49,36 +49,16 @@ impl SlotPlan {
         let (rw, re) = (d.ball_radius_m, d.outer_groove_curvature_radius_m);
         let middle_sine = outline.middle_rad().sin();
         let most = rw * middle_sine / (1.0 - middle_sine);
-        if !(edge > 0.0 && edge < most) {
-            let why = "with a larger edge nothing is left of the slot of this axial_span_m";
-            return Err(InputError::new(
-                "edge_radius_m",
-                edge,
-                Allowed::Between(0.0, most, why),
-            ));
-        }
+        let why = "with a larger edge nothing is left of the slot of this axial_span_m";
+        Allowed::Between(0.0, most, why).check("edge_radius_m", edge)?;
         let half_width = (rw + edge) * middle_sine;
         let [_, shoulder] = outline.bearing.shoulder_angles_rad();
         let widest = 2.0 * rw * (re + edge) * shoulder.sin() / (rw + edge);
-        if outline.axial_span_m >= widest {
-            let why = "the edges of the slot must lie within the shoulders";
-            let allowed = Allowed::Below(widest, why);
-            return Err(InputError::new(
-                "axial_span_m",
-                outline.axial_span_m,
-                allowed,
-            ));
-        }
+        let why = "the edges of the slot must lie within the shoulders";
+        Allowed::Below(widest, why).check("axial_span_m", outline.axial_span_m)?;
         let end_rad = half_width / d.outer_groove_bottom_radius_m;
-        if outline.half_angle_rad < end_rad {
-            let why = "the two ends of the slot alone take up as much";
-            let allowed = Allowed::AtLeast(end_rad, why);
-            return Err(InputError::new(
-                "half_angle_rad",
-                outline.half_angle_rad,
-                allowed,
-            ));
-        }
+        let why = "the two ends of the slot alone take up as much";
+        Allowed::AtLeast(end_rad, why).check("half_angle_rad", outline.half_angle_rad)?;
         Ok(Self {
             half_angle_rad: outline.half_angle_rad,
             end_rad,

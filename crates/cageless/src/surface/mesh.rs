@@ -3,7 +3,8 @@
 use super::grid::{row_rad, widest_arc_rad};
 use super::patch::equal_parts;
 use super::{Meridian, OuterRing};
-use crate::error::{Allowed, InputError};
+use crate::error::InputError;
+use crate::limits::from_to;
 use crate::numerics::bspline::Vec3;
 
 /// Triangles that share their corners. Seen from outside the ring's material, corners go
@@ -39,17 +40,9 @@ impl Mesh {
         let wall = ring.dimensions().outer_ring_outer_radius_m - ring.deepest_radius_m();
         let least = CHORD_MIN_M.max(ROUNDINGS * rounding_m);
         let most = CHORD_MAX_M.min(wall / 2.0);
-        if !(chord_m >= least && chord_m <= most) {
-            return Err(InputError::new(
-                "chord_m",
-                chord_m,
-                Allowed::Between(
-                    least,
-                    most,
-                    "ten times the rounding of coordinates or 0.05 µm; half the wall behind the groove or 100 µm",
-                ),
-            ));
-        }
+        let why = "ten times the rounding of coordinates or 0.05 µm; half the wall behind the groove \
+                   or 100 µm";
+        from_to("chord_m", chord_m, [least, most], why)?;
         let mut mesh = Self::within(ring, chord_m - rounding_m);
         mesh.deviation_m += rounding_m;
         Ok(mesh)

@@ -158,24 +158,13 @@ impl OuterRing {
         let deepest = meridians()
             .map(|m| m.deepest_radius_m())
             .fold(0.0, f64::max);
-        if d.outer_ring_outer_radius_m <= deepest {
-            return Err(InputError::new(
-                "outer_ring_outer_radius_m",
-                d.outer_ring_outer_radius_m,
-                Allowed::Above(deepest, "the bottom of the groove at its deepest"),
-            ));
-        }
+        Allowed::Above(deepest, "the bottom of the groove at its deepest")
+            .check("outer_ring_outer_radius_m", d.outer_ring_outer_radius_m)?;
         let widest = meridians()
             .flat_map(|m| m.arcs.map(|arc| 2.0 * arc.height_m(arc.shoulder_rad())))
             .fold(0.0, f64::max);
-        if d.outer_ring_width_m <= widest {
-            return Err(InputError::new(
-                "outer_ring_width_m",
-                d.outer_ring_width_m,
-                Allowed::Above(widest, "the groove between its shoulders"),
-            ));
-        }
-        Ok(())
+        Allowed::Above(widest, "the groove between its shoulders")
+            .check("outer_ring_width_m", d.outer_ring_width_m)
     }
 
     /// Its mirror image in z = 0.

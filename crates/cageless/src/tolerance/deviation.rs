@@ -7,52 +7,26 @@ use crate::error::InputError;
 use crate::numerics::random::RandomStream;
 use crate::raceway::{Raceway, RacewayDimensions};
 
-/// Something that is not what the drawing says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Influence {
-    /// Depth of the raceways.
-    GrooveDepth,
-    /// lC.
-    AxialSpan,
-    /// θ.
-    HalfAngle,
-    /// Radii of the balls within their lot.
-    BallRadius,
-    /// μ.
-    Friction,
-    /// Radial internal clearance Gr.
-    Clearance,
-    /// Speed of the inner ring.
-    Speed,
-    /// Radial load.
-    Load,
-}
-
-impl Influence {
-    /// All, in the order of tables.
-    pub const ALL: [Self; 8] = [
-        Self::GrooveDepth,
-        Self::AxialSpan,
-        Self::HalfAngle,
-        Self::BallRadius,
-        Self::Friction,
-        Self::Clearance,
-        Self::Speed,
-        Self::Load,
-    ];
-
-    /// Name in tables and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::GrooveDepth => "groove depth",
-            Self::AxialSpan => "axial span",
-            Self::HalfAngle => "half angle",
-            Self::BallRadius => "ball radii",
-            Self::Friction => "friction coefficient",
-            Self::Clearance => "radial internal clearance",
-            Self::Speed => "speed",
-            Self::Load => "load",
-        }
+crate::named_enum! {
+    /// Something that is not what the drawing says.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Influence {
+        /// Depth of the raceways.
+        GrooveDepth = "groove depth",
+        /// lC.
+        AxialSpan = "axial span",
+        /// θ.
+        HalfAngle = "half angle",
+        /// Radii of the balls within their lot.
+        BallRadius = "ball radii",
+        /// μ.
+        Friction = "friction coefficient",
+        /// Radial internal clearance Gr.
+        Clearance = "radial internal clearance",
+        /// Speed of the inner ring.
+        Speed = "speed",
+        /// Radial load.
+        Load = "load",
     }
 }
 

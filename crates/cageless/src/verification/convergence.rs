@@ -2,26 +2,17 @@
 
 use super::quantity::Quantity;
 
-/// Classification of a result under perturbation of the initial state and halving of the step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Convergence {
-    /// Halving the step and perturbing the initial state change it by less than the tolerance.
-    Converged,
-    /// Depends on the initial state but not on the step: one sample of a distribution, known to
-    /// its standard error.
-    Statistical,
-    /// Changes with the step by more than the scatter explains.
-    StepBiased,
-}
-
-impl Convergence {
-    /// Name in tables and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::Statistical => "statistical",
-            Self::StepBiased => "step-biased",
-        }
+crate::named_enum! {
+    /// Classification of a result under perturbation of the initial state and halving of the step.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Convergence {
+        /// Halving the step and perturbing the initial state change it by less than the tolerance.
+        Converged = "converged",
+        /// Depends on the initial state but not on the step: one sample of a distribution, known to
+        /// its standard error.
+        Statistical = "statistical",
+        /// Changes with the step by more than the scatter explains.
+        StepBiased = "step-biased",
     }
 }
 

@@ -2,30 +2,26 @@
 
 use crate::case_file::declaration::prelude::*;
 
-/// A bearing material by name. The numbers are typical ones at room temperature, rounded; those
-/// of the supplier are better.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MaterialPreset {
-    /// 100Cr6 (ISO 683-17; AISI 52100), the usual bearing steel.
-    Steel100Cr6,
-    /// M50 (80MoCrV42-16 of ISO 683-17; AMS 6491), high-temperature steel.
-    SteelM50,
-    /// 440C (X108CrMo17 of ISO 683-17; AMS 5618), stainless.
-    Steel440C,
-    /// X30CrMoN15-1 (AMS 5898; Cronidur 30), nitrogen-alloyed stainless.
-    SteelX30CrMoN15_1,
-    /// Silicon nitride (ISO 26602; ASTM F2094).
-    SiliconNitride,
+cageless::named_enum! {
+    /// A bearing material by name. The numbers are typical ones at room temperature, rounded; those
+    /// of the supplier are better.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum MaterialPreset {
+        /// 100Cr6 (ISO 683-17; AISI 52100), the usual bearing steel.
+        Steel100Cr6 = "100Cr6",
+        /// M50 (80MoCrV42-16 of ISO 683-17; AMS 6491), high-temperature steel.
+        SteelM50 = "M50",
+        /// 440C (X108CrMo17 of ISO 683-17; AMS 5618), stainless.
+        Steel440C = "440C",
+        /// X30CrMoN15-1 (AMS 5898; Cronidur 30), nitrogen-alloyed stainless.
+        SteelX30CrMoN15_1 = "X30CrMoN15-1",
+        /// Silicon nitride (ISO 26602; ASTM F2094).
+        SiliconNitride = "Si3N4",
+    }
 }
 
 impl Named for MaterialPreset {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("100Cr6", Self::Steel100Cr6),
-        ("M50", Self::SteelM50),
-        ("440C", Self::Steel440C),
-        ("X30CrMoN15-1", Self::SteelX30CrMoN15_1),
-        ("Si3N4", Self::SiliconNitride),
-    ];
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 
 /// Names of the three numbers.

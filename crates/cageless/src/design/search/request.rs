@@ -62,34 +62,22 @@ pub const CRITICAL_GAP_MIN_FRACTION: f64 = 0.8;
 /// Starts of the confirmation with the default budget and one operating point.
 pub const CONFIRMING_STARTS: u64 = 12;
 
-/// Stage of a search.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stage {
-    /// Critical gaps of the map.
-    Map,
-    /// Critical gaps of the band.
-    Candidates,
-    /// Runs of all balls.
-    Motion,
-    /// Steps of the optimiser.
-    Polish,
-    /// Motion in space under axial load.
-    Axial,
-    /// More starts.
-    Confirm,
-}
-
-impl Stage {
-    /// Name for people.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Map => "map of critical gaps",
-            Self::Candidates => "critical gaps of the candidates",
-            Self::Motion => "motion of all balls",
-            Self::Polish => "optimiser",
-            Self::Axial => "motion under axial load",
-            Self::Confirm => "confirmation",
-        }
+crate::named_enum! {
+    /// Stage of a search.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Stage {
+        /// Critical gaps of the map.
+        Map = "map of critical gaps",
+        /// Critical gaps of the band.
+        Candidates = "critical gaps of the candidates",
+        /// Runs of all balls.
+        Motion = "motion of all balls",
+        /// Steps of the optimiser.
+        Polish = "optimiser",
+        /// Motion in space under axial load.
+        Axial = "motion under axial load",
+        /// More starts.
+        Confirm = "confirmation",
     }
 }
 

@@ -27,7 +27,6 @@ pub mod outer_section;
 mod shoulder;
 
 use crate::case::{Case, Row, Tilt};
-use crate::contact::hertz::PointContact;
 use crate::equilibrium::{
     Equilibrium, EquilibriumError, RacewayContact, SPEED_ROUNDS, TURNING_TOLERANCE,
     ball_outer_geometry, start_angles_rad,
@@ -273,14 +272,6 @@ fn follow_speeds(
     changed
 }
 
-/// Contact of a ball under a force.
-fn contact(contact: &PointContact, force_n: f64) -> RacewayContact {
-    RacewayContact {
-        pressure_pa: contact.peak_pressure_pa(force_n),
-        semi_axes_m: contact.semi_axes_m(force_n),
-    }
-}
-
 /// The results, and every contact with a groove.
 fn result(
     case: &Case,
@@ -372,10 +363,10 @@ fn push_ball(
     let at = |angle: f64| bearing.contacts_at([if angle.is_nan() { 0.0 } else { angle }; 2]);
     let slot = slot(case, ball.angle_rad).map(|(slot, local)| slot.contact(local, bearing));
     let at_outer = |angle: f64, force_n: f64| match &slot {
-        Some(edge) => contact(edge, force_n),
-        None => contact(&at(angle)[1], force_n),
+        Some(edge) => RacewayContact::new(edge, force_n),
+        None => RacewayContact::new(&at(angle)[1], force_n),
     };
-    let at_inner = |angle: f64, force_n: f64| contact(&at(angle)[0], force_n);
+    let at_inner = |angle: f64, force_n: f64| RacewayContact::new(&at(angle)[0], force_n);
     let rest = &mut solved.rest;
     rest.ball_angle_rad.push(ball.angle_rad);
     rest.ball_distance_m.push(ball.orbit_radius_m + place[0]);
