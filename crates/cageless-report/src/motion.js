@@ -158,7 +158,7 @@
         update();
         return filming;
       };
-      record(svg, bearings, frames, seconds, seek).then(function (blob) {
+      record(svg, frames, seconds, seek).then(function (blob) {
         if (blob) window.cagelessSave(blob, film.dataset.figure + ".gif");
         film.textContent = "Save as GIF";
       }, function () { film.textContent = "No GIF could be made"; }).then(function () {
@@ -170,13 +170,7 @@
     stretch(first, last);
   }
 
-  // The drawing without what moves, as a picture.
-  function backdrop(svg, width, height) {
-    const copy = svg.cloneNode(true);
-    copy.querySelectorAll("[data-ball], [data-touch], [data-line], [data-rotor], [data-ring-mark]").forEach((e) => e.remove());
-    return picture(copy, width, height);
-  }
-
+  // A copy of the drawing as a picture.
   function picture(copy, width, height) {
     copy.setAttribute("width", width);
     copy.setAttribute("height", height);
@@ -189,68 +183,18 @@
     });
   }
 
-  // Paints the moving parts of the drawing where they are now.
-  function paint(ctx, bearings, scale) {
-    const number = (e, name) => Number(e.getAttribute(name) || 0);
-    const circle = function (e, x, y) {
-      ctx.beginPath();
-      ctx.arc(x, y, number(e, "r"), 0, 2 * Math.PI);
-      ctx.fillStyle = e.getAttribute("fill");
-      ctx.fill();
-      if (!e.hasAttribute("stroke")) return;
-      ctx.strokeStyle = e.getAttribute("stroke");
-      ctx.lineWidth = number(e, "stroke-width");
-      ctx.stroke();
-    };
-    const text = function (e, x, y) {
-      ctx.font = number(e, "font-size") + "px Helvetica, Arial, sans-serif";
-      ctx.fillStyle = e.getAttribute("fill");
-      ctx.fillText(e.textContent, x, y + number(e, "y"));
-    };
-    ctx.textAlign = "center";
-    for (const b of bearings) {
-      const place = b.balls[0].parentElement.transform.baseVal.consolidate().matrix;
-      ctx.setTransform(scale, 0, 0, scale, place.e * scale, place.f * scale);
-      for (const part of [b.mark, b.shaft].filter((p) => p && p.transform.baseVal.numberOfItems)) {
-        const m = part.transform.baseVal.consolidate().matrix;
-        ctx.save();
-        ctx.transform(m.a, m.b, m.c, m.d, m.e, m.f);
-        circle(part.firstElementChild, 0, 0);
-        const line = part.lastElementChild;
-        ctx.beginPath();
-        ctx.moveTo(number(line, "x1"), number(line, "y1"));
-        ctx.lineTo(number(line, "x2"), number(line, "y2"));
-        ctx.strokeStyle = line.getAttribute("stroke");
-        ctx.lineWidth = number(line, "stroke-width");
-        ctx.stroke();
-        ctx.restore();
-      }
-      for (const ball of b.balls) {
-        const at = ball.transform.baseVal.consolidate().matrix;
-        circle(ball.firstElementChild, at.e, at.f);
-        text(ball.lastElementChild, at.e, at.f);
-      }
-      b.touches.filter((t) => t.getAttribute("visibility") === "visible")
-        .forEach((t) => circle(t, number(t, "cx"), number(t, "cy")));
-      b.lines.forEach((line) => text(line, 0, 0));
-    }
-  }
-
   // The film as a file, unless it is given up; the page stays alive meanwhile.
-  async function record(svg, bearings, frames, seconds, seek) {
+  async function record(svg, frames, seconds, seek) {
     const box = svg.viewBox.baseVal, scale = Math.min(8, 1200 / box.width);
     const canvas = document.createElement("canvas");
     canvas.width = Math.round(box.width * scale);
     canvas.height = Math.round(box.height * scale);
-    const behind = await backdrop(svg, canvas.width, canvas.height);
     const ctx = canvas.getContext("2d", { willReadFrequently: true });
     // Viewers slow down what is faster than fifty frames a second.
     const film = window.cagelessGif(canvas.width, canvas.height, Math.max(2, Math.round(100 * seconds / frames)));
     for (let k = 0; k < frames; k++) {
       if (!seek(k)) return null;
-      ctx.setTransform(1, 0, 0, 1, 0, 0);
-      ctx.drawImage(behind, 0, 0, canvas.width, canvas.height);
-      paint(ctx, bearings, scale);
+      ctx.drawImage(await picture(svg.cloneNode(true), canvas.width, canvas.height), 0, 0);
       film.add(ctx.getImageData(0, 0, canvas.width, canvas.height).data);
       await new Promise((done) => setTimeout(done));
     }
