@@ -11,3 +11,14 @@ pub struct OptionError {
     /// Description of the error, to be read after name and value.
     pub problem: String,
 }
+
+impl OptionError {
+    /// "OPTION = VALUE is not possible: it must be ALLOWED".
+    pub fn not_possible(option: &'static str, value: impl ToString, allowed: &str) -> Self {
+        Self {
+            option,
+            value: value.to_string(),
+            problem: format!("is not possible: it must be {allowed}"),
+        }
+    }
+}

@@ -99,22 +99,20 @@ impl Request {
         }
         if self.samples > SAMPLES_MAX {
             let allowed = format!("at most {SAMPLES_MAX}");
-            return Err(refused("samples", self.samples.to_string(), &allowed));
+            return Err(OptionError::not_possible("samples", self.samples, &allowed).into());
         }
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
-                return Err(refused(
-                    option,
-                    value.to_string(),
-                    &format!("from 0 to {most:.6}"),
-                ));
+                let allowed = format!("from 0 to {most:.6}");
+                return Err(OptionError::not_possible(option, value, &allowed).into());
             }
         }
         let grade = ball_grade(self.ball_grade);
         if grade.is_none() && self.ball_grade != 0 {
             let grades: Vec<String> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
             let allowed = format!("a grade of ISO 3290-1 ({}), or 0", grades.join(", "));
-            return Err(refused("ball_grade", self.ball_grade.to_string(), &allowed));
+            let given = self.ball_grade;
+            return Err(OptionError::not_possible("ball_grade", given, &allowed).into());
         }
         Ok(Tolerances {
             groove_depth_m: self.groove_depth_um * 1e-6,
@@ -149,15 +147,6 @@ impl Request {
             ("load_percent", self.load_percent, 100.0),
         ]
     }
-}
-
-fn refused(option: &'static str, value: String, allowed: &str) -> StudyError {
-    let problem = format!("is not possible: it must be {allowed}");
-    StudyError::Option(OptionError {
-        option,
-        value,
-        problem,
-    })
 }
 
 fn judge_all(

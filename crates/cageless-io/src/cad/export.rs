@@ -237,13 +237,8 @@ fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, Exp
     if let Some(mm) = options.blend_mm
         && case.raceways.iter().any(|r| r.form().blend_m > 0.0)
     {
-        return Err(OptionError {
-            option: "blend_mm",
-            value: plain(mm),
-            problem: "is not possible: it must be left out, the case has its own, raceway.blend_mm"
-                .to_owned(),
-        }
-        .into());
+        let allowed = "left out, the case has its own, raceway.blend_mm";
+        return Err(OptionError::not_possible("blend_mm", plain(mm), allowed).into());
     }
     let blend_m = options.blend_mm(case) * 1e-3;
     let dimensions = file.outer_ring_dimensions(blend_m)?;
@@ -303,11 +298,8 @@ fn within(
     if (least..=most).contains(&value) {
         return Ok(());
     }
-    Err(OptionError {
-        option,
-        value: plain(value),
-        problem: format!("is not possible: it must be between {least} and {most} {unit}"),
-    })
+    let allowed = format!("between {least} and {most} {unit}");
+    Err(OptionError::not_possible(option, plain(value), &allowed))
 }
 
 /// To six decimals, or with an exponent where these would say nothing.
@@ -330,9 +322,5 @@ fn refused(option: &'static str, error: &InputError, scale: f64, unit: &str) -> 
         Allowed::AtLeast(least, _) => format!("at least {}", shown(*least)),
         other => other.to_string(),
     };
-    OptionError {
-        option,
-        value: shown(error.value),
-        problem: format!("is not possible: it must be {allowed}"),
-    }
+    OptionError::not_possible(option, shown(error.value), &allowed)
 }

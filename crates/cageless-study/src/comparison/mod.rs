@@ -49,11 +49,8 @@ pub fn compare(
     progress: &dyn Progress,
 ) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
     if !(2..=STARTS_MAX).contains(&count) {
-        return Err(StudyError::Option(OptionError {
-            option: "starts",
-            value: count.to_string(),
-            problem: format!("is not possible: it must be from 2 to {STARTS_MAX}"),
-        }));
+        let allowed = format!("from 2 to {STARTS_MAX}");
+        return Err(OptionError::not_possible("starts", count, &allowed).into());
     }
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
     let work = progress.begin("compare", rings.len() as f64 * (count + 1) as f64);

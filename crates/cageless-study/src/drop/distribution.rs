@@ -114,11 +114,8 @@ pub fn check_drops(option: &'static str, count: u64) -> Result<(), StudyError> {
     if (1..=DROPS_MAX).contains(&count) {
         return Ok(());
     }
-    Err(StudyError::Option(OptionError {
-        option,
-        value: count.to_string(),
-        problem: format!("is not possible: it must be from 1 to {DROPS_MAX}"),
-    }))
+    let allowed = format!("from 1 to {DROPS_MAX}");
+    Err(OptionError::not_possible(option, count, &allowed).into())
 }
 
 impl WhirlProbability {
