@@ -2,7 +2,7 @@
 
 use cageless::{
     Assembly, FlankModel, FrictionLaw, IntegrationMethod, Lubricant, Motion, Profile, RacewayShape,
-    SkfSeries,
+    Shaft, SkfSeries,
 };
 use cageless_results::Computation;
 
@@ -94,6 +94,7 @@ named!(
     Lubricant,
     Motion,
     RacewayShape,
+    Shaft,
     SkfSeries
 );
 
