@@ -6,7 +6,7 @@ use cageless::simulation::ObserverError;
 use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
 use cageless_io::results::{
     BALLS_IN_SPACE, COLLISIONS, Column, ColumnKind, Metadata, RING, RING_IN_SPACE, ROTOR,
-    RunWriter, collision_values, read_run_table,
+    ROTOR_IN_SPACE, RunWriter, collision_values, read_run_table,
 };
 use cageless_study::drop::BearingRecord;
 use cageless_study::run::Rows;
@@ -24,7 +24,7 @@ fn specified() -> [(&'static str, &'static [Column]); 4] {
         ("balls", &BALLS_IN_SPACE[2..]),
         ("ring", RING_IN_SPACE),
         ("collisions", COLLISIONS),
-        ("rotor", ROTOR),
+        ("rotor", ROTOR_IN_SPACE),
     ]
 }
 
@@ -66,11 +66,12 @@ impl Rows for Tables {
         let [balls, ring, _, rotor] = &mut self.0;
         extend(balls, snapshot.arrays().into_iter());
         row(ring, snapshot.time_s, snapshot.ring.values());
-        if !snapshot.is_in_space() {
-            ring.truncate(RING.len());
-        }
         if let Some(values) = snapshot.rotor {
             row(rotor, snapshot.time_s, values.values());
+        }
+        if !snapshot.is_in_space() {
+            ring.truncate(RING.len());
+            rotor.truncate(ROTOR.len());
         }
         Ok(())
     }
@@ -195,10 +196,11 @@ impl Tables {
             &column[row * balls..][..balls]
         });
         let arrays: Vec<f64> = arrays.copied().collect();
+        // Those of space are 0 in the plane.
+        let of = |table: &[Vec<f64>], k: usize| table.get(k + 1).map_or(0.0, |column| column[row]);
         let rotor = (!rotor.is_empty())
-            .then(|| RotorSnapshot::from_values(std::array::from_fn(|k| rotor[k + 1][row])));
-        let of_ring = |k: usize| ring.get(k + 1).map_or(0.0, |column| column[row]);
-        let values = RingSnapshot::from_values(std::array::from_fn(of_ring));
+            .then(|| RotorSnapshot::from_values(std::array::from_fn(|k| of(rotor, k))));
+        let values = RingSnapshot::from_values(std::array::from_fn(|k| of(ring, k)));
         Snapshot::from_parts(ring[0][row], values, rotor, &arrays, self.in_space())
     }
 }

@@ -54,9 +54,10 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     }
     // Every row alike.
     let angles = start_angles_rad(case).repeat(rows.len());
-    let inner_speed = match case.start {
-        Start::AtRest { .. } => 0.0,
-        _ => case.operation.inner_speed_rad_s,
+    let starts_at_rest = matches!(case.start, Start::AtRest { .. });
+    let inner_speed = match starts_at_rest {
+        true => 0.0,
+        false => case.operation.inner_speed_rad_s,
     };
     // Balls on Rm between rings that press them would spring to where the two forces are equal.
     let between = |ring| match bearing.radial_internal_clearance_m() < 0.0 {
@@ -64,10 +65,19 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         false => vec![pitch; case.balls()],
     };
     let mut in_space = None;
+    let preloaded = rows.iter().any(|row| row.preload_m > 0.0);
     let (distances, ring) = match case.start {
         Start::Rolling {
             ring_x_m, ring_y_m, ..
         } => (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m]),
+        // Rows that press each other hold their balls.
+        Start::AtRest { .. } if preloaded => {
+            let e = in_space.insert(equilibrium::space::solve(&at_rest(case))?);
+            (
+                e.rest.ball_distance_m.clone(),
+                [e.rest.ring_x_m, e.rest.ring_y_m],
+            )
+        }
         Start::AtRest { .. } => (between([0.0; 2]), [0.0; 2]),
         Start::Settled { .. } => {
             let e = if state.layout().is_in_space() {
@@ -83,7 +93,14 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         }
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
-        let rest = in_space.as_ref().map(|e| Rest::of_ball(e, k));
+        let rest = in_space.as_ref().map(|e| Rest {
+            orbit_speed_rad_s: if starts_at_rest {
+                0.0
+            } else {
+                e.orbit_speed_rad_s[k]
+            },
+            ..Rest::of_ball(e, k)
+        });
         let rest = rest.unwrap_or_else(|| {
             let r = effective_radius_m(case, k % n, angle, distance);
             let radius = bearing.ball(k % n).radius_m;
@@ -133,9 +150,23 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         };
         let rest = in_space.as_ref();
         let [x, y] = rest.map_or(held, |e| [e.tilt_x_rad, e.tilt_y_rad]);
-        state.set_ring_in_space(rest.map_or(0.0, |e| e.ring_z_m), [y, -x]);
+        let ring_z_m = rest.map_or(0.0, |e| e.ring_z_m);
+        state.set_ring_in_space(ring_z_m, [y, -x]);
+        if let Some(rotor) = &case.rotor {
+            state.set_rotor_in_space(ring_z_m + rotor.z_m, rotor.vz_m_s);
+        }
     }
     Ok((state, angles))
+}
+
+/// The bearing of a rotor before it falls: nothing loads it, and it hardly turns, as what keeps an unloaded
+/// ball in its groove is next to nothing.
+fn at_rest(case: &Case) -> Case {
+    let mut still = case.clone();
+    still.operation.inner_speed_rad_s = 1e-4 * case.largest_inner_speed_rad_s().max(1.0);
+    still.operation.gravity_m_s2 = 0.0;
+    (still.rotor, still.support) = (None, None);
+    still
 }
 
 /// A ball at the start.

@@ -79,7 +79,7 @@ pub use lubrication::{Lubricant, Lubrication, SkfSeries};
 pub use material::{Material, Materials};
 pub use profile::Profile;
 pub use raceway::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
-pub use rotor::{Rotor, Support, SupportStop};
+pub use rotor::{Rotor, Shaft, Support, SupportStop};
 pub use scope::SCOPE;
 pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 pub use time_table::TimeTable;

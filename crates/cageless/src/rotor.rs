@@ -15,6 +15,24 @@ use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive};
 
+/// Position of a shaft in the field of gravity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Shaft {
+    /// Weights act along −Y.
+    #[default]
+    Horizontal,
+    /// Weights act along −Z.
+    Vertical,
+}
+
+impl Shaft {
+    /// Every position with its name in files.
+    pub const NAMES: &'static [(&'static str, Self)] = &[
+        ("horizontal", Self::Horizontal),
+        ("vertical", Self::Vertical),
+    ];
+}
+
 /// A rigid rotor in the plane of the bearing, which a magnetic bearing holds until t = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rotor {
@@ -49,6 +67,19 @@ pub struct Rotor {
     pub vx_m_s: f64,
     /// Velocity of the mass centre at the start.
     pub vy_m_s: f64,
+    /// Axis of the rotor.
+    pub shaft: Shaft,
+    /// Clearance along the axis between either shoulder of the rotor and the face of the inner ring, with
+    /// the rotor in the middle; `None`: no shoulders, nothing holds the rotor along its axis.
+    pub axial_clearance_m: Option<f64>,
+    /// Mean radius of shoulder and face; halfway between bore and raceway unless given.
+    pub shoulder_radius_m: Option<f64>,
+    /// Force on the rotor along +Z.
+    pub axial_load_n: f64,
+    /// Z at the start, from the middle between the shoulders.
+    pub z_m: f64,
+    /// Velocity along Z at the start.
+    pub vz_m_s: f64,
     /// Torque of the drive, counter-clockwise; negative: drag.
     pub drive_torque_n_m: f64,
     /// Radial clearance of the rotor to the stator in the plane of the bearing: the largest
@@ -138,9 +169,13 @@ impl Rotor {
             ("rotor_vx_m_s", self.vx_m_s),
             ("rotor_vy_m_s", self.vy_m_s),
             ("drive_torque_n_m", self.drive_torque_n_m),
+            ("rotor_axial_load_n", self.axial_load_n),
+            ("rotor_z_m", self.z_m),
+            ("rotor_vz_m_s", self.vz_m_s),
         ] {
             finite(field, value)?;
         }
+        self.check_shoulders(bore_radius_m)?;
         if let Some(limit_m) = self.clearance_limit_m {
             positive("rotor_clearance_limit_m", limit_m)?;
         }
@@ -163,6 +198,73 @@ impl Rotor {
                     self.radial_clearance_m
                 ),
             ));
+        }
+        Ok(())
+    }
+}
+
+impl Rotor {
+    /// The first field that takes the rotor out of the plane of the bearing, with its value.
+    pub(crate) fn spatial_field(&self) -> Option<(&'static str, f64)> {
+        let vertical = self.shaft == Shaft::Vertical;
+        let mut fields = [
+            ("shaft", f64::NAN, vertical),
+            (
+                "axial_clearance_m",
+                self.axial_clearance_m.unwrap_or(0.0),
+                self.axial_clearance_m.is_some(),
+            ),
+            (
+                "rotor_axial_load_n",
+                self.axial_load_n,
+                self.axial_load_n != 0.0,
+            ),
+            ("rotor_z_m", self.z_m, self.z_m != 0.0),
+            ("rotor_vz_m_s", self.vz_m_s, self.vz_m_s != 0.0),
+        ]
+        .into_iter();
+        let found = fields.find(|(_, _, given)| *given);
+        found.map(|(field, value, _)| (field, value))
+    }
+
+    /// Checks what holds the rotor along its axis.
+    fn check_shoulders(&self, bore_radius_m: f64) -> Result<(), InputError> {
+        if let Some(radius_m) = self.shoulder_radius_m
+            && !(radius_m >= bore_radius_m)
+        {
+            let allowed = Allowed::AtLeast(bore_radius_m, "the radius of the bore");
+            return Err(InputError::new("shoulder_radius_m", radius_m, allowed));
+        }
+        let Some(clearance_m) = self.axial_clearance_m else {
+            let falls = [
+                (
+                    "axial_clearance_m",
+                    f64::NAN,
+                    self.shaft == Shaft::Vertical,
+                    "given: the shoulder of a vertical rotor is what the bearing catches",
+                ),
+                (
+                    "rotor_axial_load_n",
+                    self.axial_load_n,
+                    self.axial_load_n != 0.0,
+                    "0, or with an axial_clearance_um: nothing else holds the rotor along its axis",
+                ),
+                (
+                    "shoulder_radius_m",
+                    self.shoulder_radius_m.unwrap_or(0.0),
+                    self.shoulder_radius_m.is_some(),
+                    "left out, or given with an axial_clearance_um",
+                ),
+            ];
+            let wrong = falls.into_iter().find(|(_, _, wrong, _)| *wrong);
+            return wrong.map_or(Ok(()), |(field, value, _, rule)| {
+                Err(InputError::rule(field, value, rule))
+            });
+        };
+        positive("axial_clearance_m", clearance_m)?;
+        if !(self.z_m.abs() <= clearance_m) {
+            let rule = format!("within ±{clearance_m:e}, the axial clearance: the magnets held it");
+            return Err(InputError::rule("rotor_z_m", self.z_m, rule));
         }
         Ok(())
     }

@@ -25,7 +25,7 @@ const RING: usize = 12;
 /// arrays of a row.
 const HEAD: usize = 1 + RING + 2;
 /// Values of a rotor.
-const ROTOR: usize = 13;
+const ROTOR: usize = 18;
 
 /// Structure of arrays over the balls; index k is ball k+1.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -107,6 +107,16 @@ pub struct RotorSnapshot {
     pub contact_force_n: f64,
     /// Sliding speed of the journal on the bore at their nearest points, counter-clockwise.
     pub contact_sliding_m_s: f64,
+    /// Z; like the next four 0 in the plane.
+    pub z_m: f64,
+    /// Velocity along Z.
+    pub vz_m_s: f64,
+    /// Outer ring and housing, from their rest place.
+    pub housing_z_m: f64,
+    /// Velocity of outer ring and housing.
+    pub housing_vz_m_s: f64,
+    /// Force of the inner ring on a shoulder of the rotor along +Z.
+    pub shoulder_force_n: f64,
 }
 
 /// The inner ring at one instant.
@@ -300,7 +310,12 @@ values!(
     housing_vx_m_s,
     housing_vy_m_s,
     contact_force_n,
-    contact_sliding_m_s
+    contact_sliding_m_s,
+    z_m,
+    vz_m_s,
+    housing_z_m,
+    housing_vz_m_s,
+    shoulder_force_n
 );
 
 #[cfg(test)]

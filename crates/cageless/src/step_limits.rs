@@ -18,6 +18,7 @@ use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::error::{Allowed, InputError};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::rotor::Shaft;
 
 impl Case {
     /// Sets the integration method, with its automatic step for this case.
@@ -206,11 +207,18 @@ const TOUCHING: f64 = 0.5;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
 
+/// Sine of the contact angle under which balls without clearance bear an axial load at least: they are
+/// wedged to it.
+const LEAST_SINE: f64 = 0.1;
+
 /// What a falling rotor and a support add to the rates; nothing without a rotor.
 #[derive(Debug, Clone, Copy, Default)]
 struct Drop {
     /// Peak force of the first impact and of the unbalance, N.
     force_n: f64,
+    /// Radial load under which a ball bears what it does under the peak along the axis of a rotor that a
+    /// shoulder stops, N.
+    axial_as_radial_n: f64,
     /// Stiffness of the contact of rotor and inner ring under it, N/m.
     contact_n_m: f64,
     /// Damping of that contact, N·s/m.
@@ -237,9 +245,13 @@ impl Drop {
         };
         let bearing = &case.bearing;
         let weight = rotor.mass_kg * case.operation.gravity_m_s2;
-        let height = rotor.journal_start_m()[1] + rotor.radial_clearance_m;
-        let energy = 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
-            + weight * height.max(0.0);
+        // Through the touch-down clearance, or that of a shoulder of a vertical rotor.
+        let height = match rotor.shaft {
+            Shaft::Horizontal => rotor.journal_start_m()[1] + rotor.radial_clearance_m,
+            Shaft::Vertical => rotor.z_m + rotor.axial_clearance_m.unwrap_or(0.0),
+        };
+        let [vx, vy, vz] = [rotor.vx_m_s, rotor.vy_m_s, rotor.vz_m_s];
+        let energy = 0.5 * rotor.mass_kg * (vx * vx + vy * vy + vz * vz) + weight * height.max(0.0);
         let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
         let (k, p) = (rotor.contact_stiffness_n_mp, rotor.contact_exponent);
         let contact = |force: f64| p * k.powf(1.0 / p) * force.powf(1.0 - 1.0 / p);
@@ -276,8 +288,15 @@ impl Drop {
                 / rotor.friction.regularisation_speed_m_s
         };
         let depth = (force / k).powf(1.0 / p);
+        // All balls of a row share it at their contact angle: F/(N sin α) for 5 F/N.
+        let sine = bearing.free_contact_angle_rad().sin();
+        let along_axis = match rotor.shaft {
+            Shaft::Horizontal => rotor.axial_load_n.abs(),
+            Shaft::Vertical => force + rotor.axial_load_n.abs(),
+        };
         Self {
             force_n: force,
+            axial_as_radial_n: 0.2 * along_axis / sine.max(LEAST_SINE),
             contact_n_m: contact(force) * (1.0 + 1.5 * rotor.contact_damping_s_m * speed),
             contact_n_s_m: 1.5 * rotor.contact_damping_s_m * k * depth.powf(p),
             inverse_rotor_mass: 1.0 / rotor.mass_kg,
@@ -310,7 +329,7 @@ impl StepLimits {
         let centrifugal = case.centrifugal_force_n();
         let drop = Drop::new(case);
         let down = case.largest_radial_load_n()
-            + drop.force_n
+            + drop.force_n.max(drop.axial_as_radial_n)
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
         let under = |force: f64| {
             OVERLOAD * (force + centrifugal) + case.preload_n() + case.axial_preload_n()

@@ -42,6 +42,7 @@ mod rotor_planes;
 mod search;
 mod slot;
 mod space;
+mod space_drop;
 mod space_motion;
 mod space_rows;
 mod static_minimum;

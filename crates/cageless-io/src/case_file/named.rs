@@ -2,7 +2,7 @@
 
 use cageless::{
     Assembly, FlankModel, FrictionLaw, IntegrationMethod, Lubricant, Motion, Profile, RacewayShape,
-    SkfSeries,
+    Shaft, SkfSeries,
 };
 use cageless_results::Computation;
 
@@ -96,6 +96,7 @@ named!(
     Motion,
     Profile,
     RacewayShape,
+    Shaft,
     SkfSeries
 );
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::slice;
 
+use cageless::Case;
 use cageless::simulation::RotorDrop;
 use toml::Value;
 
@@ -65,6 +66,21 @@ impl From<RotorFile> for VariantFile {
 }
 
 impl VariantFile {
+    /// Passes a file whose rotor can be dropped: onto one bearing in the plane or in space, onto several
+    /// in their planes.
+    ///
+    /// # Errors
+    /// A [`CaseError`] that names what motion in space does not have.
+    pub fn check_drop(&self) -> Result<(), CaseError> {
+        match self {
+            Self::Case(file) => file.checked(Case::check_motion),
+            Self::Rotor(file) => {
+                let mut bearings = file.bearings().iter();
+                bearings.try_for_each(|bearing| bearing.checked(Case::check_planar))
+            }
+        }
+    }
+
     /// Reads a case file, or a rotor file with the files that it names.
     ///
     /// # Errors

@@ -69,8 +69,8 @@ pub const RING_IN_SPACE: &[Column] = &[
 /// Columns of `ring.parquet` in the plane.
 pub const RING: &[Column] = RING_IN_SPACE.split_at(9).0;
 
-/// Columns of `rotor.parquet`; from the second on as in [`cageless::RotorSnapshot::values`].
-pub const ROTOR: &[Column] = &[
+/// Columns of `rotor.parquet` in space; from the second on as in [`cageless::RotorSnapshot::values`].
+pub const ROTOR_IN_SPACE: &[Column] = &[
     number("time_s", "s"),
     number("x_m", "m"),
     number("y_m", "m"),
@@ -85,7 +85,15 @@ pub const ROTOR: &[Column] = &[
     number("housing_vy_m_s", "m/s"),
     number("contact_force_n", "N"),
     number("contact_sliding_m_s", "m/s"),
+    number("z_m", "m"),
+    number("vz_m_s", "m/s"),
+    number("housing_z_m", "m"),
+    number("housing_vz_m_s", "m/s"),
+    number("shoulder_force_n", "N"),
 ];
+
+/// Columns of `rotor.parquet` in the plane.
+pub const ROTOR: &[Column] = ROTOR_IN_SPACE.split_at(14).0;
 
 /// Columns of `collisions.parquet`.
 pub const COLLISIONS: &[Column] = &[

@@ -4,7 +4,7 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::atomic_file::PartialFile;
-use super::columns::{BALLS_IN_SPACE, COLLISIONS, RING_IN_SPACE, ROTOR};
+use super::columns::{BALLS_IN_SPACE, COLLISIONS, RING_IN_SPACE, ROTOR_IN_SPACE};
 use super::error::ResultError;
 use super::run_tables::{columns_of, for_each_group};
 use super::table::{Column, ColumnKind};
@@ -13,7 +13,7 @@ use super::table::{Column, ColumnKind};
 const TABLES: [(&str, &[Column]); 4] = [
     ("balls", BALLS_IN_SPACE),
     ("ring", RING_IN_SPACE),
-    ("rotor", ROTOR),
+    ("rotor", ROTOR_IN_SPACE),
     ("collisions", COLLISIONS),
 ];
 

@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 use cageless::{Collision, RotorSnapshot, Snapshot};
 
 pub use atomic_file::{PartialFile, write_atomically, write_together};
-pub use columns::{BALLS, BALLS_IN_SPACE, COLLISIONS, RING, RING_IN_SPACE, ROTOR};
+pub use columns::{BALLS, BALLS_IN_SPACE, COLLISIONS, RING, RING_IN_SPACE, ROTOR, ROTOR_IN_SPACE};
 pub use csv::write_csv;
 pub use error::{ResultError, is_unusable};
 pub use reader::TableReader;
@@ -89,6 +89,7 @@ pub struct RunWriter {
     balls: TableWriter,
     ring: TableWriter,
     ring_columns: usize,
+    rotor_columns: &'static [Column],
     collisions: TableWriter,
     /// Opened with the first snapshot of a rotor.
     rotor: Option<TableWriter>,
@@ -112,15 +113,16 @@ impl RunWriter {
         let open = |name: &str, columns| {
             TableWriter::in_groups(&dir.join(name), columns, &footer, GROUP_ROWS)
         };
-        let (balls, ring) = match metadata.in_space {
-            true => (BALLS_IN_SPACE, RING_IN_SPACE),
-            false => (BALLS, RING),
+        let (balls, ring, rotor_columns) = match metadata.in_space {
+            true => (BALLS_IN_SPACE, RING_IN_SPACE, ROTOR_IN_SPACE),
+            false => (BALLS, RING, ROTOR),
         };
         Ok(Self {
             dir: dir.to_owned(),
             balls: open("balls.parquet", balls)?,
             ring: open("ring.parquet", ring)?,
             ring_columns: ring.len(),
+            rotor_columns,
             collisions: open("collisions.parquet", COLLISIONS)?,
             rotor: None,
             footer: footer.to_vec(),
@@ -156,13 +158,14 @@ impl RunWriter {
                 let path = self.dir.join("rotor.parquet");
                 none.insert(TableWriter::in_groups(
                     &path,
-                    ROTOR,
+                    self.rotor_columns,
                     &self.footer,
                     GROUP_ROWS,
                 )?)
             }
         };
-        table.row(once(time_s).chain(rotor.values()))
+        let values = once(time_s).chain(rotor.values());
+        table.row(values.take(self.rotor_columns.len()))
     }
 
     /// Adds a collision.

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::equilibrium::{self, space};
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
+use cageless::{Case, InputError};
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind, Row};
@@ -38,16 +38,21 @@ pub type Cancellation<'a> = &'a (dyn Fn() -> Control + Sync);
 pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
-/// Passes a case that these computations take: statics and runs are in space, too, all else is planar.
-fn check_space(file: &CaseFile, compute: &[Computation]) -> Result<(), CaseError> {
-    let planar = |of: &Computation| !matches!(of, Computation::Static | Computation::Run);
-    if compute.iter().any(planar) {
-        file.checked(Case::check_planar)
-    } else if compute.contains(&Computation::Run) {
-        file.checked(Case::check_motion)
-    } else {
-        Ok(())
-    }
+/// Passes a file that these computations take: statics, runs and drops are in space, too, all else is
+/// planar.
+fn check_space(file: &VariantFile, compute: &[Computation]) -> Result<(), CaseError> {
+    let each = |check: fn(&Case) -> Result<(), InputError>| {
+        let mut cases = file.cases().iter();
+        cases.try_for_each(|case| case.checked(check))
+    };
+    compute
+        .iter()
+        .try_for_each(|computation| match computation {
+            Computation::Static => Ok(()),
+            Computation::Run => each(Case::check_motion),
+            Computation::Drop => file.check_drop(),
+            _ => each(Case::check_planar),
+        })
 }
 
 impl Sweep {
@@ -59,9 +64,7 @@ impl Sweep {
     pub fn new(plan: PlanFile) -> Result<Self, StudyError> {
         crate::check_environment()?;
         let compute = plan.compute.clone();
-        for file in plan.base_file.cases() {
-            check_space(file, &compute).map_err(StudyError::Plan)?;
-        }
+        check_space(&plan.base_file, &compute).map_err(StudyError::Plan)?;
         let normal = plan.normal().map_err(StudyError::Plan)?;
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
         let base = &variants.plan.base_file;
@@ -155,11 +158,7 @@ impl Sweep {
     fn begin(&self, index: u64) -> Variant<'_> {
         let (inputs, file) = self.variants.variant(index);
         let compute = &self.variants.plan.compute;
-        let taken = |file: &VariantFile| {
-            let mut cases = file.cases().iter();
-            cases.try_for_each(|file| check_space(file, compute))
-        };
-        let file = file.and_then(|file| taken(&file).map(|()| file));
+        let file = file.and_then(|file| check_space(&file, compute).map(|()| file));
         let mut found = Found {
             outputs: &self.outputs,
             cells: vec![Cell::Null; self.outputs.len()],

@@ -66,6 +66,12 @@ impl Bearing {
         self.contact_angle_rad
     }
 
+    /// Contact angle at which unloaded balls touch both grooves: α0, or that of the clearance of a radial
+    /// bearing.
+    pub(crate) fn free_contact_angle_rad(&self) -> f64 {
+        self.dimensions.angle_of_clearance_rad()
+    }
+
     /// ½A sin α0 by which the centres of the grooves are off the middle, towards −Z at the outer and
     /// +Z at the inner ring: unloaded balls then touch both.
     pub fn groove_offset_m(&self) -> f64 {

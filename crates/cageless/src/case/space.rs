@@ -1,16 +1,18 @@
 //! What takes a case out of its plane: axial load, moments or tilt, contact angles, rows.
 
-use super::{Case, Motion, Row, Tilt};
+use super::{Case, Motion, Row, SpatialLoad, Tilt};
+use crate::contact::FrictionLaw;
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, positive};
 use crate::profile::Profile;
 use crate::raceway::Raceway;
+use crate::rotor::{Rotor, Shaft};
 
 /// Largest tilt, rad: more is beyond all shoulders.
 const TILT_MAX_RAD: f64 = 0.1;
 
 /// Fields that can take a bearing out of its plane, in the order in which [`Case::spatial_field`] looks.
-pub const SPATIAL_FIELDS: [&str; 9] = [
+pub const SPATIAL_FIELDS: [&str; 14] = [
     "axial_load_n",
     "tilt_x_rad",
     "tilt_y_rad",
@@ -20,14 +22,38 @@ pub const SPATIAL_FIELDS: [&str; 9] = [
     "raceway_contact_angle_rad",
     "edge_radius_m",
     "axial_position_m",
+    "shaft",
+    "axial_clearance_m",
+    "rotor_axial_load_n",
+    "rotor_z_m",
+    "rotor_vz_m_s",
 ];
 
 impl Case {
     /// The first field that takes the bearing out of its plane, with its value; `None` for a
     /// planar case.
     pub fn spatial_field(&self) -> Option<(&'static str, f64)> {
-        let load = &self.operation.space;
-        let tilts = match load.tilt {
+        let angle = self.bearing.contact_angle_rad();
+        let turned = self.raceways.iter().map(|r| r.section_angle_rad());
+        let turned = turned.map(|a| ("raceway_contact_angle_rad", a, a != 0.0));
+        let slots = self.raceways.iter().filter_map(Raceway::slot);
+        let slots = slots.map(|slot| ("edge_radius_m", slot.edge_radius_m(), true));
+        let rows = self.rows.iter();
+        let rows = rows.map(|row| ("axial_position_m", row.axial_position_m, true));
+        Self::spatial_load(&self.operation.space)
+            .into_iter()
+            .chain([("contact_angle_rad", angle, angle != 0.0)])
+            .chain(turned)
+            .chain(slots)
+            .chain(rows)
+            .find(|(_, _, given)| *given)
+            .map(|(field, value, _)| (field, value))
+            .or_else(|| self.rotor.as_ref()?.spatial_field())
+    }
+
+    /// Fields of a load, their values, and whether they take the bearing out of its plane.
+    fn spatial_load(load: &SpatialLoad) -> [(&'static str, f64, bool); 3] {
+        let [first, second] = match load.tilt {
             Tilt::Held { x_rad, y_rad } => [
                 ("tilt_x_rad", x_rad, x_rad != 0.0),
                 ("tilt_y_rad", y_rad, y_rad != 0.0),
@@ -41,22 +67,18 @@ impl Case {
                 ("moment_y_n_m", y, true),
             ],
         };
-        let angle = self.bearing.contact_angle_rad();
-        let turned = self.raceways.iter().map(|r| r.section_angle_rad());
-        let turned = turned.map(|a| ("raceway_contact_angle_rad", a, a != 0.0));
-        let slots = self.raceways.iter().filter_map(Raceway::slot);
-        let slots = slots.map(|slot| ("edge_radius_m", slot.edge_radius_m(), true));
-        let rows = self.rows.iter();
-        let rows = rows.map(|row| ("axial_position_m", row.axial_position_m, true));
-        [("axial_load_n", load.axial_load_n, load.axial_load_n != 0.0)]
-            .into_iter()
-            .chain(tilts)
-            .chain([("contact_angle_rad", angle, angle != 0.0)])
-            .chain(turned)
-            .chain(slots)
-            .chain(rows)
-            .find(|(_, _, given)| *given)
-            .map(|(field, value, _)| (field, value))
+        let axial_load_n = load.axial_load_n;
+        [
+            ("axial_load_n", axial_load_n, axial_load_n != 0.0),
+            first,
+            second,
+        ]
+    }
+
+    /// The axis against which weights act: 1 for Y, 2 for Z.
+    pub(crate) fn upward(&self) -> usize {
+        let vertical = |rotor: &Rotor| rotor.shaft == Shaft::Vertical;
+        1 + usize::from(self.rotor.as_ref().is_some_and(vertical))
     }
 
     /// Whether the balls of a run move in space.
@@ -89,9 +111,17 @@ impl Case {
             let rule = "physical: the published equations are planar";
             return Err(InputError::rule("formulation", 0.0, rule));
         }
-        if self.contact.friction_law.sticks() {
-            let rule = "smooth, stribeck or table: sliding in two directions needs a smooth knee";
-            return Err(InputError::rule("friction_law", 0.0, rule));
+        let of_rotor = self.rotor.as_ref().map(|rotor| rotor.friction_law);
+        let laws = [
+            ("friction_law", Some(self.contact.friction_law)),
+            ("rotor_friction_law", of_rotor),
+        ];
+        for (field, law) in laws {
+            if law.is_some_and(FrictionLaw::sticks) {
+                let rule =
+                    "smooth, stribeck or table: sliding in two directions needs a smooth knee";
+                return Err(InputError::rule(field, 0.0, rule));
+            }
         }
         if let (
             Tilt::Free {
@@ -117,17 +147,17 @@ impl Case {
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
             if field == "edge_radius_m" {
-                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare` and \
-                            sweeps of static or run compute the edges of a slot";
+                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare`, `drop` and \
+                            sweeps of them compute the edges of a slot";
                 return Err(InputError::rule(field, value, rule));
             }
-            let rule = "left out here: only `cageless static`, `run`, `compare`, sweeps of static or run, \
-                        and `export` take it, all else is planar";
+            let rule = "left out here: only `cageless static`, `run`, `compare`, `drop` of one bearing, sweeps of \
+                        them, and `export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));
         }
         if self.motion == Motion::Space {
-            let rule = "auto here: only `cageless static`, `run`, `compare` and sweeps of static or run \
-                        compute in space";
+            let rule = "auto here: only `cageless static`, `run`, `compare`, `drop` of one bearing and sweeps \
+                        of them compute in space";
             return Err(InputError::rule("motion", 0.0, rule));
         }
         Ok(())
@@ -172,9 +202,14 @@ impl Case {
                         inner ring along the axis";
             return Err(InputError::rule("preload_n", last.preload_n, rule));
         }
-        if let (Some((field, value)), Some(_)) = (self.spatial_field(), &self.rotor) {
-            let rule = "left out: a rotor falls in the plane";
-            return Err(InputError::rule(field, value, rule));
+        if self.rotor.is_some() {
+            let of_load = Self::spatial_load(load)
+                .into_iter()
+                .find(|(.., given)| *given);
+            if let Some((field, value, _)) = of_load {
+                let rule = "left out: the rotor loads the inner ring, which keeps its axis along that of the rotor";
+                return Err(InputError::rule(field, value, rule));
+            }
         }
         Ok(())
     }

@@ -94,8 +94,7 @@ pub fn journal_contact(
     let (vx, vy) = (rotor.vx - ring.vx, rotor.vy - ring.vy);
     let rate = vx * nx + vy * ny;
     let deflection = distance - constants.radial_clearance;
-    let elastic = constants.stiffness * power(positive(deflection), constants.exponent);
-    let force = positive(elastic * (1.0 + 1.5 * constants.damping * rate));
+    let [force, damping_power] = constants.normal(deflection, rate);
     JournalContact {
         deflection,
         rate,
@@ -103,7 +102,17 @@ pub fn journal_contact(
         slip: journal_slip(constants, [nx, ny], rotor, ring),
         nx,
         ny,
-        damping_power: (force - elastic) * rate,
+        damping_power,
+    }
+}
+
+impl Journal {
+    /// F, N, and the power that damping takes out, W, at a deflection and its rate.
+    #[inline(always)]
+    pub(crate) fn normal(&self, deflection: f64, rate: f64) -> [f64; 2] {
+        let elastic = self.stiffness * power(positive(deflection), self.exponent);
+        let force = positive(elastic * (1.0 + 1.5 * self.damping * rate));
+        [force, (force - elastic) * rate]
     }
 }
 

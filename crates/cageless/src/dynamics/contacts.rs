@@ -2,7 +2,7 @@
 
 use super::layout::Layout;
 use super::rotor::RotorContact;
-use super::space::{BallContacts, SpaceWorkspace};
+use super::space::{BallContacts, FaceContact, SpaceWorkspace};
 use crate::contact::outer_friction_direction;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::{Lanes, lane_maxima};
@@ -144,6 +144,12 @@ impl Contacts<'_> {
         self.layout
             .has_rotor()
             .then(|| self.work.rotors[self.layout.bearing()])
+    }
+
+    /// Contact of a shoulder of the rotor with the inner ring, if there is a rotor in space.
+    pub fn face(&self) -> Option<FaceContact> {
+        let space = self.space.filter(|_| self.layout.has_rotor());
+        space.map(|space| space.rotor.face)
     }
 
     /// Axial force of the balls on the outer ring, friction included, N.

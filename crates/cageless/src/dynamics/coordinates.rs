@@ -159,8 +159,8 @@ pub const RING_IN_SPACE: [Coordinate; 10] = [
     coordinate("tilt_q_rate_per_s", "1/s", 10.0, Kind::VelocityOf(6)),
 ];
 
-/// Index of a coordinate of the bodies under a falling rotor; those of the inner ring's centre
-/// come first ([`RingCoordinate`]).
+/// Index of a coordinate of the bodies under a falling rotor, in the plane; those of the inner ring
+/// come first ([`RingCoordinate`]), more of them in space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DropCoordinate {
     /// ωi of the inner ring, counter-clockwise.
@@ -185,6 +185,15 @@ pub enum DropCoordinate {
     RotorVy,
     /// Ω of the rotor, counter-clockwise.
     RotorSpeed,
+    /// In space: z of the outer ring, from its rest place.
+    OuterZ,
+    /// In space: ż of the outer ring.
+    OuterVz,
+    /// In space: z of the rotor; where it is that of the inner ring, its shoulders are as far from either
+    /// face.
+    RotorZ,
+    /// In space: ż of the rotor.
+    RotorVz,
 }
 
 /// Coordinates of the bodies under a falling rotor.
@@ -205,6 +214,30 @@ pub const DROP: [Coordinate; 15] = [
     coordinate("rotor_vy_m_s", "m/s", 0.1, Kind::VelocityOf(10)),
     coordinate("rotor_speed_rad_s", "rad/s", 1.0, Kind::VelocityOf(11)),
 ];
+
+/// Coordinates of the bodies under a falling rotor in space: the inner ring, the others in the order of
+/// the plane, and what moves along the axis.
+pub const DROP_IN_SPACE: [Coordinate; 25] = {
+    let mut table = [RING_IN_SPACE[0]; 25];
+    let (ring, shift) = (RING_IN_SPACE.len(), RING_IN_SPACE.len() - RING.len());
+    let mut k = 0;
+    while k < ring {
+        table[k] = RING_IN_SPACE[k];
+        k += 1;
+    }
+    while k < DROP.len() + shift {
+        table[k] = DROP[k - shift];
+        if let Kind::VelocityOf(position) = table[k].kind {
+            table[k].kind = Kind::VelocityOf(position + shift);
+        }
+        k += 1;
+    }
+    table[k] = coordinate("housing_z_m", "m", 1e-5, Kind::Position);
+    table[k + 1] = coordinate("housing_vz_m_s", "m/s", 0.1, Kind::VelocityOf(k));
+    table[k + 2] = coordinate("rotor_z_m", "m", 1e-5, Kind::Position);
+    table[k + 3] = coordinate("rotor_vz_m_s", "m/s", 0.1, Kind::VelocityOf(k + 2));
+    table
+};
 
 /// A run of positions of a table and the run of their rates: first position, first rate, count.
 pub(crate) fn second_order_runs(table: &[Coordinate]) -> Vec<[usize; 3]> {
@@ -252,5 +285,12 @@ mod tests {
         assert_eq!(second_order_runs(&DROP), [[0, 2, 2], [5, 7, 2], [9, 12, 3]]);
         assert_eq!(DROP[DropCoordinate::RotorSpeed as usize].unit, "rad/s");
         assert_eq!(DropCoordinate::RotorSpeed as usize + 1, DROP.len());
+        let runs = second_order_runs(&DROP_IN_SPACE);
+        let of_ring = [[0, 2, 2], [4, 7, 3]];
+        let of_others = [[11, 13, 2], [15, 18, 3], [21, 22, 1], [23, 24, 1]];
+        assert_eq!(runs, [&of_ring[..], &of_others].concat());
+        let last = DropCoordinate::RotorVz as usize + RING_IN_SPACE.len() - RING.len();
+        assert_eq!(DROP_IN_SPACE[last].name, "rotor_vz_m_s");
+        assert_eq!(last + 1, DROP_IN_SPACE.len());
     }
 }

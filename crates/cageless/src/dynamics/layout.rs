@@ -12,8 +12,8 @@
 
 use super::ball::{BallMotion, Centre};
 use super::coordinates::{
-    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, DROP, DropCoordinate, RING, RING_IN_SPACE,
-    RingCoordinate, second_order_runs,
+    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, DROP, DROP_IN_SPACE, DropCoordinate, RING,
+    RING_IN_SPACE, RingCoordinate, second_order_runs,
 };
 use super::energy::EnergyTerm;
 use super::rotor::RotorMotion;
@@ -28,7 +28,7 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 /// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
 /// [`LANES`], so that whole vectors are computed either way; then those of the bodies
 /// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]). In space
-/// it is [`BALL_IN_SPACE`] and [`RING_IN_SPACE`].
+/// it is [`BALL_IN_SPACE`], [`RING_IN_SPACE`] and [`DROP_IN_SPACE`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// N, of all rows.
@@ -52,14 +52,17 @@ pub struct Layout {
 impl Layout {
     /// Layout of the bearing of a case, alone in its vector.
     pub fn of_case(case: &Case) -> Self {
-        let balls = case.bearing.balls();
-        match &case.rotor {
-            Some(_) => Self::with_rotor(balls),
-            None if case.moves_in_space() => Self {
-                row: balls,
-                ..Self::in_space(case.balls())
-            },
-            None => Self::new(balls),
+        let in_space = case.moves_in_space();
+        let of_ball: &[Coordinate] = if in_space { &BALL_IN_SPACE } else { &BALL };
+        let bodies: &[Coordinate] = match (in_space, case.rotor.is_some()) {
+            (false, false) => &RING,
+            (false, true) => &DROP,
+            (true, false) => &RING_IN_SPACE,
+            (true, true) => &DROP_IN_SPACE,
+        };
+        Self {
+            row: case.bearing.balls(),
+            ..Self::with_bodies(case.balls(), [of_ball, bodies], 1)
         }
     }
 
@@ -115,7 +118,7 @@ impl Layout {
     /// support.
     #[inline]
     pub fn has_rotor(&self) -> bool {
-        self.bodies.len() == DROP.len()
+        self.bodies.len() >= DROP.len()
     }
 
     /// Whether balls and ring move in space.
@@ -212,7 +215,12 @@ impl Layout {
     #[inline]
     pub fn drop(&self, coordinate: DropCoordinate) -> usize {
         debug_assert!(self.has_rotor());
-        self.body(coordinate as usize)
+        let more = if self.is_in_space() {
+            RING_IN_SPACE.len() - RING.len()
+        } else {
+            0
+        };
+        self.body(coordinate as usize + more)
     }
 
     /// Place of a coordinate of the bodies by its index in their table.
@@ -279,6 +287,15 @@ impl Layout {
             vx: at(DropCoordinate::OuterVx),
             vy: at(DropCoordinate::OuterVy),
         }
+    }
+
+    /// z and ż of the outer ring in a vector; 0 in the plane, and without a rotor.
+    #[inline(always)] // into callers compiled for wider vectors
+    pub fn outer_ring_along_axis(&self, values: &[f64]) -> [f64; 2] {
+        if !(self.has_rotor() && self.is_in_space()) {
+            return [0.0; 2];
+        }
+        [DropCoordinate::OuterZ, DropCoordinate::OuterVz].map(|c| values[self.drop(c)])
     }
 
     /// Motion of the rotor in a vector, if there is one.

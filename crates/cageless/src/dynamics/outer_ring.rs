@@ -53,6 +53,12 @@ impl OuterRing {
         ]
     }
 
+    /// Force of the support along the axis, N: the hard stop is radial.
+    #[inline(always)]
+    pub fn support_force_along_axis(&self, z: f64, vz: f64) -> f64 {
+        -self.stiffness * z - self.damping * vz
+    }
+
     /// Acceleration under the sum of the balls' reactions: mo z̈o + cs żo + ks zo = Σ reactions.
     #[inline(always)]
     pub fn acceleration(&self, motion: &Centre, reactions: [f64; 2]) -> [f64; 2] {

@@ -2,7 +2,7 @@
 //! instruction set and chosen at run time.
 
 use super::contacts::Contacts;
-use super::coordinates::{BallCoordinate, RingCoordinate};
+use super::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use super::layout::Layout;
 use super::model::Model;
 use super::rotor::JournalCompliance;
@@ -247,6 +247,23 @@ impl<'m> RightHandSide<'m> {
         )
     }
 
+    /// What a rotor in space does along the axis, in a state that was evaluated last.
+    fn along_axis(&self, state: &State) -> RotorSnapshot {
+        let (layout, y) = (state.layout(), state.values());
+        let Some(face) = self.contacts().face() else {
+            return RotorSnapshot::default();
+        };
+        let [housing_z_m, housing_vz_m_s] = layout.outer_ring_along_axis(y);
+        RotorSnapshot {
+            z_m: y[layout.drop(DropCoordinate::RotorZ)],
+            vz_m_s: y[layout.drop(DropCoordinate::RotorVz)],
+            housing_z_m,
+            housing_vz_m_s,
+            shoulder_force_n: face.axial_force,
+            ..RotorSnapshot::default()
+        }
+    }
+
     /// The rotor in a state that was evaluated last.
     fn rotor_snapshot(&self, state: &State) -> Option<RotorSnapshot> {
         let contact = self.contacts().rotor()?.contact;
@@ -265,6 +282,7 @@ impl<'m> RightHandSide<'m> {
             housing_vy_m_s: housing.vy,
             contact_force_n: contact.force,
             contact_sliding_m_s: contact.slip,
+            ..self.along_axis(state)
         })
     }
 
@@ -443,12 +461,15 @@ impl System for RightHandSide<'_> {
                 hash = mix(hash, table.piece(self.time_s) as u64);
             }
         }
+        let mut phase = |deflection: f64, force: f64| {
+            hash = mix(hash, u64::from(deflection > 0.0) + u64::from(force > 0.0));
+        };
         for contact in self.work.rotors.iter().take(self.parameters.drops.len()) {
-            let c = &contact.contact;
-            hash = mix(
-                hash,
-                u64::from(c.deflection > 0.0) + u64::from(c.force > 0.0),
-            );
+            phase(contact.contact.deflection, contact.contact.force);
+        }
+        if let Some(space) = self.space.as_ref().filter(|_| m.rotor.is_some()) {
+            let face = &space.rotor.face;
+            phase(face.deflection, face.axial_force.abs());
         }
         let paper = m.profile == Profile::Paper;
         let mut lanes_left = m.balls() * self.parameters.layout.width();
@@ -478,9 +499,9 @@ impl System for RightHandSide<'_> {
 
     /// Those of contacts, and the corners of what is given over time.
     fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
-        match &self.models[0].space {
-            Some(space) => space::edges(space, &self.work, values),
-            None => simd::edges(&self.parameters, &self.work, y, values),
+        match (&self.models[0].space, &self.space) {
+            (Some(space), Some(s)) => space::edges(space, &self.work, &s.rotor.face, values),
+            _ => simd::edges(&self.parameters, &self.work, y, values),
         }
         values.extend(self.tables().map(|table| table.corner(self.time_s)));
     }

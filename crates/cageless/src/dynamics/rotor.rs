@@ -230,6 +230,17 @@ impl RotorBody {
         force[0] * motion.vx + force[1] * motion.vy + self.moment(contact, force) * motion.speed
     }
 
+    /// Accelerations of the centre of the journal and of the rotation under a unit of each load on it: with
+    /// w = (εy, −εx, 1), diag(1/m, 1/m, 0) + w wᵀ/Ip.
+    pub fn compliance(&self, [ex, ey]: [f64; 2]) -> JournalCompliance {
+        let w = [ey, -ex, 1.0];
+        let mut rows = w.map(|a| w.map(|b| a * b / self.polar_inertia));
+        for (axis, row) in rows.iter_mut().enumerate().take(2) {
+            row[axis] += 1.0 / self.mass;
+        }
+        rows
+    }
+
     /// Torque of a friction `friction_n` of the rotor on the inner ring, N·m: it acts at the bore.
     #[inline(always)]
     pub fn ring_torque(&self, friction_n: f64) -> f64 {

@@ -191,6 +191,16 @@ impl State {
         }
     }
 
+    /// Sets Z and Ż of the rotor in space.
+    pub fn set_rotor_in_space(&mut self, z_m: f64, vz_m_s: f64) {
+        for (coordinate, value) in [
+            (DropCoordinate::RotorZ, z_m),
+            (DropCoordinate::RotorVz, vz_m_s),
+        ] {
+            self.values[self.layout.drop(coordinate)] = value;
+        }
+    }
+
     /// ωi of the inner ring, rad/s, where it is a state: under a rotor.
     pub fn ring_speed_rad_s(&self) -> Option<f64> {
         self.layout.ring_speed_rad_s(&self.values)

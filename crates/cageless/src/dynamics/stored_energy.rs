@@ -41,8 +41,8 @@ impl Model {
         sum
     }
 
-    /// Energy of rotor, turning inner ring and outer ring on its support; 0 without a rotor.
-    fn rotor_energy_j(&self, state: &State) -> f64 {
+    /// Energy of rotor, turning inner ring and outer ring on its support, of the plane; 0 without a rotor.
+    pub(super) fn rotor_energy_j(&self, state: &State) -> f64 {
         let (Some(body), Some(motion)) = (&self.rotor, state.rotor_motion()) else {
             return 0.0;
         };

@@ -176,8 +176,9 @@ impl<'m> Guard<'m> {
         let gravity = case.operation.gravity_m_s2;
         let translation = |r: &Rotor| {
             let whirl = r.eccentricity_m * r.speed_rad_s;
-            let square = r.vx_m_s.powi(2) + r.vy_m_s.powi(2) + whirl * whirl;
-            ENERGY_MIN_J + r.mass_kg * (gravity * r.radial_clearance_m + 0.5 * square)
+            let square = r.vx_m_s.powi(2) + r.vy_m_s.powi(2) + r.vz_m_s.powi(2) + whirl * whirl;
+            let fall = r.radial_clearance_m.max(r.axial_clearance_m.unwrap_or(0.0));
+            ENERGY_MIN_J + r.mass_kg * (gravity * fall + 0.5 * square)
         };
         let holding =
             Bearing::balls_that_hold_ring(bearing.ball_radius_m(), bearing.pitch_radius_m());
@@ -239,7 +240,8 @@ impl<'m> Guard<'m> {
             }
         }
         if let Some(rotor) = contacts.rotor() {
-            if rotor.contact.deflection > self.rotor_deflection_max {
+            let face = contacts.face().map_or(0.0, |face| face.deflection);
+            if rotor.contact.deflection.max(face) > self.rotor_deflection_max {
                 return Err(Cause::RotorThroughInnerRing);
             }
             if outer.x.hypot(outer.y) > self.support_max {

@@ -101,6 +101,9 @@ impl RotorDrop {
         let mean = rotor.mass_kg() / cases.len() as f64;
         let mut carried = Vec::with_capacity(cases.len());
         for (k, (mut case, share)) in cases.into_iter().zip(rotor.mass_shares_kg()).enumerate() {
+            if let Err(error) = case.check_planar() {
+                return refuse(format!("bearing {}: {error}", k + 1));
+            }
             let Some(journal) = &mut case.rotor else {
                 return refuse(format!(
                     "the case of bearing {} has no section [rotor], which describes the contact \

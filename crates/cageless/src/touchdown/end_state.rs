@@ -1,5 +1,7 @@
 //! State of a rotor at the end of a drop, in one word.
 
+use crate::rotor::Shaft;
+
 use super::whirl::{ONE_WAY, WHIRL_TURNS, WhirlWindow};
 
 /// What the rotor does at the end of a drop.
@@ -74,7 +76,12 @@ impl EndState {
 
     /// State over the last windows of a drop of a rotor that has touched the inner ring.
     /// `weight_n` is the weight that the bearing carries, if it carries any.
-    pub(super) fn classify(last: &[WhirlWindow], rotation: f64, weight_n: Option<f64>) -> Self {
+    pub(super) fn classify(
+        last: &[WhirlWindow],
+        rotation: f64,
+        weight_n: Option<f64>,
+        shaft: Shaft,
+    ) -> Self {
         let sum = |of: fn(&WhirlWindow) -> f64| last.iter().map(of).sum::<f64>();
         let (net, path) = (sum(|w| w.turned_rad), sum(|w| w.path_rad));
         let time = sum(|w| w.end_s - w.start_s);
@@ -103,7 +110,8 @@ impl EndState {
             .iter()
             .map(|w| w.angle_max_rad)
             .fold(f64::NEG_INFINITY, f64::max);
-        if high - low < AT_REST_RAD {
+        // A vertical rotor stands on its shoulder, and has no bottom to swing in.
+        if high - low < AT_REST_RAD || shaft == Shaft::Vertical {
             Self::AtRest
         } else {
             Self::Pendulum
@@ -149,19 +157,26 @@ mod tests {
             (last(window(0.0, 0.6, 1.0, 0.3)), 100.0, EndState::Pendulum),
             (last(window(0.0, 0.01, 1.0, 0.01)), 100.0, EndState::AtRest),
         ] {
-            assert_eq!(EndState::classify(&windows, rotation, Some(1.0)), state);
+            assert_eq!(
+                EndState::classify(&windows, rotation, Some(1.0), Shaft::Horizontal),
+                state
+            );
         }
         // Within a tenth of the weight, in either direction, the bearing carries the rotor.
         let rest = last(window(0.0, 0.01, 1.0, 0.01));
         let swing = last(window(0.0, 0.6, 1.0, 0.3));
         for (weight, at_rest) in [(1.05, true), (0.95, true), (2.6, false), (0.8, false)] {
-            let [rest, swing] = [&rest, &swing].map(|w| EndState::classify(w, 100.0, Some(weight)));
+            let [rest, swing] = [&rest, &swing]
+                .map(|w| EndState::classify(w, 100.0, Some(weight), Shaft::Horizontal));
             assert_eq!(rest == EndState::AtRest, at_rest, "{weight}: {rest:?}");
             assert_eq!(swing == EndState::Pendulum, at_rest, "{weight}: {swing:?}");
             assert!(at_rest || (rest, swing) == (EndState::Settling, EndState::Settling));
         }
         // A bearing that carries none of the rotor has no weight to compare with.
-        assert_eq!(EndState::classify(&rest, 100.0, None), EndState::AtRest);
+        let unloaded = EndState::classify(&rest, 100.0, None, Shaft::Horizontal);
+        assert_eq!(unloaded, EndState::AtRest);
+        let standing = EndState::classify(&swing, 100.0, Some(1.0), Shaft::Vertical);
+        assert_eq!(standing, EndState::AtRest);
         for state in EndState::ALL {
             assert_eq!(EndState::from_name(state.name()), Some(state));
         }

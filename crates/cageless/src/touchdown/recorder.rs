@@ -5,10 +5,12 @@ use super::heat::{EndPower, HeatHistory, InterfaceHeat};
 use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz};
 use crate::bearing::Bearing;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
+use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::outer_pressure_pa;
+use crate::rotor::Shaft;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Results of a drop, from t = 0 to the end of the run.
@@ -18,7 +20,7 @@ pub struct DropSummary {
     pub end_state: EndState,
     /// First contact of the rotor with the inner ring, s.
     pub first_contact_s: Option<f64>,
-    /// Contacts of the rotor with the inner ring that began.
+    /// Contacts of the rotor, its journal or a shoulder, with the inner ring that began.
     pub impacts: u64,
     /// Fraction of the time after the first contact in contact.
     pub contact_fraction: f64,
@@ -27,8 +29,12 @@ pub struct DropSummary {
     /// Largest distance of the centre of the journal from the centre of the stator, which is that
     /// of the housing at rest, m.
     pub rotor_displacement_max_m: f64,
-    /// Largest normal force between rotor and inner ring, N.
+    /// Largest normal force between rotor and inner ring, N: of journal and shoulder together.
     pub rotor_force_max_n: f64,
+    /// Largest force between a shoulder of the rotor and the inner ring, N; `None` without shoulders.
+    pub shoulder_force_max_n: Option<f64>,
+    /// Largest displacement of the rotor along the axis, m; `None` in the plane.
+    pub rotor_axial_displacement_max_m: Option<f64>,
     /// Largest force that the support passes on to the housing, N; `None` without a support.
     pub housing_force_max_n: Option<f64>,
     /// Largest displacement of the outer ring, m.
@@ -93,6 +99,9 @@ pub struct DropRecorder {
     ball_radius_m: f64,
     /// The outer ring, if it is on a support.
     outer_ring: Option<OuterRing>,
+    /// Whether the rotor has shoulders that the bearing catches.
+    shoulders: bool,
+    shaft: Shaft,
     carried_n: Option<Option<f64>>,
     weight_n: Option<f64>,
     rotation: f64,
@@ -112,6 +121,8 @@ struct Found {
     first_contact_s: Option<f64>,
     impacts: u64,
     rotor_force_n: f64,
+    shoulder_force_n: f64,
+    axial_displacement_m: f64,
     /// N².
     housing_force_squared: f64,
     /// m².
@@ -153,6 +164,8 @@ impl DropRecorder {
             bearing: None,
             ball_radius_m: 0.0,
             outer_ring: None,
+            shoulders: false,
+            shaft: Shaft::Horizontal,
             carried_n: None,
             weight_n: None,
             rotation: 0.0,
@@ -192,7 +205,7 @@ impl DropRecorder {
         let last = last_from_s.map(|s| &whirl[whirl.partition_point(|w| w.end_s <= s)..]);
         let end_power = last_from_s.and_then(|from_s| self.heat.since(from_s));
         let end_state = last.map_or(EndState::Falling, |last| {
-            EndState::classify(last, self.rotation, self.weight_n)
+            EndState::classify(last, self.rotation, self.weight_n, self.shaft)
         });
         let rate_hz = |count: &dyn Fn(&ContactCounts) -> u64| {
             last.map(|last| {
@@ -220,6 +233,9 @@ impl DropRecorder {
             rotor_weight_n: self.weight_n,
             rotor_displacement_max_m: found.rotor_displacement_squared.sqrt(),
             rotor_force_max_n: found.rotor_force_n,
+            shoulder_force_max_n: self.shoulders.then_some(found.shoulder_force_n),
+            rotor_axial_displacement_max_m: (state.layout().is_in_space())
+                .then_some(found.axial_displacement_m),
             housing_force_max_n: self.outer_ring.map(|_| found.housing_force_squared.sqrt()),
             housing_displacement_max_m: found.housing_displacement_squared.sqrt(),
             rotor_sliding_max_m_s: found.rotor_sliding_m_s,
@@ -258,8 +274,18 @@ impl DropRecorder {
         if let Some(motion) = view.layout().rotor_motion(&view.step.y1) {
             found.displace(&motion, rotor.offset);
         }
-        let closed = contact.force > 0.0;
-        let slip = contact.slip.abs();
+        let face = view.contacts.face().unwrap_or_default();
+        if view.layout().is_in_space() {
+            let z = view.step.y1[view.layout().drop(DropCoordinate::RotorZ)];
+            found.axial_displacement_m = found.axial_displacement_m.max(z.abs());
+        }
+        let force_n = contact.force.hypot(face.axial_force);
+        let closed = force_n > 0.0;
+        // That of what touches; of the journal, which the bore surrounds, also before it does.
+        let slip = match contact.force > 0.0 || face.axial_force == 0.0 {
+            true => contact.slip.abs(),
+            false => face.slip.abs(),
+        };
         if closed {
             if !self.in_contact {
                 found.impacts += 1;
@@ -272,14 +298,20 @@ impl DropRecorder {
                 found.spin_up_s = Some(time_s);
             }
             self.contact_s += h;
-            found.rotor_force_n = found.rotor_force_n.max(contact.force);
+            found.rotor_force_n = found.rotor_force_n.max(force_n);
+            found.shoulder_force_n = found.shoulder_force_n.max(face.axial_force.abs());
             found.rotor_sliding_m_s = found.rotor_sliding_m_s.max(slip);
         }
         self.in_contact = closed;
         let [_, lift_n] = contact.force_on_journal(rotor.friction);
+        // The journal of a vertical rotor runs round the bore only where it touches it.
+        let (lift_n, runs_round) = match self.shaft {
+            Shaft::Horizontal => (lift_n, true),
+            Shaft::Vertical => (face.axial_force, contact.force > 0.0),
+        };
         if found.first_contact_s.is_some() {
-            self.whirl
-                .update([contact.nx, contact.ny], time_s, h, [contact.force, lift_n]);
+            let direction = runs_round.then_some([contact.nx, contact.ny]);
+            self.whirl.update(direction, time_s, h, [force_n, lift_n]);
         }
     }
 
@@ -289,10 +321,12 @@ impl DropRecorder {
         };
         let motion = view.layout().outer_ring_motion(&view.step.y1);
         let [fx, fy] = outer_ring.support_force(&motion);
+        let [z, vz] = view.layout().outer_ring_along_axis(&view.step.y1);
+        let fz = outer_ring.support_force_along_axis(z, vz);
         let found = &mut self.found;
-        let square = |x: f64, y: f64| x * x + y * y;
-        found.housing_force_squared = found.housing_force_squared.max(square(fx, fy));
-        let displaced = square(motion.x, motion.y);
+        let square = |x: f64, y: f64, z: f64| x * x + y * y + z * z;
+        found.housing_force_squared = found.housing_force_squared.max(square(fx, fy, fz));
+        let displaced = square(motion.x, motion.y, z);
         found.housing_displacement_squared = found.housing_displacement_squared.max(displaced);
     }
 
@@ -344,6 +378,8 @@ impl Observer for DropRecorder {
         };
         self.found.rotor_displacement_squared = x * x + y * y;
         self.rotation = rotor.speed_rad_s;
+        (self.shoulders, self.shaft) = (rotor.axial_clearance_m.is_some(), rotor.shaft);
+        self.found.axial_displacement_m = rotor.z_m.abs();
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
         self.ball_radius_m = case.bearing.ball_radius_m();
         self.bearing = Some(case.bearing.clone());

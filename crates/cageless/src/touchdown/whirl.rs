@@ -24,7 +24,7 @@ pub struct WhirlWindow {
     pub contact_fraction: f64,
     /// Mean contact force, N.
     pub force_mean_n: f64,
-    /// Mean force on the rotor along +Y, friction included, N.
+    /// Mean force on the rotor against its weight, friction included, N.
     pub lift_mean_n: f64,
     /// Contacts between balls that began.
     pub collisions: ContactCounts,
@@ -110,17 +110,18 @@ impl WhirlTracker {
         self.collisions += collisions;
     }
 
-    /// Takes the end of a step: unit vector from the centre of the bore to that of the journal,
-    /// time, length of the step, contact force and force on the rotor along +Y.
+    /// Takes the end of a step: unit vector from the centre of the bore to that of a journal that may
+    /// run round it, time, length of the step, contact force and upward force on the rotor.
     pub(super) fn update(
         &mut self,
-        [nx, ny]: [f64; 2],
+        direction: Option<[f64; 2]>,
         time_s: f64,
         step_s: f64,
         [force_n, lift_n]: [f64; 2],
     ) {
         // From −Y, counter-clockwise, as ψ.
-        let now = nx.atan2(-ny);
+        let kept = self.angle_rad.unwrap_or(0.0);
+        let now = direction.map_or(kept, |[nx, ny]| nx.atan2(-ny));
         let angle = match self.angle_rad {
             None => {
                 self.open = Self::empty(time_s - step_s, now);

@@ -2,7 +2,7 @@
 
 use crate::contact::centrifugal_force;
 use crate::dynamics::Contacts;
-use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
 use crate::integrator::System;
@@ -50,17 +50,23 @@ fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
         of(BallCoordinate::Vx, RingCoordinate::Vx),
         of(BallCoordinate::Vy, RingCoordinate::Vy),
     ];
-    if layout.is_in_space() {
-        return [x, y, of(BallCoordinate::Vz, RingCoordinate::Vz)];
-    }
+    let z = match layout.is_in_space() {
+        true => of(BallCoordinate::Vz, RingCoordinate::Vz),
+        false => 0.0,
+    };
     let Some((body, rotor)) = model.rotor.as_ref().zip(layout.rotor_motion(values)) else {
-        return [x, y, 0.0];
+        return [x, y, z];
     };
     let (outer, mass) = (layout.outer_ring_motion(values), model.outer_ring.mass);
+    let rotor_vz = match layout.is_in_space() {
+        true => values[layout.drop(DropCoordinate::RotorVz)],
+        false => 0.0,
+    };
+    let [_, outer_vz] = layout.outer_ring_along_axis(values);
     [
         x + body.mass * rotor.vx + mass * outer.vx,
         y + body.mass * rotor.vy + mass * outer.vy,
-        0.0,
+        z + body.mass * rotor_vz + mass * outer_vz,
     ]
 }
 
@@ -75,19 +81,24 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> (
     let outer = if model.outer_ring.mass > 0.0 {
         let outer_ring = layout.outer_ring_motion(values);
         let [x, y] = model.outer_ring.support_force(&outer_ring);
-        [-x, -y, 0.0]
+        let [z, vz] = layout.outer_ring_along_axis(values);
+        [-x, -y, -model.outer_ring.support_force_along_axis(z, vz)]
     } else {
         outer
     };
-    let (axial_load, vz) = match &model.space {
-        Some(space) => (space.axial_load, values[layout.ring(RingCoordinate::Vz)]),
-        None => (0.0, 0.0),
+    let (axial_load, vz, upward) = match &model.space {
+        Some(space) => {
+            let load = space.axial_load + space.rotor.map_or(0.0, |rotor| rotor.load);
+            (load, values[layout.ring(RingCoordinate::Vz)], space.upward)
+        }
+        None => (0.0, 0.0, 1),
     };
     let mut force = [
         -outer[0] - ring.drag * motion.vx,
-        -outer[1] - ring.drag * motion.vy - ring.radial_load - weight,
+        -outer[1] - ring.drag * motion.vy - ring.radial_load,
         -outer[2] - ring.drag * vz + axial_load,
     ];
+    force[upward] -= weight;
     let mut absolute = outer[0].hypot(outer[1]).hypot(outer[2])
         + ring.drag * motion.vx.hypot(motion.vy).hypot(vz)
         + ring.radial_load

@@ -6,7 +6,8 @@ use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, FlankModel, FrictionLaw, FrictionParameters, Gaps,
     InnerRingBore, IntegrationMethod, Material, Motion, Operation, Output, Profile, Raceway,
-    RacewayDimensions, RacewayForm, RacewayShape, Rotor, Solver, SpatialLoad, Start, Support,
+    RacewayDimensions, RacewayForm, RacewayShape, Rotor, Shaft, Solver, SpatialLoad, Start,
+    Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -180,6 +181,12 @@ pub fn drop_case() -> Case {
         vy_m_s: 0.0,
         drive_torque_n_m: 0.0,
         clearance_limit_m: None,
+        shaft: Shaft::Horizontal,
+        axial_clearance_m: None,
+        shoulder_radius_m: None,
+        axial_load_n: 0.0,
+        z_m: 0.0,
+        vz_m_s: 0.0,
     });
     case.support = Some(Support {
         mass_kg: 0.5,

@@ -1,7 +1,7 @@
 //! `[rotor]`: a rotor that falls onto the inner ring.
 
-use cageless::FrictionLaw;
 use cageless::contact::FrictionTable;
+use cageless::{FrictionLaw, Shaft};
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::sections::friction::section_with_friction;
@@ -29,8 +29,20 @@ section_with_friction! {
         regularisation: default(0.05), Shown("0.05", "");
     }
     {
+        shaft => shaft: Shaft = default("horizontal"), Plain,
+            "\"horizontal\", or \"vertical\" with weights along -z, in space", Absent;
+        axial_clearance_um => axial_clearance_m: Option<f64> = Optional, Micrometre; Above(0.0),
+            "axial touch-down clearance of either shoulder of the rotor to the face of the inner ring, with the rotor in the middle; the drop is then in space", Absent;
+        shoulder_radius_mm => shoulder_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
+            "mean radius of shoulder and face; halfway between bore and raceway unless given", Absent;
+        axial_load_n => axial_load_n: f64 = default(0.0), Si("N"),
+            "thrust on the rotor along +z", Absent;
+        z_um => z_m: f64 = default(0.0), Micrometre,
+            "place of the rotor along the axis at the start of the drop, from the middle between its shoulders", Absent;
+        vz_m_s => vz_m_s: f64 = default(0.0), Si("m/s"),
+            "velocity of the rotor along +z at the start of the drop", Absent;
         contact_stiffness_n_mp formerly contact_stiffness => contact_stiffness_n_mp: f64 = Required, Si("N/m^p"); Above(0.0),
-            "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt)", Shown("1.0e9", "K in N/m^p");
+            "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), and of shoulder and face", Shown("1.0e9", "K in N/m^p");
         contact_exponent => contact_exponent: f64 = default(1.0), Plain,
             "p, 1 (conformal) to 1.5 (Hertz)", Shown("1.0", "p, 1 (conformal) to 1.5 (Hertz)");
         contact_damping_s_m => contact_damping_s_m: f64 = Required, Si("s/m"); AtLeast(0.0),

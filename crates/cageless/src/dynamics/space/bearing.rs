@@ -30,6 +30,8 @@ pub(super) fn tilting_by(free: &FreeTilt, ring: &RingMotion, moment: Vector) -> 
 pub(super) struct Totals {
     /// Force on the inner ring and moment about its centre, N, N·m.
     pub ring: [f64; SIZE],
+    /// Friction of the balls on the outer ring, N.
+    pub outer_ring: [f64; 3],
     /// Heat at the outer and the inner contacts, W.
     pub heat: [f64; 2],
     pub weight: f64,

@@ -77,8 +77,8 @@ pub(crate) struct SpaceBlock {
     pub outer_force_n: Lanes,
     pub outer_ring_force_n: [Lanes; 3],
 
-    /// Sliding of a ball at rest on the inner ring at the start and the end of the step.
-    pub at_rest: [SlidingLanes; 2],
+    /// Sliding of a ball at rest on the ring of each place at the start and the end of the step.
+    pub at_rest: [[SlidingLanes; PLACES]; 2],
     /// Whether a ball was within a discrete raceway at the end of the last step: 1 or 0.
     pub was_inside: Lanes,
     /// θ of each place.
@@ -137,7 +137,7 @@ impl SpaceBlock {
             frames: [const { FrameLanes::ZERO }; PLACES],
             outer_force_n: Lanes::ZERO,
             outer_ring_force_n: [Lanes::ZERO; 3],
-            at_rest: [const { SlidingLanes::ZERO }; 2],
+            at_rest: [const { [const { SlidingLanes::ZERO }; PLACES] }; 2],
             was_inside: Lanes::ZERO,
             weights: [Lanes::ZERO; PLACES],
             rest: [Lanes::ZERO; SIZE],
@@ -172,15 +172,11 @@ impl SpaceBlock {
         &self.curvature[usize::from(place == INNER)]
     }
 
-    /// Sliding at a place of balls with these velocities, with the inner ring at the start (0) or the
-    /// end (1) of the step.
+    /// Sliding at a place of balls with these velocities, with the rings at the start (0) or the end (1)
+    /// of the step.
     #[inline(always)]
     pub fn sliding(&self, place: usize, velocity: &[Lanes; SIZE], end: usize) -> SlidingLanes {
-        let still = SlidingLanes::ZERO;
-        let at_rest = match place {
-            INNER => &self.at_rest[end],
-            _ => &still,
-        };
+        let at_rest = &self.at_rest[end][place];
         let mut sliding = SlidingLanes::ZERO;
         for lane in 0..LANES {
             let v = of_lane(velocity, lane);

@@ -1,12 +1,17 @@
 //! Where the equations in space are not smooth: contacts that open, and the ends of raceways.
 
 use super::model::SpaceModel;
+use super::rotor_touch::FaceContact;
 use crate::numerics::lanes::LANES;
 use crate::simd::{PER_DEPTH, PER_SINE_SQUARE, Workspace};
 
 /// Appends the depths of contacts and the distances from the ends of raceways as of the last
 /// evaluation.
-pub(crate) fn edges(space: &SpaceModel, w: &Workspace, values: &mut Vec<f64>) {
+pub(crate) fn edges(space: &SpaceModel, w: &Workspace, face: &FaceContact, values: &mut Vec<f64>) {
+    if space.rotor.is_some() {
+        values.push(w.rotors[0].contact.deflection * PER_DEPTH);
+        values.push(face.deflection * PER_DEPTH);
+    }
     for k in 0..space.balls.len() {
         let (results, lane) = (&w.blocks[k / LANES], k % LANES);
         for depth in [

@@ -3,6 +3,7 @@
 use super::evaluation::ball_motion;
 use super::model::SpaceModel;
 use super::ring::RingMotion;
+use super::rotor::energy_along_axis_j;
 use crate::contact::hertz;
 use crate::dynamics::model::Model;
 use crate::dynamics::state::State;
@@ -15,14 +16,20 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
     if let Some(free) = &space.free_tilt {
         sum += 0.5 * free.transverse * ring.axis_rate.norm_squared();
     }
+    let outer_ring = layout.outer_ring_motion(y);
+    let [outer_z, _] = layout.outer_ring_along_axis(y);
+    if let Some(along_axis) = &space.rotor {
+        sum += model.rotor_energy_j(state) + energy_along_axis_j(model, along_axis, layout, y);
+    }
     for (k, (ball, grooves)) in model.balls.iter().zip(&space.balls).enumerate() {
         let [place, velocity, rotation] = ball_motion(layout, y, k);
-        let distance = place.x.hypot(place.y);
-        let direction = [place.x / distance, place.y / distance];
+        let off = [place.x - outer_ring.x, place.y - outer_ring.y];
+        let (distance, height) = (off[0].hypot(off[1]), place.z - outer_z);
+        let direction = off.map(|part| part / distance);
         let beyond = distance - ball.outer_orbit_radius;
         let outer = match space.flanks_at(k, direction) {
-            Some(here) => grooves.outer.touch_flanks(beyond, place.z, &here),
-            None => grooves.outer.touch(beyond, place.z),
+            Some(here) => grooves.outer.touch_flanks(beyond, height, &here),
+            None => grooves.outer.touch(beyond, height),
         };
         let from_ring = (place - ring.centre).into();
         let inner = grooves.inner.touch(from_ring, ring.axis.into());

@@ -3,10 +3,11 @@
 use super::Vector;
 use super::bearing::{Bearing, Drive, Totals, tilting_by};
 use super::block::VELOCITIES;
-use super::friction::add_explicit_friction;
+use super::friction::{add_explicit_friction, outer_ring_velocity};
 use super::model::SpaceModel;
 use super::normal_contacts::normal_contacts;
 use super::ring::RingMotion;
+use super::rotor::rates_with_rotor;
 use super::workspace::SpaceWorkspace;
 use crate::contact::NormalForce;
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -52,6 +53,7 @@ pub(crate) fn evaluate(
     let layout = model.layout;
     let ring = RingMotion::new(layout, y, drive.inner_speed);
     s.ring = ring;
+    s.outer_ring_velocity = outer_ring_velocity(layout, y);
     dydt.fill(0.0);
     let mut totals = Totals::default();
     let bearing = (p, model, space, drive);
@@ -69,6 +71,9 @@ pub(crate) fn evaluate(
         0.0
     };
     ring_rates(model, space, drive, &ring, &totals, dydt);
+    if space.rotor.is_some() {
+        rates_with_rotor((model, space), (w, s), &totals, y, dydt, raceway_friction);
+    }
 }
 
 /// Adds accelerations of a ball under a force and a moment.
@@ -158,7 +163,8 @@ fn ring_rates(
     let layout = model.layout;
     let (mass, drag) = (model.ring.mass, model.ring.drag);
     let load = Vector::new(0.0, -drive.radial_load, space.axial_load);
-    let weight = Vector::y() * (-mass * model.ring.gravity);
+    let mut weight = Vector::zeros();
+    weight[space.upward] = -mass * model.ring.gravity;
     let [contacts, mut moment] = totals.on_ring();
     let force = contacts + load + weight - ring.velocity * drag;
     let acceleration = force / mass;

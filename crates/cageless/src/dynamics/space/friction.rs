@@ -6,6 +6,7 @@ use super::frame::{SIZE, TractionLanes};
 use super::model::SpaceModel;
 use super::newton::{begin, iterate, slide};
 use super::ring::RingMotion;
+use super::rotor::add_rotor_friction;
 use super::strips::SlidingLanes;
 use super::workspace::SpaceWorkspace;
 use crate::dynamics::ball::BallLanes;
@@ -24,7 +25,7 @@ pub(super) fn add_explicit_friction(
     dydt: &mut [f64],
 ) {
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        let at_rest = sliding_at_rest(b, &s.ring);
+        let at_rest = sliding_at_rest(b, &s.ring, s.outer_ring_velocity);
         b.at_rest = [at_rest.clone(), at_rest];
         slide(&p.friction, space, b, true);
         for step in &mut b.steps {
@@ -50,12 +51,20 @@ pub(crate) fn add_implicit_friction(
 ) {
     let layout = model.layout;
     // Speeds at both ends of the step, along the directions in which the friction acts.
-    let start_ring = RingMotion::new(layout, y0, drive.inner_speed);
-    let start_ring = s.ring.with_velocities_of(&start_ring);
+    let rings_of = |y: &[f64], ring: &RingMotion| {
+        let speed = layout.ring_speed_rad_s(y).unwrap_or(drive.inner_speed);
+        let moving = RingMotion::new(layout, y, speed);
+        (
+            ring.with_velocities_of(&moving),
+            outer_ring_velocity(layout, y),
+        )
+    };
+    let start = rings_of(y0, &s.ring);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        b.at_rest = [sliding_at_rest(b, &start_ring), sliding_at_rest(b, &s.ring)];
+        b.at_rest = [start, (s.ring, s.outer_ring_velocity)]
+            .map(|(ring, outer)| sliding_at_rest(b, &ring, outer));
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);
         iterate(&p.friction, space, b, h_s);
@@ -67,6 +76,29 @@ pub(crate) fn add_implicit_friction(
                 velocities[lane] += h_s * rates[i].0[lane];
             }
         }
+    }
+    let mut add = |place: usize, rate: f64| {
+        dydt[place] += rate;
+        y[place] += h_s * rate;
+    };
+    let [force, moment] = totals.on_ring();
+    add(layout.ring(RingCoordinate::Vx), force.x / model.ring.mass);
+    add(layout.ring(RingCoordinate::Vy), force.y / model.ring.mass);
+    add(layout.ring(RingCoordinate::Vz), force.z / model.ring.mass);
+    if let Some(free) = &space.free_tilt {
+        let [p, q] = tilting_by(free, &s.ring, moment);
+        add(layout.ring(RingCoordinate::TiltPRate), p);
+        add(layout.ring(RingCoordinate::TiltQRate), q);
+    }
+    if space.rotor.is_some() {
+        add_rotor_friction(model, (w, s), &totals, (h_s, y0), y, dydt);
+        // The light inner ring turns by the friction of the step.
+        let (ring, outer) = rings_of(y, &s.ring);
+        for b in &mut s.blocks {
+            b.at_rest[1] = sliding_at_rest(b, &ring, outer);
+        }
+    }
+    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let (start, end) = (
             b.velocities(layout, y0, block),
             b.velocities(layout, y, block),
@@ -81,43 +113,42 @@ pub(crate) fn add_implicit_friction(
         );
     }
     s.known = true;
-    let mut add = |place: usize, rate: f64| {
-        dydt[place] += rate;
-        y[place] += h_s * rate;
-    };
-    let [force, moment] = totals.on_ring();
-    add(layout.ring(RingCoordinate::Vx), force.x / model.ring.mass);
-    add(layout.ring(RingCoordinate::Vy), force.y / model.ring.mass);
-    add(layout.ring(RingCoordinate::Vz), force.z / model.ring.mass);
-    if let Some(free) = &space.free_tilt {
-        let [p, q] = tilting_by(free, &s.ring, moment);
-        add(layout.ring(RingCoordinate::TiltPRate), p);
-        add(layout.ring(RingCoordinate::TiltQRate), q);
+    // A rotor, whose work on the ring is within the ledger, takes the place of what turns the ring.
+    let driven = if space.rotor.is_some() { 0.0 } else { 1.0 };
+    for (term, power) in [
+        (
+            EnergyTerm::Drive,
+            -driven * drive.inner_speed * moment.dot(&s.ring.axis),
+        ),
+        (EnergyTerm::OuterFriction, totals.heat[0]),
+        (EnergyTerm::InnerFriction, totals.heat[1]),
+    ] {
+        let place = layout.energy_term(term);
+        dydt[place] += power;
+        y[place] += h_s * power;
     }
-    let power = -drive.inner_speed * moment.dot(&s.ring.axis);
-    add(layout.energy_term(EnergyTerm::Drive), power);
-    add(
-        layout.energy_term(EnergyTerm::OuterFriction),
-        totals.heat[0],
-    );
-    add(
-        layout.energy_term(EnergyTerm::InnerFriction),
-        totals.heat[1],
-    );
 }
 
-/// Sliding of balls at rest on the inner ring.
+/// Velocity of the outer ring, m/s.
+pub(super) fn outer_ring_velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
+    let motion = layout.outer_ring_motion(y);
+    [motion.vx, motion.vy, layout.outer_ring_along_axis(y)[1]]
+}
+
+/// Sliding of balls at rest on the rings, of each place.
 #[inline(always)]
-fn sliding_at_rest(b: &SpaceBlock, ring: &RingMotion) -> SlidingLanes {
-    let (velocity, rotation) = (ring.velocity.into(), ring.rotation.into());
-    let mut sliding = SlidingLanes::ZERO;
-    for lane in 0..LANES {
-        sliding.put(
-            lane,
-            b.frames[INNER]
-                .get(lane)
-                .sliding_at_rest(velocity, rotation),
-        );
+fn sliding_at_rest(b: &SpaceBlock, ring: &RingMotion, outer: [f64; 3]) -> [SlidingLanes; PLACES] {
+    let mut sliding = [const { SlidingLanes::ZERO }; PLACES];
+    for (place, sliding) in sliding.iter_mut().enumerate() {
+        let (velocity, rotation) = match place == INNER {
+            true => (ring.velocity.into(), ring.rotation.into()),
+            false if outer == [0.0; 3] => continue,
+            false => (outer, [0.0; 3]),
+        };
+        for lane in 0..LANES {
+            let frame = b.frames[place].get(lane);
+            sliding.put(lane, frame.sliding_at_rest(velocity, rotation));
+        }
     }
     sliding
 }
@@ -182,6 +213,7 @@ fn tractions(
             results.outer_friction.add(&traction.along, 1.0);
             for i in 0..3 {
                 b.outer_ring_force_n[i].add(&force[i], -1.0);
+                totals.outer_ring[i] -= force[i].sum();
             }
         }
     }

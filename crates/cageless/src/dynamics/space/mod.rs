@@ -18,6 +18,8 @@ mod newton;
 mod normal_contacts;
 mod outer_groove;
 mod ring;
+mod rotor;
+mod rotor_touch;
 mod strips;
 mod vector;
 mod workspace;
@@ -28,6 +30,7 @@ pub(crate) use energy::energy_j;
 pub(crate) use evaluation::evaluate;
 pub(crate) use friction::add_implicit_friction;
 pub(crate) use model::SpaceModel;
+pub use rotor_touch::FaceContact;
 pub use workspace::BallContacts;
 pub(crate) use workspace::SpaceWorkspace;
 

@@ -2,6 +2,7 @@
 
 use super::inner_groove::InnerGroove;
 use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
+use super::rotor_touch::RotorAlongAxis;
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
 
@@ -39,6 +40,10 @@ pub(crate) struct SpaceModel {
     pub axial_load: f64,
     /// None where the shaft holds the tilt.
     pub free_tilt: Option<FreeTilt>,
+    /// The axis against which weights act: 1 for Y, 2 for Z.
+    pub upward: usize,
+    /// None without a rotor.
+    pub rotor: Option<RotorAlongAxis>,
 }
 
 impl SpaceModel {
@@ -96,7 +101,11 @@ impl SpaceModel {
             let pieces = raceway.pieces().iter();
             pieces.map(|piece| FlankModel::new(raceway, piece))
         });
+        let bore_m = bearing.inner_ring_bore().map_or(0.0, |bore| bore.radius_m);
+        let face_m = 0.5 * (bore_m + d.inner_groove_bottom_radius_m);
         Some(Self {
+            upward: case.upward(),
+            rotor: (case.rotor.as_ref()).map(|rotor| RotorAlongAxis::new(rotor, face_m)),
             balls: balls.collect(),
             flanks: flanks.collect(),
             strips: strips(case.contact.friction_strips),

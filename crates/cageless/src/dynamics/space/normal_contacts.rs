@@ -7,7 +7,6 @@ use super::outer_groove::OuterTouchLanes;
 use super::ring::RingMotion;
 use super::vector::{cross, dot, plus};
 use crate::contact::{NormalForce, positive};
-use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::{LANES, Lanes};
 use crate::simd::{BlockResults, Motions, block_at, block_mut};
@@ -37,25 +36,28 @@ pub(super) fn normal_contacts(
     results.spin = Lanes(*block_at(y, at(BallCoordinate::Spin)));
     b.velocity = b.velocities(layout, y, block);
     let motions = Motions::new(layout, y, block);
+    let outer_ring = layout.outer_ring_motion(y);
     for lane in 0..LANES {
-        let polar = motions.get(lane).about(&Centre::default());
+        let polar = motions.get(lane).about(&outer_ring);
         results.polar.put(lane, polar);
+    }
+    let [outer_z, outer_vz] = layout.outer_ring_along_axis(y);
+    let mut height = place[2];
+    for z in &mut height.0 {
+        *z -= outer_z;
     }
 
     let mut outer = OuterTouchLanes::ZERO;
     for lane in 0..LANES {
         let beyond = results.polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
-        outer.put(
-            lane,
-            b.outer_groove.get(lane).touch(beyond, place[2].0[lane]),
-        );
+        outer.put(lane, b.outer_groove.get(lane).touch(beyond, height.0[lane]));
     }
     for lane in 0..LANES.min(layout.balls - block * LANES) {
         let direction = [results.polar.ex.0[lane], results.polar.ey.0[lane]];
         if let Some(here) = space.flanks_at(block * LANES + lane, direction) {
             let beyond = results.polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
             let groove = b.outer_groove.get(lane);
-            outer.put(lane, groove.touch_flanks(beyond, place[2].0[lane], &here));
+            outer.put(lane, groove.touch_flanks(beyond, height.0[lane], &here));
         }
     }
     b.outer = outer;
@@ -71,7 +73,7 @@ pub(super) fn normal_contacts(
         let points = touch.points();
         for k in 0..2 {
             let [radial, axial, share, _] = points[k];
-            rate += share * (radial * polar.radial + axial * velocity[2].0[lane]);
+            rate += share * (radial * polar.radial + axial * (velocity[2].0[lane] - outer_vz));
         }
         let approach = positive(touch.approach);
         let contact = NormalForce::at_raceway(
@@ -127,7 +129,7 @@ pub(super) fn normal_contacts(
             on_outer_ring[i].0[lane] = on_ring[i];
             forces[i].0[lane] = -on_ring[i];
         }
-        forces[1].0[lane] -= ball.mass * model.ring.gravity;
+        forces[space.upward].0[lane] -= ball.mass * model.ring.gravity;
         damping.0[lane] = contact.damping_power_w;
     }
     (b.outer_force_n, b.outer_ring_force_n) = (outer_force, on_outer_ring);
@@ -191,7 +193,7 @@ pub(super) fn normal_contacts(
         results.inner.deflection.0[lane] = touch.approach;
         results.inner.force.0[lane] = contact.force_n;
         damping.0[lane] += contact.damping_power_w;
-        weight.0[lane] = -ball.mass * model.ring.gravity * moving[1];
+        weight.0[lane] = -ball.mass * model.ring.gravity * moving[space.upward];
     }
     b.inner = inner;
     for (total, lanes) in totals.ring.iter_mut().zip(&on_ring) {

@@ -3,6 +3,7 @@
 use super::block::{INNER, SpaceBlock};
 use super::model::SpaceModel;
 use super::ring::RingMotion;
+use super::rotor_touch::RotorTouch;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
 
@@ -47,7 +48,11 @@ impl BallContacts {
 #[derive(Debug, Clone)]
 pub(crate) struct SpaceWorkspace {
     pub ring: RingMotion,
+    /// Velocity of the outer ring, m/s.
+    pub outer_ring_velocity: [f64; 3],
     pub blocks: Vec<SpaceBlock>,
+    /// Contacts of a rotor, if there is one.
+    pub rotor: RotorTouch,
     /// Whether the last evaluation with friction was the end of an implicit step.
     pub known: bool,
 }
@@ -56,11 +61,13 @@ impl SpaceWorkspace {
     pub fn new(model: &Model, space: &SpaceModel) -> Self {
         Self {
             ring: RingMotion::at_rest(),
+            outer_ring_velocity: [0.0; 3],
             blocks: (0..space.balls.len())
                 .step_by(LANES)
                 .map(|first| SpaceBlock::new(model, space, first))
                 .collect(),
             known: false,
+            rotor: RotorTouch::default(),
         }
     }
 

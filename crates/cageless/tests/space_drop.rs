@@ -1,0 +1,417 @@
+//! A rotor that falls in space: onto rows with preload, and along a vertical axis.
+
+use cageless::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use cageless::dynamics::energy::EnergyTerm;
+use cageless::dynamics::state::State;
+use cageless::dynamics::{Model, RightHandSide};
+use cageless::initial_conditions::initial_state;
+use cageless::integrator::System;
+use cageless::simulation::{Control, Ending, RunOutcome, run};
+use cageless::touchdown::{DropRecorder, DropSummary, EndState};
+use cageless::{
+    Bearing, Case, FrictionLaw, IntegrationMethod, Motion, Rotor, Row, Shaft, SupportStop, Tilt,
+};
+
+use crate::common::{complete, drop_case, raceway, steel};
+
+/// The coordinates of a drop in the plane beyond those of the inner ring.
+const OF_DROP: [DropCoordinate; 11] = [
+    DropCoordinate::RingSpeed,
+    DropCoordinate::OuterX,
+    DropCoordinate::OuterY,
+    DropCoordinate::OuterVx,
+    DropCoordinate::OuterVy,
+    DropCoordinate::RotorX,
+    DropCoordinate::RotorY,
+    DropCoordinate::RotorAngle,
+    DropCoordinate::RotorVx,
+    DropCoordinate::RotorVy,
+    DropCoordinate::RotorSpeed,
+];
+
+/// Places of what a drop has in the plane, in the vector of a state.
+fn planar_places(state: &State) -> Vec<usize> {
+    let layout = state.layout();
+    let balls = BallCoordinate::ALL.into_iter();
+    let balls = balls.flat_map(|c| (0..layout.balls).map(move |k| layout.ball(c, k)));
+    let ring = RingCoordinate::ALL.map(|c| layout.ring(c));
+    let bodies = OF_DROP.map(|c| layout.drop(c));
+    let terms = EnergyTerm::ALL.map(|term| layout.energy_term(term));
+    balls.chain(ring).chain(bodies).chain(terms).collect()
+}
+
+fn in_space(mut case: Case) -> Case {
+    case.motion = Motion::Space;
+    case
+}
+
+fn rotor(case: &mut Case) -> &mut Rotor {
+    case.rotor.as_mut().unwrap()
+}
+
+/// A rotor just above contact with the speed of its fall, with unbalance, a stop and a soft contact.
+fn rough() -> Case {
+    let mut case = drop_case();
+    let r = rotor(&mut case);
+    (r.y_m, r.vy_m_s) = (-0.96 * r.radial_clearance_m, -0.0625);
+    (r.eccentricity_m, r.eccentricity_phase_rad) = (5e-6, 0.7);
+    r.drive_torque_n_m = -2.0;
+    case.support.as_mut().unwrap().stop = Some(SupportStop {
+        gap_m: 3e-5,
+        stiffness_n_m: 1e8,
+    });
+    case.solver.duration_s = 3e-3;
+    case
+}
+
+/// Without shoulders, axial load and raceway every rate of the plane is one in space.
+#[test]
+fn a_drop_onto_a_plain_ring_has_the_rates_of_the_plane() {
+    let mut planar = rough();
+    planar.set_method(IntegrationMethod::VelocityVerlet);
+    // In the middle of the impact.
+    planar.solver.duration_s = 5e-4;
+    let spatial = in_space(planar.clone());
+    let flat = complete(&planar).state;
+    let (outer, ring) = (flat.outer_ring_motion(), flat.ring_speed_rad_s().unwrap());
+    assert!(outer.y < -1e-7 && ring > 1.0, "{outer:?} {ring}");
+    let (mut lifted, _) = initial_state(&spatial).unwrap();
+    let places = planar_places(&flat).into_iter().zip(planar_places(&lifted));
+    let places: Vec<_> = places.collect();
+    for (from, to) in &places {
+        lifted.values_mut()[*to] = flat.values()[*from];
+    }
+    let rates = |case: &Case, state: &State| {
+        let model = Model::new(case).unwrap();
+        let mut rates = vec![0.0; state.values().len()];
+        RightHandSide::new(&model).derivative(0.0, state.values(), &mut rates);
+        (rates, model.energy_j(state))
+    };
+    let ((flat, flat_j), (lifted, lifted_j)) = (rates(&planar, &flat), rates(&spatial, &lifted));
+    for (from, to) in &places {
+        let (a, b) = (flat[*from], lifted[*to]);
+        assert!((a - b).abs() <= 1e-9 * (a.abs() + 1.0), "{from}: {a} {b}");
+    }
+    assert!((flat_j / lifted_j - 1.0).abs() < 1e-14);
+}
+
+/// The implicit friction of the plane and that of space lead to the same motion, a step apart in
+/// accuracy.
+#[test]
+fn a_drop_onto_a_plain_ring_falls_as_in_the_plane() {
+    let difference = |step_s: f64| {
+        let mut planar = rough();
+        planar.solver.method = IntegrationMethod::VelocityVerlet;
+        planar.solver.step_s = step_s;
+        let (flat, lifted) = (complete(&planar), complete(&in_space(planar)));
+        let at = |outcome: &RunOutcome| {
+            let rotor = outcome.state.rotor_motion().unwrap();
+            [
+                rotor.x,
+                rotor.y,
+                1e-5 * outcome.state.ring_speed_rad_s().unwrap(),
+            ]
+        };
+        let [a, b] = [&flat, &lifted].map(at);
+        (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max)
+    };
+    let (coarse, fine) = (difference(1e-6), difference(0.25e-6));
+    println!("{coarse:e} {fine:e}");
+    assert!(coarse < 5e-8 && fine < 0.1 * coarse, "{coarse:e} {fine:e}");
+}
+
+/// Back to back rows of 15° with preload, a rotor with shoulders above them.
+fn pair(preload_m: f64, turned: bool) -> Case {
+    let mut case = drop_case();
+    let angle = 15f64.to_radians();
+    case.bearing = case.bearing.with_contact_angle(angle).unwrap();
+    let section = if turned { angle } else { 0.0 };
+    let raceway = raceway(&case.bearing, 5.1, 25.2, 0.0);
+    case.raceways = vec![raceway.with_section_angle(section, &case.bearing).unwrap()];
+    let row = |axial_position_m: f64, contact_sign: f64| Row {
+        axial_position_m,
+        contact_sign,
+        preload_m,
+        ..Row::default()
+    };
+    case.rows = vec![row(-10e-3, 1.0), row(10e-3, -1.0)];
+    rotor(&mut case).axial_clearance_m = Some(1e-4);
+    case.solver.method = IntegrationMethod::VelocityVerlet;
+    case.solver.step_s = 1e-6;
+    case
+}
+
+/// [`pair`] under a vertical rotor that is about to land on its shoulder.
+fn vertical() -> Case {
+    let mut case = pair(10e-6, true);
+    let r = rotor(&mut case);
+    r.shaft = Shaft::Vertical;
+    (r.z_m, r.vz_m_s) = (-0.95e-4, -0.04);
+    (r.x_m, r.vx_m_s) = (1.9e-4, 0.05);
+    r.friction.regularisation_speed_m_s = 0.05;
+    case.solver.duration_s = 2e-3;
+    case
+}
+
+/// A horizontal rotor with thrust that lands on both its journal and a shoulder.
+fn horizontal() -> Case {
+    let mut case = pair(10e-6, true);
+    let r = rotor(&mut case);
+    (r.y_m, r.vy_m_s) = (-0.96 * r.radial_clearance_m, -0.0625);
+    (r.z_m, r.vz_m_s, r.axial_load_n) = (0.95e-4, 0.03, 300.0);
+    (r.eccentricity_m, r.eccentricity_phase_rad) = (5e-6, 0.7);
+    case.solver.duration_s = 2e-3;
+    case
+}
+
+/// What the ledger misses shrinks with the square of the step where friction is smooth, and every way
+/// of the energy is taken.
+#[test]
+fn the_ledger_of_a_drop_in_space_closes() {
+    for (name, case) in [("vertical", vertical()), ("horizontal", horizontal())] {
+        let residual = |step_s: f64| {
+            let mut case = case.clone();
+            case.solver.step_s = step_s;
+            let outcome = complete(&case);
+            let work = |term| outcome.state.energy_term_j(term);
+            for loss in [
+                EnergyTerm::RotorFriction,
+                EnergyTerm::RotorDamping,
+                EnergyTerm::InnerFriction,
+                EnergyTerm::OuterFriction,
+                EnergyTerm::SupportDamping,
+            ] {
+                assert!(work(loss) > 0.0, "{name}: {}", loss.name());
+            }
+            assert!(work(EnergyTerm::Weight) > 0.0);
+            outcome.energy_residual_relative.abs()
+        };
+        let (coarse, fine) = (residual(1e-6), residual(0.25e-6));
+        println!("{name}: {coarse:e} {fine:e}");
+        assert!(
+            coarse < 1e-7 && fine < 0.3 * coarse,
+            "{name}: {coarse:e} {fine:e}"
+        );
+    }
+}
+
+/// A rotor with a shoulder over a radial bearing without friction and gravity, in the middle of the bore.
+fn above_a_face(ring_mass_kg: f64) -> Case {
+    let mut case = drop_case();
+    let bore = case.bearing.inner_ring_bore().unwrap();
+    let mut dimensions = case.bearing.dimensions().clone();
+    dimensions.inner_ring_mass_kg = ring_mass_kg;
+    case.bearing = Bearing::new(dimensions, steel()).unwrap();
+    case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
+    case.operation.gravity_m_s2 = 0.0;
+    case.contact.friction.coefficient = 0.0;
+    case.support = None;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
+    case.solver.step_s = 1e-6;
+    rotor(&mut case).axial_clearance_m = Some(1e-4);
+    case
+}
+
+fn dropped(case: &Case) -> (DropSummary, State) {
+    let mut recorder = DropRecorder::new();
+    let outcome = run(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+    assert!(
+        matches!(outcome.ending, Ending::Complete),
+        "{:?}",
+        outcome.ending
+    );
+    (recorder.summary(&outcome.state), outcome.state)
+}
+
+/// Two masses that meet on a spring: F = v √(K m M/(m + M)). The balls hardly hold a ring of a tonne.
+#[test]
+fn a_shoulder_is_a_spring_between_rotor_and_ring() {
+    for sign in [1.0, -1.0] {
+        let mut case = above_a_face(1000.0);
+        let r = rotor(&mut case);
+        (r.contact_damping_s_m, r.z_m, r.vz_m_s) = (0.0, sign * 0.99e-4, sign * 0.1);
+        case.solver.duration_s = 5e-4;
+        let (summary, _) = dropped(&case);
+        let (rotor_kg, ring_kg) = (20.0, 1000.0);
+        let expected = 0.1 * (1e9_f64 * rotor_kg * ring_kg / (rotor_kg + ring_kg)).sqrt();
+        let found = summary.shoulder_force_max_n.unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+        assert_eq!(summary.rotor_force_max_n, found);
+    }
+}
+
+/// A vertical rotor falls through its axial clearance in √(2 s/g), and a horizontal one does not.
+#[test]
+fn a_vertical_rotor_falls_onto_its_shoulder() {
+    let mut case = vertical();
+    case.rotor = drop_case().rotor;
+    let r = rotor(&mut case);
+    (r.shaft, r.axial_clearance_m) = (Shaft::Vertical, Some(1e-4));
+    // On a support the ring would sink under its own weight.
+    case.support = None;
+    case.solver.duration_s = 6e-3;
+    let (summary, state) = dropped(&case);
+    let expected = (2.0 * 1e-4 / 9.81_f64).sqrt();
+    let found = summary.first_contact_s.unwrap();
+    assert!(
+        (0.0..3e-6).contains(&(found - expected)),
+        "{found} {expected}"
+    );
+    assert!(summary.shoulder_force_max_n.unwrap() > 20.0 * 9.81);
+    assert!(summary.rotor_axial_displacement_max_m.unwrap() > 1e-4);
+    let rotor_motion = state.rotor_motion().unwrap();
+    assert!(
+        rotor_motion.x.hypot(rotor_motion.y) < 1e-12,
+        "{rotor_motion:?}"
+    );
+    rotor(&mut case).shaft = Shaft::Horizontal;
+    case.solver.duration_s = 5e-3;
+    let (summary, _) = dropped(&case);
+    assert_eq!(
+        (summary.first_contact_s, summary.end_state),
+        (None, EndState::Falling)
+    );
+    assert_eq!(summary.rotor_axial_displacement_max_m, Some(0.0));
+}
+
+/// A shoulder that presses on the face turns the ring until both turn alike; friction makes heat of
+/// ½ J Ω², J = Ip Ji/(Ip + Ji), whatever the force does meanwhile.
+#[test]
+fn a_shoulder_spins_the_ring_up() {
+    let mut case = above_a_face(0.2);
+    let r = rotor(&mut case);
+    let speed = 300.0;
+    (r.speed_rad_s, r.axial_load_n, r.z_m) = (speed, 2000.0, 1e-4);
+    case.solver.duration_s = 0.02;
+    let (summary, state) = dropped(&case);
+    let (rotor_j, ring_j) = (0.02, 5.5e-5);
+    let common = rotor_j * speed / (rotor_j + ring_j);
+    for found in [summary.ring_speed_rad_s, summary.rotor_speed_rad_s] {
+        assert!((found / common - 1.0).abs() < 1e-6, "{found} {common}");
+    }
+    let heat = 0.5 * rotor_j * ring_j / (rotor_j + ring_j) * speed * speed;
+    let found = state.energy_term_j(EnergyTerm::RotorFriction);
+    assert!((found / heat - 1.0).abs() < 1e-4, "{found} {heat}");
+    assert!(summary.spin_up_s.unwrap() > 0.0);
+}
+
+/// A face that turns fast under a force N drags a slow translation v by half of μ N v/(Ω R): the sliding
+/// velocity of each place turns by v/(Ω R) at most.
+#[test]
+fn a_turning_face_drags_a_translation() {
+    let mut case = above_a_face(0.2);
+    let r = rotor(&mut case);
+    let (depth, speed, radius, slow) = (1e-6, 3000.0, 17e-3, 0.01);
+    (r.speed_rad_s, r.shoulder_radius_m, r.vx_m_s) = (speed, Some(radius), slow);
+    r.z_m = 1e-4;
+    let (mut state, _) = initial_state(&case).unwrap();
+    state.set_rotor_in_space(1e-4 + depth, 0.0);
+    let model = Model::new(&case).unwrap();
+    let mut rates = vec![0.0; state.values().len()];
+    RightHandSide::new(&model).derivative(0.0, state.values(), &mut rates);
+    let rate = |coordinate| rates[state.layout().drop(coordinate)];
+    let (friction, force) = (0.15, 1e9 * depth);
+    let expected = -0.5 * friction * force * slow / (speed * radius) / 20.0;
+    let found = rate(DropCoordinate::RotorVx);
+    assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+    let torque = friction * force * radius;
+    let found = rate(DropCoordinate::RingSpeed);
+    assert!((found / (torque / 5.5e-5) - 1.0).abs() < 1e-6, "{found}");
+    let found = rate(DropCoordinate::RotorVz);
+    assert!((found / (-force / 20.0) - 1.0).abs() < 1e-9, "{found}");
+}
+
+/// Rows that press each other hold their balls before anything falls on them.
+#[test]
+fn a_preloaded_pair_waits_at_rest() {
+    let mut case = pair(10e-6, true);
+    case.operation.gravity_m_s2 = 1e-3;
+    case.solver.duration_s = 1e-3;
+    let (start, _) = initial_state(&case).unwrap();
+    let end = complete(&case).state;
+    let pressed = {
+        let model = Model::new(&case).unwrap();
+        let mut rhs = RightHandSide::new(&model);
+        rhs.derivative(0.0, start.values(), &mut vec![0.0; start.values().len()]);
+        rhs.contacts().inner_force_n(3)
+    };
+    assert!(pressed > 20.0, "{pressed}");
+    for coordinate in [BallCoordinate::X, BallCoordinate::Y, BallCoordinate::Z] {
+        for k in 0..28 {
+            let place = start.layout().ball(coordinate, k);
+            let moved = end.values()[place] - start.values()[place];
+            assert!(moved.abs() < 1e-10, "{coordinate:?} {k}: {moved:e}");
+        }
+    }
+}
+
+/// Thrust and fall the other way mirror the drop onto a pair.
+#[test]
+fn thrust_the_other_way_is_the_mirror_image() {
+    let after = |sign: f64| {
+        let mut case = horizontal();
+        let r = rotor(&mut case);
+        (r.z_m, r.vz_m_s, r.axial_load_n) = (sign * r.z_m, sign * r.vz_m_s, sign * r.axial_load_n);
+        case.solver.duration_s = 1e-3;
+        complete(&case).state
+    };
+    let (a, b) = (after(1.0), after(-1.0));
+    let [x, y] = [&a, &b].map(|s| s.rotor_motion().unwrap());
+    assert!(
+        (x.y - y.y).abs() < 1e-12 && (x.speed - y.speed).abs() < 1e-8,
+        "{x:?} {y:?}"
+    );
+    for coordinate in [DropCoordinate::RotorZ, DropCoordinate::OuterZ] {
+        let [x, y] = [&a, &b].map(|s| s.values()[s.layout().drop(coordinate)]);
+        assert!(x != 0.0 && (x + y).abs() < 1e-12, "{coordinate:?}: {x} {y}");
+    }
+}
+
+#[test]
+fn what_cannot_fall_in_space_is_named() {
+    let refused = |change: fn(&mut Case)| {
+        let mut case = pair(10e-6, true);
+        change(&mut case);
+        let refused = case.check().and_then(|()| case.check_motion());
+        refused.expect_err("refused").field
+    };
+    for (field, change) in [
+        (
+            "axial_clearance_m",
+            (|case| {
+                rotor(case).axial_clearance_m = None;
+                rotor(case).shaft = Shaft::Vertical;
+            }) as fn(&mut Case),
+        ),
+        ("rotor_axial_load_n", |case| {
+            rotor(case).axial_clearance_m = None;
+            rotor(case).axial_load_n = 10.0;
+        }),
+        ("axial_clearance_m", |case| {
+            rotor(case).axial_clearance_m = Some(0.0)
+        }),
+        ("shoulder_radius_m", |case| {
+            rotor(case).shoulder_radius_m = Some(1e-3)
+        }),
+        ("rotor_z_m", |case| rotor(case).z_m = 2e-4),
+        ("axial_load_n", |case| {
+            case.operation.space.axial_load_n = 10.0
+        }),
+        ("tilt_x_rad", |case| {
+            case.operation.space.tilt = Tilt::Held {
+                x_rad: 1e-3,
+                y_rad: 0.0,
+            };
+        }),
+        ("rotor_friction_law", |case| {
+            rotor(case).friction_law = FrictionLaw::Coulomb
+        }),
+    ] {
+        assert_eq!(refused(change), field);
+    }
+    // Several bearings under a linear rotor are planar.
+    assert_eq!(
+        pair(10e-6, true).check_planar().unwrap_err().field,
+        "contact_angle_rad"
+    );
+}
