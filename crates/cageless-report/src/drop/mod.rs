@@ -203,7 +203,7 @@ fn head(drop: &DropResult) -> Head {
         .facts(facts.into_iter().flatten())
 }
 
-/// "State after 0.5 s: rest at the bottom."
+/// "State after 0.5 s: rest on the bearing."
 fn at_end(drop: &DropResult) -> String {
     format!(
         "State after {} s: {}.",
