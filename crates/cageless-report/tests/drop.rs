@@ -39,9 +39,9 @@ fn the_animation_shows_the_rotor_in_the_bore() {
     let study = studied(&file, request);
     let page = drop_page(&file, &study);
     for (name, _) in of_kind("drop") {
-        // The drop ends before the rotor is in lasting contact, and is the only one.
+        // The drop ends before the rotor is in lasting contact, is the only one, and in the plane.
         let shown = in_page(&page, "drop", name).is_some();
-        let later = ["whirl", "temperatures"].contains(&name);
+        let later = ["whirl", "temperatures", "along_axis"].contains(&name);
         assert_eq!(shown, !later, "{name}");
     }
     assert_eq!(page.matches("<g data-rotor>").count(), 2);

@@ -113,9 +113,11 @@ class DropAttributes:
     contact_fraction: float  # time in contact after the first, fraction
     rotor_force_max_n: float  # largest force on the rotor, N
     rotor_force_max_over_weight: float  # largest force on the rotor / its weight
+    shoulder_force_max_n: float  # largest axial force of a shoulder, N
     housing_force_max_n: float  # largest force on the housing, N
     housing_force_max_over_weight: float  # largest force on the housing / rotor's weight
     rotor_displacement_max_um: float  # largest displacement of the journal from the stator centre, um
+    rotor_axial_displacement_max_um: float  # largest displacement of the rotor along the axis, um
     clearance_margin_um: float  # margin of the journal to its clearance, um
     housing_displacement_max_um: float  # largest displacement of the outer ring, um
     rotor_sliding_max_m_s: float  # largest sliding speed of the rotor, m/s
@@ -165,6 +167,7 @@ class DropAttributes:
     plot_spin_up: Callable[..., go.Figure]  # speeds of rotor and inner ring over time
     plot_forces: Callable[..., go.Figure]  # forces of the rotor on the inner ring and of the balls on the outer ring over time
     plot_whirl: Callable[..., go.Figure]  # whirl frequency and contact over time
+    plot_along_axis: Callable[..., go.Figure]  # motion of rotor and inner ring along the axis and force of a shoulder over time, of a drop in space
     plot_loads: Callable[..., go.Figure]  # largest forces of each ball
     plot_heat: Callable[..., go.Figure]  # heat of each interface
     plot_temperatures: Callable[..., go.Figure]  # temperatures of rings and balls drop after drop

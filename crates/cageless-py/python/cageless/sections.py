@@ -178,7 +178,13 @@ class Rotor(Section):
     stribeck_speed_m_s: Annotated[float | None, "sliding speed over which the Stribeck law falls from μs to μr"] = None
     friction_table: Annotated[Sequence[Sequence[float]] | None, "measured μr over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μr"] = None
     regularisation_speed_m_s: Annotated[float | None, "regularisation speed v_s: friction reaches 76 % of μr N at ΔV = v_s; \"coulomb\" does not use it"] = None
-    contact_stiffness_n_mp: Annotated[float, "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt)"]
+    shaft: Annotated[Literal["horizontal", "vertical"] | None, "\"horizontal\", or \"vertical\" with weights along -z, in space"] = None
+    axial_clearance_um: Annotated[float | None, "axial touch-down clearance of either shoulder of the rotor to the face of the inner ring, with the rotor in the middle; the drop is then in space"] = None
+    shoulder_radius_mm: Annotated[float | None, "mean radius of shoulder and face; halfway between bore and raceway unless given"] = None
+    axial_load_n: Annotated[float | None, "thrust on the rotor along +z"] = None
+    z_um: Annotated[float | None, "place of the rotor along the axis at the start of the drop, from the middle between its shoulders"] = None
+    vz_m_s: Annotated[float | None, "velocity of the rotor along +z at the start of the drop"] = None
+    contact_stiffness_n_mp: Annotated[float, "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), and of shoulder and face"]
     contact_exponent: Annotated[float | None, "p, 1 (conformal) to 1.5 (Hertz)"] = None
     contact_damping_s_m: Annotated[float, "α, damping of the contact of journal and bore"]
     x_um: Annotated[float | None, "mass centre at the start of the drop"] = None

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use cageless::{Case, RotorSnapshot, Snapshot};
+use cageless::{Case, RotorSnapshot, Shaft, Snapshot};
 use cageless_results::WindowRow;
 use cageless_study::drop::BearingRecord;
 use serde_json::json;
@@ -27,7 +27,8 @@ pub(super) fn of_rotor(bearing: &Bearing<'_>) -> impl Iterator<Item = Figure> {
         forces(bearing),
     ];
     let whirl = (bearing.record.result.windows.len() > 1).then(|| whirl(bearing));
-    figures.into_iter().chain(whirl)
+    let along_axis = bearing.case.moves_in_space().then(|| along_axis(bearing));
+    figures.into_iter().chain(whirl).chain(along_axis)
 }
 
 /// Adds a trace of the drop and one of that onto a conventional ring.
@@ -185,6 +186,38 @@ fn forces(bearing: &Bearing<'_>) -> Figure {
         short(weight_n)
     );
     bearing.figure("Forces", &caption, plot)
+}
+
+/// Motion of rotor and inner ring along the axis, and the force between them.
+fn along_axis(bearing: &Bearing<'_>) -> Figure {
+    let over_time = |of: fn(&RotorSnapshot, &Snapshot) -> f64| {
+        thinned(bearing.record, |s| Some(of(&s.rotor?, s)))
+    };
+    let force = over_time(|r, _| r.shoulder_force_n);
+    let plot = Plot::new(440)
+        .legend()
+        .x(
+            "Time since the start of the drop (ms)",
+            json!({ "anchor": "y2" }),
+        )
+        .y("z (µm)", json!({ "domain": [0.42, 1.0] }))
+        .axis("yaxis2", "Force (N)", json!({ "domain": [0.0, 0.3] }))
+        .trace(line_of("rotor", over_time(|r, _| 1e6 * r.z_m), PALETTE[1]))
+        .trace(line_of(
+            "inner ring",
+            over_time(|_, s| 1e6 * s.ring.z_m),
+            PALETTE[0],
+        ))
+        .trace(line_of("shoulder", force, PALETTE[2]).with(json!({ "yaxis": "y2" })));
+    let shaft = match bearing.case.rotor.as_ref().map(|rotor| rotor.shaft) {
+        Some(Shaft::Vertical) => "The shaft is vertical, z upwards.",
+        _ => "The shaft is horizontal.",
+    };
+    let caption = format!(
+        "Rotor and inner ring along the axis, and below it the force of the inner ring on a shoulder of the \
+         rotor, positive along +z. {shaft}"
+    );
+    bearing.figure("Along the axis", &caption, plot)
 }
 
 /// Whirl frequency over time.

@@ -133,12 +133,13 @@ const OF_OUTPUT: [(&str, &str); 2] = [
 
 /// Name, anchor on the page and meaning of the figures of a drop.
 #[rustfmt::skip]
-const DROP: [[&str; 3]; 9] = [
+const DROP: [[&str; 3]; 10] = [
     ["orbit", "orbit", "path of the journal in the bore of the inner ring"],
     ["displacement", "displacement", "path of the journal from the centre of the stator, with its clearance"],
     ["spin_up", "spin-up", "speeds of rotor and inner ring over time"],
     ["forces", "forces", "forces of the rotor on the inner ring and of the balls on the outer ring over time"],
     ["whirl", "whirl", "whirl frequency and contact over time"],
+    ["along_axis", "along-the-axis", "motion of rotor and inner ring along the axis and force of a shoulder over time, of a drop in space"],
     ["loads", "loads-of-the-balls", "largest forces of each ball"],
     ["heat", "heat-of-the-interfaces", "heat of each interface"],
     ["temperatures", "temperatures", "temperatures of rings and balls drop after drop"],

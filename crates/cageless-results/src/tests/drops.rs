@@ -36,6 +36,8 @@ fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
         &mut s.spin_up_s,
         &mut s.end_collision_rate_hz,
         &mut s.backward_whirl_hz,
+        &mut s.shoulder_force_max_n,
+        &mut s.rotor_axial_displacement_max_m,
     ]
     .into_iter()
     .chain(&mut s.end_collision_rate_above_hz)
@@ -99,6 +101,11 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         (
             "rotor_force_max_over_weight",
             s.rotor_force_max_n / weight_n,
+        ),
+        ("shoulder_force_max_n", s.shoulder_force_max_n.unwrap()),
+        (
+            "rotor_axial_displacement_max_um",
+            s.rotor_axial_displacement_max_m.unwrap() / 1e-6,
         ),
         ("housing_force_max_n", s.housing_force_max_n.unwrap()),
         (

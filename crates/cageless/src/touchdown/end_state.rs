@@ -12,7 +12,8 @@ pub enum EndState {
     /// The rotor stays in contact, and the bearing does not carry its weight yet: both still sink or
     /// rebound.
     Settling,
-    /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it.
+    /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it; or stands
+    /// on its shoulder.
     AtRest,
     /// The rotor swings in the bottom of the bore without leaving it.
     Pendulum,
@@ -61,7 +62,7 @@ impl EndState {
         match self {
             Self::Falling => "falling (no contact yet)",
             Self::Settling => "contact, still sinking or rebounding",
-            Self::AtRest => "rest at the bottom",
+            Self::AtRest => "rest on the bearing",
             Self::Pendulum => "oscillation at the bottom (continuous contact)",
             Self::Bouncing => "intermittent contact",
             Self::ForwardWhirl => "forward whirl",

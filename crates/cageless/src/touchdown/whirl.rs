@@ -204,7 +204,7 @@ mod tests {
                 all: u64::from(k % 100 == 0),
                 above: [u64::from(k % 200 == 0), 0, 0],
             });
-            tracker.update([cos, sin], time, step, [10.0, -3.0]);
+            tracker.update(Some([cos, sin]), time, step, [10.0, -3.0]);
         }
         tracker.close();
         assert_eq!(tracker.windows.len(), 3);
@@ -248,7 +248,7 @@ mod tests {
                 301..=330 => 7.0,
                 _ => 0.0,
             };
-            tracker.update([angle.sin(), -angle.cos()], time, step, [force, 0.0]);
+            tracker.update(Some([angle.sin(), -angle.cos()]), time, step, [force, 0.0]);
         }
         tracker.close();
         tracker.close();
@@ -289,7 +289,7 @@ mod tests {
             let mut tracker = WhirlTracker::new(1.0);
             for (k, angle) in [0.0, by, 2.0 * by].into_iter().enumerate() {
                 tracker.update(
-                    [angle.sin(), -angle.cos()],
+                    Some([angle.sin(), -angle.cos()]),
                     1e-3 * (k + 1) as f64,
                     1e-3,
                     [1.0, 0.0],

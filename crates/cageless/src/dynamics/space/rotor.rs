@@ -10,6 +10,7 @@ use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
+use crate::dynamics::rotor::RotorBody;
 use crate::simd::Workspace;
 
 /// Speeds of the rotor along X, Y and Z.
@@ -79,7 +80,7 @@ pub(super) fn rates_with_rotor(
     ] {
         dydt[layout.drop(coordinate)] = rate;
     }
-    for (place, rate) in rates_by(model, contact.offset, &loads) {
+    for (place, rate) in rates_by(model, body, contact.offset, &loads) {
         dydt[place] += rate;
     }
     let falling = body.mass * weight[space.upward] * rotor[space.upward];
@@ -138,7 +139,7 @@ pub(super) fn add_rotor_friction(
     w.rotors[0].friction = friction;
     w.rotors[0].contact.slip = slip;
     let heat = (layout.energy_term(EnergyTerm::RotorFriction), heat);
-    for (place, rate) in rates_by(model, contact.offset, &loads)
+    for (place, rate) in rates_by(model, body, contact.offset, &loads)
         .into_iter()
         .chain([heat])
     {
@@ -171,27 +172,25 @@ pub(super) fn energy_along_axis_j(
 }
 
 /// Rates of the velocities of rotor, inner ring and its speed under loads of their contact.
-fn rates_by(model: &Model, offset: [f64; 2], loads: &Loads) -> Vec<(usize, f64)> {
-    let (Some(body), layout) = (&model.rotor, model.layout) else {
-        return vec![];
-    };
-    let ring = model.ring.mass;
+fn rates_by(
+    model: &Model,
+    body: &RotorBody,
+    [ex, ey]: [f64; 2],
+    loads: &Loads,
+) -> [(usize, f64); 8] {
+    let (layout, ring) = (model.layout, model.ring.mass);
     // The moment about the mass centre: that about the journal less offset × force.
-    let moment = loads[3] + offset[1] * loads.x - offset[0] * loads.y;
-    vec![
-        (layout.drop(DropCoordinate::RotorVx), loads.x / body.mass),
-        (layout.drop(DropCoordinate::RotorVy), loads.y / body.mass),
-        (layout.drop(DropCoordinate::RotorVz), loads.z / body.mass),
-        (
-            layout.drop(DropCoordinate::RotorSpeed),
-            moment / body.polar_inertia,
-        ),
-        (
-            layout.drop(DropCoordinate::RingSpeed),
-            loads[4] / body.ring_inertia,
-        ),
-        (layout.ring(RingCoordinate::Vx), -loads.x / ring),
-        (layout.ring(RingCoordinate::Vy), -loads.y / ring),
-        (layout.ring(RingCoordinate::Vz), -loads.z / ring),
+    let moment = loads[3] + ey * loads.x - ex * loads.y;
+    let of_drop = |coordinate, rate| (layout.drop(coordinate), rate);
+    let of_ring = |coordinate, rate| (layout.ring(coordinate), rate);
+    [
+        of_drop(DropCoordinate::RotorVx, loads.x / body.mass),
+        of_drop(DropCoordinate::RotorVy, loads.y / body.mass),
+        of_drop(DropCoordinate::RotorVz, loads.z / body.mass),
+        of_drop(DropCoordinate::RotorSpeed, moment / body.polar_inertia),
+        of_drop(DropCoordinate::RingSpeed, loads[4] / body.ring_inertia),
+        of_ring(RingCoordinate::Vx, -loads.x / ring),
+        of_ring(RingCoordinate::Vy, -loads.y / ring),
+        of_ring(RingCoordinate::Vz, -loads.z / ring),
     ]
 }
