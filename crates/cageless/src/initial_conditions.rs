@@ -65,13 +65,13 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         false => vec![pitch; case.balls()],
     };
     let mut in_space = None;
-    let preloaded = rows.iter().any(|row| row.preload_m > 0.0);
+    let held = rows.len() > 1 || rows[0].preload_m > 0.0;
     let (distances, ring) = match case.start {
         Start::Rolling {
             ring_x_m, ring_y_m, ..
         } => (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m]),
-        // Rows that press each other hold their balls.
-        Start::AtRest { .. } if preloaded => {
+        // Rows hold each other's balls.
+        Start::AtRest { .. } if held => {
             let e = in_space.insert(equilibrium::space::solve(&at_rest(case))?);
             (
                 e.rest.ball_distance_m.clone(),
