@@ -1,11 +1,12 @@
 """Builds the site of documentation: pages that need neither a network nor a server.
 
-    python docs/site/build.py SITE [--rust TARGET/doc] [--pages CAGELESS [--finished NAME=FOLDER]]
+    python docs/site/build.py SITE [--rust TARGET/doc] [--pages CAGELESS [--finished NAME=FOLDER] [--sooner]]
 
 Its pages are those that `docs/README.md` lists, in the sections of that list, and what they link to. The commands
 come from what `cageless help` printed (the snapshots of the tests), the Python interface from the docstrings.
 `--rust` takes in the pages of `cargo doc`, `--pages` those that the commands of the gallery write, `--finished` one
-that is written already. `./test site` installs what this needs, builds and tests the site.
+that is written already; `--sooner` has the commands compute less, for a test. `./test site` installs what this needs,
+builds and tests the site.
 """
 
 import argparse
@@ -33,6 +34,12 @@ GALLERY = {
     "tolerance": ("tolerance cases/zhao-d.toml --samples 8", "machining, ball grade, friction and load: what changes the verdict"),
     "drop": ("drop cases/touchdown-d.toml --compare conventional --set solver.duration_s=0.3", "a rotor that falls onto its touch-down bearing"),
     "static": ("static cases/zhao-d.toml", "load distribution, ratings, stiffness, frequencies"),
+}
+# Of commands of the gallery: what `--sooner` replaces, and by what.
+SOONER = {
+    "axial": ("--axial", "--axial --set solver.method=verlet --set solver.step_us=auto"),
+    "compare": ("duration_s=0.5", "duration_s=0.05"),
+    "tolerance": ("--samples 8", "--samples 2 --set solver.method=verlet --set solver.step_us=auto"),
 }
 HELP = ROOT / "crates/cageless-cli/tests/snapshots"
 LINK = re.compile(r"\]\(([^)\s#]+)[^)]*\)")
@@ -131,10 +138,15 @@ def gallery(pages):
     return "\n".join(lines)
 
 
-def written(cageless, finished, folder):
+def written(cageless, finished, sooner, folder):
     """Pages of the gallery by the command, or of earlier runs."""
     folder.mkdir(parents=True)
     for name, (command, _) in GALLERY.items():
+        if sooner and name in SOONER:
+            long, short = SOONER[name]
+            if long not in command:
+                sys.exit(f"{long} is not in the command {command} of the gallery")
+            command = command.replace(long, short)
         out = finished.get(name, folder / name)
         if name not in finished:
             subprocess.run([cageless, *command.split(), "--quiet", "--out", out], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
@@ -144,11 +156,11 @@ def written(cageless, finished, folder):
     return folder
 
 
-def build(site, doc, cageless, finished):
+def build(site, doc, cageless, finished, sooner):
     source = site.with_name(site.name + ".source")
     for folder in (source, site, site.with_name(site.name + ".gallery")):
         shutil.rmtree(folder, ignore_errors=True)
-    shown = cageless and written(cageless, finished, site.with_name(site.name + ".gallery"))
+    shown = cageless and written(cageless, finished, sooner, site.with_name(site.name + ".gallery"))
     pages = {name for name in staged(source) if name.endswith(".md")}
     (source / "docs/gallery.md").write_text(gallery(GALLERY if shown else []), encoding="utf-8")
     made = {"commands": commands(), "python": python(), "rust": rust(doc)}
@@ -194,10 +206,11 @@ def main():
     parser.add_argument("--rust", type=Path, metavar="FOLDER")
     parser.add_argument("--pages", type=Path, metavar="CAGELESS")
     parser.add_argument("--finished", action="append", default=[], metavar="NAME=FOLDER")
+    parser.add_argument("--sooner", action="store_true")
     options = parser.parse_args()
     finished = {name: Path(folder).resolve() for name, _, folder in (each.partition("=") for each in options.finished)}
     rust, pages = (path and path.resolve() for path in (options.rust, options.pages))
-    return build(options.site.resolve(), rust, pages, finished)
+    return build(options.site.resolve(), rust, pages, finished, options.sooner)
 
 
 if __name__ == "__main__":

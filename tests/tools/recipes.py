@@ -287,22 +287,24 @@ def build(folder, tree, built):
     """The command of the copy, with the dependencies of `built` where they fit."""
     target = folder / "target"
     for part in ("build", "deps", ".fingerprint") if built else ():
-        for path in (built / "release" / part).glob("*"):
-            to = target / "release" / part / path.name
+        for path in (built / "tests" / part).glob("*"):
+            to = target / "tests" / part / path.name
             if "cageless" not in path.name and not to.exists():
                 to.parent.mkdir(parents=True, exist_ok=True)
                 # What the compiler removes meanwhile is compiled again.
                 with contextlib.suppress(FileNotFoundError, shutil.Error):
                     shutil.copytree(path, to) if path.is_dir() else shutil.copy2(path, to)
-    command = ["cargo", "build", "--locked", "--release", "--workspace", "--exclude", "cageless-bench", "--bins"]
-    # A few runs of milliseconds: what compiles fast is fast enough.
+    command = ["cargo", "build", "--locked", "--profile", "tests", "--workspace", "--exclude", "cageless-bench", "--bins"]
+    # A few runs of milliseconds: what compiles fast is fast enough, the physics with its debug assertions and
+    # without vector instructions.
+    command += ["--config", "profile.tests.package.cageless.debug-assertions=true"]
     for crate in sorted(path.parent.name for path in tree.glob("crates/*/Cargo.toml")):
-        command += ["--config", f"profile.release.package.{crate}.opt-level={int(crate == 'cageless')}"]
+        command += ["--config", f"profile.tests.package.{crate}.opt-level={int(crate == 'cageless')}"]
     # Pages need no engine here.
     environment = {"CARGO_TARGET_DIR": str(target), "CAGELESS_ENGINE": "/dev/null"}
     done = subprocess.run(command, cwd=tree, env={**os.environ, **environment})
     checks.check("the copy compiles", done.returncode == 0)
-    return target / "release/cageless"
+    return target / "tests/cageless"
 
 
 def run(cageless, tree, out, *settings):

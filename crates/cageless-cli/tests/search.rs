@@ -257,7 +257,7 @@ fn a_search_over_shapes_enters_the_shape_that_it_found() {
         "--set",
         "contact.friction_coefficient=0.1",
         "--set",
-        "search.axial_span_mm=[4.6,5.1]",
+        "search.axial_span_mm=4.8",
         "--set",
         "raceway.blend_mm=1",
     ];

@@ -57,7 +57,7 @@ fn a_verified_run_says_what_it_is_worth() {
     assert!(page.contains("the run does not diverge"));
 }
 
-/// A biased number is no failure, but it is said; and said in the same words again.
+/// A biased number is no failure, but it is said.
 #[test]
 fn a_biased_run_ends_well_with_a_warning() {
     let set = [
@@ -69,17 +69,13 @@ fn a_biased_run_ends_well_with_a_warning() {
         "--set",
         "start.ring_y_um=-10.0",
     ];
-    let verifications = [0, 1].map(|_| {
-        let output = verify("cb74.toml", &set);
-        assert!(output.status.success(), "{output:?}");
-        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
-        let warnings = json["warnings"].to_string();
-        assert!(warnings.contains("ring_y_mean_um"), "{warnings}");
-        let y = &json["verification"]["numbers"]["ring_y_mean_um"];
-        assert_eq!(y["verdict"], "step-biased", "{y}");
-        json["verification"].clone()
-    });
-    assert_eq!(verifications[0], verifications[1]);
+    let output = verify("cb74.toml", &set);
+    assert!(output.status.success(), "{output:?}");
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let warnings = json["warnings"].to_string();
+    assert!(warnings.contains("ring_y_mean_um"), "{warnings}");
+    let y = &json["verification"]["numbers"]["ring_y_mean_um"];
+    assert_eq!(y["verdict"], "step-biased", "{y}");
 }
 
 /// Without `--verify` nothing is repeated and nothing claimed.

@@ -100,10 +100,7 @@ pub(crate) fn motion(
             (0.0, state, angles)
         }
         Some(resume) => {
-            let mut state = match case.rotor {
-                Some(_) => State::zero(Layout::with_rotor(balls)),
-                None => State::new(balls),
-            };
+            let mut state = State::zero(Layout::of_case(case));
             let count = state.values().len();
             state
                 .values_mut()

@@ -41,7 +41,7 @@ const BUNCHES: usize = 4;
 /// Gap within a bunch.
 const GAP_IN_BUNCH_DEG: f64 = 0.05;
 /// Grades of ISO 3290-1 besides equal balls.
-const GRADES: [u32; 3] = [5, 10, 28];
+pub const GRADES: [u32; 3] = [5, 10, 28];
 
 /// A speed with a raceway near that which `design --search` recommends for it.
 struct Speed {
@@ -92,9 +92,9 @@ struct Plan {
     ring: &'static str,
 }
 
-/// Runs every combination.
-pub fn compute(progress: &Work<'_>) -> Result<RingComparison, PaperError> {
-    let plans = plans()?;
+/// Runs every combination of equal balls and of lots of these grades.
+pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, PaperError> {
+    let plans = plans(grades)?;
     let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
     let found: Vec<Vec<Outcome>> = plans
         .par_iter()
@@ -103,7 +103,7 @@ pub fn compute(progress: &Work<'_>) -> Result<RingComparison, PaperError> {
             outcomes(plan, progress, units)
         })
         .collect::<Result<_, PaperError>>()?;
-    let rings = plans.len() / SPEEDS.len() / (1 + GRADES.len());
+    let rings = plans.len() / SPEEDS.len() / (1 + grades.len());
     let cells = plans
         .iter()
         .zip(&found)
@@ -137,7 +137,7 @@ pub fn compute(progress: &Work<'_>) -> Result<RingComparison, PaperError> {
 }
 
 /// The combinations, by speed, lot and ring.
-fn plans() -> Result<Vec<Plan>, PaperError> {
+fn plans(grades: &[u32]) -> Result<Vec<Plan>, PaperError> {
     let [conventional, discrete] = cases::experiment()?;
     let mut plans = vec![];
     for speed in &SPEEDS {
@@ -148,7 +148,11 @@ fn plans() -> Result<Vec<Plan>, PaperError> {
             (FOUND, &found),
         ];
         let mut lots = vec![("equal balls".to_owned(), None)];
-        lots.extend(GRADES.map(|number| (format!("G{number}"), ball_grade(number))));
+        lots.extend(
+            grades
+                .iter()
+                .map(|&number| (format!("G{number}"), ball_grade(number))),
+        );
         for (lot, grade) in lots {
             for (ring, case) in rings {
                 let mut case = case.clone();

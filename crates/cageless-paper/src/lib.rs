@@ -37,7 +37,7 @@ pub use error::PaperError;
 pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
     let progress = progress.begin("reproduce", WORK);
     let progress = &progress;
-    let computed = Simulations::new(progress)?;
+    let computed = Simulations::new(progress, &comparison::GRADES)?;
     let file_d = cases::structure_file(3, READINGS[1], &[])?;
     let case_d = file_d.case().clone();
     let design_curve = parameters::design_curve(&case_d);
@@ -82,7 +82,8 @@ struct Simulations {
 }
 
 impl Simulations {
-    fn new(progress: &Work<'_>) -> Result<Self, PaperError> {
+    /// Everything, rings with equal balls and with balls of these grades.
+    fn new(progress: &Work<'_>, grades: &[u32]) -> Result<Self, PaperError> {
         let (mut table2, mut structures, mut between) =
             (not_computed(), not_computed(), not_computed());
         let (mut histories, mut experiment, mut extra) =
@@ -92,7 +93,7 @@ impl Simulations {
         // many small tasks of Table 2 last, so that no thread waits long for another at the end.
         rayon::scope_fifo(|scope| {
             scope.spawn_fifo(|_| extra = extra::compute(progress));
-            scope.spawn_fifo(|_| comparison = comparison::compute(progress));
+            scope.spawn_fifo(|_| comparison = comparison::compute(progress, grades));
             scope.spawn_fifo(|_| experiment = experiment::compute(progress));
             scope.spawn_fifo(|_| histories = histories::compute(progress));
             scope.spawn_fifo(|_| structures = structures::compute(progress));

@@ -15,6 +15,7 @@ NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 COMMANDS = 8
 #: What a reader waits for, and what a test need not.
 SOONER = {
+    "full_complement=True).replace(": 'full_complement=True).replace(\n    solver={"method": "verlet", "step_us": "auto"},',
     "case.search(initial_states=1, runs_max=32)": "case.search(\n    axial_span_mm=2.5, half_angle_deg=(7.0, 8.0), initial_states=1, runs_max=32\n)",
     "tolerance(samples=4)": "tolerance(samples=1)",
     "case.drop(samples=8)": "case.drop(samples=2)",

@@ -179,33 +179,6 @@ def test_a_run_that_stopped_comes_back_with_its_reason(tmp_path: Path) -> None:
     assert loaded == run
 
 
-def test_folders_of_the_command_are_read(command: Command, tmp_path: Path) -> None:
-    case = quick()
-    path = tmp_path / "case.toml"
-    path.write_text(case.to_toml())
-    command("run", path, "--out", tmp_path / "run")
-    assert cageless.load(tmp_path / "run") == case.run()
-    command("static", path, "--out", tmp_path / "static")
-    assert cageless.load(tmp_path / "static") == case.static()
-    command("tolerance", path, "--samples", 0, "--out", tmp_path / "tolerance")
-    made = cageless.load(tmp_path / "tolerance")
-    assert isinstance(made, cageless.ToleranceResult)
-    assert made.passes == case.tolerance(samples=0).passes
-    command("design", path, "--out", tmp_path / "design")
-    assert cageless.load(tmp_path / "design") == case.design()
-
-
-def test_the_command_leaves_a_search_that_is_read(command: Command, tmp_path: Path) -> None:
-    search = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "initial_states": 1, "runs_max": 32}
-    path = tmp_path / "case.toml"
-    path.write_text(quick().replace(search=search).to_toml())
-    command("design", path, "--search", "--out", tmp_path / "search")
-    found = cageless.load(tmp_path / "search")
-    assert isinstance(found, cageless.SearchResult)
-    assert found == cageless.Case.from_file(path).search()
-    assert found.case.run().stopped is None
-
-
 SEARCH = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "initial_states": 1, "runs_max": 32}
 SHORT = {"solver": {"duration_s": 0.002}}
 #: Of each kind of result its case, the words of the command and the call of Python.
@@ -250,17 +223,54 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in files}
 
 
+_left: dict[str, tuple[Path, Any]] = {}
+
+
+@pytest.fixture
+def left(
+    command: Command, tmp_path_factory: pytest.TempPathFactory
+) -> Callable[[str], tuple[Path, Any]]:
+    """Gives the folder that the command leaves of a case, and what Python computes of it, each made once."""
+
+    def of(kind: str) -> tuple[Path, Any]:
+        if kind not in _left:
+            make, [name, *options], compute = SAME[kind]
+            case, folder = make(), tmp_path_factory.mktemp(kind)
+            path = folder / "case.toml"
+            path.write_text(case.to_toml())
+            command(name, path, *options, "--out", folder / "command")
+            _left[kind] = folder / "command", compute(type(case).from_file(path))
+        return _left[kind]
+
+    return of
+
+
+@pytest.mark.parametrize("kind", ["static", "tolerance", "design", "poor", "search"])
+def test_folders_of_the_command_are_read(
+    kind: str, left: Callable[[str], tuple[Path, Any]]
+) -> None:
+    folder, made = left(kind)
+    loaded = cageless.load(folder)
+    assert type(loaded) is type(made)
+    assert loaded == made
+    if isinstance(loaded, cageless.SearchResult):
+        assert loaded.case.run().stopped is None
+
+
+def test_a_run_of_the_command_is_read(command: Command, tmp_path: Path) -> None:
+    case, path = quick(), tmp_path / "case.toml"
+    path.write_text(case.to_toml())
+    command("run", path, "--out", tmp_path / "run")
+    assert cageless.load(tmp_path / "run") == case.run()
+
+
 @pytest.mark.parametrize("kind", SAME)
 def test_save_leaves_the_folder_of_the_command(
-    kind: str, command: Command, tmp_path: Path
+    kind: str, left: Callable[[str], tuple[Path, Any]], tmp_path: Path
 ) -> None:
-    make, [name, *options], compute = SAME[kind]
-    case = make()
-    path = tmp_path / "case.toml"
-    path.write_text(case.to_toml())
-    command(name, path, *options, "--out", tmp_path / "command")
-    saved = contents(compute(type(case).from_file(path)).save(tmp_path / "saved"))
-    written = contents(tmp_path / "command")
+    folder, made = left(kind)
+    saved = contents(made.save(tmp_path / "saved"))
+    written = contents(folder)
     assert sorted(saved) == sorted(written)
     # The time that a run took, with its seal; the comparison has names that the command cannot give.
     own = {"run": {"summary.json", "report.json"}, "comparison": {"compare.json", "report.html"}}

@@ -1,16 +1,21 @@
 //! What every page must be: self-contained, valid, labelled.
 
 use std::collections::HashSet;
+use std::sync::OnceLock;
 
 use cageless_report::*;
 use serde_json::Value;
 
-fn pages() -> [(&'static str, String); 3] {
-    [
-        ("design", design_page(&crate::synthetic::design())),
-        ("reproduce", reproduce_page(&crate::synthetic::reproduce())),
-        ("run", run_page(&crate::synthetic::run_data())),
-    ]
+/// A page of each kind, made once.
+fn pages() -> &'static [(&'static str, String); 3] {
+    static PAGES: OnceLock<[(&str, String); 3]> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        [
+            ("design", design_page(&crate::synthetic::design())),
+            ("reproduce", reproduce_page(&crate::synthetic::reproduce())),
+            ("run", run_page(&crate::synthetic::run_data())),
+        ]
+    })
 }
 
 /// The page without the contents of its scripts, and those contents.
@@ -57,7 +62,7 @@ pub fn specs(page: &str) -> Vec<(String, Value)> {
 #[test]
 fn pages_load_nothing() {
     for (name, page) in pages() {
-        let (html, scripts) = split(&page);
+        let (html, scripts) = split(page);
         assert!(attributes(&html, "src").is_empty(), "{name}");
         for target in attributes(&html, "href") {
             assert!(
@@ -86,7 +91,7 @@ fn pages_load_nothing() {
 #[test]
 fn ids_are_unique_and_anchors_lead_somewhere() {
     for (name, page) in pages() {
-        let (html, _) = split(&page);
+        let (html, _) = split(page);
         let ids = attributes(&html, "id");
         let unique: HashSet<_> = ids.iter().collect();
         assert_eq!(ids.len(), unique.len(), "{name}");
@@ -105,8 +110,8 @@ fn ids_are_unique_and_anchors_lead_somewhere() {
 #[test]
 fn axes_have_units_and_figures_have_captions_and_provenance() {
     for (name, page) in pages() {
-        let specs = specs(&page);
-        let least = if name == "design" { 6 } else { 8 };
+        let specs = specs(page);
+        let least = if *name == "design" { 6 } else { 8 };
         assert!(specs.len() >= least, "{name}");
         for (id, spec) in &specs {
             let layout = spec["layout"].as_object().expect("a layout");

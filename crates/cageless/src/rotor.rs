@@ -263,8 +263,12 @@ impl Rotor {
         };
         positive("axial_clearance_m", clearance_m)?;
         if !(self.z_m.abs() <= clearance_m) {
-            let rule = format!("within ±{clearance_m:e}, the axial clearance: the magnets held it");
-            return Err(InputError::rule("rotor_z_m", self.z_m, rule));
+            let allowed = Allowed::Between(
+                -clearance_m,
+                clearance_m,
+                "the magnets held the rotor within its axial clearance",
+            );
+            return Err(InputError::new("rotor_z_m", self.z_m, allowed));
         }
         Ok(())
     }

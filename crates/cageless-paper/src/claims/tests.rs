@@ -10,18 +10,18 @@ use cageless_study::{Progress, Silent};
 
 use super::*;
 use crate::cases::{ODD_ROW, PUBLISHED, READINGS};
-use crate::comparison::{CONVENTIONAL, STRUCTURE_D};
+use crate::comparison::{CONVENTIONAL, GRADES, STRUCTURE_D};
 use crate::mechanics::Mechanics;
 use crate::structures::Found;
 use crate::{Simulations, cases, parameters};
 
-/// The evidence of `reproduce`, computed once.
+/// The evidence of `reproduce`, computed once, with equal balls and the coarsest grade alone.
 fn evidence() -> &'static Evidence {
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     EVIDENCE.get_or_init(|| {
         let case = cases::structure(3, READINGS[1], &[]).unwrap();
         let silent: &dyn Progress = &Silent;
-        let simulated = Simulations::new(&silent.begin("claims", 1.0)).unwrap();
+        let simulated = Simulations::new(&silent.begin("claims", 1.0), &GRADES[2..]).unwrap();
         simulated
             .evidence(&parameters::design_curve(&case))
             .unwrap()

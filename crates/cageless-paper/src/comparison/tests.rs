@@ -7,7 +7,7 @@ use cageless_study::{Progress, Silent};
 /// gives others.
 #[test]
 fn a_small_cell_is_reproduced() {
-    let mut plan = plans().unwrap().remove(10);
+    let mut plan = plans(&GRADES).unwrap().remove(10);
     assert_eq!((plan.lot.as_str(), plan.ring), ("G28", STRUCTURE_D));
     plan.case.operation.inner_speed_rad_s *= 4.0;
     plan.case.solver.duration_s = 0.2;
@@ -49,7 +49,7 @@ fn a_small_cell_is_reproduced() {
 /// between the passing frequencies.
 #[test]
 fn without_contacts_all_is_at_passing() {
-    let mut plan = plans().unwrap().remove(0);
+    let mut plan = plans(&GRADES).unwrap().remove(0);
     plan.case.operation.inner_speed_rad_s *= 4.0;
     plan.case.solver.duration_s = 0.2;
     let mut case = plan.start(0).unwrap();
@@ -68,7 +68,7 @@ fn without_contacts_all_is_at_passing() {
 
 #[test]
 fn starts_are_bunches_that_fill_the_room() {
-    let plan = plans().unwrap().remove(9);
+    let plan = plans(&GRADES).unwrap().remove(9);
     assert_eq!(plan.lot, "G28");
     let starts: Vec<Vec<f64>> = (0..STARTS)
         .map(|k| {

@@ -71,16 +71,6 @@ impl Layout {
         Self::with_bodies(balls, [&BALL, &RING], 1)
     }
 
-    /// Layout for one bearing of `balls` balls under a falling rotor.
-    pub fn with_rotor(balls: usize) -> Self {
-        Self::with_bodies(balls, [&BALL, &DROP], 1)
-    }
-
-    /// Layout for one bearing of `balls` balls in space.
-    pub fn in_space(balls: usize) -> Self {
-        Self::with_bodies(balls, [&BALL_IN_SPACE, &RING_IN_SPACE], 1)
-    }
-
     /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
     pub fn side_by_side(self) -> Self {
         Self {
