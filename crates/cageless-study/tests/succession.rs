@@ -135,7 +135,7 @@ fn a_rotor_in_two_bearings_heats_both() {
             &done.drop.cases()[k],
             &done.record.bearings[k].result.results,
         );
-        let capacities = case.thermal.capacities_j_k(&case.bearing).unwrap();
+        let capacities = case.thermal.capacities_j_k(&case.bearing, 1).unwrap();
         for (part, capacity) in parts.iter().zip(capacities) {
             let rise_k = number(&rows[k], &format!("{part}_standstill_c"))
                 - results.number(&format!("{part}_temperature_c"));

@@ -138,8 +138,8 @@ impl Rotor {
         self.y_m += journal[1] - now[1];
     }
 
-    /// Checks the values against each other and against the bore of the inner ring.
-    pub(crate) fn check(&self, bore_radius_m: f64) -> Result<(), InputError> {
+    /// Checks the values against each other and against bore and groove of the inner ring.
+    pub(crate) fn check(&self, bore_radius_m: f64, groove_radius_m: f64) -> Result<(), InputError> {
         positive("rotor_mass_kg", self.mass_kg)?;
         positive("rotor_polar_inertia_kg_m2", self.polar_inertia_kg_m2)?;
         finite("rotor_speed_rad_s", self.speed_rad_s)?;
@@ -175,7 +175,7 @@ impl Rotor {
         ] {
             finite(field, value)?;
         }
-        self.check_shoulders(bore_radius_m)?;
+        self.check_shoulders(bore_radius_m, groove_radius_m)?;
         if let Some(limit_m) = self.clearance_limit_m {
             positive("rotor_clearance_limit_m", limit_m)?;
         }
@@ -228,11 +228,12 @@ impl Rotor {
     }
 
     /// Checks what holds the rotor along its axis.
-    fn check_shoulders(&self, bore_radius_m: f64) -> Result<(), InputError> {
+    fn check_shoulders(&self, bore_radius_m: f64, groove_radius_m: f64) -> Result<(), InputError> {
         if let Some(radius_m) = self.shoulder_radius_m
-            && !(radius_m >= bore_radius_m)
+            && !(bore_radius_m..=groove_radius_m).contains(&radius_m)
         {
-            let allowed = Allowed::AtLeast(bore_radius_m, "the radius of the bore");
+            let why = "the face of the inner ring lies between its bore and its raceway";
+            let allowed = Allowed::Between(bore_radius_m, groove_radius_m, why);
             return Err(InputError::new("shoulder_radius_m", radius_m, allowed));
         }
         let Some(clearance_m) = self.axial_clearance_m else {

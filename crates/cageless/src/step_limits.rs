@@ -245,23 +245,23 @@ impl Drop {
         };
         let bearing = &case.bearing;
         let weight = rotor.mass_kg * case.operation.gravity_m_s2;
-        // Through the touch-down clearance, or that of a shoulder of a vertical rotor.
         let height = match rotor.shaft {
             Shaft::Horizontal => rotor.journal_start_m()[1] + rotor.radial_clearance_m,
-            Shaft::Vertical => rotor.z_m + rotor.axial_clearance_m.unwrap_or(0.0),
+            Shaft::Vertical => 0.0,
         };
-        let [vx, vy, vz] = [rotor.vx_m_s, rotor.vy_m_s, rotor.vz_m_s];
-        let energy = 0.5 * rotor.mass_kg * (vx * vx + vy * vy + vz * vz) + weight * height.max(0.0);
+        let energy = 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
+            + weight * height.max(0.0);
         let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
         let (k, p) = (rotor.contact_stiffness_n_mp, rotor.contact_exponent);
         let contact = |force: f64| p * k.powf(1.0 / p) * force.powf(1.0 - 1.0 / p);
         let [inner, outer, _] = case.stiffness_n_m1_5();
         let carrying = carrying(case);
-        let balls = |force: f64| {
-            let own = case.preload_n() + force / carrying;
+        // dF/dδ of a ball between both raceways under a force.
+        let slope = |own: f64| {
             let one = |k: f64| 1.5 * k.powf(2.0 / 3.0) * own.cbrt();
-            carrying / (1.0 / one(inner) + 1.0 / one(outer))
+            1.0 / (1.0 / one(inner) + 1.0 / one(outer))
         };
+        let balls = |force: f64| carrying * slope(case.preload_n() + force / carrying);
         let support = case.support.as_ref();
         let stop = support.and_then(|s| s.stop);
         let support_n_m =
@@ -288,15 +288,28 @@ impl Drop {
                 / rotor.friction.regularisation_speed_m_s
         };
         let depth = (force / k).powf(1.0 / p);
-        // All balls of a row share it at their contact angle: F/(N sin α) for 5 F/N.
-        let sine = bearing.free_contact_angle_rad().sin();
-        let along_axis = match rotor.shaft {
+        // All balls of a row share it at their contact angle.
+        let sine = bearing.free_contact_angle_rad().sin().max(LEAST_SINE);
+        let row = bearing.balls() as f64 * sine;
+        // Thrust and weight take the rotor through its axial clearance, at most from the other shoulder.
+        let thrust = match rotor.shaft {
             Shaft::Horizontal => rotor.axial_load_n.abs(),
-            Shaft::Vertical => force + rotor.axial_load_n.abs(),
+            Shaft::Vertical => (rotor.axial_load_n - weight).abs(),
         };
+        let mut along_axis = thrust;
+        if let Some(clearance) = rotor.axial_clearance_m {
+            let landing =
+                0.5 * rotor.mass_kg * rotor.vz_m_s.powi(2) + thrust * (clearance + rotor.z_m.abs());
+            for _ in 0..4 {
+                let balls = row * sine * slope(case.axial_preload_n() + along_axis / row);
+                let series = 1.0 / (1.0 / contact(along_axis.max(1.0)) + 1.0 / balls + soft);
+                along_axis = thrust + (thrust * thrust + 2.0 * series * landing).sqrt();
+            }
+        }
         Self {
             force_n: force,
-            axial_as_radial_n: 0.2 * along_axis / sine.max(LEAST_SINE),
+            // A row under a radial load F presses a ball with 5 F/N.
+            axial_as_radial_n: 0.2 * along_axis / sine,
             contact_n_m: contact(force) * (1.0 + 1.5 * rotor.contact_damping_s_m * speed),
             contact_n_s_m: 1.5 * rotor.contact_damping_s_m * k * depth.powf(p),
             inverse_rotor_mass: 1.0 / rotor.mass_kg,

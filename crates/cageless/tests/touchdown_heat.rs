@@ -56,7 +56,7 @@ fn temperatures_close_with_the_energy() {
     let mut case = landed(0.02);
     case.solver.step_s *= 0.5;
     let (summary, lost_j, flows_j) = dropped(&case, &mut Heats::default());
-    let capacities = Thermal::default().capacities_j_k(&case.bearing).unwrap();
+    let capacities = Thermal::default().capacities_j_k(&case.bearing, 1).unwrap();
     let heat = summary.heat;
     let rises_k: [f64; PARTS] = std::array::from_fn(|k| heat.of_parts_j()[k] / capacities[k]);
     let warmed_j: f64 = rises_k.iter().zip(capacities).map(|(k, c)| k * c).sum();
@@ -98,7 +98,10 @@ fn power_at_the_end_is_that_of_the_last_fifth() {
 fn heat_capacities_are_those_of_the_bodies() {
     let case = drop_case();
     let d = case.bearing.dimensions().clone();
-    let [inner, balls, outer] = Thermal::default().capacities_j_k(&case.bearing).unwrap();
+    let [inner, balls, outer] = Thermal::default().capacities_j_k(&case.bearing, 1).unwrap();
+    // The rows of a pair share the inner ring.
+    let pair = Thermal::default().capacities_j_k(&case.bearing, 2).unwrap();
+    assert_eq!(pair, [inner, 2.0 * balls, 2.0 * outer]);
     close(inner, d.inner_ring_mass_kg * 460.0, 1e-12, "inner ring");
     let volume_m3 = 4.0 / 3.0 * PI * d.ball_radius_m.powi(3);
     let density = steel().density_kg_m3;
@@ -119,7 +122,7 @@ fn heat_capacities_are_those_of_the_bodies() {
         ball_specific_heat_j_kg_k: Some(800.0),
         ..Thermal::default()
     };
-    let [_, hybrid_balls, own] = given.capacities_j_k(&case.bearing).unwrap();
+    let [_, hybrid_balls, own] = given.capacities_j_k(&case.bearing, 1).unwrap();
     close(own, 250.0, 1e-12, "given outer ring");
     close(hybrid_balls, balls / 460.0 * 800.0, 1e-12, "given balls");
 
@@ -132,9 +135,9 @@ fn heat_capacities_are_those_of_the_bodies() {
         ring: steel(),
     };
     let hybrid = Bearing::new(d, ceramic).unwrap();
-    let error = Thermal::default().capacities_j_k(&hybrid).unwrap_err();
+    let error = Thermal::default().capacities_j_k(&hybrid, 1).unwrap_err();
     assert_eq!(error.field, "ball_specific_heat_j_kg_k");
-    assert!(given.capacities_j_k(&hybrid).is_ok());
+    assert!(given.capacities_j_k(&hybrid, 1).is_ok());
 }
 
 /// An adiabatic ring that a rotor brings up to speed by sliding has half of the heat of their sliding,
@@ -157,7 +160,7 @@ fn an_adiabatic_ring_has_half_the_heat_of_its_spin_up() {
         / (journal_m.powi(2) / rotor.polar_inertia_kg_m2
             + bore.radius_m.powi(2) / bore.polar_inertia_kg_m2);
     let heat_j = 0.5 * effective_kg * (rotor.speed_rad_s * journal_m).powi(2);
-    let capacities = Thermal::default().capacities_j_k(&case.bearing).unwrap();
+    let capacities = Thermal::default().capacities_j_k(&case.bearing, 1).unwrap();
     let rise_k = summary.heat.of_parts_j()[0] / capacities[0];
     close(
         rise_k,

@@ -163,7 +163,11 @@ fn speeds(bearing: &Bearing<'_>) -> Figure {
 
 /// Forces of rotor and balls.
 fn forces(bearing: &Bearing<'_>) -> Figure {
-    let contact = |record: &BearingRecord| thinned(record, |s| Some(s.rotor?.contact_force_n));
+    let contact = |record: &BearingRecord| {
+        thinned(record, |s| {
+            s.rotor.map(|r| r.contact_force_n.hypot(r.shoulder_force_n))
+        })
+    };
     let outer = |record: &BearingRecord| {
         let force = |s: &Snapshot| s.ring.outer_force_x_n.hypot(s.ring.outer_force_y_n);
         thinned(record, |s| Some(force(s)))

@@ -120,7 +120,10 @@ fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {
 
 fn temperature(drop: &FinishedDrop<'_>, part: usize) -> Cell {
     let case = drop.case;
-    let capacities = case.thermal.capacities_j_k(&case.bearing).ok();
+    let capacities = case
+        .thermal
+        .capacities_j_k(&case.bearing, case.rows.len())
+        .ok();
     let rise_k = capacities.map(|c| drop.summary.heat.of_parts_j()[part] / c[part]);
     rise_k.map(|rise_k| case.parts_c()[part] + rise_k).into()
 }

@@ -87,7 +87,9 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
     let rate = |k: usize| s.end_collision_rate_above_hz[k].unwrap();
     let (end, capacities) = (
         s.end_power.unwrap(),
-        case.thermal.capacities_j_k(&case.bearing).unwrap(),
+        case.thermal
+            .capacities_j_k(&case.bearing, case.rows.len())
+            .unwrap(),
     );
     let inner_j = (heat.rotor_friction_j + heat.rotor_damping_j + heat.inner_friction_j) / 2.0
         + heat.contact_damping_j / 4.0;

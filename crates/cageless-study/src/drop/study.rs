@@ -32,7 +32,7 @@ impl DropRequest {
     /// The drop of a file, which can be studied; `name` is what messages call the file.
     ///
     /// # Errors
-    /// The case has no rotor, or the number of drops is impossible.
+    /// The case has no rotor, or one that cannot be dropped, or the number of drops is impossible.
     pub fn check(&self, file: &VariantFile, name: &str) -> Result<RotorDrop, StudyError> {
         let missing = || {
             StudyError::Input(format!(
@@ -40,6 +40,7 @@ impl DropRequest {
                 missing_rotor()
             ))
         };
+        file.check_drop()?;
         let drop = file.drop().ok_or_else(missing)?;
         for (option, count) in [("samples", self.samples), ("drops", self.drops)] {
             count.map_or(Ok(()), |count| check_drops(option, count))?;

@@ -120,7 +120,10 @@ impl Succession {
         let ended: Vec<_> = cases
             .map(|((bearing, case), result)| {
                 let standstill_c = spin_down.and_then(|spin_down| {
-                    let capacities = case.thermal.capacities_j_k(&case.bearing).ok()?;
+                    let capacities = case
+                        .thermal
+                        .capacities_j_k(&case.bearing, case.rows.len())
+                        .ok()?;
                     let mut parts_c = [0.0; PARTS];
                     for (k, part_c) in parts_c.iter_mut().enumerate() {
                         // Of no heat at all a part has none.

@@ -205,7 +205,8 @@ impl Case {
                 "given, and inner_ring_bore_radius_mm: the rotor spins the inner ring up in its bore",
             ));
         };
-        rotor.check(bore.radius_m)?;
+        let groove_m = self.bearing.dimensions().inner_groove_bottom_radius_m;
+        rotor.check(bore.radius_m, groove_m)?;
         if let Some(support) = &self.support {
             support.check()?;
         }

@@ -152,6 +152,12 @@ impl Contacts<'_> {
         space.map(|space| space.rotor.face)
     }
 
+    /// Force of the inner ring on the rotor, friction included, N, if there is a rotor in space.
+    pub(crate) fn rotor_force_n(&self) -> Option<[f64; 3]> {
+        let space = self.space.filter(|_| self.layout.has_rotor());
+        space.map(|space| space.rotor.force.into())
+    }
+
     /// Axial force of the balls on the outer ring, friction included, N.
     pub fn outer_ring_axial_force_n(&self) -> f64 {
         self.space

@@ -500,7 +500,10 @@ impl System for RightHandSide<'_> {
     /// Those of contacts, and the corners of what is given over time.
     fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
         match (&self.models[0].space, &self.space) {
-            (Some(space), Some(s)) => space::edges(space, &self.work, &s.rotor.face, values),
+            (Some(space), Some(s)) => {
+                space::edges(space, &self.work, &s.rotor.face, values);
+                simd::rotor_edges(&self.parameters, &self.work, y, values);
+            }
             _ => simd::edges(&self.parameters, &self.work, y, values),
         }
         values.extend(self.tables().map(|table| table.corner(self.time_s)));

@@ -80,6 +80,11 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
             }
         }
     }
+    rotor_edges(p, w, y, values);
+}
+
+/// Edges of the contact of a rotor and of the stop of its support.
+pub(crate) fn rotor_edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f64>) {
     if let Some((body, support)) = p.drops.first() {
         let contact = &w.rotors[0].contact;
         values.push(contact.deflection * PER_DEPTH);
@@ -92,7 +97,7 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
         let edge = body.friction.edge(contact.slip);
         values.extend(edge.map(|edge| while_closed(contact.force, || edge)));
         if support.stop_stiffness > 0.0 {
-            let motion = layout.outer_ring_motion(y);
+            let motion = p.layout.outer_ring_motion(y);
             let distance = motion.x.hypot(motion.y);
             values.push((distance - support.stop_gap) * PER_DEPTH);
         }

@@ -24,7 +24,7 @@ mod rotor;
 mod sums;
 mod workspace;
 
-pub(crate) use edges::{PER_DEPTH, PER_SINE_SQUARE, edges};
+pub(crate) use edges::{PER_DEPTH, PER_SINE_SQUARE, edges, rotor_edges};
 pub(crate) use harness::{add_implicit_friction, evaluate};
 pub(crate) use implicit_friction::add_given_friction;
 pub use instruction_set::InstructionSet;

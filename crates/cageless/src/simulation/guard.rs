@@ -244,7 +244,8 @@ impl<'m> Guard<'m> {
             if rotor.contact.deflection.max(face) > self.rotor_deflection_max {
                 return Err(Cause::RotorThroughInnerRing);
             }
-            if outer.x.hypot(outer.y) > self.support_max {
+            let [z, _] = layout.outer_ring_along_axis(values);
+            if outer.x.hypot(outer.y).hypot(z) > self.support_max {
                 return Err(Cause::OffSupport);
             }
         }

@@ -92,6 +92,9 @@ const LAST: f64 = 0.2;
 /// Sliding at which the ring has come up to speed, as a fraction of that at the first contact.
 const SPUN_UP: f64 = 0.01;
 
+/// r/Rw from which a ball in space touches the outer raceway in one point.
+const ONE_POINT: f64 = 1.0 - 1e-9;
+
 /// Gathers a [`DropSummary`].
 #[derive(Debug, Clone)]
 pub struct DropRecorder {
@@ -102,6 +105,9 @@ pub struct DropRecorder {
     /// Whether the rotor has shoulders that the bearing catches.
     shoulders: bool,
     shaft: Shaft,
+    /// Z of the rotor in the middle between its shoulders, m.
+    axial_origin_m: f64,
+    lifted_n: f64,
     carried_n: Option<Option<f64>>,
     weight_n: Option<f64>,
     rotation: f64,
@@ -166,6 +172,8 @@ impl DropRecorder {
             outer_ring: None,
             shoulders: false,
             shaft: Shaft::Horizontal,
+            axial_origin_m: 0.0,
+            lifted_n: 0.0,
             carried_n: None,
             weight_n: None,
             rotation: 0.0,
@@ -205,7 +213,10 @@ impl DropRecorder {
         let last = last_from_s.map(|s| &whirl[whirl.partition_point(|w| w.end_s <= s)..]);
         let end_power = last_from_s.and_then(|from_s| self.heat.since(from_s));
         let end_state = last.map_or(EndState::Falling, |last| {
-            EndState::classify(last, self.rotation, self.weight_n, self.shaft)
+            let carried_n = self
+                .weight_n
+                .map(|weight_n| (weight_n - self.lifted_n).abs());
+            EndState::classify(last, self.rotation, carried_n, self.shaft)
         });
         let rate_hz = |count: &dyn Fn(&ContactCounts) -> u64| {
             last.map(|last| {
@@ -277,7 +288,8 @@ impl DropRecorder {
         let face = view.contacts.face().unwrap_or_default();
         if view.layout().is_in_space() {
             let z = view.step.y1[view.layout().drop(DropCoordinate::RotorZ)];
-            found.axial_displacement_m = found.axial_displacement_m.max(z.abs());
+            let displaced = (z - self.axial_origin_m).abs();
+            found.axial_displacement_m = found.axial_displacement_m.max(displaced);
         }
         let force_n = contact.force.hypot(face.axial_force);
         let closed = force_n > 0.0;
@@ -303,15 +315,17 @@ impl DropRecorder {
             found.rotor_sliding_m_s = found.rotor_sliding_m_s.max(slip);
         }
         self.in_contact = closed;
-        let [_, lift_n] = contact.force_on_journal(rotor.friction);
-        // The journal of a vertical rotor runs round the bore only where it touches it.
-        let (lift_n, runs_round) = match self.shaft {
-            Shaft::Horizontal => (lift_n, true),
-            Shaft::Vertical => (face.axial_force, contact.force > 0.0),
+        let [lift_x, lift_y] = contact.force_on_journal(rotor.friction);
+        let lift_n = (view.contacts.rotor_force_n()).unwrap_or([lift_x, lift_y, 0.0]);
+        // The journal of a vertical rotor runs round the bore only where it touches it, and it is the
+        // shoulder that bounces.
+        let (lift_n, runs_round, bounces_n) = match self.shaft {
+            Shaft::Horizontal => (lift_n[1], true, contact.force),
+            Shaft::Vertical => (lift_n[2], contact.force > 0.0, force_n),
         };
         if found.first_contact_s.is_some() {
             let direction = runs_round.then_some([contact.nx, contact.ny]);
-            self.whirl.update(direction, time_s, h, [force_n, lift_n]);
+            self.whirl.update(direction, time_s, h, [bounces_n, lift_n]);
         }
     }
 
@@ -343,11 +357,23 @@ impl DropRecorder {
             *inner = inner.max(contacts.inner_force_n(k));
             let force = contacts.outer_force_n(k);
             *outer = outer.max(force);
-            let radius_m = contacts.effective_radius_m(k);
+            let mut radius_m = contacts.effective_radius_m(k);
+            let mut pressed_n = force;
+            if let Some(space) = contacts.in_space(k) {
+                // Two points of which the other bears as much; on the plain raceway r is Rw but for rounding.
+                let shared = radius_m < ONE_POINT * self.ball_radius_m;
+                radius_m = if shared { radius_m } else { self.ball_radius_m };
+                let points = if shared {
+                    2.0 * radius_m / self.ball_radius_m
+                } else {
+                    1.0
+                };
+                pressed_n = points * space.outer_point_n();
+            }
             let heaviest = &mut found.heaviest[usize::from(radius_m < self.ball_radius_m)];
-            if force > heaviest.force_n {
+            if pressed_n > heaviest.force_n {
                 *heaviest = OuterLoad {
-                    force_n: force,
+                    force_n: pressed_n,
                     radius_m,
                 };
             }
@@ -380,6 +406,15 @@ impl Observer for DropRecorder {
         self.rotation = rotor.speed_rad_s;
         (self.shoulders, self.shaft) = (rotor.axial_clearance_m.is_some(), rotor.shaft);
         self.found.axial_displacement_m = rotor.z_m.abs();
+        let (layout, start) = (context.start.layout(), context.start.values());
+        if layout.is_in_space() {
+            self.axial_origin_m = start[layout.drop(DropCoordinate::RotorZ)] - rotor.z_m;
+        }
+        // Thrust along +Z carries a part of a vertical rotor.
+        self.lifted_n = match rotor.shaft {
+            Shaft::Horizontal => 0.0,
+            Shaft::Vertical => rotor.axial_load_n,
+        };
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
         self.ball_radius_m = case.bearing.ball_radius_m();
         self.bearing = Some(case.bearing.clone());

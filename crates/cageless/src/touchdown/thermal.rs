@@ -62,12 +62,17 @@ impl Thermal {
         not_negative("pause_s", self.pause_s)
     }
 
-    /// Heat capacity of each part of `bearing`, J/K.
+    /// Heat capacity of each part of a bearing with `rows` alike, J/K; the inner ring is that of all rows.
     ///
     /// # Errors
     /// An [`InputError`] with a value of NaN naming the specific heat that is needed of a part that is
     /// not of steel.
-    pub fn capacities_j_k(&self, bearing: &Bearing) -> Result<[f64; PARTS], InputError> {
+    pub fn capacities_j_k(
+        &self,
+        bearing: &Bearing,
+        rows: usize,
+    ) -> Result<[f64; PARTS], InputError> {
+        let rows = rows.max(1) as f64;
         let of = |field, given: Option<f64>, material: &Material| match given {
             Some(value) => Ok(value),
             None if material.is_steel() => Ok(STEEL_SPECIFIC_HEAT_J_KG_K),
@@ -87,11 +92,11 @@ impl Thermal {
         )?;
         let outer_kg = self
             .outer_ring_mass_kg
-            .unwrap_or_else(|| outer_ring_mass_kg(bearing));
+            .unwrap_or_else(|| rows * outer_ring_mass_kg(bearing));
         let inner_kg = bearing.dimensions().inner_ring_mass_kg;
         Ok([
             inner_kg * ring_j_kg_k,
-            bearing.balls() as f64 * bearing.ball_mass_kg() * ball_j_kg_k,
+            rows * bearing.balls() as f64 * bearing.ball_mass_kg() * ball_j_kg_k,
             outer_kg * ring_j_kg_k,
         ])
     }

@@ -67,6 +67,8 @@ pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Optio
 pub(super) struct WhirlTracker {
     length_s: f64,
     angle_rad: Option<f64>,
+    /// Whether the journal did not touch the bore in the last step, where it whirls only in contact.
+    paused: bool,
     open: WhirlWindow,
     contact_s: f64,
     impulse_n_s: f64,
@@ -81,6 +83,7 @@ impl WhirlTracker {
         Self {
             length_s,
             angle_rad: None,
+            paused: false,
             open: Self::empty(0.0, 0.0),
             contact_s: 0.0,
             impulse_n_s: 0.0,
@@ -122,6 +125,7 @@ impl WhirlTracker {
         // From −Y, counter-clockwise, as ψ.
         let kept = self.angle_rad.unwrap_or(0.0);
         let now = direction.map_or(kept, |[nx, ny]| nx.atan2(-ny));
+        let after_a_pause = std::mem::replace(&mut self.paused, direction.is_none());
         let angle = match self.angle_rad {
             None => {
                 self.open = Self::empty(time_s - step_s, now);
@@ -131,7 +135,7 @@ impl WhirlTracker {
         };
         let change = angle - self.angle_rad.unwrap_or(angle);
         // A journal that passes the centre of the bore has no direction: such a leap is no whirl.
-        if change.abs() < 0.5 * PI {
+        if change.abs() < 0.5 * PI && !after_a_pause {
             self.open.turned_rad += change;
             self.open.path_rad += change.abs();
         }

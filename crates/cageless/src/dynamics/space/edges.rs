@@ -9,7 +9,6 @@ use crate::simd::{PER_DEPTH, PER_SINE_SQUARE, Workspace};
 /// evaluation.
 pub(crate) fn edges(space: &SpaceModel, w: &Workspace, face: &FaceContact, values: &mut Vec<f64>) {
     if space.rotor.is_some() {
-        values.push(w.rotors[0].contact.deflection * PER_DEPTH);
         values.push(face.deflection * PER_DEPTH);
     }
     for k in 0..space.balls.len() {

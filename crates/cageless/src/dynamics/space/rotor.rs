@@ -132,10 +132,8 @@ pub(super) fn add_rotor_friction(
     let contact = w.rotors[0];
     let step = (h_s, s.known);
     let bodies = (body, model.ring.mass);
-    let solved = (s.rotor).implicit_friction(bodies, &contact, step, layout, [y0, y]);
-    let Some((loads, heat, [friction, slip])) = solved else {
-        return;
-    };
+    let (loads, heat, [friction, slip]) =
+        (s.rotor).implicit_friction(bodies, &contact, step, layout, [y0, y]);
     w.rotors[0].friction = friction;
     w.rotors[0].contact.slip = slip;
     let heat = (layout.energy_term(EnergyTerm::RotorFriction), heat);

@@ -10,7 +10,7 @@
 //!
 //! C being the compliance of rotor and ring.
 
-use nalgebra::{Matrix2, Matrix2x5, Matrix5, Vector2, Vector5};
+use nalgebra::{Matrix2, Matrix2x5, Matrix5, Vector2, Vector3, Vector5};
 
 use crate::contact::{MAX_ITERATIONS, end_weights};
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
@@ -80,6 +80,9 @@ struct Relative {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct RotorTouch {
     pub face: FaceContact,
+    /// Force on the rotor, N: of its contacts, with the friction at the end of the last step.
+    pub force: Vector3<f64>,
+    face_radius: Option<f64>,
     /// J of each place.
     rows: [Matrix2x5<f64>; PLACES],
     /// Normal force of each place, N.
@@ -122,6 +125,7 @@ impl RotorTouch {
         let relative = relative(body, layout, y, contact.offset);
         let c = &contact.contact;
         self.face = FaceContact::default();
+        self.face_radius = along_axis.faces.map(|[_, radius]| radius);
         if let Some([clearance, radius]) = along_axis.faces {
             let side = relative.z.signum();
             let deflection = side * relative.z - clearance;
@@ -156,6 +160,7 @@ impl RotorTouch {
             }
             contact.friction = -self.known[0].0.x;
         }
+        self.force = loads.fixed_rows::<3>(0).into();
         (contact, loads, heat)
     }
 
@@ -190,7 +195,7 @@ impl RotorTouch {
         (h_s, was_known): (f64, bool),
         layout: Layout,
         [y0, y]: [&[f64]; 2],
-    ) -> Option<(Loads, f64, [f64; 2])> {
+    ) -> (Loads, f64, [f64; 2]) {
         let mut compliance = Matrix5::zeros();
         let of_journal = body.compliance(contact.offset);
         for (i, row) in [0, 1, 3].into_iter().zip(of_journal) {
@@ -237,7 +242,7 @@ impl RotorTouch {
                 matrix += answer * tangent * rows;
                 (ends[place], tangents[place]) = (force, tangent);
             }
-            let change = matrix.lu().solve(&missing)?;
+            let change = matrix.lu().solve(&missing).unwrap_or(missing);
             let knee = 1.0 / body.friction.inverse_regularisation_speed();
             let mut done = true;
             for place in 0..PLACES {
@@ -262,7 +267,12 @@ impl RotorTouch {
             loads += rows.transpose() * mean;
             heat -= 0.5 * mean.dot(&(rows * (start + now)));
         }
-        let slip = (self.rows[0] * now).x;
-        Some((loads, heat, [-ends[0].x, slip]))
+        for (row, end) in self.rows.iter().zip(&ends) {
+            self.force += (row.transpose() * end).fixed_rows::<3>(0);
+        }
+        if let Some(radius) = self.face_radius {
+            self.face.slip = radius * (now[3] - now[4]);
+        }
+        (loads, heat, [-ends[0].x, (self.rows[0] * now).x])
     }
 }
