@@ -64,21 +64,26 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         true => equilibrium::seated_distances_m(case, ring, inner_speed).repeat(rows.len()),
         false => vec![pitch; case.balls()],
     };
-    let mut in_space = None;
-    let held = rows.len() > 1 || rows[0].preload_m > 0.0;
+    let preloaded = rows.iter().any(|row| row.preload_m > 0.0);
+    // Rows hold each other's balls; those without preload may be too loose for an equilibrium.
+    let mut in_space = match starts_at_rest && (preloaded || rows.len() > 1) {
+        false => None,
+        true => match equilibrium::space::solve(&at_rest(case)) {
+            Err(EquilibriumError::NotConverged { .. }) if !preloaded => None,
+            found => Some(found?),
+        },
+    };
     let (distances, ring) = match case.start {
         Start::Rolling {
             ring_x_m, ring_y_m, ..
         } => (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m]),
-        // Rows hold each other's balls.
-        Start::AtRest { .. } if held => {
-            let e = in_space.insert(equilibrium::space::solve(&at_rest(case))?);
-            (
+        Start::AtRest { .. } => match &in_space {
+            Some(e) => (
                 e.rest.ball_distance_m.clone(),
                 [e.rest.ring_x_m, e.rest.ring_y_m],
-            )
-        }
-        Start::AtRest { .. } => (between([0.0; 2]), [0.0; 2]),
+            ),
+            None => (between([0.0; 2]), [0.0; 2]),
+        },
         Start::Settled { .. } => {
             let e = if state.layout().is_in_space() {
                 in_space
@@ -163,7 +168,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
 /// ball in its groove is next to nothing.
 fn at_rest(case: &Case) -> Case {
     let mut still = case.clone();
-    still.operation.inner_speed_rad_s = 1e-4 * case.largest_inner_speed_rad_s().max(1.0);
+    still.operation.inner_speed_rad_s = 1e-2 * case.largest_inner_speed_rad_s().max(1.0);
     still.operation.gravity_m_s2 = 0.0;
     (still.rotor, still.support) = (None, None);
     still
