@@ -9,7 +9,7 @@ import cageless
 import numpy as np
 import pandas as pd
 import pytest
-from conftest import Command, falling
+from conftest import ROOT, Command, falling
 
 
 @pytest.fixture(scope="module")
@@ -65,6 +65,22 @@ def test_a_drop_has_its_results(both: tuple[cageless.Drop, Path]) -> None:
         drop.array("sped_rad_s", "rotor")
     # Also reads what the command wrote.
     assert cageless.load(folder) == drop
+
+
+def test_a_drop_in_space_shows_the_motion_along_the_axis(tmp_path: Path) -> None:
+    case = cageless.Case.from_file(ROOT / "cases" / "touchdown-vertical.toml")
+    drop = case.replace({"solver.duration_s": 0.008}).drop(threads=1)
+    fall_ms = 1e3 * np.sqrt(2.0 * 200e-6 / 9.81)
+    assert drop.first_contact_ms == pytest.approx(fall_ms, rel=2e-3)
+    assert drop.shoulder_force_max_n > 20 * 9.81
+    assert [trace.name for trace in drop.plot_along_axis().data] == ["rotor", "inner ring", "shoulder"]
+    rotor = drop.data_rotor()
+    assert rotor.attrs["units"]["shoulder_force_n"] == "N"
+    assert rotor.z_m.min() < -200e-6 and rotor.shoulder_force_n.max() > 0.0
+    assert cageless.load(drop.save(tmp_path / "saved")) == drop
+    planar = falling().drop(threads=1)
+    assert "z_m" not in planar.data_rotor()
+    assert planar.shoulder_force_max_n is None
 
 
 def test_a_drop_is_verified() -> None:
