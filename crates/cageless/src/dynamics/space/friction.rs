@@ -94,9 +94,8 @@ pub(crate) fn add_implicit_friction(
         add_rotor_friction(model, (w, s), &totals, (h_s, y0), y, dydt);
         // The light inner ring turns by the friction of the step.
         let (ring, outer) = rings_of(y, &s.ring);
-        for b in &mut s.blocks {
-            b.at_rest[1] = sliding_at_rest(b, &ring, outer);
-        }
+        let blocks = s.blocks.iter_mut();
+        blocks.for_each(|b| end_with_rings(b, &ring, outer));
     }
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let (start, end) = (
@@ -127,6 +126,12 @@ pub(crate) fn add_implicit_friction(
         dydt[place] += power;
         y[place] += h_s * power;
     }
+}
+
+/// Lets the rings end the step with these velocities.
+#[inline(never)] // once for all instruction sets
+fn end_with_rings(b: &mut SpaceBlock, ring: &RingMotion, outer: [f64; 3]) {
+    b.at_rest[1] = sliding_at_rest(b, ring, outer);
 }
 
 /// Velocity of the outer ring, m/s.

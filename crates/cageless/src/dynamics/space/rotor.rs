@@ -25,6 +25,7 @@ fn velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
 
 /// Sets the rates of rotor and outer ring, adds to those of the inner ring what the rotor does to it, and
 /// the powers of all of them; friction of the rotor only if asked for.
+#[inline(never)] // once for all instruction sets
 pub(super) fn rates_with_rotor(
     (model, space): (&Model, &SpaceModel),
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
@@ -104,6 +105,7 @@ pub(super) fn rates_with_rotor(
 
 /// Adds to the state and the rates what the friction of the balls does to rotor and rings over the step,
 /// then the friction of the rotor itself.
+#[inline(never)] // once for all instruction sets
 pub(super) fn add_rotor_friction(
     model: &Model,
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
