@@ -183,7 +183,7 @@ fn impossible_values_are_named() {
 #[test]
 fn everything_else_refuses_what_it_would_ignore() {
     let case = repository_case("zhao-d.toml");
-    for command in ["design", "drop", "tolerance", "studio"] {
+    for command in ["design", "tolerance", "studio"] {
         let more: &[&str] = match command {
             "studio" => &["--no-browser"],
             _ => &[],

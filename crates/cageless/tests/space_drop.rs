@@ -393,12 +393,14 @@ fn pressures_in_space_are_those_of_the_contacts() {
 /// Rows that press each other hold their balls before anything falls on them.
 #[test]
 fn a_preloaded_pair_waits_at_rest() {
-    for (preload_m, turned, pressed_n) in [(10e-6, true, 20.0), (0.0, false, 0.0)] {
-        rests(pair(preload_m, turned), pressed_n);
+    for (preload_m, turned, pressed_n, within_m) in
+        [(10e-6, true, 20.0, 1e-8), (0.0, false, 0.0, 1e-6)]
+    {
+        rests(pair(preload_m, turned), pressed_n, within_m);
     }
 }
 
-fn rests(mut case: Case, pressed_n: f64) {
+fn rests(mut case: Case, pressed_n: f64, within_m: f64) {
     case.operation.gravity_m_s2 = 1e-3;
     case.solver.duration_s = 1e-3;
     let (start, _) = initial_state(&case).unwrap();
@@ -414,7 +416,7 @@ fn rests(mut case: Case, pressed_n: f64) {
         for k in 0..28 {
             let place = start.layout().ball(coordinate, k);
             let moved = end.values()[place] - start.values()[place];
-            assert!(moved.abs() < 1e-7, "{coordinate:?} {k}: {moved:e}");
+            assert!(moved.abs() < within_m, "{coordinate:?} {k}: {moved:e}");
         }
     }
 }
