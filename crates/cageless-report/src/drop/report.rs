@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use cageless::Shaft;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless_io::plan_file::VariantFile;
 use cageless_results::{Aim, DROP, Quantity, SUCCESSION};
@@ -70,7 +71,14 @@ pub(super) fn pressure_limit_mpa() -> f64 {
 pub(super) fn architecture(page: &mut Page, bearings: &[Bearing<'_>]) {
     for bearing in bearings {
         let case = bearing.case;
-        let balls = case.bearing.balls();
+        let balls = match (case.rows.len(), case.bearing.balls()) {
+            (0 | 1, balls) => format!("{balls} balls"),
+            (rows, balls) => format!("{rows} rows of {balls} balls"),
+        };
+        let place = match case.rotor.as_ref().map(|rotor| rotor.shaft) {
+            Some(Shaft::Vertical) => "on its face",
+            _ => "in its bore",
+        };
         let ring = match case.raceways.len() {
             0 => "a conventional outer ring".to_owned(),
             1 => "one discrete raceway in the outer ring".to_owned(),
@@ -83,8 +91,8 @@ pub(super) fn architecture(page: &mut Page, bearings: &[Bearing<'_>]) {
         };
         let name = bearing.label("Bearing");
         page.paragraph(&format!(
-            "{name}: {balls} balls without a cage, {ring}, which is {mount}; the inner ring is at \
-             rest until the rotor lands in its bore."
+            "{name}: {balls} without a cage, {ring}, which is {mount}; the inner ring is at \
+             rest until the rotor lands {place}."
         ));
     }
 }
