@@ -164,12 +164,17 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     Ok((state, angles))
 }
 
-/// The bearing of a rotor before it falls: nothing loads it, and it hardly turns, as what keeps an unloaded
+/// A bearing at rest before a rotor falls or loads come: nothing loads it, and it hardly turns, as what keeps an unloaded
 /// ball in its groove is next to nothing.
 fn at_rest(case: &Case) -> Case {
     let mut still = case.clone();
     still.operation.inner_speed_rad_s = 1e-2 * case.largest_inner_speed_rad_s().max(1.0);
-    still.operation.gravity_m_s2 = 0.0;
+    (still.operation.gravity_m_s2, still.operation.radial_load_n) = (0.0, 0.0);
+    still.operation.space.axial_load_n = 0.0;
+    (
+        still.operation.inner_speed_table,
+        still.operation.radial_load_table,
+    ) = (None, None);
     (still.rotor, still.support) = (None, None);
     still
 }

@@ -7,6 +7,7 @@ use cageless::dynamics::{Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
+use cageless::time_table::TimeTable;
 use cageless::touchdown::{DropRecorder, DropSummary, EndState};
 use cageless::{
     Bearing, Case, FrictionLaw, IntegrationMethod, Motion, Rotor, Row, Shaft, SupportStop, Tilt,
@@ -419,6 +420,17 @@ fn rests(mut case: Case, pressed_n: f64, within_m: f64) {
             assert!(moved.abs() < within_m, "{coordinate:?} {k}: {moved:e}");
         }
     }
+}
+
+/// A pair at rest may be run up from there.
+#[test]
+fn a_preloaded_pair_starts_at_rest_under_a_table_of_speeds() {
+    let mut case = pair(10e-6, true);
+    (case.rotor, case.support) = (None, None);
+    let table = TimeTable::new("inner_speed_rad_s", vec![0.0, 1.0], vec![0.0, 1000.0]);
+    case.operation.inner_speed_table = Some(table.unwrap());
+    let (state, _) = initial_state(&case).unwrap();
+    assert_eq!(state.ball_motion(0).spin, 0.0);
 }
 
 /// Thrust and fall the other way mirror the drop onto a pair.
