@@ -15,22 +15,16 @@ use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive};
 
-/// Position of a shaft in the field of gravity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Shaft {
-    /// Weights act along −Y.
-    #[default]
-    Horizontal,
-    /// Weights act along −Z.
-    Vertical,
-}
-
-impl Shaft {
-    /// Every position with its name in files.
-    pub const NAMES: &'static [(&'static str, Self)] = &[
-        ("horizontal", Self::Horizontal),
-        ("vertical", Self::Vertical),
-    ];
+crate::named_enum! {
+    /// Position of a shaft in the field of gravity.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Shaft {
+        /// Weights act along −Y.
+        #[default]
+        Horizontal = "horizontal",
+        /// Weights act along −Z.
+        Vertical = "vertical",
+    }
 }
 
 /// A rigid rotor in the plane of the bearing, which a magnetic bearing holds until t = 0.

@@ -14,7 +14,7 @@ pub(super) struct Bearing<'s> {
     pub number: Option<usize>,
     pub case: &'s Case,
     pub record: &'s BearingRecord,
-    /// The same drop onto a conventional outer ring.
+    /// Record of the same drop with a conventional outer ring, to compare with.
     pub conventional: Option<&'s BearingRecord>,
     /// Its first drop of those in succession.
     pub succession: Option<&'s Record>,

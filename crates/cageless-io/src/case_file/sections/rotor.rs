@@ -29,7 +29,7 @@ section_with_friction! {
         regularisation: default(0.05), Shown("0.05", "");
     }
     {
-        shaft => shaft: Shaft = default("horizontal"), Plain,
+        shaft => shaft: Shaft = default(Shaft::Horizontal.name()), Plain,
             "\"horizontal\", or \"vertical\" with weights along -z, in space", Absent;
         axial_clearance_um => axial_clearance_m: Option<f64> = Optional, Micrometre; Above(0.0),
             "axial touch-down clearance of either shoulder of the rotor to the face of the inner ring, with the rotor in the middle; the drop is then in space", Absent;

@@ -83,7 +83,7 @@ pub(crate) struct RotorTouch {
     /// Force on the rotor, N: of its contacts, with the friction at the end of the last step.
     pub force: Vector3<f64>,
     face_radius: Option<f64>,
-    /// J of each place.
+    /// J of each place; those round the face stay.
     rows: [Matrix2x5<f64>; PLACES],
     /// Normal force of each place, N.
     normal: [f64; PLACES],
@@ -111,6 +111,21 @@ fn relative(body: &RotorBody, layout: Layout, y: &[f64], offset: [f64; 2]) -> Re
 }
 
 impl RotorTouch {
+    /// Contacts that nothing has closed yet.
+    pub fn new(along_axis: Option<&RotorAlongAxis>) -> Self {
+        let mut touch = Self::default();
+        let Some([_, radius]) = along_axis.and_then(|along_axis| along_axis.faces) else {
+            return touch;
+        };
+        touch.face_radius = Some(radius);
+        for (k, row) in touch.rows[1..].iter_mut().enumerate() {
+            let angle = std::f64::consts::TAU * k as f64 / ROUND_FACE as f64;
+            let (sin, cos) = (radius * angle.sin(), radius * angle.cos());
+            *row = Matrix2x5::new(1.0, 0.0, 0.0, -sin, sin, 0.0, 1.0, 0.0, cos, -cos);
+        }
+        touch
+    }
+
     /// Contact of the rotor of a state with the ring, and its loads; friction only if asked for.
     pub fn evaluate(
         &mut self,
@@ -125,7 +140,6 @@ impl RotorTouch {
         let relative = relative(body, layout, y, contact.offset);
         let c = &contact.contact;
         self.face = FaceContact::default();
-        self.face_radius = along_axis.faces.map(|[_, radius]| radius);
         if let Some([clearance, radius]) = along_axis.faces {
             let side = relative.z.signum();
             let deflection = side * relative.z - clearance;
@@ -136,13 +150,7 @@ impl RotorTouch {
                 damping_power,
                 slip: radius * (relative.rates[3] - relative.rates[4]),
             };
-            for k in 0..ROUND_FACE {
-                let angle = std::f64::consts::TAU * k as f64 / ROUND_FACE as f64;
-                let (sin, cos) = (radius * angle.sin(), radius * angle.cos());
-                self.rows[1 + k] =
-                    Matrix2x5::new(1.0, 0.0, 0.0, -sin, sin, 0.0, 1.0, 0.0, cos, -cos);
-                self.normal[1 + k] = force / ROUND_FACE as f64;
-            }
+            self.normal[1..].fill(force / ROUND_FACE as f64);
         }
         let (rj, rb) = (body.journal.radius, body.journal.bore_radius);
         self.rows[0] = Matrix2x5::new(-c.ny, c.nx, 0.0, rj, -rb, 0.0, 0.0, 1.0, 0.0, 0.0);

@@ -67,7 +67,7 @@ impl SpaceWorkspace {
                 .map(|first| SpaceBlock::new(model, space, first))
                 .collect(),
             known: false,
-            rotor: RotorTouch::default(),
+            rotor: RotorTouch::new(space.rotor.as_ref()),
         }
     }
 
