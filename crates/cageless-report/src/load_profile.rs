@@ -1,7 +1,7 @@
 //! Loads and contact pressures over the angular position, from snapshots.
 
 use cageless::Bearing;
-use cageless::equilibrium::outer_pressure_pa;
+use cageless::raceway_contact::{RacewayContact, RacewayPoint};
 use cageless::snapshot::Snapshot;
 
 use crate::run_data::LoadProfile;
@@ -44,7 +44,10 @@ impl LoadProfile {
                     [snapshot.inner_force_n[k], snapshot.outer_force_n[k]].map(|f| f.max(0.0));
                 inner[step].add(force[0], bearing.inner_contact().peak_pressure_pa(force[0]));
                 let r = snapshot.effective_radius_m[k];
-                outer[step].add(force[1], outer_pressure_pa(bearing, r, force[1]));
+                let cosine = r / bearing.ball(k % bearing.balls()).radius_m;
+                let point = RacewayPoint::of_outer(cosine, force[1]);
+                let pressure = RacewayContact::outer(bearing, point).pressure_pa;
+                outer[step].add(force[1], pressure);
             }
         }
         let over = |bins: &[Bin], of: fn(&Bin) -> f64| -> Vec<f64> {

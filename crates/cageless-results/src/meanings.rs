@@ -12,6 +12,7 @@ pub(crate) const CRITERION: &str = "the criterion with the least margin, or the 
 pub(crate) const CRITICAL_GAP: &str = "largest gap at the entrance of the raceway that closes inside, from the motion of two balls";
 pub(crate) const DOUBLE_COLLISIONS: &str = "passages in which a ball touches the ball ahead and the ball behind, over all passages";
 pub(crate) const ENERGY_RESIDUAL: &str = "error of the energy balance over the sum of the absolute terms";
+pub(crate) const ELLIPSE_EDGE: &str = "contact angle with the half length of the ellipse over the radius of the ball, |α| + a/R; beyond the shoulder the ellipse is cut off; in space";
 pub(crate) const FORCE_ANGLE: &str = "angle between the sum of all forces of the balls there and the radius, each in its meridian plane and positive on the side of the contact sign of its row; of a run in space";
 pub(crate) const FTF: &str = "fundamental train frequency: orbits of the ball set per second";
 pub(crate) const KEEPS: &str = "at no tilt, by linear interpolation between the loads of the list; none if the balls keep as much under every load";

@@ -25,7 +25,10 @@ pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
 /// Results of a static equilibrium in space.
 pub fn spatial_record(case: &Case, space: &SpatialEquilibrium) -> Record {
     let solved = Solved::in_space(case, space);
-    let warnings = space.warnings().into_iter().chain(solved.rating.warnings());
+    let warnings = space
+        .warnings(&case.bearing)
+        .into_iter()
+        .chain(solved.rating.warnings());
     let of = |rows| Results::of(rows, Subject::Static(&solved));
     Record::from(of_every_case(&solved).and(of(SPACE)))
         .with_sentences("warnings", warnings.collect())

@@ -387,6 +387,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         ring_z_mean_m: next(&mut k),
         inner_contact_angle_mean_rad: next(&mut k),
         outer_contact_angle_mean_rad: next(&mut k),
+        ellipse_edge_max_rad: [next(&mut k), next(&mut k)],
     });
     let space = *space;
     let m = s.means.unwrap();
@@ -453,6 +454,14 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         (
             "outer_contact_angle_mean_deg",
             space.outer_contact_angle_mean_rad / DEGREE,
+        ),
+        (
+            "inner_ellipse_edge_max_deg",
+            space.ellipse_edge_max_rad[0] / DEGREE,
+        ),
+        (
+            "outer_ellipse_edge_max_deg",
+            space.ellipse_edge_max_rad[1] / DEGREE,
         ),
         ("lag_per_pass_deg", tally.lag_mean_rad() / DEGREE),
         ("gap_min_deg", s.gap_min_rad / DEGREE),

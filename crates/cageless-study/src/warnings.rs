@@ -34,8 +34,10 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
 pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
     let pressure =
         |(name, place)| over_pressure(place, 1e6 * drop.results.value(name).unwrap_or(0.0));
+    let truncated = |(ring, name): (usize, &str)| truncated(case, ring, drop.results.value(name));
     let mut warnings = of_case(case);
     warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
+    warnings.extend(DROP_EDGES.into_iter().enumerate().filter_map(truncated));
     if drop.stopped.is_none() {
         let residual = drop
             .results
@@ -62,6 +64,9 @@ pub(crate) fn of_scattered<'d>(
         let pressure = worst(name).map(|(index, mpa)| (index, over_pressure(place, 1e6 * mpa)));
         found.extend(pressure);
     }
+    for (ring, name) in DROP_EDGES.into_iter().enumerate() {
+        found.extend(worst(name).map(|(index, edge)| (index, truncated(case, ring, Some(edge)))));
+    }
     let residual = worst("energy_residual_relative");
     found.extend(residual.map(|(index, residual)| (index, unbalanced(residual, case))));
     let texts = found.into_iter().filter_map(|(index, text)| {
@@ -76,6 +81,14 @@ const DROP_PRESSURES: [(&str, &str); 3] = [
     ("outer_pressure_max_mpa", "at the outer raceway"),
     ("ball_pressure_max_mpa", "between balls"),
 ];
+
+/// Results of a drop on how far contact ellipses reach: inner, outer groove.
+const DROP_EDGES: [&str; 2] = ["inner_ellipse_edge_max_deg", "outer_ellipse_edge_max_deg"];
+
+fn truncated(case: &Case, ring: usize, edge_deg: Option<f64>) -> Option<String> {
+    case.bearing
+        .truncation_warning(ring, edge_deg?.to_radians())
+}
 
 fn over_pressure(place: &str, pressure_pa: f64) -> Option<String> {
     (pressure_pa > STRESS_LIMIT_PA).then(|| {
@@ -130,6 +143,10 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
             .iter()
             .filter_map(|(place, p)| over_pressure(place, p.pressure_pa)),
     );
+    if let Some(space) = &summary.space {
+        let edges = space.ellipse_edge_max_rad.into_iter().enumerate();
+        warnings.extend(edges.filter_map(|(ring, edge)| bearing.truncation_warning(ring, edge)));
+    }
     for (place, peak) in contacts {
         if peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K {
             let limit = peak.pressure_velocity_pa_m_s / peak.flash_temperature_k

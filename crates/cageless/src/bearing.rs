@@ -27,6 +27,7 @@
 
 mod contact_angle;
 mod dimensions;
+mod shoulder;
 
 use std::f64::consts::{PI, TAU};
 
@@ -38,6 +39,7 @@ use crate::material::Materials;
 
 use dimensions::ROUNDING_M;
 pub use dimensions::{BALLS_MAX, BALLS_MIN, BearingDimensions};
+pub use shoulder::BeyondGroove;
 
 /// A bearing with every constant that follows from its dimensions.
 #[derive(Debug, Clone, PartialEq)]

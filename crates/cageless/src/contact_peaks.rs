@@ -16,10 +16,10 @@
 
 use crate::case::Case;
 use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
-use crate::dynamics::Contacts;
-use crate::equilibrium::RacewayContact;
+use crate::dynamics::{Contacts, Model};
 use crate::kinematics::rolling_rotation_rad_s;
 use crate::raceway::Raceway;
+use crate::raceway_contact::{RacewayContact, RacewayPoint};
 
 /// Peak loads of one kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,72 +39,77 @@ pub struct ContactPeak {
 pub struct ContactPeaks {
     /// Balls against the inner raceway.
     pub inner: ContactPeak,
-    /// Balls against the outer raceway; where the balls rest on a discrete raceway at two
-    /// points, one of the two.
+    /// Balls against the outer raceway; where a ball rests on a discrete raceway at two points,
+    /// pressure and sliding are those of the more loaded one.
     pub outer: ContactPeak,
     /// Balls against balls.
     pub balls: ContactPeak,
 }
 
-/// Force with the sliding speed and the effective radius at the same time.
-#[derive(Debug, Clone, Copy, Default)]
-struct Sample {
+/// Point of contact `P` with the sliding speed at the same time.
+#[derive(Debug, Clone, Copy)]
+struct Sample<P> {
     rank: f64,
-    force_n: f64,
+    point: P,
     sliding_m_s: f64,
-    radius_m: f64,
 }
 
-/// Largest force and largest pressure times sliding speed among contacts of one geometry.
-#[derive(Debug, Clone, Copy, Default)]
-struct Largest {
-    load: Sample,
-    sliding: Sample,
+/// Largest force of a ball, and largest force and pressure times sliding speed of a point of contact.
+#[derive(Debug, Clone, Copy)]
+struct Largest<P> {
+    force_n: f64,
+    load: Option<Sample<P>>,
+    sliding: Option<Sample<P>>,
 }
 
-impl Largest {
-    /// Takes a contact of which one point carries `point_n` of `force_n`. Pressure grows with
-    /// F^(1/3), so that F·|ΔV|³ ranks pressure times sliding speed.
+impl<P: Copy> Largest<P> {
+    /// Of no contact.
+    fn none() -> Self {
+        Self {
+            force_n: 0.0,
+            load: None,
+            sliding: None,
+        }
+    }
+
+    /// Takes a contact under `force_n` of which `point` is the most loaded one and ranks by its
+    /// force, `point_n`. Pressure grows with F^(1/3), so that F·|ΔV|³ ranks pressure times sliding speed.
     #[inline]
-    fn add(&mut self, force_n: f64, point_n: f64, sliding_m_s: f64, radius_m: f64) {
+    fn add(&mut self, force_n: f64, (point, point_n): (P, f64), sliding_m_s: f64) {
+        self.force_n = self.force_n.max(force_n);
         let speed = sliding_m_s.abs();
         for (largest, rank) in [
             (&mut self.load, point_n),
             (&mut self.sliding, point_n * speed * speed * speed),
         ] {
-            if rank > largest.rank {
-                *largest = Sample {
+            if rank > largest.map_or(0.0, |sample| sample.rank) {
+                *largest = Some(Sample {
                     rank,
-                    force_n,
+                    point,
                     sliding_m_s,
-                    radius_m,
-                };
+                });
             }
         }
     }
 
-    /// Peaks with pressure and semi-axis in the direction of rolling by force and effective
-    /// radius, and surfaces of which one moves at `surface_m_s` past the contact.
+    /// Peaks with pressure and semi-axis in the direction of rolling of a point, and surfaces of
+    /// which one moves at `surface_m_s` past the contact.
     fn peak(
         &self,
         friction_coefficient: f64,
-        contact: &dyn Fn(f64, f64) -> RacewayContact,
+        contact: impl Fn(P) -> RacewayContact,
         surface_m_s: f64,
     ) -> ContactPeak {
-        if self.load.force_n <= 0.0 {
+        let Some(load) = self.load else {
             return ContactPeak::default();
-        }
-        let pressure_pa = contact(self.load.force_n, self.load.radius_m).pressure_pa;
+        };
         let Sample {
-            force_n,
-            sliding_m_s,
-            radius_m,
-            ..
-        } = self.sliding;
-        let sliding = contact(force_n, radius_m);
+            point, sliding_m_s, ..
+        } = self.sliding.unwrap_or(load);
+        let sliding = contact(point);
         ContactPeak {
-            force_n: self.load.force_n,
-            pressure_pa,
+            force_n: self.force_n,
+            pressure_pa: contact(load.point).pressure_pa,
             pressure_velocity_pa_m_s: sliding.pressure_pa * sliding_m_s.abs(),
             flash_temperature_k: flash_temperature_k(
                 friction_coefficient,
@@ -136,82 +141,81 @@ impl ContactPeak {
 /// Follows the contacts of a run for [`ContactPeaks`].
 #[derive(Debug, Clone)]
 pub(crate) struct ContactPeakTracker {
-    ball_radius_m: f64,
-    inner: Largest,
-    outer: Largest,
-    raceway: Largest,
-    /// Largest loads of one edge of each slot; their `radius_m` holds the local ψ in the slot, rad.
-    edges: Vec<(Raceway, Largest)>,
-    balls: Largest,
+    /// R of every ball, m.
+    radii_m: Vec<f64>,
+    inner: Largest<RacewayPoint>,
+    /// Without and with a contact angle.
+    outer: [Largest<RacewayPoint>; 2],
+    /// Force on one edge of each slot with the local ψ there, rad.
+    edges: Vec<(Raceway, Largest<(f64, f64)>)>,
+    /// Force between balls.
+    balls: Largest<f64>,
 }
 
 impl ContactPeakTracker {
-    pub fn new(case: &Case) -> Self {
+    pub fn new(case: &Case, model: &Model) -> Self {
         let slots = case.raceways.iter().filter(|r| r.slot().is_some());
         Self {
-            ball_radius_m: case.bearing.ball_radius_m(),
-            inner: Largest::default(),
-            outer: Largest::default(),
-            raceway: Largest::default(),
-            edges: slots.map(|r| (r.clone(), Largest::default())).collect(),
-            balls: Largest::default(),
+            radii_m: model.ball_radii_m(),
+            inner: Largest::none(),
+            outer: [Largest::none(); 2],
+            edges: slots.map(|r| (r.clone(), Largest::none())).collect(),
+            balls: Largest::none(),
         }
     }
 
     /// Takes the contacts of the balls with the raceways.
     pub fn look(&mut self, contacts: &Contacts<'_>) {
         for k in 0..contacts.balls() {
-            let inner = contacts.inner_force_n(k);
-            if inner > 0.0 {
-                self.inner
-                    .add(inner, inner, contacts.inner_sliding_m_s(k), 0.0);
+            let force_n = contacts.inner_force_n(k);
+            if force_n > 0.0 {
+                let point = contacts.inner_point(k);
+                let sliding_m_s = contacts.inner_sliding_m_s(k);
+                self.inner.add(force_n, (point, point.force_n), sliding_m_s);
             }
-            let outer = contacts.outer_force_n(k);
-            if outer > 0.0 {
-                let (slip, radius) = (
-                    contacts.outer_sliding_m_s(k),
-                    contacts.effective_radius_m(k),
-                );
-                if self.add_edge(contacts, k) {
+            let force_n = contacts.outer_force_n(k);
+            if force_n > 0.0 {
+                let point = contacts.outer_point(k, self.radii_m[k]);
+                let sliding_m_s = contacts.outer_sliding_m_s(k);
+                if self.add_edge(contacts, k, point.force_n) {
                     continue;
                 }
-                if radius < self.ball_radius_m {
-                    // Two points share the force, Zhao 2022, Eq. (19).
-                    let of_one = outer * self.ball_radius_m / (2.0 * radius);
-                    self.raceway.add(outer, of_one, slip, radius);
-                } else {
-                    self.outer.add(outer, outer, slip, radius);
-                }
+                self.outer[usize::from(point.cosine < 1.0)].add(
+                    force_n,
+                    (point, point.force_n),
+                    sliding_m_s,
+                );
             }
         }
     }
 
-    /// Takes the more loaded edge at a ball in a slot; whether it is in one.
-    fn add_edge(&mut self, contacts: &Contacts<'_>, k: usize) -> bool {
+    /// Takes the more loaded edge at a ball in a slot, which carries `point_n`; whether it is in one.
+    fn add_edge(&mut self, contacts: &Contacts<'_>, k: usize, point_n: f64) -> bool {
         if self.edges.is_empty() {
             return false;
         }
         let angle = contacts.angle_rad(k);
         let found = self.edges.iter_mut().find(|(r, _)| r.contains(angle));
-        let (Some((raceway, largest)), Some(space)) = (found, contacts.in_space(k)) else {
+        let Some((raceway, largest)) = found else {
             return false;
         };
-        let (local, point_n) = (raceway.local_angle_rad(angle), space.outer_point_n());
+        let local = raceway.local_angle_rad(angle);
         let ratio = raceway
             .slot()
             .map_or(1.0, |slot| slot.pressure_ratio(local));
-        let slip = contacts.outer_sliding_m_s(k);
-        largest.add(point_n, point_n * ratio.powi(3), slip, local);
+        let point = ((point_n, local), point_n * ratio.powi(3));
+        let sliding_m_s = contacts.outer_sliding_m_s(k);
+        largest.add(contacts.outer_force_n(k), point, sliding_m_s);
         true
     }
 
     /// Takes the contacts between balls, which last some tens of microseconds.
     pub fn look_between_balls(&mut self, contacts: &Contacts<'_>) {
         for k in 0..contacts.balls() {
-            let force = contacts.pair_force_n(k);
-            if force > 0.0 {
-                self.balls
-                    .add(force, force, contacts.pair_sliding_m_s(k), 0.0);
+            let force_n = contacts.pair_force_n(k);
+            if force_n > 0.0 {
+                let sliding_m_s = contacts.pair_sliding_m_s(k);
+                self.balls.add(force_n, (force_n, force_n), sliding_m_s);
             }
         }
     }
@@ -227,27 +231,22 @@ impl ContactPeakTracker {
         let ball_friction = friction * contact.ball_friction_factor;
         let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;
         let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
-        let ball_m_s =
-            rolling_rotation_rad_s(bearing, orbit, self.ball_radius_m) * self.ball_radius_m;
-        let inner = |force_n: f64, _: f64| RacewayContact::inner(bearing, force_n);
-        let outer = |force_n: f64, radius_m: f64| RacewayContact::outer(bearing, radius_m, force_n);
-        let between = |force_n: f64, _: f64| RacewayContact::new(bearing.ball_contact(), force_n);
+        let ball_m_s = rolling_rotation_rad_s(bearing, orbit, d.ball_radius_m) * d.ball_radius_m;
+        let inner = |point| RacewayContact::inner(bearing, point);
+        let outer = |point| RacewayContact::outer(bearing, point);
+        let between = |force_n| RacewayContact::new(bearing.ball_contact(), force_n);
         let edges = self.edges.iter().filter_map(|(raceway, largest)| {
             let slot = raceway.slot()?;
-            let edge = |force_n: f64, local: f64| {
-                RacewayContact::new(&slot.contact(local, bearing), force_n)
-            };
-            Some(largest.peak(outer_friction, &edge, outer_m_s))
+            let edge =
+                |(force_n, local)| RacewayContact::new(&slot.contact(local, bearing), force_n);
+            Some(largest.peak(outer_friction, edge, outer_m_s))
         });
-        let outer = (self.outer.peak(outer_friction, &outer, outer_m_s)).or(self.raceway.peak(
-            outer_friction,
-            &outer,
-            outer_m_s,
-        ));
+        let [straight, angled] =
+            (self.outer).map(|largest| largest.peak(outer_friction, outer, outer_m_s));
         ContactPeaks {
-            inner: self.inner.peak(friction, &inner, inner_m_s),
-            outer: edges.fold(outer, ContactPeak::or),
-            balls: self.balls.peak(ball_friction, &between, ball_m_s),
+            inner: self.inner.peak(friction, inner, inner_m_s),
+            outer: edges.fold(straight.or(angled), ContactPeak::or),
+            balls: self.balls.peak(ball_friction, between, ball_m_s),
         }
     }
 }
@@ -257,7 +256,7 @@ mod tests {
     use super::{ContactPeak, Largest, RacewayContact};
 
     /// A contact whose pressure goes with the cube root of the force.
-    fn contact(force_n: f64, _: f64) -> RacewayContact {
+    fn contact(force_n: f64) -> RacewayContact {
         RacewayContact {
             pressure_pa: 1e9 * force_n.cbrt(),
             semi_axes_m: [1e-4; 2],
@@ -268,11 +267,11 @@ mod tests {
     /// temperature are those of one and the same.
     #[test]
     fn a_product_is_that_of_one_contact() {
-        let mut largest = Largest::default();
+        let mut largest = Largest::none();
         for (force_n, sliding_m_s) in [(1000.0, 0.1), (8.0, 2.0), (27.0, -1.5), (1.0, 3.5)] {
-            largest.add(force_n, force_n, sliding_m_s, 0.0);
+            largest.add(force_n, (force_n, force_n), sliding_m_s);
         }
-        let peak = largest.peak(0.1, &contact, 10.0);
+        let peak = largest.peak(0.1, contact, 10.0);
         assert_eq!(peak.force_n, 1000.0);
         assert!((peak.pressure_pa / 1e10 - 1.0).abs() < 1e-12);
         // 3 GPa at 1.5 m/s, not 2 GPa at 2 m/s, 1 GPa at 3.5 m/s or 10 GPa at 0.1 m/s.
@@ -283,25 +282,21 @@ mod tests {
         let expected = 1.11 * 0.1 * load * roots / (12_888.0 * 2e-4f64.sqrt());
         assert!((peak.flash_temperature_k / expected - 1.0).abs() < 1e-9);
         assert_eq!(
-            Largest::default().peak(0.1, &contact, 10.0),
+            Largest::none().peak(0.1, contact, 10.0),
             ContactPeak::default()
         );
     }
 
-    /// Where two points share a contact, the force is that of the ball, the rank that of one point.
+    /// Where two points share a contact, the force is that of the ball, all else of one point.
     #[test]
     fn a_shared_force_ranks_by_one_point() {
-        let mut largest = Largest::default();
-        largest.add(1000.0, 400.0, 1.0, 0.004);
-        largest.add(900.0, 450.0, 1.0, 0.003);
-        assert_eq!(
-            (largest.load.force_n, largest.load.radius_m),
-            (900.0, 0.003)
-        );
-        assert_eq!(
-            (largest.sliding.force_n, largest.sliding.radius_m),
-            (900.0, 0.003)
-        );
+        let mut largest = Largest::none();
+        largest.add(1000.0, (400.0, 400.0), 1.0);
+        largest.add(900.0, (450.0, 450.0), 1.0);
+        let peak = largest.peak(0.1, contact, 10.0);
+        assert_eq!(peak.force_n, 1000.0);
+        assert_eq!(peak.pressure_pa, 1e9 * 450f64.cbrt());
+        assert_eq!(peak.pressure_velocity_pa_m_s, peak.pressure_pa);
     }
 
     #[test]

@@ -107,3 +107,8 @@ impl InputError {
         Self::new(field, value, Allowed::Rule(rule.into()))
     }
 }
+
+/// An angle for a message, degrees.
+pub(crate) fn degrees(angle_rad: f64) -> f64 {
+    angle_rad.to_degrees()
+}

@@ -15,8 +15,9 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::RingCoordinate;
+use crate::dynamics::{Contacts, Model};
+use crate::ellipse_edges::EllipseEdges;
 use crate::simulation::StepView;
 
 /// Numbers over the part of a run after its transient.
@@ -29,6 +30,8 @@ pub struct SpatialSummary {
     pub inner_contact_angle_mean_rad: f64,
     /// The same at the outer raceway.
     pub outer_contact_angle_mean_rad: f64,
+    /// Largest |α| + a/R to which a contact ellipse reaches: inner, outer groove.
+    pub ellipse_edge_max_rad: [f64; 2],
 }
 
 /// Follows a run for its [`SpatialSummary`].
@@ -38,9 +41,17 @@ pub(crate) struct SpatialSummaryTracker {
     ring_z: f64,
     /// Sums of force along the radius and the axis: inner, outer.
     forces: [[f64; 2]; 2],
+    edges: EllipseEdges,
 }
 
 impl SpatialSummaryTracker {
+    pub fn new(model: &Model) -> Self {
+        Self {
+            edges: EllipseEdges::new(model),
+            ..Self::default()
+        }
+    }
+
     /// Takes a step of a run in space.
     pub fn step(&mut self, view: &StepView<'_, '_>) {
         let at = view.layout().ring(RingCoordinate::Z);
@@ -55,16 +66,12 @@ impl SpatialSummaryTracker {
             let Some(ball) = contacts.in_space(k) else {
                 return;
             };
-            let pairs = [
-                (contacts.inner_force_n(k), ball.inner_contact_angle_rad()),
-                (contacts.outer_force_n(k), ball.outer_contact_angle_rad()),
-            ];
-            for (sums, (force, angle)) in self.forces.iter_mut().zip(pairs) {
-                if force > 0.0 {
-                    sums[0] += force * angle.cos();
-                    sums[1] += sign * (force * angle.sin());
-                }
+            let forces = [ball.inner_force_n(), ball.outer_force_n()];
+            for (sums, [along, across]) in self.forces.iter_mut().zip(forces) {
+                sums[0] += along;
+                sums[1] += sign * across;
             }
+            self.edges.look(k, &ball);
         }
     }
 
@@ -75,6 +82,7 @@ impl SpatialSummaryTracker {
             ring_z_mean_m: self.ring_z / self.time_s,
             inner_contact_angle_mean_rad: inner,
             outer_contact_angle_mean_rad: outer,
+            ellipse_edge_max_rad: self.edges.largest_rad(),
         })
     }
 }

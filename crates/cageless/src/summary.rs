@@ -137,7 +137,8 @@ impl Observer for SummaryRecorder {
         self.contact_counter = Some(ContactCounter::new(context.model));
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
-        self.peaks = Some(ContactPeakTracker::new(case));
+        self.peaks = Some(ContactPeakTracker::new(case, context.model));
+        self.space = SpatialSummaryTracker::new(context.model);
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
             .map(|k| rows[k / case.bearing.balls()].contact_sign)

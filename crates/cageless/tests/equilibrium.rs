@@ -1,8 +1,9 @@
 //! Static equilibrium against closed forms and an independent balance.
 
 use crate::common::{conventional, dimensions, steel, structure};
-use cageless::equilibrium::{Equilibrium, EquilibriumError, outer_pressure_pa, overload, solve};
+use cageless::equilibrium::{Equilibrium, EquilibriumError, overload, solve};
 use cageless::initial_conditions::initial_state;
+use cageless::raceway_contact::{RacewayContact, RacewayPoint};
 use cageless::{Bearing, BearingDimensions, Case, Gaps, Profile, Start};
 
 /// Forces on every ball and on the ring, put together again from the result alone.
@@ -105,12 +106,14 @@ fn stribecks_number() {
 #[test]
 fn stress_on_the_discrete_raceway() {
     let case = structure(5.1, 25.2);
-    let rw = case.bearing.ball_radius_m();
-    let plain = outer_pressure_pa(&case.bearing, rw, 500.0);
-    let limit = outer_pressure_pa(&case.bearing, rw * (1.0 - 1e-12), 500.0);
+    let pressure = |cosine: f64| {
+        let point = RacewayPoint::of_outer(cosine, 500.0);
+        RacewayContact::outer(&case.bearing, point).pressure_pa
+    };
+    let (plain, limit) = (pressure(1.0), pressure(1.0 - 1e-12));
     // Two points share the load: p₀ goes with its cube root.
     assert!((limit / plain - 0.5f64.cbrt()).abs() < 1e-6);
-    let inside = outer_pressure_pa(&case.bearing, 0.85 * rw, 500.0);
+    let inside = pressure(0.85);
     assert!(inside > limit && inside < plain);
 }
 

@@ -8,7 +8,7 @@ use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Cause, Control, Ending, run_from};
-use cageless::{Case, IntegrationMethod};
+use cageless::{Case, IntegrationMethod, Motion};
 
 /// A time in which nothing moves.
 const STEP_S: f64 = 1e-13;
@@ -235,6 +235,61 @@ fn energy_from_nowhere_has_its_limit() {
                 assert!((residual_j / excess - 1.0).abs() < 1e-6);
                 assert!((flows_j / (2.0 * drive + excess) - 1.0).abs() < 1e-6);
             }
+        }
+    }
+}
+
+/// A ball that bears on a groove, 1 µm deep, on either side of its shoulder; the ring has moved away
+/// from it.
+#[test]
+fn a_ball_over_a_shoulder() {
+    let d = dimensions();
+    let mut case = conventional(dimensions());
+    case.motion = Motion::Space;
+    let rw = d.ball_radius_m;
+    let grooves = [
+        (0.4 * rw, d.inner_groove_curvature_radius_m),
+        (
+            d.outer_groove_bottom_radius_m - d.outer_shoulder_radius_m,
+            d.outer_groove_curvature_radius_m,
+        ),
+    ];
+    for (ring, (height, groove)) in grooves.into_iter().enumerate() {
+        let end = (1.0 - height / groove).acos();
+        let stopped_at = |angle: f64| {
+            stopped(&case, 20.0, |state| {
+                let ball = state.ball_motion(5);
+                let away_m = -100e-6;
+                let length = groove - rw + 1e-6;
+                let (radius, z) = match ring {
+                    0 => (
+                        away_m + d.inner_groove_bottom_radius_m + groove - length * angle.cos(),
+                        -length * angle.sin(),
+                    ),
+                    _ => (
+                        d.outer_groove_bottom_radius_m - groove + length * angle.cos(),
+                        length * angle.sin(),
+                    ),
+                };
+                let (sin, cos) = ball.y.atan2(ball.x).sin_cos();
+                let mut moved = ball;
+                (moved.x, moved.y) = (radius * cos, radius * sin);
+                state.set_ball(5, moved);
+                state.set_ball_in_space(5, z, [0.0; 2]);
+                for (coordinate, part) in [(RingCoordinate::X, cos), (RingCoordinate::Y, sin)] {
+                    let at = state.layout().ring(coordinate);
+                    state.values_mut()[at] = away_m * part;
+                }
+            })
+        };
+        for sign in [1.0, -1.0] {
+            assert_eq!(stopped_at(sign * 0.999 * end), None, "{ring}");
+            let Some(Cause::BeyondGroove(beyond)) = stopped_at(sign * 1.001 * end) else {
+                panic!("{ring}");
+            };
+            assert_eq!((beyond.ball, beyond.ring), (5, ring));
+            assert!((beyond.angle_rad / (sign * 1.001 * end) - 1.0).abs() < 1e-6);
+            assert!((beyond.shoulder_rad / end - 1.0).abs() < 1e-12);
         }
     }
 }

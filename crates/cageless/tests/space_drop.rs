@@ -375,20 +375,30 @@ fn the_ledger_closes_for_a_light_ring() {
     assert!(residual < 1e-5, "{residual:e}");
 }
 
-/// On plain rings the pressure of a drop is Hertz's under the largest force of a ball.
+/// On plain rings the pressure of a drop is Hertz's at the contact angle of the pair, 15°, under the
+/// largest force of a ball.
 #[test]
 fn pressures_in_space_are_those_of_the_contacts() {
     let mut case = horizontal().conventional();
     case.solver.duration_s = 1e-3;
     let (summary, _) = dropped(&case);
     let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
-    let (outer, force) = (
-        case.bearing.outer_contact(),
-        most(&summary.outer_force_max_n),
-    );
-    let expected = outer.peak_pressure_pa(force);
-    let found = summary.outer_pressure_max_pa;
-    assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    let contacts = case.bearing.contacts_at([15f64.to_radians(); 2]);
+    for (contact, forces, found) in [
+        (
+            &contacts[0],
+            &summary.inner_force_max_n,
+            summary.inner_pressure_max_pa,
+        ),
+        (
+            &contacts[1],
+            &summary.outer_force_max_n,
+            summary.outer_pressure_max_pa,
+        ),
+    ] {
+        let expected = contact.peak_pressure_pa(most(forces));
+        assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
+    }
 }
 
 /// Rows that press each other hold their balls before anything falls on them.

@@ -8,6 +8,7 @@ use cageless::dynamics::{Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Ending, run, run_from};
+use cageless::summary::SummaryRecorder;
 use cageless::{Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Motion, Start, Tilt};
 
 use crate::common::{complete, conventional, dimensions, raceway, steel, structure};
@@ -363,5 +364,35 @@ fn a_settled_start_in_space_stays() {
         let at = start.layout().ring(coordinate);
         let moved = end.values()[at] - start.values()[at];
         assert!(moved.abs() < 5e-9, "{coordinate:?}: {moved:e}");
+    }
+}
+
+/// A run from a settled start has the pressures, forces and edges of ellipses of the equilibrium: at
+/// the outer raceway those of the more loaded flank, which bears far more than half.
+#[test]
+fn peaks_are_those_of_the_more_loaded_flank() {
+    let mut case = structure(5.1, 25.2);
+    case.operation.space.axial_load_n = 0.5 * case.operation.radial_load_n;
+    case.operation.inner_speed_rad_s = 10.0;
+    case.solver.duration_s = 1e-4;
+    let solved = cageless::equilibrium::space::solve(&case).unwrap();
+    let lowest = solved.flank_force_n[0];
+    assert!(lowest[0] > 2.0 * lowest[1] && lowest[1] > 0.0, "{lowest:?}");
+    let mut recorder = SummaryRecorder::new();
+    run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+    let summary = recorder.summary().unwrap();
+    let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
+    let (peaks, rest) = (&summary.peaks, &solved.rest);
+    for (found, expected) in [
+        (peaks.outer.pressure_pa, rest.outer_pressure_max_pa),
+        (peaks.inner.pressure_pa, rest.inner_pressure_max_pa),
+        (peaks.outer.force_n, most(&rest.outer_force_n)),
+        (peaks.inner.force_n, most(&rest.inner_force_n)),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+    }
+    let edges = summary.space.unwrap().ellipse_edge_max_rad;
+    for (found, expected) in edges.into_iter().zip(solved.ellipse_edge_max_rad) {
+        assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
     }
 }

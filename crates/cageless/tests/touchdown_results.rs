@@ -1,7 +1,7 @@
 //! Results of a drop against what its states, contacts and energy terms give.
 
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::equilibrium::outer_pressure_pa;
+use cageless::raceway_contact::{RacewayContact, RacewayPoint};
 use cageless::simulation::{
     Control, Observer, ObserverError, RotorDrop, RunOutcome, StepView, run,
 };
@@ -158,7 +158,8 @@ impl Observer for Loads<'_> {
         let contacts = &view.contacts;
         for k in 0..contacts.balls() {
             let (radius, force) = (contacts.effective_radius_m(k), contacts.outer_force_n(k));
-            let pressure = outer_pressure_pa(&self.case.bearing, radius, force);
+            let point = RacewayPoint::of_outer(radius / self.case.bearing.ball(k).radius_m, force);
+            let pressure = RacewayContact::outer(&self.case.bearing, point).pressure_pa;
             if pressure > self.outer_pa {
                 self.outer_pa = pressure;
                 self.inside = radius < self.case.bearing.ball_radius_m();

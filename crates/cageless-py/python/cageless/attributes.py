@@ -52,6 +52,8 @@ class RunAttributes:
     ring_z_mean_um: float  # mean displacement of the inner ring, z, um
     inner_contact_angle_mean_deg: float  # contact angle at the inner raceway, mean, deg
     outer_contact_angle_mean_deg: float  # contact angle at the outer raceway, mean, deg
+    inner_ellipse_edge_max_deg: float  # edge of contact ellipses, inner raceway, largest angle, deg
+    outer_ellipse_edge_max_deg: float  # edge of contact ellipses, outer raceway, largest angle, deg
     collisions: int | None  # collisions between balls
     collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
     collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
@@ -129,6 +131,8 @@ class DropAttributes:
     inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
     outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     ball_pressure_max_mpa: float  # peak contact pressure, ball on ball, MPa
+    inner_ellipse_edge_max_deg: float  # edge of contact ellipses, inner raceway, largest angle, deg
+    outer_ellipse_edge_max_deg: float  # edge of contact ellipses, outer raceway, largest angle, deg
     collisions: int | None  # collisions between balls
     collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
     collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
@@ -261,6 +265,8 @@ class StaticAttributes:
     row: Floats  # row of the ball, from 1
     row_preload_um: Floats  # preload of the rows by displacement, um
     row_axial_force_n: Floats  # axial force of the rows, N
+    inner_ellipse_edge_max_deg: float  # edge of contact ellipses, inner raceway, largest angle, deg
+    outer_ellipse_edge_max_deg: float  # edge of contact ellipses, outer raceway, largest angle, deg
     inner_contact_angle_deg: Floats  # contact angle, inner raceway, deg
     outer_contact_angle_deg: Floats  # contact angle, outer raceway, deg
     flank_plus_force_n: Floats  # force at the outer groove, or at the flank towards +z, N

@@ -41,6 +41,8 @@ pub const DROP: &[Quantity] = &[
     means(HERTZ_PRESSURE, across(Largest, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-6 * d.summary.inner_pressure_max_pa)))))),
     means(HERTZ_PRESSURE, across(Largest, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-6 * d.summary.outer_pressure_max_pa)))))),
     means(HERTZ_PRESSURE, across(Largest, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-6 * d.summary.ball_pressure_max_pa)))))),
+    means(ELLIPSE_EDGE, across(Largest, quantity("inner_ellipse_edge_max_deg", "deg", "edge of contact ellipses, inner raceway, largest angle", Drop(|d| d.summary.ellipse_edge_max_rad.map(|edge| edge[0].to_degrees()).into())))),
+    means(ELLIPSE_EDGE, across(Largest, quantity("outer_ellipse_edge_max_deg", "deg", "edge of contact ellipses, outer raceway, largest angle", Drop(|d| d.summary.ellipse_edge_max_rad.map(|edge| edge[1].to_degrees()).into())))),
     means(COLLISIONS, across(Sum, low(integer("collisions", "collisions between balls", Drop(|d| Cell::Integer(d.summary.collisions.all as i64)))))),
     means(ABOVE_0_1, across(Sum, low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Drop(|d| Cell::Integer(d.summary.collisions.above[0] as i64)))))),
     means(ABOVE_0_5, across(Sum, low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Drop(|d| Cell::Integer(d.summary.collisions.above[1] as i64)))))),

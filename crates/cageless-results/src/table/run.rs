@@ -50,6 +50,8 @@ pub const RUN: &[Quantity] = &[
     quantity("ring_z_mean_um", "um", "mean displacement of the inner ring, z", Run(|r| of_space(r, |s| s.ring_z_mean_m * 1e6))),
     means(FORCE_ANGLE, quantity("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Run(|r| of_space(r, |s| s.inner_contact_angle_mean_rad.to_degrees())))),
     means(FORCE_ANGLE, quantity("outer_contact_angle_mean_deg", "deg", "contact angle at the outer raceway, mean", Run(|r| of_space(r, |s| s.outer_contact_angle_mean_rad.to_degrees())))),
+    means(ELLIPSE_EDGE, quantity("inner_ellipse_edge_max_deg", "deg", "edge of contact ellipses, inner raceway, largest angle", Run(|r| of_space(r, |s| s.ellipse_edge_max_rad[0].to_degrees())))),
+    means(ELLIPSE_EDGE, quantity("outer_ellipse_edge_max_deg", "deg", "edge of contact ellipses, outer raceway, largest angle", Run(|r| of_space(r, |s| s.ellipse_edge_max_rad[1].to_degrees())))),
     means(COLLISIONS, low(integer("collisions", "collisions between balls", Run(|r| of_contacts(r, |c| c.all))))),
     means(ABOVE_0_1, low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0]))))),
     means(ABOVE_0_5, low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1]))))),

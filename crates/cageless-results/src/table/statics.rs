@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use cageless::OperatingClearance;
-use cageless::equilibrium::RacewayContact;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
+use cageless::raceway_contact::RacewayContact;
 use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
 
 use crate::Solved;
@@ -130,6 +130,8 @@ pub const SPACE: &[Quantity] = &[
     part(list("row", "", "row of the ball, from 1", Static(|s| of_space(s, |e| e.row.iter().map(|row| (row + 1) as f64).collect())))),
     means("by which the outer ring of each row is displaced against its contact sign, given or by its spring", part(list("row_preload_um", "um", "preload of the rows by displacement", Static(|s| of_space(s, |e| e.row_preload_m.iter().map(|m| m * 1e6).collect()))))),
     means("of the balls of each row on its outer ring, along z", part(list("row_axial_force_n", "N", "axial force of the rows", Static(|s| of_space(s, |e| e.row_axial_force_n.clone()))))),
+    means(ELLIPSE_EDGE, part(quantity("inner_ellipse_edge_max_deg", "deg", "edge of contact ellipses, inner raceway, largest angle", Static(|s| space(s, |e| e.ellipse_edge_max_rad[0].to_degrees()))))),
+    means(ELLIPSE_EDGE, part(quantity("outer_ellipse_edge_max_deg", "deg", "edge of contact ellipses, outer raceway, largest angle", Static(|s| space(s, |e| e.ellipse_edge_max_rad[1].to_degrees()))))),
     means("positive where the inner ring is pushed towards +z", column("αi", part(list("inner_contact_angle_deg", "deg", "contact angle, inner raceway", Static(|s| of_space(s, |e| in_degrees(&e.inner_contact_angle_rad))))))),
     means("angle of the force on the outer ring, on a discrete raceway of both flanks together", column("αo", part(list("outer_contact_angle_deg", "deg", "contact angle, outer raceway", Static(|s| of_space(s, |e| in_degrees(&e.outer_contact_angle_rad))))))),
     column("F+", part(list("flank_plus_force_n", "N", "force at the outer groove, or at the flank towards +z", Static(|s| of_space(s, |e| e.flank_force_n.iter().map(|f| f[0]).collect()))))),

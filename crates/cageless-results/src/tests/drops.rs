@@ -74,6 +74,7 @@ fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
         parts_w: [next(counter), next(counter), next(counter)],
         torque_n_m: next(counter),
     });
+    s.ellipse_edge_max_rad = Some([next(counter), next(counter)]);
     s.impacts = 11;
     (s.collisions.all, s.collisions.above) = (101, [53, 29, 17]);
     (file.case().clone(), s, outcome)
@@ -84,6 +85,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
     let (case, s, outcome) = drop(&mut 0.2);
     let (heat, weight_n) = (s.heat, s.rotor_weight_n.unwrap());
     let of_balls = heat.inner_friction_j + heat.outer_friction_j + heat.ball_friction_j;
+    let edges = s.ellipse_edge_max_rad.unwrap();
     let rate = |k: usize| s.end_collision_rate_above_hz[k].unwrap();
     let (end, capacities) = (
         s.end_power.unwrap(),
@@ -137,6 +139,8 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("backward_whirl_hz", s.backward_whirl_hz.unwrap()),
         ("inner_pressure_max_mpa", s.inner_pressure_max_pa / MPA),
         ("outer_pressure_max_mpa", s.outer_pressure_max_pa / MPA),
+        ("inner_ellipse_edge_max_deg", edges[0] / DEGREE),
+        ("outer_ellipse_edge_max_deg", edges[1] / DEGREE),
         ("ball_pressure_max_mpa", s.ball_pressure_max_pa / MPA),
         ("end_collision_rate_hz", s.end_collision_rate_hz.unwrap()),
         ("end_collision_rate_above_0_1_m_s_hz", rate(0)),

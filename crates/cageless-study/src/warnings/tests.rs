@@ -91,6 +91,23 @@ fn each_peak_of_a_contact_has_its_limit() {
 }
 
 #[test]
+fn ellipses_that_a_shoulder_cuts_off_are_named() {
+    let mut run = Run::new(&["model.motion=\"space\""]);
+    let ends = run.case.bearing.shoulder_angles_rad();
+    for (ring, name) in ["inner", "outer"].into_iter().enumerate() {
+        let set = |run: &mut Run, edge: f64| {
+            let summary = run.summary.as_mut().unwrap();
+            let space = summary.space.as_mut().unwrap();
+            space.ellipse_edge_max_rad = [0.0; 2];
+            space.ellipse_edge_max_rad[ring] = edge;
+        };
+        let text = format!("the shoulder of the {name} ring cuts off contact ellipses");
+        run.changes(false, "", |run| set(run, ends[ring]));
+        run.changes(true, &text, |run| set(run, ends[ring].next_up()));
+    }
+}
+
+#[test]
 fn speed_heat_and_energy_have_their_limits() {
     let mut run = Run::new(&[]);
     // n·Dpw with Dpw = 18.24 + 27.765 mm.

@@ -3,7 +3,6 @@
 use super::{Bearing, BearingDimensions};
 use crate::contact::hertz::PointContact;
 use crate::error::{Allowed, InputError};
-use crate::ring_support::SHOULDER_HEIGHT;
 
 /// Difference of a given contact angle and that of the clearance below which they agree, rad.
 const SAME_ANGLE_RAD: f64 = 1e-3;
@@ -82,20 +81,6 @@ impl Bearing {
     pub fn contacts_at(&self, angles_rad: [f64; 2]) -> [PointContact; 2] {
         self.dimensions
             .raceway_contacts_at(&self.materials, angles_rad)
-    }
-
-    /// Contact angles at the shoulders of inner and outer ring. The inner shoulder, of which no
-    /// radius is given, has the usual height.
-    pub fn shoulder_angles_rad(&self) -> [f64; 2] {
-        let d = &self.dimensions;
-        let (ri, re) = (
-            d.inner_groove_curvature_radius_m,
-            d.outer_groove_curvature_radius_m,
-        );
-        let inner_height = SHOULDER_HEIGHT * 2.0 * d.ball_radius_m;
-        let outer_height = d.outer_groove_bottom_radius_m - d.outer_shoulder_radius_m;
-        [(inner_height, ri), (outer_height, re)]
-            .map(|(height, radius)| (1.0 - height / radius).clamp(0.0, 1.0).acos())
     }
 
     /// Largest displacement of the outer ring by which a row against one like it may be preloaded:

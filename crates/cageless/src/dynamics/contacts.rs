@@ -7,6 +7,7 @@ use crate::contact::outer_friction_direction;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::{Lanes, lane_maxima};
 use crate::profile::Profile;
+use crate::raceway_contact::RacewayPoint;
 use crate::simd::Workspace;
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
@@ -132,6 +133,29 @@ impl Contacts<'_> {
             let deep = |deflection: &Lanes| deflection.0[lane] > limit_m;
             any | deep(outer) | deep(inner) | deep(&results.pair.deflection)
         })
+    }
+
+    /// Where ball `k` bears on the inner raceway.
+    pub fn inner_point(&self, k: usize) -> RacewayPoint {
+        match self.in_space(k) {
+            Some(ball) => ball.inner_point(),
+            None => RacewayPoint {
+                force_n: self.inner_force_n(k),
+                cosine: 1.0,
+            },
+        }
+    }
+
+    /// Where ball `k`, of this radius, bears on the outer raceway; on a discrete raceway the more
+    /// loaded of two points.
+    pub fn outer_point(&self, k: usize, radius_m: f64) -> RacewayPoint {
+        match self.in_space(k) {
+            Some(ball) => ball.outer_point(),
+            None => {
+                let cosine = self.effective_radius_m(k) / radius_m;
+                RacewayPoint::of_outer(cosine, self.outer_force_n(k))
+            }
+        }
     }
 
     /// Contacts of ball `k` in space; `None` in the plane.

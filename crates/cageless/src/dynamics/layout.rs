@@ -34,7 +34,7 @@ pub struct Layout {
     /// N, of all rows.
     pub balls: usize,
     /// Balls of a row.
-    row: usize,
+    pub(crate) row: usize,
     /// Length of one array over the balls.
     pub stride: usize,
     /// Coordinates of a ball.

@@ -1,11 +1,7 @@
 //! Reasons for which there is no equilibrium.
 
-use crate::error::InputError;
-
-/// An angle for a message.
-pub(super) fn degrees(angle_rad: f64) -> f64 {
-    angle_rad.to_degrees()
-}
+use crate::bearing::BeyondGroove;
+use crate::error::{InputError, degrees};
 
 /// Why a case has no static equilibrium, or none was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -35,22 +31,8 @@ pub enum EquilibriumError {
         gap_rad: f64,
     },
     /// A contact that left its groove over the shoulder.
-    #[error(
-        "the load presses ball {} over the shoulder of the {ring} ring: its contact angle is \
-         {:.1} deg, the groove ends at {:.1} deg; reduce axial load, moments or tilt, or raise the \
-         shoulder",
-        ball + 1, degrees(*angle_rad), degrees(*shoulder_rad)
-    )]
-    BeyondGroove {
-        /// The ball, from 0, through all rows.
-        ball: usize,
-        /// The ring: inner or outer.
-        ring: &'static str,
-        /// Its contact angle.
-        angle_rad: f64,
-        /// The contact angle at which the groove ends.
-        shoulder_rad: f64,
-    },
+    #[error("the load presses {0}; reduce axial load, moments or tilt, or raise the shoulder")]
+    BeyondGroove(BeyondGroove),
     /// No convergence.
     #[error(
         "no static equilibrium found: {residual_n:e} N of force are left on the ring after \

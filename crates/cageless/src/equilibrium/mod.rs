@@ -22,7 +22,6 @@ mod minimum;
 mod newton;
 mod outer_force;
 mod potential;
-mod raceway_contact;
 pub mod space;
 mod stiffness;
 
@@ -35,10 +34,10 @@ use crate::flank_model::FlankModel;
 use crate::kinematics::orbit_speed_of_rad_s;
 use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
 use crate::profile::Profile;
+use crate::raceway_contact::{RacewayContact, RacewayPoint};
 pub use error::EquilibriumError;
 use newton::BallSolution;
 use potential::{Ball, Problem};
-pub use raceway_contact::{RacewayContact, outer_pressure_pa};
 
 /// Coordinates of the ring's centre, m.
 type Place = [f64; 2];
@@ -236,12 +235,16 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         .collect();
     let inner_contact: Vec<RacewayContact> = solutions
         .iter()
-        .map(|s| RacewayContact::inner(bearing, s.inner))
+        .map(|s| RacewayContact::new(bearing.inner_contact(), s.inner))
         .collect();
     let outer_contact: Vec<RacewayContact> = solutions
         .iter()
         .zip(&effective_radius_m)
-        .map(|(s, &r)| RacewayContact::outer(bearing, r, s.outer))
+        .enumerate()
+        .map(|(k, (s, r))| {
+            let point = RacewayPoint::of_outer(r / bearing.ball(k).radius_m, s.outer);
+            RacewayContact::outer(bearing, point)
+        })
         .collect();
     let largest =
         |contacts: &[RacewayContact]| contacts.iter().map(|c| c.pressure_pa).fold(0.0, f64::max);

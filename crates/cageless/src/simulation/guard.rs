@@ -1,6 +1,6 @@
 //! Guard against states outside the physical range.
 
-use crate::bearing::Bearing;
+use crate::bearing::{Bearing, BeyondGroove};
 use crate::case::Case;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::layout::Layout;
@@ -26,6 +26,8 @@ pub enum Cause {
     ThroughOuterRing(usize),
     /// A ball (index from 0) pressed into or through the ball ahead.
     ThroughBall(usize),
+    /// A ball pressed over the shoulder of a ring.
+    BeyondGroove(BeyondGroove),
     /// The rotor pressed into or through the inner ring.
     RotorThroughInnerRing,
     /// The outer ring is further off its rest place than the radius of a ball.
@@ -73,6 +75,7 @@ impl std::fmt::Display for Cause {
             Self::ThroughInnerRing(k) => write!(f, "ball {} went through the inner ring", k + 1),
             Self::ThroughOuterRing(k) => write!(f, "ball {} went through the outer ring", k + 1),
             Self::ThroughBall(k) => write!(f, "ball {} went through the ball ahead of it", k + 1),
+            Self::BeyondGroove(beyond) => write!(f, "the forces pressed {beyond}"),
             Self::RotorThroughInnerRing => f.write_str("the rotor went through the inner ring"),
             Self::OffSupport => f.write_str("the outer ring left its support"),
             Self::EnergyFromNowhere {
@@ -126,6 +129,16 @@ impl Stop {
                      through each other"
                 )
             }
+            Cause::BeyondGroove(_) => {
+                let less = match self.drop {
+                    true => "rotor.axial_load_n, rotor.axial_clearance_um, rotor.vz_m_s",
+                    false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
+                };
+                format!(
+                    "press the balls less along the axis ({less}, preload_um of a row), or make the \
+                     shoulder higher (bearing.outer_shoulder_radius_mm)"
+                )
+            }
             Cause::RotorThroughInnerRing => format!(
                 "{halve}; if it happens again at the same time, the contact is too soft for the \
                  impact (rotor.contact_stiffness_n_mp)"
@@ -165,12 +178,15 @@ pub(super) struct Guard<'m> {
     ring_max: f64,
     balls_that_hold: Option<usize>,
     deflection_max: f64,
+    /// Sines of the contact angles at the shoulders: inner, outer.
+    shoulder_sines: [f64; 2],
+    bearing: &'m Bearing,
     rotor_deflection_max: f64,
     support_max: f64,
 }
 
 impl<'m> Guard<'m> {
-    pub fn new(model: &'m Model, layout: Layout, case: &Case, start: &State) -> Self {
+    pub fn new(model: &'m Model, layout: Layout, case: &'m Case, start: &State) -> Self {
         let bearing = &case.bearing;
         let start_energy = model.energy_j(start);
         let gravity = case.operation.gravity_m_s2;
@@ -190,6 +206,8 @@ impl<'m> Guard<'m> {
             ring_max: bearing.shoulder_clearance_m(),
             balls_that_hold: (bearing.balls() < holding).then_some(holding),
             deflection_max: DEFLECTION_FRACTION_MAX * bearing.ball_radius_m(),
+            shoulder_sines: bearing.shoulder_angles_rad().map(f64::sin),
+            bearing,
             rotor_deflection_max: bearing.inner_ring_bore().map_or(f64::INFINITY, |bore| {
                 DEFLECTION_FRACTION_MAX * bore.radius_m
             }),
@@ -239,6 +257,9 @@ impl<'m> Guard<'m> {
                 return Err(Cause::ThroughBall(k));
             }
         }
+        if layout.is_in_space() {
+            self.on_grooves(contacts)?;
+        }
         if let Some(rotor) = contacts.rotor() {
             let face = contacts.face().map_or(0.0, |face| face.deflection);
             if rotor.contact.deflection.max(face) > self.rotor_deflection_max {
@@ -247,6 +268,24 @@ impl<'m> Guard<'m> {
             let [z, _] = layout.outer_ring_along_axis(values);
             if outer.x.hypot(outer.y).hypot(z) > self.support_max {
                 return Err(Cause::OffSupport);
+            }
+        }
+        Ok(())
+    }
+
+    /// Looks for a ball that bears beyond a shoulder.
+    fn on_grooves(&self, contacts: &Contacts<'_>) -> Result<(), Cause> {
+        for k in 0..self.layout.balls {
+            let Some(ball) = contacts.in_space(k) else {
+                continue;
+            };
+            for (ring, point) in ball.bearing_points() {
+                let [cosine, sine] = point.normal;
+                if sine.abs() > self.shoulder_sines[ring] {
+                    let angle = sine.atan2(cosine);
+                    let beyond = self.bearing.beyond_groove(k, ring, angle);
+                    return beyond.map_or(Ok(()), |beyond| Err(Cause::BeyondGroove(beyond)));
+                }
             }
         }
         Ok(())

@@ -9,7 +9,8 @@ use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
-use crate::equilibrium::outer_pressure_pa;
+use crate::ellipse_edges::EllipseEdges;
+use crate::raceway_contact::{RacewayContact, RacewayPoint};
 use crate::rotor::Shaft;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
@@ -56,6 +57,8 @@ pub struct DropSummary {
     pub inner_pressure_max_pa: f64,
     /// Largest pressure at the outer raceway, Pa.
     pub outer_pressure_max_pa: f64,
+    /// In space: largest |α| + a/R to which a contact ellipse reaches, rad: inner, outer groove.
+    pub ellipse_edge_max_rad: Option<[f64; 2]>,
     /// Largest pressure between balls, Pa.
     pub ball_pressure_max_pa: f64,
     /// Contacts between balls that began.
@@ -92,14 +95,12 @@ const LAST: f64 = 0.2;
 /// Sliding at which the ring has come up to speed, as a fraction of that at the first contact.
 const SPUN_UP: f64 = 0.01;
 
-/// r/Rw from which a ball in space touches the outer raceway in one point.
-const ONE_POINT: f64 = 1.0 - 1e-9;
-
 /// Gathers a [`DropSummary`].
 #[derive(Debug, Clone)]
 pub struct DropRecorder {
     bearing: Option<Bearing>,
-    ball_radius_m: f64,
+    /// R of every ball, m.
+    radii_m: Vec<f64>,
     /// The outer ring, if it is on a support.
     outer_ring: Option<OuterRing>,
     /// Whether the rotor has shoulders that the bearing catches.
@@ -139,11 +140,12 @@ struct Found {
     spin_up_s: Option<f64>,
     inner_force_n: Vec<f64>,
     outer_force_n: Vec<f64>,
-    /// Heaviest load on the plain raceway, and within a discrete one.
-    heaviest: [OuterLoad; 2],
+    /// Heaviest loads at the inner raceway, and at the outer one without and with a contact angle.
+    heaviest: [Option<RacewayPoint>; 3],
     collisions: ContactCounts,
     ball_force_n: f64,
     ball_sliding_m_s: f64,
+    edges: EllipseEdges,
 }
 
 impl Found {
@@ -155,20 +157,12 @@ impl Found {
     }
 }
 
-/// Load of a ball on the outer raceway.
-#[derive(Debug, Clone, Copy, Default)]
-struct OuterLoad {
-    force_n: f64,
-    /// r.
-    radius_m: f64,
-}
-
 impl DropRecorder {
     /// Recorder of one drop.
     pub fn new() -> Self {
         Self {
             bearing: None,
-            ball_radius_m: 0.0,
+            radii_m: vec![],
             outer_ring: None,
             shoulders: false,
             shaft: Shaft::Horizontal,
@@ -227,7 +221,12 @@ impl DropRecorder {
         let end_collision_rate_hz = rate_hz(&|collisions| collisions.all);
         let end_collision_rate_above_hz =
             std::array::from_fn(|k| rate_hz(&|collisions| collisions.above[k]));
-        let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
+        let pressure_pa =
+            |load: Option<RacewayPoint>, contact: fn(&Bearing, RacewayPoint) -> RacewayContact| {
+                load.map_or(0.0, |point| contact(bearing, point).pressure_pa)
+            };
+        let [inner, outer @ ..] = found.heaviest;
+        let outer = outer.map(|load| pressure_pa(load, RacewayContact::outer));
         let backward = whirl
             .iter()
             .filter(|w| w.contact_fraction > 0.5)
@@ -253,12 +252,9 @@ impl DropRecorder {
             spin_up_s: found.spin_up_s,
             ring_speed_rad_s: ring_speed,
             rotor_speed_rad_s: rotor.speed,
-            inner_pressure_max_pa: bearing
-                .inner_contact()
-                .peak_pressure_pa(most(&found.inner_force_n)),
-            outer_pressure_max_pa: (found.heaviest.iter())
-                .map(|load| outer_pressure_pa(bearing, load.radius_m, load.force_n))
-                .fold(0.0, f64::max),
+            inner_pressure_max_pa: pressure_pa(inner, RacewayContact::inner),
+            outer_pressure_max_pa: outer[0].max(outer[1]),
+            ellipse_edge_max_rad: (state.layout().is_in_space()).then(|| found.edges.largest_rad()),
             ball_pressure_max_pa: bearing.ball_contact().peak_pressure_pa(found.ball_force_n),
             inner_force_max_n: found.inner_force_n,
             outer_force_max_n: found.outer_force_n,
@@ -355,27 +351,17 @@ impl DropRecorder {
         let most = found.inner_force_n.iter_mut().zip(&mut found.outer_force_n);
         for (k, (inner, outer)) in most.enumerate() {
             *inner = inner.max(contacts.inner_force_n(k));
-            let force = contacts.outer_force_n(k);
-            *outer = outer.max(force);
-            let mut radius_m = contacts.effective_radius_m(k);
-            let mut pressed_n = force;
-            if let Some(space) = contacts.in_space(k) {
-                // Two points of which the other bears as much; on the plain raceway r is Rw but for rounding.
-                let shared = radius_m < ONE_POINT * self.ball_radius_m;
-                radius_m = if shared { radius_m } else { self.ball_radius_m };
-                let points = if shared {
-                    2.0 * radius_m / self.ball_radius_m
-                } else {
-                    1.0
-                };
-                pressed_n = points * space.outer_point_n();
+            *outer = outer.max(contacts.outer_force_n(k));
+            if let Some(ball) = contacts.in_space(k) {
+                found.edges.look(k, &ball);
             }
-            let heaviest = &mut found.heaviest[usize::from(radius_m < self.ball_radius_m)];
-            if pressed_n > heaviest.force_n {
-                *heaviest = OuterLoad {
-                    force_n: pressed_n,
-                    radius_m,
-                };
+            let point = contacts.outer_point(k, self.radii_m[k]);
+            let angled = usize::from(point.cosine < 1.0);
+            for (at, point) in [(0, contacts.inner_point(k)), (1 + angled, point)] {
+                let heaviest = &mut found.heaviest[at];
+                if point.force_n > heaviest.map_or(0.0, |load| load.force_n) {
+                    *heaviest = Some(point);
+                }
             }
         }
         if contacts.balls_touch() {
@@ -416,7 +402,8 @@ impl Observer for DropRecorder {
             Shaft::Vertical => rotor.axial_load_n,
         };
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
-        self.ball_radius_m = case.bearing.ball_radius_m();
+        self.radii_m = context.model.ball_radii_m();
+        self.found.edges = EllipseEdges::new(context.model);
         self.bearing = Some(case.bearing.clone());
         self.collisions = Some(ContactCounter::new(context.model));
         self.found.inner_force_n = vec![0.0; balls];

@@ -9,8 +9,8 @@ use cageless::collision::Collision;
 use cageless::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
 use cageless::contact_peaks::ContactPeak;
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::equilibrium::RacewayContact;
 use cageless::passage::{Passage, PassageTally};
+use cageless::raceway_contact::{RacewayContact, RacewayPoint};
 use cageless::verification::Quantity;
 use recording::{RECORDING, Recording, Row, Seen};
 
@@ -338,14 +338,18 @@ fn every_peak_of_the_contacts() {
         [force, slip, contact.pressure_pa, contact.semi_axes_m[0]]
     };
     let inner = (looked().filter(|b| b.inner_n > 0.0)).map(|b| {
+        let point = RacewayPoint::of_outer(1.0, b.inner_n);
         of(
             b.inner_n,
             b.inner_slip,
-            RacewayContact::inner(bearing, b.inner_n),
+            RacewayContact::inner(bearing, point),
         )
     });
-    let outer = (looked().filter(|b| b.outer_n > 0.0)).map(|b| {
-        let contact = RacewayContact::outer(bearing, b.radius, b.outer_n);
+    let own = (0..bearing.balls()).cycle().zip(looked());
+    let outer = (own.filter(|(_, b)| b.outer_n > 0.0)).map(|(k, b)| {
+        let cosine = b.radius / bearing.ball(k).radius_m;
+        let point = RacewayPoint::of_outer(cosine, b.outer_n);
+        let contact = RacewayContact::outer(bearing, point);
         of(b.outer_n, b.outer_slip, contact)
     });
     let contact = bearing.ball_contact();

@@ -16,6 +16,10 @@ pub(super) const PLACES: usize = 3;
 /// The place of contact with the inner ring.
 pub(super) const INNER: usize = 2;
 
+/// All places, and those of balls that touch the outer ring at the first alone.
+pub(super) const ALL_PLACES: [usize; PLACES] = [0, 1, INNER];
+pub(super) const WITHOUT_SECOND: [usize; PLACES - 1] = [0, INNER];
+
 /// Coordinates of the velocities of a ball, **v** and **ω**, with their signs.
 pub(super) const VELOCITIES: [(BallCoordinate, f64); SIZE] = [
     (BallCoordinate::Vx, 1.0),
@@ -72,11 +76,12 @@ pub(crate) struct SpaceBlock {
     pub outer: OuterTouchLanes,
     pub inner: InnerTouchLanes,
     pub frames: [FrameLanes; PLACES],
-    /// Force of the outer contact over that of its flanks, N, and of the ball on the outer ring,
-    /// friction included, N.
-    pub outer_force_n: Lanes,
+    /// Force of the ball on the outer ring, friction included, N.
     pub outer_ring_force_n: [Lanes; 3],
 
+    /// The places at which any ball of the block may bear: the second at the outer ring only while
+    /// one is on both flanks or the other.
+    pub places: &'static [usize],
     /// Sliding of a ball at rest on the ring of each place at the start and the end of the step.
     pub at_rest: [[SlidingLanes; PLACES]; 2],
     /// Whether a ball was within a discrete raceway at the end of the last step: 1 or 0.
@@ -135,8 +140,8 @@ impl SpaceBlock {
             outer: OuterTouchLanes::ZERO,
             inner: InnerTouchLanes::ZERO,
             frames: [const { FrameLanes::ZERO }; PLACES],
-            outer_force_n: Lanes::ZERO,
             outer_ring_force_n: [Lanes::ZERO; 3],
+            places: &ALL_PLACES,
             at_rest: [const { [const { SlidingLanes::ZERO }; PLACES] }; 2],
             was_inside: Lanes::ZERO,
             weights: [Lanes::ZERO; PLACES],

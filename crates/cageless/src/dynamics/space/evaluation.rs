@@ -5,7 +5,7 @@ use super::bearing::{Bearing, Drive, Totals, tilting_by};
 use super::block::VELOCITIES;
 use super::friction::{add_explicit_friction, outer_ring_velocity};
 use super::model::SpaceModel;
-use super::normal_contacts::normal_contacts;
+use super::normal_contacts::{PLACE, normal_contacts};
 use super::ring::RingMotion;
 use super::rotor::rates_with_rotor;
 use super::workspace::SpaceWorkspace;
@@ -15,7 +15,7 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes};
-use crate::simd::Workspace;
+use crate::simd::{Parameters, Workspace};
 
 /// Place, velocity and rotation of ball `k` in a vector.
 #[inline(always)]
@@ -66,7 +66,7 @@ pub(crate) fn evaluate(
         s.known = false;
     }
     w.pair_deflection_max[0] = if layout.balls > 1 {
-        ball_pairs(model, w, y, &mut totals, dydt)
+        ball_pairs((p, model), w, y, &mut totals, dydt)
     } else {
         0.0
     };
@@ -89,9 +89,40 @@ fn accelerate(model: &Model, k: usize, [force, moment]: [Vector; 2], dydt: &mut 
     }
 }
 
+/// Deflections between neighbouring balls; below 0 apart.
+#[inline(always)]
+fn near_pairs(p: &Parameters, layout: Layout, w: &mut Workspace, y: &[f64]) {
+    for results in &mut w.blocks {
+        results.pair.deflection = Lanes::ZERO;
+    }
+    // Squares of the distances first.
+    for first in (0..layout.balls).step_by(layout.row) {
+        let end = first + layout.row;
+        for k in first..end {
+            let next = if k + 1 == end { first } else { k + 1 };
+            let mut square = 0.0;
+            for coordinate in PLACE {
+                let at = layout.array(coordinate);
+                let between = y[at + next] - y[at + k];
+                square += between * between;
+            }
+            w.blocks[k / LANES].pair.deflection.0[k % LANES] = square;
+        }
+    }
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        let (pair, together) = (&mut results.pair, &p.balls(block).pair_distance);
+        (pair.rate, pair.force, pair.slip) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
+        for lane in 0..LANES {
+            let distance = pair.deflection.0[lane].sqrt();
+            pair.deflection.0[lane] = together.0[lane] - distance;
+        }
+    }
+}
+
 /// Forces between neighbouring balls; the largest deflection.
+#[inline(always)]
 fn ball_pairs(
-    model: &Model,
+    (p, model): (&Parameters, &Model),
     w: &mut Workspace,
     y: &[f64],
     totals: &mut Totals,
@@ -99,33 +130,19 @@ fn ball_pairs(
 ) -> f64 {
     let layout = model.layout;
     let mut deepest: f64 = 0.0;
+    near_pairs(p, layout, w, y);
     for k in 0..layout.balls {
-        let next = layout.next(k);
-        let ball = &model.balls[k];
-        let place = |k: usize| {
-            let at = |coordinate| y[layout.ball(coordinate, k)];
-            Vector::new(
-                at(BallCoordinate::X),
-                at(BallCoordinate::Y),
-                at(BallCoordinate::Z),
-            )
-        };
-        let between = place(next) - place(k);
-        let distance = between.norm();
-        let deflection = ball.pair_distance - distance;
-        let pair = &mut w.blocks[k / LANES].pair;
-        let lane = k % LANES;
-        pair.deflection.0[lane] = deflection;
-        for lanes in [&mut pair.rate, &mut pair.force, &mut pair.slip] {
-            lanes.0[lane] = 0.0;
-        }
+        let (block, lane) = (k / LANES, k % LANES);
+        let deflection = w.blocks[block].pair.deflection.0[lane];
         if deflection <= 0.0 {
             continue;
         }
         deepest = deepest.max(deflection);
-        let [_, velocity, rotation] = ball_motion(layout, y, k);
-        let [_, next_velocity, next_rotation] = ball_motion(layout, y, next);
-        let u = between / distance;
+        let (next, ball) = (layout.next(k), &model.balls[k]);
+        let [place, velocity, rotation] = ball_motion(layout, y, k);
+        let [next_place, next_velocity, next_rotation] = ball_motion(layout, y, next);
+        let between = next_place - place;
+        let u = between / between.norm();
         let relative = velocity - next_velocity;
         let rate = relative.dot(&u);
         let normal =
@@ -146,6 +163,7 @@ fn ball_pairs(
         accelerate(model, next, [-force, moment * ball.next_radius], dydt);
         totals.ball_friction += size * speed;
         totals.damping += normal.damping_power_w;
+        let pair = &mut w.blocks[block].pair;
         (pair.rate.0[lane], pair.force.0[lane], pair.slip.0[lane]) = (rate, normal.force_n, speed);
     }
     deepest

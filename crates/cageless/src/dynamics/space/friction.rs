@@ -2,7 +2,7 @@
 
 use super::bearing::{Bearing, Totals, tilting_by};
 use super::block::{INNER, KnownStrip, KnownStripLanes, PLACES, SpaceBlock, VELOCITIES};
-use super::frame::{SIZE, TractionLanes};
+use super::frame::{FrameLanes, SIZE, TractionLanes};
 use super::model::SpaceModel;
 use super::newton::{begin, iterate, slide};
 use super::ring::RingMotion;
@@ -25,8 +25,9 @@ pub(super) fn add_explicit_friction(
     dydt: &mut [f64],
 ) {
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        let at_rest = sliding_at_rest(b, &s.ring, s.outer_ring_velocity);
-        b.at_rest = [at_rest.clone(), at_rest];
+        for end in 0..2 {
+            set_at_rest(b, end, &s.ring, s.outer_ring_velocity);
+        }
         slide(&p.friction, space, b, true);
         for step in &mut b.steps {
             (step.mean.along, step.mean.across) = (step.friction.along, step.friction.across);
@@ -63,8 +64,8 @@ pub(crate) fn add_implicit_friction(
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        b.at_rest = [start, (s.ring, s.outer_ring_velocity)]
-            .map(|(ring, outer)| sliding_at_rest(b, &ring, outer));
+        set_at_rest(b, 0, &start.0, start.1);
+        set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);
         iterate(&p.friction, space, b, h_s);
@@ -131,7 +132,7 @@ pub(crate) fn add_implicit_friction(
 /// Lets the rings end the step with these velocities.
 #[inline(never)] // once for all instruction sets
 fn end_with_rings(b: &mut SpaceBlock, ring: &RingMotion, outer: [f64; 3]) {
-    b.at_rest[1] = sliding_at_rest(b, ring, outer);
+    set_at_rest(b, 1, ring, outer);
 }
 
 /// Velocity of the outer ring, m/s.
@@ -140,22 +141,35 @@ pub(super) fn outer_ring_velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
     [motion.vx, motion.vy, layout.outer_ring_along_axis(y)[1]]
 }
 
-/// Sliding of balls at rest on the rings, of each place.
+/// Lets balls at rest slide on the rings as they move at the start (0) or the end (1) of the step.
 #[inline(always)]
-fn sliding_at_rest(b: &SpaceBlock, ring: &RingMotion, outer: [f64; 3]) -> [SlidingLanes; PLACES] {
-    let mut sliding = [const { SlidingLanes::ZERO }; PLACES];
-    for (place, sliding) in sliding.iter_mut().enumerate() {
+fn set_at_rest(b: &mut SpaceBlock, end: usize, ring: &RingMotion, outer: [f64; 3]) {
+    for &place in b.places {
+        let (frames, sliding) = (&b.frames[place], &mut b.at_rest[end][place]);
         let (velocity, rotation) = match place == INNER {
             true => (ring.velocity.into(), ring.rotation.into()),
-            false if outer == [0.0; 3] => continue,
+            false if outer == [0.0; 3] => {
+                *sliding = SlidingLanes::ZERO;
+                continue;
+            }
             false => (outer, [0.0; 3]),
         };
-        for lane in 0..LANES {
-            let frame = b.frames[place].get(lane);
-            sliding.put(lane, frame.sliding_at_rest(velocity, rotation));
-        }
+        slide_at_rest(frames, velocity, rotation, sliding);
     }
-    sliding
+}
+
+/// [`set_at_rest`] of one place.
+#[inline(always)]
+fn slide_at_rest(
+    frames: &FrameLanes,
+    velocity: [f64; 3],
+    rotation: [f64; 3],
+    sliding: &mut SlidingLanes,
+) {
+    for lane in 0..LANES {
+        let frame = frames.get(lane);
+        sliding.put(lane, frame.sliding_at_rest(velocity, rotation));
+    }
 }
 
 /// Friction that changes velocities over the step, (1 − θ)·f₀ + θ·f₁, of each strip in `mean`: the
@@ -169,30 +183,24 @@ fn tractions(
 ) -> [Lanes; SIZE] {
     let mut forces = [Lanes::ZERO; SIZE];
     let mut on_ring = [Lanes::ZERO; SIZE];
-    for place in 0..PLACES {
+    for &place in b.places {
         let curvature = *b.curvature_at(place);
         let mut traction = TractionLanes::ZERO;
         for (k, strip) in space.strips.iter().enumerate() {
             let at = place * space.strips.len() + k;
-            let (step, known) = (&b.steps[at], &b.strips[at]);
-            let (mut means, mut ends) = (KnownStripLanes::ZERO, KnownStripLanes::ZERO);
+            let (step, known) = (&mut b.steps[at], &mut b.strips[at]);
+            mean_friction(
+                &b.weights[place],
+                &step.friction.secant,
+                &mut step.mean,
+                known,
+            );
             for lane in 0..LANES {
-                let (before, after) = (known.get(lane), step.mean.get(lane));
-                let end = b.weights[place].0[lane];
-                let mean = KnownStrip {
-                    along: (1.0 - end) * before.along + end * after.along,
-                    across: (1.0 - end) * before.across + end * after.across,
-                    moment: (1.0 - end) * before.moment + end * after.moment,
-                    secant: 0.0,
-                };
-                let secant = step.friction.secant.0[lane];
-                ends.put(lane, KnownStrip { secant, ..after });
-                means.put(lane, mean);
                 let x = strip.place * b.frames[place].half_length_m.0[lane];
+                let mean = step.mean.get(lane);
                 let force = [mean.along, mean.across, mean.moment];
                 traction.add(lane, force, x, curvature.0[lane]);
             }
-            (b.steps[at].mean, b.strips[at]) = (means, ends);
         }
         let mut force = [Lanes::ZERO; SIZE];
         for lane in 0..LANES {
@@ -226,6 +234,32 @@ fn tractions(
         *total += lanes.sum();
     }
     forces
+}
+
+/// Puts the friction that changes velocities in the place of that of the end of the step, `mean`, which
+/// becomes the known one.
+#[inline(always)]
+fn mean_friction(
+    weights: &Lanes,
+    secant: &Lanes,
+    mean: &mut KnownStripLanes,
+    known: &mut KnownStripLanes,
+) {
+    for lane in 0..LANES {
+        let (before, after, end) = (known.get(lane), mean.get(lane), weights.0[lane]);
+        let between = |before: f64, after: f64| (1.0 - end) * before + end * after;
+        mean.put(
+            lane,
+            KnownStrip {
+                along: between(before.along, after.along),
+                across: between(before.across, after.across),
+                moment: between(before.moment, after.moment),
+                secant: 0.0,
+            },
+        );
+        let secant = secant.0[lane];
+        known.put(lane, KnownStrip { secant, ..after });
+    }
 }
 
 /// Adds the accelerations of the balls of a block under these forces to rates.
@@ -265,7 +299,7 @@ fn powers(
     totals: &mut Totals,
 ) {
     let mut heat = [Lanes::ZERO; 2];
-    for place in 0..PLACES {
+    for &place in b.places {
         let inner = place == INNER;
         let curvature = *b.curvature_at(place);
         let [start, end] = [b.sliding(place, ends[0], 0), b.sliding(place, ends[1], 1)];

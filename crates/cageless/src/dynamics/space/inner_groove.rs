@@ -28,12 +28,6 @@ lane_struct! {
         direction_y,
         /// Z of that vector.
         direction_z,
-        /// X of the ball from the centre of the ring, m.
-        ball_x,
-        /// Y of the ball from there, m.
-        ball_y,
-        /// Z of the ball from there, m.
-        ball_z,
         /// Distance of the ball from the centre of the groove, m.
         length,
         /// Sine of the contact angle, positive where an axial load along +Z presses.
@@ -44,12 +38,6 @@ lane_struct! {
 }
 
 impl InnerTouch {
-    /// Place of the ball from the centre of the ring, m.
-    #[inline(always)]
-    pub fn ball(&self) -> [f64; 3] {
-        [self.ball_x, self.ball_y, self.ball_z]
-    }
-
     /// **n** from the ball into the ring, **l** across the groove and **τ** = **n** × **l**.
     #[inline(always)]
     pub fn axes(&self, axis: [f64; 3]) -> [[f64; 3]; 3] {
@@ -72,15 +60,11 @@ impl InnerGroove {
         let length = (x * x + y * y).sqrt();
         // Near the centre of the groove there is no direction.
         let near = length < 0.5 * self.gap;
-        let [ball_x, ball_y, ball_z] = ball;
         InnerTouch {
             approach: if near { -self.gap } else { length - self.gap },
             direction_x: radial[0] / distance,
             direction_y: radial[1] / distance,
             direction_z: radial[2] / distance,
-            ball_x,
-            ball_y,
-            ball_z,
             length,
             sine: if near { 0.0 } else { -y / length },
             cosine: if near { 1.0 } else { -x / length },

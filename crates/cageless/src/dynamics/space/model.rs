@@ -115,9 +115,10 @@ impl SpaceModel {
     }
 
     /// The flanks under ball `k` in the direction **e**; `None` outside the discrete raceways.
-    #[inline]
+    #[inline(always)]
     pub fn flanks_at(&self, k: usize, direction: [f64; 2]) -> Option<FlanksHere> {
-        let here = self.flanks.iter().find_map(|flanks| flanks.at(direction));
-        here.map(|here| here.mirrored(self.balls[k].contact_sign))
+        let mut flanks = self.flanks.iter();
+        let (flanks, angle) = flanks.find_map(|f| Some((f, f.within(direction)?)))?;
+        flanks.at(angle, self.balls[k].contact_sign)
     }
 }

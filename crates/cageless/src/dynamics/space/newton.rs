@@ -10,11 +10,11 @@
 //! matrix ℳ + hθ Σ Jᵀ Φ J. Balls in lanes iterate until the last of them has converged; one that has
 //! keeps its solution.
 
-use super::block::{KnownStrip, PLACES, SpaceBlock};
-use super::frame::{SIZE, TractionLanes, of_lane};
+use super::block::{INNER, KnownStrip, KnownStripLanes, PLACES, SpaceBlock, StripStep};
+use super::frame::{FrameLanes, SIZE, TractionLanes, of_lane};
 use super::model::SpaceModel;
-use super::strips::{Patch, StripFriction};
-use crate::contact::{FrictionLanes, Law, LawLanes, MAX_ITERATIONS, end_weights, with_law};
+use super::strips::{Patch, SlidingLanes, Strip, StripFriction};
+use crate::contact::{FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law};
 use crate::numerics::cholesky;
 use crate::numerics::lanes::{LANES, Lanes, larger};
 
@@ -28,19 +28,6 @@ const LAST_TURN: f64 = 0.03;
 /// Iterations after which every other one takes the safe matrix.
 const PATIENCE: u32 = 6;
 
-impl SpaceBlock {
-    /// The contact of a lane with the law.
-    #[inline(always)]
-    fn patch<L: Law>(&self, law: L, place: usize, lane: usize) -> Patch<L> {
-        Patch {
-            law,
-            normal_n: self.frames[place].friction_normal_n.0[lane],
-            half_length_m: self.frames[place].half_length_m.0[lane],
-            curvature: self.curvature_at(place).0[lane],
-        }
-    }
-}
-
 /// Friction of every strip at the velocities of the last iterate; of the first with knees and moments.
 #[inline(always)]
 pub(super) fn slide(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceBlock, first: bool) {
@@ -49,31 +36,50 @@ pub(super) fn slide(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceB
 
 #[inline(always)]
 fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock, first: bool) {
-    for place in 0..PLACES {
+    for &place in b.places {
         let sliding = b.sliding(place, &b.velocity, 1);
-        for (k, strip) in space.strips.iter().enumerate() {
-            // Of its own, or the compiler takes its lanes for those that are read.
-            let mut step = b.steps[place * space.strips.len() + k].clone();
-            for lane in 0..LANES {
-                let patch = b.patch(law.lane(lane), place, lane);
-                let sliding = sliding.get(lane);
-                let x = patch.place(strip);
-                let slip = sliding.at(x, patch.curvature);
-                let shear = sliding.shear(x, patch.curvature);
-                if first {
-                    step.inverse_knee.0[lane] = patch.inverse_knee(strip, shear);
-                }
-                let inverse_knee = step.inverse_knee.0[lane];
-                let friction = patch.force(strip, slip, inverse_knee);
-                if first {
-                    step.mean.moment.0[lane] = patch.moment(strip, shear, &friction, inverse_knee);
-                }
-                step.slip[0].0[lane] = slip[0];
-                step.slip[1].0[lane] = slip[1];
-                step.friction.put(lane, friction);
-            }
-            b.steps[place * space.strips.len() + k] = step;
+        let (frame, curvature) = (&b.frames[place], &b.curvature[usize::from(place == INNER)]);
+        let steps = &mut b.steps[place * space.strips.len()..];
+        for (strip, step) in space.strips.iter().zip(steps) {
+            slide_strip(law, frame, curvature, &sliding, strip, step, first);
         }
+    }
+}
+
+/// [`slide`] of one strip; a function, so that the compiler knows what is read apart from what is
+/// written.
+#[inline(always)]
+fn slide_strip(
+    law: &impl LawLanes,
+    frame: &FrameLanes,
+    curvature: &Lanes,
+    sliding: &SlidingLanes,
+    strip: &Strip,
+    step: &mut StripStep,
+    first: bool,
+) {
+    for lane in 0..LANES {
+        let patch = Patch {
+            law: law.lane(lane),
+            normal_n: frame.friction_normal_n.0[lane],
+            half_length_m: frame.half_length_m.0[lane],
+            curvature: curvature.0[lane],
+        };
+        let sliding = sliding.get(lane);
+        let x = patch.place(strip);
+        let slip = sliding.at(x, patch.curvature);
+        let shear = sliding.shear(x, patch.curvature);
+        if first {
+            step.inverse_knee.0[lane] = patch.inverse_knee(strip, shear);
+        }
+        let inverse_knee = step.inverse_knee.0[lane];
+        let friction = patch.force(strip, slip, inverse_knee);
+        if first {
+            step.mean.moment.0[lane] = patch.moment(strip, shear, &friction, inverse_knee);
+        }
+        step.slip[0].0[lane] = slip[0];
+        step.slip[1].0[lane] = slip[1];
+        step.friction.put(lane, friction);
     }
 }
 
@@ -89,29 +95,24 @@ pub(super) fn begin(
 ) {
     let (mut rest, mut weights) = (free, [Lanes::ZERO; PLACES]);
     for place in 0..PLACES {
+        if !b.places.contains(&place) {
+            let strips = &mut b.strips[place * space.strips.len()..];
+            strips[..space.strips.len()].fill(KnownStripLanes::ZERO);
+            continue;
+        }
         let curvature = *b.curvature_at(place);
         let mut start = TractionLanes::ZERO;
         let mut secant = Lanes::ZERO;
-        for (k, strip) in space.strips.iter().enumerate() {
-            let mut strips = b.strips[place * space.strips.len() + k].clone();
+        let strips = &mut b.strips[place * space.strips.len()..];
+        for (strip, known) in space.strips.iter().zip(strips) {
+            keep_loaded(&b.frames[place].friction_normal_n, known);
             for lane in 0..LANES {
-                // A contact that has opened has no friction left.
-                let bears = b.frames[place].friction_normal_n.0[lane] > 0.0;
-                let kept = |value: f64| if bears { value } else { 0.0 };
-                let known = strips.get(lane);
-                let known = KnownStrip {
-                    along: kept(known.along),
-                    across: kept(known.across),
-                    moment: kept(known.moment),
-                    secant: kept(known.secant),
-                };
-                strips.put(lane, known);
+                let known = known.get(lane);
                 let x = strip.place * b.frames[place].half_length_m.0[lane];
                 let force = [known.along, known.across, known.moment];
                 start.add(lane, force, x, curvature.0[lane]);
                 secant.0[lane] += known.secant;
             }
-            b.strips[place * space.strips.len() + k] = strips;
         }
         for lane in 0..LANES {
             let inverse = [1.0 / b.mass[0].0[lane], 1.0 / b.mass[1].0[lane]];
@@ -129,6 +130,23 @@ pub(super) fn begin(
         }
     }
     (b.rest, b.weights, b.was_inside) = (rest, weights, b.outer.inside);
+}
+
+/// Takes the friction from contacts that have opened.
+#[inline(always)]
+fn keep_loaded(normal_n: &Lanes, known: &mut KnownStripLanes) {
+    for lane in 0..LANES {
+        let bears = normal_n.0[lane] > 0.0;
+        let kept = |value: f64| if bears { value } else { 0.0 };
+        let before = known.get(lane);
+        let after = KnownStrip {
+            along: kept(before.along),
+            across: kept(before.across),
+            moment: kept(before.moment),
+            secant: kept(before.secant),
+        };
+        known.put(lane, after);
+    }
 }
 
 /// Φ of a strip along τ and l; if `safe` that of a cone which no step of Newton's method overshoots.
@@ -169,10 +187,7 @@ fn equations(
             missing[i].0[lane] = mass * (b.rest[i].0[lane] - b.velocity[i].0[lane]);
         }
     }
-    // J, and h θ Φ J.
-    let mut rows = [[Lanes::ZERO; SIZE]; 3];
-    let mut pressed = [[Lanes::ZERO; SIZE]; 3];
-    for place in 0..PLACES {
+    for &place in b.places {
         let curvature = *b.curvature_at(place);
         let mut traction = TractionLanes::ZERO;
         // Σ Φ, Φ·x/R and Φ·(x/R)² as far as the rows need them.
@@ -199,31 +214,30 @@ fn equations(
             let share = h_s * b.weights[place].0[lane];
             let frame = b.frames[place].get(lane);
             let force = frame.on_ball(&traction.get(lane), b.inverse_radius.0[lane]);
-            let [along, across, spin] = frame.rows();
-            let [aa, ac, cc, xaa, xac, xxaa] = of_lane(&sums, lane);
             for i in 0..SIZE {
                 missing[i].0[lane] += share * force[i];
-                rows[0][i].0[lane] = along[i];
-                rows[1][i].0[lane] = across[i];
-                rows[2][i].0[lane] = spin[i];
-                pressed[0][i].0[lane] = share * (aa * along[i] + ac * across[i] + xaa * spin[i]);
-                pressed[1][i].0[lane] = share * (ac * along[i] + cc * across[i] + xac * spin[i]);
-                pressed[2][i].0[lane] = share * (xaa * along[i] + xac * across[i] + xxaa * spin[i]);
             }
-        }
-        for i in 0..SIZE {
-            for j in 0..=i {
-                let entry = &mut matrix[i][j];
-                let [along, across, spin] = [0, 1, 2].map(|row| (&rows[row][i], &pressed[row][j]));
-                for lane in 0..LANES {
-                    let sum =
-                        along.0.0[lane] * along.1.0[lane] + across.0.0[lane] * across.1.0[lane];
-                    entry.0[lane] += sum;
-                }
-                // The row of the spin has no part of **v**.
-                if i >= 3 {
-                    for lane in 0..LANES {
-                        entry.0[lane] += spin.0.0[lane] * spin.1.0[lane];
+            // J, and h θ Φ J.
+            let rows = frame.rows();
+            let [along, across, spin] = rows;
+            let [aa, ac, cc, xaa, xac, xxaa] = of_lane(&sums, lane);
+            let mut pressed = [[0.0; SIZE]; 3];
+            for i in 0..SIZE {
+                pressed[0][i] = share * (aa * along[i] + ac * across[i] + xaa * spin[i]);
+                pressed[1][i] = share * (ac * along[i] + cc * across[i] + xac * spin[i]);
+                pressed[2][i] = share * (xaa * along[i] + xac * across[i] + xxaa * spin[i]);
+            }
+            let both = |i: usize, j: usize| rows[0][i] * pressed[0][j] + rows[1][i] * pressed[1][j];
+            let spin = |i: usize, j: usize| rows[2][i] * pressed[2][j];
+            // The row of the spin has no part of **v**.
+            for i in 0..3 {
+                for j in 0..3 {
+                    matrix[3 + i][j].0[lane] += both(3 + i, j);
+                    matrix[3 + i][j].0[lane] += spin(3 + i, j);
+                    if j <= i {
+                        matrix[i][j].0[lane] += both(i, j);
+                        matrix[3 + i][3 + j].0[lane] += both(3 + i, 3 + j);
+                        matrix[3 + i][3 + j].0[lane] += spin(3 + i, 3 + j);
                     }
                 }
             }
@@ -243,7 +257,7 @@ pub(super) fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut Spac
         equations(space, b, h_s, &safe, &mut matrix, &mut change);
         cholesky::solve_lanes(&mut matrix, &mut change);
         let (mut moves, mut passes) = (Lanes::ZERO, Lanes::ZERO);
-        for place in 0..PLACES {
+        for &place in b.places {
             for (k, strip) in space.strips.iter().enumerate() {
                 let step = &mut b.steps[place * space.strips.len() + k];
                 let [mut along, mut across] = [Lanes::ZERO; 2];

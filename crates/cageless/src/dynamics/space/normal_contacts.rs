@@ -1,18 +1,21 @@
 //! Forces normal to the raceways, weight, and the frames in which friction acts.
 
 use super::bearing::{Bearing, Totals};
-use super::block::{INNER, SpaceBlock};
-use super::frame::{Frame, SIZE, of_lane};
-use super::outer_groove::OuterTouchLanes;
+use super::block::{ALL_PLACES, SpaceBlock, WITHOUT_SECOND};
+use super::frame::{Frame, FrameLanes, of_lane};
+use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
+use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
 use super::ring::RingMotion;
 use super::vector::{cross, dot, plus};
 use crate::contact::{NormalForce, positive};
+use crate::dynamics::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::coordinates::BallCoordinate;
-use crate::numerics::lanes::{LANES, Lanes};
+use crate::numerics::lanes::{LANES, Lanes, lane_struct};
 use crate::simd::{BlockResults, Motions, block_at, block_mut};
 
 /// The coordinates of the place of a ball, and those of their rates.
-const PLACE: [BallCoordinate; 3] = [BallCoordinate::X, BallCoordinate::Y, BallCoordinate::Z];
+pub(super) const PLACE: [BallCoordinate; 3] =
+    [BallCoordinate::X, BallCoordinate::Y, BallCoordinate::Z];
 const RATES: [BallCoordinate; 3] = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Vz];
 
 /// Adds the normal forces on the balls of a block to the rates.
@@ -28,8 +31,12 @@ pub(super) fn normal_contacts(
 ) {
     let (layout, balls) = (model.layout, p.balls(block));
     let at = |coordinate| layout.array(coordinate) + block * LANES;
-    let place = PLACE.map(|c| Lanes(*block_at(y, at(c))));
-    let velocity = RATES.map(|c| Lanes(*block_at(y, at(c))));
+    let mut place = [Lanes::ZERO; 3];
+    let mut velocity = [Lanes::ZERO; 3];
+    for axis in 0..3 {
+        place[axis].0 = *block_at(y, at(PLACE[axis]));
+        velocity[axis].0 = *block_at(y, at(RATES[axis]));
+    }
     for (coordinate, rates) in PLACE.into_iter().zip(&velocity) {
         *block_mut(dydt, at(coordinate)) = rates.0;
     }
@@ -47,33 +54,168 @@ pub(super) fn normal_contacts(
         *z -= outer_z;
     }
 
-    let mut outer = OuterTouchLanes::ZERO;
+    let polar = &results.polar;
+    let mut beyond = Lanes::ZERO;
     for lane in 0..LANES {
-        let beyond = results.polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
-        outer.put(lane, b.outer_groove.get(lane).touch(beyond, height.0[lane]));
+        beyond.0[lane] = polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
     }
+    touch_plain(&b.outer_groove, &beyond, &height, &mut b.outer);
     for lane in 0..LANES.min(layout.balls - block * LANES) {
-        let direction = [results.polar.ex.0[lane], results.polar.ey.0[lane]];
+        let direction = [polar.ex.0[lane], polar.ey.0[lane]];
         if let Some(here) = space.flanks_at(block * LANES + lane, direction) {
-            let beyond = results.polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
             let groove = b.outer_groove.get(lane);
-            outer.put(lane, groove.touch_flanks(beyond, height.0[lane], &here));
+            let touch = groove.touch_flanks(beyond.0[lane], height.0[lane], &here);
+            b.outer.put(lane, touch);
         }
     }
-    b.outer = outer;
+    let both = b.outer.share_1.0.iter().any(|share| *share > 0.0);
+    b.places = if both { &ALL_PLACES } else { &WITHOUT_SECOND };
 
-    let mut frames = b.frames.clone();
-    let mut forces = [Lanes::ZERO; 3];
-    let mut on_outer_ring = [Lanes::ZERO; 3];
-    let (mut damping, mut outer_force) = (Lanes::ZERO, Lanes::ZERO);
-    let mut curvature = Lanes::ZERO;
+    let mut rise = velocity[2];
+    for speed in &mut rise.0 {
+        *speed -= outer_vz;
+    }
+    let mut outer = OuterForceLanes::ZERO;
+    press_outer(balls, &b.outer, polar, &rise, &mut outer);
+    let [first, second, inner_frame] = &mut b.frames;
+    let (half_length, factor) = (&b.half_length_m1_2[0], model.outer.friction_factor);
+    let touch = &b.outer;
+    let normal = [&touch.radial_0, &touch.axial_0];
+    let share = [&touch.share_0, &touch.root_0];
+    frame_outer(
+        normal,
+        share,
+        &outer,
+        touch,
+        polar,
+        half_length,
+        factor,
+        first,
+    );
+    if both {
+        let normal = [&touch.radial_1, &touch.axial_1];
+        let share = [&touch.share_1, &touch.root_1];
+        frame_outer(
+            normal,
+            share,
+            &outer,
+            touch,
+            polar,
+            half_length,
+            factor,
+            second,
+        );
+    } else {
+        (second.force_n, second.friction_normal_n) = (Lanes::ZERO, Lanes::ZERO);
+    }
+    let mut curvature = b.groove_curvature;
+    curvature.add(&touch.curvature_change, 0.25);
+    b.curvature[0] = curvature;
+    b.outer_ring_force_n = [outer.x, outer.y, outer.z];
+    results.geometry.effective_radius = outer.effective_radius;
+    (results.outer.deflection, results.outer.force) = (touch.approach, outer.resultant);
+
+    let mut inner = InnerForceLanes::ZERO;
+    press_inner(
+        (balls, &b.inner_groove, &b.half_length_m1_2[1], ring),
+        (&place, &velocity),
+        &mut b.inner,
+        inner_frame,
+        &mut inner,
+    );
+    (results.inner.deflection, results.inner.force) = (b.inner.approach, inner_frame.force_n);
+    let on_ring = [
+        &inner.x,
+        &inner.y,
+        &inner.z,
+        &inner.moment_x,
+        &inner.moment_y,
+        &inner.moment_z,
+    ];
+    for (total, lanes) in totals.ring.iter_mut().zip(on_ring) {
+        *total += lanes.sum();
+    }
+    let mut damping = outer.damping_power_w;
+    damping.add(&inner.damping_power_w, 1.0);
+    totals.damping += damping.sum();
+    let mut weight = Lanes::ZERO;
     for lane in 0..LANES {
-        let (ball, touch, polar) = (balls.get(lane), b.outer.get(lane), results.polar.get(lane));
+        weight.0[lane] = -balls.mass.0[lane] * model.ring.gravity;
+    }
+    let pressed = [
+        (&outer.x, &inner.x),
+        (&outer.y, &inner.y),
+        (&outer.z, &inner.z),
+    ];
+    for (axis, (outer, inner)) in pressed.into_iter().enumerate() {
+        let upward = f64::from(u8::from(axis == space.upward));
+        let rates = block_mut(dydt, at(RATES[axis]));
+        for lane in 0..LANES {
+            let force = (upward * weight.0[lane] - outer.0[lane]) - inner.0[lane];
+            rates[lane] = force * balls.inverse_mass.0[lane];
+        }
+    }
+    let mut sinking = Lanes::ZERO;
+    for lane in 0..LANES {
+        sinking.0[lane] = weight.0[lane] * velocity[space.upward].0[lane];
+    }
+    totals.weight += sinking.sum();
+    (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
+}
+
+// What follows are functions of what is read and what is written apart: loops over lanes of one struct
+// are not vectorised.
+
+lane_struct! {
+    /// Normal force of a ball on the outer ring.
+    pub(super) struct OuterForce per lane OuterForceLanes {
+        /// Along X, N.
+        x,
+        /// Along Y, N.
+        y,
+        /// Along Z, N.
+        z,
+        /// Over that of its points, N.
+        force_n,
+        /// Of its points together, N.
+        resultant,
+        /// √δ, m^½.
+        root,
+        /// r, m.
+        effective_radius,
+        /// W.
+        damping_power_w,
+    }
+}
+
+/// Contacts with the plain groove.
+#[inline(always)]
+fn touch_plain(
+    groove: &OuterGrooveLanes,
+    beyond: &Lanes,
+    height: &Lanes,
+    touch: &mut OuterTouchLanes,
+) {
+    for lane in 0..LANES {
+        let plain = groove.get(lane).touch(beyond.0[lane], height.0[lane]);
+        touch.put(lane, plain);
+    }
+}
+
+/// Forces of the balls, which rise with `rise` along the axis, on the outer ring.
+#[inline(always)]
+fn press_outer(
+    balls: &BallLanes,
+    touches: &OuterTouchLanes,
+    polar: &PolarMotionLanes,
+    rise: &Lanes,
+    forces: &mut OuterForceLanes,
+) {
+    for lane in 0..LANES {
+        let (ball, touch, polar) = (balls.get(lane), touches.get(lane), polar.get(lane));
         let mut rate = touch.slope * polar.orbit;
-        let points = touch.points();
-        for k in 0..2 {
-            let [radial, axial, share, _] = points[k];
-            rate += share * (radial * polar.radial + axial * (velocity[2].0[lane] - outer_vz));
+        for [radial, axial, share, _] in touch.points() {
+            rate += share * (radial * polar.radial + axial * rise.0[lane]);
         }
         let approach = positive(touch.approach);
         let contact = NormalForce::at_raceway(
@@ -83,74 +225,108 @@ pub(super) fn normal_contacts(
             rate,
         );
         let root = approach.sqrt();
-        let half_length = b.half_length_m1_2[0].0[lane] * touch.half_length * root;
         let [along, across] = touch.resultant();
         // Of ⅖ K δ^(5/2) both K and δ change with ψ.
         let stiffening = ball.outer_stiffness_n_m1_5 * touch.stiffening;
         let stiffening = 0.4 * stiffening * approach * approach * root;
         let turning = (contact.force_n * touch.slope + stiffening) / polar.distance;
         let radial = contact.force_n * along;
-        let on_ring = [
-            radial * polar.ex - turning * polar.ey,
-            radial * polar.ey + turning * polar.ex,
-            contact.force_n * across,
-        ];
-        for k in 0..2 {
-            let [radial, axial, share, root] = points[k];
-            let force_n = share * contact.force_n;
-            frames[k].put(
-                lane,
-                Frame {
-                    normal_x: polar.ex * radial,
-                    normal_y: polar.ey * radial,
-                    normal_z: axial,
-                    across_x: -polar.ex * axial,
-                    across_y: -polar.ey * axial,
-                    across_z: radial,
-                    along_x: polar.ey,
-                    along_y: -polar.ex,
-                    force_n,
-                    friction_normal_n: force_n * model.outer.friction_factor,
-                    half_length_m: half_length * root,
-                    ..Frame::default()
-                },
-            );
-        }
         let total = touch.share_0 + touch.share_1;
         let resultant = (along * along + across * across).sqrt();
         let in_contact = total > 0.0;
         let effective = if in_contact { resultant / total } else { 1.0 };
-        results.geometry.effective_radius.0[lane] = ball.radius * effective;
-        curvature.0[lane] = b.groove_curvature.0[lane] + 0.25 * touch.curvature_change;
-        results.outer.deflection.0[lane] = touch.approach;
-        results.outer.force.0[lane] = contact.force_n * resultant;
-        outer_force.0[lane] = contact.force_n;
-        for i in 0..3 {
-            on_outer_ring[i].0[lane] = on_ring[i];
-            forces[i].0[lane] = -on_ring[i];
-        }
-        forces[space.upward].0[lane] -= ball.mass * model.ring.gravity;
-        damping.0[lane] = contact.damping_power_w;
+        forces.put(
+            lane,
+            OuterForce {
+                x: radial * polar.ex - turning * polar.ey,
+                y: radial * polar.ey + turning * polar.ex,
+                z: contact.force_n * across,
+                force_n: contact.force_n,
+                resultant: contact.force_n * resultant,
+                root,
+                effective_radius: ball.radius * effective,
+                damping_power_w: contact.damping_power_w,
+            },
+        );
     }
-    (b.outer_force_n, b.outer_ring_force_n) = (outer_force, on_outer_ring);
-    b.curvature[0] = curvature;
+}
 
+/// Frames of a point at the outer ring, by nρ and nz, and its share of the force with its cube root.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the parts of two structs")]
+fn frame_outer(
+    [radial, axial]: [&Lanes; 2],
+    [share, share_root]: [&Lanes; 2],
+    forces: &OuterForceLanes,
+    touches: &OuterTouchLanes,
+    polar: &PolarMotionLanes,
+    half_length: &Lanes,
+    friction_factor: f64,
+    frames: &mut FrameLanes,
+) {
+    for lane in 0..LANES {
+        let (radial, axial, polar) = (radial.0[lane], axial.0[lane], polar.get(lane));
+        let force_n = share.0[lane] * forces.force_n.0[lane];
+        let half_length = half_length.0[lane] * touches.half_length.0[lane];
+        frames.put(
+            lane,
+            Frame {
+                normal_x: polar.ex * radial,
+                normal_y: polar.ey * radial,
+                normal_z: axial,
+                across_x: -polar.ex * axial,
+                across_y: -polar.ey * axial,
+                across_z: radial,
+                along_x: polar.ey,
+                along_y: -polar.ex,
+                force_n,
+                friction_normal_n: force_n * friction_factor,
+                half_length_m: half_length * forces.root.0[lane] * share_root.0[lane],
+                ..Frame::default()
+            },
+        );
+    }
+}
+
+lane_struct! {
+    /// Normal force of a ball on the inner ring, and its moment about the centre of the ring.
+    pub(super) struct InnerForce per lane InnerForceLanes {
+        /// Along X, N.
+        x,
+        /// Along Y, N.
+        y,
+        /// Along Z, N.
+        z,
+        /// About X, N·m.
+        moment_x,
+        /// About Y, N·m.
+        moment_y,
+        /// About Z, N·m.
+        moment_z,
+        /// W.
+        damping_power_w,
+    }
+}
+
+/// Contacts, frames and forces at the inner ring.
+#[inline(always)]
+fn press_inner(
+    (balls, groove, half_length, ring): (&BallLanes, &InnerGrooveLanes, &Lanes, &RingMotion),
+    (places, velocities): (&[Lanes; 3], &[Lanes; 3]),
+    touches: &mut InnerTouchLanes,
+    frames: &mut FrameLanes,
+    forces: &mut InnerForceLanes,
+) {
     let axis = ring.axis.into();
     let (centre, tilting) = (ring.centre.into(), ring.tilting.into());
     let ring_velocity = ring.velocity.into();
-    let mut inner = b.inner.clone();
     for lane in 0..LANES {
-        let ball = plus(of_lane(&place, lane), -1.0, centre);
-        inner.put(lane, b.inner_groove.get(lane).touch(ball, axis));
-    }
-    let mut on_ring = [Lanes::ZERO; SIZE];
-    let mut weight = Lanes::ZERO;
-    for lane in 0..LANES {
-        let (ball, touch) = (balls.get(lane), inner.get(lane));
+        let from_ring = plus(of_lane(places, lane), -1.0, centre);
+        let (ball, touch) = (balls.get(lane), groove.get(lane).touch(from_ring, axis));
+        touches.put(lane, touch);
         let [normal, across, along] = touch.axes(axis);
-        let from_ring = touch.ball();
         let surface = plus(ring_velocity, 1.0, cross(tilting, from_ring));
-        let moving = of_lane(&velocity, lane);
+        let moving = of_lane(velocities, lane);
         let approach = positive(touch.approach);
         let contact = NormalForce::at_raceway(
             ball.inner_stiffness_n_m1_5,
@@ -158,12 +334,10 @@ pub(super) fn normal_contacts(
             approach,
             dot(normal, plus(moving, -1.0, surface)),
         );
-        let arm = plus(
-            from_ring,
-            b.inner_groove.curvature.0[lane] - touch.length,
-            normal,
-        );
-        frames[INNER].put(
+        let reach = groove.curvature.0[lane] - touch.length;
+        let arm = plus(from_ring, reach, normal);
+        let force_n = contact.force_n;
+        frames.put(
             lane,
             Frame {
                 normal_x: normal[0],
@@ -178,35 +352,23 @@ pub(super) fn normal_contacts(
                 arm_x: arm[0],
                 arm_y: arm[1],
                 arm_z: arm[2],
-                force_n: contact.force_n,
-                friction_normal_n: contact.force_n,
-                half_length_m: b.half_length_m1_2[1].0[lane] * approach.sqrt(),
+                force_n,
+                friction_normal_n: force_n,
+                half_length_m: half_length.0[lane] * approach.sqrt(),
             },
         );
         let moment = cross(from_ring, normal);
-        for i in 0..3 {
-            let force = contact.force_n * normal[i];
-            on_ring[i].0[lane] = force;
-            on_ring[3 + i].0[lane] = contact.force_n * moment[i];
-            forces[i].0[lane] -= force;
-        }
-        results.inner.deflection.0[lane] = touch.approach;
-        results.inner.force.0[lane] = contact.force_n;
-        damping.0[lane] += contact.damping_power_w;
-        weight.0[lane] = -ball.mass * model.ring.gravity * moving[space.upward];
+        forces.put(
+            lane,
+            InnerForce {
+                x: force_n * normal[0],
+                y: force_n * normal[1],
+                z: force_n * normal[2],
+                moment_x: force_n * moment[0],
+                moment_y: force_n * moment[1],
+                moment_z: force_n * moment[2],
+                damping_power_w: contact.damping_power_w,
+            },
+        );
     }
-    b.inner = inner;
-    for (total, lanes) in totals.ring.iter_mut().zip(&on_ring) {
-        *total += lanes.sum();
-    }
-    totals.damping += damping.sum();
-    totals.weight += weight.sum();
-    for (coordinate, force) in RATES.into_iter().zip(&forces) {
-        let rates = block_mut(dydt, at(coordinate));
-        for lane in 0..LANES {
-            rates[lane] = force.0[lane] * balls.inverse_mass.0[lane];
-        }
-    }
-    (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
-    b.frames = frames;
 }

@@ -55,17 +55,6 @@ pub(crate) struct FlanksHere {
     slot: Option<SlotSection>,
 }
 
-impl FlanksHere {
-    /// Those of a section that is turned to the other side where the sign is −1.
-    #[inline(always)]
-    pub fn mirrored(self, contact_sign: f64) -> Self {
-        Self {
-            sin_section: contact_sign * self.sin_section,
-            ..self
-        }
-    }
-}
-
 impl FlankModel {
     pub fn new(raceway: &Raceway, piece: &Piece) -> Self {
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
@@ -115,15 +104,19 @@ impl FlankModel {
         }
     }
 
-    /// The flanks in the direction **e**; `None` outside.
-    #[inline]
-    pub fn at(&self, direction: [f64; 2]) -> Option<FlanksHere> {
+    /// Sine and cosine of the angle from the middle to the direction **e**; `None` outside.
+    #[inline(always)]
+    pub fn within(&self, direction: [f64; 2]) -> Option<[f64; 2]> {
         let [sine, cosine] = self.sine_and_cosine(direction);
         let square = sine * sine;
         let [begin, end] = self.squares;
-        if cosine <= 0.0 || square < begin || square >= end {
-            return None;
-        }
+        (cosine > 0.0 && square >= begin && square < end).then_some([sine, cosine])
+    }
+
+    /// The flanks at an angle [`Self::within`]; those of a section that is turned to the other side
+    /// where the sign is −1; `None` where they are the plain groove.
+    pub fn at(&self, [sine, cosine]: [f64; 2], contact_sign: f64) -> Option<FlanksHere> {
+        let square = sine * sine;
         let left = self.end - square;
         let turning = 2.0 * sine * cosine;
         let slot = self.slot.as_ref().map(|slot| slot.at(sine.asin()));
@@ -143,7 +136,7 @@ impl FlankModel {
         (angle > PLAIN_RAD).then_some(FlanksHere {
             angle,
             slope,
-            sin_section: self.sin_section,
+            sin_section: contact_sign * self.sin_section,
             cos_section: self.cos_section,
             error: run_out(self.depth_error),
             depth: slot.map_or_else(|| run_out(self.depth), |slot| slot.sink_m),
@@ -320,18 +313,18 @@ impl OuterGroove {
                 - error_slope
                 - depth_slope * (normal[0] * here.cos_section + normal[1] * here.sin_section);
         }
-        let touch = |approach: f64, slope: f64, shares: [f64; 2]| OuterTouch {
+        let touch = |approach: f64, slope: f64, shares: [f64; 2], roots: [f64; 2]| OuterTouch {
             approach,
             slope,
             inside: 1.0,
             radial_0: normals[0][0],
             axial_0: normals[0][1],
             share_0: shares[0],
-            root_0: shares[0].cbrt(),
+            root_0: roots[0],
             radial_1: normals[1][0],
             axial_1: normals[1][1],
             share_1: shares[1],
-            root_1: shares[1].cbrt(),
+            root_1: roots[1],
             stiffness: here.slot.map_or(1.0, |slot| slot.stiffness_ratio[0]),
             stiffening: here.slot.map_or(0.0, |slot| slot.stiffness_ratio[1]),
             half_length: here.slot.map_or(1.0, |slot| slot.half_length_ratio),
@@ -341,7 +334,7 @@ impl OuterGroove {
         let mut shares = [0.0; 2];
         if delta[least] <= 0.0 || delta[least] < 1e-60 * delta[most] {
             shares[most] = 1.0;
-            return touch(delta[most], slopes[most], shares);
+            return touch(delta[most], slopes[most], shares, shares);
         }
         // s = ln 2/(−ln cos αc).
         let inverse = match &here.slot {
@@ -353,15 +346,22 @@ impl OuterGroove {
         let power = (log * exponent).exp();
         let joined = power.ln_1p();
         let effective = delta[most] * (joined * inverse).exp();
-        shares[most] = (-(1.0 - inverse) * joined).exp();
-        shares[least] = shares[most] * ((exponent - 1.0) * log).exp();
+        // Shares and cube roots from the same logarithms.
+        let logs = [
+            -(1.0 - inverse) * joined,
+            -(1.0 - inverse) * joined + (exponent - 1.0) * log,
+        ];
+        let mut roots = [0.0; 2];
+        for (at, log) in [most, least].into_iter().zip(logs) {
+            (shares[at], roots[at]) = (log.exp(), (log / 3.0).exp());
+        }
         let by_exponent = effective * inverse * (power / (1.0 + power) * log - joined * inverse);
         let exponent_slope = match &here.slot {
             Some(slot) => -exponent * exponent * slot.inverse_exponent[1],
             None => -exponent * exponent * (sin / cos) * here.slope / LN_2,
         };
         let slope = shares[0] * slopes[0] + shares[1] * slopes[1] + by_exponent * exponent_slope;
-        touch(effective, slope, shares)
+        touch(effective, slope, shares, roots)
     }
 }
 

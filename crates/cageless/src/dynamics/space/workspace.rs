@@ -1,21 +1,36 @@
 //! Work arrays of an evaluation in space, and the contacts that it finds.
 
-use super::block::{INNER, SpaceBlock};
+use super::block::{INNER, PLACES, SpaceBlock};
 use super::model::SpaceModel;
 use super::ring::RingMotion;
 use super::rotor_touch::RotorTouch;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
+use crate::raceway_contact::RacewayPoint;
+
+/// Point at which a ball bears on a groove.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GroovePoint {
+    /// Normal force, N; 0 without contact.
+    pub force_n: f64,
+    /// Cosine and sine of its contact angle, positive where an axial load along +Z presses.
+    pub normal: [f64; 2],
+    /// a, m.
+    pub half_length_m: f64,
+}
+
+impl GroovePoint {
+    /// Force along the radius and across it, N.
+    fn force(&self) -> [f64; 2] {
+        self.normal.map(|part| part * self.force_n)
+    }
+}
 
 /// Contacts of a ball with the rings as of the last evaluation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallContacts {
-    /// Force at the inner raceway along the radius and against the axis of the ring, N.
-    inner_force_n: [f64; 2],
-    /// Force at the outer raceway along the radius and the axis, N.
-    outer_force_n: [f64; 2],
-    /// Force of the more loaded of two contact points with the outer raceway, N.
-    outer_point_n: f64,
+    /// Both points at the outer raceway, that at the inner one.
+    points: [GroovePoint; PLACES],
 }
 
 /// Angle of a force of a contact from the radius; NaN without one.
@@ -26,21 +41,53 @@ fn angle_rad([along, across]: [f64; 2]) -> f64 {
     }
 }
 
+impl From<GroovePoint> for RacewayPoint {
+    fn from(point: GroovePoint) -> Self {
+        Self {
+            force_n: point.force_n,
+            cosine: point.normal[0],
+        }
+    }
+}
+
 impl BallContacts {
     /// Contact angle at the inner raceway, positive where an axial load along +Z presses, rad;
     /// NaN without contact.
     pub fn inner_contact_angle_rad(&self) -> f64 {
-        angle_rad(self.inner_force_n)
-    }
-
-    /// Normal force of the more loaded of the contact points with the outer raceway, N.
-    pub(crate) fn outer_point_n(&self) -> f64 {
-        self.outer_point_n
+        angle_rad(self.inner_force_n())
     }
 
     /// Angle of the force at the outer raceway, rad; NaN without contact.
     pub fn outer_contact_angle_rad(&self) -> f64 {
-        angle_rad(self.outer_force_n)
+        angle_rad(self.outer_force_n())
+    }
+
+    /// Force at the inner raceway along the radius and against the axis of the ring, N.
+    pub(crate) fn inner_force_n(&self) -> [f64; 2] {
+        self.points[INNER].force()
+    }
+
+    /// Force at the outer raceway along the radius and the axis, N.
+    pub(crate) fn outer_force_n(&self) -> [f64; 2] {
+        let [a, b] = [0, 1].map(|place| self.points[place].force());
+        [a[0] + b[0], a[1] + b[1]]
+    }
+
+    /// Where the ball bears on the inner raceway.
+    pub(crate) fn inner_point(&self) -> RacewayPoint {
+        self.points[INNER].into()
+    }
+
+    /// The more loaded of the points at the outer raceway.
+    pub(crate) fn outer_point(&self) -> RacewayPoint {
+        let [a, b, _] = self.points;
+        if b.force_n > a.force_n { b } else { a }.into()
+    }
+
+    /// The points that bear, each with its ring: 0 for the inner, 1 for the outer one.
+    pub(crate) fn bearing_points(&self) -> impl Iterator<Item = (usize, &GroovePoint)> {
+        let rings = [1, 1, 0].into_iter().zip(&self.points);
+        rings.filter(|(_, point)| point.force_n > 0.0)
     }
 }
 
@@ -74,13 +121,18 @@ impl SpaceWorkspace {
     /// Contacts of ball `k`.
     pub fn contacts(&self, k: usize) -> BallContacts {
         let (block, lane) = (&self.blocks[k / LANES], k % LANES);
-        let inner_n = block.frames[INNER].force_n.0[lane];
-        let (outer, inner) = (block.outer.get(lane), block.inner.get(lane));
-        let outer_n = block.outer_force_n.0[lane];
+        let normals = [
+            [&block.outer.radial_0, &block.outer.axial_0],
+            [&block.outer.radial_1, &block.outer.axial_1],
+            [&block.inner.cosine, &block.inner.sine],
+        ];
+        let point = |place: usize| GroovePoint {
+            force_n: block.frames[place].force_n.0[lane],
+            normal: normals[place].map(|lanes| lanes.0[lane]),
+            half_length_m: block.frames[place].half_length_m.0[lane],
+        };
         BallContacts {
-            inner_force_n: [inner.cosine, inner.sine].map(|part| part * inner_n),
-            outer_force_n: outer.resultant().map(|part| part * outer_n),
-            outer_point_n: outer.share_0.max(outer.share_1) * outer_n,
+            points: [point(0), point(1), point(INNER)],
         }
     }
 

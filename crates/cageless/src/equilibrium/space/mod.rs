@@ -24,8 +24,8 @@ mod ball;
 mod load_balance;
 mod minimum;
 pub mod outer_section;
-mod shoulder;
 
+use crate::bearing::{Bearing, BeyondGroove};
 use crate::case::{Case, Row, Tilt};
 use crate::equilibrium::{
     Equilibrium, EquilibriumError, RacewayContact, SPEED_ROUNDS, TURNING_TOLERANCE,
@@ -39,7 +39,6 @@ use crate::raceway::Slot;
 use ball::{Ring, SpatialBall};
 use load_balance::{Balanced, LoadBalance};
 use outer_section::{Flanks, OuterSection, SectionContact};
-use shoulder::GrooveContact;
 
 /// Ring and balls in equilibrium.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,8 +75,8 @@ pub struct SpatialEquilibrium {
     pub stiffness: Option<[[f64; 5]; 5]>,
     /// Orbital speed of each ball in rolling under these contact angles.
     pub orbit_speed_rad_s: Vec<f64>,
-    /// Contacts whose ellipse reaches beyond a shoulder.
-    pub truncated: Vec<String>,
+    /// Largest |α| + a/R to which a contact ellipse reaches: inner, outer groove.
+    pub ellipse_edge_max_rad: [f64; 2],
 }
 
 /// Solves the equilibrium of `case` in space with its balls at their starting angles.
@@ -98,10 +97,12 @@ pub fn solve(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
         }
         settled = balance.settle(depth)?;
     }
-    let (solved, contacts) = result(case, &balance, &settled);
+    let (solved, beyond) = result(case, &balance, &settled);
     check(case, &solved)?;
-    shoulder::check(&case.bearing, &contacts)?;
-    Ok(solved)
+    match beyond {
+        Some(beyond) => Err(EquilibriumError::BeyondGroove(beyond)),
+        None => Ok(solved),
+    }
 }
 
 /// Forces of every ball at both raceways and the row of each without weight and centrifugal force,
@@ -277,8 +278,7 @@ fn result(
     case: &Case,
     balance: &LoadBalance,
     settled: &Balanced,
-) -> (SpatialEquilibrium, Vec<GrooveContact>) {
-    let bearing = &case.bearing;
+) -> (SpatialEquilibrium, Option<BeyondGroove>) {
     let ring = settled.ring;
     let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.stiffness_n_m1_5();
     let stiffness = stiffness(settled);
@@ -318,9 +318,9 @@ fn result(
         flank_force_n: vec![],
         stiffness: held.then_some(stiffness),
         orbit_speed_rad_s: vec![],
-        truncated: vec![],
+        ellipse_edge_max_rad: [0.0; 2],
     };
-    let mut contacts = vec![];
+    let mut beyond = None;
     for (ball, rest) in balance.balls.iter().zip(&settled.rests) {
         // Z is the fifth of u, ζ, **R**, p, q; without friction the force goes through the ball.
         solved.row_axial_force_n[ball.row] += rest.energy.gradient[4];
@@ -328,24 +328,23 @@ fn result(
             .ball_z_m
             .push(ball.axial_m + settled.shifts_m[ball.row] + rest.place[1]);
         let ring = settled.ring_of(ball.row);
-        contacts.extend(push_ball(&mut solved, case, ball, rest.place, ring));
+        beyond = push_ball(&mut solved, case, ball, rest.place, ring).or(beyond);
     }
     let largest =
         |contacts: &[RacewayContact]| contacts.iter().map(|c| c.pressure_pa).fold(0.0, f64::max);
     solved.rest.inner_pressure_max_pa = largest(&solved.rest.inner_contact);
     solved.rest.outer_pressure_max_pa = largest(&solved.rest.outer_contact);
-    solved.truncated = shoulder::truncated(bearing, &contacts);
-    (solved, contacts)
+    (solved, beyond)
 }
 
-/// Adds the results of one ball; its contacts with the grooves.
+/// Adds the results of one ball; a contact of it beyond a groove.
 fn push_ball(
     solved: &mut SpatialEquilibrium,
     case: &Case,
     ball: &SpatialBall,
     place: [f64; 2],
     ring: Ring,
-) -> Vec<GrooveContact> {
+) -> Option<BeyondGroove> {
     let bearing = &case.bearing;
     let (inner_force, inner_angle) = ball.inner_contact(place, ring).unwrap_or((0.0, f64::NAN));
     let contacts = ball.outer.contacts(place);
@@ -389,17 +388,16 @@ fn push_ball(
     solved.outer_contact_angle_rad.push(outer_angle);
     let orbit = orbit_speed_in_space_rad_s(bearing, speed, arms, rolling_angle);
     solved.orbit_speed_rad_s.push(orbit);
-    let on_groove = |ring: usize, angle_rad: f64, contact: RacewayContact| GrooveContact {
-        ball: number,
-        ring,
-        angle_rad,
-        reach_rad: contact.semi_axes_m[1] / ball.radius_m,
-    };
     let outer = contacts.iter();
-    let outer = outer.map(|c| on_groove(1, c.angle_rad, at_outer(c.angle_rad, force * c.share)));
-    let inner =
-        (inner_force > 0.0).then(|| on_groove(0, inner_angle, at_inner(inner_angle, inner_force)));
-    outer.chain(inner).collect()
+    let outer = outer.map(|c| (1, c.angle_rad, at_outer(c.angle_rad, force * c.share)));
+    let inner = (inner_force > 0.0).then(|| (0, inner_angle, at_inner(inner_angle, inner_force)));
+    outer
+        .chain(inner)
+        .fold(None, |beyond, (ring, angle_rad, contact)| {
+            let edge = &mut solved.ellipse_edge_max_rad[ring];
+            *edge = edge.max(angle_rad.abs() + contact.semi_axes_m[1] / ball.radius_m);
+            beyond.or(bearing.beyond_groove(number, ring, angle_rad))
+        })
 }
 
 /// The Hessian over (X, Y, Z, −q, p).
@@ -445,8 +443,10 @@ fn check(case: &Case, solved: &SpatialEquilibrium) -> Result<(), EquilibriumErro
 
 impl SpatialEquilibrium {
     /// What the bearing does not stand, as sentences.
-    pub fn warnings(&self) -> Vec<String> {
+    pub fn warnings(&self, bearing: &Bearing) -> Vec<String> {
         let overload = self.rest.overload().into_iter();
-        overload.chain(self.truncated.iter().cloned()).collect()
+        let edges = self.ellipse_edge_max_rad.into_iter().enumerate();
+        let truncated = edges.filter_map(|(ring, edge)| bearing.truncation_warning(ring, edge));
+        overload.chain(truncated).collect()
     }
 }

@@ -1,0 +1,40 @@
+//! How far contact ellipses reach towards the shoulders of their grooves.
+
+use crate::dynamics::{BallContacts, Model};
+
+/// Follows the contacts of a motion in space for the largest |α| + a/R at inner and outer ring.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EllipseEdges {
+    /// R of every ball, m.
+    radii_m: Vec<f64>,
+    /// The largest so far and its sine: inner, outer.
+    largest: [[f64; 2]; 2],
+}
+
+impl EllipseEdges {
+    pub fn new(model: &Model) -> Self {
+        Self {
+            radii_m: model.ball_radii_m(),
+            ..Self::default()
+        }
+    }
+
+    /// Takes the contacts of ball `k`.
+    #[inline]
+    pub fn look(&mut self, k: usize, ball: &BallContacts) {
+        for (ring, point) in ball.bearing_points() {
+            let [cosine, sine] = [point.normal[0], point.normal[1].abs()];
+            let half = point.half_length_m / self.radii_m[k];
+            // sin(|α| + a/R) but for (a/R)³/6: an angle only of what is larger.
+            let rank = sine * (1.0 - 0.5 * half * half) + cosine * half;
+            if rank > self.largest[ring][1] {
+                self.largest[ring] = [sine.atan2(cosine) + half, rank];
+            }
+        }
+    }
+
+    /// The largest so far; 0 without contacts.
+    pub fn largest_rad(&self) -> [f64; 2] {
+        self.largest.map(|[angle, _]| angle)
+    }
+}
