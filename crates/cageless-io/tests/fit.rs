@@ -81,3 +81,59 @@ fn fits_that_cannot_be_are_named() {
         "{message}"
     );
 }
+
+const PAIR: &str = include_str!("../../../cases/preloaded-pair.toml");
+
+/// Rows of a pair stay where they are along the axis: a warm inner ring presses them harder, by the stretched
+/// distance of the centres of the grooves, A cos α0 − ΔG/2 along the radius and A sin α0 + u along the axis.
+#[test]
+fn a_warm_inner_ring_preloads_a_pair() {
+    let text = PAIR.to_owned() + DIAMETERS;
+    let mut sets = vec![
+        "raceway=[]",
+        "operation.radial_load_n=0",
+        "operation.gravity_m_s2=0",
+        "operation.inner_speed_rpm=1",
+    ];
+    let cold = parse(&text, &sets).unwrap();
+    assert_eq!(cold.case().rows[0].preload_m, 15e-6);
+    sets.push("fit.inner_ring_temperature_c=40");
+    let warm = parse(&text, &sets).unwrap();
+    let (case, fit) = (warm.case(), warm.case().fit.unwrap());
+    let room = 2.0 * (4.953e-3 - 4.7625e-3);
+    let angle = 15f64.to_radians();
+    // Opened by the angle before anything warms.
+    let by_itself = 2.0 * room * (1.0 - angle.cos());
+    assert!((fit.initial_m - by_itself).abs() < 1e-12, "{fit:?}");
+    assert!(fit.change_m() < -5e-6, "{fit:?}");
+    let (radial, axial) = (
+        room * angle.cos() - 0.5 * fit.change_m(),
+        room * angle.sin() + 15e-6,
+    );
+    let free = case.bearing.contact_angle_rad();
+    assert!((radial - room * free.cos()).abs() < 1e-12);
+    let deflection = radial.hypot(axial) - room;
+    let [inner, outer, _] = case.stiffness_n_m1_5();
+    let both = (inner.powf(-2.0 / 3.0) + outer.powf(-2.0 / 3.0)).powf(-1.5);
+    let expected = both * deflection.powf(1.5);
+    let solved = cageless::equilibrium::space::solve(case).unwrap();
+    for force in solved.rest.inner_force_n {
+        assert!((force / expected - 1.0).abs() < 1e-6, "{force} {expected}");
+    }
+}
+
+/// A pair that a warm outer ring leaves without preload is refused; a single row has another free angle.
+#[test]
+fn a_warm_outer_ring_takes_preload() {
+    let text = PAIR.to_owned() + DIAMETERS;
+    let error = parse(&text, &["fit.outer_ring_temperature_c=80"]).unwrap_err();
+    assert!(
+        error.contains("[fit] changes the preload of row 1 by -"),
+        "{error}"
+    );
+    let single = text.split("[[row]]").next().unwrap().to_owned()
+        + "[operation]"
+        + text.split("[operation]").nth(1).unwrap();
+    let single = parse(&single, &["fit.outer_ring_temperature_c=80"]).unwrap();
+    assert!(single.case().bearing.contact_angle_rad() > 16f64.to_radians());
+}

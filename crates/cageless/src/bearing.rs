@@ -54,6 +54,7 @@ pub struct Bearing {
     bore: Option<InnerRingBore>,
     assembly: Assembly,
     contact_angle_rad: f64,
+    preload_change_m: f64,
 }
 
 /// Bore and polar inertia of the inner ring: what a bearing needs that catches a rotor.
@@ -113,6 +114,7 @@ impl Bearing {
             bore: None,
             assembly,
             contact_angle_rad: 0.0,
+            preload_change_m: 0.0,
         })
     }
 

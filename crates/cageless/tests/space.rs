@@ -111,7 +111,7 @@ fn the_218_bearing_under_axial_load_has_the_known_values() {
     let free = case.bearing.dimensions();
     let room = 2.0 * free.inner_groove_curvature_radius_m - 2.0 * free.ball_radius_m;
     let angle = (1.0_f64 - 0.24e-3 / room).acos();
-    case.bearing = case.bearing.with_contact_angle(angle).unwrap();
+    case.bearing = case.bearing.with_contact_angle(angle, 0.0).unwrap();
     case.operation.space.axial_load_n = 17_800.0;
     let space = solve(&case).unwrap();
     let contact = space.inner_contact_angle_rad[0];
@@ -295,7 +295,7 @@ fn angular_contact(angle_deg: f64) -> Case {
     case.operation.inner_speed_rad_s = 100.0;
     case.bearing = case
         .bearing
-        .with_contact_angle(angle_deg.to_radians())
+        .with_contact_angle(angle_deg.to_radians(), 0.0)
         .unwrap();
     case
 }
@@ -607,7 +607,7 @@ fn what_cannot_be_is_named() {
     let bearing = Bearing::new(dimensions(), steel()).unwrap();
     let error = bearing
         .clone()
-        .with_contact_angle(60_f64.to_radians())
+        .with_contact_angle(60_f64.to_radians(), 0.0)
         .unwrap_err();
     assert_eq!(error.field, "contact_angle_rad");
     let raceway = raceway(&bearing, 5.1, 25.2, 0.0);

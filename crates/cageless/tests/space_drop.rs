@@ -125,7 +125,7 @@ fn a_drop_onto_a_plain_ring_falls_as_in_the_plane() {
 fn pair(preload_m: f64, turned: bool) -> Case {
     let mut case = drop_case();
     let angle = 15f64.to_radians();
-    case.bearing = case.bearing.with_contact_angle(angle).unwrap();
+    case.bearing = case.bearing.with_contact_angle(angle, 0.0).unwrap();
     let section = if turned { angle } else { 0.0 };
     let raceway = raceway(&case.bearing, 5.1, 25.2, 0.0);
     case.raceways = vec![raceway.with_section_angle(section, &case.bearing).unwrap()];

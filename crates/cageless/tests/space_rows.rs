@@ -23,7 +23,7 @@ const FREE: Tilt = Tilt::Free {
 fn angular_contact(angle_deg: f64, section_deg: f64) -> Case {
     let mut case = structure(5.1, 25.2);
     let angle = angle_deg.to_radians();
-    case.bearing = case.bearing.with_contact_angle(angle).unwrap();
+    case.bearing = case.bearing.with_contact_angle(angle, 0.0).unwrap();
     case.raceways = vec![
         raceway(&case.bearing, 5.1, 25.2, 0.0)
             .with_section_angle(section_deg.to_radians(), &case.bearing)

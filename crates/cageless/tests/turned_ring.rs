@@ -17,7 +17,9 @@ const SIZE: OuterRingDimensions = OuterRingDimensions {
 fn case(free_deg: f64, raceways: &[(f64, f64, f64)], section_deg: f64) -> Case {
     let mut case = conventional(dimensions());
     let bearing = Bearing::new(dimensions(), steel()).unwrap();
-    case.bearing = bearing.with_contact_angle(free_deg.to_radians()).unwrap();
+    case.bearing = bearing
+        .with_contact_angle(free_deg.to_radians(), 0.0)
+        .unwrap();
     let turned = |&(span, angle, centre): &(f64, f64, f64)| {
         let raceway = raceway(&case.bearing, span, angle, centre);
         let turned = raceway.with_section_angle(section_deg.to_radians(), &case.bearing);

@@ -11,7 +11,7 @@ use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
 use cageless::{
-    Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Solver, Support,
+    Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Row, Solver, Support,
 };
 
 use cageless_results::{DROP, Kind, SUCCESSION};
@@ -23,6 +23,7 @@ use super::fields::FlankRows;
 use super::format::nearest;
 use super::sections::CaseSections;
 use super::spanned_toml::{join, nth};
+use super::unit::Unit::Micrometre;
 use super::{keys, messages};
 
 /// No contact of a bearing needs steps this short.
@@ -45,6 +46,7 @@ impl Converter<'_> {
         let (bearing, fit) = self.bearing()?;
         self.check_export_dimensions(&bearing)?;
         let raceways = self.raceways(&bearing)?;
+        let rows = self.rows(&bearing)?;
         let start = self.start(&bearing)?;
         let mut case = Case {
             title: s.head.title.clone(),
@@ -67,7 +69,7 @@ impl Converter<'_> {
             housing: s.housing.clone(),
             rotor: s.rotor.clone(),
             support: self.support()?,
-            rows: s.row.clone(),
+            rows,
             fit,
             lubrication: s.lubrication.clone(),
             thermal: s.thermal.clone().unwrap_or_default(),
@@ -88,6 +90,32 @@ impl Converter<'_> {
             _ => self.refused_case(&e, &case),
         })?;
         Ok(case)
+    }
+
+    /// The rows; of opposed ones with the preload that fits and temperatures leave.
+    fn rows(&self, bearing: &Bearing) -> Result<Vec<Row>, CaseError> {
+        let mut rows = self.sections.row.clone();
+        let change_m = bearing.preload_change_m();
+        let opposed = [1.0, -1.0].map(|sign| rows.iter().any(|row| row.contact_sign == sign));
+        let held = rows.iter().all(|row| row.preload_n == 0.0);
+        if change_m == 0.0 || opposed != [true; 2] || !held {
+            return Ok(rows);
+        }
+        let most_m = bearing.axial_preload_max_m();
+        for (index, row) in rows.iter_mut().enumerate() {
+            row.preload_m += change_m;
+            if !(row.preload_m >= 0.0 && row.preload_m <= most_m) {
+                let [change, left, most] =
+                    [change_m, row.preload_m, most_m].map(|m| Micrometre.of_si(m));
+                let message = format!(
+                    "[fit] changes the preload of row {} by {change:.2} um to {left:.2} um: it must be \
+                     from 0 to {most:.2} um (preload_um of the rows)",
+                    index + 1
+                );
+                return Err(self.document.tree.error("fit", message));
+            }
+        }
+        Ok(rows)
     }
 
     /// The discrete raceways.

@@ -16,38 +16,55 @@ impl BearingDimensions {
 
     /// αf with cos αf = 1 − (Ro − Ri − 2Rw)/A, at which unloaded balls touch both grooves.
     fn angle_of_clearance_rad(&self) -> f64 {
-        (1.0 - self.play_m() / self.groove_distance_m())
+        self.angle_of_play_rad(self.play_m())
+    }
+
+    /// αf with this Ro − Ri − 2Rw.
+    fn angle_of_play_rad(&self, play_m: f64) -> f64 {
+        (1.0 - play_m / self.groove_distance_m())
             .clamp(0.0, 1.0)
             .acos()
+    }
+
+    /// Opens grooves without clearance, but for `enlargement_m` of Gr, about the pitch circle until unloaded
+    /// balls touch them at this angle: Gr = 2A(1 − cos α0).
+    pub fn open_to(&mut self, angle_rad: f64, enlargement_m: f64) {
+        if (self.play_m() - 0.5 * enlargement_m).abs() < super::ROUNDING_M {
+            let half = 0.5 * self.groove_distance_m() * (1.0 - angle_rad.cos());
+            self.inner_groove_bottom_radius_m -= half;
+            self.outer_groove_bottom_radius_m += half;
+        }
     }
 }
 
 impl Bearing {
-    /// Angular-contact bearing of this free contact angle. Grooves without clearance are opened
-    /// about the pitch circle until unloaded balls touch them there, Gr = 2A(1 − cos α0); a
-    /// clearance must agree with the angle.
+    /// Angular-contact bearing that has this free contact angle by itself. Grooves without clearance
+    /// are opened to it ([`BearingDimensions::open_to`]); a clearance must agree with the angle.
+    /// `enlargement_m` is what fits and temperatures have added to the clearance in the dimensions: with it the
+    /// free contact angle is another.
     ///
     /// # Errors
     /// An [`InputError`] for an angle below 0 or beyond a shoulder, and for a clearance of
     /// another angle.
-    pub fn with_contact_angle(mut self, angle_rad: f64) -> Result<Self, InputError> {
+    pub fn with_contact_angle(
+        mut self,
+        angle_rad: f64,
+        enlargement_m: f64,
+    ) -> Result<Self, InputError> {
         const FIELD: &str = "contact_angle_rad";
         if angle_rad == 0.0 {
             return Ok(self);
         }
-        let d = &mut self.dimensions;
-        let room = d.groove_distance_m();
-        if d.play_m().abs() < super::ROUNDING_M {
-            let half = 0.5 * room * (1.0 - angle_rad.cos());
-            d.inner_groove_bottom_radius_m -= half;
-            d.outer_groove_bottom_radius_m += half;
-        }
+        self.dimensions.open_to(angle_rad, enlargement_m);
+        let d = &self.dimensions;
+        let by_itself = d.angle_of_play_rad(d.play_m() - 0.5 * enlargement_m);
         let free = d.angle_of_clearance_rad();
+        let room = d.groove_distance_m();
         let [inner, outer] = self.shoulder_angles_rad();
         let most = inner.min(outer);
         let why = "at a larger angle the contact leaves the groove over its shoulder";
         Allowed::Between(0.0, most, why).check(FIELD, angle_rad)?;
-        if (free - angle_rad).abs() > SAME_ANGLE_RAD {
+        if (by_itself - angle_rad).abs() > SAME_ANGLE_RAD {
             return Err(InputError::rule(
                 FIELD,
                 angle_rad,
@@ -56,11 +73,18 @@ impl Bearing {
             ));
         }
         self.contact_angle_rad = free;
+        self.preload_change_m = room * (by_itself.sin() - free.sin());
         [self.inner_contact, self.outer_contact] = self.contacts_at([free; 2]);
         Ok(self)
     }
 
-    /// α0, free contact angle; 0 of a radial bearing.
+    /// A(sin α0 − sin αf): displacement along the axis by which fits and temperatures press each of two
+    /// rows of opposite contact sign, whose grooves stay where they are along the axis, m.
+    pub fn preload_change_m(&self) -> f64 {
+        self.preload_change_m
+    }
+
+    /// α0, free contact angle, in operation; 0 of a radial bearing.
     pub fn contact_angle_rad(&self) -> f64 {
         self.contact_angle_rad
     }

@@ -37,7 +37,9 @@ impl Converter<'_> {
         }
         let refused = |e| self.refused(&e, None);
         if let Some(angle) = b.contact_angle_rad {
-            bearing = bearing.with_contact_angle(angle).map_err(refused)?;
+            let enlargement_m = fit.map_or(0.0, |fit| fit.change_m());
+            let angular = bearing.with_contact_angle(angle, enlargement_m);
+            bearing = angular.map_err(refused)?;
         }
         // The bore that is to catch a rotor.
         let (inertia, radius) = (b.inner_ring_polar_inertia_kg_m2, b.inner_ring_bore_radius_m);
@@ -129,6 +131,9 @@ impl Converter<'_> {
             inner_ring_damping_n_s_m: b.inner_ring_damping_n_s_m.unwrap_or(usual_damping),
         };
         let fit = self.sections.fit.as_ref();
+        if let (Some(_), Some(angle)) = (fit, b.contact_angle_rad) {
+            dimensions.open_to(angle, 0.0);
+        }
         let fit = fit
             .map(|fit| fit.operating_clearance(&dimensions, materials))
             .transpose()
