@@ -5,11 +5,14 @@ use std::f64::consts::PI;
 use cageless::equilibrium;
 use cageless::equilibrium::space::solve;
 use cageless::passage::{PassageRecorder, PassageTally};
-use cageless::simulation::{Control, run};
+use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::surface::{OuterRing, OuterRingDimensions};
-use cageless::{IntegrationMethod, Profile, Raceway, RacewayDimensions, RacewayForm, RacewayShape};
+use cageless::touchdown::DropRecorder;
+use cageless::{
+    Case, IntegrationMethod, Profile, Raceway, RacewayDimensions, RacewayForm, RacewayShape,
+};
 
-use crate::common::{complete, slotted};
+use crate::common::{complete, drop_case, slotted};
 
 const EDGE: f64 = 0.3e-3;
 
@@ -181,6 +184,57 @@ fn a_slot_unloads_balls() {
 }
 
 /// What a slot cannot be, and what cannot take one, names the key.
+/// Largest pressure of the more loaded edge at a ball that stays in the slot.
+#[derive(Default)]
+struct OnEdge {
+    case: Option<Case>,
+    pressure_pa: f64,
+}
+
+impl Observer for OnEdge {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        let case = self.case.as_ref().unwrap();
+        let ([x, y], centre) = (view.positions(), view.outer_ring_m());
+        let angle = (x[0] - centre[0]).atan2(centre[1] - y[0]);
+        let slot = case.raceways[0].slot().unwrap();
+        let point = view.contacts.outer_point(0, case.bearing.ball_radius_m());
+        let pressure = slot
+            .contact(angle, &case.bearing)
+            .peak_pressure_pa(point.force_n);
+        self.pressure_pa = self.pressure_pa.max(pressure);
+        Ok(Control::Continue(()))
+    }
+}
+
+/// A rotor falls onto a bearing whose lowest ball lies in a slot: its edges bear the largest pressure.
+#[test]
+fn a_drop_judges_the_pressure_on_edges() {
+    let mut case = drop_case().with_raceways(slotted().raceways);
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.radial_clearance_m, rotor.vy_m_s) = (1e-6, -0.1);
+    case.solver.duration_s = 2e-3;
+    let mut drop = DropRecorder::new();
+    let mut edge = OnEdge {
+        case: Some(case.clone()),
+        ..OnEdge::default()
+    };
+    let outcome = run(&case, &mut [&mut drop, &mut edge], &mut |_| {
+        Control::Continue(())
+    });
+    let summary = drop.summary(&outcome.unwrap().state);
+    assert!(edge.pressure_pa > 1e9, "{}", edge.pressure_pa);
+    let ratio = summary.outer_pressure_max_pa / edge.pressure_pa;
+    assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
+    // In a groove the same force presses less.
+    let force = summary
+        .outer_force_max_n
+        .iter()
+        .copied()
+        .fold(0.0, f64::max);
+    let groove = case.bearing.outer_contact().peak_pressure_pa(force);
+    assert!(summary.outer_pressure_max_pa > 1.1 * groove);
+}
+
 #[test]
 fn slots_that_cannot_be() {
     let case = slotted();

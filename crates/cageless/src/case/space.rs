@@ -147,8 +147,8 @@ impl Case {
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
             if field == "edge_radius_m" {
-                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare` and \
-                            sweeps of static or run compute the edges of a slot";
+                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare`, `drop` of \
+                            one bearing and sweeps of them compute the edges of a slot";
                 return Err(InputError::rule(field, value, rule));
             }
             let rule = "left out here: only `cageless static`, `run`, `compare`, `drop` of one bearing, sweeps of \
@@ -209,14 +209,6 @@ impl Case {
             if let Some((field, value, _)) = of_load {
                 let rule = "left out: the rotor loads the inner ring, which keeps its axis along that of the rotor";
                 return Err(InputError::rule(field, value, rule));
-            }
-            if let Some(slot) = self.raceways.iter().find_map(Raceway::slot) {
-                let rule = "left out, with another shape: a drop judges the pressure of grooves, not of edges";
-                return Err(InputError::rule(
-                    "edge_radius_m",
-                    slot.edge_radius_m(),
-                    rule,
-                ));
             }
         }
         Ok(())

@@ -3,14 +3,14 @@
 use super::end_state::EndState;
 use super::heat::{EndPower, HeatHistory, InterfaceHeat};
 use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz};
-use crate::bearing::Bearing;
+use crate::case::Case;
+use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::ellipse_edges::EllipseEdges;
-use crate::raceway_contact::{RacewayContact, RacewayPoint};
 use crate::rotor::Shaft;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
@@ -98,9 +98,8 @@ const SPUN_UP: f64 = 0.01;
 /// Gathers a [`DropSummary`].
 #[derive(Debug, Clone)]
 pub struct DropRecorder {
-    bearing: Option<Bearing>,
-    /// R of every ball, m.
-    radii_m: Vec<f64>,
+    case: Option<Case>,
+    peaks: Option<ContactPeakTracker>,
     /// The outer ring, if it is on a support.
     outer_ring: Option<OuterRing>,
     /// Whether the rotor has shoulders that the bearing catches.
@@ -140,10 +139,7 @@ struct Found {
     spin_up_s: Option<f64>,
     inner_force_n: Vec<f64>,
     outer_force_n: Vec<f64>,
-    /// Heaviest loads at the inner raceway, and at the outer one without and with a contact angle.
-    heaviest: [Option<RacewayPoint>; 3],
     collisions: ContactCounts,
-    ball_force_n: f64,
     ball_sliding_m_s: f64,
     edges: EllipseEdges,
 }
@@ -161,8 +157,8 @@ impl DropRecorder {
     /// Recorder of one drop.
     pub fn new() -> Self {
         Self {
-            bearing: None,
-            radii_m: vec![],
+            case: None,
+            peaks: None,
             outer_ring: None,
             shoulders: false,
             shaft: Shaft::Horizontal,
@@ -197,7 +193,8 @@ impl DropRecorder {
     /// If nothing was recorded, or the case has no rotor.
     pub fn summary(mut self, state: &State) -> DropSummary {
         self.whirl.close();
-        let bearing = self.bearing.as_ref().expect("a run");
+        let (case, peaks) = self.case.as_ref().zip(self.peaks.as_ref()).expect("a run");
+        let peaks = peaks.peaks(case);
         let rotor = state.rotor_motion().expect("a rotor");
         let ring_speed = state.ring_speed_rad_s().expect("a rotor");
         let found = self.found;
@@ -221,12 +218,6 @@ impl DropRecorder {
         let end_collision_rate_hz = rate_hz(&|collisions| collisions.all);
         let end_collision_rate_above_hz =
             std::array::from_fn(|k| rate_hz(&|collisions| collisions.above[k]));
-        let pressure_pa =
-            |load: Option<RacewayPoint>, contact: fn(&Bearing, RacewayPoint) -> RacewayContact| {
-                load.map_or(0.0, |point| contact(bearing, point).pressure_pa)
-            };
-        let [inner, outer @ ..] = found.heaviest;
-        let outer = outer.map(|load| pressure_pa(load, RacewayContact::outer));
         let backward = whirl
             .iter()
             .filter(|w| w.contact_fraction > 0.5)
@@ -252,16 +243,16 @@ impl DropRecorder {
             spin_up_s: found.spin_up_s,
             ring_speed_rad_s: ring_speed,
             rotor_speed_rad_s: rotor.speed,
-            inner_pressure_max_pa: pressure_pa(inner, RacewayContact::inner),
-            outer_pressure_max_pa: outer[0].max(outer[1]),
+            inner_pressure_max_pa: peaks.inner.pressure_pa,
+            outer_pressure_max_pa: peaks.outer.pressure_pa,
             ellipse_edge_max_rad: (state.layout().is_in_space()).then(|| found.edges.largest_rad()),
-            ball_pressure_max_pa: bearing.ball_contact().peak_pressure_pa(found.ball_force_n),
+            ball_pressure_max_pa: peaks.balls.pressure_pa,
             inner_force_max_n: found.inner_force_n,
             outer_force_max_n: found.outer_force_n,
             collisions: found.collisions,
             end_collision_rate_hz,
             end_collision_rate_above_hz,
-            ball_force_max_n: found.ball_force_n,
+            ball_force_max_n: peaks.balls.force_n,
             ball_sliding_max_m_s: found.ball_sliding_m_s,
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
             backward_whirl_hz: backward_whirl_hz(&whirl, self.rotation),
@@ -355,18 +346,12 @@ impl DropRecorder {
             if let Some(ball) = contacts.in_space(k) {
                 found.edges.look(k, &ball);
             }
-            let point = contacts.outer_point(k, self.radii_m[k]);
-            let angled = usize::from(point.cosine < 1.0);
-            for (at, point) in [(0, contacts.inner_point(k)), (1 + angled, point)] {
-                let heaviest = &mut found.heaviest[at];
-                if point.force_n > heaviest.map_or(0.0, |load| load.force_n) {
-                    *heaviest = Some(point);
-                }
-            }
         }
-        if contacts.balls_touch() {
-            let forces = (0..contacts.balls()).map(|k| contacts.pair_force_n(k));
-            found.ball_force_n = forces.fold(found.ball_force_n, f64::max);
+        if let Some(peaks) = &mut self.peaks {
+            peaks.look(contacts);
+            if contacts.balls_touch() {
+                peaks.look_between_balls(contacts);
+            }
         }
     }
 }
@@ -402,9 +387,9 @@ impl Observer for DropRecorder {
             Shaft::Vertical => rotor.axial_load_n,
         };
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
-        self.radii_m = context.model.ball_radii_m();
+        self.peaks = Some(ContactPeakTracker::new(case, context.model));
         self.found.edges = EllipseEdges::new(context.model);
-        self.bearing = Some(case.bearing.clone());
+        self.case = Some(case.clone());
         self.collisions = Some(ContactCounter::new(context.model));
         self.found.inner_force_n = vec![0.0; balls];
         self.found.outer_force_n = vec![0.0; balls];
