@@ -9,7 +9,7 @@ use cageless_results::Record;
 use cageless_study::search::point_label;
 
 use crate::data::{Motion, Parameter, Provenance};
-use crate::figures::axial_load::{AxialLoads, axial_load};
+use crate::figures::axial_load::{AxialLoads, axial_gap, axial_load};
 use crate::figures::search as figures;
 use crate::figures::{design, shape};
 use crate::geometry::{ContactTrack, RacewaySurface};
@@ -127,6 +127,7 @@ pub fn design_page(data: &DesignData) -> String {
     if let Some(axial) = &data.axial {
         page.section("Axial load");
         page.figure(&axial_load(axial));
+        page.figure(&axial_gap(axial));
     }
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");

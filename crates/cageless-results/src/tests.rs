@@ -215,6 +215,7 @@ fn results_under_axial_load_are_the_points() {
         axial_load_n,
         tilt_x_rad,
         lag_and_angle_rad,
+        critical_gap_rad: lag_and_angle_rad.map(|_| 0.25 * PI),
     };
     let lags = [
         at(0.0, 0.0, Some([0.04, 0.0])),
@@ -236,6 +237,8 @@ fn results_under_axial_load_are_the_points() {
     assert!((first - 0.04 / DEGREE).abs() < 1e-12 && second == -first && none.is_nan());
     let angles = results.values("inner_contact_angle_mean_deg");
     assert_eq!(angles[..2], [0.0, 45.0]);
+    let gaps = results.values("critical_gap_deg");
+    assert!(gaps[..2] == [45.0; 2] && gaps[2].is_nan());
 }
 
 /// Orders by the closed forms with Dw = 9.525 mm, Dpw = 46.005 mm, 14 balls and 200 Hz.

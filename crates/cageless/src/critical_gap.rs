@@ -48,8 +48,8 @@ pub struct PairTest {
     /// would have if all were equal; 1 keeps them equal (as do three balls, which have no
     /// others).
     pub neighbours_wider: f64,
-    /// Where the ring starts, balls on Rm; at its static equilibrium if `None`, with clearance
-    /// together with the balls.
+    /// Where the ring starts, balls on Rm; at its static equilibrium if `None`, with clearance and
+    /// in space together with the balls.
     pub ring_y_m: Option<f64>,
     /// Error of the starting gap.
     pub tolerance_rad: f64,
@@ -161,25 +161,19 @@ impl Observer for PairWatch {
 /// Start of a passage. Without clearance the balls start on Rm and the ring where it settles:
 /// nothing is pressed in further than by the deflection. With clearance balls on Rm would be
 /// pressed into a settled ring by half of it, and with interference they are pressed into both
-/// rings, so they start settled, too.
-fn pair_start(
-    case: &Case,
-    test: &PairTest,
-    ring_y_m: f64,
-    gaps: Gaps,
-    lead_ball_angle_rad: f64,
-) -> Start {
-    if test.ring_y_m.is_none() && case.bearing.radial_internal_clearance_m() != 0.0 {
-        return Start::Settled {
+/// rings, so they start settled, too, as in space.
+fn pair_start(ring_y_m: Option<f64>, gaps: Gaps, lead_ball_angle_rad: f64) -> Start {
+    match ring_y_m {
+        None => Start::Settled {
             gaps,
             lead_ball_angle_rad,
-        };
-    }
-    Start::Rolling {
-        gaps,
-        lead_ball_angle_rad,
-        ring_x_m: 0.0,
-        ring_y_m,
+        },
+        Some(ring_y_m) => Start::Rolling {
+            gaps,
+            lead_ball_angle_rad,
+            ring_x_m: 0.0,
+            ring_y_m,
+        },
     }
 }
 
@@ -188,7 +182,7 @@ fn pair_start(
 fn pass(
     case: &Case,
     test: &PairTest,
-    ring_y: f64,
+    ring_y: Option<f64>,
     start_gap: f64,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<PairResult, CriticalGapError> {
@@ -215,7 +209,7 @@ fn pass(
         .trailing_start_rad
         .min(-(half_angle + bearing.ball_angle_rad() + start_gap) - 5f64.to_radians());
     let mut case = Case {
-        start: pair_start(case, test, ring_y, Gaps::List(gaps), centre + trailing),
+        start: pair_start(ring_y, Gaps::List(gaps), centre + trailing),
         ..case.clone()
     };
     if case.contact.friction_law.sticks() {
@@ -274,9 +268,11 @@ pub fn critical_gap_rad(
         return Err(CriticalGapError::NeverCloses);
     }
     let bearing = &case.bearing;
+    let settles = case.moves_in_space() || bearing.radial_internal_clearance_m() != 0.0;
     let ring_y = match test.ring_y_m {
-        Some(y) => y,
-        None => equilibrium::solve(case)?.ring_y_m,
+        None if settles => None,
+        None => Some(equilibrium::solve(case)?.ring_y_m),
+        given => given,
     };
     let n = bearing.balls() as f64;
     // Everything that the other balls leave free, but for a little.

@@ -306,6 +306,7 @@ class DesignAttributes:
     plot_contact_track: Callable[..., go.Figure]  # contact track of the first raceway
     plot_surface: Callable[..., go.Figure]  # surface of the first raceway
     plot_axial_load: Callable[..., go.Figure]  # lag in the raceway over the axial load, of a design with axial loads
+    plot_axial_gap: Callable[..., go.Figure]  # critical gap over the axial load, of a design with axial loads
 
 
 class SearchAttributes:

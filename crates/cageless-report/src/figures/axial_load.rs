@@ -30,6 +30,8 @@ pub struct AxialCurve {
     pub lag_per_pass_deg: Vec<f64>,
     /// Mean contact angle at the inner raceway, degrees.
     pub inner_contact_angle_mean_deg: Vec<f64>,
+    /// Critical gap, degrees; NaN where there is none.
+    pub critical_gap_deg: Vec<f64>,
 }
 
 impl AxialLoads {
@@ -39,9 +41,10 @@ impl AxialLoads {
         let points = of("axial_load_n").iter().zip(of("tilt_x_mrad"));
         let values = of("lag_per_pass_deg")
             .iter()
-            .zip(of("inner_contact_angle_mean_deg"));
+            .zip(of("inner_contact_angle_mean_deg"))
+            .zip(of("critical_gap_deg"));
         let mut tilts: Vec<AxialCurve> = vec![];
-        for ((&load, &tilt), (&lag, &angle)) in points.zip(values) {
+        for ((&load, &tilt), ((&lag, &angle), &gap)) in points.zip(values) {
             if tilts.last().is_none_or(|curve| curve.tilt_x_mrad != tilt) {
                 tilts.push(AxialCurve {
                     tilt_x_mrad: tilt,
@@ -52,6 +55,7 @@ impl AxialLoads {
                 curve.axial_load_n.push(load);
                 curve.lag_per_pass_deg.push(lag);
                 curve.inner_contact_angle_mean_deg.push(angle);
+                curve.critical_gap_deg.push(gap);
             }
         }
         Self {
@@ -62,21 +66,29 @@ impl AxialLoads {
     }
 }
 
-/// Lag per pass over the axial load, a curve per tilt.
-pub fn axial_load(data: &AxialLoads) -> Figure {
+/// Curves over the axial load, one per tilt: name of y, its values, and what is said of a point.
+fn curves(data: &AxialLoads, y: &str, values: fn(&AxialCurve) -> &[f64], point: &str) -> Plot {
     let mut plot = Plot::new(400)
         .legend()
         .x("Axial load (N)", json!({ "rangemode": "tozero" }))
-        .y("Lag per pass (°)", json!({}))
+        .y(y, json!({}))
         .horizontal("x", "y", 0.0, "dot");
     for (curve, colour) in data.tilts.iter().zip(PALETTE) {
         let name = format!("tilt {} mrad", curve.tilt_x_mrad);
-        let lags = line(&name, &curve.axial_load_n, &curve.lag_per_pass_deg, colour);
-        plot = plot.trace(lags.with(json!({
+        let trace = line(&name, &curve.axial_load_n, values(curve), colour);
+        plot = plot.trace(trace.with(json!({
             "mode": "lines+markers", "customdata": curve.inner_contact_angle_mean_deg,
-            "hovertemplate": "%{x:.0f} N, lag %{y:.3f}°<br>contact angle, inner %{customdata:.2f}°<extra></extra>",
+            "hovertemplate": format!(
+                "%{{x:.0f}} N, {point} %{{y:.3f}}°<br>contact angle, inner %{{customdata:.2f}}°<extra></extra>"
+            ),
         })));
     }
+    plot
+}
+
+/// Lag per pass over the axial load.
+pub fn axial_load(data: &AxialLoads) -> Figure {
+    let plot = curves(data, "Lag per pass (°)", |c| &c.lag_per_pass_deg, "lag");
     let caption = format!(
         "What a ball loses in one passage of the raceway under an axial load, with a radial load of \
          {:.0} N, by motion in space with the balls evenly spaced at the start. Below 0 the raceway \
@@ -84,4 +96,26 @@ pub fn axial_load(data: &AxialLoads) -> Figure {
         data.radial_load_n
     );
     Figure::new("Axial load and tilt", &caption, &data.provenance, plot)
+}
+
+/// Critical gap over the axial load.
+pub fn axial_gap(data: &AxialLoads) -> Figure {
+    let plot = curves(
+        data,
+        "Critical gap (°)",
+        |c| &c.critical_gap_deg,
+        "critical gap",
+    );
+    let caption = format!(
+        "Largest gap on entry at which two balls touch in the raceway, by runs of pairs in space under a \
+         radial load of {:.0} N. Without a point no pair touches, or every pair does, or the bearing does not bear \
+         the load.",
+        data.radial_load_n
+    );
+    Figure::new(
+        "Critical gap under axial load",
+        &caption,
+        &data.provenance,
+        plot,
+    )
 }

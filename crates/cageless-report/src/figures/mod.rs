@@ -95,11 +95,12 @@ pub(crate) const SPACING: &str = "Spacing and collisions";
 
 /// Figures of a design.
 #[rustfmt::skip]
-pub const DESIGN: [Named<DesignData>; 4] = [
+pub const DESIGN: [Named<DesignData>; 5] = [
     named("curve", "θ over lC by Eq. (11), with the raceway and the limits", |data| data.curve.as_ref().map(design::curve)),
     named("contact_track", "contact track of the first raceway", |data| data.contact_track.as_ref().map(shape::contact_track)),
     named("surface", "surface of the first raceway", |data| data.surface.as_ref().map(shape::surface)),
     named("axial_load", "lag in the raceway over the axial load, of a design with axial loads", |data| data.axial.as_ref().map(axial_load::axial_load)),
+    named("axial_gap", "critical gap over the axial load, of a design with axial loads", |data| data.axial.as_ref().map(axial_load::axial_gap)),
 ];
 
 /// Figures of a search.

@@ -70,6 +70,7 @@ pub const AXIAL: &[Quantity] = &[
     part(list("tilt_x_mrad", "mrad", "tilt about the horizontal axis", Axial(|l| Cell::Numbers(l.iter().map(|at| at.tilt_x_rad * 1e3).collect())))),
     means(LAG, part(list("lag_per_pass_deg", "deg", "lag of a ball per pass of the raceway, mean", Axial(|l| lags(l, 0))))),
     means("nothing where a contact leaves its groove or the run stops", part(list("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Axial(|l| lags(l, 1))))),
+    means("of the first raceway, by runs of pairs in space; nothing where the gap of a pair never closes or always does, or the run stops", part(list("critical_gap_deg", "deg", "critical gap", Axial(|l| Cell::Numbers(l.iter().map(|at| at.critical_gap_rad.map_or(f64::NAN, f64::to_degrees)).collect()))))),
 ];
 
 /// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.

@@ -6,6 +6,7 @@
 
 use super::verdict::steady_case;
 use crate::case::{Case, Motion, Tilt};
+use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
 use crate::error::{Allowed, InputError};
 use crate::passage::{PassageRecorder, PassageTally};
@@ -20,6 +21,9 @@ const TILTS_RAD: [f64; 5] = [-2e-3, -1e-3, 0.0, 1e-3, 2e-3];
 /// Ball orbits discarded before the passages are counted, and counted.
 pub const AXIAL_ORBITS: [f64; 2] = [8.0, 8.0];
 
+/// Error of a critical gap in space.
+const GAP_TOLERANCE_RAD: f64 = 2e-5;
+
 /// Lag of the balls under one axial load and tilt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxialLag {
@@ -30,6 +34,9 @@ pub struct AxialLag {
     /// Mean lag per pass, and mean contact angle at the inner raceway; `None` if the bearing does not bear
     /// it: a contact leaves its groove, or the run stopped.
     pub lag_and_angle_rad: Option<[f64; 2]>,
+    /// Critical gap of the first raceway; `None` if it was not asked for, or the gap of a pair never closes
+    /// or always does.
+    pub critical_gap_rad: Option<f64>,
 }
 
 /// Axial loads and tilts for the raceways of a case: every load with each tilt.
@@ -87,6 +94,7 @@ pub fn axial_lag(
         axial_load_n: point[0],
         tilt_x_rad: point[1],
         lag_and_angle_rad,
+        critical_gap_rad: None,
     };
     let ran = {
         let mut passages = PassageRecorder::new(|passage| {
@@ -109,6 +117,31 @@ pub fn axial_lag(
     Ok(at(space.filter(|_| complete).map(|s| {
         [tally.lag_mean_rad(), s.inner_contact_angle_mean_rad]
     })))
+}
+
+/// Critical gap of the first raceway of a case at one of [`axial_points`]; `None` if there is none, or
+/// the bearing does not bear the load.
+///
+/// # Errors
+/// The case is impossible.
+pub fn axial_critical_gap_rad(
+    case: &Case,
+    point: [f64; 2],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Option<f64>, CriticalGapError> {
+    let alone = under(case, point).with_raceways(case.raceways[..1].to_vec());
+    let test = PairTest {
+        tolerance_rad: GAP_TOLERANCE_RAD,
+        ..PairTest::default()
+    };
+    match critical_gap_rad(&alone, &test, control) {
+        Ok(gap) => Ok(Some(gap)),
+        Err(
+            error @ (CriticalGapError::Case(EquilibriumError::Input(_))
+            | CriticalGapError::Interrupted),
+        ) => Err(error),
+        Err(_) => Ok(None),
+    }
 }
 
 /// Axial load up to which the balls keep this share of the lag that they have without it, at no
@@ -137,6 +170,7 @@ mod tests {
             axial_load_n,
             tilt_x_rad,
             lag_and_angle_rad: lag.map(|lag| [lag, 0.0]),
+            critical_gap_rad: None,
         };
         let lags = [
             at(0.0, 0.0, Some(2.0)),

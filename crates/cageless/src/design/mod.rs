@@ -31,7 +31,9 @@ use crate::kinematics::raceway_delay_rad;
 use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, axial_span_limit_m};
 
-pub use axial::{AXIAL_ORBITS, AxialLag, axial_lag, axial_load_keeping_n, axial_points};
+pub use axial::{
+    AXIAL_ORBITS, AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_points,
+};
 pub use contact_angle::{ContactAngleEstimate, kinematic_lag_rad};
 pub use criterion::{
     Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
