@@ -123,7 +123,7 @@ pub(crate) mod prelude {
     pub(crate) use super::super::key::Line::{Absent, Commented, Shown};
     pub(crate) use super::super::key::Presence::{Derived, Optional, Required};
     pub(crate) use super::super::key::{Key, Kind, Line, default};
-    pub(crate) use super::super::named::Named;
+    pub(crate) use super::super::named::{Named, named};
     pub(crate) use super::super::reader::Reader;
     pub(crate) use super::super::spanned_toml::{Node, Value};
     pub(crate) use super::super::unit::Unit::{

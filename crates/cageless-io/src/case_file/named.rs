@@ -44,6 +44,16 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
     }
 }
 
+/// Choices of an enum that lists its names.
+macro_rules! named {
+    ($($Name:ty),*) => {
+        $(impl $crate::case_file::named::Named for $Name {
+            const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+        })*
+    };
+}
+pub(crate) use named;
+
 /// `"one" or "other"`.
 pub(super) fn quoted(names: &[&str]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
@@ -53,37 +63,28 @@ pub(super) fn quoted(names: &[&str]) -> String {
     }
 }
 
-/// Kind of initial state; [`cageless::Start`] has the details.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum StartState {
-    /// Static equilibrium at speed.
-    Settled,
-    /// Pure rolling, ring where put.
-    Rolling,
-    /// Everything at rest in the middle.
-    AtRest,
+cageless::named_enum! {
+    /// Kind of initial state; [`cageless::Start`] has the details.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum StartState {
+        /// Static equilibrium at speed.
+        Settled = "settled",
+        /// Pure rolling, ring where put.
+        Rolling = "rolling",
+        /// Everything at rest in the middle.
+        AtRest = "at-rest",
+    }
 }
 
-/// Shapes that a search tries.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SearchedShapes {
-    /// That of the case.
-    Own,
-    /// Every one that needs no profile, and that of the case.
-    All,
-}
-
-impl Named for SearchedShapes {
-    const NAMES: &'static [(&'static str, Self)] = &[("own", Self::Own), ("all", Self::All)];
-}
-
-/// Choices whose crate lists their names.
-macro_rules! named {
-    ($($Name:ty),*) => {
-        $(impl Named for $Name {
-            const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-        })*
-    };
+cageless::named_enum! {
+    /// Shapes that a search tries.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum SearchedShapes {
+        /// That of the case.
+        Own = "own",
+        /// Every one that needs no profile, and that of the case.
+        All = "all",
+    }
 }
 
 named!(
@@ -96,14 +97,8 @@ named!(
     Motion,
     Profile,
     RacewayShape,
+    SearchedShapes,
     Shaft,
-    SkfSeries
+    SkfSeries,
+    StartState
 );
-
-impl Named for StartState {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("settled", Self::Settled),
-        ("rolling", Self::Rolling),
-        ("at-rest", Self::AtRest),
-    ];
-}

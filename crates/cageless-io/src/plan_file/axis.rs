@@ -2,7 +2,7 @@
 
 use super::key::unit;
 use crate::case_file::CaseValue;
-use crate::case_file::named::Named;
+use crate::case_file::named::named;
 
 /// A key and its values.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,18 +38,18 @@ pub struct Range {
     pub scale: Scale,
 }
 
-/// Spacing of a range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// Equal differences.
-    Linear,
-    /// Equal ratios; both ends are then above 0.
-    Log,
+cageless::named_enum! {
+    /// Spacing of a range.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Scale {
+        /// Equal differences.
+        Linear = "linear",
+        /// Equal ratios; both ends are then above 0.
+        Log = "log",
+    }
 }
 
-impl Named for Scale {
-    const NAMES: &'static [(&'static str, Self)] = &[("linear", Self::Linear), ("log", Self::Log)];
-}
+named!(Scale);
 
 impl Range {
     /// The value at `fraction` of the way, 0 to 1, to twelve digits: 5.1 stays 5.1, and the

@@ -24,7 +24,7 @@ mod read_axis;
 use cageless_results::Computation;
 
 use crate::case_file::CaseError;
-use crate::case_file::named::Named;
+use crate::case_file::named::named;
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits};
 pub use base::{PlanBase, VariantFile};
@@ -68,6 +68,8 @@ cageless::named_enum! {
         Random = "random",
     }
 }
+
+named!(SampleMethod);
 
 /// `[samples]`.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,8 +127,4 @@ impl PlanFile {
     pub fn error(&self, line: usize, key: &str, message: String) -> CaseError {
         CaseError::on_line(&self.name, line, Some(key.to_owned()), message)
     }
-}
-
-impl Named for SampleMethod {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }

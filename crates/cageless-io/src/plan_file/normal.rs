@@ -6,7 +6,6 @@ use super::axis::Axis;
 use super::{AxisValues, PlanFile, ScatterLaw};
 use crate::case_file::CaseError;
 use crate::case_file::format::SCHEMA;
-use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::excerpt;
 use crate::case_file::value::quoted;
 

@@ -11,20 +11,16 @@ pub struct SpatialLoad {
     pub inertias_kg_m2: Option<[f64; 2]>,
 }
 
-/// Space in which a bearing moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Motion {
-    /// The plane where load, tilt and contact angles leave the bearing in it, else space.
-    #[default]
-    BySymmetry,
-    /// Space.
-    Space,
-}
-
-impl Motion {
-    /// Every name in files.
-    pub const NAMES: &'static [(&'static str, Self)] =
-        &[("auto", Self::BySymmetry), ("space", Self::Space)];
+crate::named_enum! {
+    /// Space in which a bearing moves.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Motion {
+        /// The plane where load, tilt and contact angles leave the bearing in it, else space.
+        #[default]
+        BySymmetry = "auto",
+        /// Space.
+        Space = "space",
+    }
 }
 
 /// Tilt of the inner ring: its axis is **a** = (p, q, √(1 − p² − q²)) with p the tilt about Y and

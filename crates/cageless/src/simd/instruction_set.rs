@@ -5,21 +5,20 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// Number in [`InstructionSet::ALL`] of the widest instructions that may be used.
 static WIDEST: AtomicU8 = AtomicU8::new(u8::MAX);
 
-/// Vector instructions that the right-hand side was compiled for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum InstructionSet {
-    /// What every processor of the target has.
-    Baseline,
-    /// 256-bit vectors (x86-64).
-    Avx2,
-    /// 512-bit vectors (x86-64).
-    Avx512,
+crate::named_enum! {
+    /// Vector instructions that the right-hand side was compiled for, from the narrowest.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum InstructionSet {
+        /// What every processor of the target has.
+        Baseline = "baseline",
+        /// 256-bit vectors (x86-64).
+        Avx2 = "avx2",
+        /// 512-bit vectors (x86-64).
+        Avx512 = "avx512",
+    }
 }
 
 impl InstructionSet {
-    /// All, from the narrowest.
-    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
-
     /// The widest that this processor has and this build was compiled for.
     pub fn detect() -> Self {
         #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
@@ -53,14 +52,5 @@ impl InstructionSet {
     /// Whether this processor has it.
     pub fn available(self) -> bool {
         self <= Self::detect()
-    }
-
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Baseline => "baseline",
-            Self::Avx2 => "avx2",
-            Self::Avx512 => "avx512",
-        }
     }
 }

@@ -4,25 +4,27 @@ use crate::rotor::Shaft;
 
 use super::whirl::{ONE_WAY, WHIRL_TURNS, WhirlWindow};
 
-/// What the rotor does at the end of a drop.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum EndState {
-    /// The rotor has not touched the inner ring.
-    Falling,
-    /// The rotor stays in contact, and the bearing does not carry its weight yet: both still sink or
-    /// rebound.
-    Settling,
-    /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it; or stands
-    /// on its shoulder.
-    AtRest,
-    /// The rotor swings in the bottom of the bore without leaving it.
-    Pendulum,
-    /// The rotor leaves the bore and falls back.
-    Bouncing,
-    /// The rotor runs round the bore in the direction of its rotation.
-    ForwardWhirl,
-    /// The rotor runs round the bore against the direction of its rotation.
-    BackwardWhirl,
+crate::named_enum! {
+    /// What the rotor does at the end of a drop.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum EndState {
+        /// The rotor has not touched the inner ring.
+        Falling = "falling",
+        /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it; or stands
+        /// on its shoulder.
+        AtRest = "at-rest",
+        /// The rotor swings in the bottom of the bore without leaving it.
+        Pendulum = "pendulum",
+        /// The rotor leaves the bore and falls back.
+        Bouncing = "bouncing",
+        /// The rotor stays in contact, and the bearing does not carry its weight yet: both still sink or
+        /// rebound.
+        Settling = "settling",
+        /// The rotor runs round the bore in the direction of its rotation.
+        ForwardWhirl = "forward-whirl",
+        /// The rotor runs round the bore against the direction of its rotation.
+        BackwardWhirl = "backward-whirl",
+    }
 }
 
 /// Fraction of the time in contact below which the rotor bounces.
@@ -33,30 +35,6 @@ const BALANCED: f64 = 0.1;
 const AT_REST_RAD: f64 = 0.02;
 
 impl EndState {
-    /// Every state, in the order of tables.
-    pub const ALL: [Self; 7] = [
-        Self::Falling,
-        Self::AtRest,
-        Self::Pendulum,
-        Self::Bouncing,
-        Self::Settling,
-        Self::ForwardWhirl,
-        Self::BackwardWhirl,
-    ];
-
-    /// Name in tables and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Falling => "falling",
-            Self::Settling => "settling",
-            Self::AtRest => "at-rest",
-            Self::Pendulum => "pendulum",
-            Self::Bouncing => "bouncing",
-            Self::ForwardWhirl => "forward-whirl",
-            Self::BackwardWhirl => "backward-whirl",
-        }
-    }
-
     /// The state in the words of a report on a rotor drop.
     pub fn text(self) -> &'static str {
         match self {

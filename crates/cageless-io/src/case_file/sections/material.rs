@@ -20,9 +20,7 @@ cageless::named_enum! {
     }
 }
 
-impl Named for MaterialPreset {
-    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
-}
+named!(MaterialPreset);
 
 /// Names of the three numbers.
 pub(in crate::case_file) const NUMBERS: [&str; 3] =
