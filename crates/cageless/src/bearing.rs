@@ -34,7 +34,7 @@ use std::f64::consts::{PI, TAU};
 use crate::assembly::Assembly;
 use crate::contact::hertz::PointContact;
 use crate::error::{Allowed, InputError};
-use crate::limits::{from_to, positive};
+use crate::limits::{from_to, positive, require};
 use crate::material::Materials;
 
 use dimensions::ROUNDING_M;
@@ -149,13 +149,9 @@ impl Bearing {
     ) -> Result<Self, InputError> {
         const FIELD: &str = "ball_radius_deviation_m";
         let balls = self.balls();
-        if !deviations_m.is_empty() && deviations_m.len() != balls {
-            return Err(InputError::rule(
-                FIELD,
-                deviations_m.len() as f64,
-                format!("a list of {balls}, one entry per ball"),
-            ));
-        }
+        let listed = deviations_m.len();
+        let rule = format!("a list of {balls}, one entry per ball");
+        require(FIELD, listed as f64, [0, balls].contains(&listed), rule)?;
         let most = DEVIATION_MAX * self.ball_radius_m();
         for deviation_m in &deviations_m {
             from_to(FIELD, *deviation_m, [-most, most], "1 % of the ball radius")?;
@@ -164,18 +160,9 @@ impl Bearing {
         let groove = d
             .inner_groove_curvature_radius_m
             .min(d.outer_groove_curvature_radius_m);
-        if let Some(&wrong) = deviations_m
-            .iter()
-            .find(|v| d.ball_radius_m + **v >= groove)
-        {
-            return Err(InputError::new(
-                FIELD,
-                wrong,
-                Allowed::Below(
-                    groove - d.ball_radius_m,
-                    "the ball must be smaller than the curvature radius of the grooves",
-                ),
-            ));
+        for &deviation_m in &deviations_m {
+            let why = "the ball must be smaller than the curvature radius of the grooves";
+            Allowed::Below(groove - d.ball_radius_m, why).check(FIELD, deviation_m)?;
         }
         let equal = deviations_m.iter().all(|d| *d == 0.0);
         self.deviations_m = if equal { vec![] } else { deviations_m };

@@ -22,8 +22,8 @@
 
 use crate::bearing::BearingDimensions;
 use crate::error::{Allowed, InputError};
-use crate::limits::{finite, not_negative, positive};
-use crate::material::{Material, Materials};
+use crate::limits::{finite, not_negative, positive, require};
+use crate::material::{Material, Materials, check_poisson_ratio};
 
 /// Temperature at which clearance and interferences are stated, °C (ISO 1).
 pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
@@ -239,11 +239,9 @@ impl Fit {
             ring_expansion_per_k: ring_per_k,
         };
         let strain_m = found.change_m();
-        if strain_m > STRAIN_MAX * inner_m {
-            let rule = "temperatures that enlarge the clearance by no more than a hundredth of the \
-                        diameter of the inner groove";
-            return Err(InputError::rule("fit", strain_m, rule));
-        }
+        let rule = "temperatures that enlarge the clearance by no more than a hundredth of the \
+                    diameter of the inner groove";
+        require("fit", strain_m, strain_m <= STRAIN_MAX * inner_m, rule)?;
         Ok(found)
     }
 
@@ -282,10 +280,7 @@ impl Fit {
             ("shaft_poisson_ratio", self.shaft_poisson_ratio),
             ("housing_poisson_ratio", self.housing_poisson_ratio),
         ] {
-            if let Some(value) = value.filter(|v| !(0.0..0.5).contains(v)) {
-                let rule = "at least 0 and less than 0.5";
-                return Err(InputError::rule(field, value, rule));
-            }
+            value.map_or(Ok(()), |value| check_poisson_ratio(field, value))?;
         }
         for (field, value) in [
             ("inner_ring_temperature_c", self.inner_ring_temperature_c),
@@ -295,10 +290,8 @@ impl Fit {
             ("housing_temperature_c", self.housing_temperature_c),
         ] {
             let Some(value) = value else { continue };
-            if !(value.is_finite() && value > ABSOLUTE_ZERO_C) {
-                let allowed = Allowed::Above(ABSOLUTE_ZERO_C, "absolute zero");
-                return Err(InputError::new(field, value, allowed));
-            }
+            finite(field, value)?;
+            Allowed::Above(ABSOLUTE_ZERO_C, "absolute zero").check(field, value)?;
         }
         for (field, value) in [
             ("ring_expansion_per_k", self.ring_expansion_per_k),
@@ -306,10 +299,14 @@ impl Fit {
             ("shaft_expansion_per_k", self.shaft_expansion_per_k),
             ("housing_expansion_per_k", self.housing_expansion_per_k),
         ] {
-            if let Some(value) = value.filter(|v| !(0.0..=EXPANSION_MAX_PER_K).contains(v)) {
-                let rule = format!("from 0 to {EXPANSION_MAX_PER_K}");
-                return Err(InputError::rule(field, value, rule));
-            }
+            let Some(value) = value else { continue };
+            let kept = (0.0..=EXPANSION_MAX_PER_K).contains(&value);
+            require(
+                field,
+                value,
+                kept,
+                format!("from 0 to {EXPANSION_MAX_PER_K}"),
+            )?;
         }
         Ok(())
     }

@@ -95,11 +95,27 @@ pub(crate) fn from_to(
     [least, most]: [f64; 2],
     why: &'static str,
 ) -> Result<(), InputError> {
-    if (least..=most).contains(&value) {
-        return Ok(());
+    match (least..=most).contains(&value) {
+        true => Ok(()),
+        false => Err(InputError::new(
+            field,
+            value,
+            Allowed::Between(least, most, why),
+        )),
     }
-    let allowed = Allowed::Between(least, most, why);
-    Err(InputError::new(field, value, allowed))
+}
+
+/// Passes a value that keeps to a rule, which completes "it must be".
+pub(crate) fn require(
+    field: &'static str,
+    value: f64,
+    kept: bool,
+    rule: impl Into<String>,
+) -> Result<(), InputError> {
+    match kept {
+        true => Ok(()),
+        false => Err(InputError::rule(field, value, rule)),
+    }
 }
 
 /// Passes a finite value of zero or more, within the limits of its field.
@@ -113,9 +129,6 @@ pub(crate) fn not_negative(field: &'static str, value: f64) -> Result<(), InputE
 
 /// Passes a finite value within the limits of its field.
 pub(crate) fn finite(field: &'static str, value: f64) -> Result<(), InputError> {
-    if value.is_finite() {
-        within(field, value)
-    } else {
-        Err(InputError::rule(field, value, "a finite number"))
-    }
+    require(field, value, value.is_finite(), "a finite number")?;
+    within(field, value)
 }

@@ -1,7 +1,7 @@
 //! Lubricant of a bearing, for its ratings.
 
 use crate::error::InputError;
-use crate::limits::{not_negative, positive};
+use crate::limits::{not_negative, positive, require};
 
 crate::named_enum! {
     /// How the lubricant comes to the contacts, for its replenishment in SKF's friction model.
@@ -87,13 +87,8 @@ impl Lubrication {
         positive("viscosity_m2_s", self.viscosity_m2_s)?;
         not_negative("film_friction_coefficient", self.film_friction_coefficient)?;
         let factor = self.contamination_factor;
-        if !(0.0..=1.0).contains(&factor) {
-            return Err(InputError::rule(
-                "contamination_factor",
-                factor,
-                "from 0 to 1",
-            ));
-        }
+        let kept = (0.0..=1.0).contains(&factor);
+        require("contamination_factor", factor, kept, "from 0 to 1")?;
         for (field, value) in [
             ("fatigue_load_limit_n", self.fatigue_load_limit_n),
             ("minimum_load_factor", self.minimum_load_factor),

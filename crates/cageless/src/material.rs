@@ -1,7 +1,7 @@
 //! Elastic materials of balls and rings.
 
 use crate::error::InputError;
-use crate::limits::positive;
+use crate::limits::{positive, require};
 
 /// Elastic material of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,14 +22,7 @@ impl Material {
     pub fn check(&self) -> Result<(), InputError> {
         positive("density_kg_m3", self.density_kg_m3)?;
         positive("youngs_modulus_pa", self.youngs_modulus_pa)?;
-        if (0.0..0.5).contains(&self.poisson_ratio) {
-            return Ok(());
-        }
-        Err(InputError::rule(
-            "poisson_ratio",
-            self.poisson_ratio,
-            "at least 0 and less than 0.5",
-        ))
+        check_poisson_ratio("poisson_ratio", self.poisson_ratio)
     }
 
     /// Whether it is a steel, by modulus and density.
@@ -37,6 +30,12 @@ impl Material {
         (180e9..=225e9).contains(&self.youngs_modulus_pa)
             && (7400.0..=8200.0).contains(&self.density_kg_m3)
     }
+}
+
+/// Passes a Poisson's ratio that a solid can have.
+pub(crate) fn check_poisson_ratio(field: &'static str, ratio: f64) -> Result<(), InputError> {
+    let rule = "at least 0 and less than 0.5";
+    require(field, ratio, (0.0..0.5).contains(&ratio), rule)
 }
 
 /// Materials of balls and rings: one for both, or ceramic balls in steel rings (a hybrid

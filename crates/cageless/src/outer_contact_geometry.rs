@@ -128,22 +128,19 @@ pub fn check(bearing: &Bearing, raceways: &[Raceway]) -> Result<(), InputError> 
             // own = (Re − Rw) sin α is where the two flanks meet.
             let most = room + error - room * (1.0 - cosine * cosine).sqrt();
             return Err(if largest > 0.0 {
+                let why = "a larger ball does not reach down to both flanks of the raceway";
                 InputError::new(
                     "ball_radius_deviation_m",
                     largest,
-                    Allowed::Below(
-                        most,
-                        "a larger ball does not reach down to both flanks of the raceway",
-                    ),
+                    Allowed::Below(most, why),
                 )
             } else {
+                let depth_m = raceway.depth_error_m();
+                let why = "the balls do not reach down to both flanks of the raceway";
                 InputError::new(
                     "depth_error_m",
-                    raceway.depth_error_m(),
-                    Allowed::Above(
-                        raceway.depth_error_m() - most,
-                        "the balls do not reach down to both flanks of the raceway",
-                    ),
+                    depth_m,
+                    Allowed::Above(depth_m - most, why),
                 )
             });
         }

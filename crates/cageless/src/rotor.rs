@@ -13,7 +13,7 @@
 use crate::contact::friction::ContactKind;
 use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::error::{Allowed, InputError};
-use crate::limits::{finite, not_negative, positive};
+use crate::limits::{finite, from_to, not_negative, positive, require};
 
 crate::named_enum! {
     /// Position of a shaft in the field of gravity.
@@ -149,13 +149,10 @@ impl Rotor {
             .check(&self.friction, ContactKind::Rotor)?;
         positive("contact_stiffness_n_mp", self.contact_stiffness_n_mp)?;
         let [least, most] = CONTACT_EXPONENTS;
-        if !(least..=most).contains(&self.contact_exponent) {
-            return Err(InputError::rule(
-                "contact_exponent",
-                self.contact_exponent,
-                format!("from {least} (conformal) to {most} (Hertz)"),
-            ));
-        }
+        let exponent = self.contact_exponent;
+        let rule = format!("from {least} (conformal) to {most} (Hertz)");
+        let kept = (least..=most).contains(&exponent);
+        require("contact_exponent", exponent, kept, rule)?;
         not_negative("contact_damping_s_m", self.contact_damping_s_m)?;
         for (field, value) in [
             ("rotor_x_m", self.x_m),
@@ -183,15 +180,12 @@ impl Rotor {
             } else {
                 ("eccentricity_m", self.eccentricity_m)
             };
-            return Err(InputError::rule(
-                field,
-                value,
-                format!(
-                    "a start within the touch-down clearance: the centre of the journal would be {off:e} m off \
-                     the centre of the inner ring, and the gap is {:e} m",
-                    self.radial_clearance_m
-                ),
-            ));
+            let rule = format!(
+                "a start within the touch-down clearance: the centre of the journal would be {off:e} m off \
+                 the centre of the inner ring, and the gap is {:e} m",
+                self.radial_clearance_m
+            );
+            return Err(InputError::rule(field, value, rule));
         }
         Ok(())
     }
@@ -223,12 +217,10 @@ impl Rotor {
 
     /// Checks what holds the rotor along its axis.
     fn check_shoulders(&self, bore_radius_m: f64, groove_radius_m: f64) -> Result<(), InputError> {
-        if let Some(radius_m) = self.shoulder_radius_m
-            && !(bore_radius_m..=groove_radius_m).contains(&radius_m)
-        {
+        if let Some(radius_m) = self.shoulder_radius_m {
             let why = "the face of the inner ring lies between its bore and its raceway";
-            let allowed = Allowed::Between(bore_radius_m, groove_radius_m, why);
-            return Err(InputError::new("shoulder_radius_m", radius_m, allowed));
+            let bounds = [bore_radius_m, groove_radius_m];
+            from_to("shoulder_radius_m", radius_m, bounds, why)?;
         }
         let Some(clearance_m) = self.axial_clearance_m else {
             let falls = [
@@ -257,15 +249,8 @@ impl Rotor {
             });
         };
         positive("axial_clearance_m", clearance_m)?;
-        if !(self.z_m.abs() <= clearance_m) {
-            let allowed = Allowed::Between(
-                -clearance_m,
-                clearance_m,
-                "the magnets held the rotor within its axial clearance",
-            );
-            return Err(InputError::new("rotor_z_m", self.z_m, allowed));
-        }
-        Ok(())
+        let why = "the magnets held the rotor within its axial clearance";
+        from_to("rotor_z_m", self.z_m, [-clearance_m, clearance_m], why)
     }
 }
 

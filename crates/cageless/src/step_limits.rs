@@ -36,12 +36,8 @@ pub fn check(case: &Case) -> Result<(), InputError> {
     case.check()?;
     let (step_s, method) = (case.solver.step_s, case.solver.method);
     let largest_s = StepLimits::new(case).largest_s(method);
-    if !(step_s > largest_s) {
-        return Ok(());
-    }
     let why = "the method is unstable beyond it for the stiffest contact of this case";
-    let allowed = Allowed::AtMost(largest_s, why);
-    Err(InputError::new("step_s", step_s, allowed))
+    Allowed::AtMost(largest_s, why).check("step_s", step_s)
 }
 
 /// Fastest rates of a case.

@@ -11,6 +11,7 @@
 //! ```
 
 use crate::error::InputError;
+use crate::limits::require;
 
 /// A quantity that is piecewise linear in time and holds its first value before the table and
 /// its last value after it.
@@ -34,28 +35,20 @@ impl TimeTable {
         times_s: Vec<f64>,
         values: Vec<f64>,
     ) -> Result<Self, InputError> {
-        if times_s.is_empty() || times_s.len() != values.len() {
-            let rule = format!("as many values as times ({}), at least one", times_s.len());
-            return Err(InputError::rule(field, values.len() as f64, rule));
+        let as_many = !times_s.is_empty() && times_s.len() == values.len();
+        let rule = format!("as many values as times ({}), at least one", times_s.len());
+        require(field, values.len() as f64, as_many, rule)?;
+        for &value in &values {
+            let rule = "a finite number at each time";
+            require(field, value, value.is_finite(), rule)?;
         }
-        if let Some(&bad) = values.iter().find(|v| !v.is_finite()) {
-            return Err(InputError::rule(field, bad, "a finite number at each time"));
+        for &time_s in &times_s {
+            let kept = time_s.is_finite() && time_s >= 0.0;
+            require(field, time_s, kept, "given at times of 0 s or later")?;
         }
-        let increasing = times_s.windows(2).all(|pair| pair[0] < pair[1]);
-        if let Some(&bad) = times_s.iter().find(|t| !(t.is_finite() && **t >= 0.0)) {
-            return Err(InputError::rule(
-                field,
-                bad,
-                "given at times of 0 s or later",
-            ));
-        }
-        if !increasing {
-            let bad = times_s.windows(2).find(|pair| pair[0] >= pair[1]);
-            return Err(InputError::rule(
-                field,
-                bad.map_or(f64::NAN, |pair| pair[1]),
-                "given at times that increase; a step is a short ramp",
-            ));
+        for pair in times_s.windows(2) {
+            let rule = "given at times that increase; a step is a short ramp";
+            require(field, pair[1], pair[0] < pair[1], rule)?;
         }
         Ok(Self { times_s, values })
     }

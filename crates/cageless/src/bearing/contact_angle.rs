@@ -3,6 +3,7 @@
 use super::{Bearing, BearingDimensions};
 use crate::contact::hertz::PointContact;
 use crate::error::{Allowed, InputError};
+use crate::limits::require;
 
 /// Difference of a given contact angle and that of the clearance below which they agree, rad.
 const SAME_ANGLE_RAD: f64 = 1e-3;
@@ -64,14 +65,10 @@ impl Bearing {
         let most = inner.min(outer);
         let why = "at a larger angle the contact leaves the groove over its shoulder";
         Allowed::Between(0.0, most, why).check(FIELD, angle_rad)?;
-        if (by_itself - angle_rad).abs() > SAME_ANGLE_RAD {
-            return Err(InputError::rule(
-                FIELD,
-                angle_rad,
-                "left out, or the radial internal clearance 0: the clearance gives another free \
-                 contact angle, from 1 - cos = Gr/(2A)",
-            ));
-        }
+        let same = (by_itself - angle_rad).abs() <= SAME_ANGLE_RAD;
+        let rule = "left out, or the radial internal clearance 0: the clearance gives another free \
+                    contact angle, from 1 - cos = Gr/(2A)";
+        require(FIELD, angle_rad, same, rule)?;
         self.contact_angle_rad = free;
         self.preload_change_m = room * (by_itself.sin() - free.sin());
         [self.inner_contact, self.outer_contact] = self.contacts_at([free; 2]);

@@ -70,23 +70,28 @@ impl BearingDimensions {
     pub(super) fn check(&self, materials: &Materials) -> Result<(), InputError> {
         let d = self;
         positive("ball_radius_m", d.ball_radius_m)?;
-        positive(
-            "inner_groove_bottom_radius_m",
-            d.inner_groove_bottom_radius_m,
-        )?;
-        positive(
-            "outer_groove_bottom_radius_m",
-            d.outer_groove_bottom_radius_m,
-        )?;
-        positive("outer_shoulder_radius_m", d.outer_shoulder_radius_m)?;
-        positive(
-            "inner_groove_curvature_radius_m",
+        let (ri, re) = (
             d.inner_groove_curvature_radius_m,
-        )?;
-        positive(
-            "outer_groove_curvature_radius_m",
             d.outer_groove_curvature_radius_m,
-        )?;
+        );
+        let grooves = [
+            ("inner_groove_curvature_radius_m", ri),
+            ("outer_groove_curvature_radius_m", re),
+        ];
+        let bottoms = [
+            (
+                "inner_groove_bottom_radius_m",
+                d.inner_groove_bottom_radius_m,
+            ),
+            (
+                "outer_groove_bottom_radius_m",
+                d.outer_groove_bottom_radius_m,
+            ),
+        ];
+        let shoulder = ("outer_shoulder_radius_m", d.outer_shoulder_radius_m);
+        for (field, radius_m) in bottoms.into_iter().chain([shoulder]).chain(grooves) {
+            positive(field, radius_m)?;
+        }
         positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
         not_negative("inner_ring_damping_n_s_m", d.inner_ring_damping_n_s_m)?;
         materials.ball.check()?;
@@ -103,39 +108,18 @@ impl BearingDimensions {
                 largest.ball_radius_m = between / 2.0;
                 largest.ball_radius_m += largest.interference_max_m(materials) / 2.0;
             }
-            return Err(InputError::new(
-                "ball_radius_m",
-                d.ball_radius_m,
-                Allowed::AtMost(
-                    largest.ball_radius_m,
-                    "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
-                     unloaded rings press the balls with over 4200 MPa, the limit of ISO 76",
-                ),
-            ));
+            let why = "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
+                       unloaded rings press the balls with over 4200 MPa, the limit of ISO 76";
+            let allowed = Allowed::AtMost(largest.ball_radius_m, why);
+            return Err(InputError::new("ball_radius_m", d.ball_radius_m, allowed));
         }
         Allowed::AtMost(BALLS_MAX as f64, "room in the vectors").check("balls", balls)?;
         let most = (TAU / (2.0 * (d.ball_radius_m / d.pitch_radius_m()).asin())).floor();
         Allowed::AtMost(most, "more do not fit on the pitch circle").check("balls", balls)?;
-        if clearance > 2.0 * d.ball_radius_m {
-            return Err(InputError::new(
-                "outer_groove_bottom_radius_m",
-                d.outer_groove_bottom_radius_m,
-                Allowed::AtMost(
-                    d.inner_groove_bottom_radius_m + 4.0 * d.ball_radius_m,
-                    "with more room than that between the rings a ball passes another",
-                ),
-            ));
-        }
-        for (field, radius) in [
-            (
-                "inner_groove_curvature_radius_m",
-                d.inner_groove_curvature_radius_m,
-            ),
-            (
-                "outer_groove_curvature_radius_m",
-                d.outer_groove_curvature_radius_m,
-            ),
-        ] {
+        let most = d.inner_groove_bottom_radius_m + 4.0 * d.ball_radius_m;
+        let why = "with more room than that between the rings a ball passes another";
+        Allowed::AtMost(most, why).check(bottoms[1].0, bottoms[1].1)?;
+        for (field, radius) in grooves {
             Allowed::Above(d.ball_radius_m, "the radius of the ball").check(field, radius)?;
             let flattest = CONFORMITY_MAX * 2.0 * d.ball_radius_m;
             let why = "the diameter of the ball; grooves have 0.51 to 0.58 of it";

@@ -4,19 +4,10 @@ use super::{Case, DURATION_MIN_S, Gaps, INTERVAL_MIN_S, Operation, STEPS_MAX, St
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
-use crate::limits::{not_negative, positive};
+use crate::limits::{not_negative, positive, require};
 use crate::profile::Profile;
 use crate::raceway::{Raceway, RacewayShape};
 use crate::time_table::TimeTable;
-
-/// Refuses a time in which nothing moves.
-fn at_least_s(field: &'static str, value_s: f64, least_s: f64) -> Result<(), InputError> {
-    if value_s >= least_s {
-        return Ok(());
-    }
-    let allowed = Allowed::AtLeast(least_s, "nothing moves in less");
-    Err(InputError::new(field, value_s, allowed))
-}
 
 impl Operation {
     fn check(&self) -> Result<(), InputError> {
@@ -34,10 +25,8 @@ impl Operation {
                 return Err(InputError::rule(field, value, rule));
             }
             let first = table.value(0.0);
-            if start != first {
-                let rule = format!("{first}, the value of its table at t = 0");
-                return Err(InputError::rule(field, start, rule));
-            }
+            let rule = format!("{first}, the value of its table at t = 0");
+            require(field, start, start == first, rule)?;
         }
         Ok(())
     }
@@ -83,20 +72,13 @@ impl Case {
         positive("step_s", self.solver.step_s)?;
         positive("tolerance", self.solver.tolerance)?;
         positive("duration_s", self.solver.duration_s)?;
-        at_least_s("duration_s", self.solver.duration_s, DURATION_MIN_S)?;
-        let steps = self.solver.duration_s / self.solver.step_s;
-        if steps > STEPS_MAX {
-            return Err(InputError::new(
-                "duration_s",
-                self.solver.duration_s,
-                Allowed::AtMost(
-                    STEPS_MAX * self.solver.step_s,
-                    "1e12 steps are the limit; solver.step_us sets their size",
-                ),
-            ));
-        }
+        let at_least_s = |least_s| Allowed::AtLeast(least_s, "nothing moves in less");
+        at_least_s(DURATION_MIN_S).check("duration_s", self.solver.duration_s)?;
+        let why = "1e12 steps are the limit; solver.step_us sets their size";
+        Allowed::AtMost(STEPS_MAX * self.solver.step_s, why)
+            .check("duration_s", self.solver.duration_s)?;
         positive("interval_s", self.output.interval_s)?;
-        at_least_s("interval_s", self.output.interval_s, INTERVAL_MIN_S)?;
+        at_least_s(INTERVAL_MIN_S).check("interval_s", self.output.interval_s)?;
         if let Some(h) = &self.housing {
             positive("mass_kg", h.mass_kg)?;
             positive("stiffness_n_m", h.stiffness_n_m)?;
@@ -123,34 +105,17 @@ impl Case {
                 None => ("inner_speed_rad_s", self.largest_inner_speed_rad_s()),
             };
             let most = speed * (bears / centrifugal).sqrt();
-            return Err(InputError::new(
-                field,
-                speed,
-                if most > 0.0 {
-                    Allowed::AtMost(most, elastic)
-                } else {
-                    Allowed::Rule(format!("less: {elastic}"))
-                },
-            ));
+            let allowed = match most > 0.0 {
+                true => Allowed::AtMost(most, elastic),
+                false => Allowed::Rule(format!("less: {elastic}")),
+            };
+            return Err(InputError::new(field, speed, allowed));
         }
         let weight = (bearing.dimensions().inner_ring_mass_kg + mass) * gravity_m_s2;
         let most = (bears - centrifugal) * bearing.balls() as f64 / 5.0 - weight;
-        if !(radial_load_n <= most) {
-            return Err(if most >= 0.0 {
-                InputError::new(
-                    "radial_load_n",
-                    radial_load_n,
-                    Allowed::AtMost(most, elastic),
-                )
-            } else {
-                InputError::rule(
-                    "gravity_m_s2",
-                    gravity_m_s2,
-                    format!("less: {elastic}, and the weight of the ring is too much"),
-                )
-            });
-        }
-        Ok(())
+        let rule = format!("less: {elastic}, and the weight of the ring is too much");
+        require("gravity_m_s2", gravity_m_s2, most >= 0.0, rule)?;
+        Allowed::AtMost(most, elastic).check("radial_load_n", radial_load_n)
     }
 
     /// Refuses elastic flanks where the equations have none.
@@ -173,14 +138,10 @@ impl Case {
     /// An [`InputError`] of the form of another, with `why` it cannot be.
     pub(crate) fn check_published_form(&self, why: &str) -> Result<(), InputError> {
         for form in self.raceways.iter().map(Raceway::form) {
-            if form.shape != RacewayShape::Quartic {
-                let rule = format!("\"quartic\": {why}");
-                return Err(InputError::rule("shape", f64::NAN, rule));
-            }
+            let quartic = form.shape == RacewayShape::Quartic;
+            require("shape", f64::NAN, quartic, format!("\"quartic\": {why}"))?;
             for (field, value) in [("blend_m", form.blend_m), ("depth_m", form.depth_m)] {
-                if value > 0.0 {
-                    return Err(InputError::rule(field, value, format!("0: {why}")));
-                }
+                require(field, value, value <= 0.0, format!("0: {why}"))?;
             }
         }
         Ok(())
@@ -189,21 +150,15 @@ impl Case {
     /// Checks the rotor and what a case with one must and must not have.
     fn check_rotor(&self) -> Result<(), InputError> {
         let Some(rotor) = &self.rotor else {
-            return match &self.support {
-                None => Ok(()),
-                Some(support) => Err(InputError::rule(
-                    "support_mass_kg",
-                    support.mass_kg,
-                    "left out: the outer ring moves on a support only under a falling rotor",
-                )),
-            };
+            let rule = "left out: the outer ring moves on a support only under a falling rotor";
+            return self.support.as_ref().map_or(Ok(()), |support| {
+                Err(InputError::rule("support_mass_kg", support.mass_kg, rule))
+            });
         };
         let Some(bore) = self.bearing.inner_ring_bore() else {
-            return Err(InputError::rule(
-                "inner_ring_polar_inertia_kg_m2",
-                f64::NAN,
-                "given, and inner_ring_bore_radius_mm: the rotor spins the inner ring up in its bore",
-            ));
+            let rule = "given, and inner_ring_bore_radius_mm: the rotor spins the inner ring up in its bore";
+            let field = "inner_ring_polar_inertia_kg_m2";
+            return Err(InputError::rule(field, f64::NAN, rule));
         };
         let groove_m = self.bearing.dimensions().inner_groove_bottom_radius_m;
         rotor.check(bore.radius_m, groove_m)?;
@@ -211,24 +166,19 @@ impl Case {
             support.check()?;
         }
         for (field, value, table) in self.operation.given() {
-            if value != 0.0 || table.is_some() {
-                let rule = "left out: the rotor drives and loads the inner ring";
-                return Err(InputError::rule(field, value, rule));
-            }
+            let rule = "left out: the rotor drives and loads the inner ring";
+            require(field, value, value == 0.0 && table.is_none(), rule)?;
         }
         if let Some(housing) = &self.housing {
             let rule = "left out: with a rotor the outer ring moves on its support";
             return Err(InputError::rule("mass_kg", housing.mass_kg, rule));
         }
-        if self.profile != Profile::Physical {
-            let rule = "\"physical\": the published equations have no rotor";
-            return Err(InputError::rule("formulation", f64::NAN, rule));
-        }
-        if !matches!(self.start, Start::AtRest { .. }) {
-            let rule = "\"at-rest\": the rotor falls onto a bearing at rest";
-            return Err(InputError::rule("start_state", f64::NAN, rule));
-        }
-        Ok(())
+        let physical = self.profile == Profile::Physical;
+        let rule = "\"physical\": the published equations have no rotor";
+        require("formulation", f64::NAN, physical, rule)?;
+        let at_rest = matches!(self.start, Start::AtRest { .. });
+        let rule = "\"at-rest\": the rotor falls onto a bearing at rest";
+        require("start_state", f64::NAN, at_rest, rule)
     }
 
     /// Passes a case whose inner ring turns at constant speed under a constant load; `what`
@@ -242,23 +192,17 @@ impl Case {
             return Err(InputError::rotor_left_out(why));
         }
         for (field, start, table) in self.operation.given() {
-            if table.is_some() {
-                let rule = format!("one number, not a table over time: {what} needs that");
-                return Err(InputError::rule(field, start, rule));
-            }
+            let rule = format!("one number, not a table over time: {what} needs that");
+            require(field, start, table.is_none(), rule)?;
         }
         Ok(())
     }
 
     fn check_start(&self) -> Result<(), InputError> {
         let start = &self.start;
-        if !start.lead_ball_angle_rad().is_finite() {
-            return Err(InputError::rule(
-                "lead_ball_angle_rad",
-                start.lead_ball_angle_rad(),
-                "a finite angle",
-            ));
-        }
+        let lead_rad = start.lead_ball_angle_rad();
+        let rule = "a finite angle";
+        require("lead_ball_angle_rad", lead_rad, lead_rad.is_finite(), rule)?;
         if let &Start::Rolling {
             ring_x_m, ring_y_m, ..
         } = start
@@ -267,30 +211,17 @@ impl Case {
             let most = 0.5 * self.bearing.radial_internal_clearance_m()
                 + 0.1 * self.bearing.ball_radius_m();
             for (field, value) in [("ring_x_m", ring_x_m), ("ring_y_m", ring_y_m)] {
-                if !(value.abs() <= most) {
-                    return Err(InputError::rule(
-                        field,
-                        value,
-                        format!("within ±{most:e} of the centre"),
-                    ));
-                }
+                let rule = format!("within ±{most:e} of the centre");
+                require(field, value, value.abs() <= most, rule)?;
             }
         }
         if let Gaps::List(gaps) = start.gaps() {
             let n = self.bearing.balls();
-            if gaps.len() != n {
-                return Err(InputError::rule(
-                    "gaps",
-                    gaps.len() as f64,
-                    format!("a list of {n} gaps, one per ball"),
-                ));
-            }
-            if let Some(&bad) = gaps.iter().find(|g| !(**g >= 0.0)) {
-                return Err(InputError::rule(
-                    "gaps",
-                    bad,
-                    "0 or more each: balls cannot overlap",
-                ));
+            let rule = format!("a list of {n} gaps, one per ball");
+            require("gaps", gaps.len() as f64, gaps.len() == n, rule)?;
+            for &gap in gaps {
+                let rule = "0 or more each: balls cannot overlap";
+                require("gaps", gap, gap >= 0.0, rule)?;
             }
             let sum: f64 = gaps.iter().sum();
             let room = n as f64 * self.bearing.mean_gap_rad();
@@ -298,13 +229,8 @@ impl Case {
             // balls: the last gap takes what is left.
             let nominal = n as f64 * self.bearing.nominal_gap_rad();
             let slack = n as f64 * 1e-4_f64.to_radians() + (room - nominal).abs();
-            if (sum - room).abs() > slack {
-                return Err(InputError::rule(
-                    "gaps",
-                    sum,
-                    format!("gaps that add up to 2π − N ε = {room}"),
-                ));
-            }
+            let rule = format!("gaps that add up to 2π − N ε = {room}");
+            require("gaps", sum, (sum - room).abs() <= slack, rule)?;
         }
         Ok(())
     }

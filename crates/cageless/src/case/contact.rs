@@ -3,7 +3,7 @@
 use crate::contact::friction::ContactKind;
 use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::error::InputError;
-use crate::limits::{not_negative, positive};
+use crate::limits::{not_negative, positive, require};
 
 /// Contact and friction parameters.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,18 +58,13 @@ impl Contact {
         not_negative("outer_friction_factor", self.outer_friction_factor)?;
         not_negative("ball_friction_factor", self.ball_friction_factor)?;
         not_negative("damping_n_s_m1_5", self.damping_n_s_m1_5)?;
-        if !(self.ball_restitution > 0.0 && self.ball_restitution <= 1.0) {
-            return Err(InputError::rule(
-                "ball_restitution",
-                self.ball_restitution,
-                "more than 0 and at most 1",
-            ));
-        }
-        if !(1..=STRIPS_MAX).contains(&self.friction_strips) {
-            let rule = format!("a whole number from 1 to {STRIPS_MAX}");
-            let given = self.friction_strips as f64;
-            return Err(InputError::rule("friction_strips", given, rule));
-        }
+        let e = self.ball_restitution;
+        let rule = "more than 0 and at most 1";
+        require("ball_restitution", e, e > 0.0 && e <= 1.0, rule)?;
+        let strips = self.friction_strips;
+        let rule = format!("a whole number from 1 to {STRIPS_MAX}");
+        let kept = (1..=STRIPS_MAX).contains(&strips);
+        require("friction_strips", strips as f64, kept, rule)?;
         for (field, stiffness) in [
             ("inner_stiffness_n_m1_5", self.inner_stiffness_n_m1_5),
             ("outer_stiffness_n_m1_5", self.outer_stiffness_n_m1_5),

@@ -2,8 +2,8 @@
 
 use super::{Case, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionLaw;
-use crate::error::{Allowed, InputError};
-use crate::limits::{finite, positive};
+use crate::error::InputError;
+use crate::limits::{finite, from_to, positive, require};
 use crate::profile::Profile;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Shaft};
@@ -107,21 +107,17 @@ impl Case {
                         its place: an outer ring that slides along the axis is computed at rest only";
             return Err(InputError::rule("preload_n", row.preload_n, rule));
         }
-        if self.profile == Profile::Paper {
-            let rule = "physical: the published equations are planar";
-            return Err(InputError::rule("formulation", 0.0, rule));
-        }
+        let physical = self.profile != Profile::Paper;
+        let rule = "physical: the published equations are planar";
+        require("formulation", 0.0, physical, rule)?;
         let of_rotor = self.rotor.as_ref().map(|rotor| rotor.friction_law);
         let laws = [
             ("friction_law", Some(self.contact.friction_law)),
             ("rotor_friction_law", of_rotor),
         ];
         for (field, law) in laws {
-            if law.is_some_and(FrictionLaw::sticks) {
-                let rule =
-                    "smooth, stribeck or table: sliding in two directions needs a smooth knee";
-                return Err(InputError::rule(field, 0.0, rule));
-            }
+            let rule = "smooth, stribeck or table: sliding in two directions needs a smooth knee";
+            require(field, 0.0, !law.is_some_and(FrictionLaw::sticks), rule)?;
         }
         if let (
             Tilt::Free {
@@ -155,12 +151,9 @@ impl Case {
                         them, and `export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));
         }
-        if self.motion == Motion::Space {
-            let rule = "auto here: only `cageless static`, `run`, `compare`, `drop` of one bearing and sweeps \
-                        of them compute in space";
-            return Err(InputError::rule("motion", 0.0, rule));
-        }
-        Ok(())
+        let rule = "auto here: only `cageless static`, `run`, `compare`, `drop` of one bearing and sweeps \
+                    of them compute in space";
+        require("motion", 0.0, self.motion != Motion::Space, rule)
     }
 
     /// Checks what takes the case out of its plane.
@@ -170,14 +163,8 @@ impl Case {
         match load.tilt {
             Tilt::Held { x_rad, y_rad } => {
                 for (field, value) in [("tilt_x_rad", x_rad), ("tilt_y_rad", y_rad)] {
-                    if !(value.abs() <= TILT_MAX_RAD) {
-                        let allowed = Allowed::Between(
-                            -TILT_MAX_RAD,
-                            TILT_MAX_RAD,
-                            "more is beyond all shoulders",
-                        );
-                        return Err(InputError::new(field, value, allowed));
-                    }
+                    let why = "more is beyond all shoulders";
+                    from_to(field, value, [-TILT_MAX_RAD, TILT_MAX_RAD], why)?;
                 }
             }
             Tilt::Free {
@@ -217,39 +204,22 @@ impl Case {
     fn check_row(&self, row: &Row) -> Result<(), InputError> {
         finite("axial_position_m", row.axial_position_m)?;
         let most = self.bearing.balls();
-        if row.balls.is_some_and(|balls| balls < 1 || balls > most) {
-            let balls = row.balls.unwrap_or(0) as f64;
-            let rule =
-                format!("1 to {most}, the balls of [bearing]: a row without balls carries nothing");
-            return Err(InputError::rule("row_balls", balls, rule));
-        }
-        if row.contact_sign.abs() != 1.0 {
-            let rule = "1 or -1: the side on which the balls press the outer ring, +z or -z";
-            return Err(InputError::rule("contact_sign", row.contact_sign, rule));
-        }
+        let balls = row.balls.unwrap_or(most);
+        let rule =
+            format!("1 to {most}, the balls of [bearing]: a row without balls carries nothing");
+        let kept = (1..=most).contains(&balls);
+        require("row_balls", balls as f64, kept, rule)?;
+        let rule = "1 or -1: the side on which the balls press the outer ring, +z or -z";
+        let kept = row.contact_sign.abs() == 1.0;
+        require("contact_sign", row.contact_sign, kept, rule)?;
         let most = self.bearing.axial_preload_max_m();
-        if !(row.preload_m >= 0.0 && row.preload_m <= most) {
-            let allowed = Allowed::Between(
-                0.0,
-                most,
-                "more presses the balls of a pair with over 4200 MPa, the limit of ISO 76",
-            );
-            return Err(InputError::new("preload_m", row.preload_m, allowed));
-        }
-        if row.preload_m != 0.0 && row.preload_n != 0.0 {
-            let rule =
-                "0 or left out: the outer ring of the row is displaced already, and held there";
-            return Err(InputError::rule("preload_n", row.preload_n, rule));
-        }
-        let most = self.axial_preload_max_n(row.balls.unwrap_or(self.bearing.balls()));
-        if !(row.preload_n >= 0.0 && row.preload_n <= most) {
-            let allowed = Allowed::Between(
-                0.0,
-                most,
-                "more presses its balls with over 4200 MPa, the limit of ISO 76",
-            );
-            return Err(InputError::new("preload_n", row.preload_n, allowed));
-        }
-        Ok(())
+        let why = "more presses the balls of a pair with over 4200 MPa, the limit of ISO 76";
+        from_to("preload_m", row.preload_m, [0.0, most], why)?;
+        let rule = "0 or left out: the outer ring of the row is displaced already, and held there";
+        let kept = row.preload_m == 0.0 || row.preload_n == 0.0;
+        require("preload_n", row.preload_n, kept, rule)?;
+        let most = self.axial_preload_max_n(balls);
+        let why = "more presses its balls with over 4200 MPa, the limit of ISO 76";
+        from_to("preload_n", row.preload_n, [0.0, most], why)
     }
 }

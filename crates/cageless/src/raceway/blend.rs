@@ -2,7 +2,7 @@
 
 use super::flank_angle::FlankAngle;
 use crate::error::InputError;
-use crate::limits::from_to;
+use crate::limits::{from_to, require};
 
 /// Shortest blend in fractions of half a raceway: in less, the kink is not resolved.
 const SHARE_MIN: f64 = 0.002;
@@ -40,13 +40,8 @@ impl Blend {
         )?;
         let blend = Self::continuing(flanks, half_angle_rad, blend_m / bottom_m);
         let rises = |k: i32| blend.along(f64::from(k) / 100.0)[1] > 0.0;
-        if (0..100).any(rises) {
-            return Err(InputError::rule(
-                "blend_m",
-                blend_m,
-                "shorter: the contact angle must fall steadily to 0 over it",
-            ));
-        }
+        let rule = "shorter: the contact angle must fall steadily to 0 over it";
+        require("blend_m", blend_m, !(0..100).any(rises), rule)?;
         Ok(blend)
     }
 

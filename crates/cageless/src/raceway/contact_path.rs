@@ -65,16 +65,12 @@ impl ContactPath {
             let rising = x == 0.0 || x + self.y_m(x) * self.slope(x) > 0.0;
             let within = rho < self.groove_bottom_radius_m && self.end_curvature_per_m() > 0.0;
             if !within || turning <= 0.0 || !rising {
-                return Err(InputError::rule(
-                    "half_angle_rad",
-                    theta,
-                    format!(
-                        "an angle at which the contact path rises steadily to the plain raceway \
-                         (Zhao 2022, Eq. (9)): for axial_span_m = {} it turns back or leaves the \
-                         groove",
-                        self.axial_span_m
-                    ),
-                ));
+                let rule = format!(
+                    "an angle at which the contact path rises steadily to the plain raceway \
+                     (Zhao 2022, Eq. (9)): for axial_span_m = {} it turns back or leaves the groove",
+                    self.axial_span_m
+                );
+                return Err(InputError::rule("half_angle_rad", theta, rule));
             }
         }
         Ok(())

@@ -40,7 +40,7 @@ use std::sync::Arc;
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError};
-use crate::limits::{from_to, not_negative, positive};
+use crate::limits::{from_to, not_negative, positive, require};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::root;
 
@@ -174,11 +174,9 @@ impl Raceway {
 
     /// Refuses what a slot has by its edges.
     fn check_no_slot(&self, field: &'static str, value_m: f64) -> Result<(), InputError> {
-        if self.slot.is_none() || value_m == 0.0 {
-            return Ok(());
-        }
+        let kept = self.slot.is_none() || value_m == 0.0;
         let rule = "0 with shape = \"slot\": depth and ends of a slot follow from its edges";
-        Err(InputError::rule(field, value_m, rule))
+        require(field, value_m, kept, rule)
     }
 
     /// Raceway with its ends blended into the plain one over `blend_m` each, along the bottom of the
@@ -388,14 +386,10 @@ impl Raceway {
         let same = self.ball_radius_m == d.ball_radius_m
             && self.groove_bottom_radius_m == d.outer_groove_bottom_radius_m
             && self.groove_curvature_radius_m == d.outer_groove_curvature_radius_m;
-        if same && self.dimensions.axial_span_m < axial_span_limit_m(bearing) {
-            return Ok(());
-        }
-        Err(InputError::rule(
-            "axial_span_m",
-            self.dimensions.axial_span_m,
-            "the span of a raceway laid out for this very bearing (Raceway::new)",
-        ))
+        let span = self.dimensions.axial_span_m;
+        let kept = same && span < axial_span_limit_m(bearing);
+        let rule = "the span of a raceway laid out for this very bearing (Raceway::new)";
+        require("axial_span_m", span, kept, rule)
     }
 }
 
@@ -405,15 +399,11 @@ pub(crate) fn apart(raceways: &[Raceway]) -> Result<(), InputError> {
         for other in &raceways[k + 1..] {
             let distance = one.local_angle_rad(other.dimensions.centre_angle_rad).abs();
             let least = one.half_angle_rad() + other.half_angle_rad();
-            if distance < least {
-                return Err(InputError::rule(
-                    "centre_angle_rad",
-                    other.dimensions.centre_angle_rad,
-                    format!(
-                        "at least {least} away from the middle of every other raceway, or they overlap"
-                    ),
-                ));
-            }
+            let rule = format!(
+                "at least {least} away from the middle of every other raceway, or they overlap"
+            );
+            let middle = other.dimensions.centre_angle_rad;
+            require("centre_angle_rad", middle, distance >= least, rule)?;
         }
     }
     Ok(())

@@ -141,11 +141,8 @@ impl RacewayForm {
         if (self.edge_radius_m != 0.0) != (self.shape == RacewayShape::Slot) {
             let rule = "above 0 with shape = \"slot\", and left out with any other";
             let given = Some(self.edge_radius_m).filter(|radius| *radius != 0.0);
-            return Err(InputError::rule(
-                "edge_radius_m",
-                given.unwrap_or(f64::NAN),
-                rule,
-            ));
+            let given = given.unwrap_or(f64::NAN);
+            return Err(InputError::rule("edge_radius_m", given, rule));
         }
         self.shape.flanks(outline)
     }

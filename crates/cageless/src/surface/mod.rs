@@ -106,11 +106,8 @@ impl OuterRing {
             raceway.fits(bearing)?;
             if let Some(slot) = raceway.slot() {
                 let rule = "left out here: the ring of a slot is not made";
-                return Err(InputError::rule(
-                    "edge_radius_m",
-                    slot.edge_radius_m(),
-                    rule,
-                ));
+                let edge_m = slot.edge_radius_m();
+                return Err(InputError::rule("edge_radius_m", edge_m, rule));
             }
         }
         apart(raceways)?;
@@ -143,11 +140,12 @@ impl OuterRing {
         match case.rows.as_slice() {
             [row] if row.contact_sign < 0.0 => Ok(ring.mirrored()),
             [] | [_] => Ok(ring),
-            [_, second, ..] => Err(InputError::rule(
-                "axial_position_m",
-                second.axial_position_m,
-                "left out here: each row has its own ring, and that of one [[row]] is made",
-            )),
+            [_, second, ..] => {
+                let place_m = second.axial_position_m;
+                let rule =
+                    "left out here: each row has its own ring, and that of one [[row]] is made";
+                Err(InputError::rule("axial_position_m", place_m, rule))
+            }
         }
     }
 

@@ -45,10 +45,9 @@ impl FrictionLaw {
         }
         friction.check(of)?;
         match (friction.static_coefficient, last) {
-            (Some(value), _) if value < friction.coefficient => {
+            (Some(value), _) => {
                 let why = "friction drops once surfaces slide";
-                let allowed = Allowed::AtLeast(friction.coefficient, why);
-                Err(InputError::new(static_coefficient, value, allowed))
+                Allowed::AtLeast(friction.coefficient, why).check(static_coefficient, value)
             }
             (_, Some(last)) if (last - friction.coefficient).abs() > SAME_COEFFICIENT * last => {
                 let rule =
