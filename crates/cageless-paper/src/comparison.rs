@@ -16,7 +16,7 @@ use cageless::vibration::{VibrationRecorder, WithoutContacts};
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
 use cageless_report::run_report::filter_note;
 use cageless_report::{
-    ComparisonCell, Difference, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison,
+    ComparisonCell, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison, RingNumbers,
 };
 use cageless_study::Work;
 use cageless_study::{SAMPLING_HZ, provenance};
@@ -351,8 +351,29 @@ fn side_by_side(
     Ok(outcomes)
 }
 
+fn values(outcomes: &[Outcome], of: impl Fn(&Outcome) -> f64) -> Vec<f64> {
+    outcomes.iter().map(of).collect()
+}
+
 fn estimate(outcomes: &[Outcome], of: impl Fn(&Outcome) -> f64) -> Option<Estimate> {
-    Estimate::new(&outcomes.iter().map(of).collect::<Vec<f64>>())
+    Estimate::new(&values(outcomes, of))
+}
+
+/// Numbers of a ring of which `of` estimates each.
+fn numbers(
+    of: impl Fn(fn(&Outcome) -> f64) -> Option<Estimate>,
+) -> Result<RingNumbers, PaperError> {
+    let of = |number| of(number).ok_or_else(no_value);
+    Ok(RingNumbers {
+        rms_m_s2: of(|o| o.mean_square.sqrt())?,
+        rms_at_passing_m_s2: of(|o| o.at_passing.sqrt())?,
+        rms_between_m_s2: of(|o| o.between.sqrt())?,
+        rms_without_contacts_m_s2: of(|o| o.without_contacts)?,
+        rms_from_contacts_m_s2: of(|o| o.from_contacts)?,
+        gap_deviation_deg: of(|o| o.gap_deviation_deg)?,
+        contacts_per_s: of(|o| o.contacts_per_s)?,
+        impulse_rate_n: of(|o| o.impulse_rate_n)?,
+    })
 }
 
 fn cell(
@@ -360,26 +381,9 @@ fn cell(
     outcomes: &[Outcome],
     conventional: Option<&Vec<Outcome>>,
 ) -> Result<ComparisonCell, PaperError> {
-    let always = |of: fn(&Outcome) -> f64| estimate(outcomes, of).ok_or_else(no_value);
-    let difference = conventional
-        .map(|conventional| {
-            let less = |of: fn(&Outcome) -> f64| {
-                let pairs = outcomes.iter().zip(conventional);
-                let differences: Vec<f64> = pairs.map(|(a, b)| of(a) - of(b)).collect();
-                Estimate::new(&differences).ok_or_else(no_value)
-            };
-            Ok::<_, PaperError>(Difference {
-                rms_m_s2: less(|o| o.mean_square.sqrt())?,
-                rms_at_passing_m_s2: less(|o| o.at_passing.sqrt())?,
-                rms_between_m_s2: less(|o| o.between.sqrt())?,
-                rms_without_contacts_m_s2: less(|o| o.without_contacts)?,
-                rms_from_contacts_m_s2: less(|o| o.from_contacts)?,
-                gap_deviation_deg: less(|o| o.gap_deviation_deg)?,
-                contacts_per_s: less(|o| o.contacts_per_s)?,
-                impulse_rate_n: less(|o| o.impulse_rate_n)?,
-            })
-        })
-        .transpose()?;
+    let difference = conventional.map(|conventional| {
+        numbers(|of| Estimate::of_differences(&values(outcomes, of), &values(conventional, of)))
+    });
     let changed_since = |first: usize| {
         let change = |of: fn(&Stretch) -> f64| {
             estimate(outcomes, |o| {
@@ -408,16 +412,9 @@ fn cell(
         lot_diameter_variation_um: plan.lot_variation_m * 1e6,
         ring: plan.ring.to_owned(),
         raceway,
-        rms_m_s2: always(|o| o.mean_square.sqrt())?,
-        rms_at_passing_m_s2: always(|o| o.at_passing.sqrt())?,
-        rms_between_m_s2: always(|o| o.between.sqrt())?,
-        rms_without_contacts_m_s2: always(|o| o.without_contacts)?,
-        rms_from_contacts_m_s2: always(|o| o.from_contacts)?,
-        gap_deviation_deg: always(|o| o.gap_deviation_deg)?,
-        contacts_per_s: always(|o| o.contacts_per_s)?,
+        numbers: numbers(|of| estimate(outcomes, of))?,
         approach_speed_m_s: estimate(outcomes, |o| o.approach_speed_m_s),
         impulse_n_s: estimate(outcomes, |o| o.impulse_n_s),
-        impulse_rate_n: always(|o| o.impulse_rate_n)?,
         transition_density: [0, 1, 2].map(|part| {
             estimate(outcomes, |o| {
                 let [found, chance] = o.transition_shares[part];
@@ -425,7 +422,7 @@ fn cell(
             })
         }),
         last_quarter_less: [changed_since(0)?, changed_since(1)?],
-        difference,
+        difference: difference.transpose()?,
     })
 }
 

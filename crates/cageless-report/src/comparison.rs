@@ -37,28 +37,13 @@ pub struct ComparisonCell {
     pub ring: String,
     /// The discrete raceway; `None` for the conventional ring.
     pub raceway: Option<RacewayLabel>,
-    /// RMS of the vertical acceleration of the housing, m/s².
-    pub rms_m_s2: Estimate,
-    /// Its part at the multiples of the orbital frequency, m/s²; with the part between, start by
-    /// start, its square adds up to that of the RMS.
-    pub rms_at_passing_m_s2: Estimate,
-    /// Its part between the multiples of the orbital frequency, m/s².
-    pub rms_between_m_s2: Estimate,
-    /// RMS of the acceleration under a force from which the contacts between balls are cut out,
-    /// m/s².
-    pub rms_without_contacts_m_s2: Estimate,
-    /// RMS of the acceleration under what was cut out, m/s².
-    pub rms_from_contacts_m_s2: Estimate,
-    /// Standard deviation of the gaps at the end, degrees.
-    pub gap_deviation_deg: Estimate,
-    /// Contacts between balls per second.
-    pub contacts_per_s: Estimate,
+    /// Vibration, gaps and contacts.
+    #[serde(flatten)]
+    pub numbers: RingNumbers,
     /// Mean approach speed of a contact, m/s; `None` without contacts.
     pub approach_speed_m_s: Option<Estimate>,
     /// Mean impulse of a contact, N·s; `None` without contacts.
     pub impulse_n_s: Option<Estimate>,
-    /// Sum of the impulses of the contacts per second, N.
-    pub impulse_rate_n: Estimate,
     /// Density of the contacts over that of contacts spread evenly: at 60° < |ψ| < 150°, within 30°
     /// and within 15° of the ends of the load zone; `None` without contacts.
     pub transition_density: [Option<Estimate>; 3],
@@ -66,7 +51,7 @@ pub struct ComparisonCell {
     /// included.
     pub last_quarter_less: [RecordChange; 2],
     /// Differences from the conventional ring, start by start; `None` for that itself.
-    pub difference: Option<Difference>,
+    pub difference: Option<RingNumbers>,
 }
 
 /// Change over time within a record.
@@ -80,18 +65,21 @@ pub struct RecordChange {
     pub impulse_rate_n: Estimate,
 }
 
-/// A ring less the conventional one with the same balls from the same starts.
+/// Vibration, gaps and contacts of a ring, or of a ring less the conventional one with the same balls
+/// from the same starts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Difference {
-    /// RMS of the acceleration of the housing, m/s².
+pub struct RingNumbers {
+    /// RMS of the vertical acceleration of the housing, m/s².
     pub rms_m_s2: Estimate,
-    /// Its part at the multiples of the orbital frequency, m/s².
+    /// Its part at the multiples of the orbital frequency, m/s²; with the part between, start by
+    /// start, its square adds up to that of the RMS.
     pub rms_at_passing_m_s2: Estimate,
-    /// Its part between them, m/s².
+    /// Its part between the multiples of the orbital frequency, m/s².
     pub rms_between_m_s2: Estimate,
-    /// RMS with the contacts cut out of the force, m/s².
+    /// RMS of the acceleration under a force from which the contacts between balls are cut out,
+    /// m/s².
     pub rms_without_contacts_m_s2: Estimate,
-    /// RMS under what was cut out, m/s².
+    /// RMS of the acceleration under what was cut out, m/s².
     pub rms_from_contacts_m_s2: Estimate,
     /// Standard deviation of the gaps at the end, degrees.
     pub gap_deviation_deg: Estimate,
@@ -232,12 +220,13 @@ impl ComparisonCell {
 
     /// Cells of the table of vibration.
     fn vibration(&self) -> Vec<Cell> {
+        let numbers = &self.numbers;
         [
-            self.rms_m_s2,
-            self.rms_at_passing_m_s2,
-            self.rms_between_m_s2,
-            self.rms_without_contacts_m_s2,
-            self.rms_from_contacts_m_s2,
+            numbers.rms_m_s2,
+            numbers.rms_at_passing_m_s2,
+            numbers.rms_between_m_s2,
+            numbers.rms_without_contacts_m_s2,
+            numbers.rms_from_contacts_m_s2,
         ]
         .map(|e| scaled(Some(e), 1.0))
         .to_vec()
@@ -246,11 +235,11 @@ impl ComparisonCell {
     /// Cells of the table of gaps and contacts.
     fn contacts(&self) -> Vec<Cell> {
         vec![
-            scaled(Some(self.gap_deviation_deg), 1.0),
-            scaled(Some(self.contacts_per_s), 1.0),
+            scaled(Some(self.numbers.gap_deviation_deg), 1.0),
+            scaled(Some(self.numbers.contacts_per_s), 1.0),
             scaled(self.approach_speed_m_s, 1e3),
             scaled(self.impulse_n_s, 1e3),
-            scaled(Some(self.impulse_rate_n), 1.0),
+            scaled(Some(self.numbers.impulse_rate_n), 1.0),
         ]
     }
 }

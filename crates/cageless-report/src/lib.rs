@@ -48,7 +48,7 @@ pub mod verification;
 
 pub use cageless_io::estimate::{Change, Estimate};
 pub use claim::{Claim, ClaimStatus, Holds, Requirement};
-pub use comparison::{ComparisonCell, Difference, RecordChange, RingComparison};
+pub use comparison::{ComparisonCell, RecordChange, RingComparison, RingNumbers};
 pub use data::*;
 pub use design::*;
 pub use figure::Figure;

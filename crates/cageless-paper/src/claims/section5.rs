@@ -3,7 +3,7 @@
 use cageless::numerics::student::two_sided_limit;
 use cageless_io::estimate::SIGNIFICANCE;
 use cageless_report::{
-    Change, Claim, ComparisonCell, Difference, Estimate, RecordChange, Requirement, RingComparison,
+    Change, Claim, ComparisonCell, Estimate, RecordChange, Requirement, RingComparison, RingNumbers,
 };
 
 use super::evidence::Evidence;
@@ -114,7 +114,7 @@ fn decrease(e: &Evidence) -> Claim {
 fn cause(e: &Evidence) -> Claim {
     let of = |ring: &'static str| {
         let parts = cells(&e.comparison, ring, None)
-            .map(|c| (c.rms_without_contacts_m_s2.mean / c.rms_m_s2.mean).powi(2));
+            .map(|c| (c.numbers.rms_without_contacts_m_s2.mean / c.numbers.rms_m_s2.mean).powi(2));
         let main = parts.clone().filter(|rest| *rest < 0.5).count();
         let quantity =
             format!("{ring}: cases with less than half of the mean square left without contacts");
@@ -171,7 +171,7 @@ fn less(
     rings: &RingComparison,
     speed_rpm: Option<f64>,
     what: &str,
-    of: fn(&Difference) -> &Estimate,
+    of: fn(&RingNumbers) -> &Estimate,
 ) -> Requirement {
     let differences = cells(rings, STRUCTURE_D, speed_rpm).filter_map(|c| c.difference.as_ref());
     let changes: Vec<Change> = differences.map(|d| of(d).change()).collect();
@@ -206,6 +206,7 @@ fn spacing(e: &Evidence) -> Claim {
         "{}; significantly less with the raceways found by search: {count} of {all}; the start of \
          Fig. 12: {:.2}° at the start, after 1 s {:.2}° conventional, {:.2}° discrete",
         numbers(rings, "standard deviation of the gaps (°)", |c| c
+            .numbers
             .gap_deviation_deg),
         discrete[0],
         conventional[1],
@@ -235,8 +236,8 @@ fn superiority(e: &Evidence) -> Claim {
     .numbers(&format!(
         "{}; {}; the start of Fig. 12 after the transient: RMS {:.3} m/s² conventional, {:.3} m/s² \
          discrete, {:.0} and {:.0} contacts per second",
-        numbers(rings, "contacts per second", |c| c.contacts_per_s),
-        numbers(rings, "RMS (m/s²)", |c| c.rms_m_s2),
+        numbers(rings, "contacts per second", |c| c.numbers.contacts_per_s),
+        numbers(rings, "RMS (m/s²)", |c| c.numbers.rms_m_s2),
         conventional.rms_m_s2,
         discrete.rms_m_s2,
         conventional.collisions_per_s,

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use cageless::design::{Eq11, judge, theoretical_gap_rad};
 use cageless::simulation::Control;
 use cageless_report::ClaimStatus::{self, Confirmed, Erratum, NotConfirmed, NotTested, Partly};
-use cageless_report::{ComparisonCell, Difference, Estimate, RingComparison};
+use cageless_report::{ComparisonCell, Estimate, RingComparison, RingNumbers};
 use cageless_study::{Progress, Silent};
 
 use super::*;
@@ -38,7 +38,7 @@ fn each_cell(e: &mut Evidence, ring: &str, edit: impl Fn(&mut ComparisonCell)) {
     cells.filter(|c| c.ring == ring).for_each(edit);
 }
 
-fn each_difference(e: &mut Evidence, edit: impl Fn(&mut Difference)) {
+fn each_difference(e: &mut Evidence, edit: impl Fn(&mut RingNumbers)) {
     each_cell(e, STRUCTURE_D, |c| edit(c.difference.as_mut().unwrap()));
 }
 
@@ -130,7 +130,7 @@ const CHANGES: &[(&str, ClaimStatus, Edit, ClaimStatus)] = &[
         });
     }, NotConfirmed),
     ("The collisions of the balls", Partly, |e| for ring in [CONVENTIONAL, STRUCTURE_D] {
-        each_cell(e, ring, |c| c.rms_without_contacts_m_s2.mean = 0.7 * c.rms_m_s2.mean);
+        each_cell(e, ring, |c| c.numbers.rms_without_contacts_m_s2.mean = 0.7 * c.numbers.rms_m_s2.mean);
     }, Confirmed),
     ("At 0.05", NotConfirmed, |e| (e.bearings[0].touching, e.bearings[1].touching) = ([1; 4], [0; 4]), Confirmed),
     ("The discrete raceway spreads", Confirmed, |e| {

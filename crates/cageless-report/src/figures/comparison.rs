@@ -13,14 +13,14 @@ type Quantity = fn(&ComparisonCell) -> Estimate;
 
 /// Panels from the top down.
 const ROWS: [(&str, Quantity); 6] = [
-    ("RMS<br>(m/s²)", |c| c.rms_m_s2),
-    ("At passing<br>(m/s²)", |c| c.rms_at_passing_m_s2),
-    ("Between<br>(m/s²)", |c| c.rms_between_m_s2),
+    ("RMS<br>(m/s²)", |c| c.numbers.rms_m_s2),
+    ("At passing<br>(m/s²)", |c| c.numbers.rms_at_passing_m_s2),
+    ("Between<br>(m/s²)", |c| c.numbers.rms_between_m_s2),
     ("Contacts cut<br>out (m/s²)", |c| {
-        c.rms_without_contacts_m_s2
+        c.numbers.rms_without_contacts_m_s2
     }),
-    ("SD of gaps<br>(°)", |c| c.gap_deviation_deg),
-    ("Contacts<br>(1/s)", |c| c.contacts_per_s),
+    ("SD of gaps<br>(°)", |c| c.numbers.gap_deviation_deg),
+    ("Contacts<br>(1/s)", |c| c.numbers.contacts_per_s),
 ];
 
 /// A panel per quantity and speed, grouped by lot, a bar per ring.

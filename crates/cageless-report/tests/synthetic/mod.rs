@@ -326,7 +326,7 @@ fn ring_comparison() -> RingComparison {
                 ("structure (d)", Some(structure(3))),
             ] {
                 let rms = around(if raceway.is_some() { 0.45 } else { 0.03 });
-                let difference = Difference {
+                let numbers = RingNumbers {
                     rms_m_s2: rms,
                     rms_at_passing_m_s2: rms,
                     rms_between_m_s2: rms,
@@ -341,18 +341,15 @@ fn ring_comparison() -> RingComparison {
                     lot: lot.into(),
                     lot_diameter_variation_um: variation_um,
                     ring: ring.into(),
-                    difference: raceway.is_some().then_some(difference),
+                    difference: raceway.is_some().then_some(numbers),
                     raceway,
-                    rms_m_s2: rms,
-                    rms_at_passing_m_s2: rms,
-                    rms_between_m_s2: rms,
-                    rms_without_contacts_m_s2: rms,
-                    rms_from_contacts_m_s2: rms,
-                    gap_deviation_deg: around(1.3),
-                    contacts_per_s: around(120.0),
+                    numbers: RingNumbers {
+                        gap_deviation_deg: around(1.3),
+                        contacts_per_s: around(120.0),
+                        ..numbers
+                    },
                     approach_speed_m_s: Some(around(0.09)),
                     impulse_n_s: None,
-                    impulse_rate_n: rms,
                     transition_density: [Some(around(1.1)), Some(around(0.9)), None],
                     last_quarter_less: [RecordChange {
                         rms_m_s2: rms,
