@@ -1,193 +1,104 @@
-//! The lowest minimum of the potential energy over the two coordinates of the ring.
-//!
-//! Newton's method within a trust region. The Hessian holds the geometric stiffness −F/L of
-//! a ring that rests on a ball as on a pendulum upside down, and is indefinite where a
-//! single ball carries: the energy leads off such saddles. Steps are accepted by the energy
-//! while it tells them from rounding, then by the decrement gᵀH⁻¹g.
+//! Minimum of an energy over a few coordinates: Newton's method with a shift of the Hessian.
 
-use super::error::EquilibriumError;
-use super::potential::{Local, Problem};
+use crate::numerics::cholesky::solve;
 
-const ITERATIONS: usize = 500;
-/// Fraction of all forces that may be left on the ring.
-const FORCE_TOLERANCE: f64 = 1e-10;
-
-fn length([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
+/// An energy with its derivatives at a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Local<const N: usize> {
+    pub place: [f64; N],
+    /// J.
+    pub energy: f64,
+    /// Sum of the absolute terms of the energy, to which its rounding is proportional.
+    pub magnitude: f64,
+    pub gradient: [f64; N],
+    pub hessian: [[f64; N]; N],
 }
 
-/// A step within the trust region.
-struct TrustStep {
-    step: [f64; 2],
-    /// Decrease of the energy that the quadratic model has.
-    predicted: f64,
-    /// Whether it ends inside, at the minimum of the model.
-    inside: bool,
-}
-
-impl Local {
-    /// Eigenvalues of the Hessian, the smaller first, half the difference of its diagonal
-    /// entries, and the other one.
-    pub fn eigenvalues(&self) -> ([f64; 2], f64, f64) {
-        let [xx, xy, yy] = self.hessian;
-        let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-        let spread = half.hypot(xy);
-        let steep = mean + spread;
-        // The smaller eigenvalue by the determinant, which cancels less.
-        let flat = if mean > 0.0 {
-            (xx * yy - xy * xy) / steep
-        } else {
-            mean - spread
-        };
-        ([flat, steep], half, xy)
-    }
-
-    /// Whether the ring is held sideways as well: by several balls, not on top of one.
-    pub fn held(&self) -> bool {
-        let [flat, steep] = self.eigenvalues().0;
-        flat > 1e-3 * steep
-    }
-
-    /// Minimum of the quadratic model within `radius`. On a saddle that is symmetric to
-    /// rounding it leads towards +X.
-    fn trust_step(&self, radius: f64) -> TrustStep {
-        let ([flat, steep], half, xy) = self.eigenvalues();
-        // Half the angle of (half, xy) is the direction of the larger eigenvalue.
-        let (sin, cos) = (0.5 * xy.atan2(half)).sin_cos();
-        let axes = [[cos, sin], [-sin, cos]];
-        let along = axes.map(|a| a[0] * self.gradient[0] + a[1] * self.gradient[1]);
-        let moved = |shift: f64| [-along[0] / (steep + shift), -along[1] / (flat + shift)];
-        let newton = moved(0.0);
-        let inside = flat > 0.0 && length(newton) <= radius;
-        let parts = if inside {
-            newton
-        } else {
-            let mut low = (-flat).max(0.0);
-            let mut high = low.max(length(self.gradient) / radius - flat);
-            for _ in 0..60 {
-                let shift = 0.5 * (low + high);
-                if length(moved(shift)) > radius {
-                    low = shift;
-                } else {
-                    high = shift;
-                }
-            }
-            let mut parts = if high + flat > 0.0 {
-                moved(high)
-            } else {
-                [0.0; 2]
-            };
-            let rest = (radius * radius - parts[0] * parts[0]).max(0.0).sqrt();
-            if parts[1].abs() < 0.5 * rest && flat <= 0.0 {
-                // The gradient has next to nothing along the direction of descent.
-                let towards = if along[1] != 0.0 {
-                    -along[1].signum()
-                } else if axes[1][0] < 0.0 {
-                    -1.0
-                } else {
-                    1.0
-                };
-                parts[1] = towards * rest;
-            }
-            parts
-        };
-        let predicted = -(along[0] * parts[0]
-            + along[1] * parts[1]
-            + 0.5 * (steep * parts[0] * parts[0] + flat * parts[1] * parts[1]));
-        TrustStep {
-            step: [0, 1].map(|k| parts[0] * axes[0][k] + parts[1] * axes[1][k]),
-            predicted,
-            inside,
+impl<const N: usize> Local<N> {
+    /// No energy.
+    pub fn nothing(place: [f64; N]) -> Self {
+        Self {
+            place,
+            energy: 0.0,
+            magnitude: 0.0,
+            gradient: [0.0; N],
+            hessian: [[0.0; N]; N],
         }
     }
 
-    fn rounding(&self) -> f64 {
+    /// Rounding of the energy.
+    pub fn rounding(&self) -> f64 {
         16.0 * f64::EPSILON * self.magnitude
     }
 }
 
-/// Minimum that is reached from `start`; no step is longer than `longest`.
-fn minimum_from(
-    problem: &Problem<'_>,
-    start: [f64; 2],
-    longest: f64,
-) -> Result<Local, EquilibriumError> {
-    let forces = problem.forces();
-    let room = problem
-        .balls
-        .iter()
-        .map(|b| b.outer_orbit_radius)
-        .fold(f64::INFINITY, f64::min);
-    let mut here = problem.at(start);
-    let mut radius = longest.min(length(start).max(1e-3 * longest));
-    let mut iterations = 0;
-    while iterations < ITERATIONS {
-        iterations += 1;
-        if length(here.gradient) <= 1e-16 * forces {
-            break;
-        }
-        if length(here.ring) > 0.9 * room {
-            return Err(EquilibriumError::Unsupported);
-        }
-        let trust = here.trust_step(radius);
-        let span = length(trust.step);
-        if span <= f64::EPSILON * length(here.ring) {
-            break;
-        }
-        let there = problem.at([here.ring[0] + trust.step[0], here.ring[1] + trust.step[1]]);
-        if trust.predicted > here.rounding() {
-            let ratio = (here.energy - there.energy) / trust.predicted;
-            if ratio < 0.25 {
-                radius = 0.25 * span;
-            } else if ratio > 0.75 && !trust.inside {
-                radius = (2.0 * radius).min(longest);
-            }
-            if ratio > 1e-4 {
-                here = there;
-            }
-        } else if trust.inside {
-            let next = there.trust_step(radius);
-            if !(next.inside && next.predicted < 0.5 * trust.predicted) {
-                break;
-            }
-            here = there;
-        } else if radius < longest {
-            // A saddle or a plateau that is flat to rounding within this radius.
-            radius = (4.0 * radius).min(longest);
-        } else {
-            break;
-        }
-    }
-    let residual_n = length(here.gradient);
-    if residual_n <= FORCE_TOLERANCE * forces {
-        Ok(here)
-    } else {
-        Err(EquilibriumError::NotConverged {
-            residual_n,
-            iterations,
-        })
-    }
+pub(super) const ITERATIONS: usize = 400;
+/// Newton steps after the energy no longer tells them from rounding.
+const POLISHING: usize = 4;
+
+/// Length of a vector.
+pub(super) fn norm<const N: usize>(vector: [f64; N]) -> f64 {
+    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
-/// Lowest of the minima that are reached from the right, the left and below, at `depth`;
-/// where two are level to rounding, the one on the right (+X). Without load and weight that
-/// which is reached from the middle.
-pub(super) fn lowest_minimum(
-    problem: &Problem<'_>,
-    depth: f64,
+/// The minimum that is reached from `start`; no step is longer than `longest`. Whether it is one,
+/// what is left of the gradient tells.
+pub(super) fn minimum<const N: usize>(
+    at: impl Fn([f64; N]) -> Local<N>,
+    start: [f64; N],
     longest: f64,
-) -> Result<Local, EquilibriumError> {
-    if problem.down == 0.0 {
-        return minimum_from(problem, [0.0; 2], longest);
-    }
-    let mut lowest: Result<Local, EquilibriumError> = Err(EquilibriumError::Unsupported);
-    for side in [1.0, -1.0, 0.0] {
-        let found = minimum_from(problem, [side * depth, -depth], longest);
-        lowest = match (lowest, found) {
-            (Ok(best), Ok(found)) if found.energy < best.energy - best.rounding() => Ok(found),
-            (Ok(best), _) => Ok(best),
-            (Err(_), found) => found,
+) -> Local<N> {
+    let mut here = at(start);
+    let mut shift = 0.0;
+    let mut polished = 0;
+    for _ in 0..ITERATIONS {
+        let size = (0..N).map(|k| here.hessian[k][k].abs()).fold(0.0, f64::max);
+        let least = (1e-12 * size).max(f64::MIN_POSITIVE);
+        let mut used = shift;
+        let step = loop {
+            let step = solve(&here.hessian, used, here.gradient.map(|g| -g));
+            match step {
+                Some(step) if norm(step) <= longest => break step,
+                _ if used > 1e30 * (size + norm(here.gradient) / longest) => return here,
+                _ => used = (4.0 * used).max(least),
+            }
         };
+        let curved: f64 = (0..N)
+            .map(|i| {
+                (0..N)
+                    .map(|j| step[i] * here.hessian[i][j] * step[j])
+                    .sum::<f64>()
+            })
+            .sum();
+        let along: f64 = (0..N).map(|k| here.gradient[k] * step[k]).sum();
+        let predicted = -along - 0.5 * curved;
+        let there = at(std::array::from_fn(|k| here.place[k] + step[k]));
+        if predicted <= here.rounding() {
+            if norm(there.gradient) < norm(here.gradient) {
+                here = there;
+                shift = if used > least { 0.1 * used } else { 0.0 };
+                polished += usize::from(used == 0.0);
+            } else if used > 0.0 && shift > 0.0 {
+                shift = 0.0;
+            } else {
+                break;
+            }
+            if polished >= POLISHING {
+                break;
+            }
+            continue;
+        }
+        let ratio = (here.energy - there.energy) / predicted;
+        if ratio < 0.25 {
+            shift = (4.0 * used).max(1e-4 * size);
+        } else if ratio > 0.75 {
+            shift = if used > least { used / 8.0 } else { 0.0 };
+        } else {
+            shift = used;
+        }
+        if ratio > 1e-4 {
+            here = there;
+        }
     }
-    lowest
+    here
 }

@@ -18,6 +18,7 @@
 //! ```
 
 mod error;
+mod lowest_minimum;
 mod minimum;
 mod newton;
 mod outer_force;
@@ -36,6 +37,7 @@ use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_c
 use crate::profile::Profile;
 use crate::raceway_contact::{RacewayContact, RacewayPoint};
 pub use error::EquilibriumError;
+use lowest_minimum::lowest_minimum;
 use newton::BallSolution;
 use potential::{Ball, Problem};
 
@@ -369,8 +371,8 @@ fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), Equi
         return Ok(settled([0.0; 2]));
     }
     let depth = problem.contact_depth_m();
-    let lowest = minimum::lowest_minimum(problem, depth, 0.05 * bearing.ball_radius_m())?;
-    let [x, y] = lowest.ring;
+    let lowest = lowest_minimum(problem, depth, 0.05 * bearing.ball_radius_m())?;
+    let [x, y] = lowest.place;
     if x.hypot(y) > bearing.shoulder_clearance_m() {
         return Err(EquilibriumError::Unsupported);
     }
@@ -379,7 +381,7 @@ fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), Equi
     let same = |ring: &[f64; 2]| (ring[0] - x).hypot(ring[1] - y) <= SAME_PLACE * x.hypot(y);
     let polished = lowest.held().then(|| problem.newton_from_below(depth));
     Ok(settled(
-        polished.flatten().filter(same).unwrap_or(lowest.ring),
+        polished.flatten().filter(same).unwrap_or(lowest.place),
     ))
 }
 

@@ -11,6 +11,7 @@
 //!
 //!   V(**R**) = (load + weight) Y + Σ φ.
 
+use super::minimum::Local;
 use super::outer_force::OuterForce;
 use crate::bearing::Bearing;
 use crate::contact::FlankSection;
@@ -34,19 +35,6 @@ pub(super) struct Ball {
     pub steady: f64,
     /// C, N·m, which is centrifugal.
     pub turning: f64,
-}
-
-/// V and its derivatives at a place of the ring.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Local {
-    pub ring: [f64; 2],
-    /// V, J.
-    pub energy: f64,
-    /// Sum of the absolute terms of V, to which its rounding is proportional.
-    pub magnitude: f64,
-    pub gradient: [f64; 2],
-    /// V_xx, V_xy, V_yy.
-    pub hessian: [f64; 3],
 }
 
 /// One ball where its energy is least, for a given ring.
@@ -169,14 +157,13 @@ impl Ball {
 
 impl Problem<'_> {
     /// V and its derivatives at a place of the ring.
-    pub fn at(&self, ring: [f64; 2]) -> Local {
+    pub fn at(&self, ring: [f64; 2]) -> Local<2> {
         let load = self.down * ring[1];
         let mut local = Local {
-            ring,
             energy: load,
             magnitude: load.abs(),
             gradient: [0.0, self.down],
-            hessian: [0.0; 3],
+            ..Local::nothing(ring)
         };
         let deepest = self.bearing.ball_radius_m();
         for ball in &self.balls {
@@ -211,12 +198,13 @@ impl Problem<'_> {
             for k in 0..2 {
                 local.gradient[k] += rest.inner * ei[k];
             }
-            for (entry, (i, j)) in local.hessian.iter_mut().zip([(0, 0), (0, 1), (1, 1)]) {
-                *entry += aa * ei[i] * ei[j]
+            for (i, j) in [(0, 0), (0, 1), (1, 1)] {
+                local.hessian[i][j] += aa * ei[i] * ei[j]
                     + an * (ei[i] * normal[j] + normal[i] * ei[j])
                     + nn * normal[i] * normal[j];
             }
         }
+        local.hessian[1][0] = local.hessian[0][1];
         local
     }
 

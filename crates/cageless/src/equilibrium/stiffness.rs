@@ -5,16 +5,15 @@
 //! stiffness with the balls re-equilibrated: symmetric, with the geometric part −F/L of loaded
 //! contacts and with the softening by the centrifugal force in the outer contacts.
 
-use super::potential::Local;
+use super::minimum::Local;
 
 /// Stiffness of the softest direction over that of the stiffest below which the ring is free.
 const FREE: f64 = 1e-9;
 
-impl Local {
+impl Local<2> {
     /// ∂F/∂(X, Y), N/m, rows x and y; `None` where nothing holds the ring in some direction.
     pub fn stiffness_n_m(&self) -> Option<[[f64; 2]; 2]> {
-        let [xx, xy, yy] = self.hessian;
-        let ([flat, steep], ..) = self.eigenvalues();
-        (steep > 0.0 && flat > FREE * steep).then_some([[xx, xy], [xy, yy]])
+        let [flat, steep] = self.eigenvalues();
+        (steep > 0.0 && flat > FREE * steep).then_some(self.hessian)
     }
 }

@@ -10,8 +10,8 @@
 //! from there δi is that of a groove as well. U is convex in (u, ζ) up to the geometric part
 //! of the inner contact.
 
-use super::minimum::{Local, minimum};
 use super::outer_section::OuterSection;
+use crate::equilibrium::minimum::{Local, minimum};
 use crate::numerics::taylor::Taylor;
 
 /// One ball at its angle in a row.

@@ -7,9 +7,9 @@
 //! Moments act on p and q; a couple that stays fixed in space differs by the square of the tilt.
 
 use super::ball::{Rest, Ring, SpatialBall};
-use super::minimum::{Local, minimum, norm};
 use crate::case::Tilt;
 use crate::equilibrium::EquilibriumError;
+use crate::equilibrium::minimum::{Local, minimum, norm};
 use crate::numerics::cholesky::solve;
 
 /// Coordinate of the ring along the axis.

@@ -22,7 +22,6 @@
 
 mod ball;
 mod load_balance;
-mod minimum;
 pub mod outer_section;
 
 use crate::bearing::{Bearing, BeyondGroove};
