@@ -4,7 +4,7 @@
 use crate::common::{drop_case, raceway};
 use crate::free_rotor::shaft;
 use cageless::linear_rotor::{
-    DMatrix, LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor, RotorMatrices,
+    DMatrix, LinearRotor, Reduction, RigidRotor, RotorMatrices, Unbalance,
 };
 use cageless::recorder::Recorder;
 use cageless::simulation::{
@@ -141,8 +141,8 @@ fn symmetric_bearings_move_as_one_plane() {
 #[test]
 fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
     let unbalanced = |turn: f64| {
-        let plane = |axial_m: f64, phase_rad: f64| PlaneUnbalance {
-            axial_m,
+        let plane = |axial_m: f64, phase_rad: f64| Unbalance {
+            place: axial_m,
             moment_kg_m: 1e-4,
             phase_rad: phase_rad + turn,
         };
@@ -217,8 +217,8 @@ fn unbalance_moves_as_an_eccentric_mass_centre() {
     let rotor = RigidRotor {
         // About the axis.
         polar_inertia_kg_m2: 0.04 + 40.0 * eccentricity * eccentricity,
-        unbalances: vec![PlaneUnbalance {
-            axial_m: 0.0,
+        unbalances: vec![Unbalance {
+            place: 0.0,
             moment_kg_m: 40.0 * eccentricity,
             phase_rad: phase,
         }],
@@ -248,8 +248,8 @@ fn ledgers_of_rotor_and_bearings_close() {
         ),
     ] {
         let rotor = RigidRotor {
-            unbalances: vec![PlaneUnbalance {
-                axial_m: 0.05,
+            unbalances: vec![Unbalance {
+                place: 0.05,
                 moment_kg_m: 2e-4,
                 phase_rad: 1.0,
             }],
@@ -288,8 +288,8 @@ fn a_flexible_rotor_falls_into_its_bearings() {
     let reduction = Reduction {
         bearing_nodes: vec![0, 4],
         kept_nodes: vec![2],
-        unbalances: vec![NodeUnbalance {
-            node: 1,
+        unbalances: vec![Unbalance {
+            place: 1,
             moment_kg_m: 2e-5,
             phase_rad: 0.3,
         }],

@@ -3,7 +3,7 @@
 use crate::common::drop_case;
 use crate::linear_rotor::dropped;
 use cageless::IntegrationMethod;
-use cageless::linear_rotor::{DMatrix, NodeUnbalance, Reduction, RigidRotor, RotorMatrices};
+use cageless::linear_rotor::{DMatrix, Reduction, RigidRotor, RotorMatrices, Unbalance};
 use cageless::simulation::RotorDrop;
 
 /// A disc on a shaft, two springs to the ground; damping as given.
@@ -39,8 +39,8 @@ fn disc(damping: &[f64; 4]) -> RotorMatrices {
 fn damping_of_a_rotor_by_matrices_limits_the_step() {
     let reduction = Reduction {
         bearing_nodes: vec![0, 1],
-        unbalances: vec![NodeUnbalance {
-            node: 1,
+        unbalances: vec![Unbalance {
+            place: 1,
             moment_kg_m: 0.0,
             phase_rad: 0.0,
         }],

@@ -4,15 +4,15 @@ use crate::common::drop_case;
 use crate::free_rotor::shaft;
 use crate::linear_rotor::{SPEED_RAD_S, bearing, dropped, rigid};
 use cageless::IntegrationMethod;
-use cageless::linear_rotor::{Clearance, NodeClearance, PlaneClearance, Reduction, RigidRotor};
+use cageless::linear_rotor::{Clearance, ClearancePlane, Reduction, RigidRotor};
 use cageless::simulation::{Control, Observer, RotorDrop};
 use cageless::touchdown::DropRecorder;
 
 /// Planes of a rigid rotor lie on a straight line: in free fall with a tilt, closed form.
 #[test]
 fn planes_of_a_rigid_rotor_lie_on_its_axis() {
-    let clearance = |name: &str, axial_m: f64, radial_m: f64| PlaneClearance {
-        axial_m,
+    let clearance = |name: &str, axial_m: f64, radial_m: f64| ClearancePlane {
+        place: axial_m,
         clearance: Clearance {
             name: name.to_owned(),
             radial_m,
@@ -57,8 +57,8 @@ fn planes_of_a_rigid_rotor_lie_on_its_axis() {
 /// At a touchdown node a plane of a flexible rotor is displaced as its journal.
 #[test]
 fn planes_of_a_flexible_rotor_are_at_its_nodes() {
-    let clearance = |node: usize| NodeClearance {
-        node,
+    let clearance = |node: usize| ClearancePlane {
+        place: node,
         clearance: Clearance {
             name: format!("node {node}"),
             radial_m: 1e-3,

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use cageless::linear_rotor::{
-    Clearance, LinearRotor, NodeClearance, NodeUnbalance, PlaneClearance, PlaneUnbalance,
-    Reduction, RigidRotor, RotorError, RotorMatrices,
+    Clearance, ClearancePlane, LinearRotor, Reduction, RigidRotor, RotorError, RotorMatrices,
+    Unbalance,
 };
 
 use serde::Serialize;
@@ -88,15 +88,6 @@ pub struct RotorClearance {
     pub radial_um: f64,
 }
 
-impl RotorClearance {
-    fn clearance(&self) -> Clearance {
-        Clearance {
-            name: self.name.clone(),
-            radial_m: UM * self.radial_um,
-        }
-    }
-}
-
 impl RotorPlace {
     fn axial_m(self) -> Result<f64, RotorError> {
         match self {
@@ -117,39 +108,29 @@ impl RotorPlace {
     }
 }
 
+/// Places of bearings, unbalances and clearances.
+type Planes<P> = (Vec<P>, Vec<Unbalance<P>>, Vec<ClearancePlane<P>>);
+
 impl RotorDescription {
     /// The lateral motion of the rotor.
     ///
     /// # Errors
     /// The rotor is impossible, or a place is none of its own.
     pub fn linear(&self) -> Result<LinearRotor, RotorError> {
-        let (bearings, unbalances) = (self.bearings.iter(), self.unbalances.iter());
         match &self.body {
             RotorBody::Rigid {
                 mass_kg,
                 polar_inertia_kg_m2,
                 transverse_inertia_kg_m2,
             } => {
-                let unbalances = unbalances.map(|u| {
-                    Ok(PlaneUnbalance {
-                        axial_m: u.place.axial_m()?,
-                        moment_kg_m: G_MM * u.amount_g_mm,
-                        phase_rad: u.angle_deg.to_radians(),
-                    })
-                });
-                let clearances = self.clearances.iter().map(|c| {
-                    Ok(PlaneClearance {
-                        axial_m: c.place.axial_m()?,
-                        clearance: c.clearance(),
-                    })
-                });
+                let (bearing_axial_m, unbalances, clearances) = self.planes(RotorPlace::axial_m)?;
                 let rigid = RigidRotor {
-                    clearances: clearances.collect::<Result<_, RotorError>>()?,
                     mass_kg: *mass_kg,
                     polar_inertia_kg_m2: *polar_inertia_kg_m2,
                     transverse_inertia_kg_m2: *transverse_inertia_kg_m2,
-                    bearing_axial_m: bearings.map(|b| b.axial_m()).collect::<Result<_, _>>()?,
-                    unbalances: unbalances.collect::<Result<_, RotorError>>()?,
+                    bearing_axial_m,
+                    unbalances,
+                    clearances,
                 };
                 rigid.linear()
             }
@@ -158,28 +139,52 @@ impl RotorDescription {
                 frequency_max_hz,
                 kept_nodes,
             } => {
-                let unbalances = unbalances.map(|u| {
-                    Ok(NodeUnbalance {
-                        node: u.place.node()?,
-                        moment_kg_m: G_MM * u.amount_g_mm,
-                        phase_rad: u.angle_deg.to_radians(),
-                    })
-                });
-                let clearances = self.clearances.iter().map(|c| {
-                    Ok(NodeClearance {
-                        node: c.place.node()?,
-                        clearance: c.clearance(),
-                    })
-                });
-                let reduction = Reduction {
-                    clearances: clearances.collect::<Result<_, RotorError>>()?,
-                    bearing_nodes: bearings.map(|b| b.node()).collect::<Result<_, _>>()?,
+                let (bearing_nodes, unbalances, clearances) = self.planes(RotorPlace::node)?;
+                matrices.reduce(&Reduction {
+                    bearing_nodes,
                     kept_nodes: kept_nodes.clone(),
-                    unbalances: unbalances.collect::<Result<_, RotorError>>()?,
+                    unbalances,
+                    clearances,
                     frequency_max_hz: *frequency_max_hz,
-                };
-                matrices.reduce(&reduction)
+                })
             }
         }
+    }
+
+    /// Bearings, unbalances and clearances at places of one kind.
+    fn planes<P>(
+        &self,
+        of: fn(RotorPlace) -> Result<P, RotorError>,
+    ) -> Result<Planes<P>, RotorError> {
+        let unbalance = |u: &RotorUnbalance| {
+            Ok(Unbalance {
+                place: of(u.place)?,
+                moment_kg_m: G_MM * u.amount_g_mm,
+                phase_rad: u.angle_deg.to_radians(),
+            })
+        };
+        let clearance = |c: &RotorClearance| {
+            Ok(ClearancePlane {
+                place: of(c.place)?,
+                clearance: Clearance {
+                    name: c.name.clone(),
+                    radial_m: UM * c.radial_um,
+                },
+            })
+        };
+        Ok((
+            self.bearings
+                .iter()
+                .map(|b| of(*b))
+                .collect::<Result<_, _>>()?,
+            self.unbalances
+                .iter()
+                .map(unbalance)
+                .collect::<Result<_, _>>()?,
+            self.clearances
+                .iter()
+                .map(clearance)
+                .collect::<Result<_, _>>()?,
+        ))
     }
 }

@@ -69,8 +69,8 @@ impl<'m> RotorEquations<'m> {
     pub fn couple(&mut self, motion: &Motion<'_>) {
         self.unbalance.fill(0.0);
         for unbalance in &self.rotor.unbalances {
-            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
-            let direction = Vector2::new(-sin, cos) * unbalance.moment;
+            let (sin, cos) = (motion.angle + unbalance.phase_rad).sin_cos();
+            let direction = Vector2::new(-sin, cos) * unbalance.moment_kg_m;
             self.unbalance
                 .gemv_tr(1.0, &unbalance.place, &direction, 1.0);
         }
@@ -89,11 +89,11 @@ impl<'m> RotorEquations<'m> {
         forces.gemv(-1.0, &r.stiffness, &motion.u, 1.0);
         self.torque = loads.drive_torque;
         for unbalance in &r.unbalances {
-            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
+            let (sin, cos) = (motion.angle + unbalance.phase_rad).sin_cos();
             let outwards =
-                Vector2::new(cos, sin) * (unbalance.moment * motion.speed * motion.speed);
+                Vector2::new(cos, sin) * (unbalance.moment_kg_m * motion.speed * motion.speed);
             forces.gemv_tr(1.0, &unbalance.place, &outwards, 1.0);
-            self.torque -= unbalance.moment * loads.gravity * cos;
+            self.torque -= unbalance.moment_kg_m * loads.gravity * cos;
         }
     }
 
@@ -144,8 +144,8 @@ impl<'m> RotorEquations<'m> {
         let (r, gravity) = (self.rotor, self.loads.gravity);
         let mut weight = -gravity * r.lift.dot(&motion.rates);
         for unbalance in &r.unbalances {
-            let cos = (motion.angle + unbalance.phase).cos();
-            weight -= unbalance.moment * gravity * cos * motion.speed;
+            let cos = (motion.angle + unbalance.phase_rad).cos();
+            weight -= unbalance.moment_kg_m * gravity * cos * motion.speed;
         }
         // Of K the antisymmetric part alone: the symmetric one stores what it takes.
         let [first, second] = &mut self.products;

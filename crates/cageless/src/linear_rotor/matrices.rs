@@ -2,9 +2,7 @@
 
 use super::normal::Lateral;
 use super::rigid::{POLAR_INERTIA, finite, positive, within};
-use super::{
-    Clearance, DMatrix, DVector, LinearRotor, RotorError, RotorPlane, RotorUnbalance, symmetric,
-};
+use super::{ClearancePlane, DMatrix, DVector, LinearRotor, RotorError, Unbalance, symmetric};
 
 /// Matrices of the lateral motion of a rotor,
 /// M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
@@ -27,26 +25,6 @@ pub struct RotorMatrices {
     pub polar_inertia_kg_m2: f64,
 }
 
-/// Unbalance at a node.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NodeUnbalance {
-    /// The node, from 0.
-    pub node: usize,
-    /// m·ε.
-    pub moment_kg_m: f64,
-    /// Direction at the start, from +X, counter-clockwise.
-    pub phase_rad: f64,
-}
-
-/// Clearance to the stator at a node.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NodeClearance {
-    /// The node, from 0.
-    pub node: usize,
-    /// The clearance.
-    pub clearance: Clearance,
-}
-
 /// Nodes and modes that a reduction keeps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Reduction {
@@ -55,9 +33,9 @@ pub struct Reduction {
     /// Further nodes whose displacements are kept, those of sensors.
     pub kept_nodes: Vec<usize>,
     /// Unbalances; their nodes are kept as well.
-    pub unbalances: Vec<NodeUnbalance>,
+    pub unbalances: Vec<Unbalance<usize>>,
     /// Clearances to the stator; their nodes are kept as well.
-    pub clearances: Vec<NodeClearance>,
+    pub clearances: Vec<ClearancePlane<usize>>,
     /// Modes with all of these nodes held are kept up to this frequency; all of them without it.
     pub frequency_max_hz: Option<f64>,
 }
@@ -148,17 +126,10 @@ impl RotorMatrices {
             shapes: self.journal_shapes(&of(&stiffness), reduction, &held),
             journals,
             unbalances: (reduction.unbalances.iter())
-                .map(|u| RotorUnbalance {
-                    moment: u.moment_kg_m,
-                    phase: u.phase_rad,
-                    place: rows(u.node),
-                })
+                .map(|u| u.at(rows(u.place)))
                 .collect(),
             planes: (reduction.clearances.iter())
-                .map(|c| RotorPlane {
-                    clearance: c.clearance.clone(),
-                    place: rows(c.node),
-                })
+                .map(|c| c.at(rows(c.place)))
                 .collect(),
             polar_inertia: self.polar_inertia_kg_m2,
         };
@@ -229,9 +200,9 @@ impl RotorMatrices {
             return Err(RotorError::without_bearings());
         }
         let mut held: Vec<usize> = vec![];
-        let unbalanced = reduction.unbalances.iter().map(|u| u.node);
+        let unbalanced = reduction.unbalances.iter().map(|u| u.place);
         let further = reduction.kept_nodes.iter().copied().chain(unbalanced);
-        let further = further.chain(reduction.clearances.iter().map(|c| c.node));
+        let further = further.chain(reduction.clearances.iter().map(|c| c.place));
         for (k, node) in reduction.bearing_nodes.iter().copied().enumerate() {
             self.check_node(node)?;
             if reduction.bearing_nodes[..k].contains(&node) {

@@ -26,9 +26,9 @@ mod matrices;
 mod normal;
 mod rigid;
 
-pub use matrices::{NodeClearance, NodeUnbalance, Reduction, RotorMatrices};
+pub use matrices::{Reduction, RotorMatrices};
 pub use nalgebra::{Complex, DMatrix, DVector};
-pub use rigid::{PlaneClearance, PlaneUnbalance, RigidRotor};
+pub use rigid::RigidRotor;
 
 use thiserror::Error;
 
@@ -90,23 +90,46 @@ pub struct Clearance {
     pub radial_m: f64,
 }
 
-/// An unbalance of a rotor in normal coordinates.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RotorUnbalance {
-    /// m·ε, kg·m.
-    pub moment: f64,
-    /// φ at the start, rad.
-    pub phase: f64,
-    /// x and y of its plane, rows over u.
-    pub place: DMatrix<f64>,
+/// Unbalance in a plane of a rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unbalance<P> {
+    /// The plane: its place on the axis of a [`RigidRotor`], m, or its node in [`RotorMatrices`], from 0.
+    pub place: P,
+    /// m·ε.
+    pub moment_kg_m: f64,
+    /// Direction at the start, from +X, counter-clockwise.
+    pub phase_rad: f64,
 }
 
-/// A plane of a rotor with a clearance to the stator, in normal coordinates.
+/// Plane of a rotor with a clearance to the stator.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RotorPlane {
+pub struct ClearancePlane<P> {
+    /// The plane, as that of an [`Unbalance`].
+    pub place: P,
+    /// The clearance.
     pub clearance: Clearance,
-    /// x and y of the axis in the plane, rows over u.
-    pub place: DMatrix<f64>,
+}
+
+/// x and y of the axis in a plane, rows over the coordinates of the rotor.
+pub(crate) type Rows = DMatrix<f64>;
+
+impl<P> Unbalance<P> {
+    /// The unbalance in a plane that is given otherwise.
+    pub fn at<Q>(&self, place: Q) -> Unbalance<Q> {
+        Unbalance {
+            place,
+            moment_kg_m: self.moment_kg_m,
+            phase_rad: self.phase_rad,
+        }
+    }
+}
+
+impl<P> ClearancePlane<P> {
+    /// The clearance in a plane that is given otherwise.
+    pub fn at<Q>(&self, place: Q) -> ClearancePlane<Q> {
+        let clearance = self.clearance.clone();
+        ClearancePlane { place, clearance }
+    }
 }
 
 impl RotorError {
@@ -146,9 +169,9 @@ pub struct LinearRotor {
     /// in turn.
     pub(crate) shapes: DMatrix<f64>,
     /// Unbalances.
-    pub(crate) unbalances: Vec<RotorUnbalance>,
+    pub(crate) unbalances: Vec<Unbalance<Rows>>,
     /// Planes with a clearance to the stator.
-    pub(crate) planes: Vec<RotorPlane>,
+    pub(crate) planes: Vec<ClearancePlane<Rows>>,
     /// Ip about the axis, kg·m².
     pub(crate) polar_inertia: f64,
     /// m, kg.

@@ -1,6 +1,8 @@
 //! Normal coordinates of the lateral motion of a rotor.
 
-use super::{DMatrix, DVector, LinearRotor, RotorError, RotorPlane, RotorUnbalance, symmetric};
+use super::{
+    ClearancePlane, DMatrix, DVector, LinearRotor, RotorError, Rows, Unbalance, symmetric,
+};
 
 /// Lateral motion of a rotor in any coordinates.
 pub(super) struct Lateral {
@@ -15,8 +17,8 @@ pub(super) struct Lateral {
     pub journals: Vec<DMatrix<f64>>,
     /// Columns of [`LinearRotor::shapes`]; those of least kinetic energy if absent.
     pub shapes: Option<DMatrix<f64>>,
-    pub unbalances: Vec<RotorUnbalance>,
-    pub planes: Vec<RotorPlane>,
+    pub unbalances: Vec<Unbalance<Rows>>,
+    pub planes: Vec<ClearancePlane<Rows>>,
     pub polar_inertia: f64,
 }
 
@@ -48,18 +50,12 @@ impl Lateral {
             spin_up: of(&self.spin_up),
             lift,
             shapes,
-            unbalances: (self.unbalances.into_iter())
-                .map(|u| RotorUnbalance {
-                    place: &u.place * &v,
-                    ..u
-                })
+            unbalances: self
+                .unbalances
+                .iter()
+                .map(|u| u.at(&u.place * &v))
                 .collect(),
-            planes: (self.planes.into_iter())
-                .map(|p| RotorPlane {
-                    place: &p.place * &v,
-                    ..p
-                })
-                .collect(),
+            planes: self.planes.iter().map(|p| p.at(&p.place * &v)).collect(),
             journals,
             polar_inertia: self.polar_inertia,
             mass: (self.upwards.transpose() * &self.mass * &self.upwards)[0],

@@ -1,7 +1,7 @@
 //! A rigid rotor in several bearings.
 
 use super::normal::Lateral;
-use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError, RotorPlane, RotorUnbalance};
+use super::{ClearancePlane, DMatrix, DVector, LinearRotor, RotorError, Unbalance};
 use crate::limits::LIMITS;
 
 /// A rigid rotor; axial places are measured from its mass centre.
@@ -16,29 +16,9 @@ pub struct RigidRotor {
     /// Axial place of each touchdown bearing.
     pub bearing_axial_m: Vec<f64>,
     /// Unbalances.
-    pub unbalances: Vec<PlaneUnbalance>,
+    pub unbalances: Vec<Unbalance<f64>>,
     /// Clearances to the stator.
-    pub clearances: Vec<PlaneClearance>,
-}
-
-/// Clearance to the stator in a plane across the axis.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlaneClearance {
-    /// Axial place of the plane.
-    pub axial_m: f64,
-    /// The clearance.
-    pub clearance: Clearance,
-}
-
-/// Unbalance in a plane across the axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlaneUnbalance {
-    /// Axial place of the plane.
-    pub axial_m: f64,
-    /// m·ε.
-    pub moment_kg_m: f64,
-    /// Direction at the start, from +X, counter-clockwise.
-    pub phase_rad: f64,
+    pub clearances: Vec<ClearancePlane<f64>>,
 }
 
 impl RigidRotor {
@@ -71,17 +51,10 @@ impl RigidRotor {
             journals: self.bearing_axial_m.iter().map(|z| place(*z)).collect(),
             shapes: None,
             unbalances: (self.unbalances.iter())
-                .map(|u| RotorUnbalance {
-                    moment: u.moment_kg_m,
-                    phase: u.phase_rad,
-                    place: place(u.axial_m),
-                })
+                .map(|u| u.at(place(u.place)))
                 .collect(),
             planes: (self.clearances.iter())
-                .map(|c| RotorPlane {
-                    clearance: c.clearance.clone(),
-                    place: place(c.axial_m),
-                })
+                .map(|c| c.at(place(c.place)))
                 .collect(),
             polar_inertia: ip,
         };
@@ -117,8 +90,8 @@ impl RigidRotor {
             ));
         }
         let mut axial: Vec<f64> = self.bearing_axial_m.clone();
-        axial.extend(self.unbalances.iter().map(|u| u.axial_m));
-        axial.extend(self.clearances.iter().map(|c| c.axial_m));
+        axial.extend(self.unbalances.iter().map(|u| u.place));
+        axial.extend(self.clearances.iter().map(|c| c.place));
         if let Some(place) = axial
             .iter()
             .find(|z| z.is_finite() && z.abs() > AXIAL_MAX_M)
@@ -155,7 +128,7 @@ impl RigidRotor {
         }
         for unbalance in &self.unbalances {
             for (name, value) in [
-                ("axial_m", unbalance.axial_m),
+                ("axial_m", unbalance.place),
                 ("moment_kg_m", unbalance.moment_kg_m),
                 ("phase_rad", unbalance.phase_rad),
             ] {
@@ -163,7 +136,7 @@ impl RigidRotor {
             }
         }
         for clearance in &self.clearances {
-            finite("axial_m", clearance.axial_m)?;
+            finite("axial_m", clearance.place)?;
             positive("radial_m", clearance.clearance.radial_m)?;
         }
         Ok(())

@@ -198,7 +198,7 @@ impl RotorDrop {
             }
             Some(rotor) => {
                 for unbalance in &mut rotor.unbalances {
-                    unbalance.phase += angle_rad;
+                    unbalance.phase_rad += angle_rad;
                 }
             }
         }
