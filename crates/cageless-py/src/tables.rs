@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use cageless::simulation::ObserverError;
 use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
 use cageless_io::results::{
-    BALLS_IN_SPACE, COLLISIONS, Column, ColumnKind, Metadata, RING, RING_IN_SPACE, ROTOR,
-    ROTOR_IN_SPACE, RunWriter, collision_values, read_run_table,
+    COLLISIONS, Column, ColumnKind, Metadata, RunWriter, collision_values, read_run_table,
+    run_columns,
 };
 use cageless_study::drop::BearingRecord;
 use cageless_study::run::Rows;
@@ -20,11 +20,12 @@ use crate::errors::{Found, input, other};
 /// Names and columns of the tables. Arrays of the balls are over times and balls, so that they need
 /// neither column.
 fn specified() -> [(&'static str, &'static [Column]); 4] {
+    let [balls, ring, rotor] = run_columns(true);
     [
-        ("balls", &BALLS_IN_SPACE[2..]),
-        ("ring", RING_IN_SPACE),
+        ("balls", &balls[2..]),
+        ("ring", ring),
         ("collisions", COLLISIONS),
-        ("rotor", ROTOR_IN_SPACE),
+        ("rotor", rotor),
     ]
 }
 
@@ -34,7 +35,7 @@ pub fn table_units(py: Python<'_>) -> Found<Bound<'_, PyDict>> {
     let tables = PyDict::new(py);
     for (name, columns) in specified() {
         let units = PyDict::new(py);
-        let first = BALLS_IN_SPACE[..2].iter().filter(|_| name == "balls");
+        let first = run_columns(true)[0][..2].iter().filter(|_| name == "balls");
         for column in first.chain(columns) {
             units.set_item(&column.name, &column.unit)?;
         }
@@ -70,8 +71,9 @@ impl Rows for Tables {
             row(rotor, snapshot.time_s, values.values());
         }
         if !snapshot.is_in_space() {
-            ring.truncate(RING.len());
-            rotor.truncate(ROTOR.len());
+            let [_, ring_columns, rotor_columns] = run_columns(false);
+            ring.truncate(ring_columns.len());
+            rotor.truncate(rotor_columns.len());
         }
         Ok(())
     }
@@ -103,7 +105,11 @@ impl Tables {
             let path = dir.join(name).with_extension("parquet");
             let of_balls = name == "balls";
             if name != "rotor" || path.is_file() {
-                let columns = if of_balls { BALLS_IN_SPACE } else { columns };
+                let columns = if of_balls {
+                    run_columns(true)[0]
+                } else {
+                    columns
+                };
                 let found = read_run_table(&path, columns)?.into_iter();
                 *table = found.skip(if of_balls { 2 } else { 0 }).collect();
             }
@@ -185,7 +191,7 @@ impl Tables {
 
     /// Whether balls move in space.
     fn in_space(&self) -> bool {
-        self.0[1].len() > RING.len()
+        self.0[1].len() > run_columns(false)[1].len()
     }
 
     fn snapshot_of(&self, row: usize) -> Snapshot {

@@ -17,135 +17,249 @@
 
 use std::sync::Arc;
 
-/// Arrays over the balls: in the plane, and all in space.
-const ARRAYS: [usize; 2] = [13, 19];
-/// Values of a ring.
-const RING: usize = 12;
 /// Time, ring, whether there is a rotor and whether balls move in space, before the rotor and the
 /// arrays of a row.
-const HEAD: usize = 1 + RING + 2;
-/// Values of a rotor.
-const ROTOR: usize = 18;
+const HEAD: usize = 1 + RingSnapshot::FIELDS.len() + 2;
 
-/// Structure of arrays over the balls; index k is ball k+1.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Snapshot {
-    /// Time since the start of the run.
-    pub time_s: f64,
-    /// ψ, continuous (not wrapped), from the ball's place in its first turn.
-    pub angle_rad: Vec<f64>,
-    /// Centre of the ball.
-    pub x_m: Vec<f64>,
-    /// Centre of the ball.
-    pub y_m: Vec<f64>,
-    /// Velocity of the ball's centre.
-    pub vx_m_s: Vec<f64>,
-    /// Velocity of the ball's centre.
-    pub vy_m_s: Vec<f64>,
-    /// Absolute rotation about the bearing axis, clockwise positive: the rolling
-    /// sense. It is not the spin about the contact normal of ball-bearing texts.
-    pub rotation_rad_s: Vec<f64>,
-    /// dψ/dt.
-    pub orbit_speed_rad_s: Vec<f64>,
-    /// Gap to the ball ahead, ψ(k+1) − ψ(k) − ε; that of ball N to ball 1.
-    pub gap_rad: Vec<f64>,
-    /// r, effective contact radius at the outer raceway.
-    pub effective_radius_m: Vec<f64>,
-    /// Fi, normal force at the inner raceway.
-    pub inner_force_n: Vec<f64>,
-    /// Fo, normal force at the outer raceway (radial sum of both contact points).
-    pub outer_force_n: Vec<f64>,
-    /// ΔVi; positive speeds orbit and spin up.
-    pub inner_sliding_m_s: Vec<f64>,
-    /// ΔVo; positive slows the orbit and speeds the spin up.
-    pub outer_sliding_m_s: Vec<f64>,
-    /// z of the ball; like the next five empty in the plane.
-    pub z_m: Vec<f64>,
-    /// Velocity of the ball's centre.
-    pub vz_m_s: Vec<f64>,
-    /// Absolute rotation about X; that about Z is −[`Self::rotation_rad_s`].
-    pub omega_x_rad_s: Vec<f64>,
-    /// Absolute rotation about Y.
-    pub omega_y_rad_s: Vec<f64>,
-    /// Contact angle at the inner raceway, positive where an axial load along +Z presses; NaN
-    /// without contact.
-    pub inner_contact_angle_rad: Vec<f64>,
-    /// Angle of the force at the outer raceway; NaN without contact.
-    pub outer_contact_angle_rad: Vec<f64>,
-    /// The inner ring.
-    pub ring: RingSnapshot,
-    /// The rotor and what it moves, in a drop.
-    pub rotor: Option<RotorSnapshot>,
+/// Declares names and units of the fields of a part of a snapshot: those of the plane come first.
+macro_rules! fields {
+    ($Part:ident, [$($field:ident: $unit:literal,)*], [$($spatial:ident: $spatial_unit:literal,)*]) => {
+        impl $Part {
+            /// Names of the fields with their units, those of motion in space last.
+            pub const FIELDS: [(&'static str, &'static str); [$($unit,)* $($spatial_unit),*].len()] =
+                [$((stringify!($field), $unit),)* $((stringify!($spatial), $spatial_unit)),*];
+
+            /// Number of fields in the plane.
+            pub const IN_PLANE: usize = [$($unit),*].len();
+        }
+    };
 }
 
-/// The rotor, the speed of the inner ring and the outer ring on its support at one instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RotorSnapshot {
-    /// Mass centre.
-    pub x_m: f64,
-    /// Mass centre.
-    pub y_m: f64,
-    /// Velocity of the mass centre.
-    pub vx_m_s: f64,
-    /// Velocity of the mass centre.
-    pub vy_m_s: f64,
-    /// θ, counter-clockwise, since the start.
-    pub angle_rad: f64,
-    /// Ω, counter-clockwise.
-    pub speed_rad_s: f64,
-    /// ωi of the inner ring, counter-clockwise.
-    pub ring_speed_rad_s: f64,
-    /// Outer ring and housing, from their rest place.
-    pub housing_x_m: f64,
-    /// Outer ring and housing, from their rest place.
-    pub housing_y_m: f64,
-    /// Velocity of outer ring and housing.
-    pub housing_vx_m_s: f64,
-    /// Velocity of outer ring and housing.
-    pub housing_vy_m_s: f64,
-    /// Normal force between rotor and inner ring.
-    pub contact_force_n: f64,
-    /// Sliding speed of the journal on the bore at their nearest points, counter-clockwise.
-    pub contact_sliding_m_s: f64,
-    /// Z; like the next four 0 in the plane.
-    pub z_m: f64,
-    /// Velocity along Z.
-    pub vz_m_s: f64,
-    /// Outer ring and housing, from their rest place.
-    pub housing_z_m: f64,
-    /// Velocity of outer ring and housing.
-    pub housing_vz_m_s: f64,
-    /// Force of the inner ring on a shoulder of the rotor along +Z.
-    pub shoulder_force_n: f64,
+/// Declares the arrays of a snapshot over the balls, each with its unit.
+macro_rules! arrays {
+    (
+        $(#[$meta:meta])*
+        pub struct $Snapshot:ident {
+            $($(#[$of:meta])* $field:ident: $unit:literal,)*
+        }
+        in space {
+            $($(#[$of_spatial:meta])* $spatial:ident: $spatial_unit:literal,)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, PartialEq, Default)]
+        pub struct $Snapshot {
+            /// Time since the start of the run.
+            pub time_s: f64,
+            $($(#[$of])* pub $field: Vec<f64>,)*
+            $($(#[$of_spatial])* pub $spatial: Vec<f64>,)*
+            /// The inner ring.
+            pub ring: RingSnapshot,
+            /// The rotor and what it moves, in a drop.
+            pub rotor: Option<RotorSnapshot>,
+        }
+
+        fields!($Snapshot, [$($field: $unit,)*], [$($spatial: $spatial_unit,)*]);
+
+        impl $Snapshot {
+            /// The arrays over the balls, in the order of the fields.
+            pub fn arrays(&self) -> Vec<&[f64]> {
+                let mut all: Vec<&[f64]> = vec![$(&self.$field,)* $(&self.$spatial),*];
+                all.truncate(Self::array_count(self.is_in_space()));
+                all
+            }
+
+            /// Snapshot of its parts; `arrays` are the arrays over the balls, one after another in the
+            /// order of [`Self::arrays`], with those of balls that move in space or without.
+            ///
+            /// # Panics
+            /// If the arrays do not all have the same length.
+            pub fn from_parts(
+                time_s: f64,
+                ring: RingSnapshot,
+                rotor: Option<RotorSnapshot>,
+                arrays: &[f64],
+                in_space: bool,
+            ) -> Self {
+                let count = Self::array_count(in_space);
+                let balls = arrays.len() / count;
+                assert!(
+                    balls * count == arrays.len(),
+                    "{} values over the balls are no multiple of {count}",
+                    arrays.len()
+                );
+                let mut arrays = (0..count).map(|k| arrays[k * balls..][..balls].to_vec());
+                let mut next = || arrays.next().unwrap_or_default();
+                Self {
+                    time_s,
+                    $($field: next(),)*
+                    $($spatial: next(),)*
+                    ring,
+                    rotor,
+                }
+            }
+        }
+    };
 }
 
-/// The inner ring at one instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RingSnapshot {
-    /// Centre.
-    pub x_m: f64,
-    /// Centre.
-    pub y_m: f64,
-    /// Velocity of the centre.
-    pub vx_m_s: f64,
-    /// Velocity of the centre.
-    pub vy_m_s: f64,
-    /// Acceleration of the centre.
-    pub ax_m_s2: f64,
-    /// Acceleration of the centre.
-    pub ay_m_s2: f64,
-    /// Force of the balls on the outer ring, friction included.
-    pub outer_force_x_n: f64,
-    /// Force of the balls on the outer ring, friction included.
-    pub outer_force_y_n: f64,
-    /// Z of the centre; like the next three 0 in the plane.
-    pub z_m: f64,
-    /// Velocity of the centre.
-    pub vz_m_s: f64,
-    /// Tilt about X.
-    pub tilt_x_rad: f64,
-    /// Tilt about Y.
-    pub tilt_y_rad: f64,
+/// Declares a part of a snapshot: numbers, each with its unit.
+macro_rules! numbers {
+    (
+        $(#[$meta:meta])*
+        pub struct $Part:ident {
+            $($(#[$of:meta])* $field:ident: $unit:literal,)*
+        }
+        in space {
+            $($(#[$of_spatial:meta])* $spatial:ident: $spatial_unit:literal,)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq, Default)]
+        pub struct $Part {
+            $($(#[$of])* pub $field: f64,)*
+            $($(#[$of_spatial])* pub $spatial: f64,)*
+        }
+
+        fields!($Part, [$($field: $unit,)*], [$($spatial: $spatial_unit,)*]);
+
+        impl $Part {
+            /// Values, in the order of the fields.
+            pub fn values(&self) -> [f64; Self::FIELDS.len()] {
+                [$(self.$field,)* $(self.$spatial),*]
+            }
+
+            /// Inverse of [`Self::values`].
+            pub fn from_values(
+                [$($field,)* $($spatial),*]: [f64; Self::FIELDS.len()],
+            ) -> Self {
+                Self { $($field,)* $($spatial),* }
+            }
+        }
+    };
+}
+
+arrays! {
+    /// Structure of arrays over the balls; index k is ball k+1.
+    pub struct Snapshot {
+        /// ψ, continuous (not wrapped), from the ball's place in its first turn.
+        angle_rad: "rad",
+        /// Centre of the ball.
+        x_m: "m",
+        /// Centre of the ball.
+        y_m: "m",
+        /// Velocity of the ball's centre.
+        vx_m_s: "m/s",
+        /// Velocity of the ball's centre.
+        vy_m_s: "m/s",
+        /// Absolute rotation about the bearing axis, clockwise positive: the rolling
+        /// sense. It is not the spin about the contact normal of ball-bearing texts.
+        rotation_rad_s: "rad/s",
+        /// dψ/dt.
+        orbit_speed_rad_s: "rad/s",
+        /// Gap to the ball ahead, ψ(k+1) − ψ(k) − ε; that of ball N to ball 1.
+        gap_rad: "rad",
+        /// r, effective contact radius at the outer raceway.
+        effective_radius_m: "m",
+        /// Fi, normal force at the inner raceway.
+        inner_force_n: "N",
+        /// Fo, normal force at the outer raceway (radial sum of both contact points).
+        outer_force_n: "N",
+        /// ΔVi; positive speeds orbit and spin up.
+        inner_sliding_m_s: "m/s",
+        /// ΔVo; positive slows the orbit and speeds the spin up.
+        outer_sliding_m_s: "m/s",
+    }
+    in space {
+        /// z of the ball; like the next five empty in the plane.
+        z_m: "m",
+        /// Velocity of the ball's centre.
+        vz_m_s: "m/s",
+        /// Absolute rotation about X; that about Z is −[`Self::rotation_rad_s`].
+        omega_x_rad_s: "rad/s",
+        /// Absolute rotation about Y.
+        omega_y_rad_s: "rad/s",
+        /// Contact angle at the inner raceway, positive where an axial load along +Z presses; NaN
+        /// without contact.
+        inner_contact_angle_rad: "rad",
+        /// Angle of the force at the outer raceway; NaN without contact.
+        outer_contact_angle_rad: "rad",
+    }
+}
+
+numbers! {
+    /// The rotor, the speed of the inner ring and the outer ring on its support at one instant.
+    pub struct RotorSnapshot {
+        /// Mass centre.
+        x_m: "m",
+        /// Mass centre.
+        y_m: "m",
+        /// Velocity of the mass centre.
+        vx_m_s: "m/s",
+        /// Velocity of the mass centre.
+        vy_m_s: "m/s",
+        /// θ, counter-clockwise, since the start.
+        angle_rad: "rad",
+        /// Ω, counter-clockwise.
+        speed_rad_s: "rad/s",
+        /// ωi of the inner ring, counter-clockwise.
+        ring_speed_rad_s: "rad/s",
+        /// Outer ring and housing, from their rest place.
+        housing_x_m: "m",
+        /// Outer ring and housing, from their rest place.
+        housing_y_m: "m",
+        /// Velocity of outer ring and housing.
+        housing_vx_m_s: "m/s",
+        /// Velocity of outer ring and housing.
+        housing_vy_m_s: "m/s",
+        /// Normal force between rotor and inner ring.
+        contact_force_n: "N",
+        /// Sliding speed of the journal on the bore at their nearest points, counter-clockwise.
+        contact_sliding_m_s: "m/s",
+    }
+    in space {
+        /// Z; like the next four 0 in the plane.
+        z_m: "m",
+        /// Velocity along Z.
+        vz_m_s: "m/s",
+        /// Outer ring and housing, from their rest place.
+        housing_z_m: "m",
+        /// Velocity of outer ring and housing.
+        housing_vz_m_s: "m/s",
+        /// Force of the inner ring on a shoulder of the rotor along +Z.
+        shoulder_force_n: "N",
+    }
+}
+
+numbers! {
+    /// The inner ring at one instant.
+    pub struct RingSnapshot {
+        /// Centre.
+        x_m: "m",
+        /// Centre.
+        y_m: "m",
+        /// Velocity of the centre.
+        vx_m_s: "m/s",
+        /// Velocity of the centre.
+        vy_m_s: "m/s",
+        /// Acceleration of the centre.
+        ax_m_s2: "m/s^2",
+        /// Acceleration of the centre.
+        ay_m_s2: "m/s^2",
+        /// Force of the balls on the outer ring, friction included.
+        outer_force_x_n: "N",
+        /// Force of the balls on the outer ring, friction included.
+        outer_force_y_n: "N",
+    }
+    in space {
+        /// Z of the centre; like the next three 0 in the plane.
+        z_m: "m",
+        /// Velocity of the centre.
+        vz_m_s: "m/s",
+        /// Tilt about X.
+        tilt_x_rad: "rad",
+        /// Tilt about Y.
+        tilt_y_rad: "rad",
+    }
 }
 
 impl Snapshot {
@@ -159,36 +273,19 @@ impl Snapshot {
         !self.z_m.is_empty()
     }
 
-    /// The arrays over the balls, in the order of the fields.
-    pub fn arrays(&self) -> Vec<&[f64]> {
-        let all: [&[f64]; ARRAYS[1]] = [
-            &self.angle_rad,
-            &self.x_m,
-            &self.y_m,
-            &self.vx_m_s,
-            &self.vy_m_s,
-            &self.rotation_rad_s,
-            &self.orbit_speed_rad_s,
-            &self.gap_rad,
-            &self.effective_radius_m,
-            &self.inner_force_n,
-            &self.outer_force_n,
-            &self.inner_sliding_m_s,
-            &self.outer_sliding_m_s,
-            &self.z_m,
-            &self.vz_m_s,
-            &self.omega_x_rad_s,
-            &self.omega_y_rad_s,
-            &self.inner_contact_angle_rad,
-            &self.outer_contact_angle_rad,
-        ];
-        all[..ARRAYS[usize::from(self.is_in_space())]].to_vec()
+    /// Number of arrays over the balls.
+    fn array_count(in_space: bool) -> usize {
+        match in_space {
+            true => Self::FIELDS.len(),
+            false => Self::IN_PLANE,
+        }
     }
 
     /// All values in one row: less to allocate where many are kept.
     pub fn to_row(&self) -> Arc<[f64]> {
         let arrays = self.arrays();
-        let mut row = Vec::with_capacity(HEAD + ROTOR + arrays.len() * self.balls());
+        let mut row =
+            Vec::with_capacity(HEAD + RotorSnapshot::FIELDS.len() + arrays.len() * self.balls());
         row.push(self.time_s);
         row.extend(self.ring.values());
         row.extend([self.rotor.is_some(), self.is_in_space()].map(f64::from));
@@ -202,8 +299,11 @@ impl Snapshot {
     /// # Panics
     /// If it is no such row.
     pub fn from_row(row: &[f64]) -> Self {
+        const ROTOR: usize = RotorSnapshot::FIELDS.len();
         let (head, rest) = row.split_at(HEAD);
-        let ring = head[1..=RING].try_into().expect("time and ring come first");
+        let ring = head[1..HEAD - 2]
+            .try_into()
+            .expect("time and ring come first");
         let (rotor, arrays) = rest.split_at(if head[HEAD - 2] > 0.0 { ROTOR } else { 0 });
         Self::from_parts(
             head[0],
@@ -213,110 +313,7 @@ impl Snapshot {
             head[HEAD - 1] > 0.0,
         )
     }
-
-    /// Snapshot of its parts; `arrays` are the arrays over the balls, one after another in the
-    /// order of [`Self::arrays`], with those of balls that move in space or without.
-    ///
-    /// # Panics
-    /// If the arrays do not all have the same length.
-    pub fn from_parts(
-        time_s: f64,
-        ring: RingSnapshot,
-        rotor: Option<RotorSnapshot>,
-        arrays: &[f64],
-        in_space: bool,
-    ) -> Self {
-        let count = ARRAYS[usize::from(in_space)];
-        let balls = arrays.len() / count;
-        assert!(
-            balls * count == arrays.len(),
-            "{} values over the balls are no multiple of {count}",
-            arrays.len()
-        );
-        let mut arrays = (0..count).map(|k| arrays[k * balls..][..balls].to_vec());
-        let mut next = || arrays.next().unwrap_or_default();
-        Self {
-            time_s,
-            angle_rad: next(),
-            x_m: next(),
-            y_m: next(),
-            vx_m_s: next(),
-            vy_m_s: next(),
-            rotation_rad_s: next(),
-            orbit_speed_rad_s: next(),
-            gap_rad: next(),
-            effective_radius_m: next(),
-            inner_force_n: next(),
-            outer_force_n: next(),
-            inner_sliding_m_s: next(),
-            outer_sliding_m_s: next(),
-            z_m: next(),
-            vz_m_s: next(),
-            omega_x_rad_s: next(),
-            omega_y_rad_s: next(),
-            inner_contact_angle_rad: next(),
-            outer_contact_angle_rad: next(),
-            ring,
-            rotor,
-        }
-    }
 }
-
-/// Values of a snapshot's part in the order of its fields, and the part from them.
-macro_rules! values {
-    ($part:ident, $count:expr, $($field:ident),*) => {
-        impl $part {
-            /// Values, in the order of the fields.
-            pub fn values(&self) -> [f64; $count] {
-                [$(self.$field),*]
-            }
-
-            /// Inverse of [`Self::values`].
-            pub fn from_values([$($field),*]: [f64; $count]) -> Self {
-                Self { $($field),* }
-            }
-        }
-    };
-}
-
-values!(
-    RingSnapshot,
-    RING,
-    x_m,
-    y_m,
-    vx_m_s,
-    vy_m_s,
-    ax_m_s2,
-    ay_m_s2,
-    outer_force_x_n,
-    outer_force_y_n,
-    z_m,
-    vz_m_s,
-    tilt_x_rad,
-    tilt_y_rad
-);
-values!(
-    RotorSnapshot,
-    ROTOR,
-    x_m,
-    y_m,
-    vx_m_s,
-    vy_m_s,
-    angle_rad,
-    speed_rad_s,
-    ring_speed_rad_s,
-    housing_x_m,
-    housing_y_m,
-    housing_vx_m_s,
-    housing_vy_m_s,
-    contact_force_n,
-    contact_sliding_m_s,
-    z_m,
-    vz_m_s,
-    housing_z_m,
-    housing_vz_m_s,
-    shoulder_force_n
-);
 
 #[cfg(test)]
 mod tests {
@@ -324,8 +321,8 @@ mod tests {
 
     #[test]
     fn a_row_leads_back_to_its_snapshot() {
-        for (rotor, space) in [(0, 0), (ROTOR, 0), (0, 1)] {
-            let count = ARRAYS[space];
+        for (rotor, space) in [(0, 0), (RotorSnapshot::FIELDS.len(), 0), (0, 1)] {
+            let count = Snapshot::array_count(space == 1);
             let mut row: Vec<f64> = (0..HEAD + rotor + 3 * count).map(|k| k as f64).collect();
             row[HEAD - 2] = if rotor > 0 { 1.0 } else { 0.0 };
             row[HEAD - 1] = space as f64;

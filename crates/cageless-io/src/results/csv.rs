@@ -4,18 +4,10 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::atomic_file::PartialFile;
-use super::columns::{BALLS_IN_SPACE, COLLISIONS, RING_IN_SPACE, ROTOR_IN_SPACE};
+use super::columns::{COLLISIONS, run_columns};
 use super::error::ResultError;
 use super::run_tables::{columns_of, for_each_group};
-use super::table::{Column, ColumnKind};
-
-/// Tables of a run or of a drop, and their columns.
-const TABLES: [(&str, &[Column]); 4] = [
-    ("balls", BALLS_IN_SPACE),
-    ("ring", RING_IN_SPACE),
-    ("rotor", ROTOR_IN_SPACE),
-    ("collisions", COLLISIONS),
-];
+use super::table::ColumnKind;
 
 /// Writes `NAME.csv` beside each table of the run in `dir`: names with units in the first line,
 /// numbers with all of their digits.
@@ -23,7 +15,13 @@ const TABLES: [(&str, &[Column]); 4] = [
 /// # Errors
 /// A table cannot be read, or a file cannot be written.
 pub fn write_csv(dir: &Path) -> Result<(), ResultError> {
-    for (name, columns) in TABLES {
+    let [balls, ring, rotor] = run_columns(true);
+    for (name, columns) in [
+        ("balls", balls),
+        ("ring", ring),
+        ("rotor", rotor),
+        ("collisions", COLLISIONS),
+    ] {
         let table = dir.join(name).with_extension("parquet");
         if !table.exists() {
             continue;

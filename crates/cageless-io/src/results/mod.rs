@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 use cageless::{Collision, RotorSnapshot, Snapshot};
 
 pub use atomic_file::{PartialFile, write_atomically, write_together};
-pub use columns::{BALLS, BALLS_IN_SPACE, COLLISIONS, RING, RING_IN_SPACE, ROTOR, ROTOR_IN_SPACE};
+pub use columns::{COLLISIONS, run_columns};
 pub use csv::write_csv;
 pub use error::{ResultError, is_unusable};
 pub use reader::TableReader;
@@ -113,10 +113,7 @@ impl RunWriter {
         let open = |name: &str, columns| {
             TableWriter::in_groups(&dir.join(name), columns, &footer, GROUP_ROWS)
         };
-        let (balls, ring, rotor_columns) = match metadata.in_space {
-            true => (BALLS_IN_SPACE, RING_IN_SPACE, ROTOR_IN_SPACE),
-            false => (BALLS, RING, ROTOR),
-        };
+        let [balls, ring, rotor_columns] = run_columns(metadata.in_space);
         Ok(Self {
             dir: dir.to_owned(),
             balls: open("balls.parquet", balls)?,

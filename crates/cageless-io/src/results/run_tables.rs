@@ -6,7 +6,7 @@ use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::FileReader;
 
-use super::columns::{BALLS, BALLS_IN_SPACE, RING, RING_IN_SPACE, ROTOR, ROTOR_IN_SPACE};
+use super::columns::run_columns;
 use super::error::ResultError;
 use super::reader::checked;
 use super::table::Column;
@@ -28,12 +28,8 @@ pub(super) fn columns_of<'c>(
         .schema()
         .get_fields()
         .len();
-    let tables = [
-        (BALLS_IN_SPACE, BALLS),
-        (RING_IN_SPACE, RING),
-        (ROTOR_IN_SPACE, ROTOR),
-    ];
-    let planar = (tables.into_iter()).find(|(all, few)| *all == columns && few.len() == count);
+    let mut tables = run_columns(true).into_iter().zip(run_columns(false));
+    let planar = tables.find(|(all, few)| *all == columns && few.len() == count);
     Ok(&columns[..planar.map_or(columns.len(), |(_, few)| few.len())])
 }
 
