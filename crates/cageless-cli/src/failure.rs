@@ -83,16 +83,22 @@ impl fmt::Display for Failure {
     }
 }
 
-impl From<CaseError> for Failure {
-    fn from(error: CaseError) -> Self {
-        Self::Input(error.to_string())
-    }
+/// Errors that are always of one kind.
+macro_rules! always {
+    ($($Error:ty, $error:ident => $failure:expr;)*) => {
+        $(impl From<$Error> for Failure {
+            fn from($error: $Error) -> Self {
+                $failure
+            }
+        })*
+    };
 }
 
-impl From<cageless::InputError> for Failure {
-    fn from(error: cageless::InputError) -> Self {
-        Self::Input(error.to_string())
-    }
+always! {
+    CaseError, error => Self::Input(error.to_string());
+    cageless::InputError, error => Self::Input(error.to_string());
+    serde_json::Error, error => Self::Other(error.into());
+    std::io::Error, error => Self::Other(error.into());
 }
 
 impl From<EquilibriumError> for Failure {
@@ -177,17 +183,5 @@ impl From<ResultError> for Failure {
         }
         // The message has its cause in it.
         Self::Other(anyhow::Error::msg(error.to_string()))
-    }
-}
-
-impl From<serde_json::Error> for Failure {
-    fn from(error: serde_json::Error) -> Self {
-        Self::Other(error.into())
-    }
-}
-
-impl From<std::io::Error> for Failure {
-    fn from(error: std::io::Error) -> Self {
-        Self::Other(error.into())
     }
 }

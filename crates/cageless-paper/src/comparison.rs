@@ -12,7 +12,7 @@ use cageless::simulation::{
     Control, Ending, Observer, ObserverError, StepView, batches, run_batch,
 };
 use cageless::tolerance::{ball_grade, ball_lot_m};
-use cageless::vibration::{VibrationRecorder, WithoutContacts};
+use cageless::vibration::VibrationRecorder;
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
 use cageless_report::run_report::filter_note;
 use cageless_report::{
@@ -294,9 +294,9 @@ fn side_by_side(
         .iter()
         .map(|_| VibrationRecorder::new(housing, SAMPLING_HZ, 0.0))
         .collect();
-    let mut quiet: Vec<WithoutContacts> = cases
+    let mut quiet: Vec<VibrationRecorder> = cases
         .iter()
-        .map(|_| WithoutContacts::new(housing, SAMPLING_HZ, after_s))
+        .map(|_| VibrationRecorder::without_contacts(housing, SAMPLING_HZ, after_s))
         .collect();
     let mut orbits: Vec<OrbitMeter> = cases
         .iter()

@@ -2,7 +2,7 @@
 
 use crate::common::structure;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
-use cageless::vibration::{AFTER_CONTACT_S, VibrationRecorder, WithoutContacts};
+use cageless::vibration::{AFTER_CONTACT_S, VibrationRecorder};
 use cageless::{Case, Gaps, Housing, Start};
 
 /// Ends of the steps, force on the outer ring there, and whether balls touch.
@@ -95,7 +95,7 @@ fn a_measurement_is_the_motion_of_the_housing_under_the_force() {
     let mut every = EveryStep::default();
     // As fast as the housing is sampled: nothing is filtered.
     let mut with = VibrationRecorder::new(&housing, 1e5, after_s);
-    let mut without = WithoutContacts::new(&housing, 1e5, after_s);
+    let mut without = VibrationRecorder::without_contacts(&housing, 1e5, after_s);
     run(
         &case,
         &mut [&mut every, &mut with, &mut without],

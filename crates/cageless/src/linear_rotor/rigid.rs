@@ -80,43 +80,31 @@ impl RigidRotor {
         }
         // Ip = ∫(x² + y²)dm and 2·It = ∫(x² + y² + 2z²)dm: equal for a thin disc.
         let most = 2.0 * self.transverse_inertia_kg_m2;
-        if self.polar_inertia_kg_m2 > most * (1.0 + ROUNDING) {
-            return Err(RotorError::value(
-                "polar_inertia_kg_m2",
-                self.polar_inertia_kg_m2,
-                format!(
-                    "at most {most}, twice transverse_inertia_kg_m2: no body exceeds a thin disc"
-                ),
-            ));
-        }
+        let ip = self.polar_inertia_kg_m2;
+        let allowed =
+            format!("at most {most}, twice transverse_inertia_kg_m2: no body exceeds a thin disc");
+        let kept = ip <= most * (1.0 + ROUNDING);
+        require("polar_inertia_kg_m2", ip, kept, allowed)?;
         let mut axial: Vec<f64> = self.bearing_axial_m.clone();
         axial.extend(self.unbalances.iter().map(|u| u.place));
         axial.extend(self.clearances.iter().map(|c| c.place));
-        if let Some(place) = axial
-            .iter()
-            .find(|z| z.is_finite() && z.abs() > AXIAL_MAX_M)
-        {
-            return Err(RotorError::value(
-                "axial_mm",
-                1e3 * place,
-                format!("within {} mm of the mass centre", 1e3 * AXIAL_MAX_M),
-            ));
+        for place in axial.into_iter().filter(|z| z.is_finite()) {
+            let allowed = format!("within {} mm of the mass centre", 1e3 * AXIAL_MAX_M);
+            let kept = place.abs() <= AXIAL_MAX_M;
+            require("axial_mm", 1e3 * place, kept, allowed)?;
         }
         let mut places = self.bearing_axial_m.clone();
         places.sort_by(f64::total_cmp);
         if places.is_empty() {
             return Err(RotorError::without_bearings());
         }
-        if let Some(place) = places.iter().find(|z| !z.is_finite()) {
-            return Err(RotorError::value("axial_m", *place, FINITE));
+        for place in &places {
+            finite("axial_m", *place)?;
         }
-        if places.windows(2).any(|pair| pair[0] == pair[1]) {
+        if let Some(pair) = places.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(RotorError::Bearings(format!(
                 "two bearings are at the same axial place, {} m: each needs its own",
-                places
-                    .windows(2)
-                    .find(|p| p[0] == p[1])
-                    .map_or(0.0, |p| p[0])
+                pair[0]
             )));
         }
         if places.len() > 2 {
@@ -149,35 +137,36 @@ pub(super) const POLAR_INERTIA: &str = "rotor_polar_inertia_kg_m2";
 const AXIAL_MAX_M: f64 = 100.0;
 /// Share by which Ip may exceed 2·It of a thin disc, by rounding.
 const ROUNDING: f64 = 1e-9;
-const FINITE: &str = "a finite number";
+
+/// Passes a value that keeps to what is `allowed`, which completes "must be".
+fn require(
+    name: &'static str,
+    value: f64,
+    kept: bool,
+    allowed: impl Into<String>,
+) -> Result<(), RotorError> {
+    match kept {
+        true => Ok(()),
+        false => Err(RotorError::value(name, value, allowed)),
+    }
+}
 
 /// A value within the limits of `field`.
 pub(super) fn within(name: &'static str, field: &str, value: f64) -> Result<(), RotorError> {
-    match LIMITS.iter().find(|limit| limit.field == field) {
-        Some(limit) if !(limit.least..=limit.most).contains(&value) => Err(RotorError::value(
-            name,
-            value,
-            format!(
-                "from {:e} to {:e}: {}",
-                limit.least, limit.most, limit.reason
-            ),
-        )),
-        _ => Ok(()),
-    }
+    let limit = LIMITS.iter().find(|limit| limit.field == field);
+    limit.map_or(Ok(()), |l| {
+        let allowed = format!("from {:e} to {:e}: {}", l.least, l.most, l.reason);
+        let kept = (l.least..=l.most).contains(&value);
+        require(name, value, kept, allowed)
+    })
 }
 
 /// A finite value above 0.
 pub(super) fn positive(name: &'static str, value: f64) -> Result<(), RotorError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(RotorError::value(name, value, "more than 0"))
+    require(name, value, value > 0.0 && value.is_finite(), "more than 0")
 }
 
 /// A finite value.
 pub(super) fn finite(name: &'static str, value: f64) -> Result<(), RotorError> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    Err(RotorError::value(name, value, FINITE))
+    require(name, value, value.is_finite(), "a finite number")
 }

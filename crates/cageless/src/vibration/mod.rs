@@ -22,14 +22,12 @@ mod oscillator;
 mod passing;
 mod response;
 mod spectrum;
-mod without_contacts;
 
 pub use filter::{Decimator, FILTER_CORNER, FILTER_ORDER};
 pub use measurement::{Measurement, STRETCH};
 pub use passing::{LEAST_ORBITS, PassingSplit};
 pub use response::HOUSING_INTERVAL_S;
 pub use spectrum::{Spectrum, Welch, spectrum};
-pub use without_contacts::{AFTER_CONTACT_S, WithoutContacts};
 
 use crate::case::Housing;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
@@ -42,6 +40,18 @@ use response::Response;
 /// force constant over that time would.
 pub struct VibrationRecorder {
     response: Response,
+    /// Contacts between balls that are cut out.
+    cut: Option<Cut>,
+}
+
+/// Time after a contact between balls in which the balls still bounce between the raceways.
+pub const AFTER_CONTACT_S: f64 = 1e-4;
+
+/// Straight line in place of the force of a contact.
+struct Cut {
+    /// Start of the line; `None` outside of contacts.
+    from_s: Option<f64>,
+    touched_s: f64,
 }
 
 impl VibrationRecorder {
@@ -49,6 +59,24 @@ impl VibrationRecorder {
     pub fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
         Self {
             response: Response::new(housing, rate_hz, after_s),
+            cut: None,
+        }
+    }
+
+    /// Recorder under a force from which the contacts between balls are cut out: from the touch of any
+    /// two balls until [`AFTER_CONTACT_S`] after they part it is replaced by a straight line between its
+    /// values before and after.
+    ///
+    /// The response of the housing is linear: the difference from what [`Self::new`] measures is the
+    /// response to what was cut out. Slip that a contact leaves for longer, and the friction that ends
+    /// it, stay in.
+    pub fn without_contacts(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
+        Self {
+            cut: Some(Cut {
+                from_s: None,
+                touched_s: f64::NEG_INFINITY,
+            }),
+            ..Self::new(housing, rate_hz, after_s)
         }
     }
 
@@ -65,11 +93,19 @@ impl Observer for VibrationRecorder {
     }
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
-        self.response.add(
-            view.step.t0_s,
-            view.step.t1_s,
-            view.contacts.outer_ring_force_n(),
-        );
+        let (mut from_s, to_s) = (view.step.t0_s, view.step.t1_s);
+        if let Some(cut) = &mut self.cut {
+            if view.contacts.balls_touch() {
+                cut.touched_s = to_s;
+            }
+            if to_s - cut.touched_s < AFTER_CONTACT_S {
+                cut.from_s.get_or_insert(from_s);
+                return Ok(Control::Continue(()));
+            }
+            from_s = cut.from_s.take().unwrap_or(from_s);
+        }
+        let force_n = view.contacts.outer_ring_force_n();
+        self.response.add(from_s, to_s, force_n);
         Ok(Control::Continue(()))
     }
 }
