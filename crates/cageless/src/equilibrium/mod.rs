@@ -47,7 +47,7 @@ type Place = [f64; 2];
 type Stiffness = [[f64; 2]; 2];
 
 /// Balls at rest in the turning frame, and the ring.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Equilibrium {
     /// Centre of the inner ring.
     pub ring_x_m: f64,

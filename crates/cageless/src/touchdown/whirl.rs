@@ -6,7 +6,7 @@ use crate::contact_tracker::ContactCounts;
 use crate::numerics::angle::wrap_angle_rad;
 
 /// Motion of the journal round the centre of the bore in one interval of time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WhirlWindow {
     /// Start of the window, s.
     pub start_s: f64,
@@ -63,7 +63,7 @@ pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Optio
 }
 
 /// Divides the motion of the journal into windows of equal length.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct WhirlTracker {
     length_s: f64,
     angle_rad: Option<f64>,
@@ -82,14 +82,7 @@ impl WhirlTracker {
     pub(super) fn new(length_s: f64) -> Self {
         Self {
             length_s,
-            angle_rad: None,
-            paused: false,
-            open: Self::empty(0.0, 0.0),
-            contact_s: 0.0,
-            impulse_n_s: 0.0,
-            lift_n_s: 0.0,
-            collisions: ContactCounts::default(),
-            windows: vec![],
+            ..Self::default()
         }
     }
 
@@ -97,14 +90,9 @@ impl WhirlTracker {
         WhirlWindow {
             start_s,
             end_s: start_s,
-            turned_rad: 0.0,
-            path_rad: 0.0,
             angle_min_rad: angle_rad,
             angle_max_rad: angle_rad,
-            contact_fraction: 0.0,
-            force_mean_n: 0.0,
-            lift_mean_n: 0.0,
-            collisions: ContactCounts::default(),
+            ..WhirlWindow::default()
         }
     }
 

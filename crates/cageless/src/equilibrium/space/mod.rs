@@ -40,7 +40,7 @@ use load_balance::{Balanced, LoadBalance};
 use outer_section::{Flanks, OuterSection, SectionContact};
 
 /// Ring and balls in equilibrium.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct SpatialEquilibrium {
     /// What a planar equilibrium has as well, for the balls of all rows, one row after the other. A
     /// force at the outer raceway is the resultant of both flanks, a contact there the more loaded
@@ -289,35 +289,21 @@ fn result(
         rest: Equilibrium {
             ring_x_m: ring[0],
             ring_y_m: ring[1],
-            ball_angle_rad: vec![],
-            ball_distance_m: vec![],
-            effective_radius_m: vec![],
-            inner_force_n: vec![],
-            outer_force_n: vec![],
             inner_stiffness_n_m1_5,
             outer_stiffness_n_m1_5,
-            inner_contact: vec![],
-            outer_contact: vec![],
             stiffness_n_m: holds::<2>(&stiffness, balance.arm_m)
                 .then(|| [0, 1].map(|i| [stiffness[i][0], stiffness[i][1]])),
-            inner_pressure_max_pa: 0.0,
-            outer_pressure_max_pa: 0.0,
+            ..Equilibrium::default()
         },
-        ball_z_m: vec![],
         ring_z_m: ring[2],
         tilt_x_rad: -ring[4],
         tilt_y_rad: ring[3],
-        row: vec![],
         row_preload_m: (case.all_rows().iter().zip(&settled.shifts_m))
             .map(|(row, shift)| row.preload_m - row.contact_sign * shift)
             .collect(),
         row_axial_force_n: vec![0.0; settled.shifts_m.len()],
-        inner_contact_angle_rad: vec![],
-        outer_contact_angle_rad: vec![],
-        flank_force_n: vec![],
         stiffness: held.then_some(stiffness),
-        orbit_speed_rad_s: vec![],
-        ellipse_edge_max_rad: [0.0; 2],
+        ..SpatialEquilibrium::default()
     };
     let mut beyond = None;
     for (ball, rest) in balance.balls.iter().zip(&settled.rests) {
