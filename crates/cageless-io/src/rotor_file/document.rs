@@ -1,12 +1,10 @@
 //! A rotor file with its cases and every default, in the units of the file.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
-use toml::Value;
+use toml::{Table, Value};
 
+use super::RotorDescription;
 use super::keys::REPLACED;
-use super::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 use crate::case_file::format::SCHEMA;
 use crate::case_file::{CaseDocument, CaseError, CaseValue};
 
@@ -46,26 +44,41 @@ impl RotorFileDocument {
             unbalances,
             clearances,
         } = &self.rotor;
-        let bearings = bearings.iter().zip(&self.cases).map(|(&place, case)| {
-            let mut case = Value::try_from(case).map_err(unwritable)?;
-            if let Some(Value::Table(section)) = case.get_mut("rotor") {
-                section.retain(|key, _| !REPLACED.contains(&key));
+        let mut rotor = section(body)?;
+        rotor.insert("speed_rpm".to_owned(), self.speed_rpm.into());
+        rotor.insert("drive_torque_n_m".to_owned(), self.drive_torque_n_m.into());
+        let bearings = bearings.iter().zip(&self.cases).map(|(place, case)| {
+            let mut case = section(case)?;
+            if let Some(Value::Table(rotor)) = case.get_mut("rotor") {
+                rotor.retain(|key, _| !REPLACED.contains(&key));
             }
-            Ok(BearingText { place, case })
+            let mut bearing = section(place)?;
+            bearing.insert("case".to_owned(), case.into());
+            Ok(bearing)
         });
-        let text = RotorText {
-            schema: SCHEMA,
-            title: &self.title,
-            rotor: Rotor {
-                body,
-                speed_rpm: self.speed_rpm,
-                drive_torque_n_m: self.drive_torque_n_m,
-            },
-            bearing: numbered(bearings.collect::<Result<Vec<_>, CaseError>>()?),
-            unbalance: numbered(unbalances),
-            clearance: numbered(clearances),
-        };
-        Value::try_from(text).map_err(unwritable)
+        let mut text = Table::new();
+        text.insert("schema".to_owned(), (SCHEMA as i64).into());
+        text.insert("title".to_owned(), self.title.as_str().into());
+        text.insert("rotor".to_owned(), rotor.into());
+        for (name, sections) in [
+            ("bearing", bearings.collect::<Result<Vec<_>, _>>()?),
+            (
+                "unbalance",
+                unbalances.iter().map(section).collect::<Result<_, _>>()?,
+            ),
+            (
+                "clearance",
+                clearances.iter().map(section).collect::<Result<_, _>>()?,
+            ),
+        ] {
+            let numbers = (1..).map(|number: usize| number.to_string());
+            let numbered = numbers.zip(sections.into_iter().map(Value::from));
+            let numbered: Table = numbered.collect();
+            if !numbered.is_empty() {
+                text.insert(name.to_owned(), numbered.into());
+            }
+        }
+        Ok(text.into())
     }
 
     /// The value of a key of the rotor, `section.key` or `section.2.key`, its default if it has
@@ -90,42 +103,9 @@ impl RotorFileDocument {
     }
 }
 
-/// The text of a rotor file.
-#[derive(Serialize)]
-struct RotorText<'a> {
-    schema: u64,
-    title: &'a str,
-    rotor: Rotor<'a>,
-    bearing: Numbered<BearingText>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    unbalance: Numbered<&'a RotorUnbalance>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    clearance: Numbered<&'a RotorClearance>,
-}
-
-/// `[rotor]`.
-#[derive(Serialize)]
-struct Rotor<'a> {
-    #[serde(flatten)]
-    body: &'a RotorBody,
-    speed_rpm: f64,
-    drive_torque_n_m: f64,
-}
-
-/// `[[bearing]]` with its case.
-#[derive(Serialize)]
-struct BearingText {
-    #[serde(flatten)]
-    place: RotorPlace,
-    case: Value,
-}
-
-/// Sections by their numbers.
-type Numbered<T> = BTreeMap<String, T>;
-
-fn numbered<T>(sections: impl IntoIterator<Item = T>) -> Numbered<T> {
-    let numbers = (1..).map(|number: usize| number.to_string());
-    numbers.zip(sections).collect()
+/// A part of the document as a section.
+fn section(part: &impl Serialize) -> Result<Table, CaseError> {
+    Table::try_from(part).map_err(unwritable)
 }
 
 fn unwritable(error: toml::ser::Error) -> CaseError {
