@@ -1,4 +1,17 @@
 //! Contact of a ball with a raceway under its force: pressure and ellipse.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::raceway_contact::{RacewayContact, RacewayPoint};
+//!
+//! let bearing = common::structure(5.1, 25.2).bearing; // Zhao 2022, Table 1
+//! let pressure = |cosine: f64| {
+//!     let point = RacewayPoint::of_outer(cosine, 500.0);
+//!     RacewayContact::outer(&bearing, point).pressure_pa
+//! };
+//! // At 30° two points share the force, which press less than one on the plain raceway.
+//! assert!(pressure(30f64.to_radians().cos()) < pressure(1.0));
+//! ```
 
 use crate::bearing::Bearing;
 use crate::contact::hertz::PointContact;

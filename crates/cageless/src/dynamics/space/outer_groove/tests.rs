@@ -5,6 +5,11 @@ use crate::common::{slotted, structure};
 use crate::equilibrium::space::outer_section::{Flanks, OuterSection};
 use crate::numerics::taylor::Taylor;
 
+/// The flanks at ψ, not mirrored.
+fn here(model: &FlankModel, psi: f64) -> Option<FlanksHere> {
+    model.at(model.within(direction(psi))?, 1.0)
+}
+
 /// Along a slot of 1.9 mm and its run-out, on one edge and on both, for balls of two sizes: approach,
 /// shares and normals are those of the section in equilibrium; the slopes of the energy over ρ, ζ and
 /// ψ those that the forces take.
@@ -31,8 +36,8 @@ fn contacts_at_the_edges_of_a_slot_have_an_energy() {
             for place in [[6e-6, 0.0], [6e-6, 3e-6], [8e-6, -30e-6], [5e-6, 60e-6]] {
                 let place = [place[0] + slot.sink_m[0], place[1] + 2e-5];
                 let at = |psi: f64, place: [f64; 2]| {
-                    let here = models.iter().find_map(|m| m.at(direction(psi))).unwrap();
-                    groove.touch_flanks(place[0], place[1], &here)
+                    let flanks = models.iter().find_map(|m| here(m, psi)).unwrap();
+                    groove.touch_flanks(place[0], place[1], &flanks)
                 };
                 let energy = |psi: f64, place: [f64; 2]| {
                     let touch = at(psi, place);
@@ -126,8 +131,8 @@ fn contacts_are_those_of_the_section() {
         for psi in [-0.43, -0.3, 0.02, 0.2, 0.4395] {
             let [flank, slope] = raceway.contact_angle_rad(psi);
             for place in [[6e-6, 0.0], [6e-6, 3e-6], [8e-6, -30e-6], [5e-6, 80e-6]] {
-                let at = |psi: f64, place: [f64; 2]| match model.at(direction(psi)) {
-                    Some(here) => groove.touch_flanks(place[0], place[1], &here),
+                let at = |psi: f64, place: [f64; 2]| match here(&model, psi) {
+                    Some(flanks) => groove.touch_flanks(place[0], place[1], &flanks),
                     None => groove.touch(place[0], place[1]),
                 };
                 let touch = at(psi, place);
