@@ -328,6 +328,9 @@ fn why_empty(data: &RunData, name: &str) -> Error {
              stiffness_n_m=…, damping_n_s_m=…)"
         }
         "collisions" => "no balls touched",
+        "contact_angles" | "groove" if data.balls.iter().all(|ball| ball.z_m.is_empty()) => {
+            "balls have contact angles in space alone: set model.motion = \"space\""
+        }
         _ => {
             "the run is too short after its transient: lengthen solver.duration_s or shorten \
              output.interval_us"

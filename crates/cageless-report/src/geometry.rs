@@ -1,5 +1,6 @@
 //! Shape of a discrete raceway, sampled for drawing (Fig. 1b and 2).
 
+use cageless::surface::{Meridian, Side};
 use cageless::{Bearing, Raceway};
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +36,9 @@ pub struct RacewaySurface {
     pub z_mm: Vec<Vec<f64>>,
     /// Distance from the plain groove, µm; positive where material is taken away.
     pub deviation_um: Vec<Vec<f64>>,
+    /// Angle about the axis from its middle up to which it is drawn, rad.
+    #[serde(default)]
+    pub half_angle_rad: f64,
     /// Contact track, branch z > 0, points `[x, y, z]`, mm.
     pub track_mm: Vec<[f64; 3]>,
     /// Provenance.
@@ -49,6 +53,8 @@ const ALONG: usize = 121;
 const ACROSS: usize = 25;
 /// Extent of drawings beyond the ends of the raceway, over θ.
 const MARGIN: f64 = 1.2;
+/// Half of the plain groove that is drawn without a raceway.
+const PLAIN_RAD: f64 = 0.5;
 
 impl ContactTrack {
     /// Samples the track of `raceway`.
@@ -84,34 +90,47 @@ impl RacewaySurface {
 
     /// Samples the surface of `raceway`, turned so that its middle is at the bottom.
     pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: RacewayLabel) -> Self {
-        let centre = raceway.dimensions().centre_angle_rad;
+        Self::in_row(Some(raceway), bearing, 1.0, structure)
+    }
+
+    /// [`Self::sample`] of a row of this contact sign, without a raceway of the plain groove.
+    pub fn in_row(
+        raceway: Option<&Raceway>,
+        bearing: &Bearing,
+        contact_sign: f64,
+        structure: RacewayLabel,
+    ) -> Self {
+        let centre = raceway.map_or(0.0, |r| r.dimensions().centre_angle_rad);
+        let half = raceway.map_or(PLAIN_RAD, |r| r.half_angle_rad() * MARGIN);
         let d = bearing.dimensions();
         let re = d.outer_groove_curvature_radius_m;
         let plain = d.outer_groove_bottom_radius_m - re;
+        let plain_z = -contact_sign * bearing.groove_offset_m();
         let mut surface = Self {
             provenance: geometric(&structure),
             structure,
+            half_angle_rad: half,
             ..Self::default()
         };
+        let section = |local: f64| Meridian::of(bearing, raceway, contact_sign, centre + local);
         for k in 0..ALONG {
-            let local = raceway.half_angle_rad() * MARGIN * fraction(k, ALONG);
-            let [low, high] = raceway.meridian_range_rad(centre + local, bearing);
+            let local = half * fraction(k, ALONG);
+            let section = section(local);
             let (mut xs, mut ys, mut zs, mut deviations) = (vec![], vec![], vec![], vec![]);
             for m in 0..2 * ACROSS {
-                let side = if m < ACROSS { -1.0 } else { 1.0 };
-                let step = if m < ACROSS {
-                    ACROSS - 1 - m
-                } else {
-                    m - ACROSS
+                let (side, step) = match m.checked_sub(ACROSS) {
+                    None => (Side::Lower, ACROSS - 1 - m),
+                    Some(step) => (Side::Upper, step),
                 };
+                let arc = section.arc(side);
+                let (low, high) = (arc.valley_rad(), arc.shoulder_rad());
                 let eta = low + (high - low) * step as f64 / (ACROSS - 1) as f64;
-                let point = raceway.surface(centre + local, eta);
-                let [x, y, z] = point.position_m;
+                let [x, y, z] = arc.point(centre + local, eta).position_m;
                 let rho = x.hypot(y);
                 xs.push(rho * local.sin() * 1e3);
                 ys.push(-rho * local.cos() * 1e3);
-                zs.push(side * z * 1e3);
-                deviations.push(((rho - plain).hypot(z) - re) * 1e6);
+                zs.push(z * 1e3);
+                deviations.push(((rho - plain).hypot(z - plain_z) - re) * 1e6);
             }
             surface.x_mm.push(xs);
             surface.y_mm.push(ys);
@@ -119,14 +138,14 @@ impl RacewaySurface {
             surface.deviation_um.push(deviations);
         }
         for k in 0..TRACK_POINTS {
-            let local = raceway.half_angle_rad() * MARGIN * fraction(k, TRACK_POINTS);
-            let r = raceway.effective_radius_m(centre + local);
-            let rw = bearing.ball_radius_m();
-            let rho = d.outer_groove_bottom_radius_m - rw + r;
-            let z = (rw * rw - r * r).max(0.0).sqrt();
+            let local = half * fraction(k, TRACK_POINTS);
+            let section = section(local);
+            let arc = section.arc(Side::Upper);
+            let [x, y, z] = arc.point(centre + local, arc.contact_angle_rad).position_m;
+            let rho = x.hypot(y);
             surface
                 .track_mm
-                .push([rho * local.sin() * 1e3, -rho * local.cos() * 1e3, z * 1e3]);
+                .push([rho * local.sin(), -rho * local.cos(), z].map(|v| v * 1e3));
         }
         surface
     }

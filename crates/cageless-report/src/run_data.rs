@@ -98,6 +98,15 @@ pub struct BallHistory {
     pub vx_m_s: Vec<f64>,
     /// Velocity of the centre, m/s.
     pub vy_m_s: Vec<f64>,
+    /// Distance of the centre from the bearing axis, m; like the next two empty in the plane.
+    #[serde(default)]
+    pub distance_m: Vec<f64>,
+    /// z of the centre, m.
+    #[serde(default)]
+    pub z_m: Vec<f64>,
+    /// Contact angle at the inner raceway, rad; NaN without contact.
+    #[serde(default)]
+    pub inner_contact_angle_rad: Vec<f64>,
 }
 
 /// The balls over the last part of a run, row by row.

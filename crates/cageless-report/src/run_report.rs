@@ -340,6 +340,8 @@ fn histories_of(snapshots: &[Snapshot], balls: usize) -> Recent {
 
 fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
     let over = |f: &dyn Fn(&Snapshot) -> f64| snapshots.iter().map(f).collect::<Vec<f64>>();
+    let in_space = snapshots.iter().all(Snapshot::is_in_space);
+    let spatial = |f: &dyn Fn(&Snapshot) -> f64| if in_space { over(f) } else { vec![] };
     BallHistory {
         angle_deg: over(&|s| s.angle_rad[k].to_degrees()),
         gap_deg: over(&|s| s.gap_rad[k].to_degrees()),
@@ -351,6 +353,9 @@ fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
         x_mm: over(&|s| s.x_m[k] * 1e3),
         vx_m_s: over(&|s| s.vx_m_s[k]),
         vy_m_s: over(&|s| s.vy_m_s[k]),
+        distance_m: spatial(&|s| s.x_m[k].hypot(s.y_m[k])),
+        z_m: spatial(&|s| s.z_m[k]),
+        inner_contact_angle_rad: spatial(&|s| s.inner_contact_angle_rad[k]),
     }
 }
 

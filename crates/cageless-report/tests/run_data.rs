@@ -5,9 +5,11 @@ use cageless::collision::Collision;
 use cageless::simulation::ObserverError;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::{CaseFile, template};
-use cageless_report::figures::{ball, collisions, energy, history, ring};
+use cageless_report::figures::{
+    RUN, ball, collisions, contact_angles, energy, groove, history, ring,
+};
 use cageless_report::run_report::run_data;
-use cageless_report::{Figure, RunData};
+use cageless_report::{Figure, GrooveContacts, RunData};
 use cageless_study::Silent;
 use cageless_study::run::{Options, Rows, RunRecord, run};
 use serde_json::Value;
@@ -48,6 +50,167 @@ fn short_run() -> (RunRecord, RunData, Kept) {
     let record = run(&file, options, &Silent).unwrap();
     let data = run_data(&file, &record);
     (record, data, kept)
+}
+
+/// A run in space under an axial load in which ball 1 passes the raceway after the transient.
+fn run_in_space(more: &[&str]) -> (RunData, Kept) {
+    let set = [
+        "model.motion=space",
+        "operation.axial_load_n=150",
+        "solver.duration_s=0.005",
+        "output.interval_us=20",
+        "start.lead_ball_angle_deg=-110",
+    ];
+    let set: Vec<String> = set.iter().chain(more).map(|s| s.to_string()).collect();
+    let file = CaseFile::parse(&template(false), "case", &set).unwrap();
+    let mut kept = Kept::default();
+    let options = Options {
+        rows: Some(&mut kept),
+        verify: false,
+    };
+    let record = run(&file, options, &Silent).unwrap();
+    (run_data(&file, &record), kept)
+}
+
+/// The points of contact of a page carry the forces of the run: on two flanks each its share.
+#[test]
+fn contacts_on_the_grooves_carry_the_forces_of_the_run() {
+    let (data, kept) = run_in_space(&[]);
+    let found = GrooveContacts::of(&data).expect("a run in space");
+    let transient = kept.snapshots.len() - found.angle_rad.len();
+    let bearing = &found.case.bearing;
+    let [inner, _] = bearing.contacts_at([0.0; 2]);
+    let inside = found.in_raceway();
+    assert!(
+        inside.iter().filter(|both| **both).count() > 20,
+        "{inside:?}"
+    );
+    let mut plain = 0;
+    for (k, row) in kept.snapshots[transient..].iter().enumerate() {
+        let force = row.inner_force_n[0];
+        assert_eq!(found.inner.angle_rad[k], row.inner_contact_angle_rad[0]);
+        // The ellipse changes little with the angle.
+        let [_, half] = inner.semi_axes_m(force);
+        assert!((found.inner.semi_axes_m[k][1] / half - 1.0).abs() < 0.01);
+        // Of the semi-axis across the groove a force per point follows, of both points the resultant.
+        let points = found.outer.iter().filter(|c| c.angle_rad[k].is_finite());
+        let (mut along, mut across, mut count) = (0.0, 0.0, 0);
+        for point in points {
+            let angle_rad = point.angle_rad[k];
+            let [_, per_newton] = bearing.contacts_at([angle_rad; 2])[1].semi_axes_m(1.0);
+            let force = (point.semi_axes_m[k][1] / per_newton).powi(3);
+            let (sin, cos) = angle_rad.sin_cos();
+            (along, across, count) = (along + force * cos, across + force * sin, count + 1);
+        }
+        assert!(
+            (across.atan2(along) - row.outer_contact_angle_rad[0]).abs() < 1e-5,
+            "{k}"
+        );
+        assert!(
+            (along.hypot(across) / row.outer_force_n[0] - 1.0).abs() < 1e-5,
+            "{k}"
+        );
+        plain += usize::from(count == 1);
+    }
+    assert!(plain > 20);
+    // In the plane there are none.
+    assert!(GrooveContacts::of(&short_run().1).is_none());
+}
+
+#[test]
+fn the_unrolled_grooves_have_their_shoulders_and_flanks() {
+    let (data, _) = run_in_space(&[]);
+    let found = GrooveContacts::of(&data).unwrap();
+    let spec = spec(contact_angles::contact_angles(&data));
+    let [inner, outer] = found
+        .case
+        .bearing
+        .shoulder_angles_rad()
+        .map(f64::to_degrees);
+    let lines = spec["layout"]["shapes"].as_array().unwrap();
+    for (axis, shoulder) in [("y", outer), ("y2", inner)] {
+        for edge in [shoulder, -shoulder] {
+            let drawn =
+                |l: &Value| l["yref"] == axis && (l["y0"].as_f64().unwrap() - edge).abs() < 1e-3;
+            assert!(
+                lines.iter().any(|l| l["type"] == "line" && drawn(l)),
+                "{axis} {edge}"
+            );
+        }
+    }
+    let flanks = named(&spec, "flanks")["y"].as_array().unwrap();
+    let steepest = flanks.iter().filter_map(Value::as_f64).fold(0.0, f64::max);
+    // sin α = lC/(2 Rw).
+    let wanted = (5.1f64 / (2.0 * 4.7625)).asin().to_degrees();
+    assert!((steepest - wanted).abs() < 1e-3, "{steepest} {wanted}");
+    // The band reaches from end to end of the ellipse.
+    let centre = named(&spec, "inner contact")["y"][0].as_f64().unwrap();
+    let bands = spec["data"].as_array().unwrap().iter();
+    let band = bands.filter(|t| t["fill"] == "toself").last().unwrap();
+    let top = band["y"][0].as_f64().unwrap();
+    let radius_m = found.case.bearing.ball_radius_m();
+    let reach = (found.inner.semi_axes_m[0][1] / radius_m).to_degrees();
+    assert!((top - centre - reach).abs() < 1e-3, "{top} {centre}");
+    let said = figures(&data)
+        .into_iter()
+        .find(|f| f.label == "Contact angles")
+        .unwrap()
+        .caption;
+    let contact = &found.outer[0];
+    let ends = contact.angle_rad.iter().zip(&contact.semi_axes_m);
+    let far = ends
+        .map(|(angle, [_, a])| angle.abs() + a / radius_m)
+        .fold(0.0, f64::max);
+    let room = outer - far.to_degrees();
+    assert!(
+        said.contains(&format!(
+            "stays {room:.1}° inside the shoulder of the outer ring"
+        )),
+        "{said}"
+    );
+}
+
+/// Tracks lie on the surface that is drawn, of a section that is turned as well.
+#[test]
+fn the_ball_stands_on_its_groove() {
+    let turned = [
+        "bearing.contact_angle_deg=15",
+        "raceway.contact_angle_deg=15",
+        "operation.axial_load_n=1500",
+        "operation.radial_load_n=500",
+    ];
+    for more in [&[][..], &turned] {
+        let (data, _) = run_in_space(more);
+        let spec = spec(groove::groove(&data));
+        let grid = |name: &str| -> Vec<f64> {
+            let rows = spec["data"][0][name].as_array().unwrap().iter();
+            rows.flat_map(|row| row.as_array().unwrap())
+                .map(|v| v.as_f64().unwrap())
+                .collect()
+        };
+        let (x, y, z) = (grid("x"), grid("y"), grid("z"));
+        let tracks: Vec<&Value> = (spec["data"].as_array().unwrap().iter())
+            .filter(|trace| trace["name"] == "track")
+            .collect();
+        assert_eq!(tracks.len(), 2);
+        for track in tracks {
+            let of = |axis: &str, k: usize| track[axis][k].as_f64();
+            for k in (0..track["x"].as_array().unwrap().len()).step_by(5) {
+                let (Some(a), Some(b), Some(c)) = (of("x", k), of("y", k), of("z", k)) else {
+                    continue;
+                };
+                let far = |n: usize| (x[n] - a).hypot(y[n] - b).hypot(z[n] - c);
+                let nearest = (0..x.len()).map(far).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 0.2, "{nearest} mm from ({a}, {b}, {c})");
+            }
+        }
+    }
+}
+
+/// All figures of a page.
+fn figures(data: &RunData) -> Vec<Figure> {
+    let all = RUN.iter().flat_map(|(_, figures)| *figures);
+    all.filter_map(|figure| (figure.draw)(data)).collect()
 }
 
 fn spec(figure: Option<Figure>) -> Value {

@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions, raceway, steel};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::numerics::taylor::Taylor;
-use cageless::surface::{Mesh, OuterRing, OuterRingDimensions, Patch, Side};
+use cageless::surface::{Meridian, Mesh, OuterRing, OuterRingDimensions, Patch, Side};
 use cageless::{Bearing, Case, InputError, Row};
 
 const SIZE: OuterRingDimensions = OuterRingDimensions {
@@ -51,6 +51,30 @@ fn with_row(mut case: Case, contact_sign: f64) -> Case {
         ..Row::default()
     }];
     case
+}
+
+/// A section of a bearing is that of its ring, turned to either side, deeper and on the plain groove.
+#[test]
+fn a_section_needs_no_ring() {
+    for sign in [1.0, -1.0] {
+        let mut case = with_row(case(15.0, &[(5.1, 25.2, 17.3)], 12.0), sign);
+        case.raceways = vec![case.raceways[0].clone().with_depth(15e-6).unwrap()];
+        let size = OuterRingDimensions {
+            blend_m: 0.0,
+            ..SIZE
+        };
+        let ring = OuterRing::of(&case, size).unwrap();
+        for psi in [0.1f64, 0.3, 0.7] {
+            let section = Meridian::of(&case.bearing, case.raceways.first(), sign, psi);
+            assert_eq!(section, ring.meridian(psi));
+        }
+        let plain = Meridian::of(&case.bearing, None, sign, 0.3)
+            .point(0.2 * sign)
+            .position_m;
+        let wanted = ring.point(2.0, 0.2 * sign).position_m;
+        let apart = plain[0].hypot(plain[1]) - wanted[0].hypot(wanted[1]);
+        assert!(apart.abs() < 1e-15 && (plain[2] - wanted[2]).abs() < 1e-15);
+    }
 }
 
 /// Distance of a point from a B-spline, by finer and finer grids around the nearest point.

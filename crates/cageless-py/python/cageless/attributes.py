@@ -98,6 +98,8 @@ class RunAttributes:
     plot_orbit_speed: Callable[..., go.Figure]  # orbital speed of the balls over time
     plot_sliding: Callable[..., go.Figure]  # sliding speeds at the raceways
     plot_loads: Callable[..., go.Figure]  # forces on a ball at the raceways over ψ
+    plot_contact_angles: Callable[..., go.Figure]  # contacts of a ball on the unrolled grooves, of a run in space
+    plot_groove: Callable[..., go.Figure]  # a ball with its contact track on the outer groove in three dimensions, of a run in space
     plot_phase: Callable[..., go.Figure]  # phase portrait of a ball
     plot_vibration: Callable[..., go.Figure]  # vibration of the outer ring on its housing, spectrum of the whole run
 

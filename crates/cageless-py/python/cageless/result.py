@@ -37,6 +37,8 @@ TAKES: dict[str, dict[str, tuple[str, ...]]] = {
         "load_profile": (),
         "phase": ("ball", "time_s"),
         "loads": ("ball", "time_s"),
+        "contact_angles": ("ball", "time_s"),
+        "groove": ("ball", "time_s"),
         "ring_orbit": ("time_s",),
         "energy": (),
         "vibration": ("time_s",),

@@ -121,7 +121,7 @@ pub(super) fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> F
 
 /// The first ball that has a history: its number from 1, its rows, the first of them to be shown, and
 /// what part of the run they are.
-pub(super) fn shown_ball(run: &RunData) -> Option<(usize, &BallHistory, usize, String)> {
+pub(crate) fn shown_ball(run: &RunData) -> Option<(usize, &BallHistory, usize, String)> {
     let first = run.balls.iter().position(|b| !b.angle_deg.is_empty())?;
     let (ball, from, part) = match &run.recent {
         Some(recent) => {

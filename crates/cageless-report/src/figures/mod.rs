@@ -5,9 +5,11 @@ pub mod ball;
 pub mod collisions;
 pub mod compare;
 pub mod comparison;
+pub mod contact_angles;
 pub mod design;
 pub mod energy;
 pub mod gap_map;
+pub mod groove;
 pub mod history;
 pub mod orbit;
 pub(crate) mod panels;
@@ -74,6 +76,8 @@ pub const RUN: [(&str, &[Named<RunData>]); 5] = [
         "Ball 1",
         &[
             named("loads", "forces on a ball at the raceways over ψ", ball::loads),
+            named("contact_angles", "contacts of a ball on the unrolled grooves, of a run in space", contact_angles::contact_angles),
+            named("groove", "a ball with its contact track on the outer groove in three dimensions, of a run in space", groove::groove),
             named("phase", "phase portrait of a ball", ball::phase),
         ],
     ),

@@ -79,34 +79,24 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
     Figure::new("Figure 1b", &caption, &track.provenance, plot)
 }
 
-/// Fig. 2: the surface, in three dimensions.
-pub fn surface(surface: &RacewaySurface) -> Figure {
+/// The surface of a groove to scale, coloured by its distance from the plain one, seen from `eye`.
+pub(super) fn groove_plot(surface: &RacewaySurface, [x, y, z]: [f64; 3]) -> Plot {
     let grid = |rows: &[Vec<f64>]| -> Value { rows.iter().map(|row| numbers(row)).collect() };
-    let all: Vec<f64> = surface.deviation_um.iter().flatten().copied().collect();
-    let (low, high) = range(&all);
-    let most = low.abs().max(high.abs());
-    let column = |k: usize| -> Vec<f64> { surface.track_mm.iter().map(|p| lift(p)[k]).collect() };
-    let (x, y, z) = (column(0), column(1), column(2));
-    let mirrored: Vec<f64> = z.iter().map(|z| -z).collect();
-    let track = |z: &[f64]| {
-        json!({
-            "type": "scatter3d", "mode": "lines", "name": "contact track", "hoverinfo": "skip",
-            "x": numbers(&x), "y": numbers(&y), "z": numbers(z),
-            "line": { "color": "#111111", "width": 5 },
-        })
-    };
+    let [cut, left] = surface.depth_and_height_um();
+    // Of a plain groove only rounding is left.
+    let most = cut.max(left).max(0.1);
     let title = |text: &str| {
         json!({ "title": { "text": text }, "backgroundcolor": "#fff",
         "gridcolor": "#dddddd", "showbackground": false, "zeroline": false, "nticks": 5 })
     };
-    let plot = Plot::new(560)
+    Plot::new(560)
         .margin([0, 0, 10, 0])
         .set("scene", json!({
             "xaxis": title("x (mm)"), "yaxis": title("y (mm)"), "zaxis": title("z (mm)"),
             "aspectmode": "data",
             "camera": {
                 "up": { "x": 0, "y": 1, "z": 0 },
-                "eye": { "x": 0.75, "y": 1.15, "z": 1.05 },
+                "eye": { "x": x, "y": y, "z": z },
                 "center": { "x": 0, "y": -0.05, "z": 0 },
                 "projection": { "type": "orthographic" },
             },
@@ -124,6 +114,22 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
             "lighting": { "ambient": 0.75, "diffuse": 0.5, "specular": 0.08, "roughness": 0.8 },
             "hovertemplate": "x %{x:.3f} mm<br>y %{y:.3f} mm<br>z %{z:.3f} mm<br>%{surfacecolor:.1f} µm<extra></extra>",
         }))
+}
+
+/// Fig. 2: the surface, in three dimensions.
+pub fn surface(surface: &RacewaySurface) -> Figure {
+    let [high, low] = surface.depth_and_height_um();
+    let column = |k: usize| -> Vec<f64> { surface.track_mm.iter().map(|p| lift(p)[k]).collect() };
+    let (x, y, z) = (column(0), column(1), column(2));
+    let mirrored: Vec<f64> = z.iter().map(|z| -z).collect();
+    let track = |z: &[f64]| {
+        json!({
+            "type": "scatter3d", "mode": "lines", "name": "contact track", "hoverinfo": "skip",
+            "x": numbers(&x), "y": numbers(&y), "z": numbers(z),
+            "line": { "color": "#111111", "width": 5 },
+        })
+    };
+    let plot = groove_plot(surface, [0.75, 1.15, 1.05])
         .trace(track(&z))
         .trace(track(&mirrored));
     let caption = format!(
@@ -131,7 +137,7 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
              to scale, up to the shoulder; drag to turn it. Colour: distance from the plain \
              groove, positive where material is taken away. The lines are the contact tracks, \
              drawn 0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {} to {} µm.",
-        fixed(Some(low), 1),
+        fixed(Some(-low), 1),
         fixed(Some(high), 1)
     );
     Figure::new("Figure 2", &caption, &surface.provenance, plot)

@@ -30,6 +30,7 @@ pub fn run_data() -> RunData {
                 x_mm: psi.iter().map(|a| 23.0025 * a.sin()).collect(),
                 vx_m_s: psi.iter().zip(&v).map(|(a, v)| v * a.cos()).collect(),
                 vy_m_s: psi.iter().zip(&v).map(|(a, v)| v * a.sin()).collect(),
+                ..BallHistory::default()
             }
         })
         .collect();

@@ -248,7 +248,7 @@ impl Case {
     }
 
     /// The rows of the bearing, that of a bearing without further rows in the middle plane.
-    pub(crate) fn all_rows(&self) -> Vec<Row> {
+    pub fn all_rows(&self) -> Vec<Row> {
         match self.rows.is_empty() {
             false => self.rows.clone(),
             true => vec![Row::default()],

@@ -4,7 +4,8 @@
 use super::arc::Arc;
 use super::section_frame::SectionFrame;
 use super::side::Side;
-use crate::raceway::SurfacePoint;
+use crate::bearing::Bearing;
+use crate::raceway::{Raceway, SurfacePoint};
 
 /// Section of the groove at one ψ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +19,27 @@ pub struct Meridian {
 }
 
 impl Meridian {
+    /// Section at ψ of a bearing whose balls press the outer ring to the side of this sign along the
+    /// axis: through the raceway if there is one.
+    pub fn of(
+        bearing: &Bearing,
+        raceway: Option<&Raceway>,
+        contact_sign: f64,
+        angle_rad: f64,
+    ) -> Self {
+        let axis_rad = raceway.map_or(bearing.contact_angle_rad(), Raceway::section_angle_rad);
+        let mut frame = SectionFrame::new(bearing, axis_rad);
+        let mut flank = [0.0; 2];
+        if let Some(raceway) = raceway.filter(|raceway| raceway.contains(angle_rad)) {
+            frame = frame.deeper(raceway.depth_at_m(angle_rad));
+            flank = raceway.contact_angle_rad(raceway.local_angle_rad(angle_rad));
+        }
+        if contact_sign < 0.0 {
+            frame = frame.mirrored();
+        }
+        Self::new(&frame, angle_rad, flank)
+    }
+
     /// Section at ψ with the flank angle α and dα/dψ.
     pub(super) fn new(frame: &SectionFrame, angle_rad: f64, flank: [f64; 2]) -> Self {
         Self {

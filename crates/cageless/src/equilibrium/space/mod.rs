@@ -21,6 +21,7 @@
 //! ```
 
 mod ball;
+mod groove_point;
 mod load_balance;
 pub mod outer_section;
 
@@ -36,6 +37,7 @@ use crate::numerics::cholesky::solve as solve_equations;
 use crate::profile::Profile;
 use crate::raceway::Slot;
 use ball::{Ring, SpatialBall};
+pub use groove_point::{GroovePoint, inner_point, outer_points};
 use load_balance::{Balanced, LoadBalance};
 use outer_section::{Flanks, OuterSection, SectionContact};
 
@@ -153,8 +155,8 @@ fn balance(case: &Case) -> LoadBalance {
             };
             let [inner_stiffness_n_m1_5, mut outer_stiffness_n_m1_5, _] =
                 case.ball_stiffness_n_m1_5(k);
-            let flanks = flanks(case, angle_rad, row.contact_sign);
-            if let Some(slot) = flanks.and_then(|flanks| flanks.slot) {
+            let outer = outer_section(case, row, k, angle_rad);
+            if let Some(slot) = outer.flanks.and_then(|flanks| flanks.slot) {
                 outer_stiffness_n_m1_5 *= slot.stiffness_ratio[0];
             }
             balls.push(SpatialBall {
@@ -163,11 +165,7 @@ fn balance(case: &Case) -> LoadBalance {
                 radius_m: ball.radius_m,
                 mass_kg: ball.mass_kg,
                 orbit_radius_m: d.outer_groove_bottom_radius_m - ball.radius_m,
-                outer: OuterSection {
-                    gap_m: d.outer_groove_curvature_radius_m - ball.radius_m,
-                    axial_m: -offset - row.contact_sign * row.preload_m,
-                    flanks,
-                },
+                outer,
                 axial_m: row.axial_position_m,
                 inner_gap_m: d.inner_groove_curvature_radius_m - ball.radius_m,
                 inner_centre_m: d.inner_groove_bottom_radius_m + d.inner_groove_curvature_radius_m,
@@ -196,6 +194,40 @@ fn balance(case: &Case) -> LoadBalance {
 fn slot(case: &Case, angle_rad: f64) -> Option<(&Slot, f64)> {
     let raceway = case.raceways.iter().find(|r| r.contains(angle_rad))?;
     Some((raceway.slot()?, raceway.local_angle_rad(angle_rad)))
+}
+
+/// Section of the outer raceway at ball `k` of a row, from 0, at ψ.
+fn outer_section(case: &Case, row: &Row, k: usize, angle_rad: f64) -> OuterSection {
+    let bearing = &case.bearing;
+    let groove_m = bearing.dimensions().outer_groove_curvature_radius_m;
+    let side = row.contact_sign;
+    OuterSection {
+        gap_m: groove_m - bearing.ball(k).radius_m,
+        axial_m: -side * bearing.groove_offset_m() - side * row.preload_m,
+        flanks: flanks(case, angle_rad, side),
+    }
+}
+
+/// Contact of a ball at ψ with the outer raceway under this contact angle and force.
+fn outer_contact(
+    case: &Case,
+    angle_rad: f64,
+    contact_angle_rad: f64,
+    force_n: f64,
+) -> RacewayContact {
+    let bearing = &case.bearing;
+    match slot(case, angle_rad) {
+        Some((slot, local)) => RacewayContact::new(&slot.contact(local, bearing), force_n),
+        None => RacewayContact::new(&bearing.contacts_at([contact_angle_rad; 2])[1], force_n),
+    }
+}
+
+/// Contact with the inner raceway under this contact angle and force.
+fn inner_contact(case: &Case, contact_angle_rad: f64, force_n: f64) -> RacewayContact {
+    RacewayContact::new(
+        &case.bearing.contacts_at([contact_angle_rad; 2])[0],
+        force_n,
+    )
 }
 
 /// Flanks of the raceway at ψ, in a row of this sign.
@@ -344,13 +376,10 @@ fn push_ball(
     let speed = case.operation.inner_speed_rad_s;
     let number = solved.row.len();
     let heavier = contacts.iter().max_by(|a, b| a.share.total_cmp(&b.share));
-    let at = |angle: f64| bearing.contacts_at([if angle.is_nan() { 0.0 } else { angle }; 2]);
-    let slot = slot(case, ball.angle_rad).map(|(slot, local)| slot.contact(local, bearing));
-    let at_outer = |angle: f64, force_n: f64| match &slot {
-        Some(edge) => RacewayContact::new(edge, force_n),
-        None => RacewayContact::new(&at(angle)[1], force_n),
+    let at_outer = |angle: f64, force_n: f64| outer_contact(case, ball.angle_rad, angle, force_n);
+    let at_inner = |angle: f64, force_n: f64| {
+        inner_contact(case, if angle.is_nan() { 0.0 } else { angle }, force_n)
     };
-    let at_inner = |angle: f64, force_n: f64| RacewayContact::new(&at(angle)[0], force_n);
     let rest = &mut solved.rest;
     rest.ball_angle_rad.push(ball.angle_rad);
     rest.ball_distance_m.push(ball.orbit_radius_m + place[0]);

@@ -1,0 +1,137 @@
+//! A ball with its contact track on the outer groove, of a run in space.
+
+use std::f64::consts::{PI, TAU};
+
+use serde_json::{Value, json};
+
+use super::history::figure;
+use super::shape::groove_plot;
+use crate::data::RacewayLabel;
+use crate::figure::Figure;
+use crate::geometry::RacewaySurface;
+use crate::groove_contacts::GrooveContacts;
+use crate::plot::{PALETTE, numbers};
+use crate::run_data::RunData;
+
+/// Points of the outline of an ellipse, and of the ball around and from pole to pole.
+const OUTLINE: usize = 48;
+const BALL: [usize; 2] = [32, 17];
+/// Place from which it is seen, above the load zone.
+const EYE: [f64; 3] = [0.5, 1.4, 0.62];
+/// Distance of lines from the surface, m: none hides in it.
+const LIFT_M: f64 = 3e-5;
+
+/// The groove around the first raceway, or at the bottom, with a ball, its contacts and their tracks.
+pub fn groove(run: &RunData) -> Option<Figure> {
+    let ball = GrooveContacts::of(run)?;
+    let case = &ball.case;
+    let (row, raceway) = (ball.row(), case.raceways.first());
+    // The edges of a slot are no groove.
+    if raceway.is_some_and(|r| r.slot().is_some()) {
+        return None;
+    }
+    let label = RacewayLabel::default();
+    let surface = RacewaySurface::in_row(raceway, &case.bearing, row.contact_sign, label);
+    let centre = raceway.map_or(0.0, |r| r.dimensions().centre_angle_rad);
+    let local = |psi: f64| psi - centre - TAU * ((psi - centre) / TAU).round();
+    let radius = case.bearing.ball_radius_m();
+    let ring_m = row.axial_position_m - row.contact_sign * row.preload_m;
+    // A point in the direction `angle` of the meridian plane from the centre of the ball in row `k`.
+    let point = |k: usize, ahead: f64, angle: f64, radius: f64| -> [f64; 3] {
+        let [distance, z] = ball.centre_m[k];
+        let (rho, psi) = (
+            distance + radius * angle.cos(),
+            local(ball.angle_rad[k]) + ahead,
+        );
+        [
+            rho * psi.sin(),
+            -rho * psi.cos(),
+            z - ring_m + radius * angle.sin(),
+        ]
+    };
+    let middle = |k: &usize| local(ball.angle_rad[*k]).abs();
+    let seen = |k: &usize| middle(k) <= surface.half_angle_rad;
+    let rows: Vec<usize> = (0..ball.angle_rad.len()).filter(seen).collect();
+    let drawn = (rows.iter().copied()).min_by(|a, b| middle(a).total_cmp(&middle(b)))?;
+    let mut plot = groove_plot(&surface, EYE).trace(sphere(&|polar, turn| {
+        // About the radius.
+        let [distance, z] = ball.centre_m[drawn];
+        let (sin, cos) = local(ball.angle_rad[drawn]).sin_cos();
+        let (rho, along) = (
+            distance + radius * polar.cos(),
+            radius * polar.sin() * turn.sin(),
+        );
+        let height = z - ring_m + radius * polar.sin() * turn.cos();
+        [rho * sin + along * cos, along * sin - rho * cos, height]
+    }));
+    for (contact, colour) in ball.outer.iter().zip(PALETTE) {
+        let mut track: Vec<[f64; 3]> = vec![];
+        for (n, &k) in rows.iter().enumerate() {
+            if n > 0 && rows[n - 1] + 1 < k {
+                track.push([f64::NAN; 3]);
+            }
+            track.push(point(k, 0.0, contact.angle_rad[k], radius - LIFT_M));
+        }
+        let [along, across] = contact.semi_axes_m[drawn];
+        let (angle, distance) = (contact.angle_rad[drawn], ball.centre_m[drawn][0] + radius);
+        let outline = (0..=OUTLINE).map(|n| {
+            let turn = TAU * n as f64 / OUTLINE as f64;
+            let angle = angle + across / radius * turn.cos();
+            point(
+                drawn,
+                along * turn.sin() / distance,
+                angle,
+                radius - 2.0 * LIFT_M,
+            )
+        });
+        for (name, points, width) in [("track", track, 3), ("ellipse", outline.collect(), 4)] {
+            if points.iter().any(|p| p[0].is_finite()) {
+                plot = plot.trace(line(name, &points, colour, width));
+            }
+        }
+    }
+    let [around, colours] = match raceway {
+        Some(_) => [
+            "around the first raceway",
+            ": blue on the plain groove and on the flank towards +z, orange on the other. Colour of the \
+             surface: distance from the plain groove, positive where material is taken away",
+        ],
+        None => ["at the bottom", ""],
+    };
+    let caption = format!(
+        "Outer groove {around}, to scale, up to its shoulders, with ball {} near the middle, its contact \
+         ellipses there and the tracks of its contacts {}{colours}. Drag to turn it.",
+        ball.ball, ball.part
+    );
+    Some(figure(run, "Ball on the groove", &caption, plot))
+}
+
+fn mm(lengths_m: impl Iterator<Item = f64>) -> Value {
+    numbers(&lengths_m.map(|v| v * 1e3).collect::<Vec<f64>>())
+}
+
+fn line(name: &str, points: &[[f64; 3]], colour: &str, width: u32) -> Value {
+    let of = |k: usize| mm(points.iter().map(|p| p[k]));
+    json!({
+        "type": "scatter3d", "mode": "lines", "name": name, "hoverinfo": "skip",
+        "x": of(0), "y": of(1), "z": of(2), "line": { "color": colour, "width": width },
+    })
+}
+
+/// A ball that can be seen through, by its points over the angle from a pole and around it.
+fn sphere(point: &dyn Fn(f64, f64) -> [f64; 3]) -> Value {
+    let [around, along] = BALL;
+    let share = |k: usize, count: usize| k as f64 / (count - 1) as f64;
+    let of = |axis: usize| -> Value {
+        let row = |k: usize| {
+            let polar = PI * share(k, along);
+            let turn = |n: usize| point(polar, TAU * share(n, around))[axis];
+            mm((0..around).map(turn))
+        };
+        (0..along).map(row).collect()
+    };
+    json!({
+        "type": "surface", "name": "ball", "hoverinfo": "skip", "showscale": false, "opacity": 0.3,
+        "x": of(0), "y": of(1), "z": of(2), "colorscale": [[0, "#8a98a8"], [1, "#8a98a8"]],
+    })
+}
