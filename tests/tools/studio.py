@@ -16,6 +16,7 @@ from browser import in_browsers, thrown_text
 from pages import axe
 from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
 from studio_map import axes, older, raceway_map
+from studio_space import space
 from studio_tab import S, StudioTab
 
 
@@ -241,7 +242,7 @@ def files(s):
         " window.cagelessSave = kept; return made; })()"
     )
     entries = s.js("[...document.querySelectorAll('[data-saves]')].map((b) => b.dataset.saves)")
-    s.check("every entry of the menu saves a file", set(made) == set(entries) and len(entries) >= 19, set(entries) - set(made))
+    s.check("every entry of the menu saves a file", set(made) == set(entries) and len(entries) >= 20, set(entries) - set(made))
     heads = {"gaps": "time_s,gap_1_deg,", "track": "angle_deg,effective_radius_mm,axial_mm", "terms": "criterion,kind,value,limit,margin",
              "map": "axial_span_mm,half_angle_deg,beta0_deg,margin_both_neighbours", "bearing": "time_s,ball,angle_deg", "depth": "angle_deg,axial_mm,depth_um"}  # fmt: skip
     for entry, file in made.items():
@@ -361,6 +362,7 @@ def studio(browser, name, url, screens):
         older(s)
         axes(s)
         times(s)
+        space(s, screens)
         drop(s, screens)
         studies(s) if served else alone(s)
     links(s, browser)

@@ -108,7 +108,7 @@ def axes(s):
     s.tab.wait_for(fresh)
     first, before = s.toml(), s.js(saved).splitlines()[0]
     offered = s.js("[...document.querySelectorAll('[data-axis=\"1\"] option')].map((o) => o.value)")
-    s.check("the axes are the controls of the raceway", offered == ["span", "theta", "centre", "blend", "depth"], offered)
+    s.check("the axes are the controls of the raceway", offered == ["span", "theta", "centre", "blend", "depth", "section"], offered)
     s.js(choose.format(0, "depth"))
     s.check("a map over others is not shown as one of the new axes", s.js(f"{S}.map.box") is None)
     s.tab.wait_for(fresh)

@@ -3,13 +3,15 @@
 use std::f64::consts::TAU;
 
 use cageless::Case;
-use cageless::design::Estimate;
-use cageless::equilibrium;
+use cageless::design::{Estimate, seats};
+use cageless::equilibrium::{self, EquilibriumError};
 use cageless::raceway::Raceway;
+use cageless::surface::{Meridian, Side};
 use cageless_io::case_file::CaseFile;
-use cageless_results::{DESIGN, Results, Subject, static_record};
+use cageless_results::{DESIGN, Record, Results, Subject, spatial_record, static_record};
 use serde_json::{Value, json};
 
+use crate::motion::{DEGREES, rounded};
 use crate::refusal::Refusal;
 
 /// Points along a raceway, from end to end and a fifth of θ beyond.
@@ -23,29 +25,24 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
     let case = file.case();
     let bearing = &case.bearing;
     let d = bearing.dimensions();
-    let equilibrium = equilibrium::solve(case);
-    let estimate = equilibrium
-        .as_ref()
-        .ok()
-        .map(|e| Estimate::new(case, e))
-        .map(|estimate| {
-            let terms: Vec<Value> = estimate
-                .terms()
-                .iter()
-                .map(|t| {
-                    json!({
-                        "name": t.name, "value": t.value, "limit": t.limit,
-                        "margin": t.margin(), "at_least": t.at_least, "meaning": t.meaning,
-                    })
+    let settled = settled(case);
+    let estimate = settled.as_ref().ok().map(|(_, estimate)| {
+        let terms: Vec<Value> = estimate
+            .terms()
+            .iter()
+            .map(|t| {
+                json!({
+                    "name": t.name, "value": t.value, "limit": t.limit,
+                    "margin": t.margin(), "at_least": t.at_least, "meaning": t.meaning,
                 })
-                .collect();
-            json!({ "passes": estimate.passes(), "terms": terms })
-        });
+            })
+            .collect();
+        json!({ "passes": estimate.passes(), "terms": terms })
+    });
     let design = Results::of(DESIGN, Subject::Design(case));
     let mut rows = json!({ "design": rows(&design), "static": [] });
-    let statics = match &equilibrium {
-        Ok(e) => {
-            let record = static_record(case, e);
+    let statics = match &settled {
+        Ok((record, _)) => {
             rows["static"] = self::rows(&record.results);
             json!(record)
         }
@@ -75,7 +72,29 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
         "static": statics,
         "estimate": estimate,
         "rotor": rotor(case),
+        "space": space(case),
     }))
+}
+
+/// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.
+fn settled(case: &Case) -> Result<(Record, Estimate), EquilibriumError> {
+    if case.rotor.is_some() || !case.moves_in_space() {
+        let solved = equilibrium::solve(case)?;
+        return Ok((static_record(case, &solved), Estimate::new(case, &solved)));
+    }
+    let solved = equilibrium::space::solve(case)?;
+    let estimate = Estimate::in_space(case, &seats(case)?, Some(&solved));
+    Ok((spatial_record(case, &solved), estimate))
+}
+
+/// Contact signs of the rows and shoulder angles, inner and outer, of a case that moves in space.
+fn space(case: &Case) -> Option<Value> {
+    let signs: Vec<f64> = (case.all_rows().iter())
+        .map(|row| row.contact_sign)
+        .collect();
+    let angles = rounded(&case.bearing.shoulder_angles_rad(), DEGREES, 4);
+    case.moves_in_space()
+        .then(|| json!({ "signs": signs, "shoulders_deg": angles }))
 }
 
 /// The rotor of a case and the bore that it falls onto.
@@ -91,43 +110,65 @@ fn rotor(case: &Case) -> Option<Value> {
     }))
 }
 
-/// Track and depth of one raceway. Depth is the distance from the plain groove, positive where
-/// material is taken away, over ψ and z.
+/// Flanks and depth of one raceway of the first row. Depth is the distance from
+/// the plain groove, positive where material is taken away, over ψ and z from shoulder to shoulder; that
+/// of a slot, whose edges are no grooves, is left out.
 fn raceway(case: &Case, raceway: &Raceway) -> Value {
     let bearing = &case.bearing;
-    let rw = bearing.ball_radius_m();
     let d = raceway.dimensions();
     let plain_curvature_m = bearing.dimensions().outer_groove_curvature_radius_m;
     // Centre circle of the plain groove.
     let plain_centre_m = bearing.dimensions().outer_groove_bottom_radius_m - plain_curvature_m;
-    let (mut angle, mut radius, mut axial) = (vec![], vec![], vec![]);
+    let sign = case.all_rows()[0].contact_sign;
+    let plain_z_m = -sign * bearing.groove_offset_m();
+    let (mut angle, mut radius) = (vec![], vec![]);
+    let (mut flanks, mut tracks) = ([vec![], vec![]], [vec![], vec![]]);
     let (mut across, mut depth) = (vec![], vec![]);
     for k in 0..ALONG {
         let fraction = 2.0 * k as f64 / (ALONG - 1) as f64 - 1.0;
         let local = raceway.half_angle_rad() * BEYOND * fraction;
         let psi = d.centre_angle_rad + local;
-        let r = raceway.effective_radius_m(psi);
-        angle.push(local.to_degrees());
-        radius.push(r * 1e3);
-        axial.push((rw * rw - r * r).max(0.0).sqrt() * 1e3);
-        let [from, to] = raceway.meridian_range_rad(psi, bearing);
+        angle.push(local);
+        radius.push(raceway.effective_radius_m(psi));
+        let section = Meridian::of(bearing, Some(raceway), sign, psi);
         let (mut z_row, mut depth_row) = (vec![], vec![]);
-        for j in 0..ACROSS {
-            let eta = from + (to - from) * j as f64 / (ACROSS - 1) as f64;
-            let [x, y, z] = raceway.surface(psi, eta).position_m;
-            let from_centre = (x.hypot(y) - plain_centre_m).hypot(z);
-            z_row.push((z * 1e6).round() / 1e3);
-            depth_row.push(((from_centre - plain_curvature_m) * 1e8).round() / 1e2);
+        for (n, arc) in section.arcs.iter().enumerate() {
+            let contact = arc.point(psi, arc.contact_angle_rad);
+            flanks[n].push(arc.side.sign() * arc.contact_angle_rad);
+            tracks[n].push(contact.position_m[2]);
         }
-        across.push(z_row);
-        depth.push(depth_row);
+        for side in [Side::Lower, Side::Upper] {
+            let arc = section.arc(side);
+            let (from, to) = (arc.valley_rad(), arc.shoulder_rad());
+            let mut points: Vec<[f64; 3]> = (0..ACROSS)
+                .map(|j| from + (to - from) * j as f64 / (ACROSS - 1) as f64)
+                .map(|eta| arc.point(psi, eta).position_m)
+                .collect();
+            if side == Side::Lower {
+                points.reverse();
+            }
+            for [x, y, z] in points {
+                let from_centre = (x.hypot(y) - plain_centre_m).hypot(z - plain_z_m);
+                z_row.push(z);
+                depth_row.push(from_centre - plain_curvature_m);
+            }
+        }
+        if raceway.slot().is_none() {
+            across.push(rounded(&z_row, 1e3, 3));
+            depth.push(rounded(&depth_row, 1e6, 2));
+        }
     }
+    let degrees = |angles: &[f64]| rounded(angles, DEGREES, 6);
     json!({
         "shape": raceway.form().shape.name(),
         "axial_span_mm": d.axial_span_m * 1e3,
         "half_angle_deg": raceway.half_angle_rad().to_degrees(),
         "centre_angle_deg": d.centre_angle_rad.to_degrees(),
-        "angle_deg": angle, "effective_radius_mm": radius, "track_mm": axial,
+        "angle_deg": degrees(&angle),
+        "effective_radius_mm": rounded(&radius, 1e3, 6),
+        "centre_mm": plain_z_m * 1e3,
+        "flank_deg": flanks.each_ref().map(|angles| degrees(angles)),
+        "track_mm": tracks.each_ref().map(|z| rounded(z, 1e3, 6)),
         "across_mm": across, "depth_um": depth,
     })
 }
@@ -139,5 +180,5 @@ fn rows(results: &Results) -> Value {
 
 /// The static equilibrium of a case.
 pub(crate) fn equilibrium(case: &Case) -> Result<Value, Refusal> {
-    Ok(json!(static_record(case, &equilibrium::solve(case)?)))
+    Ok(json!(settled(case)?.0))
 }

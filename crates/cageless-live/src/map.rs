@@ -1,6 +1,7 @@
 //! Estimates over two keys of a case.
 
-use cageless::design::{Eq11, Estimate, theoretical_gap_rad};
+use cageless::Case;
+use cageless::design::{Eq11, Estimate, seats, theoretical_gap_rad};
 use cageless::equilibrium;
 use cageless::simulation::Control;
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, Change};
@@ -8,7 +9,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use crate::ranges::{Span, possible};
-use crate::refusal::{Refusal, planar, read};
+use crate::refusal::{Refusal, read};
 
 /// Points of one map, at most.
 const POINTS_MAX: usize = 20_000;
@@ -43,7 +44,12 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
         let message = format!("a map has at most {POINTS_MAX} points");
         return Err(Refusal::new(message));
     }
-    read(case)?;
+    let base = read(case)?;
+    // No raceway moves the balls on a plain ring, which take long to settle in space.
+    let of_raceway = [across, up]
+        .iter()
+        .all(|axis| axis.key.starts_with("raceway."));
+    let rests = of_raceway.then(|| seats(base.case()).ok()).flatten();
     let case = CaseDocument::parse(case, "case")?;
     let span = Span::of_key(&across.key, low, high)?;
     let (mut beta0, mut refused, mut ranges) = (vec![], vec![], vec![]);
@@ -60,7 +66,7 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
         let mut refused_row = vec![Value::Null; count];
         for (k, &value) in across.values.iter().enumerate() {
             let value = CaseValue::Number(value);
-            let file = match planar(&row, &[Change::new(&across.key, &value, ("map", 1))]) {
+            let file = match row.with(&[Change::new(&across.key, &value, ("map", 1))]) {
                 Ok(file) => file,
                 Err(error) => {
                     refused_row[k] = json!(error.to_string());
@@ -68,10 +74,10 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
                 }
             };
             beta0_row[k] = json!(beta0_deg(&file));
-            let Ok(equilibrium) = equilibrium::solve(file.case()) else {
+            let Some(estimate) = estimate(file.case(), rests.as_deref()) else {
                 continue;
             };
-            for term in Estimate::new(file.case(), &equilibrium).terms() {
+            for term in estimate.terms() {
                 let rows = margins
                     .entry(term.name)
                     .or_insert_with(|| json!(vec![vec![Value::Null; count]; up.values.len()]));
@@ -82,6 +88,18 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
         refused.push(refused_row);
     }
     Ok(json!({ "beta0_deg": beta0, "margins": margins, "refused": refused, "possible": ranges }))
+}
+
+/// The estimate of a point; in space without the contact stress, from where the balls of all points rest
+/// if they are given.
+fn estimate(case: &Case, rests: Option<&[[f64; 2]]>) -> Option<Estimate> {
+    if !case.moves_in_space() {
+        return Some(Estimate::new(case, &equilibrium::solve(case).ok()?));
+    }
+    Some(match rests {
+        Some(rests) => Estimate::in_space(case, rests, None),
+        None => Estimate::in_space(case, &seats(case).ok()?, None),
+    })
 }
 
 fn beta0_deg(file: &CaseFile) -> Option<f64> {

@@ -6,6 +6,7 @@ use cageless::Case;
 use cageless::case::INTERVAL_MIN_S;
 use cageless::dynamics::layout::Layout;
 use cageless::dynamics::state::State;
+use cageless::equilibrium::space::{inner_point, outer_points};
 use cageless::initial_conditions::initial_state;
 use cageless::recorder::Recorder;
 use cageless::rotor::Rotor;
@@ -93,7 +94,7 @@ pub(crate) fn motion(
             stretch.frames
         )));
     }
-    let balls = case.bearing.balls();
+    let balls = case.balls();
     let (from_s, state, angles) = match &stretch.resume {
         None => {
             let (state, angles) = initial_state(case)?;
@@ -168,8 +169,11 @@ pub(crate) fn motion(
     }))
 }
 
+/// Degrees of a radian.
+pub(crate) const DEGREES: f64 = 180.0 / PI;
+
 /// Numbers in another unit, to `digits` decimals.
-fn rounded(values: &[f64], factor: f64, digits: i32) -> Vec<f64> {
+pub(crate) fn rounded(values: &[f64], factor: f64, digits: i32) -> Vec<f64> {
     let scale = 10f64.powi(digits);
     values
         .iter()
@@ -179,20 +183,55 @@ fn rounded(values: &[f64], factor: f64, digits: i32) -> Vec<f64> {
 
 /// One frame, to the precision of a picture.
 fn frame(case: &Case, from_s: f64, s: &Snapshot) -> Value {
-    let degrees = 180.0 / PI;
     let mut frame = json!({
         "t": from_s + s.time_s,
-        "angle_deg": rounded(&s.angle_rad, degrees, 5),
-        "gap_deg": rounded(&s.gap_rad, degrees, 5),
+        "angle_deg": rounded(&s.angle_rad, DEGREES, 5),
+        "gap_deg": rounded(&s.gap_rad, DEGREES, 5),
         "inner_force_n": rounded(&s.inner_force_n, 1.0, 2),
         "outer_force_n": rounded(&s.outer_force_n, 1.0, 2),
         "sliding_m_s": rounded(&s.outer_sliding_m_s, 1.0, 4),
         "ring_um": rounded(&[s.ring.x_m, s.ring.y_m], 1e6, 3),
     });
+    if s.is_in_space() {
+        frame["space"] = contacts(case, s);
+    }
     if let (Some(rotor), Some(r)) = (&case.rotor, &s.rotor) {
         frame["rotor"] = rotor_frame(rotor, r, [s.ring.x_m, s.ring.y_m]);
     }
     frame
+}
+
+/// Contacts of the balls with both raceways in a frame: angle and half length of each ellipse, over the
+/// radius of the ball, degrees, and z in its ring, mm; all 0 without contact. Of the outer raceway the contact on the plain groove
+/// or the flank towards +Z, and that on the other flank.
+fn contacts(case: &Case, s: &Snapshot) -> Value {
+    let mut found: [[Vec<f64>; 3]; 3] = Default::default();
+    let (rows, radius_m) = (case.all_rows(), case.bearing.ball_radius_m());
+    for k in 0..s.balls() {
+        let row = &rows[k / case.bearing.balls()];
+        let ring_z_m = row.axial_position_m - row.contact_sign * row.preload_m;
+        let place = [s.x_m[k].hypot(s.y_m[k]), s.z_m[k]];
+        let [plus, minus] = outer_points(case, k, s.angle_rad[k], place, s.outer_force_n[k]);
+        let inner = inner_point(case, s.inner_contact_angle_rad[k], s.inner_force_n[k]);
+        for (contact, point) in found.iter_mut().zip([inner, plus, minus]) {
+            let values = point.map_or([0.0; 3], |p| {
+                let z_m = s.z_m[k] + radius_m * p.angle_rad.sin() - ring_z_m;
+                [p.angle_rad, p.contact.semi_axes_m[1] / radius_m, z_m]
+            });
+            contact
+                .iter_mut()
+                .zip(values)
+                .for_each(|(all, v)| all.push(v));
+        }
+    }
+    let [inner, plus, minus] = found.map(|[angle, reach, z]| {
+        let degrees = |values: &[f64]| rounded(values, DEGREES, 3);
+        [degrees(&angle), degrees(&reach), rounded(&z, 1e3, 4)]
+    });
+    json!({
+        "inner": inner, "outer": [plus, minus],
+        "ring_z_um": rounded(&[s.ring.z_m], 1e6, 3),
+    })
 }
 
 /// Rotor and housing of a frame; the journal from the centre of the bore.
@@ -203,8 +242,10 @@ fn rotor_frame(rotor: &Rotor, r: &RotorSnapshot, ring_m: [f64; 2]) -> Value {
         "journal_um": rounded(&[x - ring_m[0], y - ring_m[1]], 1e6, 3),
         "housing_um": rounded(&[r.housing_x_m, r.housing_y_m], 1e6, 3),
         "speed_rpm": rounded(&[r.speed_rad_s, r.ring_speed_rad_s], rpm, 2),
-        "angle_deg": rounded(&[r.angle_rad], 180.0 / PI, 3),
+        "angle_deg": rounded(&[r.angle_rad], DEGREES, 3),
         "force_n": rounded(&[r.contact_force_n], 1.0, 2),
+        "z_um": rounded(&[r.z_m], 1e6, 3),
+        "shoulder_force_n": rounded(&[r.shoulder_force_n], 1.0, 2),
         "sliding_m_s": rounded(&[r.contact_sliding_m_s], 1.0, 4),
     })
 }

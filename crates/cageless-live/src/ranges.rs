@@ -5,7 +5,7 @@ use cageless_io::case_file::{CaseDocument, CaseValue, Change};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::refusal::{Refusal, planar};
+use crate::refusal::Refusal;
 
 /// A control: a name, the values that it offers, and the keys that follow it linearly.
 #[derive(Debug, Deserialize)]
@@ -105,7 +105,7 @@ pub(crate) fn possible(base: &CaseDocument, span: &Span) -> Vec<[f64; 2]> {
         let changes: Vec<Change<'_>> = (span.keys.iter().zip(&values))
             .map(|(k, value)| Change::new(&k.key, value, ("case", 1)))
             .collect();
-        planar(base, &changes).is_ok()
+        base.with(&changes).is_ok()
     };
     let tried: Vec<f64> = if span.whole {
         let count = (span.high - span.low).min(1000.0) as usize;

@@ -2,7 +2,7 @@
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless_io::case_file::{CaseDocument, CaseError, CaseFile, Change};
+use cageless_io::case_file::{CaseError, CaseFile};
 use serde::Serialize;
 
 /// A request that cannot be answered: what the command prints for the same mistake.
@@ -57,19 +57,7 @@ impl From<CriticalGapError> for Refusal {
     }
 }
 
-/// Reads the planar case of a request; its messages name the case file `case`.
+/// Reads the case of a request; its messages name the case file `case`.
 pub(crate) fn read(case: &str) -> Result<CaseFile, Refusal> {
-    let file = CaseFile::parse(case, "case", &[])?;
-    file.checked(cageless::Case::check_planar)?;
-    Ok(file)
-}
-
-/// The planar case that these changes make of another.
-pub(crate) fn planar(
-    document: &CaseDocument,
-    changes: &[Change<'_>],
-) -> Result<CaseFile, CaseError> {
-    let file = document.with(changes)?;
-    file.checked(cageless::Case::check_planar)?;
-    Ok(file)
+    Ok(CaseFile::parse(case, "case", &[])?)
 }

@@ -78,11 +78,37 @@ pub struct Motion {
     /// Gap to the ball ahead, degrees: `gap_deg[ball][sample]`; if empty, the
     /// difference of the angles less ε.
     pub gap_deg: Vec<Vec<f64>>,
+    /// Number of the first ball less one, of a row behind others.
+    #[serde(default)]
+    pub balls_before: usize,
     /// Rotor in the bore of the inner ring; `None` without one.
     #[serde(default)]
     pub rotor: Option<RotorTrack>,
     /// Provenance.
     pub provenance: Provenance,
+}
+
+impl Motion {
+    /// Its rows, each a drawing of its own; a single row as it is.
+    pub fn rows(self) -> Vec<Self> {
+        let (balls, all) = (self.outline.balls.max(1), self.angle_deg.len());
+        if all <= balls {
+            return vec![self];
+        }
+        let of = |values: &[Vec<f64>], from: usize| -> Vec<Vec<f64>> {
+            values.iter().skip(from).take(balls).cloned().collect()
+        };
+        let row = |from: usize| Self {
+            title: format!("{} row {}", self.title, from / balls + 1)
+                .trim()
+                .to_owned(),
+            angle_deg: of(&self.angle_deg, from),
+            gap_deg: of(&self.gap_deg, from),
+            balls_before: from,
+            ..self.clone()
+        };
+        (0..all).step_by(balls).map(row).collect()
+    }
 }
 
 /// Motion of a rotor in the bore of the inner ring, as it is drawn.

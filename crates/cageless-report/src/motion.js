@@ -24,7 +24,7 @@
         time: decode(raw.t, data.second),
         angle: raw.a.map((row) => decode(row, data.degree)),
         gap: raw.g.map((row) => decode(row, data.degree)),
-        eps: raw.eps, pitch: raw.pitch,
+        before: raw.before, eps: raw.eps, pitch: raw.pitch,
         rotor: raw.rotor && {
           x: decode(raw.rotor.x, data.degree), y: decode(raw.rotor.y, data.degree),
           angle: decode(raw.rotor.a, data.degree), ring: decode(raw.rotor.ring, data.degree),
@@ -76,9 +76,9 @@
         if (touching[k]) pairs++;
       });
       b.lines[0].textContent = "t = " + now.toFixed(4) + " s  ·  smallest gap " + gap[least].toFixed(3).replace("-", "−")
-        + "° (balls " + (least + 1) + ", " + ((least + 1) % count + 1) + ")";
+        + "° (balls " + (b.before + least + 1) + ", " + (b.before + (least + 1) % count + 1) + ")";
       b.lines[1].textContent = (pairs === 1 ? "1 pair touches" : pairs + " pairs touch")
-        + "  ·  gap of balls 1, 2: " + gap[0].toFixed(3).replace("-", "−") + "°";
+        + "  ·  gap of balls " + (b.before + 1) + ", " + (b.before + 2) + ": " + gap[0].toFixed(3).replace("-", "−") + "°";
     }
 
     function update() {

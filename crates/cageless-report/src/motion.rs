@@ -37,12 +37,12 @@ const INK: &str = "#333333";
 const HIT: &str = "#d55e00";
 
 impl MotionFigure {
-    /// Bearings in motion, without moments and stretches to choose from.
+    /// Bearings in motion, each row by itself, without moments and stretches to choose from.
     pub fn new(label: &str, caption: &str, bearings: Vec<Motion>) -> Self {
         Self {
             label: label.to_owned(),
             caption: caption.to_owned(),
-            bearings,
+            bearings: bearings.into_iter().flat_map(Motion::rows).collect(),
             ..Self::default()
         }
     }
@@ -133,6 +133,7 @@ impl MotionFigure {
                     "t": time,
                     "a": coded(&motion.angle_deg, count, STEPS_PER_DEG),
                     "g": coded(&motion.gap_deg, count, STEPS_PER_DEG),
+                    "before": motion.balls_before,
                     "eps": motion.outline.ball_angle_deg,
                     "pitch": motion.outline.pitch_radius_mm,
                 })
@@ -247,7 +248,7 @@ fn bearing(motion: &Motion, half: f64) -> String {
              stroke=\"#555555\" stroke-width=\"0.2\"/><text y=\"1.1\" font-size=\"3\" \
              text-anchor=\"middle\" fill=\"{text}\">{}</text></g>",
             o.ball_radius_mm - 0.1,
-            k + 1
+            motion.balls_before + k + 1
         );
     }
     for _ in &motion.angle_deg {

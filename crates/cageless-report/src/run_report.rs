@@ -33,6 +33,7 @@ pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Prov
         time_s: snapshots.iter().map(|s| s.time_s).collect(),
         angle_deg: over(&|s, k| s.angle_rad[k]),
         gap_deg: over(&|s, k| s.gap_rad[k]),
+        balls_before: 0,
         rotor: rotor_track(case, snapshots),
         provenance,
     }

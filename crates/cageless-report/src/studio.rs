@@ -43,6 +43,7 @@ pub(crate) fn scripts() -> String {
         include_str!("studio/materials.js"),
         include_str!("studio/form.js"),
         include_str!("studio/draw.js"),
+        include_str!("studio/contacts.js"),
         include_str!("studio/svg.js"),
         include_str!("studio/motion.js"),
         include_str!("studio/verdict.js"),

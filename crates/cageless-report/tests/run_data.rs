@@ -6,10 +6,10 @@ use cageless::simulation::ObserverError;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_report::figures::{
-    RUN, ball, collisions, contact_angles, energy, groove, history, ring,
+    RUN, ball, collisions, contact_angles, energy, gap_map, groove, history, ring,
 };
-use cageless_report::run_report::run_data;
-use cageless_report::{Figure, GrooveContacts, RunData};
+use cageless_report::run_report::{motion, run_data};
+use cageless_report::{Figure, GrooveContacts, MotionFigure, RunData};
 use cageless_study::Silent;
 use cageless_study::run::{Options, Rows, RunRecord, run};
 use serde_json::Value;
@@ -168,6 +168,44 @@ fn the_unrolled_grooves_have_their_shoulders_and_flanks() {
         )),
         "{said}"
     );
+}
+
+/// Two rows are two drawings with the numbers of their own balls; no pair has a ball of each.
+#[test]
+fn rows_of_balls_move_side_by_side() {
+    let pair = include_str!("../../../cases/preloaded-pair.toml");
+    let set = ["solver.duration_s=0.001", "output.interval_us=50"];
+    let file = CaseFile::parse(pair, "case", &set.map(str::to_owned)).unwrap();
+    let mut kept = Kept::default();
+    let options = Options {
+        rows: Some(&mut kept),
+        verify: false,
+    };
+    let record = run(&file, options, &Silent).unwrap();
+    let data = run_data(&file, &record);
+    let motion = motion(file.case(), "", &kept.snapshots, data.provenance.clone());
+    let figure = MotionFigure::new("Motion", "", vec![motion.clone()]);
+    let [first, second] = &figure.bearings[..] else {
+        panic!("{}", figure.bearings.len());
+    };
+    assert_eq!(
+        (first.title.as_str(), second.title.as_str()),
+        ("row 1", "row 2")
+    );
+    assert_eq!((first.angle_deg.len(), second.balls_before), (14, 14));
+    assert_eq!(second.angle_deg[..], motion.angle_deg[14..]);
+    assert_eq!(second.gap_deg[..], motion.gap_deg[14..]);
+    let html = figure.html("motion");
+    assert_eq!(html.matches(">15</text>").count(), 1);
+    assert!(html.contains("\"before\":14"));
+    let map = spec(gap_map::gap_map(&data));
+    let pairs = map["data"][0]["y"].as_array().unwrap();
+    assert_eq!(
+        (&pairs[13], &pairs[14], &pairs[27]),
+        (&"14–1".into(), &"15–16".into(), &"28–15".into())
+    );
+    // One bearing stays as it is.
+    assert_eq!(short_run().1.motion.unwrap().rows()[0].title, "");
 }
 
 /// Tracks lie on the surface that is drawn, of a section that is turned as well.

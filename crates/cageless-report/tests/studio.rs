@@ -35,8 +35,8 @@ fn pages_with_the_engine_stay_small() {
     assert!(page.len() < 6_000_000, "{}", page.len());
     let engine = engine().unwrap_or_default().len();
     assert!(
-        page.len() - engine < 165_000,
-        "{} bytes beside the engine",
+        page.len() - engine < 180_000,
+        "{} bytes beside the engine: 180 000 have room for rows, contact angles and their tracks in space",
         page.len() - engine
     );
     // A report grows by the engine and the scripts of the studio.

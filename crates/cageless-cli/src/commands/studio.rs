@@ -10,7 +10,7 @@ use cageless_io::results::{VERSION, write_atomically};
 use cageless_report::{engine, studio_page};
 
 use crate::args::StudioArgs;
-use crate::driver::{print, read_checked};
+use crate::driver::{print, read_case};
 use crate::failure::Failure;
 use crate::progress::catch_interrupt;
 use crate::studio::{Server, Token};
@@ -48,7 +48,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
 
 /// Text of a case file, checked, with replaced values as `cageless` would read them.
 fn text(path: &Path, set: &[String]) -> Result<String, Failure> {
-    let file = read_checked(path, set, cageless::Case::check_planar)?;
+    let file = read_case(path, set)?;
     let text = std::fs::read_to_string(path)
         .map_err(|e| Failure::Input(format!("{}: {}", path.display(), io_error_message(&e))))?;
     // The page shows TOML; of JSON, and of a file with replaced values, it gets the case as read.

@@ -42,9 +42,9 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
             numbers(&least)
         })
         .collect();
-    let count = run.balls.len();
-    let pairs: Value = (1..=count)
-        .map(|k| format!("{k}–{}", k % count + 1))
+    let (count, row) = (run.balls.len(), run.outline.balls.max(1));
+    let pairs: Value = (0..count)
+        .map(|k| format!("{}–{}", k + 1, k - k % row + (k + 1) % row + 1))
         .collect();
     let middles: Vec<f64> = (0..columns)
         .map(|k| begin + (k as f64 + 0.5) * width)

@@ -7,12 +7,13 @@ function isSection(line, name) {
   return found && (!name || found[1] === name);
 }
 
-// `text` with `value`, written as TOML, for `section.key` of the first such section; the section
-// is added if there is none, the key if it has none.
+// `text` with `value`, written as TOML, for `section.key` of the first such section, or `section.2.key`
+// of the second; the section is added if there is none, the key if it has none.
 function withValue(text, dotted, value) {
-  const [section, key] = dotted.split(".");
+  const parts = dotted.split("."), section = parts[0], key = parts.at(-1);
   const lines = text.split("\n");
-  const start = lines.findIndex((line) => isSection(line, section));
+  let start = -1;
+  for (let n = parts.length > 2 ? Number(parts[1]) : 1; n > 0; n--) start = lines.findIndex((line, k) => k > start && isSection(line, section));
   if (start < 0) return text.replace(/\n*$/, "\n\n") + "[" + section + "]\n" + key + " = " + value + "\n";
   let end = lines.findIndex((line, k) => k > start && isSection(line));
   if (end < 0) end = lines.length;

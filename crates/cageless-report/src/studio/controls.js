@@ -1,12 +1,13 @@
 // The controls: what each sets in the case file, and between which values.
 
 // Bearing dimensions as people order them, mm and µm.
-function nominal({ bearing: b }) {
-  const ball = 2 * b.ball_radius_mm;
+function nominal({ bearing: b, document: d }) {
+  // The file has the grooves before a contact angle opens them.
+  const ball = 2 * b.ball_radius_mm, clearance = d.bearing.contact_angle_deg ? 0 : b.radial_internal_clearance_um;
   return {
-    ball, pitch: 2 * b.pitch_radius_mm, clearance: b.radial_internal_clearance_um,
+    ball, pitch: 2 * b.pitch_radius_mm, clearance,
     conformity_inner: b.inner_curvature_mm / ball, conformity_outer: b.outer_curvature_mm / ball,
-    shoulder: (b.outer_radius_mm - b.shoulder_radius_mm) / ball,
+    shoulder: (b.pitch_radius_mm + b.ball_radius_mm + clearance / 4000 - b.shoulder_radius_mm) / ball,
   };
 }
 
@@ -35,11 +36,12 @@ function dimensions(n, g) {
   return keys;
 }
 
-function ofKey(key) {
+// `absent` is the value of a key that its section leaves out.
+function ofKey(key, absent) {
   const [section, name] = key.split(".");
   return {
     key,
-    read: ({ document: d }) => { const part = section === "raceway" && Array.isArray(d.raceway) ? d.raceway[0] : d[section]; return part ? part[name] : undefined; },
+    read: ({ document: d }) => { const part = section === "raceway" && Array.isArray(d.raceway) ? d.raceway[0] : d[section]; return part ? part[name] ?? absent : undefined; },
     keys: (value) => ({ [key]: value }),
   };
 }
@@ -52,6 +54,7 @@ function ofNominal(name) {
 }
 
 const fixed = (low, high) => () => [low, high];
+const rowsOf = ({ document: { row } }) => [].concat(row || []);
 // From 0 to twice what the file says.
 const upTo = (section, key) => ({ document: d }) => [0, 2 * Math.abs((d[section] || {})[key] || 1)];
 // `mapped` are the ends on the map of a control that cannot be 0, where they are not those of its slider.
@@ -61,14 +64,22 @@ const CONTROLS = [
   { group: "Raceway", id: "centre", label: "Centre ψ", unit: "°", step: 1, help: "position of the middle of the raceway; 0° is in the middle of the load zone", range: fixed(-180, 180), ...ofKey("raceway.centre_angle_deg") },
   { group: "Raceway", id: "blend", label: "Blend", unit: "mm", step: 0.05, help: "length over which either end runs out into the plain raceway; 0: ends as the shape has them", range: (g) => [0, g.raceways.length ? digits(g.raceways[0].half_angle_deg * Math.PI / 360 * g.bearing.outer_radius_mm, 2) : 1], ...ofKey("raceway.blend_mm") },
   { group: "Raceway", id: "depth", label: "Depth", unit: "µm", step: 0.5, help: "how much deeper a ball in the middle sits than on the plain raceway", range: (g) => [0, Math.max(30, 2 * (ofKey("raceway.depth_um").read(g) || 0))], ...ofKey("raceway.depth_um") },
+  { group: "Raceway", id: "section", label: "Contact angle αg", unit: "°", step: 0.1, help: "angle by which the section is turned about the centre of the ball; in space", range: fixed(-45, 45), ...ofKey("raceway.contact_angle_deg", 0) },
   { group: "Bearing", id: "balls", label: "Balls N", unit: "", step: 1, whole: true, help: "number of balls", range: (g) => [3, Math.max(g.bearing.balls + 4, Math.ceil(420 / g.numbers.epsilon_deg))], ...ofKey("bearing.balls") },
   { group: "Bearing", id: "ball", label: "Ball diameter Dw", unit: "mm", step: 0.001, help: "pitch diameter, clearance and conformity stay", range: (g) => [0.7, 1.3].map((f) => digits(2 * f * g.bearing.ball_radius_mm, 3)), ...ofNominal("ball") },
   { group: "Bearing", id: "pitch", label: "Pitch diameter Dpw", unit: "mm", step: 0.001, help: "diameter of the circle of ball centres", range: (g) => [0.8, 1.3].map((f) => digits(2 * f * g.bearing.pitch_radius_mm, 3)), ...ofNominal("pitch") },
   { group: "Bearing", id: "clearance", label: "Radial internal clearance Gr", unit: "µm", step: 1, help: "ISO 5753-1: twice the radial play of the inner ring; below 0: preload by interference", range: fixed(-40, 80), ...ofNominal("clearance") },
   { group: "Bearing", id: "fi", label: "Conformity, inner", unit: "", step: 0.001, help: "groove radius over ball diameter", range: fixed(0.5, 0.58), ...ofNominal("conformity_inner") },
   { group: "Bearing", id: "fo", label: "Conformity, outer", unit: "", step: 0.001, help: "groove radius over ball diameter", range: fixed(0.5, 0.58), ...ofNominal("conformity_outer") },
+  { group: "Bearing", id: "alpha", label: "Contact angle α0", unit: "°", step: 0.1, help: "free contact angle; not 0: in space", range: fixed(0, 45), ...ofKey("bearing.contact_angle_deg", 0) },
+  { group: "Bearing", id: "preload", label: "Preload", unit: "µm", step: 0.5, help: "displacement of the outer ring of each row against its contact sign",
+    range: (g) => [0, Math.max(30, 2 * Math.max(...rowsOf(g).map((row) => row.preload_um || 0)))],
+    read: (g) => { const rows = rowsOf(g); return rows.length && !rows.some((row) => row.preload_n) ? rows[0].preload_um || 0 : undefined; },
+    keys: (value, g) => Object.fromEntries(rowsOf(g).map((_, k) => ["row." + (k + 1) + ".preload_um", value])) },
   { group: "Operation", id: "speed", label: "Speed n", unit: "rpm", step: 10, help: "speed of the inner ring; negative: clockwise, seen from the other face", range: (g) => { const most = Math.max(20000, 1.5 * Math.abs(g.document.operation.inner_speed_rpm)); return [-most, most]; }, ...ofKey("operation.inner_speed_rpm") },
   { group: "Operation", id: "load", label: "Radial load Fr", unit: "N", step: 10, help: "load on the inner ring, downwards", range: (g) => [0, Math.max(5000, 2 * g.document.operation.radial_load_n)], ...ofKey("operation.radial_load_n") },
+  { group: "Operation", id: "axial", label: "Axial load Fa", unit: "N", step: 10, help: "load on the inner ring along its axis; not 0: in space", range: ({ document: { operation: o } }) => { const most = Math.max(1000, o.radial_load_n || 0, 2 * Math.abs(o.axial_load_n || 0)); return [-most, most]; },
+    ...ofKey("operation.axial_load_n", 0), read: (g) => (g.rotor ? undefined : g.document.operation.axial_load_n ?? 0) },
   { group: "Operation", id: "friction", label: "Friction μ", unit: "", step: 0.001, help: "coefficient of friction", range: fixed(0, 0.2), ...ofKey("contact.friction_coefficient") },
   ...[
     ["mass", "Mass m", "kg", 0.1, "share of the rotor mass carried by this bearing", "mass_kg"],
@@ -88,7 +99,7 @@ function decimals(control) { return Math.max(0, -Math.floor(Math.log10(control.s
 // The request for the possible values of every control.
 function rangesRequest(toml, g) {
   const document = g.document;
-  const controls = CONTROLS.filter((c) => c.read(g) !== undefined).map((c) => {
+  const controls = CONTROLS.filter((c) => typeof c.read(g) === "number").map((c) => {
     const [low, high] = c.range(g);
     const [at, end] = [c.keys(low, g), c.keys(high, g)];
     const keys = Object.keys(at).filter((key) => at[key] !== end[key] || Object.keys(at).length === 1)

@@ -13,7 +13,7 @@ function palette(style) {
   return {
     ink: of("--ink", "#1f2328"), soft: of("--soft", "#59636e"), rule: of("--rule", "#d8dde3"),
     ring: of("--ring", "#dde3e8"), sector: "#e69f00", hit: "#d55e00", paper: of("--paper", "#fff"),
-    first: "#0072b2", second: "#56b4e9", ball: of("--ball", "#f4f5f6"),
+    first: "#0072b2", second: "#56b4e9", inner: "#009e73", ball: of("--ball", "#f4f5f6"),
     flat: channels("--flat", "238 240 242"), cut: channels("--cut", "178 24 43"), left: channels("--left", "33 102 172"),
   };
 }
@@ -70,13 +70,20 @@ const RAD = Math.PI / 180;
 // ψ = 0 at the bottom, counter-clockwise; the canvas has y downwards.
 const at = (r, psi, x, y) => [x + r * Math.sin(psi), y + r * Math.cos(psi)];
 
-// The bearing with its balls at one moment.
+// The bearing with its balls at one moment, its rows side by side.
 function drawBearing(canvas, g, frame, title) {
-  const { c, width, height } = context(canvas, 1.02);
-  const k = colours(canvas), b = g.bearing;
+  const rows = signsOf(g).length, { c, width, height } = context(canvas, 1.02 / rows);
+  for (let row = 0; row < rows; row++) drawRow(c, colours(canvas), g, frame, rows > 1 ? (title + " row " + (row + 1)).trim() : title, row, [width / rows, height]);
+}
+
+// The sign of each row, 1 where its balls press the outer ring towards +z.
+const signsOf = ({ space }) => (space ? space.signs : [1]);
+
+function drawRow(c, k, g, frame, title, row, [width, height]) {
+  const b = g.bearing;
   const wall = 0.18 * b.outer_radius_mm, edge = b.outer_radius_mm + wall;
   const scale = (Math.min(width, height) - 8) / (2 * edge * 1.02);
-  const x = width / 2, y = height / 2;
+  const x = (row + 0.5) * width, y = height / 2;
   const circle = (r, fill, stroke) => {
     c.beginPath(); c.arc(x, y, r * scale, 0, 2 * Math.PI);
     if (fill) { c.fillStyle = fill; c.fill(); }
@@ -92,8 +99,11 @@ function drawBearing(canvas, g, frame, title) {
   circle(b.outer_radius_mm, k.paper, k.soft);
   circle(b.inner_radius_mm, k.ring, k.soft);
   circle(Math.max(b.inner_radius_mm - wall, 0.3 * b.inner_radius_mm), k.paper, k.soft);
-  const angles = frame ? frame.angle_deg : g.static.ball_angle_deg || [];
-  const gaps = frame ? frame.gap_deg : [];
+  // At rest a row may have fewer balls than the others.
+  const ofRow = (values, rows) => (values || []).filter((_, i) => (rows ? rows[i] === row + 1 : Math.floor(i / b.balls) === row));
+  const angles = frame ? ofRow(frame.angle_deg) : ofRow(g.static.ball_angle_deg, g.static.row);
+  const gaps = frame ? ofRow(frame.gap_deg) : [];
+  const forces = frame ? ofRow(frame.inner_force_n) : ofRow(g.static.inner_force_n, g.static.row);
   const most = Math.max(1, ...(frame ? frame.inner_force_n : g.static.inner_force_n || [1]));
   const n = angles.length;
   angles.forEach((a, i) => {
@@ -102,7 +112,7 @@ function drawBearing(canvas, g, frame, title) {
     c.beginPath(); c.arc(bx, by, b.ball_radius_mm * scale - 1, 0, 2 * Math.PI);
     c.fillStyle = i === 0 ? k.first : i === 1 ? k.second : k.ball; c.fill();
     c.strokeStyle = hit ? k.hit : k.soft; c.lineWidth = hit ? 3 : 1; c.stroke();
-    const force = frame ? frame.inner_force_n[i] : (g.static.inner_force_n || [])[i] || 0;
+    const force = forces[i] || 0;
     if (force > 0.01 * most) {
       const [fx, fy] = at((b.inner_radius_mm - 0.9 * wall * force / most) * scale, a * RAD, x, y);
       const [ox, oy] = at(b.inner_radius_mm * scale, a * RAD, x, y);
@@ -131,7 +141,7 @@ function drawGaps(canvas, g, frame) {
   c.fillStyle = k.soft; c.textAlign = "right";
   c.fillText(most.toFixed(1) + "°", left - 5, top + 4); c.fillText("0", left - 5, bottom + 4);
   c.textAlign = "left"; c.fillText("gap ahead of each ball", left, 11);
-  const step = (width - left - 6) / Math.max(1, g.bearing.balls);
+  const step = (width - left - 6) / Math.max(1, gaps.length);
   gaps.forEach((gap, i) => {
     const high = Math.max(2, gap * scale);
     c.fillStyle = gap <= 0 ? k.hit : i < 2 ? [k.first, k.second][i] : k.soft;
@@ -143,70 +153,97 @@ function drawGaps(canvas, g, frame) {
   c.setLineDash([]); c.beginPath(); c.moveTo(left, bottom); c.lineTo(width - 6, bottom); c.stroke();
 }
 
+// What is said in place of a groove that is not drawn.
+const noGroove = (r) => (!r ? "no discrete raceway" : r.depth_um.length ? "" : "the edges of a slot are not drawn");
+
+// Ends of z of a groove, mm.
+const extentOf = (r) => { const all = r.across_mm.flat(); return [Math.min(...all), Math.max(...all)]; };
+
 // Depth of the groove below the plain one, unrolled: ψ to the right, z upwards, with both tracks.
 function drawDepth(canvas, g) {
   const { c, width, height } = context(canvas, 0.5);
   const k = colours(canvas), r = g.raceways[0];
   c.fillStyle = k.soft;
-  if (!r) { c.textAlign = "center"; c.fillText("no discrete raceway", width / 2, height / 2); return; }
+  if (noGroove(r)) { c.textAlign = "center"; c.fillText(noGroove(r), width / 2, height / 2); return; }
   const left = 40, right = width - 8, top = 18, bottom = height - 30;
-  const n = r.angle_deg.length, widest = Math.max(...r.across_mm.map((row) => Math.abs(row[row.length - 1])));
+  const n = r.angle_deg.length, [low, high] = extentOf(r);
   const { most, text } = deviations(r);
   const px = (a) => left + (right - left) * (a - r.angle_deg[0]) / (r.angle_deg[n - 1] - r.angle_deg[0]);
-  const py = (z) => (top + bottom) / 2 - z / widest * (bottom - top) / 2;
+  const py = (z) => bottom - (z - low) / (high - low) * (bottom - top);
   for (let i = 0; i + 1 < n; i++) {
     for (let j = 0; j + 1 < r.across_mm[i].length; j++) {
       c.fillStyle = depthColour((r.depth_um[i][j] + r.depth_um[i][j + 1]) / 2 / most, k);
-      for (const side of [1, -1]) {
-        const [y0, y1] = [py(side * r.across_mm[i][j]), py(side * r.across_mm[i][j + 1])];
-        c.fillRect(px(r.angle_deg[i]), Math.min(y0, y1), px(r.angle_deg[i + 1]) - px(r.angle_deg[i]) + 0.6, Math.abs(y1 - y0) + 0.6);
-      }
+      const [y0, y1] = [py(r.across_mm[i][j]), py(r.across_mm[i][j + 1])];
+      c.fillRect(px(r.angle_deg[i]), Math.min(y0, y1), px(r.angle_deg[i + 1]) - px(r.angle_deg[i]) + 0.6, Math.abs(y1 - y0) + 0.6);
     }
   }
   c.strokeStyle = k.ink; c.lineWidth = 2;
-  for (const side of [1, -1]) {
+  for (const track of r.track_mm) {
     c.beginPath();
-    r.angle_deg.forEach((a, i) => c[i ? "lineTo" : "moveTo"](px(a), py(side * r.track_mm[i])));
+    r.angle_deg.forEach((a, i) => c[i ? "lineTo" : "moveTo"](px(a), py(track[i])));
     c.stroke();
   }
   c.fillStyle = k.soft; c.textAlign = "left";
   c.fillText(text, left, 12);
-  c.textAlign = "right"; c.fillText(widest.toFixed(1), left - 4, top + 10); c.fillText("z mm", left - 4, (top + bottom) / 2 + 4);
-  c.fillText(minus((-widest).toFixed(1)), left - 4, bottom);
+  c.textAlign = "right"; c.fillText(high.toFixed(1), left - 4, top + 10); c.fillText("z mm", left - 4, (top + bottom) / 2 + 4);
+  c.fillText(minus(low.toFixed(1)), left - 4, bottom);
   c.textAlign = "center";
   for (const a of [-r.half_angle_deg, 0, r.half_angle_deg]) c.fillText(minus(a.toFixed(1)) + "°", px(a), bottom + 13);
   c.fillText("ψ from the middle of the raceway; line: contact track", (left + right) / 2, bottom + 26);
 }
 
-// Meridian section in the middle of the raceway: ball, plain groove, raceway.
-function drawSection(canvas, g) {
+// The ball of the first row that is nearest to the middle of the raceway, or to the bottom.
+function nearestBall(g, frame) {
+  const centre = g.raceways.length ? g.raceways[0].centre_angle_deg : 0, off = (i) => Math.abs(turned(frame.angle_deg[i] - centre));
+  return Array.from({ length: g.bearing.balls }, (_, i) => i).reduce((a, b) => (off(b) < off(a) ? b : a));
+}
+
+// An angle in −180° to 180°.
+const turned = (a) => a - 360 * Math.round(a / 360);
+// Colours of the contacts: outer raceway, its other flank, inner raceway.
+const contactColours = (k) => [k.first, k.hit, k.inner];
+
+// Meridian section in the middle of the raceway: ball, plain groove, raceway; of motion in space with the
+// contacts of the ball that is there.
+function drawSection(canvas, g, frame) {
   const { c, width, height } = context(canvas, 0.62);
-  const k = colours(canvas), b = g.bearing, r = g.raceways[0];
+  const k = colours(canvas), b = g.bearing, r = g.raceways[0], groove = noGroove(r) ? null : r;
   const scale = 0.37 * height / b.ball_radius_mm, x = width / 2, y = 0.48 * height;
-  const middle = r ? (r.angle_deg.length - 1) / 2 : 0;
-  const radius = r ? r.effective_radius_mm[middle] : b.ball_radius_mm;
-  const z = r ? r.track_mm[middle] : 0;
+  const middle = r ? (r.angle_deg.length - 1) / 2 : 0, flanks = r ? r.flank_deg.map((f) => f[middle]) : [0, 0];
   c.beginPath(); c.arc(x, y, b.ball_radius_mm * scale, 0, 2 * Math.PI); c.fillStyle = k.ball; c.fill();
   c.strokeStyle = k.soft; c.lineWidth = 1; c.stroke();
-  // Plain groove below the ball.
-  const re = b.outer_curvature_mm * scale, centre = y + b.ball_radius_mm * scale - re;
+  // Plain groove below the ball, which rests in it at the contact angle of the section.
+  const seat = r ? (flanks[0] + flanks[1]) / 2 * RAD : 0, back = (b.outer_curvature_mm - b.ball_radius_mm) * scale;
+  const re = b.outer_curvature_mm * scale, [cx, cy] = [x - back * Math.sin(seat), y - back * Math.cos(seat)];
   const most = Math.acos(Math.max(-1, Math.min(1, 1 - (b.outer_radius_mm - b.shoulder_radius_mm) / b.outer_curvature_mm)));
-  c.beginPath(); c.arc(x, centre, re, Math.PI / 2 - most, Math.PI / 2 + most); c.setLineDash([5, 4]); c.stroke(); c.setLineDash([]);
-  if (r) {
-    const row = r.across_mm[middle], depth = r.depth_um[middle];
-    c.strokeStyle = "#b2182b"; c.lineWidth = 2;
-    for (const side of [1, -1]) {
-      c.beginPath();
-      row.forEach((zz, j) => {
-        const angle = Math.asin(Math.max(-1, Math.min(1, zz * scale / (re + depth[j] * scale / 1000))));
-        const rr = re + depth[j] / 1000 * scale;
-        c[j ? "lineTo" : "moveTo"](x + side * zz * scale, centre + rr * Math.cos(angle));
-      });
-      c.stroke();
-      c.beginPath(); c.arc(x + side * z * scale, y + radius * scale, 4, 0, 2 * Math.PI); c.fillStyle = k.first; c.fill();
+  c.beginPath(); c.arc(cx, cy, re, Math.PI / 2 - most, Math.PI / 2 + most); c.setLineDash([5, 4]); c.stroke(); c.setLineDash([]);
+  if (groove) {
+    c.strokeStyle = "#b2182b"; c.lineWidth = 2; c.beginPath();
+    groove.across_mm[middle].forEach((z, j) => {
+      const far = re + groove.depth_um[middle][j] / 1000 * scale, side = (z - groove.centre_mm) * scale;
+      c[j ? "lineTo" : "moveTo"](cx + side, cy + Math.sqrt(Math.max(0, far * far - side * side)));
+    });
+    c.stroke();
+  }
+  const contacts = frame && frame.space ? contactsOf(frame.space, nearestBall(g, frame)) : [];
+  if (contacts.length) {
+    contacts.forEach(([angle, reach, inner], n) => {
+      if (!reach) return;
+      const side = inner ? -1 : 1, [dx, dy] = [side * Math.sin(angle * RAD), side * Math.cos(angle * RAD)], far = b.ball_radius_mm * scale;
+      c.strokeStyle = contactColours(k)[n]; c.lineWidth = 1;
+      c.beginPath(); c.moveTo(x, y); c.lineTo(x + far * dx, y + far * dy); c.stroke();
+      const at = Math.atan2(dy, dx);
+      c.lineWidth = 5; c.beginPath(); c.arc(x, y, far, at - reach * RAD, at + reach * RAD); c.stroke();
+    });
+  } else if (r) {
+    for (const flank of flanks) {
+      const [fx, fy] = at(b.ball_radius_mm * scale, flank * RAD, x, y);
+      c.beginPath(); c.arc(fx, fy, 4, 0, 2 * Math.PI); c.fillStyle = k.first; c.fill();
     }
   }
   c.fillStyle = k.soft; c.textAlign = "left";
-  c.fillText("section in the middle of the raceway", 6, 12);
-  c.fillText("r = " + radius.toFixed(4) + " mm" + (r ? ", 2z = " + (2 * z).toFixed(3) + " mm" : ""), 6, height - 6);
+  c.fillText(contacts.length ? "ball " + (nearestBall(g, frame) + 1) + " with its contact ellipses" : "section in the middle of the raceway", 6, 12);
+  const r0 = r ? r.effective_radius_mm[middle] : b.ball_radius_mm;
+  c.fillText(contacts.length ? ["outer", "other flank", "inner"].map((name, n) => (contacts[n][1] ? name + " " + shown(contacts[n][0], 1) + "°" : "")).filter(Boolean).join(", ")
+    : "r = " + r0.toFixed(4) + " mm" + (r ? ", 2z = " + Math.abs(r.track_mm[0][middle] - r.track_mm[1][middle]).toFixed(3) + " mm" : ""), 6, height - 6);
 }

@@ -11,7 +11,7 @@ const BORE = 0.82;
 function withRotor(text, g, rotor) {
   let drop = text;
   for (const section of ["solver", "housing", "search"]) drop = without(drop, section);
-  drop = without(drop, "operation", ["inner_speed_rpm", "radial_load_n"]);
+  drop = without(drop, "operation", ["inner_speed_rpm", "radial_load_n", "axial_load_n", "tilt_x_mrad", "tilt_y_mrad", "moment_x_n_m", "moment_y_n_m"]);
   drop = without(drop, "start", ["state", "ring_x_um", "ring_y_um"]);
   drop = without(drop, "model", ["formulation"]);
   drop = without(drop, "bearing", ["inner_ring_damping_n_s_m"]);
@@ -156,6 +156,7 @@ class RotorDrop {
       ["rotor", shown(last.rotor, 0) + " rpm"],
       ["inner ring", shown(last.ring, 0) + " rpm"],
       ["largest force of a ball", shown(this.peak, 0) + " N"],
+      ...(g.space ? [["rotor along the axis", shown(last.z, 1) + " µm"]] : []),
     ].map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))));
   }
 
@@ -169,7 +170,7 @@ class RotorDrop {
       if (this.touched === null && f.rotor.force_n[0] > 0) this.touched = f.t;
       const last = this.record[this.record.length - 1], force = f.rotor.force_n[0];
       if (last && f.t - last.t < 1e-5 * this.every) last.force = Math.max(last.force, force);
-      else this.record.push({ t: f.t, rotor: Math.abs(f.rotor.speed_rpm[0]), ring: Math.abs(f.rotor.speed_rpm[1]), force });
+      else this.record.push({ t: f.t, rotor: Math.abs(f.rotor.speed_rpm[0]), ring: Math.abs(f.rotor.speed_rpm[1]), force, z: f.rotor.z_um[0] });
       this.taken = f.t;
     }
     if (this.record.length > HISTORY_MAX) {

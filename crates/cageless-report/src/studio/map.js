@@ -7,6 +7,7 @@ const MAP_REGIONS = [
   ["pass", "passes the estimate", [0, 158, 115, 150]],
   ["separation", "too shallow: β0 below what even spacing needs", [86, 180, 233, 90]],
   ["sliding", "too steep: balls slide", [230, 159, 0, 110]],
+  ["lag", "the contact angle takes the lag", [0, 114, 178, 110]],
   ["both-neighbours", "too long: double collisions", [204, 121, 167, 120]],
   ["stress", "contact pressure too high", [213, 94, 0, 130]],
   ["unjudged", "no static equilibrium", [128, 128, 128, 60]],

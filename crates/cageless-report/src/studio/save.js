@@ -27,7 +27,8 @@ class SaveMenu {
       { id: "gaps", name: "Gaps over time", draw: (to) => drawGaps(to, studio.g, frame()), csv: () => this.gaps() },
       { id: "map", name: "Map", draw: (to) => studio.map.paint(to), ready: () => studio.map.box, csv: () => this.points() },
       { id: "track", name: "Contact track", draw: (to) => drawDepth(to, studio.g), csv: () => this.track() },
-      { id: "section", name: "Section", draw: (to) => drawSection(to, studio.g) },
+      { id: "section", name: "Section", draw: (to) => drawSection(to, studio.g, frame()) },
+      { id: "contacts", name: "Contact angles", draw: (to) => drawContacts(to, studio.g, frame(), studio.stage.track()), ready: () => frame() && frame().space, csv: () => this.contacts() },
       { id: "depth", name: "Groove depth", draw: (to) => studio.surface.paint(to), csv: () => this.depth() },
       { id: "terms", name: "Criteria", csv: () => asCsv(["criterion", "kind", "value", "limit", "margin"], studio.verdict.rows().rows.map(({ name, value, limit, margin }) => [name, studio.verdict.rows().kind, value, limit, margin])) },
       { id: "case", name: "Case file", toml: true },
@@ -67,7 +68,7 @@ class SaveMenu {
 
   gaps() {
     const { frames } = this.studio.motion;
-    return asCsv(["time_s", ...Array.from({ length: this.studio.g.bearing.balls }, (_, k) => "gap_" + (k + 1) + "_deg")], frames.map((f) => [f.t, ...f.gap_deg]));
+    return asCsv(["time_s", ...Array.from({ length: this.studio.frames.length ? frames[0].gap_deg.length : 0 }, (_, k) => "gap_" + (k + 1) + "_deg")], frames.map((f) => [f.t, ...f.gap_deg]));
   }
 
   balls() {
@@ -78,12 +79,17 @@ class SaveMenu {
 
   track() {
     const r = this.studio.g.raceways[0];
-    return asCsv(["angle_deg", "effective_radius_mm", "axial_mm"], r ? r.angle_deg.map((angle, k) => [angle, r.effective_radius_mm[k], r.track_mm[k]]) : []);
+    return asCsv(["angle_deg", "effective_radius_mm", "axial_mm", "other_axial_mm"], r ? r.angle_deg.map((angle, k) => [angle, r.effective_radius_mm[k], ...r.track_mm.map((z) => z[k])]) : []);
+  }
+
+  contacts() {
+    const heads = ["outer", "other_flank", "inner"].flatMap((name) => [name + "_angle_deg", name + "_half_length_deg"]);
+    return asCsv(["time_s", "ball", "angle_deg", ...heads], this.studio.motion.frames.flatMap((f) => f.angle_deg.map((psi, ball) => [f.t, ball + 1, psi, ...contactsOf(f.space, ball).flatMap(([angle, reach]) => (reach ? [angle, reach] : [null, null]))])));
   }
 
   depth() {
     const r = this.studio.g.raceways[0];
-    return asCsv(["angle_deg", "axial_mm", "depth_um"], r ? r.angle_deg.flatMap((angle, k) => r.across_mm[k].map((z, j) => [angle, z, r.depth_um[k][j]])) : []);
+    return asCsv(["angle_deg", "axial_mm", "depth_um"], r ? r.angle_deg.flatMap((angle, k) => (r.across_mm[k] || []).map((z, j) => [angle, z, r.depth_um[k][j]])) : []);
   }
 
   points() {

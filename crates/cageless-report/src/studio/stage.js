@@ -25,10 +25,12 @@ class Stage {
     this.bar = element("div", { class: "bar moments" }, this.play, element("label", {}, "slowed down ", speed), this.moment);
     this.bearings = [canvas("a", "Bearing A in motion"), canvas("b", "Bearing in motion")];
     this.gaps = canvas("gaps", "Gap ahead of each ball");
+    this.contacts = canvas("contacts", "Contact angles of the balls over ψ");
+    this.contacts.hidden = true;
     this.raceway = element("div", { class: "pair" }, canvas("depth", "Unrolled groove depth and contact track"), canvas("section", "Section in the middle of the raceway"));
     // Frames of the motion are not drawn where nobody sees them.
     this.views = new IntersectionObserver((seen) => seen.forEach((entry) => { entry.target.unseen = !entry.isIntersecting; }));
-    [...this.bearings, this.gaps].forEach((view) => this.views.observe(view));
+    [...this.bearings, this.gaps, this.contacts].forEach((view) => this.views.observe(view));
     new ResizeObserver(() => this.paint()).observe(studio.root);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.drawn = null; this.paint(); });
     requestAnimationFrame((stamp) => this.tick(stamp));
@@ -70,6 +72,12 @@ class Stage {
     this.rest = this.late && !this.studio.judged ? stamp + RESTS * this.pace : 0;
   }
 
+  // The last moments up to the one that is shown, of motion in space.
+  track() {
+    const { frame } = this, { motion } = this.studio;
+    return frame && frame.space ? [...motion.frames.filter((f) => f.space && f.t <= frame.t).slice(-TRACKED), frame] : [];
+  }
+
   title() {
     const { pinned } = this.studio.comparison;
     return pinned ? "B" : "";
@@ -86,11 +94,17 @@ class Stage {
     if (pinned && due(canvas.a)) drawBearing(canvas.a, pinned.g, studio.motionA.frames.length ? studio.motionA.at(this.now) : null, pinned.name);
     if (!part || part.beside) {
       if (due(canvas.gaps)) drawGaps(canvas.gaps, g, frame);
+      this.contacts.hidden = !frame || !frame.space;
+      if (frame && frame.space) {
+        if (due(canvas.contacts)) drawContacts(canvas.contacts, g, frame, this.track());
+        drawSection(canvas.section, g, frame);
+        studio.surface.paint();
+      }
       studio.drop.paint(frame);
     } else studio.drop.move(frame);
     if (!part && (this.drawn !== g || this.width !== studio.root.clientWidth)) {
       drawDepth(canvas.depth, g);
-      drawSection(canvas.section, g);
+      drawSection(canvas.section, g, frame);
       this.drawn = g;
       this.width = studio.root.clientWidth;
     }

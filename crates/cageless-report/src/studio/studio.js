@@ -36,7 +36,7 @@ class Studio {
       element("div", {}, this.form.root, this.toolbar.root, part("message", { role: "alert" }), this.text),
       element("div", {}, this.verdict.lamp,
         element("div", { class: "stage" }, ...this.stage.bearings, this.map.root, this.comparison.table),
-        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.drop.root,
+        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.stage.contacts, this.drop.root,
         this.verdict.terms, this.stage.raceway, this.surface.root, this.verdict.numbers, this.studies.root, this.saving.root)));
   }
 

@@ -35,17 +35,18 @@ class Surface {
   paint(target = this.canvas) {
     const { g } = this.studio;
     if (!g || (target === this.canvas && (!this.root.open || !target.clientWidth))) return;
-    drawSurface(target, g, this.turn, this.tilt);
+    drawSurface(target, g, this.turn, this.tilt, this.studio.stage.track());
   }
 }
 
 // Deviation from the plain groove over ψ and z, from an oblique view; what is cut away goes down.
-function drawSurface(target, g, turn, tilt) {
+function drawSurface(target, g, turn, tilt, frames) {
   const { c, width, height } = context(target, SURFACE_RATIO), k = colours(target), r = g.raceways[0];
   c.fillStyle = k.soft;
-  if (!r) { c.textAlign = "center"; c.fillText("no discrete raceway", width / 2, height / 2); return; }
+  if (noGroove(r)) { c.textAlign = "center"; c.fillText(noGroove(r), width / 2, height / 2); return; }
   const n = r.angle_deg.length, m = r.across_mm[0].length, ends = [r.angle_deg[0], r.angle_deg[n - 1]];
-  const widest = Math.max(...r.across_mm.map((row) => Math.abs(row[m - 1]))), { most, text } = deviations(r);
+  const [low, high] = extentOf(r), { most, text } = deviations(r);
+  const along = (a) => 2 * (a - ends[0]) / (ends[1] - ends[0]) - 1, across = (z) => 2 * (z - low) / (high - low) - 1;
   const [ct, st, cv, sv] = [Math.cos(turn * RAD), Math.sin(turn * RAD), Math.cos(tilt * RAD), Math.sin(tilt * RAD)];
   const size = Math.min(width / 3.4, height / 2.6);
   // x along ψ, y along z, both −1 to 1; u is the deviation as a share of the largest.
@@ -53,16 +54,10 @@ function drawSurface(target, g, turn, tilt) {
     const [right, back, up] = [1.3 * x * ct - 0.9 * y * st, 1.3 * x * st + 0.9 * y * ct, -0.35 * u];
     return [width / 2 + size * right, height / 2 - size * (back * sv + up * cv), back * cv - up * sv];
   };
-  const points = Array.from({ length: n }, (_, i) => {
-    const x = 2 * (r.angle_deg[i] - ends[0]) / (ends[1] - ends[0]) - 1;
-    return Array.from({ length: 2 * m - 1 }, (_unused, q) => {
-      const j = Math.abs(q - m + 1), side = q < m - 1 ? -1 : 1;
-      return { at: place(x, side * Math.abs(r.across_mm[i][j]) / widest, r.depth_um[i][j] / most), depth: r.depth_um[i][j] };
-    });
-  });
+  const points = r.across_mm.map((row, i) => row.map((z, j) => ({ at: place(along(r.angle_deg[i]), across(z), r.depth_um[i][j] / most), depth: r.depth_um[i][j] })));
   const patches = [];
   for (let i = 0; i + 1 < n; i++) {
-    for (let q = 0; q + 2 < 2 * m; q++) {
+    for (let q = 0; q + 1 < m; q++) {
       const corners = [points[i][q], points[i + 1][q], points[i + 1][q + 1], points[i][q + 1]];
       patches.push({ corners, far: corners.reduce((sum, p) => sum + p.at[2], 0), depth: corners.reduce((sum, p) => sum + p.depth, 0) / 4 });
     }
@@ -76,6 +71,32 @@ function drawSurface(target, g, turn, tilt) {
     c.fill();
     c.strokeStyle = k.rule; c.lineWidth = 0.4; c.stroke();
   }
+  // Tracks of ball 1 on the surface, and the ellipses of all balls at the last of these moments.
+  const onSurface = (psi, z) => {
+    const i = Math.round((n - 1) * (psi - ends[0]) / (ends[1] - ends[0]));
+    const j = r.across_mm[i].reduce((best, v, at) => (Math.abs(v - z) < Math.abs(r.across_mm[i][best] - z) ? at : best), 0);
+    return place(along(psi), across(z), r.depth_um[i][j] / most);
+  };
+  const inside = (f, ball) => { const psi = turned(f.angle_deg[ball] - r.centre_angle_deg); return psi > ends[0] && psi < ends[1] ? psi : null; };
+  [0, 1].forEach((flank) => {
+    c.strokeStyle = contactColours(k)[flank]; c.lineWidth = 1.5; c.beginPath();
+    let before = false;
+    for (const f of frames) {
+      const psi = inside(f, 0), [, reach, z] = f.space.outer[flank], on = psi !== null && reach[0] > 0;
+      if (on) c[before ? "lineTo" : "moveTo"](...onSurface(psi, z[0]));
+      before = on;
+    }
+    c.stroke();
+    const f = frames.at(-1);
+    if (f) for (let ball = 0; ball < g.bearing.balls; ball++) {
+      const psi = inside(f, ball), [angle, reach, z] = f.space.outer[flank];
+      if (psi === null || !reach[ball]) continue;
+      const half = g.bearing.ball_radius_mm * reach[ball] * RAD * Math.cos(angle[ball] * RAD);
+      c.lineWidth = 6; c.beginPath();
+      for (const end of [-1, -0.5, 0, 0.5, 1]) c[end > -1 ? "lineTo" : "moveTo"](...onSurface(psi, z[ball] + end * half));
+      c.stroke();
+    }
+  });
   // Names stand beside the lower ends of their axes.
   const [middleX, middleY] = place(0, 0, 0);
   const name = (text, x, y) => {
@@ -88,7 +109,7 @@ function drawSurface(target, g, turn, tilt) {
   };
   c.fillStyle = k.ink;
   name("ψ " + minus(ends[0].toFixed(1)) + "° to " + ends[1].toFixed(1) + "°", 0, -1);
-  name("z ±" + widest.toFixed(1) + " mm", 1, 0);
+  name("z " + minus(low.toFixed(1)) + " to " + high.toFixed(1) + " mm", 1, 0);
   c.textAlign = "left";
   c.fillText(text + ", enlarged", 6, 13);
 }

@@ -147,8 +147,8 @@ fn motion(title: &str, raceways: &[Raceway], wobble: f64, profile: &str) -> Moti
         time_s: thin(&run.time),
         angle_deg: run.angle.iter().map(thin).collect(),
         gap_deg: vec![],
-        rotor: None,
         provenance: source(3, profile),
+        ..Motion::default()
     }
 }
 

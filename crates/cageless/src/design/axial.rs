@@ -64,15 +64,21 @@ pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
 
 /// The case, evenly spaced, under this axial load and tilt.
 fn under(case: &Case, [axial_load_n, tilt_x_rad]: [f64; 2]) -> Case {
-    let mut loaded = steady_case(case);
-    loaded.motion = Motion::Space;
+    let mut loaded = even_in_space(case);
     loaded.operation.space.axial_load_n = axial_load_n;
     loaded.operation.space.tilt = Tilt::Held {
         x_rad: tilt_x_rad,
         y_rad: 0.0,
     };
-    loaded.solver.duration_s = (AXIAL_ORBITS[0] + AXIAL_ORBITS[1]) * case.rolling_orbit_s();
     loaded
+}
+
+/// The case in space, its balls evenly spaced.
+fn even_in_space(case: &Case) -> Case {
+    let mut even = steady_case(case);
+    even.motion = Motion::Space;
+    even.solver.duration_s = (AXIAL_ORBITS[0] + AXIAL_ORBITS[1]) * case.rolling_orbit_s();
+    even
 }
 
 /// Lag at one of [`axial_points`], after eight orbits of the balls over eight more. `control` is
@@ -85,17 +91,29 @@ pub fn axial_lag(
     point: [f64; 2],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<AxialLag, EquilibriumError> {
-    let loaded = under(case, point);
-    let after_s = AXIAL_ORBITS[0] * case.rolling_orbit_s();
-    let duration_s = loaded.solver.duration_s;
-    let mut tally = PassageTally::new();
-    let mut summary = SummaryRecorder::new();
-    let at = |lag_and_angle_rad| AxialLag {
+    Ok(AxialLag {
         axial_load_n: point[0],
         tilt_x_rad: point[1],
-        lag_and_angle_rad,
+        lag_and_angle_rad: lag_in_space(&under(case, point), control)?,
         critical_gap_rad: None,
-    };
+    })
+}
+
+/// Mean lag per pass of the balls of a case in space, evenly spaced, as [`axial_lag`] has it, and their
+/// mean contact angle at the inner raceway; `None` if the bearing does not bear its load or the run
+/// stopped.
+///
+/// # Errors
+/// The case is impossible.
+pub fn lag_in_space(
+    case: &Case,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Option<[f64; 2]>, EquilibriumError> {
+    let case = even_in_space(case);
+    let after_s = AXIAL_ORBITS[0] * case.rolling_orbit_s();
+    let duration_s = case.solver.duration_s;
+    let mut tally = PassageTally::new();
+    let mut summary = SummaryRecorder::new();
     let ran = {
         let mut passages = PassageRecorder::new(|passage| {
             if passage.enter_s > after_s {
@@ -103,20 +121,20 @@ pub fn axial_lag(
             }
             Ok(())
         });
-        run(&loaded, &mut [&mut passages, &mut summary], &mut |time_s| {
+        run(&case, &mut [&mut passages, &mut summary], &mut |time_s| {
             control(time_s / duration_s)
         })
     };
     let outcome = match ran {
         Ok(outcome) => outcome,
         Err(error @ EquilibriumError::Input(_)) => return Err(error),
-        Err(_) => return Ok(at(None)),
+        Err(_) => return Ok(None),
     };
     let space = summary.summary().and_then(|summary| summary.space);
     let complete = matches!(outcome.ending, Ending::Complete) && tally.count > 0;
-    Ok(at(space.filter(|_| complete).map(|s| {
-        [tally.lag_mean_rad(), s.inner_contact_angle_mean_rad]
-    })))
+    Ok(space
+        .filter(|_| complete)
+        .map(|s| [tally.lag_mean_rad(), s.inner_contact_angle_mean_rad]))
 }
 
 /// Critical gap of the first raceway of a case at one of [`axial_points`]; `None` if there is none, or

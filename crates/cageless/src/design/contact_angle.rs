@@ -15,6 +15,8 @@
 //! load presses in by u sees the flanks at tan αc′ = g sin αc/(u + g cos αc).
 
 use crate::bearing::Bearing;
+use crate::case::{Case, Row};
+use crate::equilibrium::{EquilibriumError, space};
 use crate::numerics::{quadrature, root};
 use crate::raceway::Raceway;
 
@@ -49,6 +51,39 @@ impl ContactAngleEstimate {
             none_rad: keeps(0.0),
         }
     }
+}
+
+/// Contact angle and deflection at the outer raceway of the most loaded ball of each row on a plain outer
+/// ring, in static equilibrium in space.
+///
+/// # Errors
+/// Those of [`space::solve`].
+pub fn seats(case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
+    let solved = space::solve(&case.conventional())?;
+    let stiffness = solved.rest.outer_stiffness_n_m1_5;
+    let forces = || solved.rest.outer_force_n.iter().copied().enumerate();
+    let seat = |row: usize| {
+        let of_row = forces().filter(|(k, _)| solved.row[*k] == row);
+        let (most, force) = of_row.fold((0, 0.0), |most, at| if at.1 > most.1 { at } else { most });
+        let angle_rad = solved.inner_contact_angle_rad[most];
+        [angle_rad, (force / stiffness).powf(2.0 / 3.0)]
+    };
+    Ok((0..case.all_rows().len()).map(seat).collect())
+}
+
+/// Share of the lag without a contact angle that rolling leaves at the [`seats`] of a case, of the worst
+/// row and raceway; the angle counts from that by which the section is turned.
+pub fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
+    let of_row = |(row, [angle_rad, pressed_in_m]): (Row, &[f64; 2])| {
+        let fraction = |raceway: &Raceway| {
+            let beside = (row.contact_sign * angle_rad - raceway.section_angle_rad()).abs();
+            let lag = |angle| kinematic_lag_rad(&case.bearing, raceway, angle, *pressed_in_m);
+            lag(beside) / lag(0.0)
+        };
+        case.raceways.iter().map(fraction).fold(f64::NAN, f64::min)
+    };
+    let rows = case.all_rows().into_iter().zip(seats);
+    rows.map(of_row).fold(f64::NAN, f64::min)
 }
 
 /// Λ = ∫ (Ω0/Ω − 1) dψ through the raceway at the plain contact angle `angle_rad`: the angle by which

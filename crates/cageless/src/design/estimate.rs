@@ -1,10 +1,11 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
-use super::search::CRITICAL_GAP_MIN_FRACTION;
-use super::{Eq11, steady_gap_rad, theoretical_gap_rad};
+use super::search::{AXIAL_LAG_MIN_FRACTION, CRITICAL_GAP_MIN_FRACTION};
+use super::{Eq11, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad};
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
+use crate::equilibrium::space::SpatialEquilibrium;
 use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_rotation_rad_s};
 use crate::raceway::Raceway;
 
@@ -52,6 +53,42 @@ impl Estimate {
     /// Estimate for a case and its static equilibrium; of several raceways, the worst of each
     /// term. Without a discrete raceway only the contact stress remains.
     pub fn new(case: &Case, equilibrium: &Equilibrium) -> Self {
+        let demand = |r: &Raceway| friction_demand(case, equilibrium, r);
+        let sliding = case.raceways.iter().map(demand).fold(0.0, f64::max);
+        Self::of(
+            case,
+            EstimateTerm {
+                name: "sliding",
+                meaning: "friction that rolling through the raceway demands over that available",
+                value: sliding,
+                limit: FRICTION_DEMAND_MAX,
+                at_least: false,
+            },
+            Some(equilibrium),
+        )
+    }
+
+    /// Estimate for a case in space: in place of the friction that rolling demands, what the contact angles
+    /// of its [`seats`](super::seats) leave of the lag; the contact stress only with an equilibrium.
+    pub fn in_space(
+        case: &Case,
+        seats: &[[f64; 2]],
+        equilibrium: Option<&SpatialEquilibrium>,
+    ) -> Self {
+        Self::of(
+            case,
+            EstimateTerm {
+                name: "lag",
+                meaning: "lag of rolling under the contact angle over that without one",
+                value: rolling_lag_fraction(case, seats),
+                limit: AXIAL_LAG_MIN_FRACTION,
+                at_least: true,
+            },
+            equilibrium.map(|solved| &solved.rest),
+        )
+    }
+
+    fn of(case: &Case, of_friction: EstimateTerm, equilibrium: Option<&Equilibrium>) -> Self {
         let bearing = &case.bearing;
         let mut terms = vec![];
         if !case.raceways.is_empty() {
@@ -67,13 +104,7 @@ impl Estimate {
                 limit: CRITICAL_GAP_MIN_FRACTION,
                 at_least: true,
             });
-            terms.push(EstimateTerm {
-                name: "sliding",
-                meaning: "friction that rolling through the raceway demands over that available",
-                value: largest(&|r| friction_demand(case, equilibrium, r)),
-                limit: FRICTION_DEMAND_MAX,
-                at_least: false,
-            });
+            terms.push(of_friction);
             terms.push(EstimateTerm {
                 name: "both-neighbours",
                 meaning: "2θ over the angle of three evenly spaced balls",
@@ -82,16 +113,13 @@ impl Estimate {
                 at_least: false,
             });
         }
-        terms.push(EstimateTerm {
+        terms.extend(equilibrium.map(|rest| EstimateTerm {
             name: "stress",
             meaning: "contact pressure at rest over the 4200 MPa of ISO 76",
-            value: equilibrium
-                .inner_pressure_max_pa
-                .max(equilibrium.outer_pressure_max_pa)
-                / STRESS_LIMIT_PA,
+            value: rest.inner_pressure_max_pa.max(rest.outer_pressure_max_pa) / STRESS_LIMIT_PA,
             limit: 1.0,
             at_least: false,
-        });
+        }));
         Self { terms }
     }
 

@@ -33,8 +33,9 @@ use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, axial_span_limit_m
 
 pub use axial::{
     AXIAL_ORBITS, AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_points,
+    lag_in_space,
 };
-pub use contact_angle::{ContactAngleEstimate, kinematic_lag_rad};
+pub use contact_angle::{ContactAngleEstimate, kinematic_lag_rad, rolling_lag_fraction, seats};
 pub use criterion::{
     Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
 };

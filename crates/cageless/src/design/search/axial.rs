@@ -3,8 +3,8 @@
 use super::raceway_layout::OperatingPoint;
 use crate::bearing::Bearing;
 use crate::case::{Case, Motion};
-use crate::design::{axial_lag, kinematic_lag_rad};
-use crate::equilibrium::{self, EquilibriumError};
+use crate::design::{axial_lag, kinematic_lag_rad, seats};
+use crate::equilibrium::EquilibriumError;
 use crate::integrator::IntegrationMethod;
 use crate::raceway::Raceway;
 use crate::simulation::Control;
@@ -53,14 +53,8 @@ pub(super) fn seat(
     axial_load_n: f64,
 ) -> Result<[f64; 2], EquilibriumError> {
     let plain = in_space(case, point, vec![], axial_load_n);
-    let solved = equilibrium::space::solve(&plain)?;
-    let forces = solved.rest.outer_force_n.iter().copied().enumerate();
-    let (most, force) = forces.fold((0, 0.0), |most, at| if at.1 > most.1 { at } else { most });
-    let stiffness = solved.rest.outer_stiffness_n_m1_5;
-    Ok([
-        solved.inner_contact_angle_rad[most].abs(),
-        (force / stiffness).powf(2.0 / 3.0),
-    ])
+    let [angle_rad, pressed_in_m] = seats(&plain)?[0];
+    Ok([angle_rad.abs(), pressed_in_m])
 }
 
 /// Lag of evenly spaced balls in space under an axial load, rad; `None` if `control` ended the run.
