@@ -145,8 +145,8 @@ fn the_unrolled_grooves_have_their_shoulders_and_flanks() {
     assert!((steepest - wanted).abs() < 1e-3, "{steepest} {wanted}");
     // The band reaches from end to end of the ellipse.
     let centre = named(&spec, "inner contact")["y"][0].as_f64().unwrap();
-    let bands = spec["data"].as_array().unwrap().iter();
-    let band = bands.filter(|t| t["fill"] == "toself").last().unwrap();
+    let mut traces = spec["data"].as_array().unwrap().iter();
+    let band = traces.rfind(|t| t["fill"] == "toself").unwrap();
     let top = band["y"][0].as_f64().unwrap();
     let radius_m = found.case.bearing.ball_radius_m();
     let reach = (found.inner.semi_axes_m[0][1] / radius_m).to_degrees();

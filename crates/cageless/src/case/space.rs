@@ -143,16 +143,16 @@ impl Case {
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
             if field == "edge_radius_m" {
-                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare`, `drop` of \
-                            one bearing and sweeps of them compute the edges of a slot";
+                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare`, `studio`, \
+                            `drop` of one bearing and sweeps of them compute the edges of a slot";
                 return Err(InputError::rule(field, value, rule));
             }
-            let rule = "left out here: only `cageless static`, `run`, `compare`, `drop` of one bearing, sweeps of \
-                        them, and `export` take it, all else is planar";
+            let rule = "left out here: only `cageless static`, `run`, `compare`, `studio`, `drop` of one bearing, sweeps \
+                        of them, and `export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));
         }
-        let rule = "auto here: only `cageless static`, `run`, `compare`, `drop` of one bearing and sweeps \
-                    of them compute in space";
+        let rule = "auto here: only `cageless static`, `run`, `compare`, `studio`, `drop` of one bearing and \
+                    sweeps of them compute in space";
         require("motion", 0.0, self.motion != Motion::Space, rule)
     }
 
