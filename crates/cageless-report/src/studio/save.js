@@ -43,7 +43,7 @@ class SaveMenu {
 
   async save(thing, format, pressed) {
     const { studio } = this;
-    if (!studio.g || (thing.ready && !thing.ready())) { this.state.textContent = thing.name + ": not computed yet"; return; }
+    if (!studio.g || (thing.ready && !thing.ready())) { this.state.textContent = thing.name + ": nothing to save yet"; return; }
     pressed.disabled = true;
     try {
       const blob = await this.file(thing, format);
