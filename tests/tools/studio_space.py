@@ -62,6 +62,8 @@ def space(s, screens):
     s.settled()
     rows(s, screens)
     s.type(before)
+    s.judged()
+    s.check("the plane is back", s.js(f"{S}.g.space") is None and not s.text("message"), s.text("message"))
 
 
 def rows(s, screens):
@@ -72,7 +74,7 @@ def rows(s, screens):
     s.tab.wait_for(f"{S}.motion.toml === {S}.toml")
     moving(s, 30)
     svg = s.js(f"(async () => (await {S}.saving.file({S}.saving.things[0], 'svg')).text())()")
-    s.check("both rows are drawn side by side", "row 1" in svg and "row 2" in svg and svg.count('fill="#0072b2"') == 2, svg[:200])
+    s.check("both rows are drawn side by side", "row 1" in svg and "row 2" in svg and svg.count('fill="#f4f5f6"') == 24, svg.count('fill="#f4f5f6"'))
     s.check("every ball has its gap", s.js(f"{S}.stage.frame.gap_deg.length") == 28)
     s.check("the rows press to both sides", s.js(f"(({{ space }}) => space.inner[0][1] > 5 && space.inner[0][15] < -5)({S}.stage.frame)"))
     s.tab.screenshot(screens / f"studio-{s.name}-pair.png", captureBeyondViewport=True)

@@ -225,7 +225,7 @@ function drawSection(canvas, g, frame) {
     });
     c.stroke();
   }
-  const contacts = frame && frame.space ? contactsOf(frame.space, nearestBall(g, frame)) : [];
+  const contacts = frame && frame.space && g.space ? contactsOf(frame.space, nearestBall(g, frame)) : [];
   if (contacts.length) {
     contacts.forEach(([angle, reach, inner], n) => {
       if (!reach) return;

@@ -28,7 +28,7 @@ class SaveMenu {
       { id: "map", name: "Map", draw: (to) => studio.map.paint(to), ready: () => studio.map.box, csv: () => this.points() },
       { id: "track", name: "Contact track", draw: (to) => drawDepth(to, studio.g), csv: () => this.track() },
       { id: "section", name: "Section", draw: (to) => drawSection(to, studio.g, frame()) },
-      { id: "contacts", name: "Contact angles", draw: (to) => drawContacts(to, studio.g, frame(), studio.stage.track()), ready: () => frame() && frame().space, csv: () => this.contacts() },
+      { id: "contacts", name: "Contact angles", draw: (to) => drawContacts(to, studio.g, frame(), studio.stage.track()), ready: () => studio.stage.track().length, csv: () => this.contacts() },
       { id: "depth", name: "Groove depth", draw: (to) => studio.surface.paint(to), csv: () => this.depth() },
       { id: "terms", name: "Criteria", csv: () => asCsv(["criterion", "kind", "value", "limit", "margin"], studio.verdict.rows().rows.map(({ name, value, limit, margin }) => [name, studio.verdict.rows().kind, value, limit, margin])) },
       { id: "case", name: "Case file", toml: true },
@@ -68,7 +68,7 @@ class SaveMenu {
 
   gaps() {
     const { frames } = this.studio.motion;
-    return asCsv(["time_s", ...Array.from({ length: this.studio.frames.length ? frames[0].gap_deg.length : 0 }, (_, k) => "gap_" + (k + 1) + "_deg")], frames.map((f) => [f.t, ...f.gap_deg]));
+    return asCsv(["time_s", ...Array.from({ length: frames.length ? frames[0].gap_deg.length : 0 }, (_, k) => "gap_" + (k + 1) + "_deg")], frames.map((f) => [f.t, ...f.gap_deg]));
   }
 
   balls() {

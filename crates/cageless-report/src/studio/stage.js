@@ -72,10 +72,10 @@ class Stage {
     this.rest = this.late && !this.studio.judged ? stamp + RESTS * this.pace : 0;
   }
 
-  // The last moments up to the one that is shown, of motion in space.
+  // The last moments up to the one that is shown, of motion in space. A moment may be older than the case.
   track() {
-    const { frame } = this, { motion } = this.studio;
-    return frame && frame.space ? [...motion.frames.filter((f) => f.space && f.t <= frame.t).slice(-TRACKED), frame] : [];
+    const { frame } = this, { motion, g } = this.studio;
+    return frame && frame.space && g.space ? [...motion.frames.filter((f) => f.space && f.t <= frame.t).slice(-TRACKED), frame] : [];
   }
 
   title() {
@@ -94,9 +94,10 @@ class Stage {
     if (pinned && due(canvas.a)) drawBearing(canvas.a, pinned.g, studio.motionA.frames.length ? studio.motionA.at(this.now) : null, pinned.name);
     if (!part || part.beside) {
       if (due(canvas.gaps)) drawGaps(canvas.gaps, g, frame);
-      this.contacts.hidden = !frame || !frame.space;
-      if (frame && frame.space) {
-        if (due(canvas.contacts)) drawContacts(canvas.contacts, g, frame, this.track());
+      const track = this.track();
+      this.contacts.hidden = !track.length;
+      if (track.length) {
+        if (due(canvas.contacts)) drawContacts(canvas.contacts, g, frame, track);
         drawSection(canvas.section, g, frame);
         studio.surface.paint();
       }
