@@ -1,6 +1,7 @@
 //! Loads and contact pressures over the angular position, from snapshots.
 
-use cageless::Bearing;
+use cageless::Case;
+use cageless::equilibrium::space::{GroovePoint, inner_point, outer_points};
 use cageless::raceway_contact::{RacewayContact, RacewayPoint};
 use cageless::snapshot::Snapshot;
 
@@ -31,9 +32,29 @@ impl Bin {
     }
 }
 
+/// Largest pressure of ball `k` at inner and outer raceway, Pa.
+fn pressures_pa(case: &Case, snapshot: &Snapshot, k: usize) -> [f64; 2] {
+    let bearing = &case.bearing;
+    let (inner_n, outer_n) = (snapshot.inner_force_n[k], snapshot.outer_force_n[k]);
+    if !snapshot.is_in_space() {
+        let cosine = snapshot.effective_radius_m[k] / bearing.ball(k).radius_m;
+        let point = RacewayPoint::of_outer(cosine, outer_n.max(0.0));
+        return [
+            bearing.inner_contact().peak_pressure_pa(inner_n.max(0.0)),
+            RacewayContact::outer(bearing, point).pressure_pa,
+        ];
+    }
+    let place = [snapshot.x_m[k].hypot(snapshot.y_m[k]), snapshot.z_m[k]];
+    let inner = inner_point(case, snapshot.inner_contact_angle_rad[k], inner_n);
+    let outer = outer_points(case, k, snapshot.angle_rad[k], place, outer_n);
+    let pressure = |point: Option<_>| point.map_or(0.0, |p: GroovePoint| p.contact.pressure_pa);
+    let [one, other] = outer.map(pressure);
+    [pressure(inner), one.max(other)]
+}
+
 impl LoadProfile {
     /// Profile of all balls in `snapshots`; `None` without any.
-    pub fn new(bearing: &Bearing, snapshots: &[Snapshot]) -> Option<Self> {
+    pub fn new(case: &Case, snapshots: &[Snapshot]) -> Option<Self> {
         let (first, last) = (snapshots.first()?, snapshots.last()?);
         let (mut inner, mut outer) = ([Bin::default(); STEPS], [Bin::default(); STEPS]);
         for snapshot in snapshots {
@@ -42,12 +63,9 @@ impl LoadProfile {
                 let step = ((turns - turns.floor()) * STEPS as f64) as usize % STEPS;
                 let force =
                     [snapshot.inner_force_n[k], snapshot.outer_force_n[k]].map(|f| f.max(0.0));
-                inner[step].add(force[0], bearing.inner_contact().peak_pressure_pa(force[0]));
-                let r = snapshot.effective_radius_m[k];
-                let cosine = r / bearing.ball(k % bearing.balls()).radius_m;
-                let point = RacewayPoint::of_outer(cosine, force[1]);
-                let pressure = RacewayContact::outer(bearing, point).pressure_pa;
-                outer[step].add(force[1], pressure);
+                let pressures = pressures_pa(case, snapshot, k);
+                inner[step].add(force[0], pressures[0]);
+                outer[step].add(force[1], pressures[1]);
             }
         }
         let over = |bins: &[Bin], of: fn(&Bin) -> f64| -> Vec<f64> {
@@ -68,5 +86,50 @@ impl LoadProfile {
             inner_pressure_max_mpa: over(&inner, mpa),
             outer_pressure_max_mpa: over(&outer, mpa),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless::recorder::Recorder;
+    use cageless::simulation::{Control, run};
+    use cageless::summary::SummaryRecorder;
+    use cageless_io::case_file::{CaseFile, template};
+
+    use super::*;
+
+    /// The largest pressures of the profile are those of the run, which looks more often; where one flank
+    /// bears nearly all as well.
+    #[test]
+    fn pressures_are_those_of_the_run() {
+        for axial_load in ["0", "750"] {
+            let sets = [
+                "solver.duration_s=0.01".to_owned(),
+                "solver.method=verlet".to_owned(),
+                "operation.gravity_m_s2=0".to_owned(),
+                format!("operation.axial_load_n={axial_load}"),
+            ];
+            let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+            let mut snapshots = vec![];
+            let mut recorder = Recorder::new(1e-5, |snapshot: Snapshot| {
+                snapshots.push(snapshot);
+                Ok(())
+            });
+            let mut summary = SummaryRecorder::new();
+            let control = &mut |_| Control::Continue(());
+            run(file.case(), &mut [&mut recorder, &mut summary], control).unwrap();
+            let summary = summary.summary().unwrap();
+            let settled = snapshots.partition_point(|s| s.time_s < summary.settled_after_s);
+            let profile = LoadProfile::new(file.case(), &snapshots[settled..]).unwrap();
+            let peaks = summary.peaks;
+            for (found, expected) in [
+                (profile.inner_pressure_max_mpa, peaks.inner.pressure_pa),
+                (profile.outer_pressure_max_mpa, peaks.outer.pressure_pa),
+            ] {
+                let found = 1e6 * found.into_iter().fold(0.0, f64::max);
+                let ratio = found / expected;
+                assert!((0.99..1.002).contains(&ratio), "{axial_load}: {ratio}");
+            }
+        }
     }
 }

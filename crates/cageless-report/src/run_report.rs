@@ -120,7 +120,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     let profile = {
         let from = recent.partition_point(|s| s.time_s < settled);
         let after = if from < recent.len() { from } else { 0 };
-        LoadProfile::new(bearing, &recent[after..])
+        LoadProfile::new(case, &recent[after..])
     };
     let shown = last_orbits(&recent, orbit, ORBITS_PLAYED);
     let Recent { time_s, balls } = histories_of(&snapshots, case.balls());

@@ -8,9 +8,9 @@ use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
 use crate::raceway_contact::RacewayPoint;
 
-/// Point at which a ball bears on a groove.
+/// Normal force of a ball on a groove, and where it acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct GroovePoint {
+pub(crate) struct ContactPoint {
     /// Normal force, N; 0 without contact.
     pub force_n: f64,
     /// Cosine and sine of its contact angle, positive where an axial load along +Z presses.
@@ -19,7 +19,7 @@ pub(crate) struct GroovePoint {
     pub half_length_m: f64,
 }
 
-impl GroovePoint {
+impl ContactPoint {
     /// Force along the radius and across it, N.
     fn force(&self) -> [f64; 2] {
         self.normal.map(|part| part * self.force_n)
@@ -30,7 +30,7 @@ impl GroovePoint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallContacts {
     /// Both points at the outer raceway, that at the inner one.
-    points: [GroovePoint; PLACES],
+    points: [ContactPoint; PLACES],
 }
 
 /// Angle of a force of a contact from the radius; NaN without one.
@@ -41,8 +41,8 @@ fn angle_rad([along, across]: [f64; 2]) -> f64 {
     }
 }
 
-impl From<GroovePoint> for RacewayPoint {
-    fn from(point: GroovePoint) -> Self {
+impl From<ContactPoint> for RacewayPoint {
+    fn from(point: ContactPoint) -> Self {
         Self {
             force_n: point.force_n,
             cosine: point.normal[0],
@@ -85,7 +85,7 @@ impl BallContacts {
     }
 
     /// The points that bear, each with its ring: 0 for the inner, 1 for the outer one.
-    pub(crate) fn bearing_points(&self) -> impl Iterator<Item = (usize, &GroovePoint)> {
+    pub(crate) fn bearing_points(&self) -> impl Iterator<Item = (usize, &ContactPoint)> {
         let rings = [1, 1, 0].into_iter().zip(&self.points);
         rings.filter(|(_, point)| point.force_n > 0.0)
     }
@@ -126,7 +126,7 @@ impl SpaceWorkspace {
             [&block.outer.radial_1, &block.outer.axial_1],
             [&block.inner.cosine, &block.inner.sine],
         ];
-        let point = |place: usize| GroovePoint {
+        let point = |place: usize| ContactPoint {
             force_n: block.frames[place].force_n.0[lane],
             normal: normals[place].map(|lanes| lanes.0[lane]),
             half_length_m: block.frames[place].half_length_m.0[lane],

@@ -17,7 +17,7 @@
 
 use super::{inner_contact, outer_contact, outer_section, resultant};
 use crate::case::Case;
-use crate::equilibrium::RacewayContact;
+use crate::raceway_contact::RacewayContact;
 
 /// Share of the force below which a flank is left out: its ellipse is shorter than 1 % of the other.
 const OPEN: f64 = 1e-6;
