@@ -78,13 +78,13 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
 
 /// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.
 fn settled(case: &Case) -> Result<(Record, Estimate), EquilibriumError> {
-    if case.rotor.is_some() || !case.moves_in_space() {
-        let solved = equilibrium::solve(case)?;
-        return Ok((static_record(case, &solved), Estimate::new(case, &solved)));
+    if case.rotor.is_none() && case.moves_in_space() {
+        let solved = equilibrium::space::solve(case)?;
+        let estimate = Estimate::in_space(case, &seats(case)?, Some(&solved));
+        return Ok((spatial_record(case, &solved), estimate));
     }
-    let solved = equilibrium::space::solve(case)?;
-    let estimate = Estimate::in_space(case, &seats(case)?, Some(&solved));
-    Ok((spatial_record(case, &solved), estimate))
+    let solved = equilibrium::solve(case)?;
+    Ok((static_record(case, &solved), Estimate::new(case, &solved)))
 }
 
 /// Contact signs of the rows and shoulder angles, inner and outer, of a case that moves in space.

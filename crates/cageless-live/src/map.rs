@@ -1,5 +1,7 @@
 //! Estimates over two keys of a case.
 
+use std::cell::OnceCell;
+
 use cageless::Case;
 use cageless::design::{Eq11, Estimate, seats, theoretical_gap_rad};
 use cageless::equilibrium;
@@ -49,7 +51,8 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
     let of_raceway = [across, up]
         .iter()
         .all(|axis| axis.key.starts_with("raceway."));
-    let rests = of_raceway.then(|| seats(base.case()).ok()).flatten();
+    let rests = OnceCell::new();
+    let rests = || rests.get_or_init(|| seats(base.case()).ok()).as_deref();
     let case = CaseDocument::parse(case, "case")?;
     let span = Span::of_key(&across.key, low, high)?;
     let (mut beta0, mut refused, mut ranges) = (vec![], vec![], vec![]);
@@ -74,7 +77,7 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
                 }
             };
             beta0_row[k] = json!(beta0_deg(&file));
-            let Some(estimate) = estimate(file.case(), rests.as_deref()) else {
+            let Some(estimate) = estimate(file.case(), of_raceway.then_some(&rests)) else {
                 continue;
             };
             for term in estimate.terms() {
@@ -90,14 +93,17 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
     Ok(json!({ "beta0_deg": beta0, "margins": margins, "refused": refused, "possible": ranges }))
 }
 
+/// Where the balls of all points of a map rest, if anywhere.
+type Rests<'a> = &'a dyn Fn() -> Option<&'a [[f64; 2]]>;
+
 /// The estimate of a point; in space without the contact stress, from where the balls of all points rest
-/// if they are given.
-fn estimate(case: &Case, rests: Option<&[[f64; 2]]>) -> Option<Estimate> {
+/// if that is the same for all.
+fn estimate(case: &Case, rests: Option<Rests<'_>>) -> Option<Estimate> {
     if !case.moves_in_space() {
         return Some(Estimate::new(case, &equilibrium::solve(case).ok()?));
     }
     Some(match rests {
-        Some(rests) => Estimate::in_space(case, rests, None),
+        Some(rests) => Estimate::in_space(case, rests()?, None),
         None => Estimate::in_space(case, &seats(case).ok()?, None),
     })
 }

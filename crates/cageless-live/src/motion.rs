@@ -210,12 +210,12 @@ fn contacts(case: &Case, s: &Snapshot) -> Value {
     for k in 0..s.balls() {
         let row = &rows[k / case.bearing.balls()];
         let ring_z_m = row.axial_position_m - row.contact_sign * row.preload_m;
-        let place = [s.x_m[k].hypot(s.y_m[k]), s.z_m[k]];
+        let place = s.place_in_outer_ring_m(k);
         let [plus, minus] = outer_points(case, k, s.angle_rad[k], place, s.outer_force_n[k]);
         let inner = inner_point(case, s.inner_contact_angle_rad[k], s.inner_force_n[k]);
         for (contact, point) in found.iter_mut().zip([inner, plus, minus]) {
             let values = point.map_or([0.0; 3], |p| {
-                let z_m = s.z_m[k] + radius_m * p.angle_rad.sin() - ring_z_m;
+                let z_m = place[1] + radius_m * p.angle_rad.sin() - ring_z_m;
                 [p.angle_rad, p.contact.semi_axes_m[1] / radius_m, z_m]
             });
             contact

@@ -54,6 +54,10 @@ pub(crate) fn verdict(
 /// contact angle; criteria of passages hold in the plane.
 fn in_space(case: &Case, control: &mut dyn FnMut(f64) -> Control) -> Result<Value, Refusal> {
     case.check_constant_operation("a verdict in space")?;
+    if case.raceways.is_empty() {
+        let why = "not judged: the outer ring has no discrete raceway";
+        return Err(Refusal::new(why));
+    }
     let rolling = case.raceways.iter();
     let rolling = rolling.map(|r| kinematic_lag_rad(&case.bearing, r, 0.0, 0.0));
     let rolling_rad = rolling.sum::<f64>() / case.raceways.len() as f64;
@@ -66,16 +70,18 @@ fn in_space(case: &Case, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
     if ended {
         return Err(Refusal::new("cancelled"));
     }
-    let Some([lag_rad, _]) = found else {
-        let why = "not judged: the bearing does not bear its load in motion";
+    let Some(found) = found else {
+        let why =
+            "not judged: the bearing does not bear its load in motion, or no ball passes a raceway";
         return Err(Refusal::new(why));
     };
-    let (share, least) = (lag_rad / rolling_rad, AXIAL_LAG_MIN_FRACTION);
+    let (share, least) = (found.least_fraction, AXIAL_LAG_MIN_FRACTION);
     let passes = share >= least;
-    let [lag, rolling] = [lag_rad, rolling_rad].map(f64::to_degrees);
+    let [lag, rolling] = [found.lag_rad, rolling_rad].map(f64::to_degrees);
     let text = format!(
-        "balls lag by {lag:.2}° a pass, rolling without a contact angle by {rolling:.2}°; {:.0} % is the \
-         least",
+        "balls lag by {lag:.2}° a pass in the mean, rolling without a contact angle by {rolling:.2}°; the worst \
+         row and raceway keeps {:.0} % of that, and {:.0} % is the least",
+        100.0 * share,
         100.0 * least
     );
     let word = if passes { "PASS" } else { "FAIL" };

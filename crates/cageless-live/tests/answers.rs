@@ -173,11 +173,12 @@ fn a_motion_in_space_has_its_contacts_and_goes_on() {
                 "{name} {k}"
             );
         }
-        assert!(
-            numbers(&b["space"]["inner"][0])[14..]
-                .iter()
-                .all(|angle| *angle < -5.0)
-        );
+        // Of the second row the contact that bears outside may be that of the other flank.
+        let other = numbers(&b["space"]["outer"][1][0]);
+        for k in 14..28 {
+            let leans = angle[k] < -5.0 || name == "outer" && other[k] < -5.0;
+            assert!(leans, "{name} {k}");
+        }
         assert!(
             reach[..14].iter().all(|r| *r > 2.0 && *r < 20.0),
             "{name} {reach:?}"

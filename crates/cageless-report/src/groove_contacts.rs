@@ -11,7 +11,7 @@ use crate::run_data::RunData;
 /// One contact over the rows of a stretch; NaN where the ball does not touch.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactHistory {
-    /// Angle of its normal from the radius towards +z.
+    /// Angle of its normal from the radius, positive where an axial load along +z presses.
     pub angle_rad: Vec<f64>,
     /// Semi-axes of its ellipse along and across the groove.
     pub semi_axes_m: Vec<[f64; 2]>,
@@ -24,7 +24,7 @@ impl ContactHistory {
         self.semi_axes_m.push(axes);
     }
 
-    /// Angles of an end of its ellipse, where the sign is 1 the one towards +z.
+    /// Angles of one end of its ellipse: the larger for sign 1, the smaller for −1.
     pub fn ends_rad(&self, sign: f64, ball_radius_m: f64) -> Vec<f64> {
         let points = self.angle_rad.iter().zip(&self.semi_axes_m);
         points

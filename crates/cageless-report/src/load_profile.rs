@@ -44,7 +44,7 @@ fn pressures_pa(case: &Case, snapshot: &Snapshot, k: usize) -> [f64; 2] {
             RacewayContact::outer(bearing, point).pressure_pa,
         ];
     }
-    let place = [snapshot.x_m[k].hypot(snapshot.y_m[k]), snapshot.z_m[k]];
+    let place = snapshot.place_in_outer_ring_m(k);
     let inner = inner_point(case, snapshot.inner_contact_angle_rad[k], inner_n);
     let outer = outer_points(case, k, snapshot.angle_rad[k], place, outer_n);
     let pressure = |point: Option<_>| point.map_or(0.0, |p: GroovePoint| p.contact.pressure_pa);

@@ -354,8 +354,8 @@ fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
         x_mm: over(&|s| s.x_m[k] * 1e3),
         vx_m_s: over(&|s| s.vx_m_s[k]),
         vy_m_s: over(&|s| s.vy_m_s[k]),
-        distance_m: spatial(&|s| s.x_m[k].hypot(s.y_m[k])),
-        z_m: spatial(&|s| s.z_m[k]),
+        distance_m: spatial(&|s| s.place_in_outer_ring_m(k)[0]),
+        z_m: spatial(&|s| s.place_in_outer_ring_m(k)[1]),
         inner_contact_angle_rad: spatial(&|s| s.inner_contact_angle_rad[k]),
     }
 }

@@ -268,6 +268,15 @@ impl Snapshot {
         self.x_m.len()
     }
 
+    /// Distance of ball `k` from the axis of the outer ring and its z from there, in space, m.
+    pub fn place_in_outer_ring_m(&self, k: usize) -> [f64; 2] {
+        let housing = (self.rotor.as_ref()).map_or([0.0; 3], |rotor| {
+            [rotor.housing_x_m, rotor.housing_y_m, rotor.housing_z_m]
+        });
+        let place = [self.x_m[k] - housing[0], self.y_m[k] - housing[1]];
+        [place[0].hypot(place[1]), self.z_m[k] - housing[2]]
+    }
+
     /// Whether the balls move in space.
     pub fn is_in_space(&self) -> bool {
         !self.z_m.is_empty()

@@ -96,20 +96,27 @@ impl Converter<'_> {
     fn rows(&self, bearing: &Bearing) -> Result<Vec<Row>, CaseError> {
         let mut rows = self.sections.row.clone();
         let change_m = bearing.preload_change_m();
-        let opposed = [1.0, -1.0].map(|sign| rows.iter().any(|row| row.contact_sign == sign));
-        let held = rows.iter().all(|row| row.preload_n == 0.0);
-        if change_m == 0.0 || opposed != [true; 2] || !held {
+        let held = |row: &&Row| row.preload_n == 0.0;
+        let opposed = [1.0, -1.0].map(|sign| {
+            let mut held = rows.iter().filter(held);
+            held.any(|row| row.contact_sign == sign)
+        });
+        if change_m == 0.0 || opposed != [true; 2] {
             return Ok(rows);
         }
         let most_m = bearing.axial_preload_max_m();
-        for (index, row) in rows.iter_mut().enumerate() {
+        let held = rows
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, row)| row.preload_n == 0.0);
+        for (index, row) in held {
             row.preload_m += change_m;
             if !(row.preload_m >= 0.0 && row.preload_m <= most_m) {
                 let [change, left, most] =
                     [change_m, row.preload_m, most_m].map(|m| Micrometre.of_si(m));
                 let message = format!(
                     "[fit] changes the preload of row {} by {change:.2} um to {left:.2} um: it must be \
-                     from 0 to {most:.2} um (preload_um of the rows)",
+                     from 0 to {most:.2} um (preload_um, which two opposed rows may share between them)",
                     index + 1
                 );
                 return Err(self.document.tree.error("fit", message));

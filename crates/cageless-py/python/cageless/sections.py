@@ -70,7 +70,7 @@ class Raceway(Section):
     profile: Annotated[Sequence[Sequence[float]] | None, "flank angle over ψ from the middle of the raceway up to the ends, where it is 0: of shape = \"measured\", fitted to 5 rows or more of one side or both; of shape = \"spline\", met by 5 to 30 rows of one side from the middle, ψ = 0"] = None
     blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\""] = None
     depth_um: Annotated[float | None, "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\""] = None
-    edge_radius_mm: Annotated[float | None, "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run`, `compare` and `drop`"] = None
+    edge_radius_mm: Annotated[float | None, "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run`, `compare`, `drop` and the studio"] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None
     contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given"] = None
 
@@ -81,7 +81,7 @@ class Row(Section):
 
     axial_position_mm: Annotated[float, "z of the middle of the row"]
     contact_sign: Annotated[float | None, "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem"] = None
-    preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign"] = None
+    preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign; with [fit] that before fits and temperatures"] = None
     preload_n: Annotated[float | None, "preload by a soft spring, in place of preload_um: force on its outer ring against the contact sign; only in `static`, which finds the displacement"] = None
     balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always"] = None
 

@@ -75,7 +75,7 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
     let finding = finding(&ball, shoulders_rad);
     let caption = format!(
         "Contacts of ball {} with both grooves, unrolled, {}: angle of the normal from the radius, positive \
-         towards +z. The shades reach from end to end of the contact ellipse (half its length over the \
+         where an axial load along +z presses. The shades reach from end to end of the contact ellipse (half its length over the \
          radius of the ball); the lines at the edges are the shoulders, the dashed ones the angles of the \
          flanks, on both of which a ball sits that the raceway slows. {finding}",
         ball.ball, ball.part
@@ -95,31 +95,37 @@ fn finding(ball: &GrooveContacts, shoulders_rad: [f64; 2]) -> String {
     let ridden = match inside.len() {
         0 => String::new(),
         all => format!(
-            "In the raceway the ball sits on both flanks {} % of the time. ",
+            "In the raceway the ball sits on both flanks {} % of the time in which it touches. ",
             fixed(Some(100.0 * both as f64 / all as f64), 0)
         ),
     };
-    let radius_m = ball.case.bearing.ball_radius_m();
+    let bearing = &ball.case.bearing;
+    let radius_m = bearing.ball((ball.ball - 1) % bearing.balls()).radius_m;
     let room = |contacts: &[ContactHistory], shoulder: f64| {
         let ends = contacts
             .iter()
             .flat_map(|c| [1.0, -1.0].map(|end| c.ends_rad(end, radius_m)));
-        let far = ends.flatten().map(f64::abs).fold(0.0, f64::max);
-        degrees(&[shoulder - far])[0]
+        let ends = ends.flatten().filter(|end| end.is_finite());
+        let far = ends.map(f64::abs).reduce(f64::max)?;
+        Some(degrees(&[shoulder - far])[0])
     };
-    let outer = room(&ball.outer, shoulders_rad[1]);
-    let inner = room(std::slice::from_ref(&ball.inner), shoulders_rad[0]);
-    let near = |room: f64| {
-        let size = fixed(Some(room.abs()), 1);
-        match room >= 0.0 {
-            true => format!("stays {size}° inside the shoulder"),
-            false => format!("reaches {size}° beyond the shoulder"),
+    let near = |room: Option<f64>, ring: &str| {
+        let size = fixed(room.map(f64::abs), 1);
+        match room {
+            None => format!("does not touch the {ring} ring"),
+            Some(room) if room < 0.0 => {
+                format!("reaches {size}° beyond the shoulder of the {ring} ring")
+            }
+            Some(_) => format!("stays {size}° inside the shoulder of the {ring} ring"),
         }
     };
     format!(
-        "{ridden}The ellipse {} of the outer ring and {} of the inner one.",
-        near(outer),
-        near(inner)
+        "{ridden}The ellipse {} and {}.",
+        near(room(&ball.outer, shoulders_rad[1]), "outer"),
+        near(
+            room(std::slice::from_ref(&ball.inner), shoulders_rad[0]),
+            "inner"
+        )
     )
 }
 

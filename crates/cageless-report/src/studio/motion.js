@@ -80,6 +80,9 @@ class LiveMotion {
     while (high - low > 1) { const m = (low + high) >> 1; if (f[m].t <= t) low = m; else high = m; }
     const [a, b] = [f[low], f[high]];
     const part = b.t > a.t ? Math.max(0, Math.min(1, (t - a.t) / (b.t - a.t))) : 0;
-    return between(a, b, part);
+    const moment = between(a, b, part);
+    // A contact that opens is none in one of the two.
+    if (a.space) moment.space = (part < 0.5 ? a : b).space;
+    return moment;
   }
 }

@@ -27,8 +27,8 @@ impl BearingDimensions {
             .acos()
     }
 
-    /// Opens grooves without clearance, but for `enlargement_m` of Gr, about the pitch circle until unloaded
-    /// balls touch them at this angle: Gr = 2A(1 − cos α0).
+    /// Opens grooves whose Gr is `enlargement_m` and no more about the pitch circle until unloaded balls
+    /// touch them at this angle: Gr = 2A(1 − cos α0).
     pub fn open_to(&mut self, angle_rad: f64, enlargement_m: f64) {
         if (self.play_m() - 0.5 * enlargement_m).abs() < super::ROUNDING_M {
             let half = 0.5 * self.groove_distance_m() * (1.0 - angle_rad.cos());
@@ -69,6 +69,10 @@ impl Bearing {
         let rule = "left out, or the radial internal clearance 0: the clearance gives another free \
                     contact angle, from 1 - cos = Gr/(2A)";
         require(FIELD, angle_rad, same, rule)?;
+        if free > most {
+            let rule = "smaller: fits and temperatures open the bearing until its free contact angle is beyond the shoulder";
+            return Err(InputError::rule(FIELD, angle_rad, rule));
+        }
         self.contact_angle_rad = free;
         self.preload_change_m = room * (by_itself.sin() - free.sin());
         [self.inner_contact, self.outer_contact] = self.contacts_at([free; 2]);

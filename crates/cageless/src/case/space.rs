@@ -104,7 +104,7 @@ impl Case {
         }
         if let Some(row) = self.rows.iter().find(|row| row.preload_n != 0.0) {
             let rule = "0 in motion, with the row_preload_um that `cageless static --json` finds for this force in \
-                        its place: an outer ring that slides along the axis is computed at rest only";
+                        its place, with [fit] less the change of the preload of both rows: an outer ring that slides along the axis is computed at rest only";
             return Err(InputError::rule("preload_n", row.preload_n, rule));
         }
         let physical = self.profile != Profile::Paper;
@@ -141,18 +141,20 @@ impl Case {
     /// # Errors
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
+        const IN_SPACE: &str = "`cageless static`, `run`, `compare`, `studio`, `drop` of one bearing and sweeps of \
+                                static, run or drop";
         if let Some((field, value)) = self.spatial_field() {
-            if field == "edge_radius_m" {
-                let rule = "left out here, with another shape: only `cageless static`, `run`, `compare`, `studio`, \
-                            `drop` of one bearing and sweeps of them compute the edges of a slot";
-                return Err(InputError::rule(field, value, rule));
-            }
-            let rule = "left out here: only `cageless static`, `run`, `compare`, `studio`, `drop` of one bearing, sweeps \
-                        of them, and `export` take it, all else is planar";
+            let rule = match field {
+                "edge_radius_m" => format!(
+                    "left out here, with another shape: only {IN_SPACE} compute the edges of a slot"
+                ),
+                _ => format!(
+                    "left out here: only {IN_SPACE}, and `export` take it, all else is planar"
+                ),
+            };
             return Err(InputError::rule(field, value, rule));
         }
-        let rule = "auto here: only `cageless static`, `run`, `compare`, `studio`, `drop` of one bearing and \
-                    sweeps of them compute in space";
+        let rule = format!("auto here: only {IN_SPACE} compute in space");
         require("motion", 0.0, self.motion != Motion::Space, rule)
     }
 

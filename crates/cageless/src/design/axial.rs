@@ -4,6 +4,7 @@
 //! spaced and settled, move under axial loads and tilts with all friction, and the lag is what
 //! they lose.
 
+use super::contact_angle::kinematic_lag_rad;
 use super::verdict::steady_case;
 use crate::case::{Case, Motion, Tilt};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
@@ -34,8 +35,8 @@ pub struct AxialLag {
     /// Mean lag per pass, and mean contact angle at the inner raceway; `None` if the bearing does not bear
     /// it: a contact leaves its groove, or the run stopped.
     pub lag_and_angle_rad: Option<[f64; 2]>,
-    /// Critical gap of the first raceway; `None` if it was not asked for, or the gap of a pair never closes
-    /// or always does.
+    /// Critical gap of the first raceway; `None` if it was not asked for, the gap of a pair never closes or
+    /// always does, or the run stopped.
     pub critical_gap_rad: Option<f64>,
 }
 
@@ -94,29 +95,46 @@ pub fn axial_lag(
     Ok(AxialLag {
         axial_load_n: point[0],
         tilt_x_rad: point[1],
-        lag_and_angle_rad: lag_in_space(&under(case, point), control)?,
+        lag_and_angle_rad: lag_in_space(&under(case, point), control)?
+            .map(|lag| [lag.lag_rad, lag.inner_contact_angle_rad]),
         critical_gap_rad: None,
     })
 }
 
-/// Mean lag per pass of the balls of a case in space, evenly spaced, as [`axial_lag`] has it, and their
-/// mean contact angle at the inner raceway; `None` if the bearing does not bear its load or the run
-/// stopped.
+/// Lag of the balls of a case in space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LagInSpace {
+    /// Lag per pass, mean over all rows and raceways.
+    pub lag_rad: f64,
+    /// Contact angle at the inner raceway, mean.
+    pub inner_contact_angle_rad: f64,
+    /// Lag over that of rolling without a contact angle, of the row and raceway where it is least; 0 where
+    /// no ball passes.
+    pub least_fraction: f64,
+}
+
+/// Lag of the balls of a case in space, evenly spaced, as [`axial_lag`] has it; `None` if the bearing
+/// does not bear its load, the run stopped, or no ball passed a raceway.
 ///
 /// # Errors
 /// The case is impossible.
 pub fn lag_in_space(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<Option<[f64; 2]>, EquilibriumError> {
+) -> Result<Option<LagInSpace>, EquilibriumError> {
     let case = even_in_space(case);
     let after_s = AXIAL_ORBITS[0] * case.rolling_orbit_s();
     let duration_s = case.solver.duration_s;
     let mut tally = PassageTally::new();
+    // Row after row.
+    let raceways = case.raceways.len();
+    let mut tallies = vec![PassageTally::new(); case.all_rows().len() * raceways];
     let mut summary = SummaryRecorder::new();
     let ran = {
         let mut passages = PassageRecorder::new(|passage| {
             if passage.enter_s > after_s {
+                let row = passage.ball / case.bearing.balls();
+                tallies[row * raceways + passage.raceway].add(&passage);
                 tally.add(&passage);
             }
             Ok(())
@@ -130,11 +148,21 @@ pub fn lag_in_space(
         Err(error @ EquilibriumError::Input(_)) => return Err(error),
         Err(_) => return Ok(None),
     };
+    let fractions = tallies.iter().enumerate().map(|(k, tally)| {
+        let rolling = kinematic_lag_rad(&case.bearing, &case.raceways[k % raceways], 0.0, 0.0);
+        match tally.count {
+            0 => 0.0,
+            _ => tally.lag_mean_rad() / rolling,
+        }
+    });
+    let least_fraction = fractions.fold(f64::INFINITY, f64::min);
     let space = summary.summary().and_then(|summary| summary.space);
     let complete = matches!(outcome.ending, Ending::Complete) && tally.count > 0;
-    Ok(space
-        .filter(|_| complete)
-        .map(|s| [tally.lag_mean_rad(), s.inner_contact_angle_mean_rad]))
+    Ok(space.filter(|_| complete).map(|s| LagInSpace {
+        lag_rad: tally.lag_mean_rad(),
+        inner_contact_angle_rad: s.inner_contact_angle_mean_rad,
+        least_fraction,
+    }))
 }
 
 /// Critical gap of the first raceway of a case at one of [`axial_points`]; `None` if there is none, or
@@ -147,7 +175,8 @@ pub fn axial_critical_gap_rad(
     point: [f64; 2],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<f64>, CriticalGapError> {
-    let alone = under(case, point).with_raceways(case.raceways[..1].to_vec());
+    let first = case.raceways.iter().take(1);
+    let alone = under(case, point).with_raceways(first.cloned().collect());
     let test = PairTest {
         tolerance_rad: GAP_TOLERANCE_RAD,
         ..PairTest::default()

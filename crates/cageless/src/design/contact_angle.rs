@@ -72,9 +72,14 @@ pub fn seats(case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
 }
 
 /// Share of the lag without a contact angle that rolling leaves at the [`seats`] of a case, of the worst
-/// row and raceway; the angle counts from that by which the section is turned.
+/// row and raceway, 0 of a row that carries nothing; the angle counts from that by which the section is
+/// turned.
 pub fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
     let of_row = |(row, [angle_rad, pressed_in_m]): (Row, &[f64; 2])| {
+        // A row without load.
+        if angle_rad.is_nan() {
+            return 0.0;
+        }
         let fraction = |raceway: &Raceway| {
             let beside = (row.contact_sign * angle_rad - raceway.section_angle_rad()).abs();
             let lag = |angle| kinematic_lag_rad(&case.bearing, raceway, angle, *pressed_in_m);

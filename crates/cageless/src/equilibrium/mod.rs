@@ -211,11 +211,11 @@ const TURNING_TOLERANCE: f64 = 1e-12;
 /// The case is impossible, or the iteration does not converge.
 pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
     case.check()?;
-    case.check_planar()?;
     if case.rotor.is_some() {
         let why = "a bearing under a falling rotor has no static equilibrium";
         return Err(InputError::rotor_left_out(why).into());
     }
+    case.check_planar()?;
     let bearing = &case.bearing;
     let inner_speed = case.operation.inner_speed_rad_s;
     let mut problem = problem(case, inner_speed);

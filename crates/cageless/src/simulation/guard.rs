@@ -283,8 +283,9 @@ impl<'m> Guard<'m> {
                 let [cosine, sine] = point.normal;
                 if sine.abs() > self.shoulder_sines[ring] {
                     let angle = sine.atan2(cosine);
-                    let beyond = self.bearing.beyond_groove(k, ring, angle);
-                    return beyond.map_or(Ok(()), |beyond| Err(Cause::BeyondGroove(beyond)));
+                    if let Some(beyond) = self.bearing.beyond_groove(k, ring, angle) {
+                        return Err(Cause::BeyondGroove(beyond));
+                    }
                 }
             }
         }

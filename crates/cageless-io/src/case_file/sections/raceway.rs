@@ -30,7 +30,7 @@ section! {
             "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\"",
             Commented("0.0", "how much deeper a ball in the middle sits than on the plain raceway");
         edge_radius_mm => edge_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
-            "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run`, `compare` and `drop`", Absent;
+            "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run`, `compare`, `drop` and the studio", Absent;
         depth_error_um => depth_error_m: f64 = default(0.0), Micrometre,
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");

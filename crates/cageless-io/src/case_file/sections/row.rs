@@ -10,7 +10,7 @@ section! {
         contact_sign => contact_sign: f64 = default(1.0), Plain,
             "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem", Absent;
         preload_um => preload_m: f64 = default(0.0), Micrometre; AtLeast(0.0),
-            "preload by displacement of its outer ring against the contact sign", Absent;
+            "preload by displacement of its outer ring against the contact sign; with [fit] that before fits and temperatures", Absent;
         preload_n => preload_n: f64 = default(0.0), Si("N"); AtLeast(0.0),
             "preload by a soft spring, in place of preload_um: force on its outer ring against the contact sign; only in `static`, which finds the displacement", Absent;
         balls => balls: Option<usize> = Optional, Plain,

@@ -80,7 +80,8 @@ pub(crate) struct SpaceBlock {
     pub outer_ring_force_n: [Lanes; 3],
 
     /// The places at which any ball of the block may bear: the second at the outer ring only while
-    /// one is on both flanks or the other.
+    /// one is on both flanks or the other. What other arrays hold at a place that is left out is of an earlier
+    /// evaluation; only its forces are 0.
     pub places: &'static [usize],
     /// Sliding of a ball at rest on the ring of each place at the start and the end of the step.
     pub at_rest: [[SlidingLanes; PLACES]; 2],

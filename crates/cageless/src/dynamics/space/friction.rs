@@ -129,7 +129,7 @@ pub(crate) fn add_implicit_friction(
     }
 }
 
-/// Lets the rings end the step with these velocities.
+/// Sets the sliding of a ball at rest at the end of the step to that of these velocities of the rings.
 #[inline(never)] // once for all instruction sets
 fn end_with_rings(b: &mut SpaceBlock, ring: &RingMotion, outer: [f64; 3]) {
     set_at_rest(b, 1, ring, outer);

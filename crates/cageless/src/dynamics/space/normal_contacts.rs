@@ -77,36 +77,33 @@ pub(super) fn normal_contacts(
     }
     let mut outer = OuterForceLanes::ZERO;
     press_outer(balls, &b.outer, polar, &rise, &mut outer);
-    let [first, second, inner_frame] = &mut b.frames;
-    let (half_length, factor) = (&b.half_length_m1_2[0], model.outer.friction_factor);
     let touch = &b.outer;
-    let normal = [&touch.radial_0, &touch.axial_0];
-    let share = [&touch.share_0, &touch.root_0];
-    frame_outer(
-        normal,
-        share,
-        &outer,
-        touch,
-        polar,
-        half_length,
-        factor,
-        first,
-    );
-    if both {
-        let normal = [&touch.radial_1, &touch.axial_1];
-        let share = [&touch.share_1, &touch.root_1];
-        frame_outer(
-            normal,
-            share,
-            &outer,
-            touch,
-            polar,
-            half_length,
-            factor,
+    let [first, second, inner_frame] = &mut b.frames;
+    let points = [
+        (
+            first,
+            [&touch.radial_0, &touch.axial_0],
+            [&touch.share_0, &touch.root_0],
+        ),
+        (
             second,
+            [&touch.radial_1, &touch.axial_1],
+            [&touch.share_1, &touch.root_1],
+        ),
+    ];
+    for (at, (frames, normal, share)) in points.into_iter().enumerate() {
+        if at == 1 && !both {
+            (frames.force_n, frames.friction_normal_n) = (Lanes::ZERO, Lanes::ZERO);
+            continue;
+        }
+        let (half_length, factor) = (&b.half_length_m1_2[0], model.outer.friction_factor);
+        frame_outer(
+            (normal, share),
+            (&outer, touch),
+            polar,
+            (half_length, factor),
+            frames,
         );
-    } else {
-        (second.force_n, second.friction_normal_n) = (Lanes::ZERO, Lanes::ZERO);
     }
     let mut curvature = b.groove_curvature;
     curvature.add(&touch.curvature_change, 0.25);
@@ -163,8 +160,8 @@ pub(super) fn normal_contacts(
     (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
 }
 
-// What follows are functions of what is read and what is written apart: loops over lanes of one struct
-// are not vectorised.
+// Each function takes what it reads and what it writes as separate arguments: the compiler does not
+// vectorise a loop that reads and writes one struct.
 
 lane_struct! {
     /// Normal force of a ball on the outer ring.
@@ -253,15 +250,11 @@ fn press_outer(
 
 /// Frames of a point at the outer ring, by nρ and nz, and its share of the force with its cube root.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "the parts of two structs")]
 fn frame_outer(
-    [radial, axial]: [&Lanes; 2],
-    [share, share_root]: [&Lanes; 2],
-    forces: &OuterForceLanes,
-    touches: &OuterTouchLanes,
+    ([radial, axial], [share, share_root]): ([&Lanes; 2], [&Lanes; 2]),
+    (forces, touches): (&OuterForceLanes, &OuterTouchLanes),
     polar: &PolarMotionLanes,
-    half_length: &Lanes,
-    friction_factor: f64,
+    (half_length, friction_factor): (&Lanes, f64),
     frames: &mut FrameLanes,
 ) {
     for lane in 0..LANES {
