@@ -55,8 +55,12 @@ impl Output {
 /// # Errors
 /// `keep` names a column that is not computed.
 pub(crate) fn outputs(plan: &PlanFile, in_space: bool) -> Result<Vec<Output>, CaseError> {
-    let of_plane =
-        |output: &Output| in_space || !SPACE.iter().any(|q| q.name == output.quantity.name);
+    let of_plane = |output: &Output| {
+        in_space
+            || !SPACE
+                .iter()
+                .any(|q| q.column_name() == output.quantity.column_name())
+    };
     let computed: Vec<Output> = (all(plan).filter(of_plane))
         .filter(|output| plan.compute.contains(&output.quantity.computation()))
         .collect();
