@@ -64,9 +64,13 @@ def test_the_summary_is_that_of_the_command(both: tuple[cageless.Run, Path]) -> 
 def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> None:
     run, folder = both
     shown = figures(folder / "report.html")
-    names = [name for name in dir(run) if name.startswith("plot_")]
-    assert len(names) == 11
-    for name in names:
+    names = {name for name in dir(run) if name.startswith("plot_")}
+    in_space = {"plot_contact_angles", "plot_groove"}
+    assert len(names) == 13 and in_space < names
+    for name in in_space:
+        with pytest.raises(cageless.InputError, match='set model.motion = "space"'):
+            getattr(run, name)()
+    for name in sorted(names - in_space):
         figure = getattr(run, name)()
         assert isinstance(figure, go.Figure)
         made = json.loads(run._core.figure(name.removeprefix("plot_"), None, None, None))
@@ -208,6 +212,9 @@ def test_a_run_in_space_has_the_tables_of_the_command(command: Command, tmp_path
     same(run.data_ring(), tmp_path / "command" / "ring.parquet")
     assert "inner_contact_angle_rad" in run.data_balls().columns
     assert run.ring_z_mean_um > 5.0
+    # The most loaded ball leans towards +z; its ellipse ends between its contact angle and the shoulder.
+    assert run.inner_contact_angle_mean_deg < run.inner_ellipse_edge_max_deg < 60.0
+    assert len(run.plot_contact_angles().data) > 2 and len(run.plot_groove().data) > 2
     run.save(tmp_path / "python")
     back = cageless.load(tmp_path / "python")
     same(back.data_balls(), tmp_path / "command" / "balls.parquet")
