@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::design::{Estimate, seats};
 use cageless::equilibrium::{self, EquilibriumError};
 use cageless::raceway::Raceway;
-use cageless::surface::{Meridian, Side};
+use cageless::surface::Meridian;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{DESIGN, Record, Results, Subject, spatial_record, static_record};
 use serde_json::{Value, json};
@@ -137,21 +137,10 @@ fn raceway(case: &Case, raceway: &Raceway) -> Value {
             flanks[n].push(arc.side.sign() * arc.contact_angle_rad);
             tracks[n].push(contact.position_m[2]);
         }
-        for side in [Side::Lower, Side::Upper] {
-            let arc = section.arc(side);
-            let (from, to) = (arc.valley_rad(), arc.shoulder_rad());
-            let mut points: Vec<[f64; 3]> = (0..ACROSS)
-                .map(|j| from + (to - from) * j as f64 / (ACROSS - 1) as f64)
-                .map(|eta| arc.point(psi, eta).position_m)
-                .collect();
-            if side == Side::Lower {
-                points.reverse();
-            }
-            for [x, y, z] in points {
-                let from_centre = (x.hypot(y) - plain_centre_m).hypot(z - plain_z_m);
-                z_row.push(z);
-                depth_row.push(from_centre - plain_curvature_m);
-            }
+        for [x, y, z] in section.points(psi, ACROSS) {
+            let from_centre = (x.hypot(y) - plain_centre_m).hypot(z - plain_z_m);
+            z_row.push(z);
+            depth_row.push(from_centre - plain_curvature_m);
         }
         if raceway.slot().is_none() {
             across.push(rounded(&z_row, 1e3, 3));

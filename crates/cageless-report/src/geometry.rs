@@ -117,15 +117,7 @@ impl RacewaySurface {
             let local = half * fraction(k, ALONG);
             let section = section(local);
             let (mut xs, mut ys, mut zs, mut deviations) = (vec![], vec![], vec![], vec![]);
-            for m in 0..2 * ACROSS {
-                let (side, step) = match m.checked_sub(ACROSS) {
-                    None => (Side::Lower, ACROSS - 1 - m),
-                    Some(step) => (Side::Upper, step),
-                };
-                let arc = section.arc(side);
-                let (low, high) = (arc.valley_rad(), arc.shoulder_rad());
-                let eta = low + (high - low) * step as f64 / (ACROSS - 1) as f64;
-                let [x, y, z] = arc.point(centre + local, eta).position_m;
+            for [x, y, z] in section.points(centre + local, ACROSS) {
                 let rho = x.hypot(y);
                 xs.push(rho * local.sin() * 1e3);
                 ys.push(-rho * local.cos() * 1e3);

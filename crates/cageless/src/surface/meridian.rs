@@ -40,6 +40,20 @@ impl Meridian {
         Self::new(&frame, angle_rad, flank)
     }
 
+    /// Points at ψ from the lower to the upper shoulder, so many on each side of the apex, which both
+    /// sides have.
+    pub fn points(&self, angle_rad: f64, per_side: usize) -> impl Iterator<Item = [f64; 3]> {
+        let last = (per_side - 1) as f64;
+        let of = move |side: Side, step: usize| {
+            let arc = self.arc(side);
+            let (valley, shoulder) = (arc.valley_rad(), arc.shoulder_rad());
+            let eta = valley + (shoulder - valley) * step as f64 / last;
+            arc.point(angle_rad, eta).position_m
+        };
+        let lower = (0..per_side).rev().map(move |step| of(Side::Lower, step));
+        lower.chain((0..per_side).map(move |step| of(Side::Upper, step)))
+    }
+
     /// Section at ψ with the flank angle α and dα/dψ.
     pub(super) fn new(frame: &SectionFrame, angle_rad: f64, flank: [f64; 2]) -> Self {
         Self {
