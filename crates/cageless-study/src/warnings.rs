@@ -144,8 +144,7 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
             .filter_map(|(place, p)| over_pressure(place, p.pressure_pa)),
     );
     if let Some(space) = &summary.space {
-        let edges = space.ellipse_edge_max_rad.into_iter().enumerate();
-        warnings.extend(edges.filter_map(|(ring, edge)| bearing.truncation_warning(ring, edge)));
+        warnings.extend(bearing.truncation_warnings(space.ellipse_edge_max_rad));
     }
     for (place, peak) in contacts {
         if peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K {

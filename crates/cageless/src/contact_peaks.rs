@@ -17,6 +17,7 @@
 use crate::case::Case;
 use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
 use crate::dynamics::{Contacts, Model};
+use crate::ellipse_edges::EllipseEdges;
 use crate::kinematics::rolling_rotation_rad_s;
 use crate::raceway::Raceway;
 use crate::raceway_contact::{RacewayContact, RacewayPoint};
@@ -63,7 +64,7 @@ struct Largest<P> {
 }
 
 impl<P: Copy> Largest<P> {
-    /// Of no contact.
+    /// The state before the first contact.
     fn none() -> Self {
         Self {
             force_n: 0.0,
@@ -150,6 +151,7 @@ pub(crate) struct ContactPeakTracker {
     edges: Vec<(Raceway, Largest<(f64, f64)>)>,
     /// Force between balls.
     balls: Largest<f64>,
+    ellipse_edges: EllipseEdges,
 }
 
 impl ContactPeakTracker {
@@ -161,12 +163,16 @@ impl ContactPeakTracker {
             outer: [Largest::none(); 2],
             edges: slots.map(|r| (r.clone(), Largest::none())).collect(),
             balls: Largest::none(),
+            ellipse_edges: EllipseEdges::default(),
         }
     }
 
     /// Takes the contacts of the balls with the raceways.
     pub fn look(&mut self, contacts: &Contacts<'_>) {
         for k in 0..contacts.balls() {
+            if let Some(ball) = contacts.in_space(k) {
+                self.ellipse_edges.look(self.radii_m[k], &ball);
+            }
             let force_n = contacts.inner_force_n(k);
             if force_n > 0.0 {
                 let point = contacts.inner_point(k);
@@ -207,6 +213,11 @@ impl ContactPeakTracker {
         let sliding_m_s = contacts.outer_sliding_m_s(k);
         largest.add(contacts.outer_force_n(k), point, sliding_m_s);
         true
+    }
+
+    /// Largest |α| + a/R to which a contact ellipse reaches in space: inner, outer groove.
+    pub fn ellipse_edge_max_rad(&self) -> [f64; 2] {
+        self.ellipse_edges.largest_rad()
     }
 
     /// Takes the contacts between balls, which last some tens of microseconds.

@@ -1,30 +1,21 @@
 //! How far contact ellipses reach towards the shoulders of their grooves.
 
-use crate::dynamics::{BallContacts, Model};
+use crate::dynamics::BallContacts;
 
-/// Follows the contacts of a motion in space for the largest |α| + a/R at inner and outer ring.
+/// Largest |α| + a/R of the contacts of a motion in space at inner and outer ring.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EllipseEdges {
-    /// R of every ball, m.
-    radii_m: Vec<f64>,
     /// The largest so far and its sine: inner, outer.
     largest: [[f64; 2]; 2],
 }
 
 impl EllipseEdges {
-    pub fn new(model: &Model) -> Self {
-        Self {
-            radii_m: model.ball_radii_m(),
-            ..Self::default()
-        }
-    }
-
-    /// Takes the contacts of ball `k`.
+    /// Takes the contacts of a ball of this radius.
     #[inline]
-    pub fn look(&mut self, k: usize, ball: &BallContacts) {
+    pub fn look(&mut self, radius_m: f64, ball: &BallContacts) {
         for (ring, point) in ball.bearing_points() {
             let [cosine, sine] = [point.normal[0], point.normal[1].abs()];
-            let half = point.half_length_m / self.radii_m[k];
+            let half = point.half_length_m / radius_m;
             // sin(|α| + a/R) but for (a/R)³/6: an angle only of what is larger.
             let rank = sine * (1.0 - 0.5 * half * half) + cosine * half;
             if rank > self.largest[ring][1] {

@@ -15,9 +15,8 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::RingCoordinate;
-use crate::dynamics::{Contacts, Model};
-use crate::ellipse_edges::EllipseEdges;
 use crate::simulation::StepView;
 
 /// Numbers over the part of a run after its transient.
@@ -41,17 +40,9 @@ pub(crate) struct SpatialSummaryTracker {
     ring_z: f64,
     /// Sums of force along the radius and the axis: inner, outer.
     forces: [[f64; 2]; 2],
-    edges: EllipseEdges,
 }
 
 impl SpatialSummaryTracker {
-    pub fn new(model: &Model) -> Self {
-        Self {
-            edges: EllipseEdges::new(model),
-            ..Self::default()
-        }
-    }
-
     /// Takes a step of a run in space.
     pub fn step(&mut self, view: &StepView<'_, '_>) {
         let at = view.layout().ring(RingCoordinate::Z);
@@ -71,18 +62,17 @@ impl SpatialSummaryTracker {
                 sums[0] += along;
                 sums[1] += sign * across;
             }
-            self.edges.look(k, &ball);
         }
     }
 
-    /// The numbers so far; `None` in the plane.
-    pub fn summary(&self) -> Option<SpatialSummary> {
+    /// The numbers so far, with how far ellipses reach; `None` in the plane.
+    pub fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
         let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
         (self.time_s > 0.0).then(|| SpatialSummary {
             ring_z_mean_m: self.ring_z / self.time_s,
             inner_contact_angle_mean_rad: inner,
             outer_contact_angle_mean_rad: outer,
-            ellipse_edge_max_rad: self.edges.largest_rad(),
+            ellipse_edge_max_rad,
         })
     }
 }

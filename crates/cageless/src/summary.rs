@@ -124,7 +124,7 @@ impl SummaryRecorder {
             sliding_max_m_s: self.slip_max,
             peaks: peaks.peaks(case),
             means: self.means.means(case),
-            space: self.space.summary(),
+            space: self.space.summary(peaks.ellipse_edge_max_rad()),
         })
     }
 }
@@ -138,7 +138,6 @@ impl Observer for SummaryRecorder {
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
         self.peaks = Some(ContactPeakTracker::new(case, context.model));
-        self.space = SpatialSummaryTracker::new(context.model);
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
             .map(|k| rows[k / case.bearing.balls()].contact_sign)

@@ -56,6 +56,12 @@ impl Bearing {
         })
     }
 
+    /// [`Self::truncation_warning`] of inner and outer ring.
+    pub fn truncation_warnings(&self, edges_rad: [f64; 2]) -> impl Iterator<Item = String> {
+        let edges_rad = edges_rad.into_iter().enumerate();
+        edges_rad.filter_map(|(ring, edge_rad)| self.truncation_warning(ring, edge_rad))
+    }
+
     /// Warning if contact ellipses that reach to this |α| + a/Rw are cut off by the shoulder of a
     /// ring: 0 for the inner, 1 for the outer one.
     pub fn truncation_warning(&self, ring: usize, edge_rad: f64) -> Option<String> {

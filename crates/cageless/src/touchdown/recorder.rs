@@ -10,7 +10,6 @@ use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
-use crate::ellipse_edges::EllipseEdges;
 use crate::rotor::Shaft;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
@@ -141,7 +140,6 @@ struct Found {
     outer_force_n: Vec<f64>,
     collisions: ContactCounts,
     ball_sliding_m_s: f64,
-    edges: EllipseEdges,
 }
 
 impl Found {
@@ -194,6 +192,7 @@ impl DropRecorder {
     pub fn summary(mut self, state: &State) -> DropSummary {
         self.whirl.close();
         let (case, peaks) = self.case.as_ref().zip(self.peaks.as_ref()).expect("a run");
+        let edges_rad = peaks.ellipse_edge_max_rad();
         let peaks = peaks.peaks(case);
         let rotor = state.rotor_motion().expect("a rotor");
         let ring_speed = state.ring_speed_rad_s().expect("a rotor");
@@ -245,7 +244,7 @@ impl DropRecorder {
             rotor_speed_rad_s: rotor.speed,
             inner_pressure_max_pa: peaks.inner.pressure_pa,
             outer_pressure_max_pa: peaks.outer.pressure_pa,
-            ellipse_edge_max_rad: (state.layout().is_in_space()).then(|| found.edges.largest_rad()),
+            ellipse_edge_max_rad: (state.layout().is_in_space()).then_some(edges_rad),
             ball_pressure_max_pa: peaks.balls.pressure_pa,
             inner_force_max_n: found.inner_force_n,
             outer_force_max_n: found.outer_force_n,
@@ -343,9 +342,6 @@ impl DropRecorder {
         for (k, (inner, outer)) in most.enumerate() {
             *inner = inner.max(contacts.inner_force_n(k));
             *outer = outer.max(contacts.outer_force_n(k));
-            if let Some(ball) = contacts.in_space(k) {
-                found.edges.look(k, &ball);
-            }
         }
         if let Some(peaks) = &mut self.peaks {
             peaks.look(contacts);
@@ -388,7 +384,6 @@ impl Observer for DropRecorder {
         };
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
         self.peaks = Some(ContactPeakTracker::new(case, context.model));
-        self.found.edges = EllipseEdges::new(context.model);
         self.case = Some(case.clone());
         self.collisions = Some(ContactCounter::new(context.model));
         self.found.inner_force_n = vec![0.0; balls];

@@ -172,9 +172,9 @@ lane_struct! {
         y,
         /// Along Z, N.
         z,
-        /// Over that of its points, N.
+        /// K δe^(3/2) with its damping, of which each point bears its share, N.
         force_n,
-        /// Of its points together, N.
+        /// Magnitude of the sum of the normal forces of both points, N.
         resultant,
         /// √δ, m^½.
         root,

@@ -459,8 +459,7 @@ impl SpatialEquilibrium {
     /// What the bearing does not stand, as sentences.
     pub fn warnings(&self, bearing: &Bearing) -> Vec<String> {
         let overload = self.rest.overload().into_iter();
-        let edges = self.ellipse_edge_max_rad.into_iter().enumerate();
-        let truncated = edges.filter_map(|(ring, edge)| bearing.truncation_warning(ring, edge));
+        let truncated = bearing.truncation_warnings(self.ellipse_edge_max_rad);
         overload.chain(truncated).collect()
     }
 }
