@@ -13,13 +13,3 @@ crate::named_enum! {
         Paper = "paper",
     }
 }
-
-impl Profile {
-    /// Profile that a build of the equations of motion is for.
-    pub(crate) const fn of_build(paper: bool) -> Self {
-        match paper {
-            true => Self::Paper,
-            false => Self::Physical,
-        }
-    }
-}

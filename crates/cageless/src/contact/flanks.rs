@@ -5,7 +5,6 @@ use super::outer::{OuterContact, OuterGeometry, OuterRaceway, outer_deflection, 
 use super::outer_geometry::FlankShape;
 use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
 use crate::numerics::lanes::lane_struct;
-use crate::profile::Profile;
 
 lane_struct! {
     /// Contacts of one ball with both flanks, beside its [`OuterContact`].
@@ -64,7 +63,7 @@ pub fn flank_contact(
     let outer = OuterContact {
         deflection,
         force: normal.force_n * press.lever,
-        slip: outer_slip(Profile::Physical, raceway, &geometry, motion, polar),
+        slip: outer_slip(&geometry, motion, polar),
         friction_normal: raceway.friction_factor * normal.force_n * press.inverse_flank_cosine,
         damping_power: normal.damping_power_w,
     };

@@ -11,12 +11,8 @@
 
 use super::friction::Law;
 use super::slip_problem::{SlipProblem, Slips};
-use super::{
-    InnerContact, InnerRaceway, OuterContact, OuterGeometry, OuterRaceway, inner_slip,
-    outer_friction_direction, outer_slip,
-};
+use super::{InnerContact, InnerRaceway, OuterContact, OuterGeometry, inner_slip, outer_slip};
 use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
-use crate::profile::Profile;
 
 /// Newton step at which the iteration ends, as a fraction of the slip scale. The friction is then
 /// linear over the step to within half the square of this fraction times μN, and the end of the
@@ -38,8 +34,6 @@ pub const MAX_ITERATIONS: u32 = 30;
 pub struct RacewayContacts<'a> {
     /// The ball.
     pub ball: &'a Ball,
-    /// The outer raceway.
-    pub outer_raceway: &'a OuterRaceway,
     /// The inner raceway.
     pub inner_raceway: &'a InnerRaceway,
     /// Geometry of the outer contact.
@@ -54,13 +48,10 @@ impl SlipProblem {
     /// The equations of a ball over a step of `h_s`; `motion`, `polar` and `inner_polar` hold
     /// the velocities that all forces but friction lead to.
     ///
-    /// With Δv = h/m·(fi·ti − fo·do), Δω = h/J·(r·fo + R·fi), do the direction of outer
-    /// friction, to and ti the tangents at both contacts, ΔVo = co·vt − r·ω and
-    /// ΔVi = ωi·Ri − (ci·vt,i + R·ω), where co = ci = 1 in `physical`, co = (r + Rm)/|rb| and
-    /// ci = Ri/|rb − ri| in `paper`.
+    /// With Δv = h/m·(fi·ti − fo·to), Δω = h/J·(r·fo + R·fi), to and ti the tangents at both contacts,
+    /// ΔVo = vt − r·ω and ΔVi = ωi·Ri − (vt,i + R·ω).
     #[inline(always)]
     pub fn new(
-        profile: Profile,
         contacts: &RacewayContacts<'_>,
         motion: &BallMotion,
         polar: &PolarMotion,
@@ -72,32 +63,14 @@ impl SlipProblem {
         let tangents = polar.ey * inner_polar.ey + polar.ex * inner_polar.ex;
         let (mass, inertia) = (h_s * ball.inverse_mass, h_s * ball.inverse_inertia);
         let turning = r * radius * inertia;
-        let (outer_outer, outer_inner, inner_outer, inner_inner) = match profile {
-            Profile::Paper => {
-                let [dx, dy] = outer_friction_direction(profile, geometry, polar);
-                let co = (r + contacts.outer_raceway.pitch_radius) / polar.distance;
-                let ci = contacts.inner_raceway.radius / inner_polar.distance;
-                let outer_on_outer = polar.ex * dy - polar.ey * dx;
-                let outer_on_inner = inner_polar.ex * dy - inner_polar.ey * dx;
-                (
-                    co * outer_on_outer * mass,
-                    turning - co * tangents * mass,
-                    turning - ci * outer_on_inner * mass,
-                    ci * mass,
-                )
-            }
-            Profile::Physical => {
-                let both = turning - tangents * mass;
-                (mass, both, both, mass)
-            }
-        };
+        let both = turning - tangents * mass;
         Self {
-            outer_free: outer_slip(profile, contacts.outer_raceway, geometry, motion, polar),
-            inner_free: inner_slip(profile, ball, contacts.inner_raceway, motion, inner_polar),
-            outer_outer: outer_outer + r * r * inertia,
-            outer_inner,
-            inner_outer,
-            inner_inner: inner_inner + radius * radius * inertia,
+            outer_free: outer_slip(geometry, motion, polar),
+            inner_free: inner_slip(ball, contacts.inner_raceway, motion, inner_polar),
+            outer_outer: mass + r * r * inertia,
+            outer_inner: both,
+            inner_outer: both,
+            inner_inner: mass + radius * radius * inertia,
             outer_normal: contacts.outer.friction_normal,
             inner_normal: contacts.inner.force,
         }

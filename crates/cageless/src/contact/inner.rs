@@ -3,7 +3,6 @@
 use super::{NormalForce, positive};
 use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
 use crate::numerics::lanes::lane_struct;
-use crate::profile::Profile;
 
 lane_struct! {
     /// Radius and surface speed of the inner raceway.
@@ -38,11 +37,9 @@ pub fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
 /// Normal force and sliding speed of a ball at the inner raceway (Zhao 2022, Eq. (2));
 /// `polar` is the motion of the ball about the centre of the ring and relative to it.
 ///
-/// ΔVi is ωi·Ri − (Ωi·Ri + ω·Rw) with the relative spin ω in `paper`, Eq. (2), and the
-/// difference ωi·Ri − (vt + ω·Rw) of the surface velocities in `physical`.
+/// ΔVi is the difference ωi·Ri − (vt + ω·Rw) of the surface velocities.
 #[inline(always)]
 pub fn inner_contact(
-    profile: Profile,
     ball: &Ball,
     raceway: &InnerRaceway,
     motion: &BallMotion,
@@ -58,31 +55,20 @@ pub fn inner_contact(
     InnerContact {
         deflection,
         force: normal.force_n,
-        slip: inner_slip(profile, ball, raceway, motion, polar),
+        slip: inner_slip(ball, raceway, motion, polar),
         damping_power: normal.damping_power_w,
     }
 }
 
-/// ΔVi, m/s, see [`inner_contact`] (Zhao 2022, Eq. (2)).
+/// ΔVi = ωi·Ri − (vt + ω·Rw), m/s.
 #[inline(always)]
 pub fn inner_slip(
-    profile: Profile,
     ball: &Ball,
     raceway: &InnerRaceway,
     motion: &BallMotion,
     polar: &PolarMotion,
 ) -> f64 {
-    let carried = carried_speed(profile, raceway, polar);
-    raceway.surface_speed - (carried + motion.spin * ball.radius)
-}
-
-/// Part of the surface speed of a ball that its orbit makes, m/s.
-#[inline(always)]
-fn carried_speed(profile: Profile, raceway: &InnerRaceway, polar: &PolarMotion) -> f64 {
-    match profile {
-        Profile::Paper => polar.orbit * raceway.radius,
-        Profile::Physical => polar.tangential,
-    }
+    raceway.surface_speed - (polar.tangential + motion.spin * ball.radius)
 }
 
 /// Force and moment of the inner contact on the ball under the friction `friction_n`, μFi
@@ -99,11 +85,4 @@ pub fn inner_load(
         fy: contact.force * polar.ey + friction_n * polar.ex,
         torque: ball.radius * friction_n,
     }
-}
-
-/// Power of inner friction in the `paper` profile that comes from the relative spin in place of
-/// the absolute one, W.
-#[inline(always)]
-pub fn inner_paper_power(raceway: &InnerRaceway, polar: &PolarMotion, friction_n: f64) -> f64 {
-    friction_n * (polar.tangential - carried_speed(Profile::Paper, raceway, polar))
 }

@@ -31,6 +31,7 @@ mod journal;
 mod normal_force;
 mod outer;
 mod outer_geometry;
+pub mod published;
 mod slip_problem;
 
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
@@ -42,8 +43,7 @@ pub use implicit_friction::{
     MAX_ITERATIONS, RacewayContacts, end_weights, further_step, newton_step,
 };
 pub use inner::{
-    InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_paper_power,
-    inner_slip,
+    InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_slip,
 };
 pub use journal::{
     Journal, JournalContact, JournalMotion, JournalSlip, implicit_slip, journal_contact,
@@ -51,12 +51,12 @@ pub use journal::{
 };
 pub use normal_force::{NormalForce, restitution_damping};
 pub use outer::{
-    OuterContact, OuterGeometry, OuterRaceway, centrifugal_force, outer_contact, outer_deflection,
-    outer_friction_direction, outer_load, outer_paper_powers, outer_slip, slope_force,
+    OuterContact, OuterGeometry, OuterRaceway, outer_contact, outer_deflection, outer_load,
+    outer_slip, slope_force,
 };
 pub use outer_geometry::{
     FlankShape, OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues, nominal_geometry,
-    unequal_geometry, with_path_direction,
+    unequal_geometry,
 };
 
 pub use slip_problem::{SlipProblem, Slips};

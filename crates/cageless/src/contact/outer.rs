@@ -3,7 +3,6 @@
 use super::{NormalForce, positive};
 use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
 use crate::numerics::lanes::lane_struct;
-use crate::profile::Profile;
 
 lane_struct! {
     /// Constants of the outer raceway.
@@ -35,27 +34,17 @@ lane_struct! {
         effective_radius,
         /// Slope of `orbit_radius` over ψ, m/rad; 0 for nominal balls.
         slope,
-        /// x of the direction of friction (`paper` profile).
-        direction_x,
-        /// y of the direction of friction (`paper` profile).
-        direction_y,
-        /// 1 within a discrete raceway, else 0 (`paper` profile).
-        inside,
     }
 }
 
 impl OuterGeometry {
-    /// Geometry on the plain raceway of a ball of radius R: |rb| = Ro − R, r = R, friction
-    /// along the circumference.
+    /// Geometry on the plain raceway of a ball of radius R: |rb| = Ro − R, r = R.
     #[inline(always)]
-    pub fn plain(ball: &Ball, polar: &PolarMotion) -> Self {
+    pub fn plain(ball: &Ball) -> Self {
         Self {
             orbit_radius: ball.outer_orbit_radius,
             effective_radius: ball.radius,
             slope: 0.0,
-            direction_x: -polar.ey,
-            direction_y: polar.ex,
-            inside: 0.0,
         }
     }
 }
@@ -87,12 +76,10 @@ pub fn outer_deflection(distance_m: f64, geometry: &OuterGeometry) -> f64 {
 /// Eq. (19)).
 ///
 /// On a discrete raceway each of two points carries F′o = Fo·Rw/(2r), Eq. (19), so that
-/// friction acts under Fo·Rw/r; on the plain one r = Rw makes it Fo. ΔVo is Ω(r + Rm) − ω·r
-/// with the relative spin ω in `paper`, Eq. (1), and the surface velocity vt − ω·r of the ball
-/// in `physical`.
+/// friction acts under Fo·Rw/r; on the plain one r = Rw makes it Fo. ΔVo is the surface velocity
+/// vt − ω·r of the ball.
 #[inline(always)]
 pub fn outer_contact(
-    profile: Profile,
     ball: &Ball,
     raceway: &OuterRaceway,
     geometry: &OuterGeometry,
@@ -110,41 +97,17 @@ pub fn outer_contact(
     OuterContact {
         deflection,
         force: normal.force_n,
-        slip: outer_slip(profile, raceway, geometry, motion, polar),
+        slip: outer_slip(geometry, motion, polar),
         friction_normal: raceway.friction_factor * normal.force_n * ball.radius
             / geometry.effective_radius,
         damping_power: normal.damping_power_w,
     }
 }
 
-/// ΔVo, m/s, see [`outer_contact`] (Zhao 2022, Eq. (1)).
+/// ΔVo = vt − ω·r, m/s.
 #[inline(always)]
-pub fn outer_slip(
-    profile: Profile,
-    raceway: &OuterRaceway,
-    geometry: &OuterGeometry,
-    motion: &BallMotion,
-    polar: &PolarMotion,
-) -> f64 {
-    let r = geometry.effective_radius;
-    match profile {
-        Profile::Paper => polar.orbit * (r + raceway.pitch_radius) - motion.spin * r,
-        Profile::Physical => polar.tangential - motion.spin * r,
-    }
-}
-
-/// Direction against which outer friction acts on the ball: along the contact path in `paper`
-/// (r_f of Zhao 2022, Eq. (22)), along the circumference in `physical`.
-#[inline(always)]
-pub fn outer_friction_direction(
-    profile: Profile,
-    geometry: &OuterGeometry,
-    polar: &PolarMotion,
-) -> [f64; 2] {
-    match profile {
-        Profile::Paper => [geometry.direction_x, geometry.direction_y],
-        Profile::Physical => [-polar.ey, polar.ex],
-    }
+pub fn outer_slip(geometry: &OuterGeometry, motion: &BallMotion, polar: &PolarMotion) -> f64 {
+    polar.tangential - motion.spin * geometry.effective_radius
 }
 
 /// Force and moment of the outer contact on the ball under the friction `friction_n`, which
@@ -152,36 +115,16 @@ pub fn outer_friction_direction(
 /// Eq. (22)).
 #[inline(always)]
 pub fn outer_load(
-    profile: Profile,
     contact: &OuterContact,
     geometry: &OuterGeometry,
     polar: &PolarMotion,
     friction_n: f64,
 ) -> BallLoad {
-    let [direction_x, direction_y] = outer_friction_direction(profile, geometry, polar);
     BallLoad {
-        fx: -contact.force * polar.ex - friction_n * direction_x,
-        fy: -contact.force * polar.ey - friction_n * direction_y,
+        fx: -contact.force * polar.ex + friction_n * polar.ey,
+        fy: -contact.force * polar.ey - friction_n * polar.ex,
         torque: geometry.effective_radius * friction_n,
     }
-}
-
-/// Powers of outer friction in the `paper` profile, W, that friction along the sliding velocity
-/// with the absolute spin would not have: that of its direction, and that of the relative spin.
-#[inline(always)]
-pub fn outer_paper_powers(
-    raceway: &OuterRaceway,
-    geometry: &OuterGeometry,
-    motion: &BallMotion,
-    polar: &PolarMotion,
-    friction_n: f64,
-) -> [f64; 2] {
-    let along = geometry.direction_x * motion.vx + geometry.direction_y * motion.vy;
-    let slip = outer_slip(Profile::Paper, raceway, geometry, motion, polar);
-    [
-        friction_n * (polar.tangential - along),
-        friction_n * (slip + motion.spin * geometry.effective_radius - polar.tangential),
-    ]
 }
 
 /// Force along ψ of an outer contact whose geometry changes with ψ, Fo·(d|rb|/dψ)/|rb|, N:
@@ -189,11 +132,4 @@ pub fn outer_paper_powers(
 #[inline(always)]
 pub fn slope_force(contact: &OuterContact, geometry: &OuterGeometry, distance_m: f64) -> f64 {
     contact.force * geometry.slope / distance_m
-}
-
-/// Fw = m·vt²/Rm, N, outward (Zhao 2022, Eq. (15)): `paper` profile only, for in an inertial
-/// frame the centrifugal force comes out of the motion.
-#[inline(always)]
-pub fn centrifugal_force(ball: &Ball, raceway: &OuterRaceway, polar: &PolarMotion) -> f64 {
-    ball.mass * polar.tangential * polar.tangential / raceway.pitch_radius
 }

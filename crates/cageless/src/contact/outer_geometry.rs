@@ -22,10 +22,6 @@ lane_struct! {
         scale,
         /// See `scale`.
         shift,
-        /// 4a of Zhao 2022, Eq. (5): dy/dx = x(4a x² + 2b).
-        slope_cubic,
-        /// 2b of Zhao 2022, Eq. (5).
-        slope_linear,
         /// Depth milled too much in the middle, m.
         depth_error,
         /// How much deeper a ball in the middle sits than on the plain raceway, m.
@@ -52,8 +48,6 @@ lane_struct! {
         radius,
         /// dr/du, m.
         radius_slope,
-        /// 1/√(1 + y′² + z′²) of the contact path.
-        direction,
         /// (2 cos αc)^(−2/3), a² of the ellipse of one flank over that of one contact that takes all.
         ellipse,
     }
@@ -103,36 +97,6 @@ pub fn nominal_geometry(
             plain.effective_radius
         },
         ..plain
-    }
-}
-
-/// The geometry with the direction of friction of the `paper` profile: the in-plane part of
-/// the unit tangent of the contact path, (1, y′)/√(1 + y′² + z′²) (r_f of Zhao 2022, Eq. (22)).
-#[inline(always)]
-pub fn with_path_direction(
-    raceway: &RacewayConstants,
-    outer: &OuterRaceway,
-    position: &RacewayPosition,
-    values: &RacewayValues,
-    geometry: OuterGeometry,
-) -> OuterGeometry {
-    let x = (values.radius + outer.orbit_radius) * position.sine;
-    let slope = x * (raceway.slope_cubic * x * x + raceway.slope_linear);
-    let along = values.direction;
-    let across = along * slope;
-    let inside = position.inside();
-    let select = |new: f64, old: f64| if inside { new } else { old };
-    OuterGeometry {
-        direction_x: select(
-            along * raceway.cos_centre - across * raceway.sin_centre,
-            geometry.direction_x,
-        ),
-        direction_y: select(
-            along * raceway.sin_centre + across * raceway.cos_centre,
-            geometry.direction_y,
-        ),
-        inside: select(1.0, geometry.inside),
-        ..geometry
     }
 }
 
@@ -221,6 +185,5 @@ pub fn unequal_geometry(
             plain.slope,
         ),
         effective_radius: select(ball.radius * h / g, plain.effective_radius),
-        ..plain
     }
 }

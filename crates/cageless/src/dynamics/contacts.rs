@@ -3,10 +3,7 @@
 use super::layout::Layout;
 use super::rotor::RotorContact;
 use super::space::{BallContacts, FaceContact, SpaceWorkspace};
-use crate::contact::outer_friction_direction;
-use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::{Lanes, lane_maxima};
-use crate::profile::Profile;
 use crate::raceway_contact::RacewayPoint;
 use crate::simd::Workspace;
 
@@ -16,7 +13,6 @@ pub struct Contacts<'a> {
     pub(super) work: &'a Workspace,
     pub(super) space: Option<&'a SpaceWorkspace>,
     pub(super) layout: Layout,
-    pub(super) profile: Profile,
 }
 
 /// Declares a view of one quantity of ball `k`.
@@ -25,7 +21,7 @@ macro_rules! per_ball {
         $($(#[$meta])*
         #[inline]
         pub fn $name(&self, k: usize) -> f64 {
-            let (block, lane) = self.place(k);
+            let (block, lane) = self.layout.place(k);
             let lanes: &Lanes = &self.work.blocks[block].$($field).+;
             lanes.0[lane]
         })*
@@ -37,13 +33,6 @@ impl Contacts<'_> {
     #[inline]
     pub fn balls(&self) -> usize {
         self.layout.balls
-    }
-
-    /// Block and lane of ball `k`.
-    #[inline]
-    fn place(&self, k: usize) -> (usize, usize) {
-        let entry = k * self.layout.width() + self.layout.bearing();
-        (entry / LANES, entry % LANES)
     }
 
     per_ball! {
@@ -84,7 +73,7 @@ impl Contacts<'_> {
 
     /// ψ of ball `k`.
     pub(crate) fn angle_rad(&self, k: usize) -> f64 {
-        let (block, lane) = self.place(k);
+        let (block, lane) = self.layout.place(k);
         let polar = &self.work.blocks[block].polar;
         polar.ex.0[lane].atan2(-polar.ey.0[lane])
     }
@@ -105,7 +94,7 @@ impl Contacts<'_> {
     /// it likes.
     #[inline]
     pub(crate) fn loaded_sliding_m_s(&self, k: usize) -> f64 {
-        let (block, lane) = self.place(k);
+        let (block, lane) = self.layout.place(k);
         let (inner, outer) = (
             &self.work.blocks[block].inner,
             &self.work.blocks[block].outer,
@@ -120,14 +109,14 @@ impl Contacts<'_> {
     /// Whether the inner raceway presses on ball `k`.
     #[inline]
     pub(crate) fn is_loaded(&self, k: usize) -> bool {
-        let (block, lane) = self.place(k);
+        let (block, lane) = self.layout.place(k);
         self.work.blocks[block].inner.force.0[lane] > 0.0
     }
 
     /// Whether any ball is pressed deeper than this into a raceway or the ball ahead.
     pub(crate) fn any_deeper(&self, limit_m: f64) -> bool {
         (0..self.balls()).fold(false, |any, k| {
-            let (block, lane) = self.place(k);
+            let (block, lane) = self.layout.place(k);
             let results = &self.work.blocks[block];
             let [outer, inner] = [&results.outer.deflection, &results.inner.deflection];
             let deep = |deflection: &Lanes| deflection.0[lane] > limit_m;
@@ -195,12 +184,12 @@ impl Contacts<'_> {
             return [x, y];
         }
         (0..self.balls()).fold([0.0; 2], |[x, y], k| {
-            let (block, lane) = self.place(k);
+            let (block, lane) = self.layout.place(k);
             let results = &self.work.blocks[block];
             let (polar, outer) = (results.polar.get(lane), results.outer.get(lane));
             let slope_force = results.slope_force.0[lane];
-            let geometry = results.geometry.get(lane);
-            let [dx, dy] = outer_friction_direction(self.profile, &geometry, &polar);
+            let along_path = self.work.friction_directions.get(block);
+            let [dx, dy] = along_path.map_or([-polar.ey, polar.ex], |d| [d.x.0[lane], d.y.0[lane]]);
             let friction = results.outer_friction.0[lane];
             // Along the radius friction at flanks adds to the normal force.
             let normal = match results.on_flanks.has(lane) {

@@ -176,6 +176,18 @@ impl Layout {
         self.balls * self.width
     }
 
+    /// Index of ball `k` in an array over the balls.
+    #[inline]
+    pub(crate) fn entry(&self, k: usize) -> usize {
+        k * self.width + self.bearing
+    }
+
+    /// Block and lane of ball `k`.
+    #[inline]
+    pub(crate) fn place(&self, k: usize) -> (usize, usize) {
+        (self.entry(k) / LANES, self.entry(k) % LANES)
+    }
+
     /// Start of the array of one coordinate of all balls and bearings.
     #[inline]
     pub fn array(&self, coordinate: BallCoordinate) -> usize {
@@ -192,7 +204,7 @@ impl Layout {
     #[inline]
     fn of_table(&self, coordinate: usize, k: usize) -> usize {
         debug_assert!(k < self.balls && coordinate < self.of_ball.len());
-        self.start + coordinate * self.stride + k * self.width + self.bearing
+        self.start + coordinate * self.stride + self.entry(k)
     }
 
     /// Place of a coordinate of the inner ring.

@@ -33,6 +33,8 @@ pub(crate) struct RacewayModel {
     pub radius_slope: Vec<f64>,
     /// Coefficients of 1/√(1 + y′² + z′²) over u; none but in the `paper` profile.
     pub direction: Vec<f64>,
+    /// 4a and 2b of dy/dx = x(4a x² + 2b), Zhao 2022, Eq. (5).
+    pub path_slope: [f64; 2],
     /// Coefficients of (2 cos αc)^(−2/3) over u; none with rigid flanks.
     pub ellipse: Vec<f64>,
 }
@@ -229,7 +231,7 @@ impl Model {
 
     /// Geometry of the outer contact of ball `k`, with r and |rb| of [`outer_contact_geometry`].
     fn outer_geometry(&self, k: usize, polar: &PolarMotion) -> OuterGeometry {
-        let plain = OuterGeometry::plain(&self.balls[k], polar);
+        let plain = OuterGeometry::plain(&self.balls[k]);
         if !self.unequal {
             return plain;
         }
@@ -290,8 +292,6 @@ impl RacewayModel {
                 inverse_end: 1.0 / whole,
                 scale: radius.scale,
                 shift: radius.shift,
-                slope_cubic: 4.0 * a,
-                slope_linear: 2.0 * b,
                 depth_error: raceway.depth_error_m(),
                 depth: raceway.form().depth_m,
             },
@@ -300,6 +300,7 @@ impl RacewayModel {
                 .map(|k| k as f64 * radius.coefficients[k])
                 .collect(),
             direction: path.map_or(vec![], |path| path.direction_polynomial().coefficients),
+            path_slope: [4.0 * a, 2.0 * b],
             ellipse: match case.flanks {
                 FlankModel::Rigid => vec![],
                 FlankModel::Elastic => {

@@ -103,7 +103,7 @@ impl<'m> RightHandSide<'m> {
     fn build(models: Vec<&'m Model>, layout: Layout, isa: InstructionSet) -> Self {
         let parameters = Parameters::new(&models, layout);
         Self {
-            work: Workspace::new(&parameters),
+            work: Workspace::new(&parameters, models[0].profile),
             space: models[0]
                 .space
                 .as_ref()
@@ -151,7 +151,6 @@ impl<'m> RightHandSide<'m> {
             work: &self.work,
             space: self.space.as_ref(),
             layout: self.parameters.layout.of_bearing(bearing),
-            profile: self.parameters.profile,
         }
     }
 
@@ -181,6 +180,13 @@ impl<'m> RightHandSide<'m> {
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
                 space::evaluate(b, (w, s), y, dydt, raceway_friction)
+            );
+        }
+        if self.models[0].profile == Profile::Paper {
+            return with_instructions!(
+                self.isa,
+                [](p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
+                simd::published::evaluate(p, w, y, dydt, raceway_friction)
             );
         }
         with_instructions!(
@@ -441,6 +447,13 @@ impl System for RightHandSide<'_> {
                 space::add_implicit_friction(b, (w, s), h_s, y0, y, dydt)
             );
         }
+        if self.models[0].profile == Profile::Paper {
+            return with_instructions!(
+                self.isa,
+                [](p: &Parameters, w: &mut Workspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
+                simd::published::add_implicit_friction(p, w, h_s, y0, y, dydt)
+            );
+        }
         with_instructions!(
             self.isa,
             [](p: &Parameters, w: &mut Workspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
@@ -471,7 +484,11 @@ impl System for RightHandSide<'_> {
             let face = &space.rotor.face;
             phase(face.deflection, face.axial_force.abs());
         }
-        let paper = m.profile == Profile::Paper;
+        for direction in &self.work.friction_directions {
+            for on_path in direction.on_path.0 {
+                hash = mix(hash, u64::from(on_path > 0.0));
+            }
+        }
         let mut lanes_left = m.balls() * self.parameters.layout.width();
         for block in &self.work.blocks {
             let (inner, outer, pair) = (&block.inner, &block.outer, &block.pair);
@@ -485,8 +502,7 @@ impl System for RightHandSide<'_> {
                     };
                     let bits = phase(raceways, &inner.deflection, &inner.force)
                         | phase(raceways, &outer.deflection, &outer.force) << 2
-                        | phase(balls, &pair.deflection, &pair.force) << 4
-                        | u64::from(paper & (block.geometry.inside.0[lane] > 0.0)) << 6;
+                        | phase(balls, &pair.deflection, &pair.force) << 4;
                     // Lanes beyond the last ball hold no contacts.
                     word |= (bits * u64::from(k < lanes_left)) << (8 * k);
                 }

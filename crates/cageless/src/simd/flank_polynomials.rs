@@ -38,7 +38,6 @@ impl FlankPolynomials {
             radius: sums[0] + sums[1] * u,
             radius_slope: sums[2] + sums[3] * u,
             ellipse: sums[4] + sums[5] * u,
-            ..RacewayValues::default()
         }
     }
 }

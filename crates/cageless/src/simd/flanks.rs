@@ -13,7 +13,6 @@ use crate::contact::{
 };
 use crate::dynamics::ball::{BallLanes, BallMotion};
 use crate::numerics::lanes::{LANES, Lanes};
-use crate::profile::Profile;
 
 /// Puts the outer contacts of balls on flanks and their loads in place of those of rigid ones; without
 /// friction if a method treats it implicitly.
@@ -114,7 +113,7 @@ fn loads(
         let (outer, geometry) = (results.outer.get(lane), results.geometry.get(lane));
         let polar = results.polar.get(lane);
         let friction = results.outer_friction.0[lane];
-        let mut load = outer_load(Profile::Physical, &outer, &geometry, &polar, friction);
+        let mut load = outer_load(&outer, &geometry, &polar, friction);
         load.fy -= balls.mass.0[lane] * p.ring.gravity.0[lane];
         let along = slope_force(&outer, &geometry, polar.distance);
         load.fx -= along * polar.ey;
@@ -255,14 +254,12 @@ pub(super) fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
         let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
         let contacts = RacewayContacts {
             ball: &ball,
-            outer_raceway: &p.outer.get(lane),
             inner_raceway: &p.inner.get(lane),
             geometry: &results.geometry.get(lane),
             outer: &outer,
             inner: &results.inner.get(lane),
         };
-        let profile = Profile::Physical;
-        let whole = SlipProblem::new(profile, &contacts, &motion, &polar, &inner_polar, h_s);
+        let whole = SlipProblem::new(&contacts, &motion, &polar, &inner_polar, h_s);
         let slips = [outer.slip, results.inner.slip.0[lane]];
         let beginning =
             Beginning::new::<_, KNOWN>(&at_flanks, &whole, &friction.kept.get(lane), slips);

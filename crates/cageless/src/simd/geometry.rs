@@ -5,7 +5,7 @@ use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use super::workspace::BlockResults;
 use crate::contact::{
     OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValues, RacewayValuesLanes,
-    nominal_geometry, unequal_geometry, with_path_direction,
+    nominal_geometry, unequal_geometry,
 };
 use crate::dynamics::ball::BallLanes;
 use crate::numerics::lanes::LANES;
@@ -13,7 +13,7 @@ use crate::numerics::lanes::Lanes;
 
 /// Polar coordinates of every ball about the outer ring and the geometry of its contact on the plain raceway.
 #[inline(always)]
-pub(super) fn plain_positions<const PAPER: bool, const ROTOR: bool>(
+pub(super) fn plain_positions<const ROTOR: bool>(
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
@@ -23,27 +23,18 @@ pub(super) fn plain_positions<const PAPER: bool, const ROTOR: bool>(
         let motion = motions.get(lane);
         let polar = motion.about(&outer_centre::<ROTOR>(outer_ring, lane));
         results.polar.put(lane, polar);
-        results.spin.0[lane] = if PAPER {
-            motion.spin - polar.orbit
-        } else {
-            motion.spin
-        };
-        let plain = OuterGeometry::plain(&balls.get(lane), &polar);
+        results.spin.0[lane] = motion.spin;
+        let plain = OuterGeometry::plain(&balls.get(lane));
         // Fields that the other cases never change stay as they are.
         let geometry = &mut results.geometry;
         geometry.orbit_radius.0[lane] = plain.orbit_radius;
         geometry.effective_radius.0[lane] = plain.effective_radius;
-        if PAPER {
-            geometry.direction_x.0[lane] = plain.direction_x;
-            geometry.direction_y.0[lane] = plain.direction_y;
-            geometry.inside.0[lane] = plain.inside;
-        }
     }
 }
 
 /// Geometry of the outer contact of the balls in one discrete raceway.
 #[inline(always)]
-pub(super) fn raceway_geometry<const PAPER: bool>(
+pub(super) fn raceway_geometry(
     p: &Parameters,
     balls: &BallLanes,
     raceway: &RacewayBlock,
@@ -58,7 +49,7 @@ pub(super) fn raceway_geometry<const PAPER: bool>(
             RacewayPosition::new(&raceway.constants.get(lane), &polar),
         );
     }
-    if !PAPER && !p.unequal {
+    if !p.unequal {
         // The radius does not go through memory: a choice between two numbers there becomes one
         // between their addresses, lane by lane.
         let [even, odd] = halves(&raceway.radius, &position.u);
@@ -74,49 +65,24 @@ pub(super) fn raceway_geometry<const PAPER: bool>(
         return;
     }
     polynomial(&raceway.radius, &position.u, &mut values.radius);
-    if PAPER {
-        polynomial(&raceway.direction, &position.u, &mut values.direction);
-    }
-    if p.unequal {
-        polynomial(&raceway.radius_slope, &position.u, &mut values.radius_slope);
-    }
+    polynomial(&raceway.radius_slope, &position.u, &mut values.radius_slope);
     let geometries = &mut results.geometry;
-    if PAPER {
-        for lane in 0..LANES {
-            let directed = with_path_direction(
-                &raceway.constants.get(lane),
-                &p.outer.get(lane),
-                &position.get(lane),
-                &values.get(lane),
-                geometries.get(lane),
-            );
-            geometries.put(lane, directed);
-        }
-    }
-    if p.unequal {
-        for lane in 0..LANES {
-            let geometry = unequal_geometry(
-                &raceway.constants.get(lane),
-                &p.outer.get(lane),
-                &balls.get(lane),
-                &position.get(lane),
-                &values.get(lane),
-                geometries.get(lane),
-            );
-            geometries.put(lane, geometry);
-        }
-    } else {
-        for lane in 0..LANES {
-            let plain = geometries.get(lane);
-            let geometry = nominal_geometry(&position.get(lane), &values.get(lane), plain);
-            geometries.put(lane, geometry);
-        }
+    for lane in 0..LANES {
+        let geometry = unequal_geometry(
+            &raceway.constants.get(lane),
+            &p.outer.get(lane),
+            &balls.get(lane),
+            &position.get(lane),
+            &values.get(lane),
+            geometries.get(lane),
+        );
+        geometries.put(lane, geometry);
     }
 }
 
 /// Σ c_k u^k from the sums of its even and its odd powers, which do not wait for each other.
 #[inline(always)]
-fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
+pub(super) fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
     let [even, odd] = halves(coefficients, u);
     for lane in 0..LANES {
         value.0[lane] = even[lane] + odd[lane] * u.0[lane];

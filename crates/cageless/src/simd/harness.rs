@@ -6,20 +6,16 @@ use super::friction::{friction, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
 use super::implicit_friction;
 use super::motions::{CentreLanes, Motions, block_at, block_mut};
-use super::pairs::{pair_contacts, pair_deflections, pairs_near};
+use super::pairs::ball_contacts;
 use super::parameters::Parameters;
 use super::rotor::{add_with_rotor, outer_ring_reactions, ring_torques, rotor_and_ledger};
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
-use crate::contact::{
-    centrifugal_force, inner_contact, inner_load, inner_paper_power, outer_contact, outer_load,
-    outer_paper_powers, slope_force,
-};
+use crate::contact::{inner_contact, inner_load, outer_contact, outer_load, slope_force};
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::numerics::lanes::{LANES, Lanes, lane_maxima};
-use crate::profile::Profile;
+use crate::numerics::lanes::{LANES, Lanes};
 
 /// Writes the right-hand side into `dydt`; without friction at the raceways if a method treats
 /// it implicitly.
@@ -31,12 +27,9 @@ pub(crate) fn evaluate(
     dydt: &mut [f64],
     raceway_friction: bool,
 ) {
-    match p.profile {
-        Profile::Physical if p.layout.has_rotor() => {
-            equations::<false, true>(p, w, y, dydt, raceway_friction);
-        }
-        Profile::Physical => equations::<false, false>(p, w, y, dydt, raceway_friction),
-        Profile::Paper => equations::<true, false>(p, w, y, dydt, raceway_friction),
+    match p.layout.has_rotor() {
+        true => equations::<true>(p, w, y, dydt, raceway_friction),
+        false => equations::<false>(p, w, y, dydt, raceway_friction),
     }
 }
 
@@ -54,17 +47,14 @@ pub(crate) fn add_implicit_friction(
     y: &mut [f64],
     dydt: &mut [f64],
 ) {
-    match p.profile {
-        Profile::Physical if p.layout.has_rotor() => {
-            add_with_rotor(p, w, h_s, y0, y, dydt);
-        }
-        Profile::Physical => implicit_friction::add::<false>(p, w, h_s, y0, y, dydt),
-        Profile::Paper => implicit_friction::add::<true>(p, w, h_s, y0, y, dydt),
+    match p.layout.has_rotor() {
+        true => add_with_rotor(p, w, h_s, y0, y, dydt),
+        false => implicit_friction::add(p, w, h_s, y0, y, dydt),
     }
 }
 
 #[inline(always)]
-fn equations<const PAPER: bool, const ROTOR: bool>(
+fn equations<const ROTOR: bool>(
     p: &Parameters,
     w: &mut Workspace,
     y: &[f64],
@@ -86,14 +76,14 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
         let p = std::hint::black_box(p);
         let motions = Motions::new(p.layout, y, block);
         let balls = p.balls(block);
-        plain_positions::<PAPER, ROTOR>(balls, results, motions, outer_ring);
+        plain_positions::<ROTOR>(balls, results, motions, outer_ring);
         if p.unequal || p.elastic {
             results.geometry.slope = Lanes::ZERO;
         }
         for raceway in &p.raceways {
-            raceway_geometry::<PAPER>(p, balls, raceway, results);
+            raceway_geometry(p, balls, raceway, results);
         }
-        raceway_contacts::<PAPER>(p, balls, results, motions, ring);
+        raceway_contacts(p, balls, results, motions, ring);
         if raceway_friction {
             let (outer, inner) = (&results.outer, &results.inner);
             friction(
@@ -106,18 +96,18 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
         } else {
             (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
         }
-        outer_loads::<PAPER>(p, balls, results, &mut w.addends, motions);
+        outer_loads(p, balls, results, &mut w.addends, motions);
         if p.unequal {
             slope_forces(results);
         }
-        if !PAPER && p.elastic {
+        if p.elastic {
             flanks::outer_contacts(p, balls, results, motions, &mut w.addends, raceway_friction);
         }
         if ROTOR {
             outer_ring_reactions(p, balls, results, &mut w.addends);
             w.sums.add(&Sum::OUTER_RING, &w.addends, alone, block);
         }
-        inner_loads::<PAPER>(p, balls, results, &mut w.addends);
+        inner_loads(p, balls, results, &mut w.addends);
         w.sums.add(&Sum::NORMAL, &w.addends, alone, block);
         if raceway_friction {
             loaded_slips(results, &mut slip_max);
@@ -127,39 +117,23 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
                 w.sums.add(&[Sum::RingTorque], &w.addends, alone, block);
             }
         }
-        if PAPER {
-            w.sums.add(&Sum::PAPER, &w.addends, alone, block);
-        }
     }
     w.slip_max = slip_max;
     w.slips_known &= !raceway_friction;
-    if w.pairs_loaded || pairs_near(p, y) {
-        w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), alone);
-        let touch = w.pair_deflection_max.iter().any(|d| *d > 0.0);
-        if touch {
-            pair_contacts::<PAPER>(p, w, y);
-        } else if w.pairs_loaded {
-            // Forces of the last contact must not outlive it.
-            for results in &mut w.blocks {
-                results.pair.force = Lanes::ZERO;
-                results.pair.rate = Lanes::ZERO;
-            }
-        }
-        w.pairs_loaded = touch;
-    }
+    ball_contacts(p, w, y);
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
         if ROTOR {
             w.rotors[bearing] = rotor_and_ledger(p, bearing, &w.sums, y, dydt, raceway_friction);
         } else {
-            ring_and_ledger::<PAPER>(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
+            ring_and_ledger(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
         }
     }
 }
 
 /// Contacts with both raceways, without friction.
 #[inline(always)]
-fn raceway_contacts<const PAPER: bool>(
+pub(super) fn raceway_contacts(
     p: &Parameters,
     balls: &BallLanes,
     results: &mut BlockResults,
@@ -169,7 +143,6 @@ fn raceway_contacts<const PAPER: bool>(
     for lane in 0..LANES {
         let (ball, motion) = (balls.get(lane), motions.get(lane));
         let outer = outer_contact(
-            Profile::of_build(PAPER),
             &ball,
             &p.outer.get(lane),
             &results.geometry.get(lane),
@@ -181,25 +154,16 @@ fn raceway_contacts<const PAPER: bool>(
     for lane in 0..LANES {
         let (ball, motion) = (balls.get(lane), motions.get(lane));
         let polar = motion.about(&ring.get(lane));
-        let inner = inner_contact(
-            Profile::of_build(PAPER),
-            &ball,
-            &p.inner.get(lane),
-            &motion,
-            &polar,
-        );
+        let inner = inner_contact(&ball, &p.inner.get(lane), &motion, &polar);
         results.inner_polar.ex.0[lane] = polar.ex;
         results.inner_polar.ey.0[lane] = polar.ey;
-        if PAPER {
-            results.inner_polar.put(lane, polar);
-        }
         results.inner.put(lane, inner);
     }
 }
 
 /// Loads of outer contacts and weights; starts the loads and the addends.
 #[inline(always)]
-fn outer_loads<const PAPER: bool>(
+fn outer_loads(
     p: &Parameters,
     balls: &BallLanes,
     results: &mut BlockResults,
@@ -207,32 +171,14 @@ fn outer_loads<const PAPER: bool>(
     motions: Motions<'_>,
 ) {
     for lane in 0..LANES {
-        let (ball, raceway) = (balls.get(lane), p.outer.get(lane));
-        let (motion, polar) = (motions.get(lane), results.polar.get(lane));
+        let (ball, polar) = (balls.get(lane), results.polar.get(lane));
         let (outer, geometry) = (results.outer.get(lane), results.geometry.get(lane));
         let friction = results.outer_friction.0[lane];
-        let mut load = outer_load(
-            Profile::of_build(PAPER),
-            &outer,
-            &geometry,
-            &polar,
-            friction,
-        );
-        if PAPER {
-            let centrifugal = centrifugal_force(&ball, &raceway, &polar);
-            load.fx += centrifugal * polar.ex;
-            load.fy += centrifugal * polar.ey;
-            addends[Sum::Centrifugal as usize].0[lane] =
-                centrifugal * (motion.vx * polar.ex + motion.vy * polar.ey);
-            let [direction, spin] =
-                outer_paper_powers(&raceway, &geometry, &motion, &polar, friction);
-            addends[Sum::FrictionDirection as usize].0[lane] = direction;
-            addends[Sum::RelativeSpin as usize].0[lane] = spin;
-        }
+        let mut load = outer_load(&outer, &geometry, &polar, friction);
         let weight = ball.mass * p.ring.gravity.0[lane];
         load.fy -= weight;
         results.load.put(lane, load);
-        addends[Sum::Weight as usize].0[lane] = -weight * motion.vy;
+        addends[Sum::Weight as usize].0[lane] = -weight * motions.get(lane).vy;
         addends[Sum::OuterFriction as usize].0[lane] = friction * outer.slip;
         addends[Sum::RacewayDamping as usize].0[lane] = outer.damping_power;
     }
@@ -240,7 +186,7 @@ fn outer_loads<const PAPER: bool>(
 
 /// Tangential part of outer normal forces where the contact rises along ψ.
 #[inline(always)]
-fn slope_forces(results: &mut BlockResults) {
+pub(super) fn slope_forces(results: &mut BlockResults) {
     for lane in 0..LANES {
         let polar = results.polar.get(lane);
         let force = slope_force(
@@ -256,7 +202,7 @@ fn slope_forces(results: &mut BlockResults) {
 
 /// Loads of inner contacts; adds to the loads and the addends.
 #[inline(always)]
-fn inner_loads<const PAPER: bool>(
+pub(super) fn inner_loads(
     p: &Parameters,
     balls: &BallLanes,
     results: &mut BlockResults,
@@ -280,16 +226,12 @@ fn inner_loads<const PAPER: bool>(
         addends[Sum::Drive as usize].0[lane] = friction * p.inner.surface_speed.0[lane];
         addends[Sum::InnerFriction as usize].0[lane] = friction * inner.slip;
         addends[Sum::RacewayDamping as usize].0[lane] += inner.damping_power;
-        if PAPER {
-            addends[Sum::RelativeSpin as usize].0[lane] +=
-                inner_paper_power(&p.inner.get(lane), &polar, friction);
-        }
     }
 }
 
 /// Velocities and accelerations of the balls.
 #[inline(always)]
-fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut [f64]) {
+pub(super) fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut [f64]) {
     for (block, results) in w.blocks.iter().enumerate() {
         let balls = p.balls(block);
         for (position, velocity) in [
@@ -315,7 +257,7 @@ fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut [f64]) {
 
 /// Motion of the inner ring of one bearing and the powers of its energy ledger.
 #[inline(always)]
-fn ring_and_ledger<const PAPER: bool>(
+pub(super) fn ring_and_ledger(
     p: &Parameters,
     bearing: usize,
     motion: &Centre,
@@ -330,7 +272,6 @@ fn ring_and_ledger<const PAPER: bool>(
     dydt[layout.ring(RingCoordinate::Y)] = motion.vy;
     dydt[layout.ring(RingCoordinate::Vx)] = ax;
     dydt[layout.ring(RingCoordinate::Vy)] = ay;
-    let paper = |power: f64| if PAPER { power } else { 0.0 };
     let powers: [(EnergyTerm, f64); EnergyTerm::without_rotor().len()] = [
         (EnergyTerm::Drive, total(Sum::Drive)),
         (EnergyTerm::Load, -ring.radial_load * motion.vy),
@@ -349,15 +290,9 @@ fn ring_and_ledger<const PAPER: bool>(
             EnergyTerm::Drag,
             ring.drag * (motion.vx * motion.vx + motion.vy * motion.vy),
         ),
-        (EnergyTerm::Centrifugal, paper(total(Sum::Centrifugal))),
-        (
-            EnergyTerm::FrictionDirection,
-            paper(total(Sum::FrictionDirection)),
-        ),
-        (
-            EnergyTerm::RelativeSpin,
-            paper(total(Sum::RelativeSpin) + total(Sum::BallRelativeSpin)),
-        ),
+        (EnergyTerm::Centrifugal, 0.0),
+        (EnergyTerm::FrictionDirection, 0.0),
+        (EnergyTerm::RelativeSpin, 0.0),
     ];
     for (term, power) in powers {
         dydt[layout.energy_term(term)] = power;

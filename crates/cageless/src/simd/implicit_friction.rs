@@ -5,20 +5,19 @@ use super::flanks;
 use super::friction::loaded_slips;
 use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
-use super::sums::{Addends, Sum};
+use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
 use crate::contact::{
-    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step, inner_paper_power,
-    inner_slip, outer_friction_direction, outer_paper_powers, outer_slip, with_law,
+    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step, inner_slip,
+    outer_slip, with_law,
 };
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::numerics::lanes::{LANES, Lanes};
-use crate::profile::Profile;
 
 #[inline(always)]
-pub(super) fn add<const PAPER: bool>(
+pub(super) fn add(
     p: &Parameters,
     w: &mut Workspace,
     h_s: f64,
@@ -30,51 +29,57 @@ pub(super) fn add<const PAPER: bool>(
     w.sums.clear(alone);
     let start_ring = CentreLanes::inner_ring(p.layout, y0);
     let mut slip_max = Lanes::ZERO;
-    with_law!(&p.friction, law => solve::<_, PAPER, false>(law, p, w, y, h_s));
+    with_law!(&p.friction, law => solve::<_, false>(law, p, w, y, h_s));
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let (balls, slips) = (p.balls(block), &friction.slips);
         results.outer.slip = slips.outer;
         results.inner.slip = slips.inner;
-        apply::<PAPER>(p, balls, results, block, h_s, y, dydt);
+        let against = |lane| circumference(results, lane);
+        apply((p, balls, block), results, against, h_s, y, dydt);
         let start = (Motions::new(p.layout, y0, block), &start_ring);
         let end = (Motions::new(p.layout, y, block), &w.ring);
-        powers::<PAPER>(p, balls, results, start, end, &mut w.addends);
-        if !PAPER {
-            flanks::add_heat::<false>(results, [start, end], &mut w.addends);
-        }
+        powers(p, balls, results, start, &mut w.addends);
+        flanks::add_heat::<false>(results, [start, end], &mut w.addends);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut slip_max);
         w.sums.add(&Sum::RACEWAY_FRICTION, &w.addends, alone, block);
-        if PAPER {
-            w.sums.add(&Sum::PAPER, &w.addends, alone, block);
-        }
     }
     w.slip_max = slip_max;
     w.slips_known = true;
     for bearing in 0..p.layout.width() {
-        let layout = p.layout.of_bearing(bearing);
-        let total = |sum: Sum| w.sums.total(sum, alone, bearing);
-        let mass = p.ring.mass.0[bearing];
-        let mut add = |place: usize, rate: f64| {
-            dydt[place] += rate;
-            y[place] += h_s * rate;
-        };
-        add(layout.ring(RingCoordinate::Vx), total(Sum::RingX) / mass);
-        add(layout.ring(RingCoordinate::Vy), total(Sum::RingY) / mass);
-        for (term, sum) in [
-            (EnergyTerm::Drive, Sum::Drive),
-            (EnergyTerm::InnerFriction, Sum::InnerFriction),
-            (EnergyTerm::OuterFriction, Sum::OuterFriction),
-        ] {
-            add(layout.energy_term(term), total(sum));
-        }
-        if PAPER {
-            let direction = total(Sum::FrictionDirection);
-            add(layout.energy_term(EnergyTerm::FrictionDirection), direction);
-            let spin = total(Sum::RelativeSpin);
-            add(layout.energy_term(EnergyTerm::RelativeSpin), spin);
-        }
+        add_ring_friction(p, bearing, &w.sums, h_s, y, dydt);
+    }
+}
+
+/// Adds the friction of the balls to the inner ring of one bearing and to its energy ledger.
+#[inline(always)]
+pub(super) fn add_ring_friction(
+    p: &Parameters,
+    bearing: usize,
+    sums: &Sums,
+    h_s: f64,
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let layout = p.layout.of_bearing(bearing);
+    let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
+    let mass = p.ring.mass.0[bearing];
+    for (place, rate) in [
+        (layout.ring(RingCoordinate::Vx), total(Sum::RingX) / mass),
+        (layout.ring(RingCoordinate::Vy), total(Sum::RingY) / mass),
+        (layout.energy_term(EnergyTerm::Drive), total(Sum::Drive)),
+        (
+            layout.energy_term(EnergyTerm::InnerFriction),
+            total(Sum::InnerFriction),
+        ),
+        (
+            layout.energy_term(EnergyTerm::OuterFriction),
+            total(Sum::OuterFriction),
+        ),
+    ] {
+        dydt[place] += rate;
+        y[place] += h_s * rate;
     }
 }
 
@@ -109,10 +114,10 @@ pub(crate) fn add_given_friction(
             }
         }
         let balls = p.balls(block);
-        let rates = match p.profile {
-            Profile::Paper => accelerations::<true>(balls, results),
-            Profile::Physical => accelerations::<false>(balls, results),
-        };
+        let rates = accelerations(balls, results, |lane| {
+            let direction = w.friction_directions.get(block);
+            direction.map_or(circumference(results, lane), |d| [d.x.0[lane], d.y.0[lane]])
+        });
         add_to_balls(p, block, rates, dydt);
         inner_friction_reactions(results, &mut addends);
         w.sums.add(&[Sum::RingX, Sum::RingY], &addends, true, block);
@@ -147,7 +152,7 @@ pub(super) fn inner_friction_reactions(results: &BlockResults, addends: &mut Add
 /// Solves for the friction of the balls at the end of a step of `h_s`, where the other forces lead
 /// to `y`; leaves that which changes their velocities, (1 − θ)·f₀ + θ·f₁, in `w.blocks`.
 #[inline(always)]
-pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
+pub(super) fn solve<L: LawLanes, const ROTOR: bool>(
     law: &L,
     p: &Parameters,
     w: &mut Workspace,
@@ -158,14 +163,14 @@ pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&mut w.friction).enumerate() {
         let motions = Motions::new(p.layout, y, block);
         let bodies = (p.balls(block), rings, motions);
-        let elastic = !PAPER && !<L::Constants as Law>::STICKS && p.elastic;
+        let elastic = !<L::Constants as Law>::STICKS && p.elastic;
         if elastic {
             flanks::keep_start(results, friction, w.slips_known);
         }
         if w.slips_known {
-            first_iterate::<L, PAPER, ROTOR, true>(law, p, bodies, h_s, results, friction);
+            first_iterate::<L, ROTOR, true>(law, p, bodies, h_s, results, friction);
         } else {
-            first_iterate::<L, PAPER, ROTOR, false>(law, p, bodies, h_s, results, friction);
+            first_iterate::<L, ROTOR, false>(law, p, bodies, h_s, results, friction);
         }
         if elastic && w.slips_known {
             flanks::first_iterate::<L, ROTOR, true>(law, p, bodies, h_s, results, friction);
@@ -173,8 +178,14 @@ pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
             flanks::first_iterate::<L, ROTOR, false>(law, p, bodies, h_s, results, friction);
         }
     }
+    finish(law, p.elastic, w);
+}
+
+/// Iterates from the first iterates of all blocks, and leaves in them what changes velocities.
+#[inline(always)]
+pub(super) fn finish<L: LawLanes>(law: &L, elastic: bool, w: &mut Workspace) {
     if !<L::Constants as Law>::STICKS {
-        iterate(law, p.elastic, &w.blocks, &mut w.friction);
+        iterate(law, elastic, &w.blocks, &mut w.friction);
     }
     for (results, friction) in w.blocks.iter_mut().zip(&w.friction) {
         let ([outer, inner], slips) = (&friction.weights, &friction.slips);
@@ -189,7 +200,7 @@ pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
 /// the sliding speeds extrapolated to it, or their solution under a law that sticks; θ = 1 unless
 /// the friction at the start is known. Leaves (1 − θ)·f₀ in `results`.
 #[inline(always)]
-fn first_iterate<L: LawLanes, const PAPER: bool, const ROTOR: bool, const KNOWN: bool>(
+fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
     law: &L,
     p: &Parameters,
     (balls, [ring, outer_ring], motions): (&BallLanes, [&CentreLanes; 2], Motions<'_>),
@@ -208,14 +219,12 @@ fn first_iterate<L: LawLanes, const PAPER: bool, const ROTOR: bool, const KNOWN:
         let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
         let contacts = RacewayContacts {
             ball: &balls.get(lane),
-            outer_raceway: &p.outer.get(lane),
             inner_raceway: &p.inner.get(lane),
             geometry: &results.geometry.get(lane),
             outer: &results.outer.get(lane),
             inner: &results.inner.get(lane),
         };
-        let profile = Profile::of_build(PAPER);
-        let whole = SlipProblem::new(profile, &contacts, &motion, &polar, &inner_polar, h_s);
+        let whole = SlipProblem::new(&contacts, &motion, &polar, &inner_polar, h_s);
         let extrapolated = [results.outer.slip.0[lane], results.inner.slip.0[lane]];
         let start = friction.slips.get(lane);
         Beginning::new::<_, KNOWN>(&law, &whole, &start, extrapolated).put(lane, results, friction);
@@ -266,21 +275,27 @@ fn add_to_balls(p: &Parameters, block: usize, rates: [[f64; LANES]; 3], dydt: &m
     }
 }
 
-/// Accelerations of the balls of a block by friction.
+/// Direction of the circumference at the ball of a lane.
 #[inline(always)]
-fn accelerations<const PAPER: bool>(
+pub(super) fn circumference(results: &BlockResults, lane: usize) -> [f64; 2] {
+    [-results.polar.ey.0[lane], results.polar.ex.0[lane]]
+}
+
+/// Accelerations of the balls of a block by friction, which acts against `direction` at the outer raceway.
+#[inline(always)]
+fn accelerations(
     balls: &BallLanes,
     results: &BlockResults,
+    direction: impl Fn(usize) -> [f64; 2],
 ) -> [[f64; LANES]; 3] {
     let mut rates = [[0.0; LANES]; 3];
     for lane in 0..LANES {
-        let (geometry, polar) = (results.geometry.get(lane), results.polar.get(lane));
+        let (geometry, [dx, dy]) = (results.geometry.get(lane), direction(lane));
         let (ball, inner_polar) = (balls.get(lane), results.inner_polar.get(lane));
         let (fo, fi) = (
             results.outer_friction.0[lane],
             results.inner_friction.0[lane],
         );
-        let [dx, dy] = outer_friction_direction(Profile::of_build(PAPER), &geometry, &polar);
         let load = BallLoad {
             fx: -fo * dx - fi * inner_polar.ey,
             fy: -fo * dy + fi * inner_polar.ex,
@@ -291,24 +306,21 @@ fn accelerations<const PAPER: bool>(
             rates[k][lane] = acceleration[k];
         }
     }
-    if !PAPER {
-        flanks::add_accelerations(balls, results, &mut rates);
-    }
+    flanks::add_accelerations(balls, results, &mut rates);
     rates
 }
 
-/// Adds the friction of a block to velocities and rates.
+/// Adds the friction of a block to velocities and rates; that at the outer raceway acts against `direction`.
 #[inline(always)]
-pub(super) fn apply<const PAPER: bool>(
-    p: &Parameters,
-    balls: &BallLanes,
+pub(super) fn apply(
+    (p, balls, block): (&Parameters, &BallLanes, usize),
     results: &BlockResults,
-    block: usize,
+    direction: impl Fn(usize) -> [f64; 2],
     h_s: f64,
     y: &mut [f64],
     dydt: &mut [f64],
 ) {
-    let rates = accelerations::<PAPER>(balls, results);
+    let rates = accelerations(balls, results, direction);
     let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
     for (coordinate, rates) in coordinates.into_iter().zip(rates) {
         let at = p.layout.array(coordinate) + block * LANES;
@@ -328,18 +340,16 @@ type Motion<'a> = (Motions<'a>, &'a CentreLanes);
 /// of the mean sliding speed; all speeds are taken along the directions in which the friction
 /// acts, those at the end of the step.
 #[inline(always)]
-fn powers<const PAPER: bool>(
+fn powers(
     p: &Parameters,
     balls: &BallLanes,
     results: &BlockResults,
     start: Motion<'_>,
-    end: Motion<'_>,
     addends: &mut Addends,
 ) {
-    let profile = Profile::of_build(PAPER);
     for lane in 0..LANES {
         let (geometry, ball) = (results.geometry.get(lane), balls.get(lane));
-        let (outer_raceway, inner_raceway) = (p.outer.get(lane), p.inner.get(lane));
+        let inner_raceway = p.inner.get(lane);
         let motion = start.0.get(lane);
         let polar = results
             .polar
@@ -347,8 +357,8 @@ fn powers<const PAPER: bool>(
             .with_velocity(&motion, &Centre::default());
         let inner_polar = results.inner_polar.get(lane);
         let inner_start = inner_polar.with_velocity(&motion, &start.1.get(lane));
-        let outer_slip = outer_slip(profile, &outer_raceway, &geometry, &motion, &polar);
-        let inner_slip = inner_slip(profile, &ball, &inner_raceway, &motion, &inner_start);
+        let outer_slip = outer_slip(&geometry, &motion, &polar);
+        let inner_slip = inner_slip(&ball, &inner_raceway, &motion, &inner_start);
         let (fo, fi) = (
             results.outer_friction.0[lane],
             results.inner_friction.0[lane],
@@ -360,24 +370,5 @@ fn powers<const PAPER: bool>(
         addends[Sum::Drive as usize].0[lane] = fi * inner_raceway.surface_speed;
         addends[Sum::OuterFriction as usize].0[lane] = fo * outer_mean;
         addends[Sum::InnerFriction as usize].0[lane] = fi * inner_mean;
-        if PAPER {
-            let at = |(motions, ring): Motion<'_>| {
-                let motion = motions.get(lane);
-                let polar = results
-                    .polar
-                    .get(lane)
-                    .with_velocity(&motion, &Centre::default());
-                let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
-                let [direction, spin] =
-                    outer_paper_powers(&outer_raceway, &geometry, &motion, &polar, fo);
-                [
-                    direction,
-                    spin + inner_paper_power(&inner_raceway, &inner_polar, fi),
-                ]
-            };
-            let (before, after) = (at(start), at(end));
-            addends[Sum::FrictionDirection as usize].0[lane] = 0.5 * (before[0] + after[0]);
-            addends[Sum::RelativeSpin as usize].0[lane] = 0.5 * (before[1] + after[1]);
-        }
     }
 }

@@ -20,6 +20,7 @@ mod motions;
 mod on_flanks;
 mod pairs;
 mod parameters;
+pub(crate) mod published;
 mod rotor;
 mod sums;
 mod workspace;

@@ -8,15 +8,35 @@ use super::workspace::Workspace;
 use crate::contact::{ball_ball_contact, ball_deflection};
 use crate::dynamics::ball::BallMotion;
 use crate::dynamics::coordinates::BallCoordinate;
-use crate::numerics::lanes::{LANES, Lanes, flat, flat_mut, larger};
+use crate::numerics::lanes::{LANES, Lanes, flat, flat_mut, lane_maxima, larger};
 
 /// A squared distance over that at which balls touch, less 1, at which they are apart whatever the
 /// rounding.
 const APART: f64 = 1e-12;
 
+/// Contacts between neighbours, if any of them touch; adds to the loads of both.
+#[inline(always)]
+pub(super) fn ball_contacts(p: &Parameters, w: &mut Workspace, y: &[f64]) {
+    if !(w.pairs_loaded || pairs_near(p, y)) {
+        return;
+    }
+    w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), p.layout.width() == 1);
+    let touch = w.pair_deflection_max.iter().any(|d| *d > 0.0);
+    if touch {
+        pair_contacts(p, w, y);
+    } else if w.pairs_loaded {
+        // Forces of the last contact must not outlive it.
+        for results in &mut w.blocks {
+            results.pair.force = Lanes::ZERO;
+            results.pair.rate = Lanes::ZERO;
+        }
+    }
+    w.pairs_loaded = touch;
+}
+
 /// Whether any two neighbours may touch: without roots, for in most evaluations none do.
 #[inline(always)]
-pub(super) fn pairs_near(p: &Parameters, y: &[f64]) -> bool {
+fn pairs_near(p: &Parameters, y: &[f64]) -> bool {
     let (width, count) = (p.layout.width(), p.layout.entries());
     let x = &y[p.layout.array(BallCoordinate::X)..];
     let y = &y[p.layout.array(BallCoordinate::Y)..];
@@ -48,7 +68,7 @@ pub(super) fn pairs_near(p: &Parameters, y: &[f64]) -> bool {
 
 /// Deflection of each ball with the ball ahead; returns the largest of each lane.
 #[inline(always)]
-pub(super) fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Lanes {
+fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Lanes {
     let [next_x, next_y, ..] = &mut w.next;
     of_ball_ahead(p, &y[p.layout.array(BallCoordinate::X)..], next_x);
     of_ball_ahead(p, &y[p.layout.array(BallCoordinate::Y)..], next_y);
@@ -71,7 +91,7 @@ pub(super) fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> 
 /// Values of the ball ahead at the place of each ball. `values` starts with those of the balls
 /// and goes on for a block or more.
 #[inline(always)]
-fn of_ball_ahead(p: &Parameters, values: &[f64], next: &mut [Lanes]) {
+pub(super) fn of_ball_ahead(p: &Parameters, values: &[f64], next: &mut [Lanes]) {
     let (shift, count) = (p.layout.width(), p.layout.entries());
     for (block, next) in next.iter_mut().enumerate() {
         next.0 = *block_at(values, block * LANES + shift);
@@ -91,24 +111,15 @@ fn close_circle(p: &Parameters, values: &mut [Lanes]) {
 
 /// Contacts between neighbours; adds to the loads of both.
 #[inline(always)]
-pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace, y: &[f64]) {
-    for (k, coordinate) in [
-        (2, BallCoordinate::Vx),
-        (3, BallCoordinate::Vy),
-        (4, BallCoordinate::Spin),
-    ] {
+fn pair_contacts(p: &Parameters, w: &mut Workspace, y: &[f64]) {
+    for (k, coordinate) in [(2, BallCoordinate::Vx), (3, BallCoordinate::Vy)] {
         of_ball_ahead(p, &y[p.layout.array(coordinate)..], &mut w.next[k]);
     }
-    if PAPER {
-        // Absolute spins are not in the state.
-        let [spin, orbit, _, _] = &mut w.pairs;
-        for (block, results) in w.blocks.iter().enumerate() {
-            spin[block] = results.spin;
-            orbit[block] = results.polar.orbit;
-        }
-        of_ball_ahead(p, flat(spin), &mut w.next[4]);
-        of_ball_ahead(p, flat(orbit), &mut w.next[5]);
+    let [spins, ..] = &mut w.pairs;
+    for (spin, results) in spins.iter_mut().zip(&w.blocks) {
+        *spin = results.spin;
     }
+    of_ball_ahead(p, flat(spins), &mut w.next[4]);
     let alone = p.layout.width() == 1;
     let [force_x, force_y, torque, next_torque] = &mut w.pairs;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
@@ -116,7 +127,7 @@ pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace
         let (balls, motions) = (p.balls(block), Motions::new(p.layout, y, block));
         let next = |k: usize| &w.next[k][block].0;
         let (next_x, next_y, next_vx, next_vy) = (next(0), next(1), next(2), next(3));
-        let (next_spin, next_orbit) = (next(4), next(5));
+        let next_spin = next(4);
         for lane in 0..LANES {
             let ball = BallMotion {
                 spin: results.spin.0[lane],
@@ -150,16 +161,8 @@ pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace
             next_torque[lane] = ball.next_radius * friction;
             addends[Sum::BallFriction as usize].0[lane] = friction * contact.slip;
             addends[Sum::BallDamping as usize].0[lane] = contact.damping_power;
-            if PAPER {
-                let turning =
-                    ball.radius * results.polar.orbit.0[lane] + ball.next_radius * next_orbit[lane];
-                addends[Sum::BallRelativeSpin as usize].0[lane] = friction * turning;
-            }
         }
         w.sums.add(&Sum::BALL_CONTACTS, &addends, alone, block);
-        if PAPER {
-            w.sums.add(&[Sum::BallRelativeSpin], &addends, alone, block);
-        }
     }
     // Each contact acts on the ball ahead, too.
     for values in [&mut *force_x, &mut *force_y, &mut *next_torque] {

@@ -15,7 +15,6 @@ use crate::dynamics::rotor::RotorBody;
 use crate::flank_model::FlankModel;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::Lanes;
-use crate::profile::Profile;
 
 /// Coefficients of a polynomial: of even and of odd powers.
 pub(super) type Polynomial = Vec<[Lanes; 2]>;
@@ -26,7 +25,9 @@ pub(super) struct RacewayBlock {
     pub constants: RacewayConstantsLanes,
     pub radius: Polynomial,
     pub radius_slope: Polynomial,
+    /// Of 1/√(1 + y′² + z′²) of the contact path, and 4a and 2b of its slope, in the published equations.
     pub direction: Polynomial,
+    pub path_slope: [Lanes; 2],
     /// Those of elastic flanks of each bearing.
     pub flanks: Vec<FlankPolynomials>,
 }
@@ -35,7 +36,6 @@ pub(super) struct RacewayBlock {
 #[derive(Clone)]
 pub(crate) struct Parameters {
     pub layout: Layout,
-    pub profile: Profile,
     /// Whether outer contacts differ from those of nominal balls in raceways as designed.
     pub unequal: bool,
     /// Whether the flanks of discrete raceways are elastic.
@@ -105,7 +105,6 @@ impl Parameters {
         let blocks = if same { 1 } else { layout.stride / LANES };
         Self {
             layout,
-            profile: first.profile,
             unequal,
             elastic: first.flanks == FlankModel::Elastic,
             drops: models
@@ -152,6 +151,11 @@ fn raceway_block(models: &[&Model], k: usize) -> RacewayBlock {
         radius: polynomial(|r| &r.radius),
         radius_slope: polynomial(|r| &r.radius_slope),
         direction: polynomial(|r| &r.direction),
+        path_slope: [0, 1].map(|k| {
+            Lanes(std::array::from_fn(|lane| {
+                raceway(lane).map_or(0.0, |r| r.path_slope[k])
+            }))
+        }),
         flanks: (0..models.len())
             .map(|lane| FlankPolynomials::new(raceway(lane)))
             .collect(),

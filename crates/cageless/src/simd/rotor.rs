@@ -3,14 +3,14 @@
 use super::beginning::sticking_weight;
 use super::flanks;
 use super::friction::loaded_slips;
-use super::implicit_friction::{apply, inner_friction_reactions, solve};
+use super::implicit_friction::{apply, circumference, inner_friction_reactions, solve};
 use super::motions::{CentreLanes, Motions, ring_speeds};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
 use crate::contact::{
-    InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, journal_slip,
-    outer_friction_direction, outer_slip, positive, with_law,
+    InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, journal_slip, outer_slip,
+    positive, with_law,
 };
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
@@ -18,7 +18,6 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::{RotorBody, RotorContact, bore_motion};
 use crate::numerics::lanes::{LANES, Lanes};
-use crate::profile::Profile;
 
 /// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
 /// without the weights.
@@ -40,14 +39,9 @@ pub(super) fn outer_ring_reactions(
 #[inline(always)]
 pub(super) fn outer_friction_reactions(results: &BlockResults, addends: &mut Addends) {
     for lane in 0..LANES {
-        let [dx, dy] = outer_friction_direction(
-            Profile::Physical,
-            &results.geometry.get(lane),
-            &results.polar.get(lane),
-        );
         let friction = results.outer_friction.0[lane];
-        addends[Sum::OuterX as usize].0[lane] = friction * dx;
-        addends[Sum::OuterY as usize].0[lane] = friction * dy;
+        addends[Sum::OuterX as usize].0[lane] = -friction * results.polar.ey.0[lane];
+        addends[Sum::OuterY as usize].0[lane] = friction * results.polar.ex.0[lane];
     }
 }
 
@@ -158,11 +152,12 @@ pub(super) fn add_with_rotor(
 ) {
     let alone = p.layout.width() == 1;
     w.sums.clear(alone);
-    with_law!(&p.friction, law => solve::<_, false, true>(law, p, w, y, h_s));
+    with_law!(&p.friction, law => solve::<_, true>(law, p, w, y, h_s));
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
-        apply::<false>(p, balls, results, block, h_s, y, dydt);
+        let against = |lane| circumference(results, lane);
+        apply((p, balls, block), results, against, h_s, y, dydt);
         inner_friction_reactions(results, &mut addends);
         outer_friction_reactions(results, &mut addends);
         flanks::add_reactions(results, &mut addends);
@@ -358,10 +353,8 @@ fn slip_speeds(
             surface_speed: rings.speed.0[lane] * radius,
         };
         let (ball, geometry) = (balls.get(lane), results.geometry.get(lane));
-        let physical = Profile::Physical;
-        let outer_raceway = p.outer.get(lane);
-        slips[0].0[lane] = outer_slip(physical, &outer_raceway, &geometry, &motion, &outer_polar);
-        slips[1].0[lane] = inner_slip(physical, &ball, &raceway, &motion, &inner_polar);
+        slips[0].0[lane] = outer_slip(&geometry, &motion, &outer_polar);
+        slips[1].0[lane] = inner_slip(&ball, &raceway, &motion, &inner_polar);
     }
     slips
 }

@@ -16,7 +16,7 @@ pub(super) enum Sum {
     RacewayDamping,
     BallFriction,
     BallDamping,
-    /// `paper` profile only, as are the next three.
+    /// Of the published equations only, as are the next three.
     Centrifugal,
     FrictionDirection,
     RelativeSpin,
@@ -39,7 +39,7 @@ impl Sum {
         Self::InnerFriction,
         Self::OuterFriction,
     ];
-    pub const PAPER: [Self; 3] = [
+    pub const PUBLISHED: [Self; 3] = [
         Self::Centrifugal,
         Self::FrictionDirection,
         Self::RelativeSpin,

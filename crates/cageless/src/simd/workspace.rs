@@ -4,6 +4,7 @@ use super::motions::CentreLanes;
 use super::on_flanks::OnFlanks;
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
+use crate::contact::published::FrictionDirectionLanes;
 use crate::contact::{
     BallBallContactLanes, FlankContactLanes, FlankSlidingLanes, InnerContactLanes, JournalSlip,
     OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes,
@@ -12,6 +13,7 @@ use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::dynamics::rotor::RotorContact;
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
+use crate::profile::Profile;
 
 /// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
 /// knows that they do not overlap.
@@ -117,8 +119,8 @@ pub(crate) struct Workspace {
     pub(super) friction: Vec<ImplicitFriction>,
     /// Whether the last evaluation with friction was that step.
     pub(super) slips_known: bool,
-    /// The ball ahead: x, y, vx, vy, absolute spin, orbital speed.
-    pub(super) next: [Vec<Lanes>; 6],
+    /// The ball ahead: x, y, vx, vy, spin.
+    pub(super) next: [Vec<Lanes>; 5],
     /// Force x, force y and moment of the contact with the ball ahead on each ball, and its moment
     /// on the ball ahead; behind a free block.
     pub(super) pairs: [Vec<Lanes>; 4],
@@ -128,10 +130,13 @@ pub(crate) struct Workspace {
     pub(super) pairs_loaded: bool,
     /// Largest |ΔV| under load of each lane, m/s.
     pub slip_max: Lanes,
+    /// Directions of friction at the outer raceway in the published equations; else empty, for they are
+    /// along the circumference.
+    pub friction_directions: Vec<FrictionDirectionLanes>,
 }
 
 impl Workspace {
-    pub fn new(p: &Parameters) -> Self {
+    pub fn new(p: &Parameters, profile: Profile) -> Self {
         let blocks = p.layout.stride / LANES;
         let zero = || vec![Lanes::ZERO; blocks];
         Self {
@@ -150,6 +155,10 @@ impl Workspace {
             pair_deflection_max: [0.0; BATCH_WIDTH],
             pairs_loaded: false,
             slip_max: Lanes::ZERO,
+            friction_directions: match profile {
+                Profile::Physical => vec![],
+                Profile::Paper => vec![FrictionDirectionLanes::ZERO; blocks],
+            },
         }
     }
 }

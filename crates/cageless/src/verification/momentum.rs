@@ -1,6 +1,6 @@
 //! Balance of linear momentum.
 
-use crate::contact::centrifugal_force;
+use crate::contact::published;
 use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
@@ -109,7 +109,7 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> (
             let polar = layout
                 .ball_motion(values, k)
                 .about(&layout.outer_ring_motion(values));
-            let centrifugal = centrifugal_force(ball, &model.outer, &polar);
+            let centrifugal = published::centrifugal_force(ball, &model.outer, &polar);
             force[0] += centrifugal * polar.ex;
             force[1] += centrifugal * polar.ey;
             absolute += centrifugal;
