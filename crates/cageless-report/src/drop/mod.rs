@@ -87,9 +87,7 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     report::acceptance_test(&mut page, &bearings);
     page.section("Drops in succession");
     succession(&mut page, &bearings, &study.succession);
-    if let VariantFile::Case(file) = file
-        && !file.case().moves_in_space()
-    {
+    if let VariantFile::Case(file) = file {
         let toml = file.document().to_toml().unwrap_or_default();
         studio_section(&mut page, &toml, "");
     }
