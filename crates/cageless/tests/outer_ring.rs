@@ -3,8 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::{STRUCTURES, dimensions, raceway, steel};
+use crate::slot_ring;
 use crate::turned_ring::{angular, turned_back};
-use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch};
+use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side};
 use cageless::{Bearing, Raceway};
 
 pub fn bearing() -> Bearing {
@@ -289,8 +290,8 @@ fn patches_follow_the_surface() {
         for sector in r.sectors() {
             for tolerance in [1e-7, 1e-8, 1e-9] {
                 let pair = Patch::pair(&r, &sector, tolerance).unwrap();
-                for patch in &pair {
-                    let stated = patch.deviation_m(&r, &sector);
+                for (patch, side) in pair.iter().zip(Side::BOTH) {
+                    let stated = patch.deviation_m(&r, &sector, side);
                     assert!(stated <= tolerance);
                     let mut worst = 0.0f64;
                     for i in 0..=97 {
@@ -299,7 +300,7 @@ fn patches_follow_the_surface() {
                             let psi = sector.start_rad + span * f64::from(i) / 97.0;
                             let p = patch.point_m(psi, f64::from(j) / 53.0);
                             worst = worst.max(r.distance_m(p).abs());
-                            let z = patch.side.sign() * p[2];
+                            let z = side.sign() * p[2];
                             assert!(!symmetric || z >= 0.0 && (j > 0 || z == 0.0));
                         }
                     }
@@ -331,7 +332,7 @@ fn deviation_is_honest() {
         let e = [p[0] / p[0].hypot(p[1]), p[1] / p[0].hypot(p[1])];
         p[0] += 1e-6 * e[0];
         p[1] += 1e-6 * e[1];
-        let found = bad.deviation_m(&r, &sector);
+        let found = bad.deviation_m(&r, &sector, Side::Upper);
         // At least the square of the largest fraction of a cubic's middle control point.
         assert!((0.1e-6..1.01e-6).contains(&found), "{i} {j}: {found:e}");
     }
@@ -361,7 +362,7 @@ fn patches_meet_the_plain_raceway_smoothly() {
     }
 }
 
-fn edges_are_shared_by_two(mesh: &Mesh) {
+pub fn edges_are_shared_by_two(mesh: &Mesh) {
     use std::collections::HashMap;
     let mut edges = HashMap::new();
     for t in &mesh.triangles {
@@ -376,13 +377,14 @@ fn edges_are_shared_by_two(mesh: &Mesh) {
 
 #[test]
 fn meshes_are_closed_and_keep_the_chord_error() {
-    for r in [
+    let others = [
         ring(&[], 0.0),
         structure_d(0.0),
         several(0.5e-3),
         angular(),
         turned_back(),
-    ] {
+    ];
+    for r in others.into_iter().chain(slot_ring::rings()) {
         let volume = r.volume_m3();
         for chord in [20e-6, 2e-6] {
             let mesh = Mesh::new(&r, chord, 0.0).unwrap();
@@ -407,19 +409,21 @@ fn check_grid(r: &OuterRing) {
     let grid = Grid::new(r, 0.5e-3);
     assert!(grid.row_distance_m(r) <= 0.5e-3 * (1.0 + 1e-9));
     assert!(
-        grid.meridians
+        grid.rows
             .windows(2)
             .all(|w| w[0].angle_rad < w[1].angle_rad)
     );
-    for m in &grid.meridians {
-        let row = grid.row_rad(m);
-        assert_eq!(row.len(), 2 * (grid.steps + 1));
-        assert!(row.windows(2).all(|w| w[0] <= w[1]));
-        let arc = (row[1] - row[0]) * r.curvature_radius_m();
+    for row in &grid.rows {
+        let points = grid.points(row);
+        assert_eq!(points.len(), 2 * (grid.steps + 1));
+        assert!(points.iter().all(|p| p.kind == PointKind::Surface));
+        let eta: Vec<f64> = points.iter().map(|p| p.meridian_rad).collect();
+        assert!(eta.windows(2).all(|w| w[0] <= w[1]));
+        let arc = (eta[1] - eta[0]) * r.curvature_radius_m();
         assert!(arc <= 0.5e-3 * (1.0 + 1e-9), "{arc}");
-        assert!(row[0] > -FRAC_PI_2);
+        assert!(eta[0] > -FRAC_PI_2);
         // From shoulder to shoulder.
-        let end = m.point(row[0]).position_m;
+        let end = points[0].point.position_m;
         assert!((end[0].hypot(end[1]) - 26e-3).abs() < 1e-15);
     }
 }

@@ -45,6 +45,7 @@ fn form(shape: RacewayShape, blend_m: f64) -> RacewayForm {
         blend_m,
         depth_m: 0.0,
         edge_radius_m: 0.0,
+        slot_depth_m: None,
     }
 }
 

@@ -6,7 +6,6 @@ use cageless::equilibrium;
 use cageless::equilibrium::space::solve;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
-use cageless::surface::{OuterRing, OuterRingDimensions};
 use cageless::touchdown::DropRecorder;
 use cageless::{
     Case, IntegrationMethod, Profile, Raceway, RacewayDimensions, RacewayForm, RacewayShape,
@@ -287,11 +286,4 @@ fn slots_that_cannot_be() {
     assert_eq!(paper.check().unwrap_err().field, "shape");
     assert_eq!(case.check_planar().unwrap_err().field, "edge_radius_m");
     assert!(equilibrium::solve(&case).is_err());
-    let dimensions = OuterRingDimensions {
-        outer_ring_outer_radius_m: 31e-3,
-        outer_ring_width_m: 16e-3,
-        blend_m: 0.0,
-    };
-    let ring = OuterRing::new(&case.bearing, &case.raceways, dimensions);
-    assert_eq!(ring.unwrap_err().field, "edge_radius_m");
 }

@@ -166,12 +166,14 @@ fn text(r: &ExportNumbers) -> String {
         ),
     });
     if r.raceways > 0 {
+        lines.push(("discrete raceways", r.raceways.to_string()));
+    }
+    if r.raceways > r.slots.len() {
         let kink = format!(
             "{:.4}° at 45° groove angle, {:.4}° at the shoulder",
             r.design_slope_discontinuity_45_deg, r.design_slope_discontinuity_shoulder_deg
         );
         lines.extend([
-            ("discrete raceways", r.raceways.to_string()),
             (
                 "slope discontinuity at raceway ends",
                 if r.blend_mm > 0.0 {
@@ -188,14 +190,28 @@ fn text(r: &ExportNumbers) -> String {
                 "angle of the apex between the contact points",
                 format!("{:.4}°", r.apex_angle_deg),
             ),
-            (
-                "deviation from the plain groove",
-                format!(
-                    "max. material above plain groove {:.3} µm, below {:.3} µm",
-                    r.above_plain_um, r.below_plain_um
-                ),
-            ),
         ]);
+    }
+    lines.extend(r.slots.iter().map(|slot| {
+        let dimensions = format!(
+            "{:.6} mm wide, floor {:.6} mm below the plain groove, edges of radius {:.4} mm; from ψ = \
+             {:.4}° to {:.4}°",
+            slot.width_mm,
+            slot.depth_mm,
+            slot.edge_radius_mm,
+            slot.centre_angle_deg - slot.half_angle_deg,
+            slot.centre_angle_deg + slot.half_angle_deg,
+        );
+        ("slot", dimensions)
+    }));
+    if r.raceways > 0 {
+        lines.push((
+            "deviation from the plain groove",
+            format!(
+                "max. material above plain groove {:.3} µm, below {:.3} µm",
+                r.above_plain_um, r.below_plain_um
+            ),
+        ));
     }
     if let Some(sentence) = &r.blend_not_simulated {
         lines.push(("blend", sentence.clone()));

@@ -1,13 +1,13 @@
 //! The outer ring as faces, edges and vertices, in metres.
 //!
 //! Meridian planes between sectors cut the groove and the shoulders; the cylinder outside
-//! is in two halves and each side face is whole. Plain sectors are tori; discrete raceways
-//! and their blends two B-spline faces each that meet in the apex between the flanks.
+//! is in two halves and each side face is whole. Plain sectors are tori, around slots with a hole;
+//! discrete raceways and their blends two B-spline faces each that meet in the apex between the flanks.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use cageless::numerics::bspline::Vec3;
-use cageless::surface::{Arc, Meridian, OuterRing, Patch, PatchError, RingSector};
+use cageless::surface::{Arc, Meridian, OuterRing, Patch, PatchError, RingSector, Side};
 
 /// Curve of an edge.
 #[derive(Debug)]
@@ -33,6 +33,14 @@ pub(super) enum Surface {
     Plane(f64),
     /// About Z.
     Cylinder { radius_m: f64, reference: Vec3 },
+    /// About Z, with this radius at z = `height_m`; along +z or −z, `way`, it grows by the tangent of the angle.
+    Cone {
+        height_m: f64,
+        radius_m: f64,
+        way: f64,
+        half_angle_rad: f64,
+        reference: Vec3,
+    },
     /// About Z, in the plane z = `height_m`.
     Torus {
         height_m: f64,
@@ -40,7 +48,7 @@ pub(super) enum Surface {
         minor_m: f64,
         reference: Vec3,
     },
-    /// One side of a sector's groove.
+    /// One side of a sector's groove, or a part of the end of a slot.
     Spline(Patch),
 }
 
@@ -111,17 +119,24 @@ impl Solid {
         let mut rims = Vec::new();
         for (k, sector) in sectors.iter().enumerate() {
             let ends = [&stations[k], &stations[(k + 1) % sectors.len()]];
-            let patches = if is_torus(ring, sector) {
-                None
-            } else {
-                let pair = Patch::pair(ring, sector, tolerance_m)?;
-                for patch in &pair {
-                    solid.deviation_m = solid.deviation_m.max(patch.deviation_m(ring, sector));
-                }
-                Some(pair)
+            let whole = solid.whole_groove(ring, sector, tolerance_m)?;
+            let halves = match &whole {
+                Some(_) => None,
+                None => Some(Patch::pair(ring, sector, tolerance_m)?),
             };
-            let span = solid.span(ring, sector, ends, patches.as_ref());
-            solid.groove(ring, sector, ends, &span, patches);
+            for (patch, side) in halves.iter().flatten().zip(Side::BOTH) {
+                let off_m = patch.deviation_m(ring, sector, side);
+                solid.deviation_m = solid.deviation_m.max(off_m);
+            }
+            let span = solid.span(ring, sector, ends, halves.as_ref());
+            if let Some(whole) = whole {
+                let slot = sector.slot.map(|slot| &ring.recesses()[slot]);
+                let hole = slot.map(|slot| solid.slot(slot, tolerance_m)).transpose()?;
+                solid.groove(whole, ends, &span, hole);
+            }
+            if let (Some(halves), Some(ridge)) = (halves, span.ridge) {
+                solid.flanks(halves, ends, &span, ridge);
+            }
             solid.shoulders(ring, sector, ends, &span);
             rims.push(span.rim);
         }
@@ -129,17 +144,17 @@ impl Solid {
         Ok(solid)
     }
 
-    fn vertex(&mut self, position: Vec3) -> usize {
+    pub(super) fn vertex(&mut self, position: Vec3) -> usize {
         self.vertices.push(position);
         self.vertices.len() - 1
     }
 
-    fn edge(&mut self, curve: Curve, start: usize, end: usize) -> usize {
+    pub(super) fn edge(&mut self, curve: Curve, start: usize, end: usize) -> usize {
         self.edges.push(Edge { curve, start, end });
         self.edges.len() - 1
     }
 
-    fn face(&mut self, surface: Surface, outward: bool, loops: &[&[Use]]) {
+    pub(super) fn face(&mut self, surface: Surface, outward: bool, loops: &[&[Use]]) {
         self.faces.push(Face {
             surface,
             outward,
@@ -210,33 +225,63 @@ impl Solid {
         }
     }
 
+    /// Surface of a groove that is one face: an exact torus, or where that would cross itself, which a torus
+    /// of STEP must not, or have its seam next to a hole, a B-spline; `None` where it is two.
+    fn whole_groove(
+        &mut self,
+        ring: &OuterRing,
+        sector: &RingSector,
+        tolerance_m: f64,
+    ) -> Result<Option<Surface>, PatchError> {
+        let crosses = ring.groove_bottom_radius_m() <= 2.0 * ring.curvature_radius_m();
+        let slotted = sector.slot.is_some();
+        if sector.raceway.is_some() || (crosses && !slotted) {
+            return Ok(None);
+        }
+        if crosses || (slotted && ring.section_angle_rad() != 0.0) {
+            let (patch, off_m) = Patch::plain(ring, sector, tolerance_m)?;
+            self.deviation_m = self.deviation_m.max(off_m);
+            return Ok(Some(Surface::Spline(patch)));
+        }
+        Ok(Some(Surface::Torus {
+            height_m: ring.groove_height_m(),
+            major_m: ring.groove_bottom_radius_m() - ring.curvature_radius_m(),
+            minor_m: ring.curvature_radius_m(),
+            reference: radial(sector.middle_rad() + PI),
+        }))
+    }
+
     /// The groove's outward normal points to the axis, where k, t, −k, −t go around
     /// counter-clockwise.
     fn groove(
         &mut self,
-        ring: &OuterRing,
-        sector: &RingSector,
+        surface: Surface,
         [from, to]: [&Station; 2],
         span: &Span,
-        patches: Option<[Patch; 2]>,
+        hole: Option<Vec<Use>>,
     ) {
-        let (Some([upper, lower]), Some(ridge)) = (patches, span.ridge) else {
-            let torus = Surface::Torus {
-                height_m: ring.groove_height_m(),
-                major_m: ring.groove_bottom_radius_m() - ring.curvature_radius_m(),
-                minor_m: ring.curvature_radius_m(),
-                reference: radial(sector.middle_rad() + PI),
-            };
-            let around = [
-                back(from.arc[1]),
-                back(from.arc[0]),
-                along(span.shoulder[0]),
-                along(to.arc[0]),
-                along(to.arc[1]),
-                back(span.shoulder[1]),
-            ];
-            return self.face(torus, false, &[&around]);
-        };
+        let around = [
+            back(from.arc[1]),
+            back(from.arc[0]),
+            along(span.shoulder[0]),
+            along(to.arc[0]),
+            along(to.arc[1]),
+            back(span.shoulder[1]),
+        ];
+        let mut loops: Vec<&[Use]> = vec![&around];
+        loops.extend(hole.as_deref());
+        // t × k = e points into the material.
+        self.face(surface, false, &loops);
+    }
+
+    /// The two sides of a discrete raceway.
+    fn flanks(
+        &mut self,
+        [upper, lower]: [Patch; 2],
+        [from, to]: [&Station; 2],
+        span: &Span,
+        ridge: usize,
+    ) {
         let above = [
             back(from.arc[0]),
             along(span.shoulder[0]),
@@ -249,7 +294,7 @@ impl Solid {
             along(to.arc[1]),
             back(span.shoulder[1]),
         ];
-        // t × k = e points into the material, and t × (−k) out of it.
+        // t × (−k) points out of it.
         self.face(Surface::Spline(upper), false, &[&above]);
         self.face(Surface::Spline(lower), true, &[&below]);
     }
@@ -322,26 +367,20 @@ impl Solid {
     }
 }
 
-/// A plain sector of a groove whose circle does not cross the axis: a torus may not cross
-/// itself in STEP.
-fn is_torus(ring: &OuterRing, sector: &RingSector) -> bool {
-    sector.raceway.is_none() && ring.groove_bottom_radius_m() > 2.0 * ring.curvature_radius_m()
-}
-
 /// z where the groove reaches its shoulders: upper, lower.
 fn edges_of_groove_m(meridian: &Meridian) -> [f64; 2] {
     let height = |arc: Arc| arc.side.sign() * arc.height_m(arc.shoulder_rad());
     meridian.arcs.map(height)
 }
 
-fn along(edge: usize) -> Use {
+pub(super) fn along(edge: usize) -> Use {
     Use {
         edge,
         forward: true,
     }
 }
 
-fn back(edge: usize) -> Use {
+pub(super) fn back(edge: usize) -> Use {
     Use {
         edge,
         forward: false,
@@ -349,12 +388,12 @@ fn back(edge: usize) -> Use {
 }
 
 /// e(ψ).
-fn radial(psi: f64) -> Vec3 {
+pub(super) fn radial(psi: f64) -> Vec3 {
     [psi.sin(), -psi.cos(), 0.0]
 }
 
 /// About Z at this height.
-fn circle(radius_m: f64, z: f64) -> Curve {
+pub(super) fn circle(radius_m: f64, z: f64) -> Curve {
     Curve::Circle {
         centre: [0.0, 0.0, z],
         axis: [0.0, 0.0, 1.0],
@@ -364,7 +403,7 @@ fn circle(radius_m: f64, z: f64) -> Curve {
 }
 
 /// A row of a patch along ψ.
-fn row(patch: &Patch, across: usize) -> Curve {
+pub(super) fn row(patch: &Patch, across: usize) -> Curve {
     Curve::Spline {
         sites: patch.along_rad.clone(),
         control: patch
@@ -400,14 +439,34 @@ mod tests {
         Solid::new(&ring, 1e-8).unwrap()
     }
 
+    /// A ring with two slots, whose section is turned.
+    fn slotted(half_angle_deg: f64, section_angle_deg: f64) -> Solid {
+        let slot = |centre_deg: f64| {
+            format!(
+                "[[raceway]]\naxial_span_mm = 2.4\nhalf_angle_deg = {half_angle_deg}\n\
+                 centre_angle_deg = {centre_deg}\nshape = \"slot\"\nedge_radius_mm = 0.3\n\
+                 contact_angle_deg = {section_angle_deg}\n"
+            )
+        };
+        let text = format!("{}\n{}{}", template(true), slot(10.0), slot(170.0));
+        let file = CaseFile::parse(&text, "template", &[]).unwrap();
+        let size = file.outer_ring_dimensions(0.0).unwrap();
+        let ring = OuterRing::of(file.case(), size).unwrap();
+        Solid::new(&ring, 1e-8).unwrap()
+    }
+
     /// Every edge bounds two faces, once each way; each loop closes; a ring has genus 1.
     #[test]
     fn shell_is_closed_and_oriented() {
-        for solid in [
-            solid(true, 0.0, 0.0),
-            solid(false, 0.0, 0.0),
-            solid(false, 0.0, 5e-4),
-            solid(false, 15.0, 5e-4),
+        for (solid, slots) in [
+            (solid(true, 0.0, 0.0), 0),
+            (solid(false, 0.0, 0.0), 0),
+            (solid(false, 0.0, 5e-4), 0),
+            (solid(false, 15.0, 5e-4), 0),
+            (slotted(25.2, 0.0), 2),
+            (slotted(25.2, -15.0), 2),
+            // Without a straight stretch.
+            (slotted(2.632_305_24, 0.0), 2),
         ] {
             let mut uses = vec![[0; 2]; solid.edges.len()];
             for face in &solid.faces {
@@ -429,7 +488,7 @@ mod tests {
             }
             assert!(uses.iter().all(|u| *u == [1, 1]), "{uses:?}");
             let holes: usize = solid.faces.iter().map(|f| f.loops.len() - 1).sum();
-            assert_eq!(holes, 2);
+            assert_eq!(holes, 2 + slots);
             let euler = solid.vertices.len() as isize - solid.edges.len() as isize
                 + solid.faces.len() as isize
                 - holes as isize;
@@ -461,7 +520,12 @@ mod tests {
                 }
             }
         };
-        for solid in [solid(false, 0.0, 5e-4), solid(false, 15.0, 5e-4)] {
+        for solid in [
+            solid(false, 0.0, 5e-4),
+            solid(false, 15.0, 5e-4),
+            slotted(25.2, 0.0),
+            slotted(25.2, 15.0),
+        ] {
             solid.edges.iter().for_each(|edge| check(&solid, edge));
         }
     }

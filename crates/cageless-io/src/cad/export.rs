@@ -197,10 +197,10 @@ pub fn export(
     })
 }
 
-/// Raceways without a blend of their own.
+/// Raceways without a blend of their own that could have one.
 fn kinked(case: &Case) -> impl Iterator<Item = &Raceway> {
     let raceways = case.raceways.iter();
-    raceways.filter(|raceway| raceway.form().blend_m == 0.0)
+    raceways.filter(|raceway| raceway.form().blend_m == 0.0 && raceway.slot().is_none())
 }
 
 fn default_blend_mm(case: &Case) -> f64 {

@@ -7,9 +7,10 @@ mod format;
 mod numbers;
 mod part21;
 mod points;
+mod slot_faces;
 mod step;
 mod stl;
 
 pub use export::{Export, ExportError, ExportOptions, blend_not_simulated, export, names_file};
 pub use format::Format;
-pub use numbers::{Counts, ExportNumbers};
+pub use numbers::{Counts, ExportNumbers, SlotNumbers};

@@ -1,6 +1,6 @@
 //! The numbers of an exported ring.
 
-use cageless::surface::OuterRing;
+use cageless::surface::{OuterRing, Recess};
 use serde::Serialize;
 
 use super::format::Format;
@@ -42,6 +42,9 @@ pub struct ExportNumbers {
     pub below_plain_um: f64,
     /// Number of discrete raceways.
     pub raceways: usize,
+    /// Those that are slots.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub slots: Vec<SlotNumbers>,
     /// Contact angle by which the sections are turned, positive towards +z; `None` for 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contact_angle_deg: Option<f64>,
@@ -51,6 +54,23 @@ pub struct ExportNumbers {
     /// Contents of the file.
     #[serde(flatten)]
     pub counts: Counts,
+}
+
+/// Dimensions of a slot.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SlotNumbers {
+    /// Angle of its middle.
+    pub centre_angle_deg: f64,
+    /// Distance of its walls.
+    pub width_mm: f64,
+    /// Depth of its floor below the bottom of the plain groove.
+    pub depth_mm: f64,
+    /// Radius of its edges.
+    pub edge_radius_mm: f64,
+    /// Half the angle that it takes up.
+    pub half_angle_deg: f64,
+    /// Half the angle over which it is as wide as in the middle.
+    pub straight_half_angle_deg: f64,
 }
 
 /// A file of the ring.
@@ -120,7 +140,7 @@ impl ExportNumbers {
         ] = ring.design_kink_rad().map(f64::to_degrees);
         let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
         let [blend_mm, groove_centre_z_mm] =
-            [ring.blend_m(), ring.groove_height_m()].map(|m| m * 1e3);
+            [ring.blend_m(), ring.groove_height_m()].map(millimetres);
         let raceways = ring.raceways().count();
         Self {
             format,
@@ -139,11 +159,34 @@ impl ExportNumbers {
             above_plain_um,
             below_plain_um,
             raceways,
+            slots: ring.recesses().iter().map(SlotNumbers::new).collect(),
             contact_angle_deg: unless_zero(ring.section_angle_rad().to_degrees()),
             groove_centre_z_mm: unless_zero(groove_centre_z_mm),
             counts,
         }
     }
+}
+
+impl SlotNumbers {
+    fn new(slot: &Recess) -> Self {
+        let [width_mm, depth_mm, edge_radius_mm] =
+            [slot.width_m(), slot.depth_m(), slot.edge_radius_m()].map(millimetres);
+        let straight_rad = slot.straight_rad().unwrap_or(0.0);
+        let [centre_angle_deg, half_angle_deg, straight_half_angle_deg] =
+            [slot.middle_rad(), slot.half_angle_rad(), straight_rad].map(f64::to_degrees);
+        Self {
+            centre_angle_deg,
+            width_mm,
+            depth_mm,
+            edge_radius_mm,
+            half_angle_deg,
+            straight_half_angle_deg,
+        }
+    }
+}
+
+fn millimetres(m: f64) -> f64 {
+    m * 1e3
 }
 
 fn unless_zero(value: f64) -> Option<f64> {

@@ -3,16 +3,16 @@
 //!
 //! | column | |
 //! |---|---|
-//! | `kind` | `contact`: where a ball touches, at η = αg ± α; `surface`: the groove |
-//! | `side` | 1 from the ridge towards +z, −1 towards −z; both sides have their own row at the ridge |
-//! | `psi_deg` | ψ from −180 to 180, ascending |
-//! | `eta_deg` | η, meridian angle at the centre of the arc, from the outward radius towards +z |
+//! | `kind` | `contact`: where a ball touches, at η = αg ± α; `surface`: the groove; `edge`, `wall` and `floor` of a slot |
+//! | `side` | 1 from the ridge or the middle of a slot towards +z, −1 towards −z; both sides have their own row there |
+//! | `psi_deg` | ψ from −180 to 180, ascending but around the ends of a slot, where points of one row have their own |
+//! | `eta_deg` | η, meridian angle at the centre of the groove's arc, from the outward radius towards +z; of a slot −η is the direction of the normal from the inward radius |
 //! | `x_mm`, `y_mm`, `z_mm` | position, frame of the bearing |
 //! | `nx`, `ny`, `nz` | unit normal, out of the ring's material |
 
 use std::io::{self, Write};
 
-use cageless::surface::{Grid, Meridian, OuterRing, Side};
+use cageless::surface::{Grid, GridPoint, OuterRing, Side};
 
 use super::numbers::Counts;
 
@@ -33,25 +33,19 @@ pub(super) fn write(
     let grid = Grid::new(ring, spacing_mm * 1e-3);
     writeln!(out, "{COLUMNS}")?;
     let mut table = Table {
-        ring,
         out,
         deviation_m: 0.0,
         rows: 0,
     };
     for side in [Side::Lower, Side::Upper] {
-        for m in &grid.meridians {
-            table.row("contact", m, side, m.arc(side).contact_angle_rad)?;
+        for row in &grid.rows {
+            table.row(&row.contact(side))?;
         }
     }
     let contact_points = table.rows;
-    for m in &grid.meridians {
-        for (k, eta) in grid.row_rad(m).into_iter().enumerate() {
-            let side = if k <= grid.steps {
-                Side::Lower
-            } else {
-                Side::Upper
-            };
-            table.row("surface", m, side, side.sign() * eta)?;
+    for row in &grid.rows {
+        for point in grid.points(row) {
+            table.row(&point)?;
         }
     }
     let counts = Counts::Csv {
@@ -64,29 +58,31 @@ pub(super) fn write(
 }
 
 struct Table<'a> {
-    ring: &'a OuterRing,
     out: &'a mut dyn Write,
     deviation_m: f64,
     rows: usize,
 }
 
 impl Table<'_> {
-    /// η counts towards the shoulder of the side.
-    fn row(&mut self, kind: &str, meridian: &Meridian, side: Side, eta: f64) -> io::Result<()> {
-        let point = meridian.arc(side).point(meridian.angle_rad, eta);
+    fn row(&mut self, of: &GridPoint) -> io::Result<()> {
+        let point = of.point;
         // Picometres; the last digit of an f64 is 4e-15 mm here.
         let position = point.position_m.map(|c| format!("{:.9}", c * 1e3));
-        let read = |k: usize| position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3;
-        let off = self.ring.distance_m([read(0), read(1), read(2)]).abs();
+        let off = |k: usize| {
+            let read = position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3;
+            (read - point.position_m[k]) * point.normal[k]
+        };
+        let off = (off(0) + off(1) + off(2)).abs();
         self.deviation_m = self.deviation_m.max(off);
         let [x, y, z] = position;
         let [nx, ny, nz] = point.normal;
-        let side = side.sign();
         writeln!(
             self.out,
-            "{kind},{side},{:.9},{:.9},{x},{y},{z},{nx:.12},{ny:.12},{nz:.12}",
-            meridian.angle_rad.to_degrees(),
-            side * eta.to_degrees(),
+            "{},{},{:.9},{:.9},{x},{y},{z},{nx:.12},{ny:.12},{nz:.12}",
+            of.kind.name(),
+            of.side.sign(),
+            of.angle_rad.to_degrees(),
+            of.meridian_rad.to_degrees(),
         )?;
         self.rows += 1;
         Ok(())

@@ -147,6 +147,18 @@ fn surface(data: &mut Part21, surface: &Surface) -> Id {
             let radius = real(radius_m * MM);
             data.add(format!("CYLINDRICAL_SURFACE('',{place},{radius})"))
         }
+        Surface::Cone {
+            height_m,
+            radius_m,
+            way,
+            half_angle_rad,
+            reference,
+        } => {
+            let axis = [0.0, 0.0, *way];
+            let place = placement(data, [0.0, 0.0, *height_m], axis, *reference);
+            let (radius, half) = (real(radius_m * MM), real(*half_angle_rad));
+            data.add(format!("CONICAL_SURFACE('',{place},{radius},{half})"))
+        }
         Surface::Torus {
             height_m,
             major_m,

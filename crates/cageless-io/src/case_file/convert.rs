@@ -135,6 +135,7 @@ impl Converter<'_> {
                 blend_m: raceway.blend_m,
                 depth_m: raceway.depth_m,
                 edge_radius_m: raceway.edge_radius_m.unwrap_or(0.0),
+                slot_depth_m: raceway.slot_depth_m,
                 ..RacewayForm::default()
             };
             if let Some(FlankRows(rows)) = &raceway.profile {

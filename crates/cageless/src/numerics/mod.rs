@@ -23,3 +23,4 @@ pub mod random;
 pub(crate) mod root;
 pub mod student;
 pub mod taylor;
+pub(crate) mod vector;

@@ -3,6 +3,7 @@
 
 use super::Raceway;
 use crate::bearing::Bearing;
+use crate::numerics::vector::{cross, dot};
 
 /// A point of the raceway surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,16 +119,4 @@ pub(crate) fn surface_point(
         position_m: [rho * e[0], rho * e[1], side * z],
         normal: [n[0], n[1], side * n[2]],
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -136,7 +136,7 @@ impl Raceway {
         let slot = match form.shape {
             RacewayShape::Slot => {
                 let plan = SlotPlan::new(&outline)?;
-                Some(Slot::new(plan, form.edge_radius_m, bearing))
+                Some(Slot::new(plan, &form, bearing)?)
             }
             _ => None,
         };

@@ -99,6 +99,9 @@ pub struct RacewayForm {
     pub depth_m: f64,
     /// re, radius of the rounded edges of a slot, m; of [`RacewayShape::Slot`] alone, else 0.
     pub edge_radius_m: f64,
+    /// Depth of the floor of a slot below the bottom of the plain groove, m; `None` for
+    /// 2 re and the sink of a ball in the middle.
+    pub slot_depth_m: Option<f64>,
 }
 
 impl RacewayForm {
@@ -143,6 +146,10 @@ impl RacewayForm {
             let given = Some(self.edge_radius_m).filter(|radius| *radius != 0.0);
             let given = given.unwrap_or(f64::NAN);
             return Err(InputError::rule("edge_radius_m", given, rule));
+        }
+        if let Some(depth_m) = self.slot_depth_m.filter(|_| self.edge_radius_m == 0.0) {
+            let rule = "left out with any shape but \"slot\"";
+            return Err(InputError::rule("slot_depth_m", depth_m, rule));
         }
         self.shape.flanks(outline)
     }

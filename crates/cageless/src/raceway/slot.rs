@@ -14,6 +14,7 @@
 
 use std::f64::consts::LN_2;
 
+use super::RacewayForm;
 use super::flank_angle::FlankAngle;
 use super::outline::Outline;
 use crate::bearing::Bearing;
@@ -115,6 +116,8 @@ pub struct Slot {
     groove_curvature_radius_m: f64,
     /// re.
     edge_radius_m: f64,
+    /// D, of the floor below the bottom of the plain groove.
+    depth_m: f64,
     /// ln of K over t, with K over that of the plain groove.
     stiffness: Polynomial,
     /// ln of a/√δ over t, with a over that of the plain groove at the same δ.
@@ -144,8 +147,17 @@ pub struct SlotSection {
 }
 
 impl Slot {
-    pub(super) fn new(plan: SlotPlan, edge_radius_m: f64, bearing: &Bearing) -> Self {
+    /// Edges of a plan, above a floor of the form's depth, or of 2 re + s.
+    ///
+    /// # Errors
+    /// An [`InputError`] if a ball that sinks by s is less than re above the floor.
+    pub(super) fn new(
+        plan: SlotPlan,
+        form: &RacewayForm,
+        bearing: &Bearing,
+    ) -> Result<Self, InputError> {
         let d = bearing.dimensions();
+        let edge_radius_m = form.edge_radius_m;
         let empty = Polynomial::fit(|_| 0.0, 0.0, 1.0, 1.0);
         let mut slot = Self {
             plan,
@@ -153,6 +165,7 @@ impl Slot {
             groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
             groove_curvature_radius_m: d.outer_groove_curvature_radius_m,
             edge_radius_m,
+            depth_m: 0.0,
             stiffness: empty.clone(),
             half_length: empty.clone(),
             pressure: empty,
@@ -166,7 +179,12 @@ impl Slot {
         let half_length = over_plain(&|c| c.semi_axes_m(1.0)[1] * c.stiffness_n_m1_5.cbrt());
         let pressure = over_plain(&|contact| contact.peak_pressure_pa(1.0));
         (slot.stiffness, slot.half_length, slot.pressure) = (stiffness, half_length, pressure);
-        slot
+        let least = edge_radius_m + slot.sink_m(1.0)[0];
+        slot.depth_m = form.slot_depth_m.unwrap_or(least + edge_radius_m);
+        let why = "a ball on the edges keeps their radius from the floor, by less than which a load \
+                   presses it in";
+        Allowed::AtLeast(least, why).check("slot_depth_m", slot.depth_m)?;
+        Ok(slot)
     }
 
     /// re.
@@ -176,7 +194,27 @@ impl Slot {
 
     /// Width of the slot in its middle between the walls below the edges, m.
     pub fn width_m(&self) -> f64 {
-        2.0 * (self.reach_m() * self.plan.middle_sine - self.edge_radius_m)
+        2.0 * (self.half_span_m() - self.edge_radius_m)
+    }
+
+    /// Depth of the floor below the bottom of the plain groove, m.
+    pub fn depth_m(&self) -> f64 {
+        self.depth_m
+    }
+
+    /// Ro.
+    pub(crate) fn groove_bottom_radius_m(&self) -> f64 {
+        self.groove_bottom_radius_m
+    }
+
+    /// ze in the middle, and ρ of the ends.
+    pub(crate) fn half_span_m(&self) -> f64 {
+        self.reach_m() * self.plan.middle_sine
+    }
+
+    /// Local ψ of the last place at full width.
+    pub(crate) fn straight_rad(&self) -> f64 {
+        (self.plan.half_angle_rad - self.plan.end_rad).max(0.0)
     }
 
     /// Rw + re.

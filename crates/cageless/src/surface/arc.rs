@@ -157,13 +157,13 @@ impl Arc {
     /// ∫ ρ² dz from the ridge to the shoulder: twice the area moment of the hollow about the axis
     /// on this side.
     pub(super) fn hollow_moment_m3(&self) -> f64 {
-        let (c, re) = (self.centre_radius_m, self.curvature_radius_m);
-        let primitive = |eta: f64| {
-            let (sin, cos) = eta.sin_cos();
-            c * c * re * sin
-                + c * re * re * (eta + sin * cos)
-                + re.powi(3) * (sin - sin.powi(3) / 3.0)
-        };
+        let primitive = |eta: f64| moment_m3(self.centre_radius_m, self.curvature_radius_m, eta);
         primitive(self.shoulder_rad()) - primitive(self.valley_rad())
     }
+}
+
+/// ∫ ρ² dz from η = 0 along an arc of radius re whose centre is at the distance c from the axis.
+pub(super) fn moment_m3(c: f64, re: f64, eta: f64) -> f64 {
+    let (sin, cos) = eta.sin_cos();
+    c * c * re * sin + c * re * re * (eta + sin * cos) + re.powi(3) * (sin - sin.powi(3) / 3.0)
 }

@@ -1,5 +1,5 @@
 //! Division of the ring into sectors within which its surface is smooth: plain ones, discrete raceways and
-//! their blends.
+//! their blends, and plain ones around slots.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,8 +13,9 @@ const TOUCHING_RAD: f64 = 1e-9;
 impl OuterRing {
     /// The sectors in the order of ψ, all round, none of more than 180°.
     pub fn sectors(&self) -> Vec<RingSector> {
-        let mut zones: Vec<Vec<RingSector>> =
-            (0..self.raceways.len()).map(|k| self.parts(k)).collect();
+        let raceways = (0..self.raceways.len()).filter(|&k| self.raceways[k].slot().is_none());
+        let slots = (0..self.recesses.len()).map(|k| vec![self.around_slot(k)]);
+        let mut zones: Vec<_> = raceways.map(|k| self.parts(k)).chain(slots).collect();
         zones.sort_by(|a, b| a[0].start_rad.total_cmp(&b[0].start_rad));
         let Some(first) = zones.first().map(|zone| zone[0].start_rad) else {
             return plain(-PI, PI);
@@ -34,6 +35,25 @@ impl OuterRing {
             .collect()
     }
 
+    /// The plain groove around a slot, up to half the way to the next raceway.
+    fn around_slot(&self, index: usize) -> RingSector {
+        let recess = &self.recesses[index];
+        let (half, middle) = (recess.half_angle_rad(), wrap_angle_rad(recess.middle_rad()));
+        let others = self.others(recess).map(|other| {
+            let apart = wrap_angle_rad(other.dimensions().centre_angle_rad - middle).abs();
+            apart - half - other.half_angle_rad()
+        });
+        let room = others.fold(PI - 2.0 * half, f64::min) / 2.0;
+        let reach = half + room.min(recess.end_rad());
+        RingSector {
+            start_rad: middle - reach,
+            end_rad: middle + reach,
+            raceway: None,
+            slot: Some(index),
+            blend: false,
+        }
+    }
+
     /// A discrete raceway: its middle, and on both sides what is smooth from there to the end.
     fn parts(&self, index: usize) -> Vec<RingSector> {
         let raceway = &self.raceways[index];
@@ -49,6 +69,7 @@ impl OuterRing {
                 start_rad: middle + ends[k],
                 end_rad: middle + ends[k + 1],
                 raceway: Some(index),
+                slot: None,
                 blend: blended && (k == 0 || k == parts - 1),
             })
             .collect()
@@ -64,6 +85,7 @@ fn plain(start_rad: f64, end_rad: f64) -> Vec<RingSector> {
             start_rad: angle(k as f64),
             end_rad: angle(k as f64 + 1.0),
             raceway: None,
+            slot: None,
             blend: false,
         })
         .collect()

@@ -1,8 +1,12 @@
 //! The solid as a closed mesh of triangles.
 
-use super::grid::{row_rad, widest_arc_rad};
+use std::f64::consts::FRAC_PI_2;
+
+use super::grid::widest_arc_rad;
+use super::mesh_row::{Row, Steps, off_m};
 use super::patch::equal_parts;
-use super::{Meridian, OuterRing};
+use super::stretch::Stretch;
+use super::{OuterRing, Recess};
 use crate::error::InputError;
 use crate::limits::from_to;
 use crate::numerics::bspline::Vec3;
@@ -49,31 +53,45 @@ impl Mesh {
     }
 
     fn within(ring: &OuterRing, chord_m: f64) -> Self {
-        let re = ring.curvature_radius_m();
-        let arc = (8.0 * ACROSS_FRACTION * chord_m / re).sqrt();
-        let steps = (widest_arc_rad(ring) / arc).ceil().max(2.0) as usize;
+        let steps_of = |angle_rad: f64, radius_m: f64| {
+            let step = (8.0 * ACROSS_FRACTION * chord_m / radius_m).sqrt();
+            (angle_rad / step).ceil().max(2.0) as usize
+        };
+        let edges = ring.recesses().iter().map(Recess::edge_radius_m);
+        let steps = Steps {
+            groove: steps_of(widest_arc_rad(ring), ring.curvature_radius_m()),
+            edge: steps_of(FRAC_PI_2, edges.fold(0.0, f64::max)),
+        };
         let mut rows = Vec::new();
         let mut deviation_m = 0.0f64;
         let outside = ring.dimensions().outer_ring_outer_radius_m;
         // Sagitta of the cylinder outside: R(1 − cos Δ/2).
         let widest = 2.0 * (1.0 - 0.99 * chord_m / outside).acos();
-        for sector in ring.sectors() {
-            let length = sector.end_rad - sector.start_rad;
+        let sectors = ring.sectors();
+        let mut tip = false;
+        for (stretch, [start, end]) in sectors.iter().flat_map(|s| Stretch::of(ring, s)) {
+            let length = (end - start).abs();
             let mut count = (length / widest).ceil().max(2.0) as usize;
             loop {
-                let part: Vec<Row> = equal_parts(sector.start_rad, sector.end_rad, count)
-                    .into_iter()
-                    .map(|psi| Row::new(ring.meridian_in(&sector, psi), steps))
+                let places = equal_parts(start, end, count);
+                let part: Vec<Row> = places
+                    .iter()
+                    .map(|&at| Row::new(stretch, at, steps))
                     .collect();
-                let groove = worst_m(&part, |angle| ring.meridian_in(&sector, angle));
-                if groove <= chord_m {
-                    let sagitta = outside * (1.0 - (length / count as f64 / 2.0).cos());
-                    deviation_m = deviation_m.max(groove).max(sagitta);
-                    // The last row is the first of the next sector.
-                    rows.extend(part.into_iter().take(count));
+                let off = worst_m(stretch, &places, &part, steps);
+                if off <= chord_m {
+                    let angles = part.windows(2).map(|p| p[1].angle_rad - p[0].angle_rad);
+                    let most = angles.fold(0.0, f64::max);
+                    let sagitta = outside * (1.0 - (most / 2.0).cos());
+                    deviation_m = deviation_m.max(off).max(sagitta);
+                    // The last row is the first of the next stretch, unless it is a tip.
+                    let first = usize::from(tip);
+                    tip = stretch.ends_in_tip();
+                    let kept = count + usize::from(tip) - first;
+                    rows.extend(part.into_iter().skip(first).take(kept));
                     break;
                 }
-                let more = (groove / chord_m).sqrt().clamp(1.05, 4.0);
+                let more = (off / chord_m).sqrt().clamp(1.05, 4.0);
                 count = (count as f64 * more).ceil() as usize;
             }
         }
@@ -92,21 +110,32 @@ impl Mesh {
             (shoulder, -half),
         ];
         let mut vertices_m = Vec::new();
+        let mut starts = Vec::new();
         for row in rows {
+            starts.push(vertices_m.len());
             vertices_m.extend_from_slice(&row.points);
             let (sin, cos) = row.angle_rad.sin_cos();
             vertices_m.extend(corners.map(|(rho, z)| [rho * sin, -rho * cos, z]));
         }
-        let around = vertices_m.len() / rows.len();
         let mut triangles = Vec::new();
-        for i in 0..rows.len() {
+        for (i, row) in rows.iter().enumerate() {
             let next = (i + 1) % rows.len();
-            for k in 0..around {
-                let index = |row: usize, k: usize| (row * around + k % around) as u32;
-                let (a, b) = (index(i, k), index(i, k + 1));
-                let (c, d) = (index(next, k + 1), index(next, k));
-                // Rows go along +z in the groove, where the outside is towards the axis.
-                triangles.extend([[a, b, c], [a, c, d]]);
+            let around = |row: usize, order: &[usize]| -> Vec<u32> {
+                let corners = rows[row].points.len()..;
+                let order = order.iter().copied().chain(corners.take(4));
+                order.map(|k| (starts[row] + k) as u32).collect()
+            };
+            let (here, there) = (around(i, &row.after), around(next, &rows[next].before));
+            for k in 0..here.len() {
+                let after = (k + 1) % here.len();
+                let (a, b, c, d) = (here[k], here[after], there[after], there[k]);
+                // Rows go along +z in the groove, where the outside is towards the axis. At a tip the
+                // floor is a line.
+                triangles.extend(
+                    [[a, b, c], [a, c, d]]
+                        .iter()
+                        .filter(|[a, b, c]| a != b && b != c && c != a),
+                );
             }
         }
         Self {
@@ -131,59 +160,29 @@ impl Mesh {
 }
 
 impl OuterRing {
-    /// Radius at the bottom of the groove at its deepest.
+    /// Radius at the bottom of the groove or of a slot at its deepest.
     pub fn deepest_radius_m(&self) -> f64 {
         let middles = self.sectors();
         let radii =
             (middles.iter()).map(|s| self.meridian_in(s, s.middle_rad()).deepest_radius_m());
-        radii.fold(0.0, f64::max)
-    }
-}
-
-/// Points of the groove in one meridian plane, from shoulder to shoulder along +z.
-struct Row {
-    angle_rad: f64,
-    points: Vec<Vec3>,
-}
-
-impl Row {
-    fn new(meridian: Meridian, steps: usize) -> Self {
-        let mut etas = row_rad(&meridian, steps);
-        // The two points of the ridge are one.
-        etas.remove(steps);
-        let ridge = meridian.arcs[0].ridge_height_m();
-        let points = (etas.iter().enumerate())
-            .map(|(k, &eta)| {
-                let [x, y, z] = meridian.point(eta).position_m;
-                [x, y, if k == steps { ridge } else { z }]
-            })
-            .collect();
-        Self {
-            angle_rad: meridian.angle_rad,
-            points,
-        }
+        let floors = self.recesses().iter().map(Recess::deepest_radius_m);
+        radii.chain(floors).fold(0.0, f64::max)
     }
 }
 
 /// Largest distance of the quadrilaterals between rows from the surface.
-fn worst_m(rows: &[Row], meridian: impl Fn(f64) -> Meridian) -> f64 {
+fn worst_m(stretch: Stretch<'_>, places: &[f64], rows: &[Row], steps: Steps) -> f64 {
     let mut worst = 0.0f64;
-    for pair in rows.windows(2) {
-        let middle = (pair[0].angle_rad + pair[1].angle_rad) / 2.0;
-        let mut measure = |points: &[Vec3]| {
-            let mean = |c: usize| points.iter().map(|p| p[c]).sum::<f64>() / points.len() as f64;
-            let [x, y, z] = [0, 1, 2].map(mean);
-            // The angle from the middle of the pair, so that it does not wrap around.
-            let (sin, cos) = middle.sin_cos();
-            let off = (x * cos + y * sin).atan2(x * sin - y * cos);
-            let distance = meridian(middle + off).distance_m(x.hypot(y), z);
-            worst = worst.max(distance.abs());
-        };
-        for k in 0..pair[0].points.len() - 1 {
-            let (a, b) = (pair[0].points[k], pair[0].points[k + 1]);
-            let (c, d) = (pair[1].points[k + 1], pair[1].points[k]);
+    for (pair, at) in rows.windows(2).zip(places.windows(2)) {
+        let (after, before) = (&pair[0].after, &pair[1].before);
+        for k in 0..after.len() - 1 {
+            let [a, b] = [k, k + 1].map(|k| pair[0].points[after[k]]);
+            let [c, d] = [k + 1, k].map(|k| pair[1].points[before[k]]);
             for points in [&[a, b][..], &[a, c], &[a, d], &[a, b, c], &[a, c, d]] {
-                measure(points);
+                let mean =
+                    |c: usize| points.iter().map(|p| p[c]).sum::<f64>() / points.len() as f64;
+                let off = off_m(stretch, [0, 1, 2].map(mean), [at[0], at[1]], k, steps);
+                worst = worst.max(off.abs());
             }
         }
     }

@@ -5,7 +5,7 @@
 //! radius T = Ro − Rw at the contact angles ±α(ψ); on the plain raceway α = 0. Where a discrete
 //! raceway ends, α has a kink; a blend of a stated length replaces its last stretch by a polynomial
 //! that meets both neighbours with their curvature. The ball's centre stays on its circle all the
-//! while. Raceways of the contact angle αg have the section turned about that centre, which is
+//! while. A slot is cut through the plain groove, see [`Recess`]. Raceways of the contact angle αg have the section turned about that centre, which is
 //! then where a ball of this contact angle rests in the plain groove:
 //!
 //!   B = (T − (Re − Rw)(1 − cos αg), zo + (Re − Rw) sin αg)
@@ -29,31 +29,40 @@
 //! ```
 
 mod arc;
+mod directions;
 mod division;
+mod flank;
 mod grid;
 mod measured_groove;
 mod meridian;
 mod mesh;
+mod mesh_row;
 mod patch;
+mod plain_groove;
+mod recess;
 mod section_frame;
 mod sector;
+mod sheet;
 mod side;
+mod stretch;
 
 use std::f64::consts::FRAC_PI_4;
 
 use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::error::{Allowed, InputError};
-use crate::limits::{not_negative, positive};
+use crate::limits::{not_negative, positive, require};
+use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Raceway, SurfacePoint, apart};
 
 pub use arc::Arc;
-pub use grid::Grid;
+pub use grid::{Grid, GridPoint, GridRow, PointKind};
 pub use measured_groove::MeasuredGroove;
 pub use meridian::Meridian;
 pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
+pub use recess::{Edge, EdgePlace, Recess};
 use section_frame::SectionFrame;
 pub use sector::RingSector;
 pub use side::Side;
@@ -80,6 +89,8 @@ pub struct OuterRing {
     /// Ro.
     groove_bottom_radius_m: f64,
     raceways: Vec<Raceway>,
+    /// The slots among the raceways.
+    recesses: Vec<Recess>,
 }
 
 /// Gauss panels of ten points in a sector of a discrete raceway.
@@ -104,30 +115,27 @@ impl OuterRing {
         not_negative("blend_m", dimensions.blend_m)?;
         for raceway in raceways {
             raceway.fits(bearing)?;
-            if let Some(slot) = raceway.slot() {
-                let rule = "left out here: the ring of a slot is not made";
-                let edge_m = slot.edge_radius_m();
-                return Err(InputError::rule("edge_radius_m", edge_m, rule));
-            }
         }
         apart(raceways)?;
         let d = bearing.dimensions();
         let bottom_m = d.outer_groove_bottom_radius_m;
         let raceways = (raceways.iter()).map(|raceway| match raceway.blend_start_rad() {
-            Some(_) => Ok(raceway.clone()),
-            None => raceway.clone().with_blend(dimensions.blend_m),
+            None if raceway.slot().is_none() => raceway.clone().with_blend(dimensions.blend_m),
+            _ => Ok(raceway.clone()),
         });
         let raceways: Vec<Raceway> = raceways.collect::<Result<_, _>>()?;
         let axis_rad = section_angle_rad(bearing, &raceways)?;
-        let groove_height_m = -bearing.groove_offset_m();
+        let frame = SectionFrame::new(bearing, axis_rad);
         let ring = Self {
             dimensions,
-            frame: SectionFrame::new(bearing, axis_rad),
-            groove_height_m,
+            frame,
+            groove_height_m: -bearing.groove_offset_m(),
             groove_bottom_radius_m: bottom_m,
+            recesses: recesses(&frame, &raceways)?,
             raceways,
         };
         ring.check_walls()?;
+        ring.check_slots()?;
         Ok(ring)
     }
 
@@ -138,7 +146,7 @@ impl OuterRing {
     pub fn of(case: &Case, dimensions: OuterRingDimensions) -> Result<Self, InputError> {
         let ring = Self::new(&case.bearing, &case.raceways, dimensions)?;
         match case.rows.as_slice() {
-            [row] if row.contact_sign < 0.0 => Ok(ring.mirrored()),
+            [row] if row.contact_sign < 0.0 => ring.mirrored(),
             [] | [_] => Ok(ring),
             [_, second, ..] => {
                 let place_m = second.axial_position_m;
@@ -165,13 +173,41 @@ impl OuterRing {
             .check("outer_ring_width_m", d.outer_ring_width_m)
     }
 
-    /// Its mirror image in z = 0.
-    fn mirrored(self) -> Self {
-        Self {
-            frame: self.frame.mirrored(),
-            groove_height_m: -self.groove_height_m,
-            ..self
+    /// The floors of slots neither break through the cylinder outside nor through a side face, and around
+    /// each slot there is plain groove.
+    fn check_slots(&self) -> Result<(), InputError> {
+        let d = &self.dimensions;
+        let bottom_m = self.groove_bottom_radius_m;
+        for recess in &self.recesses {
+            let room_m = (d.outer_ring_outer_radius_m - recess.deepest_radius_m())
+                .min(d.outer_ring_width_m / 2.0 - recess.widest_m());
+            let why = "the floor of the slot must lie within the ring";
+            let depth_m = recess.depth_m();
+            Allowed::Below(depth_m + room_m, why).check("slot_depth_m", depth_m)?;
+            let radius_m = recess.edge_radius_m();
+            for other in self.others(recess) {
+                let d = other.dimensions();
+                let apart = wrap_angle_rad(d.centre_angle_rad - recess.middle_rad()).abs();
+                let least = recess.half_angle_rad() + d.half_angle_rad + radius_m / bottom_m;
+                let rule = format!(
+                    "at least {least} away from the middle of a slot, so that plain groove as long as \
+                     the radius of its edges is left"
+                );
+                require("centre_angle_rad", d.centre_angle_rad, apart >= least, rule)?;
+            }
         }
+        Ok(())
+    }
+
+    /// Its mirror image in z = 0.
+    fn mirrored(self) -> Result<Self, InputError> {
+        let frame = self.frame.mirrored();
+        Ok(Self {
+            frame,
+            groove_height_m: -self.groove_height_m,
+            recesses: recesses(&frame, &self.raceways)?,
+            ..self
+        })
     }
 
     /// As given.
@@ -204,9 +240,9 @@ impl OuterRing {
         self.groove_height_m
     }
 
-    /// Section of the groove at ψ.
+    /// Section of the groove at ψ, that of the plain groove across a slot.
     pub fn meridian(&self, angle_rad: f64) -> Meridian {
-        let found = self.raceways.iter().find(|r| r.contains(angle_rad));
+        let found = self.flanked().find(|r| r.contains(angle_rad));
         found.map_or_else(
             || self.plain_meridian(angle_rad),
             |r| self.raceway_meridian(r, angle_rad, r.local_angle_rad(angle_rad)),
@@ -234,10 +270,26 @@ impl OuterRing {
         Meridian::new(&frame, angle_rad, raceway.contact_angle_rad(local_rad))
     }
 
-    /// Sections in the middle of each raceway, all at ψ = 0.
+    /// The raceways that are no slots.
+    fn flanked(&self) -> impl Iterator<Item = &Raceway> {
+        self.raceways.iter().filter(|r| r.slot().is_none())
+    }
+
+    /// The raceways but that of a slot.
+    fn others(&self, recess: &Recess) -> impl Iterator<Item = &Raceway> {
+        let raceways = self.raceways.iter().enumerate();
+        raceways.filter_map(|(k, raceway)| (k != recess.raceway()).then_some(raceway))
+    }
+
+    /// Sections in the middle of each that is no slot, all at ψ = 0.
     fn middles(&self) -> impl Iterator<Item = Meridian> {
-        let raceways = self.raceways.iter();
+        let raceways = self.flanked();
         raceways.map(|r| self.raceway_meridian(r, 0.0, 0.0))
+    }
+
+    /// The slots, in the order of their raceways.
+    pub fn recesses(&self) -> &[Recess] {
+        &self.recesses
     }
 
     /// Point of the groove at ψ and η, as [`Meridian::point`] counts it.
@@ -245,8 +297,8 @@ impl OuterRing {
         self.meridian(angle_rad).point(meridian_rad)
     }
 
-    /// Distance of a point near the groove from its surface, positive inside the ring's
-    /// material; off by the square of the distance over the radii of curvature.
+    /// Distance of a point near the groove from its surface, that of the plain groove across a slot,
+    /// positive inside the ring's material; off by the square of the distance over the radii of curvature.
     pub fn distance_m(&self, position_m: [f64; 3]) -> f64 {
         let [x, y, z] = position_m;
         let meridian = self.meridian(x.atan2(-y));
@@ -264,8 +316,8 @@ impl OuterRing {
             rim / 2.0 - arc.hollow_moment_m3() - self.shoulder_radius_m().powi(2) * wall
         };
         let moment = |m: Meridian| (side(&m.arcs[0]) + side(&m.arcs[1])) / 2.0;
-        self.sectors()
-            .iter()
+        let slots: f64 = self.recesses.iter().map(Recess::volume_m3).sum();
+        let whole: f64 = (self.sectors().iter())
             .map(|sector| match sector.raceway {
                 None => (sector.end_rad - sector.start_rad) * moment(self.plain_meridian(0.0)),
                 Some(_) => {
@@ -273,7 +325,8 @@ impl OuterRing {
                     gauss(f, sector.start_rad, sector.end_rad, VOLUME_PANELS)
                 }
             })
-            .sum()
+            .sum();
+        whole - slots
     }
 
     /// Largest angle between the normals on both sides of an end of a discrete raceway without its
@@ -288,7 +341,7 @@ impl OuterRing {
     }
 
     fn largest_kink_rad(&self, counts: impl Fn(&Raceway) -> bool) -> [f64; 2] {
-        let raceways = self.raceways.iter().filter(|raceway| counts(raceway));
+        let raceways = self.flanked().filter(|raceway| counts(raceway));
         let kinks = raceways.flat_map(|raceway| {
             let flank = raceway.unblended_contact_angle_rad(raceway.half_angle_rad());
             let arcs = Meridian::new(&self.frame, 0.0, flank).arcs;
@@ -325,14 +378,16 @@ impl OuterRing {
             .fold(0.0, f64::max)
     }
 
-    /// How far the discrete raceways stand out of the plain groove, and how far they lie
-    /// below it. The walls that meet the ball at ±α are closer to it than those of the plain
+    /// How far the discrete raceways stand out of the plain groove, and how far they or the floors of slots
+    /// lie below it. The walls that meet the ball at ±α are closer to it than those of the plain
     /// groove: a raceway cannot be cut into a finished plain one.
     pub fn relief_m(&self) -> [f64; 2] {
         const SAMPLES: usize = 1000;
         let plain = self.plain_meridian(0.0);
         let arcs = self.middles().flat_map(|m| m.arcs);
-        arcs.fold([0.0f64; 2], |relief, arc| {
+        let floors = self.recesses.iter().map(Recess::depth_m);
+        let floor = floors.fold(0.0, f64::max);
+        arcs.fold([0.0, floor], |relief, arc| {
             let (valley, range) = (arc.valley_rad(), arc.shoulder_rad() - arc.valley_rad());
             (0..=SAMPLES).fold(relief, |[above, below], k| {
                 let eta = valley + range * k as f64 / SAMPLES as f64;
@@ -353,6 +408,14 @@ impl OuterRing {
         let blends = self.raceways.iter().map(|r| r.form().blend_m);
         blends.fold(0.0, f64::max)
     }
+}
+
+/// The slots of a ring with such sections.
+fn recesses(frame: &SectionFrame, raceways: &[Raceway]) -> Result<Vec<Recess>, InputError> {
+    let slots = (0..raceways.len()).filter_map(|k| Some((k, raceways[k].slot()?)));
+    slots
+        .map(|(k, slot)| Recess::new(frame, k, &raceways[k], slot))
+        .collect()
 }
 
 /// αg of the raceways, which is the same of all; without raceways that of the bearing.

@@ -7,8 +7,10 @@ pub struct RingSector {
     pub start_rad: f64,
     /// ψ of its end, above the start; the start of the next sector, give or take a turn.
     pub end_rad: f64,
-    /// Index of the discrete raceway that it belongs to; `None` for a plain one.
+    /// Index of the discrete raceway that it belongs to; `None` for a plain one, also around a slot.
     pub raceway: Option<usize>,
+    /// Index of the slot of [`super::OuterRing::recesses`] that is cut through its middle.
+    pub slot: Option<usize>,
     /// Whether it is a blend at an end of that raceway.
     pub blend: bool,
 }

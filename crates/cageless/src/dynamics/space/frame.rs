@@ -3,8 +3,8 @@
 //! Velocities of a ball are V = (**v**, R**ω**), forces on it (**F**, **M**/R).
 
 use super::strips::Sliding;
-use super::vector::{cross, dot};
 use crate::numerics::lanes::{Lanes, lane_struct};
+use crate::numerics::vector::{cross, dot};
 
 /// Numbers of V, and of the force on a ball.
 pub(super) const SIZE: usize = 6;

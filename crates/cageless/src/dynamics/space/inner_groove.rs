@@ -1,7 +1,7 @@
 //! Contact of a ball with the inner ring, in the meridian plane of the ring through the ball.
 
-use super::vector::{cross, dot, plus};
 use crate::numerics::lanes::lane_struct;
+use crate::numerics::vector::{cross, dot, plus};
 
 lane_struct! {
     /// Groove constants of one ball.

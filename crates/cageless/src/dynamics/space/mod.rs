@@ -21,7 +21,6 @@ mod ring;
 mod rotor;
 mod rotor_touch;
 mod strips;
-mod vector;
 mod workspace;
 
 pub(crate) use bearing::{Bearing, Drive};

@@ -6,11 +6,11 @@ use super::frame::{Frame, FrameLanes, of_lane};
 use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
 use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
 use super::ring::RingMotion;
-use super::vector::{cross, dot, plus};
 use crate::contact::{NormalForce, positive};
 use crate::dynamics::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::{LANES, Lanes, lane_struct};
+use crate::numerics::vector::{cross, dot, plus};
 use crate::simd::{BlockResults, Motions, block_at, block_mut};
 
 /// The coordinates of the place of a ball, and those of their rates.
