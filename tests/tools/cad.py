@@ -2,7 +2,8 @@
 
 OpenCASCADE opens the STEP files, trimesh the STL files and pandas the points. The
 surface that they are held against is worked out again here, in NumPy, from Eq. (4) to (7)
-of Zhao 2022, the other shapes of docs/theory/geometry.md, the blend of docs/theory/cad.md and the turned section of docs/theory/space.md.
+of Zhao 2022, the other shapes of docs/theory/geometry.md, the blend of docs/theory/cad.md, the turned section of
+docs/theory/space.md and the slot of docs/theory/cad.md.
 
     python cad.py path/to/cageless path/to/a/scratch/folder
 """
@@ -38,8 +39,8 @@ from OCP.TopoDS import TopoDS, TopoDS_Compound
 
 from checks import check, exit_code
 
-# Bearing, raceways (span mm, half angle °, centre °, contact angle ° unless 0, shape unless quartic) and blends in mm
-# that each case is exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
+# Bearing, raceways (span mm, half angle °, centre °, contact angle ° unless 0, shape unless quartic, edge radius and
+# depth mm of a slot) and blends in mm that each case is exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
 PAPER = {}
 SLIM = {"outer_ring_outer_radius_mm": 27.9, "outer_ring_width_mm": 7.6}
 # Three large balls: the circle of the groove crosses the axis.
@@ -71,12 +72,164 @@ CASES = {
     "steady": (PAPER, [(5.0, 25.2, 17.3, 0.0, "steady"), (4.0, 35.0, -100.0, 0.0, "steady")], [0.5, 0.0]),
     "turned-back": (PAPER, [(5.1, 25.2, 17.3, -4.0), (6.0, 12.717, -141.9, -4.0)], [0.3]),
     "turned-three-balls": (THREE, [(4.0, 25.0, 200.0, 10.0)], [0.5]),
+    "slot": (PAPER, [(2.4, 25.2, 17.3, 0.0, "slot", 0.3)], [0.0]),
+    "slots": (PAPER, [(5.1, 25.2, 17.3, 0.0, "slot", 0.3, 1.5), (1.9, 12.0, 60.0, 0.0, "slot", 0.5)], [0.0]),
+    "round-slot": (PAPER, [(2.4, 2.632_305_24, -141.9, 0.0, "slot", 0.3)], [0.0]),
+    "turned-slot": ({"contact_angle_deg": 15.0}, [(2.4, 25.2, 100.0, 15.0, "slot", 0.3)], [0.0]),
+    "slot-and-path": (PAPER, [(2.4, 20.0, 0.0, 0.0, "slot", 0.3), (5.1, 25.2, 120.0)], [0.5]),
+    "slot-three-balls": (THREE, [(2.0, 25.0, 200.0, 0.0, "slot", 0.2)], [0.0]),
 }
 
 
 def below(what, found, allowed):
     worst = float(np.max(np.abs(found), initial=0.0))
     check(what, worst <= allowed, f"({worst:.3e}, allowed {allowed:.1e})")
+
+
+class Slot:
+    """A slot in the analytic ring, by the line of the centres of its rounded edges."""
+
+    def __init__(self, ring, span, theta, middle, edge, depth):
+        self.ring, self.theta, self.middle, self.edge = ring, theta, middle, edge
+        sine = span / (2 * ring.rw)
+        self.half = (ring.rw + edge) * sine
+        self.reach = ring.re + edge
+        sink = np.sqrt(self.reach**2 - self.half**2) - (ring.rw + edge) * np.sqrt(1 - sine**2) - ring.back
+        self.floor = ring.re + (2 * edge + sink if depth is None else depth)
+        self.straight = theta - self.half / ring.ro
+        # An end is 1 or -1 along psi, a straight edge 1 or -1 towards +z.
+        self.stretches = [("end", 1, np.pi / 2), ("end", -1, np.pi / 2)]
+        if self.straight > 1e-9:
+            self.stretches += [("straight", 1, self.straight), ("straight", -1, self.straight)]
+
+    def place(self, stretch, t):
+        """Angle from the middle, and distance from the axis of the section."""
+        kind, way, _ = stretch
+        if kind == "end":
+            return way * (self.straight + self.half / self.ring.ro * np.cos(t)), self.half * np.sin(t)
+        return t, way * self.half + 0 * t
+
+    def in_space(self, local, along, across):
+        """Point in the section at an angle, along its axis from the centre of the groove and across it."""
+        sin, cos = np.sin(self.ring.turn), np.cos(self.ring.turn)
+        rho = self.ring.groove_centre[0] + along * cos - across * sin
+        psi = self.middle + local
+        z = self.ring.groove_centre[1] + along * sin + across * cos
+        return np.stack(np.broadcast_arrays(rho * np.sin(psi), -rho * np.cos(psi), z), axis=-1)
+
+    def section(self, points):
+        """Along and across, in the section through each point."""
+        sin, cos = np.sin(self.ring.turn), np.cos(self.ring.turn)
+        out = np.hypot(points[..., 0], points[..., 1]) - self.ring.groove_centre[0]
+        up = points[..., 2] - self.ring.groove_centre[1]
+        return out * cos + up * sin, up * cos - out * sin
+
+    def centres(self, stretch, t):
+        local, across = self.place(stretch, t)
+        return self.in_space(local, np.sqrt(self.reach**2 - across**2), across)
+
+    def mill(self, stretch, t):
+        kind, way, _ = stretch
+        at = way * self.straight + 0 * t if kind == "end" else t
+        return self.in_space(at, 1.0, 0.0) - self.in_space(at, 0.0, 0.0)
+
+    def surface(self, stretch, t, share):
+        """Points of the rounded edge for shares up to 1, of the wall from there to 2."""
+        local, across = self.place(stretch, t)
+        centre, mill = self.centres(stretch, t), self.mill(stretch, t)
+        groove = (self.in_space(local, 0 * t, 0 * t) - centre) / self.reach
+        h = 1e-5
+        line = (self.centres(stretch, t + h) - self.centres(stretch, t - h)) / (2 * h)
+        inside = np.cross(groove, line)
+        inside *= (stretch[1] if stretch[0] == "straight" else -stretch[1]) / np.linalg.norm(inside, axis=-1)[..., None]
+        whole = np.arctan2(-np.sum(groove * mill, axis=-1), np.sum(inside * mill, axis=-1))
+        angle = (np.minimum(share, 1) * whole)[..., None]
+        top = centre + self.edge * (np.cos(angle) * groove + np.sin(angle) * inside)
+        length = 0 * t
+        for _ in range(10):
+            length = length + self.floor - self.section(top + length[..., None] * mill)[0]
+        return top + (np.maximum(share - 1, 0) * length)[..., None] * mill
+
+    def to_line(self, points, along_mill=False):
+        """Least distance of each point from the line of centres, or from it as the mill sees it."""
+        least = np.full(len(points), np.inf)
+        for stretch in self.stretches:
+
+            def off(t):
+                away = points - self.centres(stretch, t)
+                if along_mill:
+                    mill = self.mill(stretch, t)
+                    away = away - np.sum(away * mill, axis=-1)[:, None] * mill
+                return np.linalg.norm(away, axis=-1)
+
+            t = np.linspace(-stretch[2], stretch[2], 200)
+            best = t[np.argmin([off(np.full(len(points), one)) for one in t], axis=0)]
+            low, high = best - (t[1] - t[0]), best + (t[1] - t[0])
+            for _ in range(60):
+                third = (high - low) / 3
+                left = off(low + third) < off(high - third)
+                low, high = np.where(left, low, low + third), np.where(left, high - third, high)
+            least = np.minimum(least, off(np.clip((low + high) / 2, -stretch[2], stretch[2])))
+        return least
+
+    def distance(self, points):
+        """Distance of points from the nearest of edge, wall and floor."""
+        edge = self.to_line(points) - self.edge
+        wall = self.to_line(points, True) - self.edge
+        return np.min(np.abs([edge, wall, self.section(points)[0] - self.floor]), axis=0)
+
+    def near(self, points, within):
+        """Whether points lie as far in the plan as the slot does, give or take."""
+        psi = np.arctan2(points[:, 0], -points[:, 1])
+        local = np.abs((psi - self.middle + np.pi) % (2 * np.pi) - np.pi)
+        end = np.clip((local - self.straight) * self.ring.ro / self.half, 0, 1)
+        across = np.abs(self.section(points)[1]) * self.reach / self.ring.re
+        return (local < self.theta + within) & (across < self.half * np.sqrt(1 - end**2) + within)
+
+    def random_points(self, count, generator):
+        points = []
+        for stretch in self.stretches:
+            t = stretch[2] * generator.uniform(-1, 1, count)
+            points.append(self.surface(stretch, t, generator.uniform(0, 2, count)))
+        width = generator.uniform(-1, 1, count) * (self.half - self.edge)
+        points.append(self.in_space(self.straight * generator.uniform(-1, 1, count), self.floor, width))
+        return np.concatenate(points)
+
+    def volume(self):
+        """Of a closed surface of triangles, extrapolated from two numbers of them."""
+        found = []
+        for count in (200, 400):
+            u = np.linspace(0, 1, count + 1)
+            total = 0.0
+            for stretch in self.stretches:
+                kind, way, end = stretch
+                t = end * (2 * u - 1)
+                rows = [self.surface(stretch, t, np.full(len(t), share)) for share in u]
+                rows.append(self.surface(stretch, t, np.full(len(t), 2.0)))
+                # Floor and groove up to the axis of the section.
+                local, across = self.place(stretch, t)
+                foot, rim = self.section(rows[-1])[1], across * self.ring.re / self.reach
+                turn = np.arctan2(rows[-1][:, 0], -rows[-1][:, 1]) - self.middle
+                turn = (turn + np.pi) % (2 * np.pi) - np.pi
+                rows += [self.in_space(turn, self.floor, foot * (1 - share)) for share in u[1:]]
+                bottom = [self.in_space(local, np.sqrt(self.ring.re**2 - (rim * share) ** 2), rim * share) for share in u]
+                grid = np.array(bottom + rows[1:])
+                a, b, c, d = grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]
+                six = np.sum(a * (np.cross(b, c) + np.cross(c, d)))
+                total += six / 6 * (-way if kind == "straight" else way)
+            found.append(total)
+        return (4 * found[1] - found[0]) / 3
+
+    def balls_next_to_rest(self, count, generator):
+        """Centres of balls that press the edges by micrometres, and how far they are from them."""
+        ring = self.ring
+        local = self.theta * generator.uniform(-0.99, 0.99, count)
+        end = np.maximum(np.abs(local) - self.straight, 0) * ring.ro / self.half
+        across = self.half * np.sqrt(1 - end**2)
+        rest = np.sqrt(self.reach**2 - across**2) - np.sqrt((ring.rw + self.edge) ** 2 - across**2)
+        towards = generator.uniform(-np.pi / 2, np.pi / 2, count)
+        balls = self.in_space(local, rest + 0.008 * np.cos(towards), 0.008 * np.sin(towards))
+        return balls, self.to_line(balls) - self.edge
 
 
 class Ring:
@@ -95,13 +248,23 @@ class Ring:
         self.blend = blend
         raceways = case.get("raceway", [])
         raceways = raceways if isinstance(raceways, list) else [raceways]
+        sections = raceways
+        raceways = [r for r in sections if r.get("shape") != "slot"]
         self.raceways = [
             (r["axial_span_mm"], np.radians(r["half_angle_deg"]), np.radians(r.get("centre_angle_deg", 0.0)))
             for r in raceways
         ]  # fmt: skip
         self.shapes = [r.get("shape", "quartic") for r in raceways]
         self.back = self.re - self.rw
-        self.turn = np.radians(raceways[0].get("contact_angle_deg", 0.0)) if raceways else free
+        self.turn = np.radians(sections[0].get("contact_angle_deg", 0.0)) if sections else free
+        self.groove_centre = (self.ro - self.re, -room * np.sin(free) / 2)
+        self.slots = [
+            Slot(
+                self, r["axial_span_mm"], np.radians(r["half_angle_deg"]), np.radians(r["centre_angle_deg"]),
+                r["edge_radius_mm"], r.get("slot_depth_mm"),
+            )
+            for r in sections if r.get("shape") == "slot"
+        ]  # fmt: skip
         # The ball that rests in the groove, whose centre is Re from its bottom.
         self.ball = (
             self.ro - self.re + self.back * np.cos(self.turn),
@@ -188,6 +351,14 @@ class Ring:
         out = -n[:, 0] * np.sin(psi) + n[:, 1] * np.cos(psi)
         return (rho - self.groove(psi, points[:, 2])) * np.abs(out)
 
+    def distance(self, points):
+        """Distance from the groove or, around a slot, from the nearest of its faces and the groove."""
+        off = np.abs(self.groove_distance(points))
+        for slot in self.slots:
+            near = slot.near(points, 0.01)
+            off[near] = np.minimum(off[near], slot.distance(points[near]))
+        return off
+
     def normal(self, psi, z, side):
         """Normal of a flank out of the material, by differences."""
         h, k = 1e-6, 1e-5 * side
@@ -211,7 +382,10 @@ class Ring:
             ends.append(height + side * np.sqrt(self.re**2 - (self.ros - radius) ** 2))
         z = ends[0] + (ends[1] - ends[0]) * generator.uniform(0, 1, count)
         rho = self.groove(psi, z)
-        return np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1)
+        points = np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1)
+        for slot in self.slots:
+            points = points[~slot.near(points, 1e-6)]
+        return np.concatenate([points, *(slot.random_points(count // 5, generator) for slot in self.slots)])
 
     def balls_next_to_rest(self, count, generator):
         """Centres of balls that press the middle of each raceway by micrometres, and how far they
@@ -220,14 +394,16 @@ class Ring:
         for _, theta, centre in self.raceways:
             within = 0.8 * (theta - self.blend / self.ro)
             psi.append(centre + within * generator.uniform(-1, 1, count // len(self.raceways)))
-        psi = (np.concatenate(psi) + np.pi) % (2 * np.pi) - np.pi
+        psi = (np.concatenate([*psi, []]) + np.pi) % (2 * np.pi) - np.pi
         towards = self.turn + generator.uniform(-np.pi / 2, np.pi / 2, len(psi))
         rho, z = self.ball[0] + 0.008 * np.cos(towards), self.ball[1] + 0.008 * np.sin(towards)
         beyond = []
         for side in (-1, 1):
             radius, height = self.centre(psi, side)
             beyond.append(np.hypot(rho - radius, z - height))
-        return np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1), self.re - np.maximum(*beyond)
+        balls = [(np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1), self.re - np.maximum(*beyond))]
+        balls += [slot.balls_next_to_rest(count, generator) for slot in self.slots]
+        return np.concatenate([b for b, _ in balls]), np.concatenate([d for _, d in balls])
 
     def volume(self):
         """By the trapezium rule over z within Gauss over each smooth stretch of psi."""
@@ -253,7 +429,7 @@ class Ring:
                 rho, dz = radius + self.re * np.cos(eta), self.re * np.cos(eta) * (high - low) / 2
                 section = section - np.sum(w * (rho**2 - self.ros**2) * dz, axis=1) / 2
             total += np.sum(weights * section) * (end - start) / 2
-        return total
+        return total - sum(slot.volume() for slot in self.slots)
 
 
 def case_file(binary, path, bearing, raceways):
@@ -268,7 +444,8 @@ def case_file(binary, path, bearing, raceways):
     for span, angle, centre, *more in raceways:
         text += f"\n[[raceway]]\naxial_span_mm = {span}\nhalf_angle_deg = {angle}\ncentre_angle_deg = {centre}\n"
         text += "".join(f"contact_angle_deg = {angle}\n" for angle in more[:1])
-        text += "".join(f'shape = "{shape}"\n' for shape in more[1:])
+        text += "".join(f'shape = "{shape}"\n' for shape in more[1:2])
+        text += "".join(f"{key} = {mm}\n" for key, mm in zip(("edge_radius_mm", "slot_depth_mm"), more[2:]))
     path.write_text(text)
     return tomllib.loads(text)
 
@@ -321,7 +498,7 @@ def step(name, path, said, ring, generator):
     below(f"{name}: tolerances in mm", ShapeAnalysis_ShapeTolerance().Tolerance(solid, 1), 1e-5)
 
     analytic = ring.volume()
-    below(f"{name}: stated volume", said["volume_mm3"] / analytic - 1, 1e-10)
+    below(f"{name}: stated volume", said["volume_mm3"] / analytic - 1, 1e-9 if ring.slots else 1e-10)
     for way in ("GK", "default"):
         props = GProp_GProps()
         if way == "GK":
@@ -334,19 +511,21 @@ def step(name, path, said, ring, generator):
     check(f"{name}: faces", len(faces) == said["faces"], len(faces))
     kinds = [BRepAdaptor_Surface(face).GetType() for face in faces]
     check(f"{name}: B-spline faces", kinds.count(Kind.GeomAbs_BSplineSurface) == said["bspline_faces"])
-    grooves = [f for f, k in zip(faces, kinds) if k in (Kind.GeomAbs_BSplineSurface, Kind.GeomAbs_Torus)]
+
+    def outside(points):
+        rho = np.hypot(points[:, 0], points[:, 1])
+        return np.min(np.abs([rho - ring.outer, rho - ring.ros, np.abs(points[:, 2]) - ring.width / 2]), axis=0)
+
+    others = [f for f in faces if np.max(outside(face_points(f, 20, generator))) < 1e-6]
+    grooves = [f for f in faces if f not in others]
+    for face in others:
+        below(f"{name}: other faces", outside(face_points(face, 20, generator)), 1e-9)
     each = 1000 // len(grooves) + 1
     points = np.concatenate([face_points(face, each, generator) for face in grooves])
     check(f"{name}: a thousand points", len(points) >= 1000, len(points))
-    off = ring.groove_distance(points)
+    off = ring.distance(points)
     below(f"{name}: groove faces against the surface, mm", off, 1e-4)
     below(f"{name}: and against the stated deviation", off, said["deviation_um"] * 1.1e-3 + 1e-9)
-    for face, kind in zip(faces, kinds):
-        if kind not in (Kind.GeomAbs_BSplineSurface, Kind.GeomAbs_Torus):
-            points = face_points(face, 20, generator)
-            rho = np.hypot(points[:, 0], points[:, 1])
-            walls = [rho - ring.outer, rho - ring.ros, np.abs(points[:, 2]) - ring.width / 2]
-            below(f"{name}: other faces", np.min(np.abs(walls), axis=0), 1e-9)
 
     # The other way round: points of the analytic surface lie on the shell of groove faces.
     groove, builder = TopoDS_Compound(), BRep_Builder()
@@ -358,7 +537,7 @@ def step(name, path, said, ring, generator):
         for p in ring.random_points(300, generator)
     ]
     below(f"{name}: the surface against the faces, mm", distances, 1e-4)
-    if ring.raceways:
+    if ring.raceways or ring.slots:
         centres, expected = ring.balls_next_to_rest(200, generator)
         felt = [
             BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(gp_Pnt(*c)).Vertex(), groove).Value()
@@ -405,7 +584,7 @@ def stl(name, path, said, ring, generator):
     e = points[:, :2] / np.linalg.norm(points[:, :2], axis=1)[:, None]
     inward = np.einsum("tc,tc->t", n[:, :2], e) < -1e-3
     groove = inward & (np.linalg.norm(corners[:, :, :2], axis=2).max(axis=1) > ring.ros + 1e-4)
-    below(f"{name}: groove", ring.groove_distance(points[groove]), chord)
+    below(f"{name}: groove", ring.distance(points[groove]), chord)
     outside = np.einsum("tc,tc->t", n[:, :2], e) > 0.5
     below(f"{name}: outside", np.linalg.norm(points[outside, :2], axis=1) - ring.outer, chord)
 
@@ -414,27 +593,45 @@ def points(name, path, said, ring):
     table = pd.read_csv(path, float_precision="round_trip")
     kinds = table.pop("kind").to_numpy()
     table = {key: column.to_numpy(float) for key, column in table.items()}
-    check(f"{name}: kinds", set(kinds) == {"contact", "surface"})
-    for kind in ("contact", "surface"):
-        check(f"{name}: rows of {kind}", np.count_nonzero(kinds == kind) == said[f"{kind}_points"])
+    check(f"{name}: kinds", set(kinds) == {"contact", "surface", *(["edge", "wall", "floor"] if ring.slots else [])})
+    check(f"{name}: rows of contact", np.count_nonzero(kinds == "contact") == said["contact_points"])
+    check(f"{name}: rows of surface", np.count_nonzero(kinds != "contact") == said["surface_points"])
     p = np.stack([table[f"{c}_mm"] for c in "xyz"], axis=1)
     n = np.stack([table[f"n{c}"] for c in "xyz"], axis=1)
     psi, eta, side = np.radians(table["psi_deg"]), np.radians(table["eta_deg"]), table["side"]
     below(f"{name}: unit normals", np.linalg.norm(n, axis=1) - 1, 1e-11)
     rho = np.hypot(p[:, 0], p[:, 1])
     below(f"{name}: psi", p[:, :2] - rho[:, None] * np.stack([np.sin(psi), -np.cos(psi)], axis=1), 1e-8)
-    beyond = (p[:, 2] - ring.ridge(psi)) * side
+    inside = np.full(len(psi), False)
+    for slot in ring.slots:
+        inside |= slot.near(p, -1e-6)
+    touch = kinds == "contact"
+    groove = ((kinds == "surface") | touch) & ~inside
+    beyond = ((p[:, 2] - ring.ridge(psi)) * side)[groove]
     check(f"{name}: sides", np.all(beyond >= -1e-8) and np.all(np.abs(side) == 1))
-    below(f"{name}: on the surface, mm", ring.groove_distance(p), 5e-8 + 1e-3 * said["deviation_um"])
+    below(f"{name}: on the surface, mm", ring.distance(p), 5e-8 + 1e-3 * said["deviation_um"])
     # Normals are orthogonal to the surface; where ends of raceways have a kink there are two.
-    smooth = np.full(len(psi), True)
+    smooth = groove.copy()
     for _, theta, centre in ring.raceways:
         local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
         smooth &= (np.abs(local - theta) > 1e-4 * theta) | (ring.blend > 0)
     below(f"{name}: normals", (ring.normal(psi, p[:, 2], side) - n)[smooth], 3e-6)
+    for slot in ring.slots:
+        for kind in ("edge", "wall", "floor"):
+            one = (kinds == kind) & slot.near(p, 0.01)
+            off = slot.distance(p[one] + 1e-3 * n[one])
+            # At the foot of a wall one face is less far from its neighbour.
+            below(f"{name}: normals of {kind}", np.maximum(off - 1e-3, 0), 1e-6)
+            check(f"{name}: {kind} leaves its faces", np.quantile(off, 0.75) > 0.999e-3)
+        one = touch & slot.near(p, -1e-6)
+        local = (psi[one] - slot.middle + np.pi) % (2 * np.pi) - np.pi
+        straight = np.abs(local) < slot.straight
+        check(f"{name}: contacts in the slot", np.count_nonzero(straight) > 1 or slot.straight < 1e-3)
+        angle = np.arcsin(slot.half / (ring.rw + slot.edge))
+        below(f"{name}: contacts of the slot", (eta - ring.turn - side * angle)[one][straight], 1e-7)
     # At an end without blend, rounding of r to 4e-15 mm is 2e-7 mm of z here.
     # The contact track: balls that rest in the groove touch there, at plus and minus alpha.
-    contact = kinds == "contact"
+    contact = touch & ~inside
     angle = ring.turn + side[contact] * ring.contact_angle(psi[contact])
     below(f"{name}: contact angle", eta[contact] - angle, 1e-7)
     radius = ring.ball[0] + ring.rw * np.cos(angle)
@@ -447,7 +644,7 @@ def points(name, path, said, ring):
     cosine = np.einsum("pc,pc->p", flat, ball) / np.linalg.norm(flat, axis=1) / ring.rw
     below(f"{name}: normals point at the ball's centre", cosine - 1, 1e-9)
     for one in (-1, 1):
-        track = psi[contact & (side == one)]
+        track = psi[touch & (side == one)]
         steps = np.append(np.diff(track), track[0] + 2 * np.pi - track[-1])
         check(f"{name}: the track ascends", np.all(steps > 0))
         below(f"{name}: spacing", steps * ring.ro, said["spacing_mm"] * (1 + 1e-9))
@@ -504,7 +701,7 @@ def main():
             below(f"{which}: deviation under 0.1 µm by default", said["deviation_um"], 0.1)
             if name in ("structure-d", "two", "turned") and blend == min(blends):
                 measured(f"{which} measured", binary, path, out, ring, generator)
-            check(f"{which}: kink", (said["slope_discontinuity_45_deg"] > 0.1) == (bool(raceways) and blend == 0))
+            check(f"{which}: kink", (said["slope_discontinuity_45_deg"] > 0.1) == (bool(ring.raceways) and blend == 0))
             out = scratch / f"{which}.stl"
             stl(f"{which} STL", out, export(binary, path, out, *more), ring, generator)
             out = scratch / f"{which}.csv"

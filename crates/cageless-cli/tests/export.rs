@@ -81,6 +81,51 @@ fn a_folder_gets_the_file_and_its_numbers() {
     assert_eq!(json_file(&out.join("export.json"))["bspline_faces"], 6);
 }
 
+/// A slot has no blend; its width, depth and edges are numbers of the ring in every format.
+#[test]
+fn the_ring_of_a_slot_is_written() {
+    let sets = [
+        "raceway.shape=slot",
+        "raceway.edge_radius_mm=0.3",
+        "raceway.axial_span_mm=2.4",
+    ];
+    for format in ["step", "stl", "csv"] {
+        let answer = export(&sets, &["--format", format, "--json"]);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+        let d = answer.json();
+        let slot = &d["slots"][0];
+        let number = |key: &str| slot[key].as_f64().unwrap_or_else(|| panic!("{key}: {d}"));
+        assert!((number("width_mm") - 1.951_181).abs() < 1e-6, "{d}");
+        assert!((number("depth_mm") - 0.606_110).abs() < 1e-6, "{d}");
+        assert_eq!(number("edge_radius_mm"), 0.3);
+        assert!((number("straight_half_angle_deg") - 22.567_695).abs() < 1e-6);
+        assert!((d["volume_mm3"].as_f64().unwrap() - 12_735.061_549).abs() < 1e-5);
+        assert_eq!(d["blend_mm"], 0.0);
+        assert!(d["blend_not_simulated"].is_null(), "{d}");
+    }
+    let deeper = [&sets[..], &["raceway.slot_depth_mm=1"]].concat();
+    let answer = export(&deeper, &["--format", "csv"]);
+    assert!(
+        answer
+            .stderr
+            .contains("1.951181 mm wide, floor 1.000000 mm below")
+    );
+    let kinds = |kind: &str| {
+        answer
+            .stdout
+            .lines()
+            .filter(|l| l.starts_with(kind))
+            .count()
+    };
+    assert!(["edge,", "wall,", "floor,"].iter().all(|k| kinds(k) > 50));
+    let through = [&sets[..], &["raceway.slot_depth_mm=3.3"]].concat();
+    let refused = export(&through, &["--format", "step"]);
+    assert_refused(
+        &refused,
+        &["raceway.slot_depth_mm = 3.3", "less than 3.235 mm"],
+    );
+}
+
 /// Without `--out` the file itself, and the numbers beside it; with `--json` the numbers.
 #[test]
 fn stdout_takes_one_thing() {

@@ -134,6 +134,8 @@ const EDITS: &[Row] = &[
     ("# shape = \"quartic\"", "shape = \"slot\"", "raceway.edge_radius_mm", &["missing in [raceway]", "above 0 with shape = \"slot\""]),
     ("# shape = \"quartic\"", "edge_radius_mm = 0.3", "raceway.edge_radius_mm", &["left out with any other"]),
     ("# shape = \"quartic\"", "shape = \"slot\"\nedge_radius_mm = 0.0", "raceway.edge_radius_mm", &["more than 0"]),
+    ("# shape = \"quartic\"", "slot_depth_mm = 0.5", "raceway.slot_depth_mm", &["left out with any shape but \"slot\""]),
+    ("# shape = \"quartic\"", "shape = \"slot\"\nedge_radius_mm = 0.3\nslot_depth_mm = 0.3", "raceway.slot_depth_mm", &["0.3", "at least 0.33", "stays their radius above the floor"]),
     ("# shape = \"quartic\"", "shape = \"measured\"", "raceway.profile", &["missing in [raceway]", "given with shape = \"measured\""]),
     ("# shape = \"quartic\"", "profile = [[0, 20], [5, 19], [10, 16], [15, 12], [20, 7], [25, 0]]", "raceway.profile", &["left out, or shape = \"measured\" or \"spline\""]),
     ("# shape = \"quartic\"", "shape = \"spline\"\nprofile = [[0, 20], [25, 0]]", "raceway.profile", &["5 to 30 rows of ψ and flank angle"]),

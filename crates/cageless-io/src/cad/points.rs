@@ -12,7 +12,7 @@
 
 use std::io::{self, Write};
 
-use cageless::surface::{Grid, GridPoint, OuterRing, Side};
+use cageless::surface::{Grid, GridPoint, GridRow, OuterRing, Side};
 
 use super::numbers::Counts;
 
@@ -33,19 +33,20 @@ pub(super) fn write(
     let grid = Grid::new(ring, spacing_mm * 1e-3);
     writeln!(out, "{COLUMNS}")?;
     let mut table = Table {
+        ring,
         out,
         deviation_m: 0.0,
         rows: 0,
     };
     for side in [Side::Lower, Side::Upper] {
         for row in &grid.rows {
-            table.row(&row.contact(side))?;
+            table.row(row, &row.contact(side))?;
         }
     }
     let contact_points = table.rows;
     for row in &grid.rows {
         for point in grid.points(row) {
-            table.row(&point)?;
+            table.row(row, &point)?;
         }
     }
     let counts = Counts::Csv {
@@ -58,22 +59,25 @@ pub(super) fn write(
 }
 
 struct Table<'a> {
+    ring: &'a OuterRing,
     out: &'a mut dyn Write,
     deviation_m: f64,
     rows: usize,
 }
 
 impl Table<'_> {
-    fn row(&mut self, of: &GridPoint) -> io::Result<()> {
+    fn row(&mut self, row: &GridRow, of: &GridPoint) -> io::Result<()> {
         let point = of.point;
         // Picometres; the last digit of an f64 is 4e-15 mm here.
         let position = point.position_m.map(|c| format!("{:.9}", c * 1e3));
-        let off = |k: usize| {
-            let read = position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3;
-            (read - point.position_m[k]) * point.normal[k]
+        let read = [0, 1, 2].map(|k| position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3);
+        let off = if row.passes_slot() {
+            let along = |k: usize| (read[k] - point.position_m[k]) * point.normal[k];
+            along(0) + along(1) + along(2)
+        } else {
+            self.ring.distance_m(read)
         };
-        let off = (off(0) + off(1) + off(2)).abs();
-        self.deviation_m = self.deviation_m.max(off);
+        self.deviation_m = self.deviation_m.max(off.abs());
         let [x, y, z] = position;
         let [nx, ny, nz] = point.normal;
         writeln!(

@@ -181,7 +181,7 @@ impl Slot {
         (slot.stiffness, slot.half_length, slot.pressure) = (stiffness, half_length, pressure);
         let least = edge_radius_m + slot.sink_m(1.0)[0];
         slot.depth_m = form.slot_depth_m.unwrap_or(least + edge_radius_m);
-        let why = "a ball on the edges keeps their radius from the floor, by less than which a load \
+        let why = "a ball that rests on the edges stays their radius above the floor, more than a load \
                    presses it in";
         Allowed::AtLeast(least, why).check("slot_depth_m", slot.depth_m)?;
         Ok(slot)

@@ -173,6 +173,11 @@ impl GridRow {
         }
     }
 
+    /// Whether it goes through a slot.
+    pub fn passes_slot(&self) -> bool {
+        self.slot.is_some()
+    }
+
     /// Where a ball that rests in the groove touches a side of it, or an edge of the slot.
     pub fn contact(&self, side: Side) -> GridPoint {
         let Some((_, edges)) = &self.slot else {

@@ -50,7 +50,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use crate::bearing::Bearing;
 use crate::case::Case;
-use crate::error::{Allowed, InputError};
+use crate::error::{Allowed, InputError, degrees};
 use crate::limits::{not_negative, positive, require};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
@@ -190,8 +190,9 @@ impl OuterRing {
                 let apart = wrap_angle_rad(d.centre_angle_rad - recess.middle_rad()).abs();
                 let least = recess.half_angle_rad() + d.half_angle_rad + radius_m / bottom_m;
                 let rule = format!(
-                    "at least {least} away from the middle of a slot, so that plain groove as long as \
-                     the radius of its edges is left"
+                    "at least {:.4}° away from the middle of a slot, so that plain groove as long as \
+                     the radius of its edges is left",
+                    degrees(least)
                 );
                 require("centre_angle_rad", d.centre_angle_rad, apart >= least, rule)?;
             }

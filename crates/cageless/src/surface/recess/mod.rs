@@ -171,7 +171,12 @@ impl Recess {
             Side::Lower => (lower, upper),
             Side::Upper => (upper, lower),
         };
-        plus(from, share, plus(to, -1.0, from))
+        let chord = plus(from, share, plus(to, -1.0, from));
+        plus(
+            chord,
+            -self.frame.above_floor_m(chord),
+            self.floor_normal(chord),
+        )
     }
 
     /// Unit normal of the floor at a point, out of the material.
