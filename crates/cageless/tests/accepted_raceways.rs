@@ -1,8 +1,8 @@
 //! Raceways that are accepted, as rings.
 
-use crate::outer_ring::{bearing, ring};
-use cageless::surface::{Mesh, Patch};
-use cageless::{Raceway, RacewayDimensions};
+use crate::outer_ring::{SIZE, bearing, edges_are_shared_by_two, ring};
+use cageless::surface::{Mesh, OuterRing, OuterRingDimensions, Patch};
+use cageless::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 use proptest::prelude::*;
 
 /// A ring with this raceway: the contact angle falls steadily to 0, contacts are on the groove, the
@@ -74,5 +74,45 @@ proptest! {
         };
         let blend_m = if blended { fraction * angle.to_radians() * 27.765e-3 } else { 0.0 };
         check_ring(raceway, blend_m);
+    }
+
+    /// B-splines and meshes of every slot reach their tolerances.
+    #[test]
+    fn every_accepted_slot_becomes_a_ring(
+        span in 0.05f64..7.4,
+        edge in 0.01f64..3.0,
+        angle in 0.5f64..80.0,
+        centre in -180.0f64..180.0,
+        section in -20.0f64..20.0,
+        turned: bool,
+    ) {
+        let dimensions = RacewayDimensions {
+            axial_span_m: span * 1e-3,
+            half_angle_rad: angle.to_radians(),
+            centre_angle_rad: centre.to_radians(),
+        };
+        let form = RacewayForm {
+            shape: RacewayShape::Slot,
+            edge_radius_m: edge * 1e-3,
+            ..RacewayForm::default()
+        };
+        let section = if turned { section.to_radians() } else { 0.0 };
+        // Room for every floor.
+        let size = OuterRingDimensions { outer_ring_outer_radius_m: 45e-3, ..SIZE };
+        let made = Raceway::formed(dimensions, form, &bearing())
+            .and_then(|slot| slot.with_section_angle(section, &bearing()))
+            .and_then(|slot| OuterRing::new(&bearing(), &[slot], size));
+        let Ok(ring) = made else {
+            return Ok(());
+        };
+        let recess = &ring.recesses()[0];
+        for end in [-1.0, 1.0] {
+            let patches = recess.end_patches(end, 1e-8);
+            prop_assert!(patches.is_ok(), "{patches:?}");
+        }
+        let mesh = Mesh::new(&ring, 20e-6, 0.0).unwrap();
+        edges_are_shared_by_two(&mesh);
+        let off = (mesh.volume_m3() - ring.volume_m3()).abs();
+        prop_assert!(off < 16_000e-6 * 20e-6, "{off:e}");
     }
 }

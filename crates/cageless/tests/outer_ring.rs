@@ -12,7 +12,7 @@ pub fn bearing() -> Bearing {
     Bearing::new(dimensions(), steel()).unwrap()
 }
 
-const SIZE: OuterRingDimensions = OuterRingDimensions {
+pub const SIZE: OuterRingDimensions = OuterRingDimensions {
     outer_ring_outer_radius_m: 31e-3,
     outer_ring_width_m: 16e-3,
     blend_m: 0.0,

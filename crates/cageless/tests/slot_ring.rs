@@ -359,7 +359,7 @@ fn rows_of_points_pass_a_slot() {
         let angles: Vec<f64> = grid.rows.iter().map(|row| row.angle_rad).collect();
         assert!(angles.windows(2).all(|w| w[0] < w[1]));
         assert!(grid.row_distance_m(&ring) <= spacing * (1.0 + 1e-9));
-        let mut through = 0;
+        let (mut through, mut straight) = (0, 0);
         for row in &grid.rows {
             let points = grid.points(row);
             let mut kinds: Vec<PointKind> = points.iter().map(|p| p.kind).collect();
@@ -378,11 +378,21 @@ fn rows_of_points_pass_a_slot() {
             }
             for side in Side::BOTH {
                 let contact = row.contact(side);
-                let normal = contact.point.normal;
-                assert!((length(normal) - 1.0).abs() < 1e-12);
+                assert!((length(contact.point.normal) - 1.0).abs() < 1e-12);
+                // On straight edges a ball touches at ±αc.
+                let turned = ring.section_angle_rad();
+                for (raceway, recess) in ring.raceways().zip(ring.recesses()) {
+                    let local = raceway.local_angle_rad(row.angle_rad);
+                    if local.abs() < recess.straight_rad().unwrap_or(0.0) {
+                        let [angle, _] = raceway.contact_angle_rad(local);
+                        let off = contact.meridian_rad - turned - side.sign() * angle;
+                        assert!(off.abs() < 1e-12, "{off}");
+                        straight += 1;
+                    }
+                }
             }
         }
-        assert!(through > 10);
+        assert!(through > 10 && (straight > 100 || ring.recesses()[0].straight_rad().is_none()));
     }
 }
 
