@@ -5,6 +5,7 @@ mod brep;
 mod export;
 mod format;
 mod numbers;
+mod outside_faces;
 mod part21;
 mod points;
 mod slot_faces;
