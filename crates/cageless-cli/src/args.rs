@@ -370,6 +370,9 @@ pub struct ToleranceArgs {
     /// Tolerance of the half angle θ, ± degrees.
     #[arg(long, value_parser = number, value_name = "DEG", default_value_t = Tolerances::default().half_angle_deg)]
     pub half_angle_deg: f64,
+    /// Tolerance of the contact angle of the raceway, ± degrees; of cases in space.
+    #[arg(long, value_parser = number, value_name = "DEG", default_value_t = Tolerances::default().contact_angle_deg)]
+    pub contact_angle_deg: f64,
     /// Ball grade of ISO 3290-1; 0: equal balls.
     #[arg(long, value_parser = ball_grade, value_name = "G", default_value_t = Tolerances::default().ball_grade)]
     pub ball_grade: u32,

@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_results::Cell;
-use cageless_study::{DesignResult, parameter, raceway_section, reshaped, with_raceways};
+use cageless_study::{DesignResult, parameter, raceway_section, reshaped, turned, with_raceways};
 use serde::{Deserialize, Serialize};
 
 use crate::data::{Parameter, RacewayLabel};
@@ -46,6 +46,7 @@ fn recommended(file: &CaseFile, result: &DesignResult) -> Option<(&'static str, 
         let raceways = centres.filter_map(Cell::number).map(|c| {
             let mut values = at(span, angle, c);
             values.extend(reshaped(file, found.text("shape")));
+            values.extend(turned(file, found.number("contact_angle_deg")));
             values
         });
         let raceways: Vec<_> = raceways.collect();

@@ -1,7 +1,7 @@
 //! Results of a design.
 
 use cageless::design::{
-    AxialLag, ContactAngleEstimate, Judgement, Recommendation, span_angle_curve,
+    AxialLag, ContactAngleEstimate, Judgement, Recommendation, seats, span_angle_curve,
 };
 use cageless::{Case, equilibrium};
 
@@ -70,10 +70,15 @@ pub fn axial_record(lags: &[AxialLag]) -> Record {
 /// What a contact angle leaves of the first raceway, its balls pressed in as the most loaded one.
 fn contact_angle(case: &Case) -> Option<ContactAngleEstimate> {
     let raceway = case.raceways.first()?;
-    let pressed_in_m = equilibrium::solve(case).map_or(0.0, |e| {
-        let most = e.outer_force_n.iter().copied().fold(0.0, f64::max);
-        (most / e.outer_stiffness_n_m1_5).powf(2.0 / 3.0)
-    });
+    let pressed_in_m = match case.moves_in_space() {
+        true => seats(case).map_or(0.0, |seats| {
+            seats.iter().map(|seat| seat[1]).fold(0.0, f64::max)
+        }),
+        false => equilibrium::solve(case).map_or(0.0, |e| {
+            let most = e.outer_force_n.iter().copied().fold(0.0, f64::max);
+            (most / e.outer_stiffness_n_m1_5).powf(2.0 / 3.0)
+        }),
+    };
     Some(ContactAngleEstimate::new(
         &case.bearing,
         raceway,

@@ -181,6 +181,8 @@ pub struct SearchedPlacement<'a> {
     pub centres_rad: &'a [f64],
     /// Shape and blend.
     pub form: &'a RacewayForm,
+    /// αg by which the sections are turned, rad.
+    pub section_angle_rad: f64,
     /// The structures.
     pub evaluations: Vec<&'a Evaluation>,
 }

@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use cageless::Case;
-use cageless::design::{
-    AxialLag, Judgement, PassageStatistics, RacewayVerdict, RunVerdict, steady_gap_rad,
-};
+use cageless::design::{AxialLag, Judgement, PassageStatistics, RacewayVerdict, RunVerdict};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::raceway::MeasuredFlanks;
@@ -174,6 +172,7 @@ fn results_of_a_verdict_are_its_fields() {
         sliding_mean_m_s: 0.53,
         speed_drop_fraction: 0.91,
         lag_mean_rad: 0.04,
+        lag_fraction: 0.9,
         gap_leave_max_rad: 0.037,
         gap_leave_min_rad: 0.029,
     };
@@ -182,15 +181,15 @@ fn results_of_a_verdict_are_its_fields() {
         reasons: vec![],
         deciding: None,
         critical_gap_rad: Some(0.033),
+        steady_gap_rad: Some(0.037),
         passages: Some(passages),
         raceways: vec![],
         stopped: None,
     };
     let case = case();
-    let steady_rad = steady_gap_rad(&case.bearing, &case.raceways);
     let expected = [
         ("critical_gap_deg", 0.033 / DEGREE),
-        ("gap_reserve_deg", (steady_rad - 0.033) / DEGREE),
+        ("gap_reserve_deg", (0.037 - 0.033) / DEGREE),
         ("collisions_mean", 0.31),
         ("double_collision_fraction", 0.47),
         ("sliding_mean_m_s", 0.53),

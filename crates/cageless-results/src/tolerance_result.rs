@@ -1,6 +1,7 @@
 //! Results of a tolerance analysis.
 
 use cageless::Case;
+use cageless::design::{RacewayVerdict, steady_orbits};
 use cageless::tolerance::{Assessment, Tolerances};
 
 use crate::table::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
@@ -59,7 +60,9 @@ pub fn tolerance_record(
             .with_sentences("verdicts", verdicts.collect())
     });
     let samples = assessment.samples.as_ref().map(|samples| {
-        let verdicts = samples.verdicts.iter().map(|(verdict, _)| {
+        // What only space has is listed where it came out.
+        let listed = |at: &&(RacewayVerdict, usize)| at.0 != RacewayVerdict::LosesLag || at.1 > 0;
+        let verdicts = samples.verdicts.iter().filter(listed).map(|(verdict, _)| {
             let outcomes = samples.outcomes.iter().filter(|o| o.verdict == *verdict);
             let counted = CountedVerdict {
                 verdict: *verdict,
@@ -81,7 +84,7 @@ pub fn tolerance_record(
         .with_part("influences", Part::Many(influences.collect()))
         .with_part("samples", samples)
         .with_provenance(Provenance {
-            discarded: "the first 16 orbits of each run".to_owned(),
+            discarded: format!("the first {} orbits of each run", steady_orbits(case)[0]),
             ..provenance(case, String::new())
         })
 }

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
+use cageless::design::{
+    Judgement, Recommendation, judge_watched, recommend, steady_case, steady_orbits,
+};
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::Stop;
@@ -84,7 +86,7 @@ pub fn design(
     asked: Asked<'_>,
     progress: &dyn Progress,
 ) -> Result<Designed, StudyError> {
-    file.checked(Case::check_planar)?;
+    file.checked(Case::check_motion)?;
     let mut tasks = vec![(TASK.to_owned(), 1.0 + RECOMMENDATION_WORK)];
     if asked.axial {
         tasks.push(axial::task(file)?);
@@ -132,7 +134,8 @@ fn judged(
     let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
-    let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
+    let orbits: f64 = steady_orbits(case).iter().sum();
+    let from_s = end_s * (1.0 - PORTRAIT_ORBITS / orbits);
     let task = progress.begin(TASK, 1.0 + RECOMMENDATION_WORK);
     let mut snapshots = vec![];
     let judgement = {

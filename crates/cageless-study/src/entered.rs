@@ -8,6 +8,7 @@ use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, SectionValues};
 const SHAPE: &str = "shape";
 const BLEND: &str = "blend_mm";
 const DEPTH: &str = "depth_um";
+const TURNED: &str = "contact_angle_deg";
 
 /// The section `[raceway]` of these lengths in mm, angles in degrees and depth error in µm.
 pub fn raceway_section(
@@ -41,6 +42,12 @@ pub fn reshaped(file: &CaseFile, shape: &str) -> Option<(&'static str, CaseValue
     (own.name() != shape).then(|| (SHAPE, shape.into()))
 }
 
+/// The key of the angle by which a section is turned, unless it is that of the first raceway of a case.
+pub fn turned(file: &CaseFile, section_angle_deg: f64) -> Option<(&'static str, CaseValue)> {
+    let own = file.document().number(&format!("raceway.1.{TURNED}"));
+    (own.unwrap_or(0.0) != section_angle_deg).then(|| (TURNED, section_angle_deg.into()))
+}
+
 /// The document of a case with these raceways, of the form of its first or of their own shape with
 /// its blend, in the place of its own.
 pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocument {
@@ -50,6 +57,7 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
         ("profile", form.profile_rad().is_some()),
         (BLEND, form.blend_m != paper.blend_m),
         (DEPTH, form.depth_m != paper.depth_m),
+        (TURNED, true),
     ];
     let own = |(key, given): (&'static str, bool)| {
         let value = file.document().value(&format!("raceway.1.{key}"));
@@ -58,11 +66,13 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let form: Vec<_> = keys.into_iter().filter_map(own).collect();
     let formed = |values: &SectionValues| {
         let mut values = values.clone();
-        let reshaped = values.iter().any(|(key, _)| *key == SHAPE);
-        let kept = form
-            .iter()
-            .filter(|(key, _)| !reshaped || [BLEND, DEPTH].contains(key));
-        values.extend(kept.cloned());
+        let given: Vec<&str> = values.iter().map(|(key, _)| *key).collect();
+        let reshaped = given.contains(&SHAPE);
+        let kept = form.iter().filter(|(key, _)| {
+            !given.contains(key) && (!reshaped || [BLEND, DEPTH, TURNED].contains(key))
+        });
+        let kept: Vec<_> = kept.cloned().collect();
+        values.extend(kept);
         values
     };
     let raceways: Vec<_> = raceways.iter().map(formed).collect();
@@ -84,6 +94,9 @@ pub fn entered(
         // Rounding away what the conversion to SI leaves.
         document.set("operation.inner_speed_rpm", (rpm * 1e6).round() / 1e6);
         document.set("operation.radial_load_n", point.radial_load_n);
+        if file.case().moves_in_space() {
+            document.set("operation.axial_load_n", point.axial_load_n);
+        }
     }
     let entered = CaseFile::from_document(document, "case").ok()?;
     Some(entered.case().clone())

@@ -31,7 +31,7 @@ mod warnings;
 
 pub use cageless_results::{Provenance, provenance};
 pub use design::DesignResult;
-pub use entered::{entered, raceway_section, reshaped, with_raceways};
+pub use entered::{entered, raceway_section, reshaped, turned, with_raceways};
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, lines, parameter, parameters};

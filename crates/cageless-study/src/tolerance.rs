@@ -27,6 +27,8 @@ pub struct Request {
     pub axial_span_um: f64,
     /// Half angle θ, degrees to either side.
     pub half_angle_deg: f64,
+    /// Contact angle of the raceway, degrees to either side, of a case in space.
+    pub contact_angle_deg: f64,
     /// Grade of the balls by ISO 3290-1, 0 for balls all equal.
     pub ball_grade: u32,
     /// Friction coefficient, to either side.
@@ -47,6 +49,7 @@ impl Default for Request {
             groove_depth_um: 2.0,
             axial_span_um: 20.0,
             half_angle_deg: 0.1,
+            contact_angle_deg: 0.1,
             ball_grade: 10,
             friction: 0.002,
             clearance_um: 10.0,
@@ -67,7 +70,7 @@ pub fn tolerance(
     request: &Request,
     progress: &dyn Progress,
 ) -> Result<Record, StudyError> {
-    case.check_planar()?;
+    case.check_motion()?;
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
     let outcomes = judge_all(case, &trials, progress)?;
@@ -118,6 +121,10 @@ impl Request {
             groove_depth_m: self.groove_depth_um * 1e-6,
             axial_span_m: self.axial_span_um * 1e-6,
             half_angle_rad: self.half_angle_deg.to_radians(),
+            section_angle_rad: match case.moves_in_space() {
+                true => self.contact_angle_deg.to_radians(),
+                false => 0.0,
+            },
             ball_grade: grade,
             friction: self.friction,
             clearance_m: self.clearance_um * 1e-6,
@@ -127,7 +134,7 @@ impl Request {
     }
 
     /// Name, value and largest possible value of each deviation.
-    fn limits(&self, case: &Case) -> [(&'static str, f64, f64); 7] {
+    fn limits(&self, case: &Case) -> [(&'static str, f64, f64); 8] {
         let least = |of: &dyn Fn(&Raceway) -> f64| {
             let values = case.raceways.iter().map(of);
             values.fold(f64::INFINITY, f64::min)
@@ -135,12 +142,19 @@ impl Request {
         let half_angle = least(&|r| r.half_angle_rad().to_degrees());
         let span = least(&|r| r.dimensions().axial_span_m * 1e6);
         let depth = least(&|r| r.depth_error_max_m() * 1e6);
+        let [_, shoulder] = case.bearing.shoulder_angles_rad();
+        let turned = |r: &Raceway| {
+            let flank = r.contact_angle_rad(0.0)[0] + r.section_angle_rad().abs();
+            (shoulder - flank).to_degrees()
+        };
+        let turned = least(&turned);
         // A ring this far off its centre presses no ball against the other side.
         let clearance = 0.2 * case.bearing.ball_radius_m() * 1e6;
         [
             ("groove_depth_um", self.groove_depth_um, depth),
             ("axial_span_um", self.axial_span_um, span),
             ("half_angle_deg", self.half_angle_deg, half_angle),
+            ("contact_angle_deg", self.contact_angle_deg, turned),
             ("friction", self.friction, case.contact.friction.coefficient),
             ("clearance_um", self.clearance_um, clearance),
             ("speed_percent", self.speed_percent, 100.0),

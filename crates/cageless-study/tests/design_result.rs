@@ -19,6 +19,7 @@ fn statistics(number: f64) -> PassageStatistics {
         sliding_mean_m_s: 0.02 * number,
         speed_drop_fraction: 0.03 * number,
         lag_mean_rad: 0.04,
+        lag_fraction: 0.9,
         gap_leave_max_rad: 0.05 * DEGREE * number,
         gap_leave_min_rad: 0.04 * DEGREE * number,
     }
@@ -37,6 +38,7 @@ fn judgement(verdict: RacewayVerdict, number: f64) -> Judgement {
         reasons: vec![format!("reason {number}")],
         deciding: Some(Criterion::Deceleration(0.6)),
         critical_gap_rad: Some(0.5 * number * DEGREE),
+        steady_gap_rad: None,
         passages: Some(statistics(3.0 * number)),
         raceways: vec![raceway(1.0), raceway(2.0)],
         stopped: None,

@@ -40,6 +40,7 @@ const REQUEST: Request = Request {
     groove_depth_um: 2.0,
     axial_span_um: 0.0,
     half_angle_deg: 0.0,
+    contact_angle_deg: 0.0,
     ball_grade: 0,
     friction: 0.0,
     clearance_um: 0.0,

@@ -42,6 +42,8 @@ pub struct PairTest {
     /// ψ of the trailing ball at the start, from the middle of the raceway (negative). A
     /// pair that would start inside a wide raceway starts 5° before it.
     pub trailing_start_rad: f64,
+    /// Row of the pair, from 0.
+    pub row: usize,
     /// Criterion of contact.
     pub touch: Touch,
     /// Gap to the neighbours of the pair over the gap that the other N − 1 spacings
@@ -66,6 +68,7 @@ impl Default for PairTest {
     fn default() -> Self {
         Self {
             trailing_start_rad: -FRAC_PI_2,
+            row: 0,
             touch: Touch::Angle,
             neighbours_wider: 1.0,
             ring_y_m: None,
@@ -106,8 +109,10 @@ struct PairResult {
     smallest: f64,
 }
 
-/// Watches the pair ball 1 (trailing), ball 2 (leading).
+/// Watches the pair ball 1 (trailing), ball 2 (leading) of a row.
 struct PairWatch {
+    /// Index of ball 1 of the row.
+    first: usize,
     centre: f64,
     half_angle: f64,
     ball_angle: f64,
@@ -122,16 +127,15 @@ struct PairWatch {
 
 impl Observer for PairWatch {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
-        self.last_gap = context.start_angle_rad[1] - context.start_angle_rad[0] - self.ball_angle;
-        self.last_lead = context.start_angle_rad[1] - self.centre;
+        let [trail, lead] = [0, 1].map(|k| context.start_angle_rad[self.first + k]);
+        self.last_gap = lead - trail - self.ball_angle;
+        self.last_lead = lead - self.centre;
         Ok(())
     }
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
-        let (trail, lead) = (
-            view.angle_after_rad(0) - self.centre,
-            view.angle_after_rad(1) - self.centre,
-        );
+        let pair = [self.first, self.first + 1];
+        let [trail, lead] = pair.map(|k| view.angle_after_rad(k) - self.centre);
         let gap = lead - trail - self.ball_angle;
         if self.entrance.is_none() && lead >= -self.half_angle {
             let s = (-self.half_angle - self.last_lead) / (lead - self.last_lead);
@@ -142,7 +146,8 @@ impl Observer for PairWatch {
                 Touch::Angle => gap,
                 Touch::Surface => {
                     let [x, y] = view.positions();
-                    let chord = (x[1] - x[0]).hypot(y[1] - y[0]);
+                    let [trail, lead] = pair;
+                    let chord = (x[lead] - x[trail]).hypot(y[lead] - y[trail]);
                     // The gap of balls so far apart on the pitch circle.
                     2.0 * (chord / self.pitch_diameter).asin() - self.ball_angle
                 }
@@ -219,6 +224,7 @@ fn pass(
     let rolling_s = (half_angle - trailing) / case.rolling_orbit_speed_rad_s();
     case.solver.duration_s = 3.0 * rolling_s;
     let mut watch = PairWatch {
+        first: test.row * n,
         centre,
         half_angle,
         ball_angle: bearing.ball_angle_rad(),

@@ -43,6 +43,7 @@ mod search;
 mod slot;
 mod slot_ring;
 mod space;
+mod space_design;
 mod space_drop;
 mod space_motion;
 mod space_rows;

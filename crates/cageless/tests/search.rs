@@ -201,6 +201,7 @@ fn critical_gap_without_slip_and_without_a_direction() {
                     axial_span_m: 4.5e-3,
                     half_angle_rad: 25f64.to_radians(),
                     form: Default::default(),
+                    section_angle_rad: 0.0,
                     centres_rad: vec![centre],
                 },
                 point: OperatingPoint::from_case(&weightless),
@@ -230,6 +231,7 @@ fn several_raceways() {
         axial_span_m: 4.5e-3,
         half_angle_rad: 25f64.to_radians(),
         form: Default::default(),
+        section_angle_rad: 0.0,
         centres_rad: centres.to_vec(),
     };
     let (left, right) = (-FRAC_PI_4, FRAC_PI_4);
@@ -394,7 +396,7 @@ fn acceptable(case: &Case, job: &Job) -> Outcome {
             })
         }
         Task::Motion(_) => {
-            let mut motion = Motion::from_values([1.0; 11]);
+            let mut motion = Motion::from_values([1.0; 12]);
             motion.double_collision_fraction = 0.0;
             motion.sliding_m_s = job.structure.axial_span_m;
             Numbers::Motion(motion)

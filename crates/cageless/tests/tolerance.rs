@@ -10,6 +10,7 @@ fn tolerances() -> Tolerances {
         groove_depth_m: 2e-6,
         axial_span_m: 20e-6,
         half_angle_rad: 0.002,
+        section_angle_rad: 0.0,
         ball_grade: ball_grade(10),
         friction: 0.002,
         clearance_m: 5e-6,
@@ -49,7 +50,10 @@ fn samples_fill_their_ranges() {
     assert_eq!(all, trials(&case, &tolerances, 400, 7));
     assert_ne!(all, trials(&case, &tolerances, 400, 8));
     let samples: Vec<&Trial> = all.iter().rev().take(400).collect();
-    assert_eq!(RANGES.map(|r| r.0), Influence::ALL);
+    // The plane has all but the last.
+    let planar = Influence::ALL.split_last().unwrap();
+    assert_eq!(*planar.0, Influence::SectionAngle);
+    assert_eq!(RANGES.map(|r| r.0), planar.1);
     for (influence, low, high) in RANGES {
         let [from, to] = tolerances.range(&case, influence);
         let span = high - low;
@@ -159,6 +163,7 @@ fn outcome(verdict: RacewayVerdict, number: f64) -> Outcome {
     Outcome {
         verdict,
         critical_gap_rad: Some(number),
+        lag_fraction: Some(5.0 * number),
         double_collision_fraction: Some(10.0 * number),
         collisions_mean: Some(20.0 * number),
         sliding_mean_m_s: Some(30.0 * number),
@@ -213,6 +218,7 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
         ("smooth", 99),
         ("double-collision", 0),
         ("slips", 0),
+        ("loses-lag", 0),
         ("infeasible", 1),
     ];
     assert_eq!(counts, expected);

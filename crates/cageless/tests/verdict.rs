@@ -121,6 +121,7 @@ fn a_critical_gap_in_the_map_is_no_smaller_than_those_beside_it() {
                 axial_span_m: span_mm * 1e-3,
                 half_angle_rad: 11.06f64.to_radians(),
                 form: Default::default(),
+                section_angle_rad: 0.0,
                 centres_rad: vec![0.0],
             },
             point: OperatingPoint::from_case(&case),

@@ -25,7 +25,7 @@ const RECOMMENDED: &str = "recommended.toml";
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     let out = output.out.as_deref();
-    let file = args.case.read(cageless::Case::check_planar)?;
+    let file = args.case.read(cageless::Case::check_motion)?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
         let paper = structures_of(&file.case().bearing)?;
         let asked = Asked {
@@ -43,7 +43,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
             false => error.into(),
         })?;
         let recommended = recommended_document(&file, &result);
-        let mut text = text(&result);
+        let mut text = text(&result, file.case().moves_in_space());
         if let (Some(dir), Some(_)) = (out, &recommended) {
             let path = dir.join(RECOMMENDED).display().to_string();
             text += &pairs(&[("case with the raceway", path)]);
@@ -98,7 +98,7 @@ fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
     }
 }
 
-fn text(r: &DesignResult) -> String {
+fn text(r: &DesignResult, in_space: bool) -> String {
     let record = &r.record;
     let mut lines = vec![];
     for raceway in record.parts("raceways") {
@@ -135,6 +135,11 @@ fn text(r: &DesignResult) -> String {
             near.sentence(),
             judged(near.passes(), near.0.results.text("headline"))
         ),
+        None if in_space => {
+            "balls in space do not reach β0 of Eq. (11), whose curve recommends nothing here; \
+             design --search looks for a raceway\n"
+                .to_owned()
+        }
         None => format!(
             "{by}nothing recommended: on the curve of Eq. (11) balls slide too much wherever three \
              do not fit inside at once; design --search looks further\n"

@@ -14,13 +14,14 @@ const NUMBERS: &str = "tolerance.json";
 
 /// Judges the bearing within its tolerances.
 pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
-    let file = args.case.read(cageless::Case::check_planar)?;
+    let file = args.case.read(cageless::Case::check_motion)?;
     let name = args.case.case.display().to_string();
     let request = Request {
         samples: args.samples,
         groove_depth_um: args.groove_depth_um,
         axial_span_um: args.axial_span_um,
         half_angle_deg: args.half_angle_deg,
+        contact_angle_deg: args.contact_angle_deg,
         ball_grade: args.ball_grade,
         friction: args.friction,
         clearance_um: args.clearance_um,

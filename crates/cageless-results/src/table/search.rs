@@ -28,6 +28,7 @@ pub const POINT: &[Quantity] = &[
     // Rounding away what the conversion to SI leaves.
     part(quantity("inner_speed_rpm", "rpm", "speed of the inner ring", Point(|p| millionths(rpm(p.inner_speed_rad_s))))),
     part(quantity("radial_load_n", "N", "radial load", Point(|p| some(p.radial_load_n)))),
+    part(quantity("axial_load_n", "N", "axial load", Point(|p| some(p.axial_load_n)))),
 ];
 
 /// A structure: the raceways of a design.
@@ -36,6 +37,7 @@ pub const STRUCTURE: &[Quantity] = &[
     part(quantity("axial_span_mm", "mm", "axial span lC", Structure(|e| millionths(e.structure.axial_span_m * 1e3)))),
     part(quantity("half_angle_deg", "deg", "half angle θ", Structure(|e| millionths(e.structure.half_angle_rad.to_degrees())))),
     part(in_tables(text("shape", "shape", Structure(|e| Cell::Text(e.structure.form.shape.name().to_owned()))))),
+    part(quantity("contact_angle_deg", "deg", "contact angle of the raceway", Structure(|e| millionths(e.structure.section_angle_rad.to_degrees())))),
     part(quantity("centre_angles_deg", "deg", "angular positions ψ", Structure(|e| angles(&e.structure.centres_rad)))),
     part(means("`accepted`, `rejected`, or `left out` by `search.runs_max`", text("status", "status", Structure(|e| Cell::Text(status(e).to_owned()))))),
     part(high(flag("passes", "passes", Structure(|e| flagged((status(e) != "left out").then_some(status(e) == "accepted")))))),
@@ -46,7 +48,7 @@ pub const STRUCTURE: &[Quantity] = &[
         _ => String::new(),
     })))),
     part(flag("on_front", "on the Pareto front", Structure(|e| flagged(Some(e.on_front))))),
-    part(means(BETA0, quantity("beta0_deg", "deg", "β0, Eq. (11)", Structure(|e| e.forms.map(|f| f.theoretical_gap_rad.to_degrees()).into())))),
+    part(means(BETA0_SEARCHED, quantity("beta0_deg", "deg", "β0, Eq. (11)", Structure(|e| e.forms.map(|f| f.theoretical_gap_rad.to_degrees()).into())))),
     part(quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Structure(|e| e.forms.map(|f| f.steady_gap_rad.to_degrees()).into()))),
 ];
 
@@ -73,6 +75,7 @@ pub const MOTION: &[Quantity] = &[
     part(high(quantity("gap_min_deg", "deg", "smallest gap on arrival", Motion(|(m, _)| degrees(m.gap_min_rad))))),
     part(means("largest in a passage, mean over the passages", low(quantity("sliding_m_s", "m/s", "sliding speed", Motion(|(m, _)| some(m.sliding_m_s)))))),
     part(high(means("1 for a ball that rolls, less for one that slides", quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Motion(|(m, _)| some(m.speed_drop_fraction)))))),
+    part(means(LAG_FRACTION, high(quantity("lag_fraction", "", "lag of the row and raceway with the least, fraction of that of rolling", Motion(|(m, _)| some(m.lag_fraction)))))),
     part(means("standard deviation of the force of the balls on the outer ring", low(quantity("force_deviation_n", "N", "vibration", Motion(|(m, _)| some(m.force_deviation_n)))))),
     part(low(quantity("friction_w", "W", "power of sliding friction, whole run", Motion(|(m, _)| some(m.friction_w))))),
 ];
@@ -85,11 +88,12 @@ pub const REJECTION: &[Quantity] = &[
     part(integer("count", "structures", Rejection(|r| count(r.1)))),
 ];
 
-/// Angular positions and shapes of the raceways that are tried.
+/// Angular positions, shapes and contact angles of the raceways that are tried.
 #[rustfmt::skip]
 pub const PLACEMENT: &[Quantity] = &[
     part(quantity("centre_angles_deg", "deg", "angular positions ψ", Placement(|p| angles(p.centres_rad)))),
     part(in_tables(text("shape", "shape", Placement(|p| Cell::Text(p.form.shape.name().to_owned()))))),
+    part(quantity("contact_angle_deg", "deg", "contact angle of the raceway", Placement(|p| millionths(p.section_angle_rad.to_degrees())))),
     part(integer("structures", "structures evaluated", Placement(|p| count(p.evaluations.len())))),
     part(high(integer("accepted", "acceptable structures", Placement(|p| count(p.evaluations.iter().filter(|e| e.objectives.is_some()).count()))))),
     part(low(quantity("least_shortfall", "", "sliding lowers the critical gap by at least, fraction of β0", Placement(least_shortfall)))),
@@ -172,6 +176,7 @@ fn rejection_text(name: &str) -> &'static str {
         "excessive-separation" => "raceway too deep: evenly spaced balls collide",
         "stress" => "contact pressure above 4200 MPa (ISO 76)",
         "gross-sliding" => "gross sliding over the raceway",
+        "loses-lag" => "load, contact angle and sliding leave too little of the lag",
         "gap-not-retained" => "gap lost before the load zone",
         "axial-load" => "too little of the lag left under the largest axial load",
         "double-collision" => "double collisions in too many passages",

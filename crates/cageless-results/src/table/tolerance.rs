@@ -22,6 +22,7 @@ pub const TOLERANCE: &[Quantity] = &[
     part(high(flag("nominal_passes", "nominal bearing passes", Tolerance(|t| flagged(Some(t.assessment.nominal.passes())))))),
     part(in_tables(means(VERDICT_NAMES, text("nominal_verdict", "verdict on the nominal bearing", Tolerance(|t| Cell::Text(t.assessment.nominal.verdict.name().to_owned())))))),
     part(means(CRITICAL_GAP, quantity("nominal_critical_gap_deg", "deg", "critical gap, nominal", Tolerance(|t| t.assessment.nominal.critical_gap_rad.map(f64::to_degrees).into())))),
+    part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, fraction of that of rolling, nominal", Tolerance(|t| t.assessment.nominal.lag_fraction.into()))))),
     part(low(means(DOUBLE_COLLISIONS, quantity("nominal_double_collision_fraction", "", "double collisions, fraction of the passages, nominal", Tolerance(|t| t.assessment.nominal.double_collision_fraction.into()))))),
     part(low(quantity("nominal_sliding_m_s", "m/s", "largest sliding speed in a passage, mean, nominal", Tolerance(|t| t.assessment.nominal.sliding_mean_m_s.into())))),
     part(quantity("uniform_gap_deg", "deg", "nominal gap", Tolerance(|t| degrees(t.case.bearing.nominal_gap_rad())))),
@@ -38,6 +39,7 @@ pub const INFLUENCE: &[Quantity] = &[
     part(integer("trials", "bearings", Influence(|i| count(i.result.trials)))),
     part(integer("passed", "pass", Influence(|i| count(i.result.passed)))),
     part(range("critical_gap_deg", "deg", "critical gap", Influence(|i| ends(i.result.critical_gap_rad.map(|r| r.map(f64::to_degrees)))))),
+    part(range("lag_fraction", "", "lag, fraction", Influence(|i| ends(i.result.lag_fraction)))),
     part(range("double_collision_fraction", "", "double collisions, fraction", Influence(|i| ends(i.result.double_collision_fraction)))),
     part(range("sliding_mean_m_s", "m/s", "sliding speed", Influence(|i| ends(i.result.sliding_mean_m_s)))),
 ];
@@ -70,7 +72,7 @@ fn drawn(influence: Deviates) -> (f64, &'static str) {
         | Deviates::AxialSpan
         | Deviates::BallRadius
         | Deviates::Clearance => (1e6, "µm"),
-        Deviates::HalfAngle => (1f64.to_degrees(), "°"),
+        Deviates::HalfAngle | Deviates::SectionAngle => (1f64.to_degrees(), "°"),
         Deviates::Friction => (1.0, ""),
         Deviates::Speed => (30.0 / PI, "rpm"),
         Deviates::Load => (1.0, "N"),

@@ -141,11 +141,15 @@ fn placements(found: &Found) -> Part {
         (0..)
             .zip(&found.request.placements)
             .flat_map(|(k, centres_rad)| {
-                let forms = found.request.forms.iter();
-                forms.map(move |form| (k, form, centres_rad))
+                let sections = found.request.sections();
+                sections.map(move |section| (k, section, centres_rad))
             })
-            .map(|(k, form, centres_rad)| {
-                let own = |e: &&Evaluation| (e.placement, e.structure.form) == (k, *form);
+            .map(|(k, section, centres_rad)| {
+                let own = |e: &&Evaluation| {
+                    let of = (e.structure.form, e.structure.section_angle_rad);
+                    (e.placement, of) == (k, section)
+                };
+                let (form, section_angle_rad) = section;
                 let here = found.evaluations.iter().filter(own);
                 let evaluations: Vec<&Evaluation> = here.collect();
                 let accepted = evaluations.iter().filter(|e| e.objectives.is_some());
@@ -154,7 +158,8 @@ fn placements(found: &Found) -> Part {
                 let best = best.map(|e| structure(e, None));
                 let placement = SearchedPlacement {
                     centres_rad,
-                    form,
+                    form: &form,
+                    section_angle_rad,
                     evaluations,
                 };
                 of(PLACEMENT, Subject::Placement(&placement)).with_part("best", best)

@@ -14,7 +14,7 @@ use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
 use crate::RacewayLabel;
-use crate::entered::{entered, entered_raceway, reshaped};
+use crate::entered::{entered, entered_raceway, reshaped, turned};
 use crate::error::StudyError;
 use crate::progress::Progress;
 use cageless_results::{Cell, Judged, Record, Results, Subject, VERDICT};
@@ -48,7 +48,9 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
         (Stage::Map, maps * MAP_WORK * map_fraction(request)),
         (
             Stage::Candidates,
-            points * (request.placements.len() * request.forms.len()) as f64 * CANDIDATES_WORK,
+            points
+                * (request.placements.len() * request.sections().count()) as f64
+                * CANDIDATES_WORK,
         ),
         (
             Stage::Motion,
@@ -79,7 +81,7 @@ pub fn run(
     paper: &[RacewayLabel],
     progress: &dyn Progress,
 ) -> Result<(Found, Record), StudyError> {
-    file.checked(cageless::Case::check_planar)?;
+    file.checked(cageless::Case::check_motion)?;
     progress.whole(&tasks(file));
     let mut runner = TaskRunner::new(file, folder, progress)?;
     let found = search(file.case(), file.search(), &mut |stage, jobs| {
@@ -99,6 +101,11 @@ pub fn run(
     let verdicts = verdicts(file, &found, progress)?;
     let record = data::search_record(file, &found, verdicts, paper);
     Ok((found, record))
+}
+
+/// The angle of a section as it is entered: millionths of a degree, which the conversion to SI leaves.
+fn section_angle_deg(angle_rad: f64) -> f64 {
+    (angle_rad.to_degrees() * 1e6).round() / 1e6
 }
 
 /// Verdict on the recommended structure at every operating point, as it is when the structure is
@@ -122,6 +129,7 @@ fn verdicts(
             };
             let mut values = entered_raceway(&dimensions, 0.0);
             values.extend(reshaped(file, best.form.shape.name()));
+            values.extend(turned(file, section_angle_deg(best.section_angle_rad)));
             values
         })
         .collect();

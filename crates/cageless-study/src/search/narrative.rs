@@ -14,7 +14,10 @@ pub fn point_label(point: &Record) -> String {
         point.number("inner_speed_rpm"),
         point.number("radial_load_n"),
     );
-    format!("{speed:.0} rpm, {load} N")
+    match point.value("axial_load_n") {
+        None | Some(0.0) => format!("{speed:.0} rpm, {load} N"),
+        Some(axial) => format!("{speed:.0} rpm, {load} N, {axial} N along the axis"),
+    }
 }
 
 /// A structure: `lC 5.1 mm, θ 25.2°`, with the shape unless it is that of the paper and the places
@@ -28,6 +31,10 @@ pub fn structure_label(structure: &Record) -> String {
     let shape = structure.text("shape");
     if shape != RacewayShape::default().name() {
         size = format!("{shape}, {size}");
+    }
+    let turned = structure.number("contact_angle_deg");
+    if turned != 0.0 {
+        size += &format!(", turned by {turned}°");
     }
     match structure.items("centre_angles_deg") {
         [] | [Cell::Number(0.0)] => size,
@@ -192,8 +199,7 @@ pub fn why_none(found: &Found) -> String {
             let at = e.rejection.as_ref().map_or(String::new(), |r| {
                 let place = r.point.map_or(String::new(), |p| {
                     let point = Results::of(POINT, Subject::Point(&found.request.points[p]));
-                    let (speed, load) = (point.number("inner_speed_rpm"), point.number("radial_load_n"));
-                    format!(" at {speed:.0} rpm and {load} N")
+                    format!(" at {}", point_label(&point.into()))
                 });
                 format!("{}{place}", r.cause)
             });

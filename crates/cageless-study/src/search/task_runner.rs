@@ -21,6 +21,8 @@ use crate::progress::{Progress, Work};
 pub const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
+/// The same in space, with its static equilibria.
+const SPACING_WORK_IN_SPACE: f64 = 0.3;
 
 /// Work of a run in space under axial load over that of a run of all balls.
 const AXIAL_WORK: f64 = 3.0;
@@ -78,7 +80,7 @@ impl<'c> TaskRunner<'c> {
             .collect();
         let progress = self.progress.begin(
             &task_name(stage),
-            todo.iter().map(|&k| work(&jobs[k])).sum(),
+            todo.iter().map(|&k| self.work(&jobs[k])).sum(),
         );
         let this = &*self;
         let groups = groups(jobs, &todo, rayon::current_num_threads());
@@ -110,7 +112,7 @@ impl<'c> TaskRunner<'c> {
         }
         let together: Vec<&Job> = jobs.iter().map(|(job, _)| *job).collect();
         let outcomes = run_jobs(self.case, &together, &mut |_| progress.control());
-        let _ = progress.add(together.iter().map(|job| work(job)).sum());
+        let _ = progress.add(together.iter().map(|job| self.work(job)).sum());
         let pairs = jobs.iter().zip(outcomes);
         pairs
             .map(|((_, key), outcome)| self.noted(key, outcome?))
@@ -127,6 +129,15 @@ impl<'c> TaskRunner<'c> {
             }
         }
         Some(outcome)
+    }
+
+    fn work(&self, job: &Job) -> f64 {
+        match job.task {
+            Task::PairSeparation if self.case.moves_in_space() => SPACING_WORK_IN_SPACE,
+            Task::PairSeparation => SPACING_WORK,
+            Task::Motion(_) => 1.0,
+            Task::AxialLag(_) => AXIAL_WORK,
+        }
     }
 
     fn failed(&self) -> bool {
@@ -162,14 +173,6 @@ fn groups(jobs: &[Job], todo: &[usize], threads: usize) -> Vec<Vec<usize>> {
     alone
         .chain(shared.chunks(size).map(<[usize]>::to_vec))
         .collect()
-}
-
-fn work(job: &Job) -> f64 {
-    match job.task {
-        Task::PairSeparation => SPACING_WORK,
-        Task::Motion(_) => 1.0,
-        Task::AxialLag(_) => AXIAL_WORK,
-    }
 }
 
 fn entry(outcome: &Outcome) -> Entry {

@@ -14,6 +14,7 @@ const REQUEST: Request = Request {
     groove_depth_um: 3.0,
     axial_span_um: 21.0,
     half_angle_deg: 0.5,
+    contact_angle_deg: 0.3,
     ball_grade: 20,
     friction: 0.004,
     clearance_um: 6.0,
@@ -112,6 +113,7 @@ fn results_are_in_the_units_of_the_drawing() {
     let outcome = |number: f64, verdict| Outcome {
         verdict,
         critical_gap_rad: Some(1e-3 * number),
+        lag_fraction: Some(1e-4 * number),
         double_collision_fraction: Some(1e-2 * number),
         collisions_mean: Some(2.0),
         sliding_mean_m_s: Some(1e-1 * number),

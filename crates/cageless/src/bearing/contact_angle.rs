@@ -79,6 +79,31 @@ impl Bearing {
         Ok(self)
     }
 
+    /// The bearing with equal balls and a radial internal clearance that differs by `deviation_m`, at the bottom of
+    /// the inner groove; an angular-contact one has the free contact angle of that clearance, while the preload of
+    /// its rows is ground to what it should be.
+    ///
+    /// # Errors
+    /// An [`InputError`] if the bearing is impossible, or its contact angle beyond a shoulder.
+    pub(crate) fn with_clearance_deviation(&self, deviation_m: f64) -> Result<Self, InputError> {
+        if deviation_m == 0.0 {
+            let deviations_m = vec![];
+            return Ok(Self {
+                deviations_m,
+                ..self.clone()
+            });
+        }
+        let mut dimensions = self.dimensions.clone();
+        dimensions.inner_groove_bottom_radius_m -= 0.5 * deviation_m;
+        let mut deviated = Self::new(dimensions, self.materials)?;
+        if self.contact_angle_rad != 0.0 {
+            let angle_rad = deviated.free_contact_angle_rad();
+            deviated = deviated.with_contact_angle(angle_rad, 0.0)?;
+            deviated.preload_change_m = self.preload_change_m;
+        }
+        Ok(deviated)
+    }
+
     /// A(sin α0 − sin αf): displacement along the axis by which fits and temperatures press each of two
     /// rows of opposite contact sign, whose grooves stay where they are along the axis, m.
     pub fn preload_change_m(&self) -> f64 {

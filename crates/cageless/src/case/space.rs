@@ -86,6 +86,23 @@ impl Case {
         self.motion == Motion::Space || self.spatial_field().is_some()
     }
 
+    /// Indices of rows of which no two move alike; every other row is like one of them. Rows with the same contact
+    /// sign and preload are alike on a ring that stays straight, and mirror images too where nothing pushes the
+    /// ring along its axis.
+    pub fn distinct_rows(&self) -> Vec<usize> {
+        let rows = self.all_rows();
+        let load = &self.operation.space;
+        let straight = load.tilt == Tilt::default();
+        let balanced = load.axial_load_n == 0.0
+            && rows.iter().all(|row| row.preload_m == rows[0].preload_m)
+            && rows.iter().map(|row| row.contact_sign).sum::<f64>() == 0.0;
+        let alike = |a: &Row, b: &Row| {
+            straight && a.preload_m == b.preload_m && (balanced || a.contact_sign == b.contact_sign)
+        };
+        let new = |&k: &usize| !rows[..k].iter().any(|before| alike(before, &rows[k]));
+        (0..rows.len()).filter(new).collect()
+    }
+
     /// Passes a case whose motion can be computed.
     ///
     /// # Errors
@@ -141,8 +158,8 @@ impl Case {
     /// # Errors
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
-        const IN_SPACE: &str = "`cageless static`, `run`, `compare`, `studio`, `drop` of one bearing and sweeps of \
-                                static, run or drop";
+        const IN_SPACE: &str = "`cageless static`, `run`, `compare`, `design` without `--axial`, `tolerance`, \
+                                `studio`, `drop` of one bearing and sweeps of static, run or drop";
         if let Some((field, value)) = self.spatial_field() {
             let rule = match field {
                 "edge_radius_m" => format!(

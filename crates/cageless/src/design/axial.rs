@@ -4,8 +4,7 @@
 //! spaced and settled, move under axial loads and tilts with all friction, and the lag is what
 //! they lose.
 
-use super::contact_angle::kinematic_lag_rad;
-use super::verdict::steady_case;
+use super::verdict::{steady_after_s, steady_case, steady_orbits};
 use crate::case::{Case, Motion, Tilt};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
@@ -19,9 +18,6 @@ use crate::summary::SummaryRecorder;
 const LOAD_RATIOS: [f64; 8] = [0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0];
 /// Tilts about the horizontal axis, rad.
 const TILTS_RAD: [f64; 5] = [-2e-3, -1e-3, 0.0, 1e-3, 2e-3];
-/// Ball orbits discarded before the passages are counted, and counted.
-pub const AXIAL_ORBITS: [f64; 2] = [8.0, 8.0];
-
 /// Error of a critical gap in space.
 const GAP_TOLERANCE_RAD: f64 = 2e-5;
 
@@ -65,7 +61,10 @@ pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
 
 /// The case, evenly spaced, under this axial load and tilt.
 fn under(case: &Case, [axial_load_n, tilt_x_rad]: [f64; 2]) -> Case {
-    let mut loaded = even_in_space(case);
+    let mut loaded = steady_case(&Case {
+        motion: Motion::Space,
+        ..case.clone()
+    });
     loaded.operation.space.axial_load_n = axial_load_n;
     loaded.operation.space.tilt = Tilt::Held {
         x_rad: tilt_x_rad,
@@ -74,12 +73,9 @@ fn under(case: &Case, [axial_load_n, tilt_x_rad]: [f64; 2]) -> Case {
     loaded
 }
 
-/// The case in space, its balls evenly spaced.
-fn even_in_space(case: &Case) -> Case {
-    let mut even = steady_case(case);
-    even.motion = Motion::Space;
-    even.solver.duration_s = (AXIAL_ORBITS[0] + AXIAL_ORBITS[1]) * case.rolling_orbit_s();
-    even
+/// Ball orbits of [`axial_lag`] before the passages are counted, and counted.
+pub fn axial_orbits(case: &Case) -> [f64; 2] {
+    steady_orbits(&under(case, [0.0, 0.0]))
 }
 
 /// Lag at one of [`axial_points`], after eight orbits of the balls over eight more. `control` is
@@ -95,51 +91,29 @@ pub fn axial_lag(
     Ok(AxialLag {
         axial_load_n: point[0],
         tilt_x_rad: point[1],
-        lag_and_angle_rad: lag_in_space(&under(case, point), control)?
-            .map(|lag| [lag.lag_rad, lag.inner_contact_angle_rad]),
+        lag_and_angle_rad: lag_and_angle_rad(&under(case, point), control)?,
         critical_gap_rad: None,
     })
 }
 
-/// Lag of the balls of a case in space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LagInSpace {
-    /// Lag per pass, mean over all rows and raceways.
-    pub lag_rad: f64,
-    /// Contact angle at the inner raceway, mean.
-    pub inner_contact_angle_rad: f64,
-    /// Lag over that of rolling without a contact angle, of the row and raceway where it is least; 0 where
-    /// no ball passes.
-    pub least_fraction: f64,
-}
-
-/// Lag of the balls of a case in space, evenly spaced, as [`axial_lag`] has it; `None` if the bearing
+/// Lag per pass and contact angle at the inner raceway, both mean, of a case in space; `None` if the bearing
 /// does not bear its load, the run stopped, or no ball passed a raceway.
-///
-/// # Errors
-/// The case is impossible.
-pub fn lag_in_space(
+fn lag_and_angle_rad(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<Option<LagInSpace>, EquilibriumError> {
-    let case = even_in_space(case);
-    let after_s = AXIAL_ORBITS[0] * case.rolling_orbit_s();
+) -> Result<Option<[f64; 2]>, EquilibriumError> {
+    let after_s = steady_after_s(case);
     let duration_s = case.solver.duration_s;
     let mut tally = PassageTally::new();
-    // Row after row.
-    let raceways = case.raceways.len();
-    let mut tallies = vec![PassageTally::new(); case.all_rows().len() * raceways];
     let mut summary = SummaryRecorder::new();
     let ran = {
         let mut passages = PassageRecorder::new(|passage| {
             if passage.enter_s > after_s {
-                let row = passage.ball / case.bearing.balls();
-                tallies[row * raceways + passage.raceway].add(&passage);
                 tally.add(&passage);
             }
             Ok(())
         });
-        run(&case, &mut [&mut passages, &mut summary], &mut |time_s| {
+        run(case, &mut [&mut passages, &mut summary], &mut |time_s| {
             control(time_s / duration_s)
         })
     };
@@ -148,21 +122,10 @@ pub fn lag_in_space(
         Err(error @ EquilibriumError::Input(_)) => return Err(error),
         Err(_) => return Ok(None),
     };
-    let fractions = tallies.iter().enumerate().map(|(k, tally)| {
-        let rolling = kinematic_lag_rad(&case.bearing, &case.raceways[k % raceways], 0.0, 0.0);
-        match tally.count {
-            0 => 0.0,
-            _ => tally.lag_mean_rad() / rolling,
-        }
-    });
-    let least_fraction = fractions.fold(f64::INFINITY, f64::min);
     let space = summary.summary().and_then(|summary| summary.space);
     let complete = matches!(outcome.ending, Ending::Complete) && tally.count > 0;
-    Ok(space.filter(|_| complete).map(|s| LagInSpace {
-        lag_rad: tally.lag_mean_rad(),
-        inner_contact_angle_rad: s.inner_contact_angle_mean_rad,
-        least_fraction,
-    }))
+    let space = space.filter(|_| complete);
+    Ok(space.map(|s| [tally.lag_mean_rad(), s.inner_contact_angle_mean_rad]))
 }
 
 /// Critical gap of the first raceway of a case at one of [`axial_points`]; `None` if there is none, or

@@ -1,7 +1,7 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
-use super::search::{AXIAL_LAG_MIN_FRACTION, CRITICAL_GAP_MIN_FRACTION};
-use super::{Eq11, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad};
+use super::search::CRITICAL_GAP_MIN_FRACTION;
+use super::{Eq11, LAG_MIN_FRACTION, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad};
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
@@ -81,7 +81,7 @@ impl Estimate {
                 name: "lag",
                 meaning: "lag of rolling under the contact angle over that without one",
                 value: rolling_lag_fraction(case, seats),
-                limit: AXIAL_LAG_MIN_FRACTION,
+                limit: LAG_MIN_FRACTION,
                 at_least: true,
             },
             equilibrium.map(|solved| &solved.rest),

@@ -18,6 +18,7 @@ mod axial;
 mod contact_angle;
 mod criterion;
 mod estimate;
+mod raceway_tallies;
 mod raceway_verdict;
 mod recommendation;
 mod run_verdict;
@@ -32,12 +33,14 @@ use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, axial_span_limit_m};
 
 pub use axial::{
-    AXIAL_ORBITS, AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_points,
-    lag_in_space,
+    AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_orbits, axial_points,
 };
-pub use contact_angle::{ContactAngleEstimate, kinematic_lag_rad, rolling_lag_fraction, seats};
+pub use contact_angle::{
+    ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction, seats,
+};
 pub use criterion::{
-    Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
+    Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
+    percent_beside,
 };
 pub use estimate::{Estimate, EstimateTerm};
 pub use raceway_verdict::RacewayVerdict;
@@ -45,7 +48,7 @@ pub use recommendation::{Recommendation, StartingPoint, recommend, starting_poin
 pub use run_verdict::RunVerdict;
 pub use verdict::{
     Judgement, PassageStatistics, RacewayJudgement, judge, judge_watched, steady_after_s,
-    steady_case,
+    steady_case, steady_orbits,
 };
 
 /// Reading of φ in Zhao 2022, Eq. (11).
@@ -176,5 +179,10 @@ pub fn balls_in_raceway_max(bearing: &Bearing, raceway: &Raceway) -> usize {
 /// takes T = (1/N) ∮ dψ/Ω(r(ψ)), and the balls outside are Ω·T apart. It is wider than
 /// 2π/N − ε, because the balls inside are closer.
 pub fn steady_gap_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
-    (TAU + raceway_delay_rad(bearing, raceways)) / bearing.balls() as f64 - bearing.ball_angle_rad()
+    gap_of_delay_rad(bearing, raceway_delay_rad(bearing, raceways))
+}
+
+/// Gap outside the raceways of N balls that come by evenly in time and lag by `delay_rad` an orbit.
+fn gap_of_delay_rad(bearing: &Bearing, delay_rad: f64) -> f64 {
+    (TAU + delay_rad) / bearing.balls() as f64 - bearing.ball_angle_rad()
 }

@@ -12,6 +12,8 @@ crate::named_enum! {
         DoubleCollision = "double-collision",
         /// Balls slide so much that the separation suffers.
         Slips = "slips",
+        /// Load, contact angle and sliding leave too little of the lag, in space.
+        LosesLag = "loses-lag",
         /// The raceway does not work at all.
         Infeasible = "infeasible",
     }
@@ -23,7 +25,7 @@ impl RacewayVerdict {
         match self {
             Self::NotJudged => None,
             Self::Smooth => Some(true),
-            Self::DoubleCollision | Self::Slips | Self::Infeasible => Some(false),
+            Self::DoubleCollision | Self::Slips | Self::LosesLag | Self::Infeasible => Some(false),
         }
     }
 
@@ -34,6 +36,7 @@ impl RacewayVerdict {
             Self::Smooth => "smooth",
             Self::DoubleCollision => "double collision",
             Self::Slips => "excessive sliding",
+            Self::LosesLag => "lag lost",
             Self::Infeasible => "no solution",
         }
     }

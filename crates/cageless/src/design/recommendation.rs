@@ -224,7 +224,8 @@ fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayD
 /// A raceway that passes its verdict at the load and speed of the case: the middle of the usable
 /// part of the curve of Eq. (11) if that passes, else shallower and longer ones near it, of which
 /// the first with half of the possible margin, or the one with the largest margin, is taken. If
-/// none passes, the middle with its verdict. `None` if the curve has no usable part.
+/// none passes, the middle with its verdict. `None` if the curve has no usable part, and in space, where balls do
+/// not reach β0 of Eq. (11): there the search looks for a raceway.
 ///
 /// `entered` is the case with a raceway in the place of its own, as it is judged when the raceway
 /// is entered in its file; `None` if that is impossible. `control` is called with the estimated
@@ -238,6 +239,9 @@ pub fn recommend(
     entered: &dyn Fn(RacewayDimensions) -> Option<Case>,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<Recommendation>, CriticalGapError> {
+    if case.moves_in_space() {
+        return Ok(None);
+    }
     let Some(start) = starting_point(case, &mut |part| control(STARTING_FRACTION * part))? else {
         return Ok(None);
     };

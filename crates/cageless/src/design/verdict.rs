@@ -1,13 +1,16 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
-use super::criterion::{Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION};
+use super::criterion::{
+    Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
+};
+use super::raceway_tallies::RacewayTallies;
 use super::raceway_verdict::RacewayVerdict;
-use super::{Eq11, theoretical_gap_rad};
+use super::{Eq11, gap_of_delay_rad, steady_gap_rad, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
 use crate::kinematics::rolling_orbit_speed_rad_s;
-use crate::passage::{PassageRecorder, PassageTally};
+use crate::passage::PassageRecorder;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
 
@@ -26,6 +29,9 @@ pub struct PassageStatistics {
     pub speed_drop_fraction: f64,
     /// Lag of a ball in the raceway against the mean orbital speed between passages.
     pub lag_mean_rad: f64,
+    /// Lag over that of rolling on rigid flanks without a contact angle, of the row with the least; 0 if no ball
+    /// of a row passes.
+    pub lag_fraction: f64,
     /// Largest gap to the ball ahead on leaving.
     pub gap_leave_max_rad: f64,
     /// Smallest gap to the ball ahead on leaving.
@@ -59,6 +65,9 @@ pub struct Judgement {
     pub deciding: Option<Criterion>,
     /// Largest critical gap: what all raceways together guarantee.
     pub critical_gap_rad: Option<f64>,
+    /// Gap outside the raceways of balls that come by evenly in time: by rolling, in space by the lag of the run;
+    /// `None` if that is not known.
+    pub steady_gap_rad: Option<f64>,
     /// Statistics of the first raceway with the worst verdict.
     pub passages: Option<PassageStatistics>,
     /// Each raceway, in the order of the case.
@@ -67,8 +76,18 @@ pub struct Judgement {
     pub stopped: Option<Stop>,
 }
 
-/// Ball orbits discarded before the passages are counted, and counted.
+/// Ball orbits in the plane discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
+/// The same in space, where an orbit takes longer to compute.
+const SPACE_ORBITS: [f64; 2] = [8.0, 8.0];
+
+/// Ball orbits that [`judge`] discards before it counts passages, and those that it counts.
+pub fn steady_orbits(case: &Case) -> [f64; 2] {
+    match case.moves_in_space() {
+        true => SPACE_ORBITS,
+        false => TURNS,
+    }
+}
 
 /// Work of one critical gap over that of one orbit of all balls, roughly.
 const GAP_ORBITS: f64 = 1.5;
@@ -77,7 +96,8 @@ const GAP_ORBITS: f64 = 1.5;
 /// separation suffer from slip, are balls hit twice per passage, or do they pass
 /// smoothly. The critical gap is that of each raceway alone; then all balls, evenly spaced
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
-/// 16 are discarded.
+/// 16 are discarded. In space it looks at the share of the lag that load, contact angle and sliding leave, and at
+/// double collisions; the critical gap is that of the row with the least, and the run has half as many orbits.
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
@@ -108,18 +128,19 @@ pub fn judge_watched(
             reasons: vec!["the outer ring has no discrete raceway".to_owned()],
             deciding: None,
             critical_gap_rad: None,
+            steady_gap_rad: None,
             passages: None,
             raceways: vec![],
             stopped: None,
         });
     }
     let gap_orbits = GAP_ORBITS * case.raceways.len() as f64;
-    let orbits = gap_orbits + TURNS[0] + TURNS[1];
+    let orbits = gap_orbits + steady_orbits(case).iter().sum::<f64>();
     let mut criticals = vec![];
     for (k, raceway) in case.raceways.iter().enumerate() {
         let alone = case.with_raceways(vec![raceway.clone()]);
         let mut fraction = |part: f64| control(GAP_ORBITS * (k as f64 + part) / orbits);
-        match critical_gap_rad(&alone, &PairTest::default(), &mut fraction) {
+        match guaranteed_gap_rad(&alone, &mut fraction) {
             Ok(gap) => criticals.push(Ok(gap)),
             Err(error @ (CriticalGapError::Case(_) | CriticalGapError::Interrupted)) => {
                 return Err(error);
@@ -138,6 +159,10 @@ pub fn judge_watched(
     let (statistics, stopped) = steady_passages(case, watchers, &mut |time_s| {
         control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
     })?;
+    let steady_gap_rad = match case.moves_in_space() {
+        false => Some(steady_gap_rad(&case.bearing, &case.raceways)),
+        true => measured_steady_gap_rad(case, &statistics),
+    };
     let judged = criticals
         .into_iter()
         .enumerate()
@@ -147,7 +172,10 @@ pub fn judge_watched(
                 Err(reason) => return infeasible(reason, None),
             };
             match statistics.get(k).copied().flatten() {
-                Some(statistics) => decide(case, &case.raceways[k], critical, statistics),
+                Some(statistics) => {
+                    let steady = steady_gap_rad.unwrap_or(f64::NAN);
+                    decide(case, &case.raceways[k], [critical, steady], statistics)
+                }
                 None => {
                     let reason = stopped.as_ref().map_or_else(
                         || "the balls do not pass the raceway".to_owned(),
@@ -158,7 +186,43 @@ pub fn judge_watched(
             }
         })
         .collect();
-    Ok(summary(judged, stopped))
+    Ok(Judgement {
+        steady_gap_rad,
+        ..summary(judged, stopped)
+    })
+}
+
+/// Critical gap of the only raceway of a case; in space that of the row with the least, 0 where the gap of a
+/// pair never closes.
+fn guaranteed_gap_rad(
+    case: &Case,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<f64, CriticalGapError> {
+    let rows = case.distinct_rows();
+    let mut least = f64::INFINITY;
+    for (k, &row) in rows.iter().enumerate() {
+        let test = PairTest {
+            row,
+            ..PairTest::default()
+        };
+        let mut fraction = |part: f64| control((k as f64 + part) / rows.len() as f64);
+        let gap = match critical_gap_rad(case, &test, &mut fraction) {
+            Err(CriticalGapError::NeverCloses) if case.moves_in_space() => 0.0,
+            gap => gap?,
+        };
+        least = least.min(gap);
+    }
+    Ok(least)
+}
+
+/// (2π + Σ lag)/N − ε with the lag of every raceway.
+fn measured_steady_gap_rad(case: &Case, statistics: &[Option<PassageStatistics>]) -> Option<f64> {
+    let lags: Option<Vec<f64>> = statistics
+        .iter()
+        .map(|s| Some((*s)?.lag_mean_rad))
+        .collect();
+    let delay_rad = lags.filter(|lags| !lags.is_empty())?.iter().sum::<f64>();
+    Some(gap_of_delay_rad(&case.bearing, delay_rad))
 }
 
 fn infeasible(reason: String, critical_gap_rad: Option<f64>) -> RacewayJudgement {
@@ -207,6 +271,7 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
             .iter()
             .filter_map(|r| r.critical_gap_rad)
             .reduce(f64::max),
+        steady_gap_rad: None,
         passages: raceways
             .iter()
             .find(|r| r.verdict == verdict)
@@ -237,20 +302,45 @@ impl Judgement {
     }
 }
 
-fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -> RacewayJudgement {
+fn decide(
+    case: &Case,
+    raceway: &Raceway,
+    [critical, steady]: [f64; 2],
+    s: PassageStatistics,
+) -> RacewayJudgement {
     let bearing = &case.bearing;
     let beta0 = theoretical_gap_rad(bearing, raceway, Eq11::Published);
     let shortfall = 1.0 - critical / beta0;
     let three = 2.0 * (bearing.ball_angle_rad() + bearing.nominal_gap_rad());
     let wide = 2.0 * raceway.half_angle_rad();
-    let criteria = vec![
-        Criterion::Separation(shortfall),
-        Criterion::Deceleration(s.speed_drop_fraction),
-        Criterion::BothNeighbours(s.double_collision_fraction),
-    ];
+    let in_space = case.moves_in_space();
+    let criteria = match in_space {
+        true => vec![
+            Criterion::Lag(s.lag_fraction),
+            Criterion::BothNeighbours(s.double_collision_fraction),
+        ],
+        false => vec![
+            Criterion::Separation(shortfall),
+            Criterion::Deceleration(s.speed_drop_fraction),
+            Criterion::BothNeighbours(s.double_collision_fraction),
+        ],
+    };
     let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
-    let reasons = vec![
-        format!(
+    let gap_and_lag = match in_space {
+        true => {
+            format!(
+                "critical gap {:.4}°, {:.0} % of the {:.4}° that balls have which come by evenly; lag per \
+                 pass {:.2}° in the mean, in the row with the least {:.0} % of that of rolling without a \
+                 contact angle (at least {:.0} % required)",
+                critical.to_degrees(),
+                100.0 * critical / steady,
+                steady.to_degrees(),
+                s.lag_mean_rad.to_degrees(),
+                100.0 * s.lag_fraction,
+                100.0 * LAG_MIN_FRACTION
+            )
+        }
+        false => format!(
             "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (lowered by sliding, at most {:.0} % allowed)",
             critical.to_degrees(),
             100.0 * shortfall.abs(),
@@ -258,6 +348,9 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             beta0.to_degrees(),
             100.0 * SLIP_SHORTFALL
         ),
+    };
+    let mut reasons = vec![
+        gap_and_lag,
         format!(
             "{:.0} % of {} passages with a double collision (at most {:.0} % allowed), \
              {:.2} contacts per passage",
@@ -266,32 +359,37 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             100.0 * DOUBLE_COLLISION_FRACTION,
             s.collisions_mean
         ),
-        format!(
-            "largest sliding speed in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
-             the kinematic value (at least {:.0} % required)",
-            s.sliding_mean_m_s,
-            100.0 * s.speed_drop_fraction,
-            100.0 * SPEED_DROP_FRACTION
-        ),
-        format!(
-            "2θ = {:.2}°: up to {} evenly spaced balls inside at once (three from {:.2}°)",
-            wide.to_degrees(),
-            (2.0 * wide / three).floor() as usize + 1,
-            three.to_degrees(),
-        ),
-        format!(
-            "β0 = {:.0} % of the nominal gap {:.4}°: evenly spaced balls {}",
-            100.0 * beta0 / bearing.nominal_gap_rad(),
-            bearing.nominal_gap_rad().to_degrees(),
-            if beta0 < 0.9 * bearing.nominal_gap_rad() {
-                "are not separated: raceway too shallow"
-            } else if beta0 > 1.1 * bearing.nominal_gap_rad() {
-                "collide: raceway too deep"
-            } else {
-                "just touch"
-            },
-        ),
     ];
+    // Those that follow compare with rolling on rigid flanks, which the plane has.
+    if !in_space {
+        reasons.extend([
+            format!(
+                "largest sliding speed in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
+                 the kinematic value (at least {:.0} % required)",
+                s.sliding_mean_m_s,
+                100.0 * s.speed_drop_fraction,
+                100.0 * SPEED_DROP_FRACTION
+            ),
+            format!(
+                "2θ = {:.2}°: up to {} evenly spaced balls inside at once (three from {:.2}°)",
+                wide.to_degrees(),
+                (2.0 * wide / three).floor() as usize + 1,
+                three.to_degrees(),
+            ),
+            format!(
+                "β0 = {:.0} % of the nominal gap {:.4}°: evenly spaced balls {}",
+                100.0 * beta0 / bearing.nominal_gap_rad(),
+                bearing.nominal_gap_rad().to_degrees(),
+                if beta0 < 0.9 * bearing.nominal_gap_rad() {
+                    "are not separated: raceway too shallow"
+                } else if beta0 > 1.1 * bearing.nominal_gap_rad() {
+                    "collide: raceway too deep"
+                } else {
+                    "just touch"
+                },
+            ),
+            ]);
+    }
     RacewayJudgement {
         verdict,
         reasons,
@@ -301,7 +399,7 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     }
 }
 
-/// The case that [`judge`] runs: evenly spaced, settled, for 32 orbits of the balls.
+/// The case that [`judge`] runs: evenly spaced, settled, for 32 orbits of the balls, in space for 16.
 pub fn steady_case(case: &Case) -> Case {
     let mut steady = Case {
         start: Start::Settled {
@@ -310,13 +408,13 @@ pub fn steady_case(case: &Case) -> Case {
         },
         ..case.clone()
     };
-    steady.solver.duration_s = (TURNS[0] + TURNS[1]) * case.rolling_orbit_s();
+    steady.solver.duration_s = steady_orbits(case).iter().sum::<f64>() * case.rolling_orbit_s();
     steady
 }
 
 /// Transient that [`judge`] discards before it counts passages, s.
 pub fn steady_after_s(case: &Case) -> f64 {
-    TURNS[0] * case.rolling_orbit_s()
+    steady_orbits(case)[0] * case.rolling_orbit_s()
 }
 
 /// Runs all balls and counts the passages of the second half, raceway by raceway.
@@ -327,11 +425,11 @@ fn steady_passages(
 ) -> Result<(Vec<Option<PassageStatistics>>, Option<Stop>), CriticalGapError> {
     let case = steady_case(case);
     let after_s = steady_after_s(&case);
-    let mut tallies = vec![PassageTally::new(); case.raceways.len()];
+    let mut tallies = RacewayTallies::new(&case);
     let outcome = {
         let mut recorder = PassageRecorder::new(|passage| {
             if passage.enter_s > after_s {
-                tallies[passage.raceway].add(&passage);
+                tallies.add(&passage);
             }
             Ok(())
         });
@@ -344,16 +442,15 @@ fn steady_passages(
         Ending::Interrupted => return Err(CriticalGapError::Interrupted),
         _ => {}
     }
-    let raceways = case.raceways.iter().zip(&tallies);
+    let raceways = 0..case.raceways.len();
     Ok((
-        raceways
-            .map(|(raceway, tally)| statistics(&case, raceway, tally))
-            .collect(),
+        raceways.map(|k| statistics(&case, k, &tallies)).collect(),
         None,
     ))
 }
 
-fn statistics(case: &Case, raceway: &Raceway, tally: &PassageTally) -> Option<PassageStatistics> {
+fn statistics(case: &Case, k: usize, tallies: &RacewayTallies) -> Option<PassageStatistics> {
+    let (raceway, tally) = (&case.raceways[k], tallies.of_raceway(k));
     if tally.count == 0 {
         return None;
     }
@@ -369,16 +466,21 @@ fn statistics(case: &Case, raceway: &Raceway, tally: &PassageTally) -> Option<Pa
             tally.lowest_orbit_speed_mean_rad_s(),
         ),
         lag_mean_rad: tally.lag_mean_rad(),
+        lag_fraction: tallies.lag_fraction(case, k),
         gap_leave_max_rad,
         gap_leave_min_rad,
     })
 }
 
 /// Fraction of the theoretical drop of orbital speed in a raceway that balls reach which fall to
-/// `slowest_rad_s`.
+/// `slowest_rad_s`, in a turned section of that at its contact angle.
 pub(super) fn speed_drop_fraction(case: &Case, raceway: &Raceway, slowest_rad_s: f64) -> f64 {
     let bearing = &case.bearing;
-    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
+    let gamma = bearing.ball_radius_m() / bearing.pitch_radius_m();
+    // Ω has the factor 1 − γ cos α.
+    let turned = (1.0 - gamma * raceway.section_angle_rad().cos()) / (1.0 - gamma);
+    let inner_speed_rad_s = turned * case.operation.inner_speed_rad_s;
+    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, inner_speed_rad_s, r);
     let plain = speed(bearing.ball_radius_m());
     let middle = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
     (plain - slowest_rad_s) / (plain - speed(middle))

@@ -11,6 +11,8 @@ pub struct Outcome {
     pub verdict: RacewayVerdict,
     /// Critical gap, if there is one.
     pub critical_gap_rad: Option<f64>,
+    /// Lag over that of rolling on rigid flanks without a contact angle, of the row with the least.
+    pub lag_fraction: Option<f64>,
     /// Fraction of passages hit by both neighbours.
     pub double_collision_fraction: Option<f64>,
     /// Contacts with neighbours per passage.
@@ -35,6 +37,7 @@ impl Outcome {
         Self {
             verdict: judgement.verdict,
             critical_gap_rad: judgement.critical_gap_rad,
+            lag_fraction: passages.map(|p| p.lag_fraction),
             double_collision_fraction: passages.map(|p| p.double_collision_fraction),
             collisions_mean: passages.map(|p| p.collisions_mean),
             sliding_mean_m_s: passages.map(|p| p.sliding_mean_m_s),
@@ -49,6 +52,7 @@ impl Outcome {
         Self {
             verdict: RacewayVerdict::Infeasible,
             critical_gap_rad: None,
+            lag_fraction: None,
             double_collision_fraction: None,
             collisions_mean: None,
             sliding_mean_m_s: None,
@@ -81,6 +85,8 @@ pub struct InfluenceResult {
     pub verdicts: Vec<RacewayVerdict>,
     /// Critical gaps, this and the numbers below with those of the nominal bearing.
     pub critical_gap_rad: Interval,
+    /// Shares of the lag.
+    pub lag_fraction: Interval,
     /// Shares of passages hit by both neighbours.
     pub double_collision_fraction: Interval,
     /// Slip per passage.
@@ -95,7 +101,7 @@ pub struct Samples {
     /// Those that pass.
     pub passed: usize,
     /// Number of each verdict.
-    pub verdicts: [(RacewayVerdict, usize); 4],
+    pub verdicts: [(RacewayVerdict, usize); 5],
     /// Probability of passing.
     pub pass_probability: f64,
     /// 95 % interval of the probability (Wilson 1927).
@@ -189,6 +195,7 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
         passed: of.iter().filter(|o| o.passes()).count(),
         verdicts,
         critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
+        lag_fraction: interval(all().filter_map(|o| o.lag_fraction)),
         double_collision_fraction: interval(all().filter_map(|o| o.double_collision_fraction)),
         sliding_mean_m_s: interval(all().filter_map(|o| o.sliding_mean_m_s)),
     }
@@ -208,6 +215,7 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
             RacewayVerdict::Smooth,
             RacewayVerdict::DoubleCollision,
             RacewayVerdict::Slips,
+            RacewayVerdict::LosesLag,
             RacewayVerdict::Infeasible,
         ]
         .map(|verdict| (verdict, number(verdict))),

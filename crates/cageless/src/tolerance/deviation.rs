@@ -1,7 +1,6 @@
 //! Bearings that deviate from their drawing and operate beside their design point.
 
 use super::grade::BallGrade;
-use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::error::InputError;
 use crate::numerics::random::RandomStream;
@@ -25,8 +24,10 @@ crate::named_enum! {
         Clearance = "radial internal clearance",
         /// Speed of the inner ring.
         Speed = "speed",
-        /// Radial load.
+        /// Radial load, and the axial load with it.
         Load = "load",
+        /// αg by which the sections of the raceways are turned, in space.
+        SectionAngle = "contact angle of the raceway",
     }
 }
 
@@ -39,6 +40,8 @@ pub struct Tolerances {
     pub axial_span_m: f64,
     /// Half angle θ.
     pub half_angle_rad: f64,
+    /// Angle by which the sections of the raceways are turned; 0 in the plane.
+    pub section_angle_rad: f64,
     /// Lot that the balls come from; `None`: all equal.
     pub ball_grade: Option<BallGrade>,
     /// Friction coefficient μ.
@@ -60,6 +63,7 @@ impl Tolerances {
             Influence::GrooveDepth => both(self.groove_depth_m),
             Influence::AxialSpan => both(self.axial_span_m),
             Influence::HalfAngle => both(self.half_angle_rad),
+            Influence::SectionAngle => both(self.section_angle_rad),
             Influence::BallRadius => both(self.ball_grade.map_or(0.0, |g| g.radius_deviation_m())),
             Influence::Friction => both(self.friction),
             Influence::Clearance => {
@@ -116,8 +120,6 @@ impl Deviation {
     pub fn apply(&self, case: &Case) -> Result<Case, InputError> {
         case.check_constant_operation("a tolerance study")?;
         let of = |influence: Influence| self.value(influence);
-        let mut dimensions = case.bearing.dimensions().clone();
-        dimensions.inner_groove_bottom_radius_m -= 0.5 * of(Influence::Clearance);
         let mut radii = case.bearing.ball_radius_deviations_m().to_vec();
         if radii.is_empty() {
             radii.clone_from(&self.ball_radius_m);
@@ -126,7 +128,8 @@ impl Deviation {
                 *radius += more;
             }
         }
-        let bearing = Bearing::new(dimensions, *case.bearing.materials())?
+        let bearing = (case.bearing)
+            .with_clearance_deviation(of(Influence::Clearance))?
             .with_ball_radius_deviations(radii)?;
         let raceways = case
             .raceways
@@ -138,8 +141,10 @@ impl Deviation {
                     half_angle_rad: designed.half_angle_rad + of(Influence::HalfAngle),
                     ..designed
                 };
+                let turned = raceway.section_angle_rad() + of(Influence::SectionAngle);
                 Raceway::formed(dimensions, raceway.form(), &bearing)?
-                    .with_depth_error(raceway.depth_error_m() + of(Influence::GrooveDepth))
+                    .with_depth_error(raceway.depth_error_m() + of(Influence::GrooveDepth))?
+                    .with_section_angle(turned, &bearing)
             })
             .collect::<Result<_, _>>()?;
         let mut varied = Case {
@@ -149,7 +154,11 @@ impl Deviation {
         };
         varied.contact.shift_friction(of(Influence::Friction));
         varied.operation.inner_speed_rad_s += of(Influence::Speed);
-        varied.operation.radial_load_n += of(Influence::Load);
+        let operation = &mut varied.operation;
+        if operation.radial_load_n != 0.0 {
+            operation.space.axial_load_n *= 1.0 + of(Influence::Load) / operation.radial_load_n;
+        }
+        operation.radial_load_n += of(Influence::Load);
         crate::step_limits::check(&varied)?;
         Ok(varied)
     }
@@ -203,13 +212,18 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
     trials.extend((0..samples).map(|k| {
         let mut stream = RandomStream::new(seed, MONTE_CARLO, 0, k);
         let mut deviation = Deviation::none();
-        for influence in Influence::ALL {
+        let mut draw = |stream: &mut RandomStream, influence: Influence| {
             let [low, high] = tolerances.range(case, influence);
-            if influence != Influence::BallRadius {
-                deviation.values[influence as usize] = stream.between(low, high);
-            }
+            deviation.values[influence as usize] = stream.between(low, high);
+        };
+        // What only space has comes last: bearings in the plane are drawn as if it were not there.
+        let last = [Influence::BallRadius, Influence::SectionAngle];
+        for influence in Influence::ALL.into_iter().filter(|i| !last.contains(i)) {
+            draw(&mut stream, influence);
         }
-        deviation.ball_radius_m = lot(&mut stream);
+        let ball_radius_m = lot(&mut stream);
+        draw(&mut stream, Influence::SectionAngle);
+        deviation.ball_radius_m = ball_radius_m;
         Trial {
             influence: None,
             deviation,

@@ -22,7 +22,19 @@ impl Converter<'_> {
             .inner_speed_rad_s
             .unwrap_or([own.inner_speed_rad_s; 2]);
         let loads = search.radial_load_n.unwrap_or([own.radial_load_n; 2]);
-        request.points = corners(speeds, loads);
+        let axial = search.axial_load_n.unwrap_or([own.axial_load_n; 2]);
+        request.points = corners(speeds, loads, axial);
+        let in_space = case.moves_in_space();
+        let needs_space = "left out, or the case in space by model.motion = \"space\"";
+        if search.axial_load_n.is_some() && !in_space {
+            return Err(self.refuse("search.axial_load_n", needs_space));
+        }
+        if let Some(angles_rad) = &search.section_angle_rad {
+            if !in_space {
+                return Err(self.refuse("search.contact_angle_deg", needs_space));
+            }
+            request.section_angles_rad.clone_from(angles_rad);
+        }
         request.axial_span_range_m = search.axial_span_m;
         request.half_angle_range_rad = search.half_angle_rad;
         let centres = search
@@ -44,6 +56,12 @@ impl Converter<'_> {
         }
         if search.axial_load_max_n > 0.0 && case.profile == Profile::Paper {
             return Err(self.refuse("search.axial_load_max_n", "0 in the profile \"paper\""));
+        }
+        if search.axial_load_max_n > 0.0 && in_space {
+            return Err(self.refuse(
+                "search.axial_load_max_n",
+                "0 for a case in space, which has search.axial_load_n",
+            ));
         }
         request.axial_load_max_n = search.axial_load_max_n;
         request.critical_gap_min_fraction = search.critical_gap_min_fraction;
@@ -69,9 +87,9 @@ impl Converter<'_> {
     }
 }
 
-/// The ends of both ranges: slip is worst at the highest speed under the least load, stress
+/// The ends of all ranges: slip is worst at the highest speed under the least load, stress
 /// under the highest load at either speed.
-fn corners(speeds: [f64; 2], loads: [f64; 2]) -> Vec<OperatingPoint> {
+fn corners(speeds: [f64; 2], loads: [f64; 2], axial: [f64; 2]) -> Vec<OperatingPoint> {
     let ends = |[low, high]: [f64; 2]| {
         if low == high {
             vec![low]
@@ -79,15 +97,15 @@ fn corners(speeds: [f64; 2], loads: [f64; 2]) -> Vec<OperatingPoint> {
             vec![low, high]
         }
     };
-    ends(speeds)
-        .into_iter()
-        .flat_map(|inner_speed_rad_s| {
-            ends(loads)
-                .into_iter()
-                .map(move |radial_load_n| OperatingPoint {
-                    inner_speed_rad_s,
-                    radial_load_n,
-                })
-        })
-        .collect()
+    let mut points = vec![];
+    for inner_speed_rad_s in ends(speeds) {
+        for radial_load_n in ends(loads) {
+            points.extend(ends(axial).into_iter().map(|axial_load_n| OperatingPoint {
+                inner_speed_rad_s,
+                radial_load_n,
+                axial_load_n,
+            }));
+        }
+    }
+    points
 }

@@ -16,12 +16,18 @@ section! {
         radial_load_n => radial_load_n: Option<[f64; 2]> = Optional, Si("N"); AtLeast(0.0),
             "load, or lowest and highest",
             Commented("[500.0, 1500.0]", "left out: those of the case");
+        axial_load_n => axial_load_n: Option<[f64; 2]> = Optional, Si("N"),
+            "axial load, or lowest and highest, of a case in space",
+            Commented("[0.0, 150.0]", "in space; left out: that of the case");
         axial_span_mm => axial_span_m: Option<[f64; 2]> = Optional, Millimetre; Above(0.0),
             "lC, or narrowest and widest",
             Commented("[4.0, 6.0]", "left out: all that the groove allows");
         half_angle_deg => half_angle_rad: Option<[f64; 2]> = Optional, Degree; Inside(0.0, 90.0),
             "θ, or smallest and largest",
             Commented("[15.0, 30.0]", "left out: all that the bearing allows");
+        contact_angle_deg => section_angle_rad: Option<Vec<f64>> = Optional, Degree; Within(-90.0, 90.0),
+            "contact angles of the raceway, of a case in space",
+            Commented("[0.0, 10.0, 15.0]", "in space; left out: that of the raceway, or of the bearing");
         centre_angle_deg => centre_angle_rad: Option<[f64; 2]> = Optional, Degree; Within(-180.0, 180.0),
             "ψ of the middle of one raceway, or first and last",
             Commented("[-90.0, 90.0]", "places of the raceway; left out: its own");
@@ -34,7 +40,7 @@ section! {
             "smallest accepted critical gap, as a fraction of the steady-state gap",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");
         axial_load_max_n => axial_load_max_n: f64 = default(0.0), Si("N"); AtLeast(0.0),
-            "largest axial load, under which a raceway must keep half of its lag: by rolling at the contact angle of the load, then in space; 0: none; only in \"physical\"",
+            "largest axial load, under which a raceway must keep half of its lag: by rolling at the contact angle of the load, then in space; 0: none; only in \"physical\" and in the plane: a case in space has axial_load_n",
             Commented("0.0", "largest axial load under which a raceway keeps half of its lag, N");
         initial_states formerly starts => initial_states: u64 = default(2), Plain; Within(1.0, 64.0),
             "unevenly spaced starts per design",

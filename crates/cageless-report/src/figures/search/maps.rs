@@ -12,7 +12,7 @@ use crate::plot::{PALETTE, Plot, Trace, line, markers, number, numbers, plain, w
 use crate::sampling::range;
 
 /// Verdicts of a map, each with its colour and its name in the legend.
-const VERDICTS: [(&str, &str, &str); 10] = [
+const VERDICTS: [(&str, &str, &str); 11] = [
     ("smooth", "#009e73", "works"),
     ("insufficient-separation", "#dcdcdc", "too shallow"),
     ("slips", "#d55e00", "slips"),
@@ -24,6 +24,7 @@ const VERDICTS: [(&str, &str, &str); 10] = [
     ("double-collision", "#f0e442", "double collision"),
     ("stress", "#cc79a7", "contact pressure"),
     ("gross-sliding", "#7f3b08", "gross-sliding"),
+    ("loses-lag", "#0072b2", "lag lost"),
     (
         "gap-not-retained",
         "#999999",

@@ -23,6 +23,7 @@ fn evaluation(number: f64, objectives: Option<f64>) -> Evaluation {
             axial_span_m: 5e-3 + 1e-5 * number,
             half_angle_rad: (20.0 + number).to_radians(),
             form: Default::default(),
+            section_angle_rad: 0.0,
             centres_rad: vec![0.0, 30f64.to_radians()],
         },
         placement: 0,
@@ -46,6 +47,7 @@ fn found() -> (CaseFile, Found) {
     request.points.push(OperatingPoint {
         inner_speed_rad_s: 1000.0,
         radial_load_n: 70.0,
+        axial_load_n: 0.0,
     });
     (request.starts, request.critical_gap_min_fraction) = (3, 0.7);
     let mut rejected = evaluation(3.0, None);

@@ -9,9 +9,6 @@ use crate::integrator::IntegrationMethod;
 use crate::raceway::Raceway;
 use crate::simulation::Control;
 
-/// Share of its lag that a raceway must keep under the largest axial load: with less it hardly spaces the balls.
-pub const AXIAL_LAG_MIN_FRACTION: f64 = 0.5;
-
 /// Lag that the largest axial load leaves at an operating point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxialSeparation {

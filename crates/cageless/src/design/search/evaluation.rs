@@ -2,12 +2,14 @@
 
 use super::axial::AxialSeparation;
 use super::job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task};
+use super::measured_separation::MeasuredSeparation;
 use super::pareto::OBJECTIVES;
 use super::perturbed_run::{Motion, VALUES};
 use super::raceway_layout::{ClosedForms, RacewayLayout};
 use super::rejection::{Cause, Rejection};
 use super::request::{Execute, Request, Stage};
 use crate::bearing::Bearing;
+use crate::raceway::Raceway;
 
 /// A structure with what is known of it; later stages are left empty once it is rejected.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,6 +104,10 @@ pub(super) struct Batch<'r, 'e> {
     pub bearing: &'r Bearing,
     /// Contact angle and deflection under the largest axial load at each operating point; empty without one.
     pub seats: Vec<[f64; 2]>,
+    /// Those of every row at every operating point of a case in space; empty in the plane.
+    pub row_seats: Vec<[f64; 2]>,
+    /// What the maps of a case in space have measured; `None` in the plane and before there are maps.
+    pub measured: Option<MeasuredSeparation>,
 }
 
 impl Evaluation {
@@ -112,7 +118,7 @@ impl Evaluation {
         let (forms, cause) = match structure.raceways(batch.bearing) {
             Ok(raceways) => {
                 axial = AxialSeparation::by_rolling(batch.bearing, &raceways[0], &batch.seats);
-                let forms = ClosedForms::new(batch.bearing, &raceways);
+                let forms = batch.closed_forms(&raceways);
                 let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
                 (Some(forms), cause)
             }
@@ -174,6 +180,19 @@ impl Evaluation {
 }
 
 impl Batch<'_, '_> {
+    /// Whether balls move in space.
+    pub fn in_space(&self) -> bool {
+        !self.row_seats.is_empty()
+    }
+
+    /// Closed forms of equal raceways.
+    pub fn closed_forms(&self, raceways: &[Raceway]) -> ClosedForms {
+        match self.in_space() {
+            true => ClosedForms::in_space(self.bearing, raceways, &self.row_seats),
+            false => ClosedForms::new(self.bearing, raceways),
+        }
+    }
+
     /// Whether a structure lies within what was asked for.
     pub fn within(&self, structure: &RacewayLayout) -> bool {
         let inside = |range: Option<[f64; 2]>, value: f64| {
@@ -226,10 +245,11 @@ impl Batch<'_, '_> {
                 Err(reason) => fail(e, reason, p),
             }
         }
+        let in_space = self.in_space();
         for e in evaluations {
             e.reject(|e, p| {
                 let (forms, spacing) = (e.forms?, e.spacing[p]?);
-                Cause::of_spacing(&forms, &spacing, critical_gap_min_fraction)
+                Cause::of_spacing(&forms, &spacing, critical_gap_min_fraction, in_space)
             });
         }
         Ok(())
@@ -265,7 +285,8 @@ impl Batch<'_, '_> {
                     Err(reason) => fail(&mut evaluations[k], reason, p),
                 }
             }
-            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?));
+            let in_space = self.in_space();
+            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, in_space));
             evaluations[k].rate();
         }
         Ok(())
@@ -319,7 +340,8 @@ impl Batch<'_, '_> {
                 Err(reason) => fail(&mut evaluation, reason, p),
             }
         }
-        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?));
+        let in_space = self.in_space();
+        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, in_space));
         if from_geometry.is_some() {
             evaluation.rejection = from_geometry;
         }
@@ -368,6 +390,7 @@ mod tests {
                 axial_span_m: 5e-3,
                 half_angle_rad: 0.4,
                 form: Default::default(),
+                section_angle_rad: 0.0,
                 centres_rad: vec![0.0],
             },
             placement: 0,
@@ -406,6 +429,7 @@ mod tests {
             m.gap_mean_rad,
             m.sliding_m_s,
             m.speed_drop_fraction,
+            m.lag_fraction,
             m.force_deviation_n,
             m.friction_w,
         ];
@@ -474,21 +498,25 @@ mod tests {
         ) = (0.05, 0.2);
         let spacings = vec![spacing(0.038, 0.01, 1e9), spacing(0.034, 0.03, 1e9)];
         let e = evaluation(spacings, double.to_vec());
-        let found = e.slack(0.8);
+        let found = e.slack(0.8, false);
         for (found, expected) in found.into_iter().zip([0.02, 0.05, 0.05, 0.05]) {
             assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         }
         let beyond = evaluation(vec![spacing(0.044, 0.07, 1e9); 2], double.to_vec());
-        for (found, expected) in beyond.slack(0.8).into_iter().zip([-0.02, -0.1, 0.3, 0.05]) {
+        for (found, expected) in beyond
+            .slack(0.8, false)
+            .into_iter()
+            .zip([-0.02, -0.1, 0.3, 0.05])
+        {
             assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         }
         let mut unknown = e.clone();
         unknown.spacing[1] = None;
-        assert!(unknown.slack(0.8).iter().all(|s| *s < 0.0));
+        assert!(unknown.slack(0.8, false).iter().all(|s| *s < 0.0));
         unknown.forms = None;
-        assert!(unknown.slack(0.8).iter().all(|s| *s < 0.0));
+        assert!(unknown.slack(0.8, false).iter().all(|s| *s < 0.0));
         let mut not_run = e;
         not_run.motion = vec![None; 2];
-        assert_eq!(not_run.slack(0.8)[3], 0.0);
+        assert_eq!(not_run.slack(0.8, false)[3], 0.0);
     }
 }

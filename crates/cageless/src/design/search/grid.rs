@@ -111,6 +111,7 @@ fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> 
             axial_span_m,
             half_angle_rad,
             form,
+            section_angle_rad: 0.0,
             centres_rad: vec![0.0],
         };
         structure.raceways(bearing).is_ok()
@@ -140,10 +141,19 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
                 axial_span_m,
                 half_angle_rad,
                 form: request.forms[0],
+                section_angle_rad: request.section_angles_rad[0],
                 centres_rad: request.placements[0].clone(),
             });
             let (forms, cause) = match structure.raceways(batch.bearing) {
-                Ok(raceways) => (Some(ClosedForms::new(batch.bearing, &raceways)), None),
+                Ok(raceways) => {
+                    let forms = batch.closed_forms(&raceways);
+                    let least = request.critical_gap_min_fraction;
+                    // In the plane all critical gaps are drawn; in space they take long.
+                    let excluded = batch
+                        .in_space()
+                        .then(|| Cause::of_closed_forms(&forms, least));
+                    (Some(forms), excluded.flatten())
+                }
                 Err(error) => (None, Some(Cause::of_geometry(&error))),
             };
             cells.push(MapCell {
@@ -154,14 +164,12 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
             });
         }
     }
-    let load = request.points.first().map_or(0.0, |p| p.radial_load_n);
-    let further = request
-        .map_speeds_rad_s
-        .iter()
-        .map(|&inner_speed_rad_s| OperatingPoint {
-            inner_speed_rad_s,
-            radial_load_n: load,
-        });
+    let first = request.points[0];
+    let speeds = request.map_speeds_rad_s.iter();
+    let further = speeds.map(|&inner_speed_rad_s| OperatingPoint {
+        inner_speed_rad_s,
+        ..first
+    });
     let points: Vec<OperatingPoint> = request.points.iter().copied().chain(further).collect();
     let mut maps: Vec<SpeedMap> = points
         .into_iter()
@@ -196,8 +204,10 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         cell.cause = match (outcomes.next(), &cell.forms) {
             (Some(Ok(Numbers::PairSeparation(spacing))), Some(forms)) => {
                 cell.spacing = Some(spacing);
-                Cause::of_closed_forms(forms, critical_gap_min_fraction)
-                    .or_else(|| Cause::of_spacing(forms, &spacing, critical_gap_min_fraction))
+                let of_spacing = || {
+                    Cause::of_spacing(forms, &spacing, critical_gap_min_fraction, batch.in_space())
+                };
+                Cause::of_closed_forms(forms, critical_gap_min_fraction).or_else(of_spacing)
             }
             (Some(Err(reason)), _) => Some(Cause::Failed(reason)),
             _ => unreachable!("one spacing per job"),
@@ -229,7 +239,9 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
     for ((k, c), runs) in places.into_iter().zip(outcomes.chunks(starts as usize)) {
         let cell = &mut maps[k].cells[c];
         cell.cause = match (motions(runs), &cell.spacing) {
-            (Ok(all), Some(spacing)) => Cause::of_motion(&Motion::mean(&all), spacing),
+            (Ok(all), Some(spacing)) => {
+                Cause::of_motion(&Motion::mean(&all), spacing, batch.in_space())
+            }
             (Err(reason), _) => Some(Cause::Failed(reason)),
             (Ok(_), None) => None,
         };
@@ -263,16 +275,39 @@ fn lines(request: &Request) -> usize {
     request.front_structures().clamp(LINES_LEAST, CANDIDATES[0])
 }
 
-/// Candidates of all placements and forms. Without slip the critical gap is β0, with slip it may fall
-/// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
-/// [`Request::critical_gap_min_fraction`] and 1/(1 − that).
+/// Raceways that differ in lC and θ alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Family {
+    placement: usize,
+    form: RacewayForm,
+    section_angle_rad: f64,
+}
+
+impl Family {
+    fn of(evaluation: &Evaluation) -> Self {
+        Self {
+            placement: evaluation.placement,
+            form: evaluation.structure.form,
+            section_angle_rad: evaluation.structure.section_angle_rad,
+        }
+    }
+}
+
+/// Candidates of all placements, forms and section angles. Without slip the critical gap is β0, with slip it may
+/// fall short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
+/// [`Request::critical_gap_min_fraction`] and 1/(1 − that). In space the maps show by how much it falls short.
 pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
     let mut evaluations = vec![];
     for placement in 0..batch.request.placements.len() {
-        for &form in &batch.request.forms {
+        for (form, section_angle_rad) in batch.request.sections() {
+            let family = Family {
+                placement,
+                form,
+                section_angle_rad,
+            };
             for half_angle_rad in spread(angles, lines(batch.request)) {
-                evaluations.extend(line(batch, placement, form, half_angle_rad));
+                evaluations.extend(line(batch, family, half_angle_rad));
             }
         }
     }
@@ -284,55 +319,58 @@ pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
 pub(super) fn refine(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
     let [_, [low, high]] = batch.ranges;
     let half = (high - low) / (lines(batch.request) - 1) as f64 / 2.0;
-    let mut lines: Vec<(usize, RacewayForm, f64)> = vec![];
+    let mut lines: Vec<(Family, f64)> = vec![];
     for e in known.iter().filter(|e| e.objectives.is_some()) {
         for half_angle_rad in [
             e.structure.half_angle_rad - half,
             e.structure.half_angle_rad + half,
         ] {
             // Lines of two neighbours meet but for the rounding to hundredths of a degree.
-            let form = e.structure.form;
-            let new = lines.iter().all(|(p, f, a)| {
-                (*p, *f) != (e.placement, form) || (a - half_angle_rad).abs() > 0.5 * half
-            });
+            let family = Family::of(e);
+            let new = lines
+                .iter()
+                .all(|(f, a)| *f != family || (a - half_angle_rad).abs() > 0.5 * half);
             if new && half > 0.0 && (low..=high).contains(&half_angle_rad) {
-                lines.push((e.placement, form, half_angle_rad));
+                lines.push((family, half_angle_rad));
             }
         }
     }
     lines
         .into_iter()
-        .flat_map(|(placement, form, half_angle_rad)| line(batch, placement, form, half_angle_rad))
+        .flat_map(|(family, half_angle_rad)| line(batch, family, half_angle_rad))
         .collect()
 }
 
-/// The candidates of a form at one angle.
-fn line(
-    batch: &Batch<'_, '_>,
-    placement: usize,
-    form: RacewayForm,
-    half_angle_rad: f64,
-) -> Vec<Evaluation> {
+/// The candidates of a family at one angle.
+fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evaluation> {
     let [spans, _] = batch.ranges;
     let at = |axial_span_m: f64| {
         snapped(&RacewayLayout {
             axial_span_m,
             half_angle_rad,
-            form,
-            centres_rad: batch.request.placements[placement].clone(),
+            form: family.form,
+            section_angle_rad: family.section_angle_rad,
+            centres_rad: batch.request.placements[family.placement].clone(),
         })
+    };
+    let expected = |fraction: f64| match &batch.measured {
+        Some(measured) => measured.expected(half_angle_rad, fraction),
+        None => fraction,
     };
     let table: Vec<(f64, f64)> = spread(spans, TABLE)
         .into_iter()
         .filter_map(|span| {
             let raceways = at(span).raceways(batch.bearing).ok()?;
-            Some((span, ClosedForms::new(batch.bearing, &raceways).fraction()))
+            Some((span, expected(batch.closed_forms(&raceways).fraction())))
         })
         .collect();
     // A hair inside, or rounding to micrometres would throw out the first.
     let fractions = [
         1.005 * batch.request.critical_gap_min_fraction,
-        1.0 / (1.0 - SLIP_SHORTFALL),
+        match batch.measured {
+            Some(_) => 1.0,
+            None => 1.0 / (1.0 - SLIP_SHORTFALL),
+        },
     ];
     let mut found: Vec<RacewayLayout> = spread(fractions, CANDIDATES[1])
         .into_iter()
@@ -347,7 +385,7 @@ fn line(
     found.dedup();
     found
         .into_iter()
-        .map(|structure| Evaluation::new(batch, structure, placement))
+        .map(|structure| Evaluation::new(batch, structure, family.placement))
         .collect()
 }
 
@@ -373,6 +411,7 @@ mod tests {
             axial_span_m: 5.123_456e-3,
             half_angle_rad: 25.123_456f64.to_radians(),
             form: RacewayForm::default(),
+            section_angle_rad: 0.0,
             centres_rad: vec![0.3],
         });
         assert!((found.axial_span_m - 5.123e-3).abs() < 1e-12);
@@ -400,6 +439,7 @@ mod tests {
                 axial_span_m: spans[1],
                 half_angle_rad,
                 form: RacewayForm::default(),
+                section_angle_rad: 0.0,
                 centres_rad: vec![0.0],
             }
             .raceways(&case.bearing)
@@ -427,6 +467,8 @@ mod tests {
             execute: &mut |_, _| unreachable!("nothing to compute"),
             bearing: &case.bearing,
             seats: vec![],
+            row_seats: vec![],
+            measured: None,
         };
         let found = candidates(&batch);
         assert_eq!(found.len(), 2 * 26 * 9);
@@ -479,6 +521,8 @@ mod tests {
             execute: &mut |_, _| unreachable!("nothing to compute"),
             bearing: &case.bearing,
             seats: vec![],
+            row_seats: vec![],
+            measured: None,
         };
         let mut found = candidates(&batch);
         let [quartic, of_steady] = [26 * 9 - 1, 26 * 9].map(|k| &found[k].structure);

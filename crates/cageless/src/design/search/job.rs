@@ -6,7 +6,7 @@ use super::perturbed_run::{Motion, PerturbedRunError, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::case::{Case, Gaps, Start};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
-use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
+use crate::design::{Eq11, kinematic_gap_rad, steady_gap_rad, theoretical_gap_rad};
 use crate::equilibrium;
 use crate::raceway::Raceway;
 use crate::simulation::Control;
@@ -37,12 +37,14 @@ pub struct Job {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairSeparation {
     /// Largest critical gap of the raceways, each alone in the ring: what all of them
-    /// together guarantee. No more than [`CROWDED_MAX`] steady gaps are looked at.
+    /// together guarantee, in space in the row with the least. No more than [`CROWDED_MAX`] steady gaps are
+    /// looked at.
     pub critical_gap_rad: f64,
     /// Largest fraction of β0 that slip takes from a critical gap; 0 where that is beyond
-    /// [`CROWDED_MAX`].
+    /// [`CROWDED_MAX`]. In space β0 is that of rolling at the contact angle and the deflection of the row.
     pub shortfall: f64,
-    /// Largest Hertz pressure at the outer raceway while the balls go by.
+    /// Largest Hertz pressure at the outer raceway while the balls go by; in space NaN where the critical gap
+    /// excludes the structure whatever the pressure.
     pub stress_pa: f64,
 }
 
@@ -89,6 +91,8 @@ impl Job {
             s.half_angle_rad,
             p.inner_speed_rad_s,
             p.radial_load_n,
+            p.axial_load_n,
+            s.section_angle_rad,
         ]
         .iter()
         .chain(&s.centres_rad)
@@ -152,31 +156,51 @@ fn spacing(
     raceways: &[Raceway],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<PairSeparation, CriticalGapError> {
+    let loaded = point.case(case, raceways.to_vec());
+    let in_space = loaded.moves_in_space();
+    let seats = match in_space {
+        true => point.row_seats(case)?,
+        false => vec![],
+    };
+    let beta0 = |raceway: &Raceway, row: usize| match seats.get(row) {
+        Some(&[angle_rad, pressed_in_m]) => {
+            kinematic_gap_rad(&case.bearing, raceway, angle_rad, pressed_in_m)
+        }
+        None => theoretical_gap_rad(&case.bearing, raceway, Eq11::Published),
+    };
     let most = CROWDED_MAX * steady_gap_rad(&case.bearing, raceways);
-    let test = PairTest {
-        neighbours_wider: NEIGHBOURS_WIDER,
-        tolerance_rad: GAP_TOLERANCE_RAD,
-        gap_max_rad: Some(most),
-        ..PairTest::default()
-    };
     let mut spacing = PairSeparation {
-        critical_gap_rad: 0.0,
+        critical_gap_rad: f64::INFINITY,
         shortfall: f64::NEG_INFINITY,
-        stress_pa: peak_pressure_pa(&point.case(case, raceways.to_vec()))?.1,
+        stress_pa: f64::NAN,
     };
-    for raceway in raceways {
-        let beta0 = theoretical_gap_rad(&case.bearing, raceway, Eq11::Published);
-        let alone = point.case(case, vec![raceway.clone()]);
-        let (gap, shortfall) = match critical_gap_rad(&alone, &test, control) {
-            Ok(gap) => (gap, 1.0 - gap / beta0),
-            // Nothing closes on a raceway that does not slow the balls.
-            Err(CriticalGapError::NeverCloses) => (0.0, 1.0),
-            // What slip takes is not known then, and does not matter.
-            Err(CriticalGapError::AlwaysCloses) => (most, 0.0),
-            Err(error) => return Err(error),
+    for row in loaded.distinct_rows() {
+        let test = PairTest {
+            row,
+            neighbours_wider: NEIGHBOURS_WIDER,
+            tolerance_rad: GAP_TOLERANCE_RAD,
+            gap_max_rad: Some(most),
+            ..PairTest::default()
         };
-        spacing.critical_gap_rad = spacing.critical_gap_rad.max(gap);
-        spacing.shortfall = spacing.shortfall.max(shortfall);
+        let mut of_row = 0.0f64;
+        for raceway in raceways {
+            let alone = point.case(case, vec![raceway.clone()]);
+            let (gap, shortfall) = match critical_gap_rad(&alone, &test, control) {
+                Ok(gap) => (gap, 1.0 - gap / beta0(raceway, row)),
+                // Nothing closes on a raceway that does not slow the balls.
+                Err(CriticalGapError::NeverCloses) => (0.0, 1.0),
+                // What slip takes is not known then, and does not matter.
+                Err(CriticalGapError::AlwaysCloses) => (most, 0.0),
+                Err(error) => return Err(error),
+            };
+            of_row = of_row.max(gap);
+            spacing.shortfall = spacing.shortfall.max(shortfall);
+        }
+        spacing.critical_gap_rad = spacing.critical_gap_rad.min(of_row);
+    }
+    let separates = spacing.critical_gap_rad > 0.0 && spacing.critical_gap_rad < most;
+    if !in_space || separates {
+        spacing.stress_pa = peak_pressure_pa(&loaded)?.1;
     }
     Ok(spacing)
 }
@@ -195,7 +219,10 @@ pub fn peak_pressure_pa(case: &Case) -> Result<(f64, f64), equilibrium::Equilibr
             gaps: Gaps::Uniform,
             lead_ball_angle_rad: pitch * k as f64 / POSITIONS as f64,
         };
-        let e = equilibrium::solve(&case)?;
+        let e = match case.moves_in_space() {
+            true => equilibrium::space::solve(&case)?.rest,
+            false => equilibrium::solve(&case)?,
+        };
         peak = (
             peak.0.max(e.inner_pressure_max_pa),
             peak.1.max(e.outer_pressure_max_pa),

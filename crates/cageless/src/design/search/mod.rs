@@ -31,6 +31,7 @@ mod evaluation;
 mod grid;
 mod job;
 mod local_optimisation;
+mod measured_separation;
 mod pareto;
 mod perturbed_run;
 mod placement;
@@ -38,7 +39,7 @@ mod raceway_layout;
 mod rejection;
 mod request;
 
-pub use axial::{AXIAL_LAG_MIN_FRACTION, AxialSeparation};
+pub use axial::AxialSeparation;
 pub use evaluation::{Confirmed, Evaluation, Statistics};
 pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
@@ -56,11 +57,12 @@ pub use request::{BUDGET, CONFIRMING_STARTS, CRITICAL_GAP_MIN_FRACTION, Execute,
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
-use crate::design::{DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL};
+use crate::design::{DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::raceway::axial_span_limit_m;
 use evaluation::Batch;
+use measured_separation::MeasuredSeparation;
 
 /// Error of a search.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -156,6 +158,7 @@ pub fn search(
         let message = format!("its budget of {} is less than {least}", request.budget);
         return Err(SearchError::Impossible(message));
     }
+    case.check_motion()?;
     check_points(case, request)?;
     let mut batch = Batch {
         request,
@@ -163,8 +166,13 @@ pub fn search(
         execute,
         bearing: &case.bearing,
         seats: seats(case, request)?,
+        row_seats: row_seats(case, request)?,
+        measured: None,
     };
     let maps = grid::maps(&mut batch)?;
+    if batch.in_space() {
+        batch.measured = Some(MeasuredSeparation::new(&maps[..request.points.len()]));
+    }
     let mut evaluations = grid::candidates(&batch);
     batch.spacing(Stage::Candidates, &mut evaluations)?;
     let limit = request.front_structures();
@@ -266,9 +274,10 @@ fn optimise_from(
     let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
     let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
     let tries = batch.request.optimised_structures();
+    let in_space = batch.in_space();
     let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
-        constraints: e.slack(critical_gap_min_fraction),
+        constraints: e.slack(critical_gap_min_fraction, in_space),
     };
     let start = value(from);
     let found = local_optimisation::minimise(2.0, tries, start, &mut |[x, y]| {
@@ -321,15 +330,38 @@ fn seats(case: &Case, request: &Request) -> Result<Vec<[f64; 2]>, SearchError> {
     loaded.map(seat).collect()
 }
 
+/// Seats of every row at each operating point of a case in space; empty in the plane.
+fn row_seats(case: &Case, request: &Request) -> Result<Vec<[f64; 2]>, SearchError> {
+    let mut all = vec![];
+    for point in request.points.iter().filter(|_| case.moves_in_space()) {
+        match point.row_seats(case) {
+            Err(EquilibriumError::Input(error)) => return Err(error.into()),
+            Err(error) => {
+                let message = format!("at {} {error}", label(point));
+                return Err(SearchError::Impossible(message));
+            }
+            Ok(seats) => all.extend(seats),
+        }
+    }
+    Ok(all)
+}
+
+fn label(point: &OperatingPoint) -> String {
+    let speed_rpm = point.inner_speed_rad_s * 60.0 / std::f64::consts::TAU;
+    match point.axial_load_n {
+        0.0 => format!("{speed_rpm:.0} rpm and {} N", point.radial_load_n),
+        axial => format!(
+            "{speed_rpm:.0} rpm, {} N and {axial} N along the axis",
+            point.radial_load_n
+        ),
+    }
+}
+
 /// Refuses operating points that overload the inner raceway, or that have no equilibrium,
 /// whatever the outer ring looks like.
 fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
     for point in &request.points {
-        let at = format!(
-            "at {:.0} rpm and {} N",
-            point.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
-            point.radial_load_n
-        );
+        let at = format!("at {}", label(point));
         let plain = point.case(case, vec![]);
         match peak_pressure_pa(&plain) {
             Ok((inner, _)) if inner > STRESS_LIMIT_PA => {
@@ -375,8 +407,8 @@ fn ranges(case: &Case, request: &Request) -> Result<[[f64; 2]; 2], SearchError> 
 pub(super) const REQUIREMENTS: usize = 4;
 
 impl Evaluation {
-    /// Slip, room in steady flow, spread, double collisions; the worst point of each.
-    fn slack(&self, critical_gap_min_fraction: f64) -> [f64; REQUIREMENTS] {
+    /// Slip, in space lag, room in steady flow, spread, double collisions; the worst point of each.
+    fn slack(&self, critical_gap_min_fraction: f64, in_space: bool) -> [f64; REQUIREMENTS] {
         let Some(forms) = self.forms else {
             return [-1.0; REQUIREMENTS];
         };
@@ -386,14 +418,19 @@ impl Evaluation {
                 return [-1.0; REQUIREMENTS];
             };
             let fraction = s.critical_gap_rad / forms.steady_gap_rad;
-            slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
+            if !in_space {
+                slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
+            }
             slack[1] = slack[1].min(1.0 - fraction);
             slack[2] = slack[2].min(fraction - critical_gap_min_fraction);
         }
         for axial in &self.axial {
-            slack[2] = slack[2].min(axial.rolling_fraction - AXIAL_LAG_MIN_FRACTION);
+            slack[2] = slack[2].min(axial.rolling_fraction - LAG_MIN_FRACTION);
         }
         for motion in self.motion.iter().flatten() {
+            if in_space {
+                slack[0] = slack[0].min(motion.lag_fraction - LAG_MIN_FRACTION);
+            }
             slack[3] = slack[3].min(DOUBLE_COLLISION_FRACTION - motion.double_collision_fraction);
         }
         slack.map(|s| if s.is_finite() { s } else { 0.0 })

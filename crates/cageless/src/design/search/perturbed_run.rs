@@ -6,6 +6,7 @@
 
 use crate::case::{Case, Gaps, Start};
 use crate::contact_tracker::ContactTracker;
+use crate::design::raceway_tallies::RacewayTallies;
 use crate::design::verdict::speed_drop_fraction;
 use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
@@ -68,6 +69,9 @@ motion! {
     /// Fraction of the theoretical drop of orbital speed that the balls reach, mean over the
     /// passages of the second half, of the raceway with the least.
     speed_drop_fraction,
+    /// Lag over that of rolling on rigid flanks without a contact angle, mean over the passages of the second
+    /// half, of the row and raceway with the least.
+    lag_fraction,
     /// Standard deviation of the force of the balls on the outer ring, both directions
     /// together, second half.
     force_deviation_n,
@@ -220,7 +224,12 @@ fn motion(
     .iter()
     .map(|&work| outcome.state.energy_term_j(work))
     .sum();
-    let ball_turns = case.bearing.balls() as f64 * TURNS;
+    let mut tallies = RacewayTallies::new(case);
+    late.iter().for_each(|passage| tallies.add(passage));
+    let raceways = 0..case.raceways.len();
+    let passed = raceways.filter(|&k| tallies.of_raceway(k).count > 0);
+    let least = |of: &dyn Fn(usize) -> f64| passed.clone().map(of).fold(f64::INFINITY, f64::min);
+    let ball_turns = case.balls() as f64 * TURNS;
     Ok(Motion {
         collisions: contacts.begun[0] / ball_turns,
         collisions_late: contacts.begun[1] / (ball_turns / 2.0),
@@ -230,28 +239,14 @@ fn motion(
         gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
         gap_mean_rad,
         sliding_m_s: tally.sliding_mean_m_s(),
-        speed_drop_fraction: least_speed_drop_fraction(case, late),
+        speed_drop_fraction: least(&|k| {
+            let slowest_rad_s = tallies.of_raceway(k).lowest_orbit_speed_mean_rad_s();
+            speed_drop_fraction(case, &case.raceways[k], slowest_rad_s)
+        }),
+        lag_fraction: least(&|k| tallies.lag_fraction(case, k)),
         force_deviation_n: contacts.force_deviation_n(),
         friction_w: friction / case.solver.duration_s,
     })
-}
-
-/// Least achieved deceleration over the raceways that balls pass, as a fraction of the kinematic one.
-fn least_speed_drop_fraction(case: &Case, passages: &[Passage]) -> f64 {
-    let mut tallies = vec![PassageTally::new(); case.raceways.len()];
-    for passage in passages {
-        tallies[passage.raceway].add(passage);
-    }
-    let passed = case
-        .raceways
-        .iter()
-        .zip(&tallies)
-        .filter(|(_, t)| t.count > 0);
-    passed
-        .map(|(raceway, tally)| {
-            speed_drop_fraction(case, raceway, tally.lowest_orbit_speed_mean_rad_s())
-        })
-        .fold(f64::INFINITY, f64::min)
 }
 
 /// Counts contacts between balls and follows the force on the outer ring.

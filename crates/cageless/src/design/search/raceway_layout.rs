@@ -2,7 +2,11 @@
 
 use crate::bearing::Bearing;
 use crate::case::Case;
-use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
+use crate::design::{
+    Eq11, gap_of_delay_rad, kinematic_gap_rad, kinematic_lag_rad, seats, steady_gap_rad,
+    theoretical_gap_rad,
+};
+use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::integrator::IntegrationMethod;
 use crate::raceway::{Raceway, RacewayDimensions, RacewayForm};
@@ -16,6 +20,8 @@ pub struct RacewayLayout {
     pub half_angle_rad: f64,
     /// Shape and blend.
     pub form: RacewayForm,
+    /// αg by which the section is turned.
+    pub section_angle_rad: f64,
     /// ψ of the middle of each raceway.
     pub centres_rad: Vec<f64>,
 }
@@ -24,7 +30,8 @@ impl RacewayLayout {
     /// The raceways in a bearing.
     ///
     /// # Errors
-    /// The [`InputError`] of [`Raceway::formed`], or that two of them overlap.
+    /// The [`InputError`] of [`Raceway::formed`] or of [`Raceway::with_section_angle`], or that two of them
+    /// overlap.
     pub fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, InputError> {
         let raceways = self
             .centres_rad
@@ -35,7 +42,8 @@ impl RacewayLayout {
                     half_angle_rad: self.half_angle_rad,
                     centre_angle_rad,
                 };
-                Raceway::formed(dimensions, self.form, bearing)
+                Raceway::formed(dimensions, self.form, bearing)?
+                    .with_section_angle(self.section_angle_rad, bearing)
             })
             .collect::<Result<Vec<_>, _>>()?;
         crate::raceway::apart(&raceways)?;
@@ -46,15 +54,18 @@ impl RacewayLayout {
     /// differ.
     pub fn from_case(case: &Case) -> Option<Self> {
         let (first, form) = (case.raceways.first()?.dimensions(), case.raceway_form());
+        let section_angle_rad = case.raceways.first()?.section_angle_rad();
         let equal = case.raceways.iter().all(|r| {
             r.dimensions().axial_span_m == first.axial_span_m
                 && r.half_angle_rad() == first.half_angle_rad
                 && r.form() == form
+                && r.section_angle_rad() == section_angle_rad
         });
         equal.then(|| Self {
             axial_span_m: first.axial_span_m,
             half_angle_rad: first.half_angle_rad,
             form,
+            section_angle_rad,
             centres_rad: case
                 .raceways
                 .iter()
@@ -64,13 +75,15 @@ impl RacewayLayout {
     }
 }
 
-/// Speed and load.
+/// Speed and loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OperatingPoint {
     /// ωi.
     pub inner_speed_rad_s: f64,
     /// Fr.
     pub radial_load_n: f64,
+    /// Fa.
+    pub axial_load_n: f64,
 }
 
 impl OperatingPoint {
@@ -79,6 +92,7 @@ impl OperatingPoint {
         Self {
             inner_speed_rad_s: case.operation.inner_speed_rad_s,
             radial_load_n: case.operation.radial_load_n,
+            axial_load_n: case.operation.space.axial_load_n,
         }
     }
 
@@ -88,15 +102,30 @@ impl OperatingPoint {
         let mut case = case.with_raceways(raceways);
         case.operation.inner_speed_rad_s = self.inner_speed_rad_s;
         case.operation.radial_load_n = self.radial_load_n;
+        case.operation.space.axial_load_n = self.axial_load_n;
         case.set_method(IntegrationMethod::VelocityVerlet);
         case
     }
+
+    /// Contact angle, towards the contact sign of the row, and deflection of the most loaded ball of each row on a
+    /// plain outer ring at this point, in space.
+    ///
+    /// # Errors
+    /// Those of [`seats`].
+    pub fn row_seats(&self, case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
+        let plain = self.case(case, vec![]);
+        let signs = plain.all_rows().into_iter().map(|row| row.contact_sign);
+        let seats = seats(&plain)?.into_iter().zip(signs);
+        Ok(seats
+            .map(|([angle_rad, pressed_in_m], sign)| [sign * angle_rad, pressed_in_m])
+            .collect())
+    }
 }
 
-/// Closed-form results of the geometry.
+/// Closed-form results of the geometry, in space also of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosedForms {
-    /// β0 of Zhao 2022, Eq. (11), as published.
+    /// β0 of Zhao 2022, Eq. (11), as published; in space [`kinematic_gap_rad`].
     pub theoretical_gap_rad: f64,
     /// Gap outside the raceways in steady flow, [`steady_gap_rad`].
     pub steady_gap_rad: f64,
@@ -110,6 +139,35 @@ impl ClosedForms {
                 theoretical_gap_rad(bearing, raceway, Eq11::Published)
             }),
             steady_gap_rad: steady_gap_rad(bearing, raceways),
+        }
+    }
+
+    /// Closed forms of equal raceways in space with the contact angles and deflections that
+    /// [`OperatingPoint::row_seats`] has for rows and operating points: the least of them. A row without load
+    /// spreads nothing.
+    pub fn in_space(bearing: &Bearing, raceways: &[Raceway], row_seats: &[[f64; 2]]) -> Self {
+        let least = |of: &dyn Fn(f64, f64) -> f64| {
+            let values = row_seats
+                .iter()
+                .map(|&[angle_rad, pressed_in_m]| match angle_rad {
+                    angle if angle.is_nan() => 0.0,
+                    angle => of(angle, pressed_in_m),
+                });
+            values.fold(f64::INFINITY, f64::min)
+        };
+        let gap = |angle, pressed_in| {
+            let gaps = raceways.iter();
+            let gaps = gaps.map(|r| kinematic_gap_rad(bearing, r, angle, pressed_in));
+            gaps.fold(0.0, f64::max)
+        };
+        let delay = |angle, pressed_in| {
+            let lags = raceways.iter();
+            let lags = lags.map(|r| kinematic_lag_rad(bearing, r, angle, pressed_in));
+            lags.sum()
+        };
+        Self {
+            theoretical_gap_rad: least(&gap),
+            steady_gap_rad: gap_of_delay_rad(bearing, least(&delay)),
         }
     }
 

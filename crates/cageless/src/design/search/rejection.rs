@@ -1,12 +1,13 @@
 //! Causes of rejection of a raceway design.
 
-use super::axial::{AXIAL_LAG_MIN_FRACTION, AxialSeparation};
+use super::axial::AxialSeparation;
 use super::job::PairSeparation;
 use super::perturbed_run::Motion;
 use super::raceway_layout::ClosedForms;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::design::{
-    DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
+    DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
+    percent_beside,
 };
 use crate::error::InputError;
 
@@ -39,6 +40,8 @@ pub enum Cause {
     GapNotRetained(f64),
     /// Contact pressure at the outer raceway, Pa.
     Stress(f64),
+    /// Share of the lag that load, contact angle and sliding leave in space.
+    LosesLag(f64),
     /// Share of the lag that is left under the largest axial load.
     AxialLoad(f64),
     /// Failure of a run, with its message.
@@ -56,7 +59,7 @@ pub struct Rejection {
 
 impl Cause {
     /// Names of all causes, in the order in which they are tested.
-    pub const NAMES: [&'static str; 12] = [
+    pub const NAMES: [&'static str; 13] = [
         "eq-8",
         "eq-9",
         "overlap",
@@ -65,6 +68,7 @@ impl Cause {
         "excessive-separation",
         "stress",
         "gross-sliding",
+        "loses-lag",
         "gap-not-retained",
         "double-collision",
         "axial-load",
@@ -82,6 +86,7 @@ impl Cause {
             Self::ExcessiveSeparation(_) => "excessive-separation",
             Self::Stress(_) => "stress",
             Self::GrossSliding(_) => "gross-sliding",
+            Self::LosesLag(_) => "loses-lag",
             Self::GapNotRetained(_) => "gap-not-retained",
             Self::DoubleCollision(_) => "double-collision",
             Self::AxialLoad(_) => "axial-load",
@@ -97,7 +102,7 @@ impl Cause {
             Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
             Self::DoubleCollision(fraction) => fraction - DOUBLE_COLLISION_FRACTION,
             Self::Stress(pa) => pa / STRESS_LIMIT_PA - 1.0,
-            Self::AxialLoad(fraction) => AXIAL_LAG_MIN_FRACTION - fraction,
+            Self::LosesLag(fraction) | Self::AxialLoad(fraction) => LAG_MIN_FRACTION - fraction,
             Self::GrossSliding(fraction) => SPEED_DROP_FRACTION - fraction,
             Self::GapNotRetained(fraction) => RETAINED_FRACTION - fraction,
             Self::Span | Self::Path | Self::Overlap | Self::Failed(_) => f64::INFINITY,
@@ -107,14 +112,14 @@ impl Cause {
     /// Cause for an error of the raceway geometry.
     pub(super) fn of_geometry(error: &InputError) -> Self {
         match error.field {
-            "axial_span_m" => Self::Span,
+            "axial_span_m" | "raceway_contact_angle_rad" => Self::Span,
             "half_angle_rad" => Self::Path,
             "centre_angle_rad" => Self::Overlap,
             _ => Self::Failed(error.to_string()),
         }
     }
 
-    /// Cause of rejection by geometry alone: without slip the critical gap is β0.
+    /// Cause of rejection by closed forms alone: without slip the critical gap is β0.
     pub(super) fn of_closed_forms(
         forms: &ClosedForms,
         critical_gap_min_fraction: f64,
@@ -123,14 +128,16 @@ impl Cause {
             .then(|| Self::InsufficientSeparation(forms.fraction()))
     }
 
-    /// Cause of rejection by critical gap and contact stress.
+    /// Cause of rejection by critical gap and contact stress. In space what sliding takes from β0 is no
+    /// cause: spin on the flanks takes a part of it in every raceway, which a deeper one makes up for.
     pub(super) fn of_spacing(
         forms: &ClosedForms,
         spacing: &PairSeparation,
         critical_gap_min_fraction: f64,
+        in_space: bool,
     ) -> Option<Self> {
         let fraction = spacing.critical_gap_rad / forms.steady_gap_rad;
-        if spacing.shortfall > SLIP_SHORTFALL {
+        if spacing.shortfall > SLIP_SHORTFALL && !in_space {
             Some(Self::Slips(spacing.shortfall))
         } else if fraction > 1.0 {
             Some(Self::ExcessiveSeparation(fraction))
@@ -147,13 +154,19 @@ impl Cause {
     /// as that is not known.
     pub(super) fn of_axial(axial: &AxialSeparation) -> Option<Self> {
         let fraction = axial.fraction().unwrap_or(axial.rolling_fraction);
-        (fraction < AXIAL_LAG_MIN_FRACTION).then_some(Self::AxialLoad(fraction))
+        (fraction < LAG_MIN_FRACTION).then_some(Self::AxialLoad(fraction))
     }
 
     /// Cause of rejection by the motion of all balls.
-    pub(super) fn of_motion(motion: &Motion, spacing: &PairSeparation) -> Option<Self> {
+    pub(super) fn of_motion(
+        motion: &Motion,
+        spacing: &PairSeparation,
+        in_space: bool,
+    ) -> Option<Self> {
         let kept = motion.gap_min_rad / spacing.critical_gap_rad;
-        if motion.speed_drop_fraction < SPEED_DROP_FRACTION {
+        if in_space && motion.lag_fraction < LAG_MIN_FRACTION {
+            Some(Self::LosesLag(motion.lag_fraction))
+        } else if !in_space && motion.speed_drop_fraction < SPEED_DROP_FRACTION {
             Some(Self::GrossSliding(motion.speed_drop_fraction))
         } else if kept < RETAINED_FRACTION {
             Some(Self::GapNotRetained(kept))
@@ -202,6 +215,12 @@ impl std::fmt::Display for Cause {
                 beside(fraction, SPEED_DROP_FRACTION),
                 100.0 * SPEED_DROP_FRACTION
             ),
+            Self::LosesLag(fraction) => write!(
+                f,
+                "balls keep {} of the lag of rolling without a contact angle ({:.0} % required)",
+                beside(fraction, LAG_MIN_FRACTION),
+                100.0 * LAG_MIN_FRACTION
+            ),
             Self::GapNotRetained(fraction) => write!(
                 f,
                 "gap lost before the load zone: balls return with as little as {} of the critical \
@@ -218,8 +237,8 @@ impl std::fmt::Display for Cause {
             Self::AxialLoad(fraction) => write!(
                 f,
                 "under the largest axial load {} of the lag is left ({:.0} % required)",
-                beside(fraction, AXIAL_LAG_MIN_FRACTION),
-                100.0 * AXIAL_LAG_MIN_FRACTION
+                beside(fraction, LAG_MIN_FRACTION),
+                100.0 * LAG_MIN_FRACTION
             ),
             Self::Stress(pa) => write!(
                 f,
@@ -283,6 +302,7 @@ mod tests {
                 &FORMS,
                 &spacing(critical, shortfall, stress),
                 0.5,
+                false,
             ))
         };
         let usual = 0.9 * STEADY;
@@ -303,7 +323,13 @@ mod tests {
         assert_eq!(of(2.0 * STEADY, 0.0, 9e9), Some("excessive-separation"));
 
         let spacing = spacing(0.03125, 0.0, 1e9);
-        let of = |drop, gap, double| name(Cause::of_motion(&motion(drop, gap, double), &spacing));
+        let of = |drop, gap, double| {
+            name(Cause::of_motion(
+                &motion(drop, gap, double),
+                &spacing,
+                false,
+            ))
+        };
         assert_eq!(of(0.8, 0.02, 0.1), None);
         assert_eq!(of(0.8f64.next_down(), 0.02, 0.1), Some("gross-sliding"));
         assert_eq!(of(1.0, 0.015_625, 0.1), None);
@@ -321,10 +347,10 @@ mod tests {
     #[test]
     fn causes_say_their_value_and_their_excess() {
         let spacing_of = |critical, shortfall, stress| {
-            Cause::of_spacing(&FORMS, &spacing(critical, shortfall, stress), 0.5).unwrap()
+            Cause::of_spacing(&FORMS, &spacing(critical, shortfall, stress), 0.5, false).unwrap()
         };
         let motion_of = |drop, gap, double| {
-            Cause::of_motion(&motion(drop, gap, double), &spacing(0.03, 0.0, 1e9)).unwrap()
+            Cause::of_motion(&motion(drop, gap, double), &spacing(0.03, 0.0, 1e9), false).unwrap()
         };
         let rows = [
             (

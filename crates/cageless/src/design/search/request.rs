@@ -3,7 +3,7 @@
 use super::job::{Interrupted, Job, Outcome};
 use super::raceway_layout::OperatingPoint;
 use crate::case::Case;
-use crate::raceway::RacewayForm;
+use crate::raceway::{Raceway, RacewayForm};
 
 /// Ranges and limits of a search.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,9 +20,11 @@ pub struct Request {
     pub placements: Vec<Vec<f64>>,
     /// Forms of the raceways, one or more; the map is drawn for the first.
     pub forms: Vec<RacewayForm>,
+    /// Angles by which the sections of the raceways are turned, one or more; the map is drawn for the first.
+    pub section_angles_rad: Vec<f64>,
     /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
     pub critical_gap_min_fraction: f64,
-    /// Largest axial load under which a raceway must keep [`super::AXIAL_LAG_MIN_FRACTION`] of its lag, N; 0
+    /// Largest axial load of a search in the plane, under which a raceway must keep [`crate::design::LAG_MIN_FRACTION`] of its lag, N; 0
     /// asks for none.
     pub axial_load_max_n: f64,
     /// Uneven starts per structure, 1 or more.
@@ -34,13 +36,16 @@ pub struct Request {
 
 impl Request {
     /// The case's own operating point, one raceway where the case has its first (at the
-    /// bottom if it has none), all that the geometry allows.
+    /// bottom if it has none) and turned as that (as the contact angle if it has none), all that the
+    /// geometry allows.
     pub fn from_case(case: &Case) -> Self {
         let centre = case
             .raceways
             .first()
             .map_or(0.0, |r| r.dimensions().centre_angle_rad);
+        let turned = case.raceways.first().map(Raceway::section_angle_rad);
         Self {
+            section_angles_rad: vec![turned.unwrap_or(case.bearing.contact_angle_rad())],
             points: vec![OperatingPoint::from_case(case)],
             map_speeds_rad_s: vec![],
             axial_span_range_m: None,
@@ -52,6 +57,14 @@ impl Request {
             starts: 2,
             budget: BUDGET,
         }
+    }
+}
+
+impl Request {
+    /// Forms with each of the angles by which a section is turned.
+    pub fn sections(&self) -> impl Iterator<Item = (RacewayForm, f64)> {
+        let forms = self.forms.iter();
+        forms.flat_map(|form| self.section_angles_rad.iter().map(|angle| (*form, *angle)))
     }
 }
 

@@ -1,6 +1,9 @@
 use super::*;
 use crate::common::{raceway, structure};
 
+/// A steady-state gap, rad.
+const STEADY: f64 = 0.034;
+
 /// Statistics of which every number is another.
 fn statistics() -> PassageStatistics {
     PassageStatistics {
@@ -10,6 +13,7 @@ fn statistics() -> PassageStatistics {
         sliding_mean_m_s: 0.34,
         speed_drop_fraction: 0.93,
         lag_mean_rad: 0.04,
+        lag_fraction: 0.9,
         gap_leave_max_rad: 0.045,
         gap_leave_min_rad: 0.016,
     }
@@ -19,7 +23,12 @@ fn statistics() -> PassageStatistics {
 fn decided(gap_fraction: f64, statistics: PassageStatistics) -> RacewayJudgement {
     let case = structure(5.1, 25.2);
     let beta0 = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
-    decide(&case, &case.raceways[0], gap_fraction * beta0, statistics)
+    decide(
+        &case,
+        &case.raceways[0],
+        [gap_fraction * beta0, STEADY],
+        statistics,
+    )
 }
 
 /// Each criterion alone, just on either side of its limit; what is better than ideal passes.
@@ -98,7 +107,7 @@ fn the_depth_of_a_raceway_has_its_word() {
             fraction if fraction > 1.1 => "collide: raceway too deep",
             _ => "just touch",
         };
-        let judged = decide(&case, &raceway, beta0, statistics());
+        let judged = decide(&case, &raceway, [beta0, STEADY], statistics());
         let last = judged.reasons.last().map_or("", String::as_str);
         assert!(last.ends_with(word), "{span_mm}: {last}");
     }
