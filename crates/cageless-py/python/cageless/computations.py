@@ -193,6 +193,7 @@ class Computations(Document):
         groove_depth_um: float | None = None,
         axial_span_um: float | None = None,
         half_angle_deg: float | None = None,
+        contact_angle_deg: float | None = None,
         ball_grade: int | None = None,
         friction: float | None = None,
         clearance_um: float | None = None,
@@ -211,6 +212,7 @@ class Computations(Document):
             groove_depth_um: Depth of the raceways, 2 if left out.
             axial_span_um: lC, 20 if left out.
             half_angle_deg: θ, 0.1 if left out.
+            contact_angle_deg: Contact angle of the raceway, 0.1 if left out; of a case in space.
             ball_grade: Grade of the balls by ISO 3290-1, 10 if left out; 0 for balls all equal.
             friction: μ, 0.002 if left out.
             clearance_um: Radial internal clearance Gr, 10 if left out.

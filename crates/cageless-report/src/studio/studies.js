@@ -3,7 +3,7 @@
 
 const TOLERANCES = {
   samples: ["bearings drawn", ""], groove_depth_um: ["groove depth ±", "µm"], axial_span_um: ["lC ±", "µm"],
-  half_angle_deg: ["θ ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
+  half_angle_deg: ["θ ±", "°"], contact_angle_deg: ["contact angle of the raceway ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
   clearance_um: ["radial internal clearance Gr ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
 };
 const BUDGET = 100;
@@ -16,8 +16,9 @@ function kept({ document: { raceway } }) {
 }
 
 // `text` with a raceway of this shape at each of these places; comments stay where there is one, as before.
-function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg, shape }, g) {
-  const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre, shape });
+function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg, shape, contact_angle_deg }, g) {
+  const turned = g.space ? { contact_angle_deg } : {};
+  const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre, shape, ...turned });
   if (centre_angles_deg.length === 1 && g.raceways.length === 1) {
     return Object.entries(keys(centre_angles_deg[0])).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), text);
   }
@@ -116,7 +117,8 @@ class Studies {
     const motion = (name) => (point) => point.motion && point.motion[name];
     const rows = found.front.map((structure, k) => {
       const numbers = [
-        shown(structure.axial_span_mm, 3), shown(structure.half_angle_deg, 2), structure.centre_angles_deg.map((a) => shown(a, 0)).join(", "), structure.shape,
+        shown(structure.axial_span_mm, 3), shown(structure.half_angle_deg, 2), structure.centre_angles_deg.map((a) => shown(a, 0)).join(", "),
+        structure.shape + (structure.contact_angle_deg ? ", turned by " + shown(structure.contact_angle_deg, 1) + "°" : ""),
         shown(worst(structure, (p) => p.margin_deg, Math.min), 3), shown(worst(structure, motion("collisions"), Math.max), 2),
         shown(100 * worst(structure, motion("double_collision_fraction"), Math.max), 1), shown(worst(structure, motion("sliding_m_s"), Math.max), 2),
         shown(worst(structure, (p) => p.pressure_mpa, Math.max), 0),

@@ -57,3 +57,61 @@ impl MeasuredSeparation {
         kept * fraction
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::common::structure;
+    use crate::design::search::grid::MapCell;
+    use crate::design::search::{OperatingPoint, PairSeparation, RacewayLayout};
+
+    /// Linear between the cells of the nearest line, constant beyond them; the mean over several maps.
+    #[test]
+    fn what_maps_measure_is_interpolated() {
+        let case = structure(5.1, 25.2);
+        let layout = RacewayLayout::from_case(&case).unwrap();
+        let cell = |theoretical_gap_rad: f64, kept: f64| MapCell {
+            structure: layout.clone(),
+            forms: Some(ClosedForms {
+                theoretical_gap_rad,
+                steady_gap_rad: 0.04,
+            }),
+            spacing: Some(PairSeparation {
+                critical_gap_rad: kept * theoretical_gap_rad,
+                shortfall: 1.0 - kept,
+                stress_pa: 1e9,
+            }),
+            cause: None,
+        };
+        let map = |more: f64| SpeedMap {
+            point: OperatingPoint::from_case(&case),
+            axial_span_m: vec![4e-3, 5e-3],
+            half_angle_rad: vec![0.3, 0.4],
+            cells: vec![
+                cell(0.02, 0.9 + more),
+                cell(0.04, 0.7 + more),
+                cell(0.03, 0.5),
+                MapCell {
+                    spacing: None,
+                    ..cell(0.05, 0.0)
+                },
+            ],
+        };
+        let measured = MeasuredSeparation::new(&[map(0.0), map(0.02)]);
+        for (half_angle, fraction, kept) in [
+            (0.3, 0.75, 0.81),
+            (0.31, 1.0, 0.71),
+            (0.2, 1.5, 0.71),
+            (0.3, 0.25, 0.91),
+            (0.4, 0.9, 0.5),
+        ] {
+            let found = measured.expected(half_angle, fraction);
+            assert!(
+                (found - kept * fraction).abs() < 1e-12,
+                "{fraction}: {found}"
+            );
+        }
+        // Without any cell as the closed form has it.
+        assert_eq!(MeasuredSeparation::new(&[]).expected(0.3, 0.9), 0.9);
+    }
+}

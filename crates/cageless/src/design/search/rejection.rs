@@ -340,6 +340,18 @@ mod tests {
         assert_eq!(of(1.0, 0.02, 0.25), None);
         assert_eq!(of(1.0, 0.02, 0.25f64.next_up()), Some("double-collision"));
         assert_eq!(of(0.1, 0.001, 0.9), Some("gross-sliding"));
+        // In space the lag decides in place of the deceleration, and no share of β0.
+        let kept = |lag_fraction: f64| {
+            let motion = Motion {
+                lag_fraction,
+                ..motion(0.1, 0.02, 0.1)
+            };
+            name(Cause::of_motion(&motion, &spacing, true))
+        };
+        assert_eq!(kept(0.5), None);
+        assert_eq!(kept(0.5f64.next_down()), Some("loses-lag"));
+        let slid = super::tests::spacing(usual, 0.4, 1e9);
+        assert_eq!(name(Cause::of_spacing(&FORMS, &slid, 0.5, true)), None);
         assert_eq!(of(1.0, 0.001, 0.9), Some("gap-not-retained"));
     }
 
