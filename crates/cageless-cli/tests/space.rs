@@ -183,25 +183,20 @@ fn impossible_values_are_named() {
 #[test]
 fn everything_else_refuses_what_it_would_ignore() {
     let case = repository_case("zhao-d.toml");
-    for command in ["design", "tolerance"] {
-        for (set, key) in [
-            ("operation.axial_load_n=100", "operation.axial_load_n = 100"),
-            ("operation.moment_y_n_m=0", "operation.moment"),
-            ("operation.tilt_y_mrad=1", "operation.tilt_y_mrad = 1"),
-            ("bearing.contact_angle_deg=15", "bearing.contact_angle_deg"),
-            (
-                "raceway.contact_angle_deg=5",
-                "raceway.contact_angle_deg = 5",
-            ),
-        ] {
-            let answer = call_on(command, &case, &[set], &[]);
-            assert_eq!(answer.code, Some(2), "{command} {set}: {answer:?}");
-            assert!(answer.stderr.contains(key), "{command} {key}: {answer:?}");
-            assert!(
-                answer.stderr.contains("`cageless static`"),
-                "{command}: {answer:?}"
-            );
-        }
+    for (set, key) in [
+        ("operation.axial_load_n=100", "operation.axial_load_n = 100"),
+        ("operation.moment_y_n_m=0", "operation.moment"),
+        ("operation.tilt_y_mrad=1", "operation.tilt_y_mrad = 1"),
+        ("bearing.contact_angle_deg=15", "bearing.contact_angle_deg"),
+        (
+            "raceway.contact_angle_deg=5",
+            "raceway.contact_angle_deg = 5",
+        ),
+    ] {
+        let answer = call_on("design", &case, &[set], &["--axial"]);
+        assert_eq!(answer.code, Some(2), "{set}: {answer:?}");
+        assert!(answer.stderr.contains(key), "{key}: {answer:?}");
+        assert!(answer.stderr.contains("`cageless static`"), "{answer:?}");
     }
     let folder = tempfile::tempdir().unwrap();
     let plan = folder.path().join("plan.toml");
@@ -233,6 +228,52 @@ fn everything_else_refuses_what_it_would_ignore() {
     );
     let checked = call_on("check", &case, &["operation.axial_load_n=100"], &[]);
     assert_eq!(checked.code, Some(0), "{checked:?}");
+}
+
+/// Designs and tolerances of a turned raceway are computed in space: without the turn the lag is lost.
+#[test]
+fn designs_and_tolerances_are_computed_in_space() {
+    let case = repository_case("zhao-d.toml");
+    let sets = [
+        "operation.axial_load_n=150",
+        "operation.radial_load_n=300",
+        "solver.method=verlet",
+        "solver.step_us=2",
+    ];
+    let judged = |more: &[&str]| {
+        let sets = [&sets[..], more].concat();
+        let answer = call_on("design", &case, &sets, &["--json"]);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+        answer.json()
+    };
+    let turned = ["raceway.contact_angle_deg=10"];
+    let [straight, turned_json] = [&[][..], &turned].map(judged);
+    assert_eq!(straight["verdict"], "loses-lag");
+    let lag = |d: &Value| d["passages"]["lag_per_pass_deg"].as_f64().unwrap();
+    assert!(lag(&turned_json) > lag(&straight), "{turned_json}");
+    assert!(straight["recommendation"].is_null());
+    let sets = [&sets[..], &turned].concat();
+    let options = ["--samples", "0", "--ball-grade", "0", "--json"];
+    let answer = call_on("tolerance", &case, &sets, &options);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let found = answer.json();
+    let rows = found["influences"].as_array().unwrap();
+    let names: Vec<_> = rows.iter().filter_map(|r| r["name"].as_str()).collect();
+    assert!(names.contains(&"contact angle of the raceway"), "{names:?}");
+    let nominal = found["nominal_critical_gap_deg"].as_f64();
+    assert_eq!(nominal, turned_json["critical_gap_deg"].as_f64());
+    // What [search] asks of space is refused in the plane, and the other way round.
+    for (set, sets) in [
+        ("search.axial_load_n=[0, 50]", &[][..]),
+        ("search.contact_angle_deg=[0, 10]", &[]),
+        ("search.axial_load_max_n=50", &["model.motion=space"]),
+    ] {
+        let sets = [&[set], sets].concat();
+        let answer = call_on("design", &case, &sets, &["--search"]);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        let key = set.split('=').next().unwrap();
+        assert!(answer.stderr.contains(key), "{answer:?}");
+    }
 }
 
 /// What a run in space does not have, in one message each.

@@ -206,11 +206,13 @@ fn a_verdict_in_space_is_about_the_lag() {
         let case = with(&[("operation", &format!("axial_load_n = {axial_n}"))]);
         let found = good(&json!({ "op": "verdict", "case": case }));
         assert_eq!(found["passes"], json!(passes), "{found}");
-        let [criterion] = &found["criteria"].as_array().unwrap()[..] else {
+        let [criterion, double] = &found["criteria"].as_array().unwrap()[..] else {
             panic!("{found}");
         };
+        assert_eq!(double["name"], "both-neighbours");
+        assert!(found["critical_gap_deg"].as_f64().unwrap() < 1.5, "{found}");
         let share = criterion["value"].as_f64().unwrap();
-        let lag = found["lag_per_pass_deg"].as_f64().unwrap();
+        let lag = found["passages"]["lag_per_pass_deg"].as_f64().unwrap();
         // Rolling in the plane lags by 2.29°.
         assert!((share - lag / 2.29).abs() < 0.01, "{share} {lag}");
         assert_eq!(share > 0.5, passes);

@@ -336,6 +336,7 @@ class ToleranceAttributes:
     nominal_passes: bool | None  # nominal bearing passes
     nominal_verdict: str  # verdict on the nominal bearing
     nominal_critical_gap_deg: float  # critical gap, nominal, deg
+    nominal_lag_fraction: float  # lag of the row and raceway with the least, fraction of that of rolling, nominal
     nominal_double_collision_fraction: float  # double collisions, fraction of the passages, nominal
     nominal_sliding_m_s: float  # largest sliding speed in a passage, mean, nominal, m/s
     uniform_gap_deg: float  # nominal gap, deg

@@ -38,6 +38,15 @@ fn tolerances_are_those_of_the_request_in_si_units() {
     for (found, expected) in expected {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
     }
+    // The section of a raceway is turned in space alone.
+    assert_eq!(t.section_angle_rad, 0.0);
+    let spatial = Case {
+        motion: cageless::Motion::Space,
+        ..case()
+    };
+    let t = REQUEST.check(&spatial, "case").unwrap();
+    let expected = 0.3 * std::f64::consts::PI / 180.0;
+    assert!((t.section_angle_rad / expected - 1.0).abs() < 1e-12);
     let none = Request {
         ball_grade: 0,
         ..REQUEST

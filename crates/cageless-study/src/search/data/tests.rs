@@ -109,6 +109,7 @@ fn assert_motion(found: &Record, m: &Motion, steady_rad: f64) {
         ("gap_min_deg", m.gap_min_rad * 180.0 / std::f64::consts::PI),
         ("sliding_m_s", m.sliding_m_s),
         ("speed_drop_fraction", m.speed_drop_fraction),
+        ("lag_fraction", m.lag_fraction),
         ("force_deviation_n", m.force_deviation_n),
         ("friction_w", m.friction_w),
     ];
