@@ -9,7 +9,7 @@ use crate::{
     RacewayLabel, RacewaySurface,
 };
 use cageless::Case;
-use cageless::design::{axial_orbits, span_angle_curve, steady_after_s, steady_case};
+use cageless::design::{AXIAL_ORBITS, span_angle_curve, steady_after_s, steady_case};
 use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
@@ -87,7 +87,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         shown: ShownRaceway::new(file, result),
         rings: Vec::new(),
         axial: result.axial.as_ref().map(|axial| {
-            let [settles, counts] = axial_orbits(case);
+            let [settles, counts] = AXIAL_ORBITS;
             let discarded = format!("first {settles} of {} orbits", settles + counts);
             let source = provenance(&steady, discarded);
             AxialLoads::new(axial, case.operation.radial_load_n, source)

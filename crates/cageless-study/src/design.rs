@@ -4,9 +4,7 @@ use std::path::Path;
 
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::{
-    Judgement, Recommendation, judge_watched, recommend, steady_case, steady_orbits,
-};
+use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::Stop;
@@ -134,8 +132,7 @@ fn judged(
     let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
-    let orbits: f64 = steady_orbits(case).iter().sum();
-    let from_s = end_s * (1.0 - PORTRAIT_ORBITS / orbits);
+    let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
     let task = progress.begin(TASK, 1.0 + RECOMMENDATION_WORK);
     let mut snapshots = vec![];
     let judgement = {

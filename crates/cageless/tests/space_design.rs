@@ -154,12 +154,13 @@ fn a_verdict_in_space_is_that_of_the_lag() {
     let measured = axial_lag(&in_space(planar, 0.007), [0.0; 2], &mut go_on).unwrap();
     let [lag, _] = measured.lag_and_angle_rad.unwrap();
     let rolling = kinematic_lag_rad(&case.bearing, &case.raceways[0], 0.0, 0.0);
-    assert!((criterion(&judged, "lag") / (lag / rolling) - 1.0).abs() < 1e-12);
+    // Of later orbits.
+    assert!((criterion(&judged, "lag") / (lag / rolling) - 1.0).abs() < 2e-3);
     assert!(criterion(&judged, "both-neighbours") < 0.25);
     // As far apart as the lag of all balls says.
     let even = std::f64::consts::TAU / 14.0 - case.bearing.ball_angle_rad();
     let steady = judged.steady_gap_rad.unwrap();
-    assert!((steady - even - lag / 14.0).abs() < 1e-12);
+    assert!((steady - even - lag / 14.0).abs() < 1e-5);
 
     let plain = angular_contact();
     let of = |section_deg: f64| {

@@ -25,7 +25,11 @@ const RECOMMENDED: &str = "recommended.toml";
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     let out = output.out.as_deref();
-    let file = args.case.read(cageless::Case::check_motion)?;
+    // --axial brings its own axial loads and tilts.
+    let file = args.case.read(match args.axial {
+        true => cageless::Case::check_planar,
+        false => cageless::Case::check_motion,
+    })?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
         let paper = structures_of(&file.case().bearing)?;
         let asked = Asked {

@@ -4,7 +4,7 @@
 //! spaced and settled, move under axial loads and tilts with all friction, and the lag is what
 //! they lose.
 
-use super::verdict::{steady_after_s, steady_case, steady_orbits};
+use super::verdict::steady_case;
 use crate::case::{Case, Motion, Tilt};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
@@ -18,6 +18,9 @@ use crate::summary::SummaryRecorder;
 const LOAD_RATIOS: [f64; 8] = [0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0];
 /// Tilts about the horizontal axis, rad.
 const TILTS_RAD: [f64; 5] = [-2e-3, -1e-3, 0.0, 1e-3, 2e-3];
+/// Ball orbits discarded before the passages are counted, and counted.
+pub const AXIAL_ORBITS: [f64; 2] = [8.0, 8.0];
+
 /// Error of a critical gap in space.
 const GAP_TOLERANCE_RAD: f64 = 2e-5;
 
@@ -65,17 +68,13 @@ fn under(case: &Case, [axial_load_n, tilt_x_rad]: [f64; 2]) -> Case {
         motion: Motion::Space,
         ..case.clone()
     });
+    loaded.solver.duration_s = AXIAL_ORBITS.iter().sum::<f64>() * case.rolling_orbit_s();
     loaded.operation.space.axial_load_n = axial_load_n;
     loaded.operation.space.tilt = Tilt::Held {
         x_rad: tilt_x_rad,
         y_rad: 0.0,
     };
     loaded
-}
-
-/// Ball orbits of [`axial_lag`] before the passages are counted, and counted.
-pub fn axial_orbits(case: &Case) -> [f64; 2] {
-    steady_orbits(&under(case, [0.0, 0.0]))
 }
 
 /// Lag at one of [`axial_points`], after eight orbits of the balls over eight more. `control` is
@@ -102,7 +101,7 @@ fn lag_and_angle_rad(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<[f64; 2]>, EquilibriumError> {
-    let after_s = steady_after_s(case);
+    let after_s = AXIAL_ORBITS[0] * case.rolling_orbit_s();
     let duration_s = case.solver.duration_s;
     let mut tally = PassageTally::new();
     let mut summary = SummaryRecorder::new();

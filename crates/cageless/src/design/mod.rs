@@ -33,7 +33,7 @@ use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, axial_span_limit_m};
 
 pub use axial::{
-    AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_orbits, axial_points,
+    AXIAL_ORBITS, AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_points,
 };
 pub use contact_angle::{
     ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction, seats,
@@ -48,7 +48,7 @@ pub use recommendation::{Recommendation, StartingPoint, recommend, starting_poin
 pub use run_verdict::RunVerdict;
 pub use verdict::{
     Judgement, PassageStatistics, RacewayJudgement, judge, judge_watched, steady_after_s,
-    steady_case, steady_orbits,
+    steady_case,
 };
 
 /// Reading of φ in Zhao 2022, Eq. (11).

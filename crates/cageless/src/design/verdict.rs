@@ -76,18 +76,8 @@ pub struct Judgement {
     pub stopped: Option<Stop>,
 }
 
-/// Ball orbits in the plane discarded before the passages are counted, and counted.
+/// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
-/// The same in space, where an orbit takes longer to compute.
-const SPACE_ORBITS: [f64; 2] = [8.0, 8.0];
-
-/// Ball orbits that [`judge`] discards before it counts passages, and those that it counts.
-pub fn steady_orbits(case: &Case) -> [f64; 2] {
-    match case.moves_in_space() {
-        true => SPACE_ORBITS,
-        false => TURNS,
-    }
-}
 
 /// Work of one critical gap over that of one orbit of all balls, roughly.
 const GAP_ORBITS: f64 = 1.5;
@@ -97,7 +87,7 @@ const GAP_ORBITS: f64 = 1.5;
 /// smoothly. The critical gap is that of each raceway alone; then all balls, evenly spaced
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
 /// 16 are discarded. In space it looks at the share of the lag that load, contact angle and sliding leave, and at
-/// double collisions; the critical gap is that of the row with the least, and the run has half as many orbits.
+/// double collisions; the critical gap is that of the row with the least.
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
@@ -135,7 +125,7 @@ pub fn judge_watched(
         });
     }
     let gap_orbits = GAP_ORBITS * case.raceways.len() as f64;
-    let orbits = gap_orbits + steady_orbits(case).iter().sum::<f64>();
+    let orbits = gap_orbits + TURNS[0] + TURNS[1];
     let mut criticals = vec![];
     for (k, raceway) in case.raceways.iter().enumerate() {
         let alone = case.with_raceways(vec![raceway.clone()]);
@@ -399,7 +389,7 @@ fn decide(
     }
 }
 
-/// The case that [`judge`] runs: evenly spaced, settled, for 32 orbits of the balls, in space for 16.
+/// The case that [`judge`] runs: evenly spaced, settled, for 32 orbits of the balls.
 pub fn steady_case(case: &Case) -> Case {
     let mut steady = Case {
         start: Start::Settled {
@@ -408,13 +398,13 @@ pub fn steady_case(case: &Case) -> Case {
         },
         ..case.clone()
     };
-    steady.solver.duration_s = steady_orbits(case).iter().sum::<f64>() * case.rolling_orbit_s();
+    steady.solver.duration_s = (TURNS[0] + TURNS[1]) * case.rolling_orbit_s();
     steady
 }
 
 /// Transient that [`judge`] discards before it counts passages, s.
 pub fn steady_after_s(case: &Case) -> f64 {
-    steady_orbits(case)[0] * case.rolling_orbit_s()
+    TURNS[0] * case.rolling_orbit_s()
 }
 
 /// Runs all balls and counts the passages of the second half, raceway by raceway.
