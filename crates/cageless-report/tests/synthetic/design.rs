@@ -10,7 +10,7 @@ fn searched(k: usize, status: &str) -> Value {
     let x = k as f64;
     json!({
         "axial_span_mm": 5.0 + 0.1 * x, "half_angle_deg": 22.0 + x,
-        "shape": "quartic", "centre_angles_deg": if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
+        "shape": "quartic", "contact_angle_deg": 0.0, "centre_angles_deg": if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
         "status": status, "passes": status == "accepted", "reason": null,
         "why": if status == "rejected" { "slip <takes> 9 %" } else { "" },
         "on_front": k.is_multiple_of(2), "beta0_deg": 1.8, "steady_gap_deg": 1.97,
@@ -21,7 +21,7 @@ fn searched(k: usize, status: &str) -> Value {
             "motion": {
                 "collisions": 0.3, "collisions_late": 0.0, "double_collision_fraction": 0.0,
                 "impulse_mn_s": 0.0, "spacing_scatter": 0.2 - 0.02 * x, "gap_min_deg": 0.0,
-                "sliding_m_s": 0.0, "speed_drop_fraction": 0.0, "force_deviation_n": 0.0,
+                "sliding_m_s": 0.0, "speed_drop_fraction": 0.0, "lag_fraction": 0.0, "force_deviation_n": 0.0,
                 "friction_w": 0.8 + 0.1 * x,
             },
             "errors": null,
@@ -31,7 +31,8 @@ fn searched(k: usize, status: &str) -> Value {
 
 /// The record of a search that found something, as JSON.
 pub fn search_json() -> Value {
-    let point = |rpm: f64| json!({ "inner_speed_rpm": rpm, "radial_load_n": 1500.0 });
+    let point =
+        |rpm: f64| json!({ "inner_speed_rpm": rpm, "radial_load_n": 1500.0, "axial_load_n": 0.0 });
     let map = |rpm: f64| {
         json!({
             "point": point(rpm), "axial_span_mm": [4.0, 5.0, 6.0], "half_angle_deg": [15.0, 25.0],
@@ -45,7 +46,7 @@ pub fn search_json() -> Value {
         })
     };
     let place = json!({
-        "centre_angles_deg": [0.0], "shape": "quartic", "structures": 0, "accepted": 0, "least_shortfall": null, "best": null,
+        "centre_angles_deg": [0.0], "shape": "quartic", "contact_angle_deg": 0.0, "structures": 0, "accepted": 0, "least_shortfall": null, "best": null,
     });
     json!({
         "critical_gap_min_fraction": 0.8, "axial_load_max_n": 0.0, "starts": 2, "seed": 0,
