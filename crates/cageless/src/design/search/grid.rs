@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::evaluation::{Batch, Evaluation, motions};
 use super::job::{Interrupted, Job, Numbers, PairSeparation, Task};
+use super::measured_separation::MeasuredSeparation;
 use super::perturbed_run::Motion;
 use super::raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 use super::rejection::Cause;
@@ -247,6 +248,27 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         };
     }
     Ok(())
+}
+
+/// What maps of the same cells measure; a cell has the mean over the maps.
+pub(super) fn measured(maps: &[SpeedMap]) -> MeasuredSeparation {
+    let first = &maps[0];
+    let columns = first.axial_span_m.len();
+    let of_cell = |k: usize| {
+        let forms = first.cells[k].forms?;
+        let gaps = maps
+            .iter()
+            .map(|map| Some(map.cells[k].spacing?.critical_gap_rad));
+        let gaps: Option<Vec<f64>> = gaps.collect();
+        let gap = gaps?.iter().sum::<f64>() / maps.len() as f64;
+        let kept = gap / forms.theoretical_gap_rad;
+        (forms.theoretical_gap_rad > 0.0).then_some([forms.fraction(), kept])
+    };
+    let rows = first.half_angle_rad.iter().enumerate();
+    MeasuredSeparation::new(rows.map(|(row, &half_angle_rad)| {
+        let cells = row * columns..(row + 1) * columns;
+        (half_angle_rad, cells.filter_map(of_cell).collect())
+    }))
 }
 
 /// Leaves out every second line along the longer side of a map.

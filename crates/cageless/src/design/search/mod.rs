@@ -62,7 +62,6 @@ use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::raceway::axial_span_limit_m;
 use evaluation::Batch;
-use measured_separation::MeasuredSeparation;
 
 /// Error of a search.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -171,7 +170,7 @@ pub fn search(
     };
     let maps = grid::maps(&mut batch)?;
     if batch.in_space() {
-        batch.measured = Some(MeasuredSeparation::new(&maps[..request.points.len()]));
+        batch.measured = Some(grid::measured(&maps[..request.points.len()]));
     }
     let mut evaluations = grid::candidates(&batch);
     batch.spacing(Stage::Candidates, &mut evaluations)?;
