@@ -125,7 +125,7 @@ class Document(Written):
             >>> case.replace({"raceway.half_angle_deg": 24.0}).raceways[0].half_angle_deg
             24.0
             >>> case.replace(raceway__half_angle_deg=24.0, title="narrow").raceways[0]
-            Raceway(axial_span_mm=5.1, half_angle_deg=24.0, centre_angle_deg=0.0, shape='quartic', profile=None, blend_mm=0.0, depth_um=0.0, edge_radius_mm=None, depth_error_um=0.0, contact_angle_deg=None)
+            Raceway(axial_span_mm=5.1, half_angle_deg=24.0, centre_angle_deg=0.0, shape='quartic', profile=None, blend_mm=0.0, depth_um=0.0, edge_radius_mm=None, slot_depth_mm=None, depth_error_um=0.0, contact_angle_deg=None)
             >>> other = case.replace(raceway={"half_angle_deg": 24.0}, title="narrow")
             >>> other == case.replace({"raceway": {"half_angle_deg": 24.0}, "title": "narrow"})
             True

@@ -11,6 +11,15 @@ pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut
     with_law!(&p.friction, law => friction_by(law, slip, normal, force));
 }
 
+/// Friction of the balls of a block at both raceways, from their sliding speeds.
+#[inline(always)]
+pub(super) fn both_raceways(p: &Parameters, results: &mut BlockResults) {
+    let (outer, inner) = (&results.outer, &results.inner);
+    let normal = &outer.friction_normal;
+    friction(p, &outer.slip, normal, &mut results.outer_friction);
+    friction(p, &inner.slip, &inner.force, &mut results.inner_friction);
+}
+
 #[inline(always)]
 fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
     for lane in 0..LANES {

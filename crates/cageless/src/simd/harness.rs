@@ -2,7 +2,7 @@
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
 use super::flanks;
-use super::friction::{friction, loaded_slips};
+use super::friction::{both_raceways, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
 use super::implicit_friction;
 use super::motions::{CentreLanes, Motions, block_at, block_mut};
@@ -85,14 +85,7 @@ fn equations<const ROTOR: bool>(
         }
         raceway_contacts(p, balls, results, motions, ring);
         if raceway_friction {
-            let (outer, inner) = (&results.outer, &results.inner);
-            friction(
-                p,
-                &outer.slip,
-                &outer.friction_normal,
-                &mut results.outer_friction,
-            );
-            friction(p, &inner.slip, &inner.force, &mut results.inner_friction);
+            both_raceways(p, results);
         } else {
             (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
         }

@@ -2,7 +2,7 @@
 //! [`crate::contact::published`] in place of those of consistent mechanics.
 
 use super::beginning::Beginning;
-use super::friction::{friction, loaded_slips};
+use super::friction::{both_raceways, friction, loaded_slips};
 use super::geometry::{plain_positions, polynomial, raceway_geometry};
 use super::harness::{accelerations, inner_loads, raceway_contacts, ring_and_ledger, slope_forces};
 use super::implicit_friction::{add_ring_friction, apply, finish};
@@ -61,14 +61,7 @@ pub(crate) fn evaluate(
         }
         (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
         if raceway_friction {
-            let (outer, inner) = (&results.outer, &results.inner);
-            friction(
-                p,
-                &outer.slip,
-                &outer.friction_normal,
-                &mut results.outer_friction,
-            );
-            friction(p, &inner.slip, &inner.force, &mut results.inner_friction);
+            both_raceways(p, results);
             loaded_slips(results, &mut w.slip_max);
         }
         outer_loads(block_of, results, &mut w.addends, motions);

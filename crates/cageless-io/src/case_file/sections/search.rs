@@ -17,8 +17,8 @@ section! {
             "load, or lowest and highest",
             Commented("[500.0, 1500.0]", "left out: those of the case");
         axial_load_n => axial_load_n: Option<[f64; 2]> = Optional, Si("N"),
-            "axial load, or lowest and highest, of a case in space",
-            Commented("[0.0, 150.0]", "in space; left out: that of the case");
+            "axial load, or lowest and highest, of a case in space; that of the case unless given",
+            Absent;
         axial_span_mm => axial_span_m: Option<[f64; 2]> = Optional, Millimetre; Above(0.0),
             "lC, or narrowest and widest",
             Commented("[4.0, 6.0]", "left out: all that the groove allows");
@@ -26,8 +26,8 @@ section! {
             "θ, or smallest and largest",
             Commented("[15.0, 30.0]", "left out: all that the bearing allows");
         contact_angle_deg => section_angle_rad: Option<Vec<f64>> = Optional, Degree; Within(-90.0, 90.0),
-            "contact angles of the raceway, of a case in space",
-            Commented("[0.0, 10.0, 15.0]", "in space; left out: that of the raceway, or of the bearing");
+            "contact angles of the raceway, of a case in space; that of the raceway, or of the bearing, unless given",
+            Absent;
         centre_angle_deg => centre_angle_rad: Option<[f64; 2]> = Optional, Degree; Within(-180.0, 180.0),
             "ψ of the middle of one raceway, or first and last",
             Commented("[-90.0, 90.0]", "places of the raceway; left out: its own");
