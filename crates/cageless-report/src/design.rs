@@ -91,10 +91,11 @@ pub fn design_page(data: &DesignData) -> String {
     if let Some(search) = &data.search {
         search_sections(&mut page, search);
     }
-    if !data.recommendation.is_empty() || data.curve.is_some() {
-        page.section("A raceway near the curve of Eq. (11)");
+    if data.recommendation.is_empty() && data.curve.is_some() {
+        page.section("The curve of Eq. (11)");
     }
     if !data.recommendation.is_empty() {
+        page.section("A raceway near the curve of Eq. (11)");
         // Beside the result of a search it is no recommendation of its own.
         if data.search.is_some() {
             let without = format!("Without the search: {}", data.recommendation);
