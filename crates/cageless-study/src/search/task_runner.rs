@@ -21,7 +21,7 @@ use crate::progress::{Progress, Work};
 pub const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
-/// The same in space, with its static equilibria.
+/// Work of a critical gap in space, with its static equilibria, over that of a run of all balls.
 const SPACING_WORK_IN_SPACE: f64 = 0.3;
 
 /// Work of a run in space under axial load over that of a run of all balls.

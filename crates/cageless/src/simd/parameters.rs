@@ -25,8 +25,9 @@ pub(super) struct RacewayBlock {
     pub constants: RacewayConstantsLanes,
     pub radius: Polynomial,
     pub radius_slope: Polynomial,
-    /// Of 1/√(1 + y′² + z′²) of the contact path, and 4a and 2b of its slope, in the published equations.
+    /// 1/√(1 + y′² + z′²) along the contact path, in the published equations.
     pub direction: Polynomial,
+    /// 4a and 2b of the slope of that path, Zhao 2022, Eq. (5).
     pub path_slope: [Lanes; 2],
     /// Those of elastic flanks of each bearing.
     pub flanks: Vec<FlankPolynomials>,

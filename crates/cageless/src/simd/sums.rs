@@ -16,7 +16,7 @@ pub(super) enum Sum {
     RacewayDamping,
     BallFriction,
     BallDamping,
-    /// Of the published equations only, as are the next three.
+    /// Power of the centrifugal force; this and the next three belong to the published equations.
     Centrifugal,
     FrictionDirection,
     RelativeSpin,

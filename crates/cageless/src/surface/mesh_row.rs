@@ -21,7 +21,7 @@ pub(super) struct Row {
 pub(super) struct Steps {
     /// From the bottom of the groove, or from a slot, to a shoulder.
     pub groove: usize,
-    /// Of a rounded edge.
+    /// Across the rounded edge of a slot.
     pub edge: usize,
 }
 

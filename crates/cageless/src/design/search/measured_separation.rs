@@ -7,7 +7,7 @@ pub(super) struct MeasuredSeparation {
 }
 
 impl MeasuredSeparation {
-    /// Of lines that have cells, in any order.
+    /// Sorts the cells of each line by β0 over the steady gap; no line may be empty.
     pub fn new(lines: impl Iterator<Item = (f64, Vec<[f64; 2]>)>) -> Self {
         let sorted = lines.map(|(half_angle_rad, mut cells)| {
             cells.sort_by(|a, b| a[0].total_cmp(&b[0]));
