@@ -15,7 +15,7 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless-py", 3),
     ("cageless-report", 67),
     ("cageless-results", 13),
-    ("cageless-study", 69),
+    ("cageless-study", 68),
 ];
 
 /// The reader of documents and the table of quantities: where units are converted.

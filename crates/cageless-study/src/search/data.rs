@@ -91,7 +91,7 @@ fn motion(motion: &Motion, steady_gap_rad: f64) -> Record {
 }
 
 /// A structure with its numbers; means and errors of its motion are those of `confirmed`, if it was.
-fn structure(evaluation: &Evaluation, confirmed: Option<&Confirmed>) -> Record {
+pub(super) fn structure(evaluation: &Evaluation, confirmed: Option<&Confirmed>) -> Record {
     let steady = evaluation.forms.map(|f| f.steady_gap_rad);
     let points = (0..evaluation.spacing.len()).map(|point| {
         let statistics = confirmed.and_then(|c| c.statistics.get(point));

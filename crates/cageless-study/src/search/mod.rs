@@ -103,11 +103,6 @@ pub fn run(
     Ok((found, record))
 }
 
-/// The angle of a section as it is entered: millionths of a degree, which the conversion to SI leaves.
-fn section_angle_deg(angle_rad: f64) -> f64 {
-    (angle_rad.to_degrees() * 1e6).round() / 1e6
-}
-
 /// Verdict on the recommended structure at every operating point, as it is when the structure is
 /// entered as the case's own.
 fn verdicts(
@@ -115,9 +110,11 @@ fn verdicts(
     found: &Found,
     progress: &dyn Progress,
 ) -> Result<Vec<Record>, StudyError> {
-    let Some(best) = found.recommended.map(|k| &found.evaluations[k].structure) else {
+    let Some(recommended) = found.recommended.map(|k| &found.evaluations[k]) else {
         return Ok(vec![]);
     };
+    let best = &recommended.structure;
+    let section_angle_deg = data::structure(recommended, None).number("contact_angle_deg");
     let raceways: Vec<_> = best
         .centres_rad
         .iter()
@@ -129,7 +126,7 @@ fn verdicts(
             };
             let mut values = entered_raceway(&dimensions, 0.0);
             values.extend(reshaped(file, best.form.shape.name()));
-            values.extend(turned(file, section_angle_deg(best.section_angle_rad)));
+            values.extend(turned(file, section_angle_deg));
             values
         })
         .collect();
