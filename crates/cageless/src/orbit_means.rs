@@ -17,6 +17,7 @@
 use std::f64::consts::TAU;
 
 use crate::case::Case;
+use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::simulation::{BallAngle, StepView};
 
@@ -34,6 +35,8 @@ pub struct OrbitMeans {
     pub orbit_speed_rad_s: f64,
     /// Mean absolute rotational speed of the balls about their axes, clockwise, rad/s.
     pub rotation_rad_s: f64,
+    /// Mean rotational speed of the balls in the frames of their orbits less the orbital speed, rad/s.
+    beyond_orbit_rad_s: f64,
     /// Whether the inner ring is driven at a constant ωi.
     driven: bool,
     /// Balls of a row.
@@ -101,7 +104,7 @@ impl OrbitMeans {
 
     /// Rotational frequency of the balls relative to their orbit, Hz.
     pub fn bsf_hz(&self) -> f64 {
-        (self.rotation_rad_s + self.orbit_speed_rad_s) / TAU
+        (self.beyond_orbit_rad_s + self.orbit_speed_rad_s) / TAU
     }
 }
 
@@ -111,7 +114,7 @@ struct Mark {
     time_s: f64,
     ledger_j: [f64; EnergyTerm::ALL.len()],
     angles: Vec<BallAngle>,
-    rotation_sum: f64,
+    rotation_sum: [f64; 2],
     rotation_samples: u64,
 }
 
@@ -125,7 +128,7 @@ pub(crate) struct OrbitMeansTracker {
     reference: [f64; 2],
     /// Sine of the angle of ball 1 from there, times its distance, at the last step.
     last_cross: f64,
-    rotation_sum: f64,
+    rotation_sum: [f64; 2],
     rotation_samples: u64,
 }
 
@@ -135,10 +138,11 @@ impl OrbitMeansTracker {
         let [x, y] = view.positions();
         let [x, y] = [x[0], y[0]];
         if sampled {
-            let contacts = &view.contacts;
-            let balls = contacts.balls();
-            let sum: f64 = (0..balls).map(|k| contacts.rotation_rad_s(k)).sum();
-            self.rotation_sum += sum / balls as f64;
+            let balls = view.contacts.balls();
+            for k in 0..2 {
+                let sum: f64 = (0..balls).map(|ball| rotations_rad_s(view, ball)[k]).sum();
+                self.rotation_sum[k] += sum / balls as f64;
+            }
             self.rotation_samples += 1;
         }
         if self.begin.is_none() {
@@ -186,7 +190,9 @@ impl OrbitMeansTracker {
         let time_s = end.time_s - begin.time_s;
         let balls = case.bearing.balls();
         let driven = case.rotor.is_none() && case.operation.inner_speed_table.is_none();
-        let samples = end.rotation_samples - begin.rotation_samples;
+        let samples = (end.rotation_samples - begin.rotation_samples) as f64;
+        let [rotation_rad_s, beyond_orbit_rad_s] =
+            [0, 1].map(|k| (end.rotation_sum[k] - begin.rotation_sum[k]) / samples);
         (time_s > 0.0).then(|| OrbitMeans {
             orbits: self.orbits,
             interval_s: [begin.time_s, end.time_s],
@@ -196,10 +202,27 @@ impl OrbitMeansTracker {
                 f64::NAN
             },
             orbit_speed_rad_s: (angle(end) - angle(begin)) / (end.angles.len() as f64 * time_s),
-            rotation_rad_s: (end.rotation_sum - begin.rotation_sum) / samples as f64,
+            rotation_rad_s,
+            beyond_orbit_rad_s,
             driven,
             balls,
             power_w: std::array::from_fn(|k| (end.ledger_j[k] - begin.ledger_j[k]) / time_s),
         })
     }
+}
+
+/// Absolute rotational speed of ball `k`, and that in the frame of its orbit less the orbital speed, rad/s;
+/// in the plane both are its spin.
+fn rotations_rad_s(view: &StepView<'_, '_>, k: usize) -> [f64; 2] {
+    let spin = view.contacts.rotation_rad_s(k);
+    if !view.layout().is_in_space() {
+        return [spin; 2];
+    }
+    let across = [BallCoordinate::OmegaX, BallCoordinate::OmegaY].map(|c| view.after(c)[k]);
+    let across = across[0].hypot(across[1]);
+    let orbit = view.contacts.orbit_speed_rad_s(k);
+    [
+        spin.hypot(across).copysign(spin),
+        (spin + orbit).hypot(across) - orbit,
+    ]
 }

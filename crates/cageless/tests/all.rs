@@ -46,6 +46,7 @@ mod space;
 mod space_design;
 mod space_drop;
 mod space_motion;
+mod space_rotor;
 mod space_rows;
 mod static_minimum;
 mod step_limits;

@@ -189,3 +189,36 @@ fn frequencies_are_those_of_rolling_but_for_the_slip() {
     let rolling = speed * balls / TAU;
     assert!((means.bpfo_hz() + means.bpfi_hz() - rolling).abs() < 1e-9 * rolling);
 }
+
+/// Under thrust at a contact angle the axis of a ball leans: it turns about it as the closed forms say,
+/// n/2·Dpw/Dw·(1 − γ²) with γ = Dw cos α/Dpw, and about that of the bearing by cos α of it.
+#[test]
+fn balls_that_roll_at_a_contact_angle_turn_as_the_closed_forms_say() {
+    let mut case = lasting(0.02).with_raceways(vec![]);
+    case.set_method(cageless::IntegrationMethod::VelocityVerlet);
+    case.bearing = (case.bearing)
+        .with_contact_angle(40f64.to_radians(), 0.0)
+        .unwrap();
+    case.operation.space.axial_load_n = 2000.0;
+    case.operation.radial_load_n = 0.0;
+    case.contact.friction.coefficient = 0.1;
+    let (_, summary) = simulate(&case, &mut []);
+    let (means, angles) = (summary.means.unwrap(), summary.space.unwrap());
+    let angle = 0.5 * (angles.inner_contact_angle_mean_rad + angles.outer_contact_angle_mean_rad);
+    let (dw, dpw) = (9.525, 46.005);
+    let gamma = dw * angle.abs().cos() / dpw;
+    let n = case.operation.inner_speed_rad_s / TAU;
+    let turning = 0.5 * n * dpw / dw * (1.0 - gamma * gamma);
+    let passing = cageless::rating::PassingFrequencies::at_contact_angle(&case, angle);
+    for (name, found, expected) in [
+        ("BSF of the closed form", passing.bsf_hz, turning),
+        ("BSF of the motion", means.bsf_hz(), turning),
+        ("FTF of the motion", means.ftf_hz(), 0.5 * n * (1.0 - gamma)),
+    ] {
+        println!("{name}: {found} {expected}");
+        assert!(
+            (found / expected - 1.0).abs() < 0.02,
+            "{name}: {found} {expected}"
+        );
+    }
+}

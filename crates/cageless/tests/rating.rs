@@ -393,7 +393,7 @@ fn passing_frequencies_of_the_loaded_bearing() {
     for (found, expected) in [
         (at.bpfo_hz, 7.0 * n * (1.0 - gamma)),
         (at.bpfi_hz, 7.0 * n * (1.0 + gamma)),
-        (at.bsf_hz, 0.5 * n * (1.0 / gamma - gamma)),
+        (at.bsf_hz, 0.5 * n * 46.005 / 9.525 * (1.0 - gamma * gamma)),
     ] {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
     }

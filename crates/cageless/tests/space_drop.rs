@@ -46,7 +46,7 @@ fn in_space(mut case: Case) -> Case {
     case
 }
 
-fn rotor(case: &mut Case) -> &mut Rotor {
+pub fn rotor(case: &mut Case) -> &mut Rotor {
     case.rotor.as_mut().unwrap()
 }
 
@@ -143,7 +143,7 @@ fn pair(preload_m: f64, turned: bool) -> Case {
 }
 
 /// [`pair`] under a vertical rotor that is about to land on its shoulder.
-fn vertical() -> Case {
+pub fn vertical() -> Case {
     let mut case = pair(10e-6, true);
     let r = rotor(&mut case);
     r.shaft = Shaft::Vertical;
@@ -155,7 +155,7 @@ fn vertical() -> Case {
 }
 
 /// A horizontal rotor with thrust that lands on both its journal and a shoulder.
-fn horizontal() -> Case {
+pub fn horizontal() -> Case {
     let mut case = pair(10e-6, true);
     let r = rotor(&mut case);
     (r.y_m, r.vy_m_s) = (-0.96 * r.radial_clearance_m, -0.0625);

@@ -109,7 +109,7 @@ fn rotor_text(study: &DropStudy) -> String {
     let mut text = pairs(&[
         ("rotor", format!("{} kg", significant(rotor.mass_kg(), 4))),
         (
-            "carried by the bearings",
+            "shares of the mass at the bearings",
             format!("{} kg", listed(&rotor.mass_shares_kg())),
         ),
         (

@@ -66,19 +66,13 @@ impl From<RotorFile> for VariantFile {
 }
 
 impl VariantFile {
-    /// Passes a file whose rotor can be dropped: onto one bearing in the plane or in space, onto several
-    /// in their planes.
+    /// Passes a file whose rotor can be dropped.
     ///
     /// # Errors
     /// A [`CaseError`] that names what motion in space does not have.
     pub fn check_drop(&self) -> Result<(), CaseError> {
-        match self {
-            Self::Case(file) => file.checked(Case::check_motion),
-            Self::Rotor(file) => {
-                let mut bearings = file.bearings().iter();
-                bearings.try_for_each(|bearing| bearing.checked(Case::check_planar))
-            }
-        }
+        let mut cases = self.cases().iter();
+        cases.try_for_each(|file| file.checked(Case::check_motion))
     }
 
     /// Reads a case file, or a rotor file with the files that it names.

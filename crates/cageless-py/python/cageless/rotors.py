@@ -34,7 +34,7 @@ class LinearRotor:
     Attributes:
         mass_kg: Mass.
         polar_inertia_kg_m2: Moment of inertia about the axis of rotation.
-        mass_shares_kg: Part of the mass that each bearing carries when the rotor rests in them.
+        mass_shares_kg: Part of the mass that each bearing carries when the rotor rests in them horizontally.
         coordinates: Number of coordinates after the reduction.
     """
 

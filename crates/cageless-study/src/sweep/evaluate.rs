@@ -49,8 +49,7 @@ fn check_space(file: &VariantFile, compute: &[Computation]) -> Result<(), CaseEr
         .iter()
         .try_for_each(|computation| match computation {
             Computation::Static => Ok(()),
-            Computation::Run => each(Case::check_motion),
-            Computation::Drop => file.check_drop(),
+            Computation::Run | Computation::Drop => each(Case::check_motion),
             _ => each(Case::check_planar),
         })
 }

@@ -159,7 +159,7 @@ impl Case {
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
         const IN_SPACE: &str = "`cageless static`, `run`, `compare`, `design` without `--axial`, `tolerance`, \
-                                `studio`, `drop` of one bearing and sweeps of static, run or drop";
+                                `studio`, `drop` and sweeps of static, run or drop";
         if let Some((field, value)) = self.spatial_field() {
             let rule = match field {
                 "edge_radius_m" => format!(

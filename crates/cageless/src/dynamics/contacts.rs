@@ -168,7 +168,7 @@ impl Contacts<'_> {
     /// Force of the inner ring on the rotor, friction included, N, if there is a rotor in space.
     pub(crate) fn rotor_force_n(&self) -> Option<[f64; 3]> {
         let space = self.space.filter(|_| self.layout.has_rotor());
-        space.map(|space| space.rotor.force.into())
+        space.map(|space| space.rotor.loads.fixed_rows::<3>(0).into())
     }
 
     /// Axial force of the balls on the outer ring, friction included, N.

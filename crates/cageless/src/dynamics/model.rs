@@ -176,11 +176,16 @@ impl Model {
         })
     }
 
-    /// Bearing of a rotor that rests on other bearings as well: the motion of the journal is given,
-    /// and friction is implicit.
-    pub(crate) fn guided(self) -> Self {
+    /// Bearing of a rotor of this mass that rests on other bearings as well: the motion of the journal
+    /// is given, and friction is implicit.
+    pub(crate) fn guided(self, rotor_mass_kg: f64) -> Self {
+        let space = self.space.map(|space| SpaceModel {
+            rotor: (space.rotor).map(|along_axis| along_axis.guided(rotor_mass_kg)),
+            ..space
+        });
         Self {
             rotor: self.rotor.map(RotorBody::guided),
+            space,
             implicit_friction: true,
             ..self
         }

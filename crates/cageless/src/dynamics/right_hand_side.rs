@@ -19,8 +19,8 @@ use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 use crate::time_table::TimeTable;
 
-/// Force on a journal, N, and its moment about the centre of the journal, N·m.
-pub(super) type JournalLoad = [f64; 3];
+/// Force on a journal along X, Y and Z, N, and its moment about the axis of the journal, N·m.
+pub(super) type JournalLoad = [f64; 4];
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
@@ -212,16 +212,21 @@ impl<'m> RightHandSide<'m> {
         }
     }
 
-    /// Loads [Fx, Fy, moment about the centre] of the inner ring on the journal as of the last
-    /// evaluation: those of the normal force and of the friction of the contact.
+    /// Load of the inner ring on the journal as of the last evaluation: that of normal force and friction.
     pub(super) fn journal_load(&self) -> JournalLoad {
         let rotor = &self.work.rotors[0];
-        self.load_with(rotor.contact.force, rotor.friction)
+        match &self.space {
+            Some(s) => s.rotor.loads.fixed_rows::<4>(0).into(),
+            None => self.load_with(rotor.contact.force, rotor.friction),
+        }
     }
 
-    /// Loads of friction on the journal that changed velocities over the last step.
+    /// Load of friction on the journal that changed velocities over the last step.
     pub(super) fn friction_load(&self) -> JournalLoad {
-        self.load_with(0.0, self.work.rotor_friction_mean[0])
+        match &self.space {
+            Some(s) => s.rotor.mean_friction.fixed_rows::<4>(0).into(),
+            None => self.load_with(0.0, self.work.rotor_friction_mean[0]),
+        }
     }
 
     fn load_with(&self, normal_n: f64, friction_n: f64) -> JournalLoad {
@@ -232,7 +237,7 @@ impl<'m> RightHandSide<'m> {
             ..rotor.contact
         };
         let force = contact.force_on_journal(friction_n);
-        [force[0], force[1], body.moment(rotor, force)]
+        [force[0], force[1], 0.0, body.moment(rotor, force)]
     }
 
     /// Lets `integrator` make a step with the instructions of this right-hand side.

@@ -195,16 +195,16 @@ impl RotorBody {
     /// Acceleration that a force of the inner ring adds.
     #[inline(always)]
     pub fn added_acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
-        let moment = self.moment(contact, force);
+        self.response(force, self.moment(contact, force))
+    }
+
+    /// Accelerations under a force and a moment about the mass centre, which a guided journal has on its
+    /// axis.
+    #[inline(always)]
+    pub fn response(&self, [fx, fy]: [f64; 2], moment: f64) -> [f64; 3] {
         match &self.guide {
-            None => [
-                force[0] / self.mass,
-                force[1] / self.mass,
-                moment / self.polar_inertia,
-            ],
-            Some(compliance) => {
-                compliance.map(|[x, y, turn]| x * force[0] + y * force[1] + turn * moment)
-            }
+            None => [fx / self.mass, fy / self.mass, moment / self.polar_inertia],
+            Some(compliance) => compliance.map(|[x, y, turn]| x * fx + y * fy + turn * moment),
         }
     }
 
@@ -233,6 +233,9 @@ impl RotorBody {
     /// Accelerations of the centre of the journal and of the rotation under a unit of each load on it: with
     /// w = (εy, −εx, 1), diag(1/m, 1/m, 0) + w wᵀ/Ip.
     pub fn compliance(&self, [ex, ey]: [f64; 2]) -> JournalCompliance {
+        if let Some(guide) = self.guide {
+            return guide;
+        }
         let w = [ey, -ex, 1.0];
         let mut rows = w.map(|a| w.map(|b| a * b / self.polar_inertia));
         for (axis, row) in rows.iter_mut().enumerate().take(2) {

@@ -11,6 +11,8 @@ use crate::linear_rotor::{DMatrix, DVector, LinearRotor};
 pub(crate) struct RotorLoads {
     /// g, m/s², along −Y.
     pub gravity: f64,
+    /// Weight and given load along +Z, N.
+    pub axial: f64,
     /// Torque of the drive, N·m.
     pub drive_torque: f64,
 }
@@ -21,10 +23,14 @@ pub(super) struct Motion<'y> {
     pub rates: DVectorView<'y, f64>,
     pub angle: f64,
     pub speed: f64,
+    pub axial_speed: f64,
 }
 
+/// Acceleration of u, of the spin, and along the axis.
+pub(super) type Response<'r> = (&'r [f64], [f64; 2]);
+
 /// The equations with what they were evaluated to last:
-/// ü + (b + Ksdt·u)·Ω̇ = f and Ip·Ω̇ + bᵀ·ü = τ.
+/// ü + (b + Ksdt·u)·Ω̇ = f, Ip·Ω̇ + bᵀ·ü = τ and m·z̈ = Fz.
 pub(super) struct RotorEquations<'m> {
     rotor: &'m LinearRotor,
     loads: RotorLoads,
@@ -34,9 +40,10 @@ pub(super) struct RotorEquations<'m> {
     spin_up: DVector<f64>,
     /// Ip − bᵀ·(b + Ksdt·u): what a torque turns where bending follows freely.
     inertia: f64,
-    /// f, and τ.
+    /// f, τ and Fz.
     forces: DVector<f64>,
     torque: f64,
+    axial: f64,
     products: [DVector<f64>; 2],
 }
 
@@ -61,6 +68,7 @@ impl<'m> RotorEquations<'m> {
             inertia: 0.0,
             forces: zeros(),
             torque: 0.0,
+            axial: 0.0,
             products: [zeros(), zeros()],
         }
     }
@@ -87,7 +95,7 @@ impl<'m> RotorEquations<'m> {
         forces.gemv(-1.0, &r.damping, &motion.rates, 1.0);
         forces.gemv(-motion.speed, &r.gyroscopic, &motion.rates, 1.0);
         forces.gemv(-1.0, &r.stiffness, &motion.u, 1.0);
-        self.torque = loads.drive_torque;
+        (self.torque, self.axial) = (loads.drive_torque, loads.axial);
         for unbalance in &r.unbalances {
             let (sin, cos) = (motion.angle + unbalance.phase_rad).sin_cos();
             let outwards =
@@ -98,34 +106,36 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Adds a load on journal `k`.
-    pub fn add_load(&mut self, k: usize, [x, y, moment]: &JournalLoad) {
+    pub fn add_load(&mut self, k: usize, [x, y, z, moment]: &JournalLoad) {
         let force = Vector2::new(*x, *y);
         self.forces
             .gemv_tr(1.0, &self.rotor.journals[k], &force, 1.0);
         self.torque += moment;
+        self.axial += z;
     }
 
-    /// Acceleration of u and of the spin under the loads.
-    pub fn respond(&mut self) -> (&[f64], f64) {
+    /// Accelerations under the loads.
+    pub fn respond(&mut self) -> Response<'_> {
         let speed = (self.torque - self.unbalance.dot(&self.forces)) / self.inertia;
         self.forces.axpy(-speed, &self.spin_up, 1.0);
-        (self.forces.as_slice(), speed)
+        let axial = self.axial / self.rotor.mass_kg();
+        (self.forces.as_slice(), [speed, axial])
     }
 
-    /// Acceleration under a load on journal `k` alone.
-    pub fn respond_at(&mut self, k: usize, load: &JournalLoad) -> (&[f64], f64) {
+    /// Accelerations under a load on journal `k` alone.
+    pub fn respond_at(&mut self, k: usize, load: &JournalLoad) -> Response<'_> {
         self.forces.fill(0.0);
-        self.torque = 0.0;
+        (self.torque, self.axial) = (0.0, 0.0);
         self.add_load(k, load);
         self.respond()
     }
 
-    /// Response of journal `k` to unit loads on it.
+    /// Response of journal `k` to unit loads across the axis and about it.
     pub fn compliance(&mut self, k: usize) -> JournalCompliance {
         let journal = &self.rotor.journals[k];
-        let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let units = [0, 1, 3].map(|axis| std::array::from_fn(|k| f64::from(u8::from(k == axis))));
         let columns = units.map(|unit| {
-            let (u, speed) = self.respond_at(k, &unit);
+            let (u, [speed, _]) = self.respond_at(k, &unit);
             let [x, y] = at(journal, u);
             [x, y, speed]
         });
@@ -133,16 +143,17 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Power of a load on journal `k`, W.
-    pub fn power(&self, k: usize, motion: &Motion<'_>, [x, y, moment]: &JournalLoad) -> f64 {
+    pub fn power(&self, k: usize, motion: &Motion<'_>, [x, y, z, moment]: &JournalLoad) -> f64 {
         let rate = at(&self.rotor.journals[k], motion.rates.as_slice());
-        x * rate[0] + y * rate[1] + moment * motion.speed
+        x * rate[0] + y * rate[1] + moment * motion.speed + z * motion.axial_speed
     }
 
-    /// Powers of gravity and drive, and what damping, cross-coupled stiffness and Ksdt take out, W,
+    /// Powers of weight with given load and of the drive, and what damping, cross-coupled stiffness and Ksdt take out, W,
     /// with an acceleration of the spin.
     pub fn powers(&mut self, motion: &Motion<'_>, spin: f64) -> [f64; 3] {
         let (r, gravity) = (self.rotor, self.loads.gravity);
-        let mut weight = -gravity * r.lift.dot(&motion.rates);
+        let mut weight =
+            -gravity * r.lift.dot(&motion.rates) + self.loads.axial * motion.axial_speed;
         for unbalance in &r.unbalances {
             let cos = (motion.angle + unbalance.phase_rad).cos();
             weight -= unbalance.moment_kg_m * gravity * cos * motion.speed;
@@ -169,6 +180,7 @@ impl<'m> RotorEquations<'m> {
         0.5 * motion.rates.norm_squared()
             + motion.speed * coupling
             + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
+            + 0.5 * self.rotor.mass_kg() * motion.axial_speed * motion.axial_speed
             + 0.5 * motion.u.dot(&(&self.rotor.stiffness * motion.u))
     }
 }

@@ -1,8 +1,8 @@
-//! A rotor with linear lateral motion on the inner rings of several bearings.
+//! A rotor with linear lateral motion on the inner rings of several bearings, rigid along its axis.
 //!
 //! The state holds each bearing as if it were alone, with the motion of its journal in the place of
-//! a rotor, then the rotor itself: normal coordinates u and θ, their rates, and the energy ledger
-//! of the rotor. The motion of a journal follows from u linearly, and every method here keeps
+//! a rotor, then the rotor itself: normal coordinates u, θ and the displacement along the axis, their
+//! rates, and the energy ledger of the rotor. Along the axis bearings in space alone act on it. The motion of a journal follows from u linearly, and every method here keeps
 //! linear relations, so that the journals stay those of the rotor.
 
 use nalgebra::DVectorView;
@@ -21,7 +21,7 @@ use crate::linear_rotor::{Clearance, DVector, LinearRotor};
 pub(crate) enum RotorEnergyTerm {
     /// Work of the inner rings on the journals.
     Journals,
-    /// Work of gravity.
+    /// Work of gravity and of given loads along the axis.
     Weight,
     /// Work of the drive.
     Drive,
@@ -36,6 +36,8 @@ pub(crate) struct RotorOnBearings<'m> {
     bearings: Vec<RightHandSide<'m>>,
     /// Places of each bearing.
     layouts: Vec<Layout>,
+    /// Z of the rotor in each bearing at the start, m.
+    axial_start: Vec<f64>,
     /// First place of the rotor.
     start: usize,
     blocks: Vec<SecondOrderBlock>,
@@ -61,19 +63,20 @@ impl<'m> RotorOnBearings<'m> {
             layouts.push(model.layout.at(start));
             start += model.layout.len();
         }
-        let n = rotor.coordinates();
+        let count = rotor.coordinates() + 2;
         let mut blocks: Vec<_> = (layouts.iter())
             .flat_map(Layout::second_order_blocks)
             .collect();
         blocks.push(SecondOrderBlock {
             positions: start,
-            rates: start + n + 1,
-            count: n + 1,
+            rates: start + count,
+            count,
         });
         Self {
             rotor,
             equations: RotorEquations::new(rotor, loads),
             bearings: models.iter().map(RightHandSide::new).collect(),
+            axial_start: vec![0.0; layouts.len()],
             layouts,
             start,
             blocks,
@@ -86,18 +89,29 @@ impl<'m> RotorOnBearings<'m> {
         self.layouts[k]
     }
 
-    /// Sets the rotor in a state: journals at these places with these velocities, in the shape
-    /// that needs no force elsewhere.
-    pub fn set_rotor(&self, y: &mut [f64], places: &[f64], velocities: &[f64], speed: f64) {
+    /// Sets the rotor in a state that holds the bearings, with speed and velocity along the axis: journals
+    /// at these places with these velocities, in the shape that needs no force elsewhere.
+    pub fn set_rotor(
+        &mut self,
+        y: &mut [f64],
+        places: &[f64],
+        velocities: &[f64],
+        [speed, axial_speed]: [f64; 2],
+    ) {
+        for (start, layout) in self.axial_start.iter_mut().zip(&self.layouts) {
+            if layout.is_in_space() {
+                *start = y[layout.drop(DropCoordinate::RotorZ)];
+            }
+        }
         let n = self.rotor.coordinates();
         let shapes = &self.rotor.shapes;
         let u = shapes * DVector::from_column_slice(places);
         let rates = shapes * DVector::from_column_slice(velocities);
         let own = &mut y[self.start..];
         own[..n].copy_from_slice(u.as_slice());
-        own[n] = 0.0;
-        own[n + 1..=2 * n].copy_from_slice(rates.as_slice());
-        own[2 * n + 1] = speed;
+        own[n..n + 2].fill(0.0);
+        own[n + 2..2 * n + 2].copy_from_slice(rates.as_slice());
+        own[2 * n + 2..2 * n + 4].copy_from_slice(&[speed, axial_speed]);
         self.place_journals(y);
     }
 
@@ -105,28 +119,30 @@ impl<'m> RotorOnBearings<'m> {
         let (n, own) = (self.rotor.coordinates(), &y[self.start..]);
         Motion {
             u: DVectorView::from_slice(&own[..n], n),
-            rates: DVectorView::from_slice(&own[n + 1..=2 * n], n),
+            rates: DVectorView::from_slice(&own[n + 2..2 * n + 2], n),
             angle: own[n],
-            speed: own[2 * n + 1],
+            speed: own[2 * n + 2],
+            axial_speed: own[2 * n + 3],
         }
     }
 
     /// Place of a term of the rotor's energy ledger.
     fn term(&self, term: RotorEnergyTerm) -> usize {
-        self.start + 2 * self.rotor.coordinates() + 2 + term as usize
+        self.start + 2 * self.rotor.coordinates() + 4 + term as usize
     }
 
     /// Writes the motion of the journals to the places of the bearings.
     fn place_journals(&self, y: &mut [f64]) {
         let n = self.rotor.coordinates();
-        for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
+        let journals = self.layouts.iter().zip(&self.rotor.journals);
+        for ((layout, rows), axial_start) in journals.zip(&self.axial_start) {
             let [x_m, y_m] = at(rows, &y[self.start..]);
-            for (coordinate, value) in [
-                (DropCoordinate::RotorX, x_m),
-                (DropCoordinate::RotorY, y_m),
-                (DropCoordinate::RotorAngle, y[self.start + n]),
-            ] {
-                y[layout.drop(coordinate)] = value;
+            let [angle, z_m] = [y[self.start + n], axial_start + y[self.start + n + 1]];
+            y[layout.drop(DropCoordinate::RotorX)] = x_m;
+            y[layout.drop(DropCoordinate::RotorY)] = y_m;
+            y[layout.drop(DropCoordinate::RotorAngle)] = angle;
+            if layout.is_in_space() {
+                y[layout.drop(DropCoordinate::RotorZ)] = z_m;
             }
         }
         self.place_journal_rates(y);
@@ -135,18 +151,16 @@ impl<'m> RotorOnBearings<'m> {
     /// Writes the velocities of the journals to the places of the bearings in a state, the
     /// accelerations in its rate.
     fn place_journal_rates(&self, y: &mut [f64]) {
-        let rates = self.start + self.rotor.coordinates() + 1;
+        let n = self.rotor.coordinates();
+        let rates = self.start + n + 2;
         for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
             let [vx, vy] = at(rows, &y[rates..]);
-            for (coordinate, value) in [
-                (DropCoordinate::RotorVx, vx),
-                (DropCoordinate::RotorVy, vy),
-                (
-                    DropCoordinate::RotorSpeed,
-                    y[rates + self.rotor.coordinates()],
-                ),
-            ] {
-                y[layout.drop(coordinate)] = value;
+            let [speed, vz] = [y[rates + n], y[rates + n + 1]];
+            y[layout.drop(DropCoordinate::RotorVx)] = vx;
+            y[layout.drop(DropCoordinate::RotorVy)] = vy;
+            y[layout.drop(DropCoordinate::RotorSpeed)] = speed;
+            if layout.is_in_space() {
+                y[layout.drop(DropCoordinate::RotorVz)] = vz;
             }
         }
     }
@@ -173,12 +187,12 @@ impl<'m> RotorOnBearings<'m> {
         let n = self.rotor.coordinates();
         let own = &mut dydt[self.start..];
         own[..n].copy_from_slice(motion.rates.as_slice());
-        own[n] = motion.speed;
-        let (acceleration, spin) = self.equations.respond();
-        own[n + 1..=2 * n].copy_from_slice(acceleration);
-        own[2 * n + 1] = spin;
+        own[n..n + 2].copy_from_slice(&[motion.speed, motion.axial_speed]);
+        let (acceleration, others) = self.equations.respond();
+        own[n + 2..2 * n + 2].copy_from_slice(acceleration);
+        own[2 * n + 2..2 * n + 4].copy_from_slice(&others);
         self.place_journal_rates(dydt);
-        let [weight, drive, loss] = self.equations.powers(&motion, spin);
+        let [weight, drive, loss] = self.equations.powers(&motion, others[0]);
         for (term, power) in [
             (RotorEnergyTerm::Journals, journals),
             (RotorEnergyTerm::Weight, weight),
@@ -279,7 +293,7 @@ impl System for RotorOnBearings<'_> {
     /// The friction of one bearing after the other: each sees the journal move by its own friction
     /// within the step, and by that of the bearings before it.
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
-        let rates = self.start + self.rotor.coordinates() + 1;
+        let rates = self.start + self.rotor.coordinates() + 2;
         for k in 0..self.bearings.len() {
             self.place_journals(y);
             let motion = self.motion(y);
@@ -294,8 +308,8 @@ impl System for RotorOnBearings<'_> {
                 &mut dydt[places],
             );
             bearing.add_stiff_part(h_s, own0, own, rate);
-            let (u, spin) = self.equations.respond_at(k, &bearing.friction_load());
-            for (place, a) in (rates..).zip(u.iter().chain([&spin])) {
+            let (u, others) = self.equations.respond_at(k, &bearing.friction_load());
+            for (place, a) in (rates..).zip(u.iter().chain(&others)) {
                 y[place] += h_s * a;
                 dydt[place] += a;
             }
@@ -325,10 +339,14 @@ impl System for RotorOnBearings<'_> {
         let root = self.rotor.mass_kg().sqrt();
         let [place, rate] =
             [DropCoordinate::RotorX, DropCoordinate::RotorVx].map(|c| root * scale(c));
-        let lateral = (0..n).map(|k| (own[k] / place).powi(2) + (own[n + 1 + k] / rate).powi(2));
+        let lateral = (0..n).map(|k| (own[k] / place).powi(2) + (own[n + 2 + k] / rate).powi(2));
         let turning = (own[n] / scale(DropCoordinate::RotorAngle)).powi(2)
-            + (own[2 * n + 1] / scale(DropCoordinate::RotorSpeed)).powi(2);
-        let rotor = ((lateral.sum::<f64>() + turning) / (2 * n + 2) as f64).sqrt();
+            + (own[2 * n + 2] / scale(DropCoordinate::RotorSpeed)).powi(2);
+        let along = (own[n + 1] / scale(DropCoordinate::RotorX)).powi(2)
+            + (own[2 * n + 3] / scale(DropCoordinate::RotorVx)).powi(2);
+        let moving = n + 1 + usize::from(self.layouts.iter().any(Layout::is_in_space));
+        let sum = lateral.sum::<f64>() + turning + along;
+        let rotor = (sum / (2 * moving) as f64).sqrt();
         let bearings = self.layouts.iter().map(|l| l.scaled_rms(difference));
         bearings.fold(rotor, f64::max)
     }

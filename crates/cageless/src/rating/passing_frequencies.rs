@@ -8,7 +8,7 @@ use crate::equilibrium::space::SpatialEquilibrium;
 use crate::kinematics::raceway_delay_rad;
 
 /// Frequencies at which balls pass and turn, the outer ring standing still, by the closed
-/// forms of bearing diagnostics with γ = Dw/Dpw and the rotational frequency n of the inner
+/// forms of bearing diagnostics with γ = Dw cos α/Dpw and the rotational frequency n of the inner
 /// ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassingFrequencies {
@@ -18,7 +18,7 @@ pub struct PassingFrequencies {
     pub bpfo_hz: f64,
     /// BPFI = Z n/2 (1 + γ), balls past a point of the inner ring, Hz.
     pub bpfi_hz: f64,
-    /// BSF = n (1 − γ²)/(2γ), rotation of a ball in the frame of its orbit, Hz.
+    /// BSF = n/2 · Dpw/Dw (1 − γ²), rotation of a ball in the frame of its orbit, Hz.
     pub bsf_hz: f64,
     /// Orbital frequency of a ball that rolls through the discrete raceways of the case as
     /// well, in which it is slower, Hz; FTF without any.
@@ -31,7 +31,7 @@ impl PassingFrequencies {
         Self::at_contact_angle(case, case.bearing.contact_angle_rad())
     }
 
-    /// Frequencies at the speed of the case and a contact angle α: γ = Dw cos α/Dpw.
+    /// Frequencies at the speed of the case and a contact angle α.
     pub fn at_contact_angle(case: &Case, contact_angle_rad: f64) -> Self {
         let n = case.operation.inner_speed_rad_s.abs() / TAU;
         let gamma = gamma_at(&case.bearing, contact_angle_rad);
@@ -41,7 +41,7 @@ impl PassingFrequencies {
             ftf_hz,
             bpfo_hz: balls * ftf_hz,
             bpfi_hz: balls * 0.5 * n * (1.0 + gamma),
-            bsf_hz: n * (1.0 - gamma * gamma) / (2.0 * gamma),
+            bsf_hz: n * (1.0 - gamma * gamma) / (2.0 * gamma_at(&case.bearing, 0.0)),
             raceway_ftf_hz: ftf_hz * TAU / (TAU + raceway_delay_rad(&case.bearing, &case.raceways)),
         }
     }

@@ -13,7 +13,7 @@ use crate::equilibrium::EquilibriumError;
 use crate::initial_conditions::initial_state;
 use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
-use crate::rotor::Rotor;
+use crate::rotor::{Rotor, Shaft};
 use crate::step_limits::StepLimits;
 use crate::verification::Role;
 
@@ -101,7 +101,7 @@ impl RotorDrop {
         let mean = rotor.mass_kg() / cases.len() as f64;
         let mut carried = Vec::with_capacity(cases.len());
         for (k, (mut case, share)) in cases.into_iter().zip(rotor.mass_shares_kg()).enumerate() {
-            if let Err(error) = case.check_planar() {
+            if let Err(error) = case.check_motion() {
                 return refuse(format!("bearing {}: {error}", k + 1));
             }
             let Some(journal) = &mut case.rotor else {
@@ -111,19 +111,33 @@ impl RotorDrop {
                     k + 1
                 ));
             };
-            // Steps need a mass where a bearing carries none.
-            journal.mass_kg = share.abs().max(LEAST_SHARE * mean);
+            // Steps need a mass where a bearing carries none; a shoulder may catch all of the rotor.
+            journal.mass_kg = match journal.shaft {
+                Shaft::Horizontal => share.abs().max(LEAST_SHARE * mean),
+                Shaft::Vertical => rotor.mass_kg(),
+            };
             journal.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2();
             journal.speed_rad_s = speed_rad_s;
             journal.eccentricity_m = 0.0;
             journal.drive_torque_n_m = drive_torque_n_m;
             carried.push(case);
         }
-        same(&carried, "solver.method", |case| case.solver.method)?;
-        same(&carried, "solver.duration_s", |case| case.solver.duration_s)?;
-        same(&carried, "solver.tolerance", |case| case.solver.tolerance)?;
+        same(&carried, "solver.method", |case| Some(case.solver.method))?;
+        same(&carried, "solver.duration_s", |case| {
+            Some(case.solver.duration_s)
+        })?;
+        same(&carried, "solver.tolerance", |case| {
+            Some(case.solver.tolerance)
+        })?;
         same(&carried, "operation.gravity_m_s2", |case| {
-            case.operation.gravity_m_s2
+            Some(case.operation.gravity_m_s2)
+        })?;
+        same(&carried, "rotor.shaft", |case| {
+            case.rotor.as_ref().map(|rotor| rotor.shaft)
+        })?;
+        same(&carried, "rotor.vz_m_s", |case| {
+            let rotor = case.rotor.as_ref().filter(|_| case.moves_in_space());
+            rotor.map(|rotor| rotor.vz_m_s)
         })?;
         let step_s = bearable_step_s(&rotor, &carried, step_s)?;
         for case in &mut carried {
@@ -142,6 +156,9 @@ impl RotorDrop {
         let Some(rotor) = &self.rotor else {
             return vec![Some(self.of_rotor(|rotor| rotor.mass_kg) * gravity)];
         };
+        if self.is_vertical() {
+            return vec![Some(rotor.mass_kg() * gravity); self.cases.len()];
+        }
         let least = LEAST_SHARE * rotor.mass_kg() / self.cases.len() as f64;
         let shares = rotor.mass_shares_kg().into_iter();
         shares
@@ -157,6 +174,11 @@ impl RotorDrop {
     /// Speed of the rotor at the start.
     pub fn speed_rad_s(&self) -> f64 {
         self.of_rotor(|rotor| rotor.speed_rad_s)
+    }
+
+    fn is_vertical(&self) -> bool {
+        let rotor = self.cases[0].rotor.as_ref();
+        rotor.is_some_and(|rotor| rotor.shaft == Shaft::Vertical)
     }
 
     /// A value of the rotor, which all cases have.
@@ -233,24 +255,33 @@ impl RotorDrop {
         let mut models = vec![];
         for case in &self.cases {
             starts.push(initial_state(case)?);
-            models.push(Model::new(case)?.guided());
+            models.push(Model::new(case)?.guided(rotor.mass_kg()));
         }
+        let gravity = self.cases[0].operation.gravity_m_s2;
+        let [across, along] = match self.is_vertical() {
+            false => [gravity, 0.0],
+            true => [0.0, gravity],
+        };
+        let rotors = || self.cases.iter().filter_map(|case| case.rotor.as_ref());
         let loads = RotorLoads {
-            gravity: self.cases[0].operation.gravity_m_s2,
+            gravity: across,
+            axial: rotors().map(|own| own.axial_load_n).sum::<f64>() - along * rotor.mass_kg(),
             drive_torque: self.of_rotor(|rotor| rotor.drive_torque_n_m),
         };
         let mut system = RotorOnBearings::new(rotor, loads, &models);
         let mut start = vec![0.0; system.dimension()];
         let [mut places, mut velocities] = [vec![], vec![]];
-        for (k, (case, (state, _))) in self.cases.iter().zip(&starts).enumerate() {
+        for (k, (state, _)) in starts.iter().enumerate() {
             system.layout(k).spread_padding(&mut start);
             state.write_to(system.layout(k), &mut start);
-            if let Some(journal) = &case.rotor {
-                places.extend([journal.x_m, journal.y_m]);
-                velocities.extend([journal.vx_m_s, journal.vy_m_s]);
-            }
         }
-        system.set_rotor(&mut start, &places, &velocities, self.speed_rad_s());
+        for journal in rotors() {
+            places.extend([journal.x_m, journal.y_m]);
+            velocities.extend([journal.vx_m_s, journal.vy_m_s]);
+        }
+        let axial_speed = rotors().map(|own| own.vz_m_s).find(|speed| *speed != 0.0);
+        let speeds = [self.speed_rad_s(), axial_speed.unwrap_or(0.0)];
+        system.set_rotor(&mut start, &places, &velocities, speeds);
         let states: Vec<State> = (0..models.len())
             .map(|k| State::from_vector(system.layout(k), &start))
             .collect();
@@ -281,24 +312,25 @@ impl RotorDrop {
     }
 }
 
-/// Checks that all cases agree in a value.
+/// Checks that all cases that have a value agree in it.
 fn same<T: PartialEq + std::fmt::Debug>(
     cases: &[Case],
     key: &str,
-    value: impl Fn(&Case) -> T,
+    value: impl Fn(&Case) -> Option<T>,
 ) -> Result<(), RotorError> {
-    let first = value(&cases[0]);
-    for (k, case) in cases.iter().enumerate().skip(1) {
-        let own = value(case);
-        if own != first {
-            return Err(RotorError::Bearings(format!(
-                "{key} is {first:?} in the case of bearing 1 and {own:?} in that of bearing \
-                 {}: all bearings of a rotor need the same",
-                k + 1
-            )));
-        }
+    let mut values = (1..)
+        .zip(cases)
+        .filter_map(|(k, case)| Some((k, value(case)?)));
+    let Some((of, first)) = values.next() else {
+        return Ok(());
+    };
+    match values.find(|(_, own)| *own != first) {
+        None => Ok(()),
+        Some((k, own)) => Err(RotorError::Bearings(format!(
+            "{key} is {first:?} in the case of bearing {of} and {own:?} in that of bearing {k}: all \
+             bearings of a rotor need the same"
+        ))),
     }
-    Ok(())
 }
 
 /// `step_s`, or the automatic step of the method without it.

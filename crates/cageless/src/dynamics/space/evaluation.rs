@@ -72,7 +72,14 @@ pub(crate) fn evaluate(
     };
     ring_rates(model, space, drive, &ring, &totals, dydt);
     if space.rotor.is_some() {
-        rates_with_rotor((model, space), (w, s), &totals, y, dydt, raceway_friction);
+        rates_with_rotor(
+            (p, model, space),
+            (w, s),
+            &totals,
+            y,
+            dydt,
+            raceway_friction,
+        );
     }
 }
 

@@ -92,7 +92,7 @@ pub(crate) fn add_implicit_friction(
         add(layout.ring(RingCoordinate::TiltQRate), q);
     }
     if space.rotor.is_some() {
-        add_rotor_friction(model, (w, s), &totals, (h_s, y0), y, dydt);
+        add_rotor_friction((p, model, space), (w, s), &totals, (h_s, y0), y, dydt);
         // The light inner ring turns by the friction of the step.
         let (ring, outer) = rings_of(y, &s.ring);
         let blocks = s.blocks.iter_mut();

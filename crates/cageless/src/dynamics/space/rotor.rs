@@ -11,7 +11,7 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::dynamics::rotor::RotorBody;
-use crate::simd::Workspace;
+use crate::simd::{Parameters, Workspace};
 
 /// Speeds of the rotor along X, Y and Z.
 fn velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
@@ -27,17 +27,17 @@ fn velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
 /// the powers of all of them; friction of the rotor only if asked for.
 #[inline(never)] // once for all instruction sets
 pub(super) fn rates_with_rotor(
-    (model, space): (&Model, &SpaceModel),
+    (p, model, space): (&Parameters, &Model, &SpaceModel),
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
     totals: &Totals,
     y: &[f64],
     dydt: &mut [f64],
     with_friction: bool,
 ) {
-    let (Some(body), Some(along_axis)) = (&model.rotor, &space.rotor) else {
+    let (Some((body, outer_ring)), Some(along_axis)) = (p.drops.first(), &space.rotor) else {
         return;
     };
-    let (layout, outer_ring) = (model.layout, &model.outer_ring);
+    let layout = model.layout;
     let bodies = (body, along_axis);
     let (contact, loads, heat) = s.rotor.evaluate(bodies, layout, y, with_friction);
     w.rotors[0] = contact;
@@ -64,6 +64,7 @@ pub(super) fn rates_with_rotor(
     }
     let [_, moment] = totals.on_ring();
     let turning = moment.dot(&s.ring.axis) / body.ring_inertia;
+    let [.., spin_up] = body.response([0.0; 2], body.drive_torque);
     let mut weight = [0.0; 3];
     weight[space.upward] = -model.ring.gravity;
     for (coordinate, rate) in [
@@ -72,16 +73,13 @@ pub(super) fn rates_with_rotor(
         (DropCoordinate::RotorVy, weight[1]),
         (
             DropCoordinate::RotorVz,
-            weight[2] + along_axis.load / body.mass,
+            weight[2] + along_axis.load / along_axis.mass,
         ),
-        (
-            DropCoordinate::RotorSpeed,
-            body.drive_torque / body.polar_inertia,
-        ),
+        (DropCoordinate::RotorSpeed, spin_up),
     ] {
         dydt[layout.drop(coordinate)] = rate;
     }
-    for (place, rate) in rates_by(model, body, contact.offset, &loads) {
+    for (place, rate) in rates_by(model, bodies, contact.offset, &loads) {
         dydt[place] += rate;
     }
     let falling = body.mass * weight[space.upward] * rotor[space.upward];
@@ -100,25 +98,32 @@ pub(super) fn rates_with_rotor(
     ] {
         dydt[layout.energy_term(term)] += power;
     }
-    dydt[layout.energy_term(EnergyTerm::Drive)] = body.drive_torque * speed;
+    dydt[layout.energy_term(EnergyTerm::Drive)] = match body.guide {
+        None => body.drive_torque * speed,
+        Some(_) => {
+            -(loads.x * rotor[0] + loads.y * rotor[1] + loads.z * rotor[2] + loads[3] * speed)
+        }
+    };
 }
 
 /// Adds to the state and the rates what the friction of the balls does to rotor and rings over the step,
 /// then the friction of the rotor itself.
 #[inline(never)] // once for all instruction sets
 pub(super) fn add_rotor_friction(
-    model: &Model,
+    (p, model, space): (&Parameters, &Model, &SpaceModel),
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
     totals: &Totals,
     (h_s, y0): (f64, &[f64]),
     y: &mut [f64],
     dydt: &mut [f64],
 ) {
-    let Some(body) = &model.rotor else { return };
+    let (Some((body, outer_ring)), Some(along_axis)) = (p.drops.first(), &space.rotor) else {
+        return;
+    };
     let layout = model.layout;
     let [_, moment] = totals.on_ring();
     let turning = moment.dot(&s.ring.axis) / body.ring_inertia;
-    let [ox, oy, oz] = totals.outer_ring.map(|f| f * model.outer_ring.inverse_mass);
+    let [ox, oy, oz] = totals.outer_ring.map(|f| f * outer_ring.inverse_mass);
     let mut add = |place: usize, rate: f64| {
         dydt[place] += rate;
         y[place] += h_s * rate;
@@ -133,13 +138,13 @@ pub(super) fn add_rotor_friction(
     }
     let contact = w.rotors[0];
     let step = (h_s, s.known);
-    let bodies = (body, model.ring.mass);
+    let bodies = (body, along_axis, model.ring.mass);
     let (loads, heat, [friction, slip]) =
         (s.rotor).implicit_friction(bodies, &contact, step, layout, [y0, y]);
     w.rotors[0].friction = friction;
     w.rotors[0].contact.slip = slip;
     let heat = (layout.energy_term(EnergyTerm::RotorFriction), heat);
-    for (place, rate) in rates_by(model, body, contact.offset, &loads)
+    for (place, rate) in rates_by(model, (body, along_axis), contact.offset, &loads)
         .into_iter()
         .chain([heat])
     {
@@ -174,20 +179,21 @@ pub(super) fn energy_along_axis_j(
 /// Rates of the velocities of rotor, inner ring and its speed under loads of their contact.
 fn rates_by(
     model: &Model,
-    body: &RotorBody,
+    (body, along_axis): (&RotorBody, &RotorAlongAxis),
     [ex, ey]: [f64; 2],
     loads: &Loads,
 ) -> [(usize, f64); 8] {
     let (layout, ring) = (model.layout, model.ring.mass);
     // The moment about the mass centre: that about the journal less offset × force.
     let moment = loads[3] + ey * loads.x - ex * loads.y;
+    let [ax, ay, spin] = body.response([loads.x, loads.y], moment);
     let of_drop = |coordinate, rate| (layout.drop(coordinate), rate);
     let of_ring = |coordinate, rate| (layout.ring(coordinate), rate);
     [
-        of_drop(DropCoordinate::RotorVx, loads.x / body.mass),
-        of_drop(DropCoordinate::RotorVy, loads.y / body.mass),
-        of_drop(DropCoordinate::RotorVz, loads.z / body.mass),
-        of_drop(DropCoordinate::RotorSpeed, moment / body.polar_inertia),
+        of_drop(DropCoordinate::RotorVx, ax),
+        of_drop(DropCoordinate::RotorVy, ay),
+        of_drop(DropCoordinate::RotorVz, loads.z / along_axis.mass),
+        of_drop(DropCoordinate::RotorSpeed, spin),
         of_drop(DropCoordinate::RingSpeed, loads[4] / body.ring_inertia),
         of_ring(RingCoordinate::Vx, -loads.x / ring),
         of_ring(RingCoordinate::Vy, -loads.y / ring),

@@ -10,7 +10,7 @@
 //!
 //! C being the compliance of rotor and ring.
 
-use nalgebra::{Matrix2, Matrix2x5, Matrix5, Vector2, Vector3, Vector5};
+use nalgebra::{Matrix2, Matrix2x5, Matrix5, Vector2, Vector5};
 
 use crate::contact::{MAX_ITERATIONS, end_weights};
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
@@ -41,6 +41,8 @@ pub(crate) struct RotorAlongAxis {
     pub faces: Option<[f64; 2]>,
     /// Force along +Z, N.
     pub load: f64,
+    /// m of all that moves along the axis with the rotor, kg.
+    pub mass: f64,
 }
 
 impl RotorAlongAxis {
@@ -50,6 +52,16 @@ impl RotorAlongAxis {
             faces: (rotor.axial_clearance_m)
                 .map(|clearance| [clearance, rotor.shoulder_radius_m.unwrap_or(mean_radius_m)]),
             load: rotor.axial_load_n,
+            mass: rotor.mass_kg,
+        }
+    }
+
+    /// Those of a rotor of this mass that rests on other bearings as well, whose load acts on it alone.
+    pub fn guided(self, mass: f64) -> Self {
+        Self {
+            load: 0.0,
+            mass,
+            ..self
         }
     }
 }
@@ -80,8 +92,10 @@ struct Relative {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct RotorTouch {
     pub face: FaceContact,
-    /// Force on the rotor, N: of its contacts, with the friction at the end of the last step.
-    pub force: Vector3<f64>,
+    /// Loads of its contacts, with the friction at the end of the last step.
+    pub loads: Loads,
+    /// Those of the friction that changed velocities over the last step.
+    pub mean_friction: Loads,
     face_radius: Option<f64>,
     /// J of each place; those round the face stay.
     rows: [Matrix2x5<f64>; PLACES],
@@ -92,7 +106,7 @@ pub(crate) struct RotorTouch {
 }
 
 /// Force on the rotor and moments about the axes of journal and ring: (Fx, Fy, Fz, M, Mi).
-pub(super) type Loads = Vector5<f64>;
+pub(crate) type Loads = Vector5<f64>;
 
 fn relative(body: &RotorBody, layout: Layout, y: &[f64], offset: [f64; 2]) -> Relative {
     let motion = layout.rotor_motion(y).unwrap_or_default();
@@ -168,7 +182,7 @@ impl RotorTouch {
             }
             contact.friction = -self.known[0].0.x;
         }
-        self.force = loads.fixed_rows::<3>(0).into();
+        self.loads = loads;
         (contact, loads, heat)
     }
 
@@ -198,7 +212,7 @@ impl RotorTouch {
     /// the bore at the end.
     pub fn implicit_friction(
         &mut self,
-        (body, ring_mass): (&RotorBody, f64),
+        (body, along_axis, ring_mass): (&RotorBody, &RotorAlongAxis, f64),
         contact: &RotorContact,
         (h_s, was_known): (f64, bool),
         layout: Layout,
@@ -211,7 +225,7 @@ impl RotorTouch {
                 compliance[(i, j)] = value;
             }
         }
-        compliance[(2, 2)] = 1.0 / body.mass;
+        compliance[(2, 2)] = 1.0 / along_axis.mass;
         for axis in 0..3 {
             compliance[(axis, axis)] += 1.0 / ring_mass;
         }
@@ -276,8 +290,9 @@ impl RotorTouch {
             heat -= 0.5 * mean.dot(&(rows * (start + now)));
         }
         for (row, end) in self.rows.iter().zip(&ends) {
-            self.force += (row.transpose() * end).fixed_rows::<3>(0);
+            self.loads += row.transpose() * end;
         }
+        self.mean_friction = loads;
         if let Some(radius) = self.face_radius {
             self.face.slip = radius * (now[3] - now[4]);
         }
