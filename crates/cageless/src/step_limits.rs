@@ -11,7 +11,7 @@
 //! assert!(limits.automatic_s(IntegrationMethod::Abm4) <= limits.largest_s(IntegrationMethod::Abm4));
 //! ```
 
-use crate::case::{Case, Gaps, Start, series_stiffness_n_m1_5};
+use crate::case::{Case, Gaps, Start, Tilt, series_stiffness_n_m1_5};
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
 use crate::dynamics::rotor::{RotorBody, RotorContact};
@@ -106,6 +106,27 @@ fn squeezed_n(case: &Case) -> f64 {
             ring_x_m, ring_y_m, ..
         } => pressed(ring_x_m.hypot(ring_y_m)),
         Start::AtRest { .. } => pressed(0.0),
+    }
+}
+
+/// Ratio of the largest axial force of a ball under a moment M to M/(N·Rm): one over the mean of |cos ψ|^(5/2).
+const MOMENT_FACTOR: f64 = 2.2;
+
+/// Force of the most loaded ball under axial load and tilt or moments alone, N.
+fn pressed_along_axis_n(case: &Case) -> f64 {
+    let (load, pitch) = (&case.operation.space, case.bearing.pitch_radius_m());
+    let thrust_n = load.axial_load_n.abs();
+    match load.tilt {
+        Tilt::Free {
+            moment_x_n_m,
+            moment_y_n_m,
+        } => {
+            let moment_n_m = moment_x_n_m.hypot(moment_y_n_m);
+            case.thrust_on_ball_n(thrust_n + MOMENT_FACTOR * moment_n_m / pitch)
+        }
+        Tilt::Held { x_rad, y_rad } => {
+            case.thrust_on_ball_n(thrust_n) + case.pressed_along_axis(pitch * x_rad.hypot(y_rad))[0]
+        }
     }
 }
 
@@ -320,8 +341,8 @@ impl Drop {
 }
 
 impl StepLimits {
-    /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + centrifugal force, a
-    /// quarter more, + the preload, of what presses the parts together without load
+    /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + what axial load and tilt press +
+    /// centrifugal force, a quarter more, + the preload, of what presses the parts together without load
     /// (`squeezed_n`) and of the peak of an impact on a raceway, in both raceway contacts of one
     /// ball, and an impact of two balls at the speed difference that the deepest raceway makes.
     /// Springs between ball and ring count at both masses: k (1/m + n/M) is an upper bound of ω².
@@ -343,7 +364,7 @@ impl StepLimits {
         let under = |force: f64| {
             OVERLOAD * (force + centrifugal) + case.preload_n() + case.axial_preload_n()
         };
-        let carried = under(5.0 * down / d.balls as f64);
+        let carried = under(5.0 * down / d.balls as f64 + pressed_along_axis_n(case));
         // A ball of mass m against a raceway: the reduced mass is m.
         let (_, struck, _) = hertz::impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);
         let load = carried.max(squeezed_n(case)).max(struck);

@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions, drop_case, raceway, structure, undamped};
 use cageless::contact::FrictionTable;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start, SupportStop};
+use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start, SupportStop, Tilt};
 
 const METHODS: [IntegrationMethod; 3] = [
     IntegrationMethod::Abm4,
@@ -438,4 +438,46 @@ fn the_place_of_a_raceway_changes_no_step() {
     };
     let (bottom, turned) = (at(0.0), at(77.0));
     assert!((bottom.contact_rad_s / turned.contact_rad_s - 1.0).abs() < 1e-12);
+}
+
+/// Thrust, moments and tilt count as the radial load does that presses the most loaded ball as the
+/// equilibrium in space says they do.
+#[test]
+fn loads_along_the_axis_press_balls_as_in_equilibrium() {
+    let mut plain = conventional(dimensions());
+    (plain.operation.radial_load_n, plain.operation.gravity_m_s2) = (1e-3, 0.0);
+    plain.operation.inner_speed_rad_s = 10.0;
+    let tilted = |tilt: Tilt| {
+        let mut case = plain.clone();
+        case.operation.space.tilt = tilt;
+        case
+    };
+    let held = tilted(Tilt::Held {
+        x_rad: 2e-3,
+        y_rad: 1.5e-3,
+    });
+    let turned = tilted(Tilt::Free {
+        moment_x_n_m: 30.0,
+        moment_y_n_m: -40.0,
+    });
+    let mut pushed = plain.clone();
+    pushed.bearing = (pushed.bearing)
+        .with_contact_angle(15f64.to_radians(), 0.0)
+        .unwrap();
+    pushed.operation.space.axial_load_n = -4500.0;
+    for (name, case, within) in [
+        ("thrust", pushed, 0.001),
+        ("tilt", held, 0.05),
+        ("moment", turned, 0.05),
+    ] {
+        let e = cageless::equilibrium::space::solve(&case).unwrap();
+        let most = e.rest.inner_force_n.iter().copied().fold(0.0, f64::max);
+        let mut radial = plain.clone();
+        radial.bearing = case.bearing.clone();
+        radial.operation.radial_load_n = most * 14.0 / 5.0;
+        let rate = |case: &Case| StepLimits::new(case).contact_rad_s;
+        let ratio = rate(&case) / rate(&radial);
+        println!("{name}: {most} N, {ratio}");
+        assert!((ratio - 1.0).abs() < within, "{name}: {most} N, {ratio}");
+    }
 }

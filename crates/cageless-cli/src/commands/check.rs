@@ -167,7 +167,10 @@ fn check_rotor(args: &CaseArgs) -> Result<(), Failure> {
         ("rotor", format!("{} is valid", args.case.display())),
         ("bearings", cases.len().to_string()),
         ("mass", format!("{} kg", significant(rotor.mass_kg(), 4))),
-        ("shares of the mass at the bearings", format!("{} kg", listed(&shares))),
+        (
+            "shares of the mass at the bearings",
+            format!("{} kg", listed(&shares)),
+        ),
         (
             "lowest natural frequencies at speed, without contact",
             match frequencies.is_empty() {

@@ -124,8 +124,13 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
         ),
     ];
     let carried = (1..).zip(rotor.mass_shares_kg());
-    let carried =
-        carried.map(|(k, share)| parameter(&format!("Share of the mass at bearing {k}"), short(share), "kg"));
+    let carried = carried.map(|(k, share)| {
+        parameter(
+            &format!("Share of the mass at bearing {k}"),
+            short(share),
+            "kg",
+        )
+    });
     let state = format!("State after {} s: {}.", short(end), states.join("; "));
     Head::new(judgement.passes, &judgement.headline())
         .verdict(None, &state)

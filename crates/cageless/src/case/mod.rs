@@ -322,23 +322,44 @@ impl Case {
     /// Force with which the largest axial preload of a row presses each of its balls between rings that
     /// nothing else moves, N.
     pub fn axial_preload_n(&self) -> f64 {
-        let [inner, outer, _] = self.stiffness_n_m1_5();
         let preloads = self.rows.iter().map(|row| row.preload_m);
-        let approach = self.bearing.axial_approach_m(preloads.fold(0.0, f64::max));
-        series_stiffness_n_m1_5(inner, outer) * approach.powf(1.5)
+        self.pressed_along_axis(preloads.fold(0.0, f64::max))[0]
     }
 
     /// Largest axial force of `balls` balls between unloaded rings, N: each bears 4200 MPa.
     pub(crate) fn axial_preload_max_n(&self, balls: usize) -> f64 {
+        let [force_n, sine] = self.pressed_along_axis(self.bearing.axial_preload_max_m());
+        balls as f64 * force_n * sine
+    }
+
+    /// Force with which a ball is pressed between rings that nothing moves but a displacement along the
+    /// axis from where they touch it, N, and the sine of its contact angle there.
+    pub(crate) fn pressed_along_axis(&self, displacement_m: f64) -> [f64; 2] {
         let [inner, outer, _] = self.stiffness_n_m1_5();
-        let (most, angle) = (
-            self.bearing.axial_preload_max_m(),
-            self.bearing.contact_angle_rad(),
-        );
         let room = self.bearing.dimensions().groove_distance_m();
-        let approach = self.bearing.axial_approach_m(most);
-        let sine = (room * angle.sin() + most) / (room + approach);
-        balls as f64 * series_stiffness_n_m1_5(inner, outer) * approach.powf(1.5) * sine
+        let approach = self.bearing.axial_approach_m(displacement_m);
+        let angle = self.bearing.contact_angle_rad();
+        let sine = (room * angle.sin() + displacement_m) / (room + approach);
+        [
+            series_stiffness_n_m1_5(inner, outer) * approach.powf(1.5),
+            sine,
+        ]
+    }
+
+    /// Force with which each ball of one row bears a thrust without any other load, N.
+    pub(crate) fn thrust_on_ball_n(&self, thrust_n: f64) -> f64 {
+        let balls = self.bearing.balls() as f64;
+        let [mut less, mut more] = [0.0, self.bearing.dimensions().groove_distance_m()];
+        for _ in 0..60 {
+            let middle = 0.5 * (less + more);
+            let [force_n, sine] = self.pressed_along_axis(middle);
+            if balls * force_n * sine < thrust_n {
+                less = middle;
+            } else {
+                more = middle;
+            }
+        }
+        self.pressed_along_axis(more)[0]
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

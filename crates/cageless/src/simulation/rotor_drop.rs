@@ -133,7 +133,7 @@ impl RotorDrop {
             Some(case.operation.gravity_m_s2)
         })?;
         same(&carried, "rotor.shaft", |case| {
-            case.rotor.as_ref().map(|rotor| rotor.shaft)
+            case.rotor.as_ref().map(|rotor| rotor.shaft.name())
         })?;
         same(&carried, "rotor.vz_m_s", |case| {
             let rotor = case.rotor.as_ref().filter(|_| case.moves_in_space());
