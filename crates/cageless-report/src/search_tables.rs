@@ -77,7 +77,7 @@ pub fn comparison(search: &Record) -> Table {
     Table {
         label: "Comparison".to_owned(),
         caption: format!(
-            "From at least twelve unevenly spaced starts, ± standard error of the mean. Critical \
+            "From unevenly spaced starts, ± standard error of the mean. Critical \
              gaps are measured with the neighbours of the pair {:.0} % further off than at even \
              spacing. Steady state: second half of the run. Reduction of the orbital speed: at the \
              lowest orbital speed in the raceway.",

@@ -362,7 +362,7 @@ fn a_region_without_a_raceway_says_what_excludes_it() {
     assert!(every, "every cell has its reason");
     assert!(matches!(
         found.evaluations[0].rejection.as_ref().map(|r| &r.cause),
-        Some(Cause::InsufficientSeparation(_) | Cause::Path)
+        Some(Cause::InsufficientSeparation { .. } | Cause::Path)
     ));
 }
 

@@ -286,7 +286,8 @@ fn a_turned_section_beats_a_straight_one() {
         .filter(|e| e.structure.section_angle_rad == 0.0)
         .collect();
     let why = |e: &&Evaluation| e.rejection.clone().map(|r| r.cause);
-    let shallow = |cause: Option<Cause>| matches!(cause, Some(Cause::InsufficientSeparation(_)));
+    let shallow =
+        |cause: Option<Cause>| matches!(cause, Some(Cause::InsufficientSeparation { .. }));
     assert!(straight.iter().map(why).all(shallow), "{straight:?}");
     // The raceway of a layout is turned by its angle, and no further than its shoulder.
     let layout = |section_angle_rad| RacewayLayout {

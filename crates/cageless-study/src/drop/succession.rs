@@ -76,7 +76,7 @@ impl Succession {
                 Ok(warm) => warm,
                 Err(error) => {
                     done.warnings.push(format!(
-                        "drop {number} is not possible at the temperatures after drop {}: {}",
+                        "drop {number} is not possible with the fit [fit] of the temperatures after drop {}: {}",
                         number - 1,
                         error.message()
                     ));

@@ -371,7 +371,7 @@ fn decide(
                 100.0 * beta0 / bearing.nominal_gap_rad(),
                 bearing.nominal_gap_rad().to_degrees(),
                 if beta0 < 0.9 * bearing.nominal_gap_rad() {
-                    "are not separated: raceway too shallow"
+                    "do not touch"
                 } else if beta0 > 1.1 * bearing.nominal_gap_rad() {
                     "collide: raceway too deep"
                 } else {

@@ -129,14 +129,17 @@ impl Stop {
                      through each other"
                 )
             }
-            Cause::BeyondGroove(_) => {
+            Cause::BeyondGroove(beyond) => {
                 let less = match self.drop {
                     true => "rotor.axial_load_n, rotor.axial_clearance_um, rotor.vz_m_s",
                     false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
                 };
+                let higher = match beyond.ring {
+                    0 => "the shoulders of the inner ring are 0.2 Dw high",
+                    _ => "or make the shoulder higher (bearing.outer_shoulder_radius_mm)",
+                };
                 format!(
-                    "press the balls less along the axis ({less}, preload_um of a row), or make the \
-                     shoulder higher (bearing.outer_shoulder_radius_mm)"
+                    "press the balls less along the axis ({less}, preload_um of a row); {higher}"
                 )
             }
             Cause::RotorThroughInnerRing => format!(

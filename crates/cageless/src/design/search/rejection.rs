@@ -26,7 +26,12 @@ pub enum Cause {
     /// Overlap of two raceways.
     Overlap,
     /// Separation as a fraction of the mean ball spacing; the raceway is too shallow.
-    InsufficientSeparation(f64),
+    InsufficientSeparation {
+        /// The fraction.
+        fraction: f64,
+        /// Whether the critical gap was measured; else it is β0, which it is without slip.
+        measured: bool,
+    },
     /// Critical gap as a multiple of the mean ball spacing; the raceway is too deep.
     ExcessiveSeparation(f64),
     /// Loss of separation through sliding, as a fraction of β0.
@@ -81,7 +86,7 @@ impl Cause {
             Self::Span => "eq-8",
             Self::Path => "eq-9",
             Self::Overlap => "overlap",
-            Self::InsufficientSeparation(_) => "insufficient-separation",
+            Self::InsufficientSeparation { .. } => "insufficient-separation",
             Self::Slips(_) => "slips",
             Self::ExcessiveSeparation(_) => "excessive-separation",
             Self::Stress(_) => "stress",
@@ -97,7 +102,9 @@ impl Cause {
     /// Excess over the limit, as a fraction; infinite where there is no numerical limit.
     pub fn excess(&self, critical_gap_min_fraction: f64) -> f64 {
         match self {
-            Self::InsufficientSeparation(fraction) => 1.0 - fraction / critical_gap_min_fraction,
+            Self::InsufficientSeparation { fraction, .. } => {
+                1.0 - fraction / critical_gap_min_fraction
+            }
             Self::ExcessiveSeparation(fraction) => fraction - 1.0,
             Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
             Self::DoubleCollision(fraction) => fraction - DOUBLE_COLLISION_FRACTION,
@@ -124,8 +131,10 @@ impl Cause {
         forms: &ClosedForms,
         critical_gap_min_fraction: f64,
     ) -> Option<Self> {
-        (forms.fraction() < critical_gap_min_fraction)
-            .then(|| Self::InsufficientSeparation(forms.fraction()))
+        (forms.fraction() < critical_gap_min_fraction).then(|| Self::InsufficientSeparation {
+            fraction: forms.fraction(),
+            measured: false,
+        })
     }
 
     /// Cause of rejection by critical gap and contact stress. In space what sliding takes from β0 is no
@@ -142,7 +151,10 @@ impl Cause {
         } else if fraction > 1.0 {
             Some(Self::ExcessiveSeparation(fraction))
         } else if fraction < critical_gap_min_fraction {
-            Some(Self::InsufficientSeparation(fraction))
+            Some(Self::InsufficientSeparation {
+                fraction,
+                measured: true,
+            })
         } else if spacing.stress_pa > STRESS_LIMIT_PA {
             Some(Self::Stress(spacing.stress_pa))
         } else {
@@ -192,9 +204,10 @@ impl std::fmt::Display for Cause {
                 "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))"
             ),
             Self::Overlap => write!(f, "raceways overlap"),
-            Self::InsufficientSeparation(fraction) => write!(
+            Self::InsufficientSeparation { fraction, measured } => write!(
                 f,
-                "critical gap only {:.1} % of the steady-state gap: raceway too shallow",
+                "{} only {:.1} % of the steady-state gap: raceway too shallow",
+                if *measured { "critical gap" } else { "β0" },
                 100.0 * fraction
             ),
             Self::ExcessiveSeparation(fraction) => write!(

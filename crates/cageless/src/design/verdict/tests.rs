@@ -103,7 +103,7 @@ fn the_depth_of_a_raceway_has_its_word() {
         };
         let beta0 = theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published);
         let word = match beta0 / case.bearing.nominal_gap_rad() {
-            fraction if fraction < 0.9 => "are not separated: raceway too shallow",
+            fraction if fraction < 0.9 => "do not touch",
             fraction if fraction > 1.1 => "collide: raceway too deep",
             _ => "just touch",
         };
