@@ -303,7 +303,7 @@ class DesignAttributes:
     criterion: str  # criterion that decides
     margin: float  # margin to the nearest limit
     critical_gap_deg: float  # critical gap, deg
-    gap_reserve_deg: float  # steady-state gap less critical gap, deg
+    gap_reserve_deg: float  # gap reserve, deg
     plot_curve: Callable[..., go.Figure]  # θ over lC by Eq. (11), with the raceway and the limits
     plot_contact_track: Callable[..., go.Figure]  # contact track of the first raceway
     plot_surface: Callable[..., go.Figure]  # surface of the first raceway
