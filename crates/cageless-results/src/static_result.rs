@@ -26,7 +26,7 @@ pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
 pub fn spatial_record(case: &Case, space: &SpatialEquilibrium) -> Record {
     let solved = Solved::in_space(case, space);
     let warnings = space
-        .warnings(&case.bearing)
+        .warnings(case)
         .into_iter()
         .chain(solved.rating.warnings());
     let of = |rows| Results::of(rows, Subject::Static(&solved));

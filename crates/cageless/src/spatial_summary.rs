@@ -24,6 +24,8 @@ use crate::simulation::StepView;
 pub struct SpatialSummary {
     /// Mean of the ring's centre along the axis.
     pub ring_z_mean_m: f64,
+    /// Mean tilt of the ring about X and Y.
+    pub tilt_mean_rad: [f64; 2],
     /// Angle of the sum of all forces at the inner raceway, each in its meridian plane and positive
     /// on the side of the contact sign of its row.
     pub inner_contact_angle_mean_rad: f64,
@@ -37,7 +39,8 @@ pub struct SpatialSummary {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SpatialSummaryTracker {
     time_s: f64,
-    ring_z: f64,
+    /// Integrals of z, p and q of the ring.
+    ring: [f64; 3],
     /// Sums of force along the radius and the axis: inner, outer.
     forces: [[f64; 2]; 2],
 }
@@ -45,9 +48,16 @@ pub(crate) struct SpatialSummaryTracker {
 impl SpatialSummaryTracker {
     /// Takes a step of a run in space.
     pub fn step(&mut self, view: &StepView<'_, '_>) {
-        let at = view.layout().ring(RingCoordinate::Z);
         let step_s = view.step.size_s();
-        self.ring_z += 0.5 * step_s * (view.step.y0[at] + view.step.y1[at]);
+        let coordinates = [
+            RingCoordinate::Z,
+            RingCoordinate::TiltP,
+            RingCoordinate::TiltQ,
+        ];
+        for (sum, coordinate) in self.ring.iter_mut().zip(coordinates) {
+            let at = view.layout().ring(coordinate);
+            *sum += 0.5 * step_s * (view.step.y0[at] + view.step.y1[at]);
+        }
         self.time_s += step_s;
     }
 
@@ -68,8 +78,10 @@ impl SpatialSummaryTracker {
     /// The numbers so far, with how far ellipses reach; `None` in the plane.
     pub fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
         let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
+        let [z, p, q] = self.ring.map(|sum| sum / self.time_s);
         (self.time_s > 0.0).then(|| SpatialSummary {
-            ring_z_mean_m: self.ring_z / self.time_s,
+            ring_z_mean_m: z,
+            tilt_mean_rad: [0.0 - q, p],
             inner_contact_angle_mean_rad: inner,
             outer_contact_angle_mean_rad: outer,
             ellipse_edge_max_rad,

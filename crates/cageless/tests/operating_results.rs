@@ -222,3 +222,41 @@ fn balls_that_roll_at_a_contact_angle_turn_as_the_closed_forms_say() {
         );
     }
 }
+
+/// A ring that moments tilt stands on the average as the equilibrium says.
+#[test]
+fn the_mean_tilt_is_that_of_the_equilibrium() {
+    let mut case = lasting(0.02).with_raceways(vec![]);
+    case.set_method(cageless::IntegrationMethod::VelocityVerlet);
+    case.operation.space.tilt = cageless::Tilt::Free {
+        moment_x_n_m: 1.5,
+        moment_y_n_m: -1.0,
+    };
+    case.operation.space.inertias_kg_m2 = Some([1e-3, 1.5e-3]);
+    let (_, summary) = simulate(&case, &mut []);
+    let rest = cageless::equilibrium::space::solve(&case).unwrap();
+    let tilts = summary.space.unwrap().tilt_mean_rad;
+    println!("{tilts:?} {} {}", rest.tilt_x_rad, rest.tilt_y_rad);
+    let size = rest.tilt_x_rad.hypot(rest.tilt_y_rad);
+    for (found, expected) in tilts.iter().zip([rest.tilt_x_rad, rest.tilt_y_rad]) {
+        assert!((found - expected).abs() < 0.03 * size, "{found} {expected}");
+    }
+}
+
+/// An angular-contact row is warned of where it carries, but not towards its contact sign.
+#[test]
+fn rows_without_thrust_are_warned_of() {
+    let mut case = lasting(0.02).with_raceways(vec![]);
+    case.bearing = (case.bearing)
+        .with_contact_angle(25f64.to_radians(), 0.0)
+        .unwrap();
+    let warned = |axial_load_n: f64| {
+        let mut case = case.clone();
+        case.operation.space.axial_load_n = axial_load_n;
+        let rest = cageless::equilibrium::space::solve(&case).unwrap();
+        rest.warnings(&case)
+            .iter()
+            .any(|warning| warning.contains("towards its contact sign"))
+    };
+    assert_eq!([1000.0, 0.0, -1000.0].map(warned), [false, true, true]);
+}

@@ -48,15 +48,28 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, &bearings, sections);
     keys(
         &mut page,
-        &["bearing", "raceway", "material", "ball_material"],
+        &[
+            "bearing",
+            "row",
+            "raceway",
+            "material",
+            "ball_material",
+            "ring_material",
+        ],
     );
     page.section("Requirements");
     report::requirements(&mut page, file, &bearings);
     page.section("Dynamic system");
-    keys(&mut page, &["rotor", "support", "contact", "solver"]);
+    keys(
+        &mut page,
+        &["rotor", "support", "contact", "model", "solver", "output"],
+    );
     page.section("Environment");
     report::environment(&mut page, &bearings);
-    keys(&mut page, &["operation", "thermal", "fit", "lubrication"]);
+    keys(
+        &mut page,
+        &["operation", "housing", "thermal", "fit", "lubrication"],
+    );
     page.section("Event");
     page.paragraph(&event(file));
     keys(&mut page, &["start"]);

@@ -48,6 +48,8 @@ pub const RUN: &[Quantity] = &[
     quantity("ring_x_mean_um", "um", "mean displacement of the inner ring, x", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))),
     quantity("ring_y_mean_um", "um", "mean displacement of the inner ring, y", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6))),
     quantity("ring_z_mean_um", "um", "mean displacement of the inner ring, z", Run(|r| of_space(r, |s| s.ring_z_mean_m * 1e6))),
+    quantity("tilt_x_mean_mrad", "mrad", "mean tilt of the inner ring about X", Run(|r| of_space(r, |s| s.tilt_mean_rad[0] * 1e3))),
+    quantity("tilt_y_mean_mrad", "mrad", "mean tilt of the inner ring about Y", Run(|r| of_space(r, |s| s.tilt_mean_rad[1] * 1e3))),
     means(FORCE_ANGLE, quantity("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Run(|r| of_space(r, |s| s.inner_contact_angle_mean_rad.to_degrees())))),
     means(FORCE_ANGLE, quantity("outer_contact_angle_mean_deg", "deg", "contact angle at the outer raceway, mean", Run(|r| of_space(r, |s| s.outer_contact_angle_mean_rad.to_degrees())))),
     means(ELLIPSE_EDGE, quantity("inner_ellipse_edge_max_deg", "deg", "edge of contact ellipses, inner raceway, largest angle", Run(|r| of_space(r, |s| s.ellipse_edge_max_rad[0].to_degrees())))),

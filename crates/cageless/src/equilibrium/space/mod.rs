@@ -25,7 +25,7 @@ mod groove_point;
 mod load_balance;
 pub mod outer_section;
 
-use crate::bearing::{Bearing, BeyondGroove};
+use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
 use crate::equilibrium::{
     Equilibrium, EquilibriumError, RacewayContact, SPEED_ROUNDS, TURNING_TOLERANCE,
@@ -455,11 +455,44 @@ fn check(case: &Case, solved: &SpatialEquilibrium) -> Result<(), EquilibriumErro
     Ok(())
 }
 
+/// Axial share of the force of a row below which nothing presses it.
+const LEAST_THRUST: f64 = 1e-3;
+
 impl SpatialEquilibrium {
-    /// What the bearing does not stand, as sentences.
-    pub fn warnings(&self, bearing: &Bearing) -> Vec<String> {
+    /// What the bearing of `case` does not stand, as sentences.
+    pub fn warnings(&self, case: &Case) -> Vec<String> {
         let overload = self.rest.overload().into_iter();
-        let truncated = bearing.truncation_warnings(self.ellipse_edge_max_rad);
-        overload.chain(truncated).collect()
+        let truncated = case.bearing.truncation_warnings(self.ellipse_edge_max_rad);
+        overload
+            .chain(truncated)
+            .chain(self.rows_without_thrust(case))
+            .collect()
+    }
+
+    /// Warnings of angular-contact rows that carry, but not towards their contact sign.
+    fn rows_without_thrust(&self, case: &Case) -> Vec<String> {
+        if case.bearing.contact_angle_rad() == 0.0 {
+            return vec![];
+        }
+        let rows = case.all_rows();
+        let carried_n = |row: usize| {
+            let balls = self.row.iter().zip(&self.rest.inner_force_n);
+            balls
+                .filter(|(of, _)| **of == row)
+                .map(|(_, force)| force)
+                .sum::<f64>()
+        };
+        let signed_n = |row: usize| self.row_axial_force_n[row] * rows[row].contact_sign;
+        (0..rows.len())
+            .filter(|&row| carried_n(row) > 0.0 && signed_n(row) < LEAST_THRUST * carried_n(row))
+            .map(|row| {
+                format!(
+                    "row {} bears {:.0} N along its axis towards its contact sign: an angular-contact row comes \
+                     apart or loses its contact angle unless an axial load, a second row or preload presses it",
+                    row + 1,
+                    signed_n(row) + 0.0
+                )
+            })
+            .collect()
     }
 }
