@@ -127,7 +127,8 @@ pub struct New {
     #[arg(long)]
     pub conventional: bool,
     /// Start from a deep groove ball bearing of ISO 15: series 60, 62, 63, 160, 68 (618) or 69 (619)
-    /// with a bore of up to 100 mm. Comments name the maker of the balls or the formula, and all that
+    /// with a bore of up to 100 mm; or from two angular contact ball bearings back to back: series 70, 72,
+    /// 73 or 719 with C (15°), AC (25°) or B (40°), such as 7205C. Comments name the maker of the balls or the formula, and all that
     /// is assumed.
     #[arg(long, value_name = "DESIGNATION", conflicts_with = "conventional")]
     pub bearing: Option<String>,

@@ -24,7 +24,12 @@ pub fn touchdown_case(bearing: &BoundaryDimensions, full_complement: bool, text:
     let outer_m = (1e-3 * geometry.pitch_diameter_mm - ball_m) / 2.0 + 0.1 * ball_m;
     let bore_radius_m = bore_m / 2.0;
     let area_m2 = PI * (outer_m.powi(2) - bore_radius_m.powi(2));
-    let ring_kg = STEEL_KG_M3 * area_m2 * 1e-3 * bearing.width_mm;
+    // Angular contact bearings come in pairs.
+    let (rings, of_steel) = match bearing.contact_angle_deg > 0.0 {
+        true => (2.0, "steel rings"),
+        false => (1.0, "steel ring"),
+    };
+    let ring_kg = rings * STEEL_KG_M3 * area_m2 * 1e-3 * bearing.width_mm;
     let ring_inertia = 0.5 * ring_kg * (outer_m.powi(2) + bore_radius_m.powi(2));
     let static_n = 12.0 * geometry.balls as f64 * geometry.ball_diameter_mm.powi(2);
     let rotor_kg = rounded(LOAD_SHARE * static_n / GRAVITY_M_S2);
@@ -43,7 +48,7 @@ pub fn touchdown_case(bearing: &BoundaryDimensions, full_complement: bool, text:
         "\
 [bearing]
 inner_ring_bore_radius_mm = {bore_radius_mm:<18} # d/2
-inner_ring_mass_kg = {ring_kg:<25} # (assumed) steel ring of width B
+inner_ring_mass_kg = {ring_kg:<25} # (assumed) {of_steel} of width B
 inner_ring_polar_inertia_kg_m2 = {ring_inertia:<13e} # (assumed) of that ring; it decides the spin-up
 "
     );

@@ -166,3 +166,43 @@ fn a_case_states_where_its_balls_are_from() {
     assert!(find("6208").unwrap().source_of_balls().contains("as NSK"));
     assert!(find("6810").unwrap().source_of_balls().contains("formula"));
 }
+
+/// Angular contact bearings have the boundary dimensions of deep groove ones of their size, the contact angle of
+/// their suffix, and come as a preloaded pair that carries and runs.
+#[test]
+fn angular_contact_bearings_are_pairs_at_the_angle_of_their_suffix() {
+    for (name, of_size, angle_deg) in [
+        ("7205B", "6205", 40.0),
+        ("7008AC", "6008", 25.0),
+        ("71905C", "61905", 15.0),
+        ("7311C", "6311", 15.0),
+    ] {
+        let (bearing, deep) = (find(name).unwrap(), find(of_size).unwrap());
+        assert_eq!(
+            [bearing.bore_mm, bearing.outside_mm, bearing.width_mm],
+            [deep.bore_mm, deep.outside_mm, deep.width_mm]
+        );
+        let geometry = bearing.internal_geometry(false);
+        assert!(geometry.caged_balls > deep.internal_geometry(false).caged_balls);
+        for full in [false, true] {
+            let case = case(name, full);
+            assert!((case.bearing.contact_angle_rad().to_degrees() - angle_deg).abs() < 1e-9);
+            assert_eq!(case.rows.len(), 2, "{name}");
+            case.check_motion().unwrap();
+            let rest = cageless::equilibrium::space::solve(&case).unwrap();
+            let [first, second] = [rest.row_axial_force_n[0], rest.row_axial_force_n[1]];
+            assert!(first > 50.0 && second < -50.0, "{name}: {first} {second}");
+            let warned = rest.warnings(&case);
+            assert!(warned.is_empty(), "{name}: {warned:?}");
+        }
+        let text = bearing.case_file(true);
+        let drop = cageless_io::touchdown_template::touchdown_case(&bearing, true, &text);
+        let file = CaseFile::parse(&drop, name, &[]).unwrap();
+        file.case().check_motion().unwrap();
+    }
+    let error = find("7205").unwrap_err();
+    assert!(
+        error.ends_with("did you mean 7205C, 7205AC or 7205B?"),
+        "{error}"
+    );
+}

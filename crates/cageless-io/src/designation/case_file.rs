@@ -13,6 +13,10 @@ impl BoundaryDimensions {
                 "balls of {name} as NSK: number and diameter follow from the load ratings of its \
                  catalogue; other makers have other balls"
             ),
+            BallSource::AngularContact => format!(
+                "balls of {name}: diameter as in the deep groove bearing of this size, as many as a cage leaves \
+                 room for; catalogues have one or two more or less"
+            ),
             BallSource::Formula => format!(
                 "balls of {name} by a formula, as the table of bearings has none for it: load ratings \
                  may be up to 17 % off those of catalogues"
@@ -43,6 +47,9 @@ impl BoundaryDimensions {
             BallSource::Maker if balls == caged_balls => {
                 "(derived) as NSK, from its Cr, C0r and f0".to_owned()
             }
+            BallSource::AngularContact if balls == caged_balls => {
+                "(assumed) as many as a cage leaves room for: 87 % of the pitch circle".to_owned()
+            }
             BallSource::Formula if balls == caged_balls => {
                 "(assumed) as many as enter between eccentric rings (195° filled)".into()
             }
@@ -53,12 +60,18 @@ impl BoundaryDimensions {
         let diameter = match source {
             BallSource::Maker => "(derived) Dw as NSK, from its Cr, C0r and f0",
             BallSource::Formula => "(assumed) Dw, 0.29 (D - d) in steps of 1/64 inch",
+            BallSource::AngularContact => "(assumed) Dw of the deep groove bearing of this size",
         };
         let head = match source {
             BallSource::Maker => {
                 "# No standard fixes the balls. What is marked (derived) gives the load ratings Cr and C0r and the
 # factor f0 of NSK's bearing of this size (catalogue E1102f) by ISO 281 and ISO 76; the bearing of
 # another maker has other balls."
+            }
+            BallSource::AngularContact => {
+                "# No standard fixes the balls. Boundary dimensions and contact angle are those of the designation; two
+# bearings back to back, as a single one bears no radial load without an axial one: without both [[row]]
+# it needs operation.axial_load_n."
             }
             BallSource::Formula => {
                 "# No standard fixes the balls, and the table of bearings has none for this size. Those of the
@@ -70,7 +83,39 @@ impl BoundaryDimensions {
         } else {
             "cageless"
         };
-        let assembly = if full_complement {
+        let angular = self.contact_angle_deg > 0.0;
+        let pair = if angular { " back to back" } else { "" };
+        let contact_angle = match angular {
+            true => format!(
+                "contact_angle_deg = {:<26} # that of the suffix, without load\n",
+                self.contact_angle_deg
+            ),
+            false => String::new(),
+        };
+        let clearance = match angular {
+            true => "0: the contact angle is that without load",
+            false => "(assumed) Gr, middle of group Normal of ISO 5753-1",
+        };
+        let rows = match angular {
+            true => format!(
+                "\
+[[row]]
+axial_position_mm = {:<26} # -B/2
+contact_sign = 1                               # its balls press the outer ring towards +z
+preload_um = 5                                 # (assumed) by displacement of the outer ring
+
+[[row]]
+axial_position_mm = {:<26} # B/2
+contact_sign = -1
+preload_um = 5
+
+",
+                -0.5 * width,
+                0.5 * width
+            ),
+            false => String::new(),
+        };
+        let assembly = if full_complement && !angular {
             format!(
                 "assembly = {:<35} # more balls than enter between eccentric rings;\n{:47}# \
                  \"without-slot\" for a fractured or split ring\n",
@@ -91,13 +136,14 @@ impl BoundaryDimensions {
 # Measure yours or ask its maker, and replace what is marked (derived) or (assumed). Everything that
 # is left out takes a default: `cageless check` lists them with their values.
 schema = 1
-title = \"{name}, {kind}\"
+title = \"{name}{pair}, {kind}\"
 
 [bearing]
 balls = {balls:<38} # {number}
 ball_diameter_mm = {ball:<27} # {diameter}
 pitch_diameter_mm = {pitch:<26} # (assumed) Dpw = (D + d)/2
-radial_internal_clearance_um = {clearance_um:<15} # (assumed) Gr, middle of group Normal of ISO 5753-1
+radial_internal_clearance_um = {clearance_um:<15} # {clearance}
+{contact_angle}\
 inner_conformity = 0.52                        # (assumed) groove radius over Dw
 outer_conformity = 0.52                        # (assumed)
 {assembly}\
@@ -107,6 +153,7 @@ outer_ring_width_mm = {width:<24} # B
 # [ball_material]                              # hybrid bearing: ceramic balls in steel rings
 # preset = \"Si3N4\"
 
+{rows}\
 # A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
 # `cageless design --search` looks for the best one.
 # [raceway]

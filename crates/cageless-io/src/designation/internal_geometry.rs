@@ -24,6 +24,8 @@ const CLEARANCE_UM: [(u16, u16, u16); 9] = [
 const BALL_SHARE: f64 = 0.29;
 /// Steps of stock sizes of balls per millimetre: 1/64 inch is 0.396875 mm.
 const BALL_STEPS_PER_MM: f64 = 1e6 / 396_875.0;
+/// Share of the pitch circle that the balls of an angular contact bearing fill beside the bars of a cage.
+const CAGED_SHARE: f64 = 0.87;
 /// Angle that balls fill which enter between eccentric rings (Conrad).
 const FILLING_ANGLE: f64 = 195.0 / 180.0 * PI;
 
@@ -34,6 +36,8 @@ pub enum BallSource {
     Maker,
     /// From the boundary dimensions by a formula.
     Formula,
+    /// As many balls of the deep groove bearing of this size as a cage leaves room for.
+    AngularContact,
 }
 
 /// Internal geometry of a bearing.
@@ -70,6 +74,13 @@ impl BoundaryDimensions {
             }
         };
         let angle = ball_angle(ball_diameter_mm);
+        let (caged_balls, source) = match self.contact_angle_deg > 0.0 {
+            false => (caged_balls, source),
+            true => (
+                (CAGED_SHARE * TAU / angle) as usize,
+                BallSource::AngularContact,
+            ),
+        };
         let balls = if full_complement {
             (TAU / angle) as usize
         } else {
@@ -80,13 +91,18 @@ impl BoundaryDimensions {
             .iter()
             .find(|(bore, ..)| self.bore_mm <= f64::from(*bore));
         let (_, least, most) = group.copied().unwrap_or_default();
+        // The contact angle is that without load.
+        let clearance_um = match self.contact_angle_deg > 0.0 {
+            false => f64::from(least + most) / 2.0,
+            true => 0.0,
+        };
         InternalGeometry {
             ball_diameter_mm,
             pitch_diameter_mm,
             balls,
             caged_balls,
             source,
-            clearance_um: f64::from(least + most) / 2.0,
+            clearance_um,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Deep groove ball bearings by designation: boundary dimensions of ISO 15, balls, and a case file
+//! Deep groove and angular contact ball bearings by designation: boundary dimensions of ISO 15, balls, and a case file
 //! that states where each number is from.
 
 mod case_file;
@@ -27,8 +27,21 @@ pub struct BoundaryDimensions {
     pub outside_mm: f64,
     /// B, width.
     pub width_mm: f64,
-    /// Number and diameter of the balls in the maker's bearing with a cage.
+    /// α of an angular contact bearing, degrees; 0 of a deep groove one.
+    pub contact_angle_deg: f64,
+    /// Number and diameter of the balls in the maker's deep groove bearing of this size with a cage.
     balls: Option<(usize, f64)>,
+}
+
+/// Suffixes of angular contact bearings and their contact angles, degrees.
+const ANGLES: [(&str, f64); 3] = [("AC", 25.0), ("B", 40.0), ("C", 15.0)];
+
+/// The deep groove bearing with the boundary dimensions of an angular contact bearing, and its contact angle.
+fn of_angular_contact(designation: &str) -> Option<(String, f64)> {
+    let mut suffixes = ANGLES.iter();
+    let (size, angle_deg) =
+        suffixes.find_map(|(suffix, angle)| Some((designation.strip_suffix(suffix)?, *angle)))?;
+    Some((format!("6{}", size.strip_prefix('7')?), angle_deg))
 }
 
 /// Every designation of the table.
@@ -43,34 +56,50 @@ pub fn designations() -> impl Iterator<Item = BoundaryDimensions> {
             bore_mm: number(d)?,
             outside_mm: number(outside)?,
             width_mm: number(width)?,
+            contact_angle_deg: 0.0,
             balls: balls.and_then(|z| z.parse().ok()).zip(number(diameter)),
         })
     })
 }
 
-/// Looks up a designation. 618xx and 619xx are other spellings of 68xx and 69xx.
+/// Looks up a designation. 618xx and 619xx are other spellings of 68xx and 69xx; 70xx, 72xx, 73xx and 719xx
+/// with the suffix of a contact angle have the boundary dimensions of 60xx, 62xx, 63xx and 619xx.
 ///
 /// # Errors
 /// A message with what is allowed if the table does not have it.
 pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
-    let short = match designation.split_at_checked(3) {
+    let angular = of_angular_contact(designation);
+    let (of_size, contact_angle_deg) = angular.unwrap_or((designation.to_owned(), 0.0));
+    let short = match of_size.split_at_checked(3) {
         Some(("618", code)) if code.len() == 2 => format!("68{code}"),
         Some(("619", code)) if code.len() == 2 => format!("69{code}"),
-        _ => designation.to_owned(),
+        _ => of_size,
     };
     let all: Vec<_> = designations().collect();
     if let Some(found) = all.iter().find(|b| b.designation == short) {
         let designation = designation.to_owned();
         return Ok(BoundaryDimensions {
             designation,
+            contact_angle_deg,
             ..found.clone()
         });
     }
     let near = nearest(designation, all.iter().map(|b| b.designation.as_str()));
-    let hint = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+    let hint = match find_angular(designation) {
+        true => format!("; did you mean {designation}C, {designation}AC or {designation}B?"),
+        false => near.map_or(String::new(), |near| format!("; did you mean {near}?")),
+    };
     Err(format!(
         "`{designation}` is not possible: it must be a deep groove ball bearing of the series 60, 62, \
          63, 160, 68 (618) or 69 (619) with a bore of up to 100 mm, such as 6008 or 608, without \
-         suffixes{hint}"
+         suffixes, or an angular contact ball bearing of the series 70, 72, 73 or 719 with that of its \
+         contact angle: C (15°), AC (25°) or B (40°){hint}"
     ))
+}
+
+/// Whether a designation lacks but the suffix of an angular contact bearing.
+fn find_angular(designation: &str) -> bool {
+    designation.starts_with('7')
+        && !designation.ends_with('C')
+        && find(&format!("{designation}C")).is_ok()
 }

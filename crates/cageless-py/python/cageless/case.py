@@ -90,7 +90,7 @@ class Case(Computations, sections.OfCase):
 
     @classmethod
     def from_designation(cls, designation: str, *, full_complement: bool = False) -> Self:
-        """A deep groove ball bearing of ISO 15, as ``cageless new --bearing`` writes it. Number
+        """A deep groove ball bearing of ISO 15, or two angular contact ones back to back, as ``cageless new --bearing`` writes it. Number
         and diameter of the balls are as NSK, from its load ratings, where the table has them; the
         rest, speed and load are assumed, and the ring is conventional.
 
