@@ -90,12 +90,14 @@ class Case(Computations, sections.OfCase):
 
     @classmethod
     def from_designation(cls, designation: str, *, full_complement: bool = False) -> Self:
-        """A deep groove ball bearing of ISO 15, or two angular contact ones back to back, as ``cageless new --bearing`` writes it. Number
-        and diameter of the balls are as NSK, from its load ratings, where the table has them; the
-        rest, speed and load are assumed, and the ring is conventional.
+        """A deep groove ball bearing of ISO 15, or two angular contact ball bearings back to back, as
+        ``cageless new --bearing`` writes it. Number and diameter of the balls are as NSK, from its load
+        ratings, where the table has them; the rest, speed and load are assumed, and the ring is
+        conventional.
 
         Args:
-            designation: Series 60, 62, 63, 160, 68 (618) or 69 (619), bores up to 100 mm.
+            designation: Series 60, 62, 63, 160, 68 (618) or 69 (619), or 70, 72, 73 or 719 with C, AC
+                or B, bores up to 100 mm.
             full_complement: As many balls as the pitch circle holds.
 
         Raises:
