@@ -79,7 +79,7 @@ impl SpatialSummaryTracker {
     pub fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
         let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
         let [z, p, q] = self.ring.map(|sum| sum / self.time_s);
-        (self.time_s > 0.0).then(|| SpatialSummary {
+        (self.time_s > 0.0).then_some(SpatialSummary {
             ring_z_mean_m: z,
             tilt_mean_rad: [0.0 - q, p],
             inner_contact_angle_mean_rad: inner,

@@ -50,6 +50,8 @@ class RunAttributes:
     ring_x_mean_um: float  # mean displacement of the inner ring, x, um
     ring_y_mean_um: float  # mean displacement of the inner ring, y, um
     ring_z_mean_um: float  # mean displacement of the inner ring, z, um
+    tilt_x_mean_mrad: float  # mean tilt of the inner ring about X, mrad
+    tilt_y_mean_mrad: float  # mean tilt of the inner ring about Y, mrad
     inner_contact_angle_mean_deg: float  # contact angle at the inner raceway, mean, deg
     outer_contact_angle_mean_deg: float  # contact angle at the outer raceway, mean, deg
     inner_ellipse_edge_max_deg: float  # edge of contact ellipses, inner raceway, largest angle, deg
