@@ -23,6 +23,7 @@ pub(crate) const fn quantity(
         kind: Kind::Number,
         aim: None,
         across: None,
+        awaited: false,
         in_sweeps: true,
         in_tables: true,
         of,
@@ -136,6 +137,15 @@ pub(crate) const fn means(meaning: &'static str, quantity: Quantity) -> Quantity
     }
 }
 
+/// A time from the start that has no value where its event has not come by the end.
+pub(crate) const fn awaited(quantity: Quantity) -> Quantity {
+    let awaited = true;
+    Quantity {
+        awaited,
+        ..quantity
+    }
+}
+
 pub(crate) const fn low(quantity: Quantity) -> Quantity {
     let aim = Some(Aim::Low);
     Quantity { aim, ..quantity }
@@ -152,6 +162,11 @@ pub(crate) fn flagged(value: Option<bool>) -> Cell {
 
 pub(crate) fn rpm(speed_rad_s: f64) -> f64 {
     speed_rad_s * 60.0 / TAU
+}
+
+/// A time in the unit of those of drops.
+pub(crate) fn milliseconds(time_s: f64) -> f64 {
+    1e3 * time_s
 }
 
 pub(crate) fn some(value: f64) -> Cell {

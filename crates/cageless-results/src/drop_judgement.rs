@@ -16,18 +16,40 @@ pub const RESIDUAL_FRACTION: f64 = 0.01;
 /// Verdict on a drop.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DropJudgement {
-    /// Whether bearing and rotor survive the drop; `None` where it was not judged.
-    pub passes: Option<bool>,
-    /// Every limit that is exceeded, or why the drop was not judged.
-    pub reasons: Vec<String>,
+    /// Whether the rotor has touched the inner ring.
+    touched: bool,
+    /// Every limit that is exceeded.
+    failed: Vec<String>,
+    /// Limits on results that have no value, by the name of the result.
+    unjudged: Vec<(String, String)>,
     /// What the verdict of a drop that passes rests on.
     kept: Vec<String>,
 }
 
 impl DropJudgement {
+    /// Whether bearing and rotor survive the drop; `None` where it was not judged.
+    pub fn passes(&self) -> Option<bool> {
+        match (self.failed.is_empty(), self.unjudged.is_empty()) {
+            (false, _) => Some(false),
+            (true, true) if self.touched => Some(true),
+            _ => None,
+        }
+    }
+
+    /// Every limit that is exceeded, or why the drop was not judged.
+    pub fn reasons(&self) -> Vec<String> {
+        if !self.failed.is_empty() {
+            return self.failed.clone();
+        }
+        let untouched =
+            (!self.touched).then(|| "the rotor has not touched the inner ring".to_owned());
+        let unjudged = self.unjudged.iter().map(|(_, text)| text.clone());
+        untouched.into_iter().chain(unjudged).collect()
+    }
+
     /// The verdict in files: `pass`, `fail` or `not-judged`.
     pub fn name(&self) -> &'static str {
-        match self.passes {
+        match self.passes() {
             Some(true) => "pass",
             Some(false) => "fail",
             None => "not-judged",
@@ -38,7 +60,7 @@ impl DropJudgement {
     pub(crate) fn cell(&self, kind: Kind) -> Cell {
         match kind {
             Kind::Flag => self
-                .passes
+                .passes()
                 .map_or(Cell::Null, |passes| Cell::Integer(passes.into())),
             _ => Cell::Text(self.name().to_owned()),
         }
@@ -46,28 +68,12 @@ impl DropJudgement {
 
     /// PASS or FAIL with its reasons.
     pub fn headline(&self) -> String {
-        let (word, reasons) = match self.passes {
-            Some(true) => ("PASS", &self.kept),
-            Some(false) => ("FAIL", &self.reasons),
-            None => ("not judged", &self.reasons),
+        let (word, reasons) = match self.passes() {
+            Some(true) => ("PASS", self.kept.clone()),
+            Some(false) => ("FAIL", self.reasons()),
+            None => ("not judged", self.reasons()),
         };
         format!("{word}: {}", reasons.join("; "))
-    }
-
-    fn new(failed: Vec<String>, kept: Vec<String>, untouched: bool) -> Self {
-        let (passes, reasons) = match (failed.is_empty(), untouched) {
-            (false, _) => (Some(false), failed),
-            (true, true) => (
-                None,
-                vec!["the rotor has not touched the inner ring".to_owned()],
-            ),
-            (true, false) => (Some(true), vec![]),
-        };
-        Self {
-            passes,
-            reasons,
-            kept,
-        }
     }
 
     /// Verdict on a drop onto one bearing.
@@ -114,21 +120,30 @@ impl DropJudgement {
             ));
         }
         failed.extend(unbalanced("", outcome.energy_residual_relative));
-        Self::new(failed, kept, summary.end_state == EndState::Falling)
+        Self {
+            touched: summary.end_state != EndState::Falling,
+            failed,
+            kept,
+            unjudged: vec![],
+        }
     }
 
-    /// Adds a limit of a user, kept or not.
+    /// Adds a limit of a user on a result that keeps it or not.
     pub(crate) fn limit(&mut self, exceeded: bool, text: String) {
-        if !exceeded {
-            self.kept.push(text);
-            return;
+        match exceeded {
+            true => self.failed.push(text),
+            false => self.kept.push(text),
         }
-        // What was said of a drop that nothing judged gives way to the limit.
-        if self.passes != Some(false) {
-            self.reasons.clear();
-        }
-        self.passes = Some(false);
-        self.reasons.push(text);
+    }
+
+    /// Adds a limit of a user on a result without a value.
+    pub(crate) fn not_judged(&mut self, result: &str, text: String) {
+        self.unjudged.push((result.to_owned(), text));
+    }
+
+    /// Forgets that a result had no value.
+    pub(crate) fn judge_again(&mut self, result: &str) {
+        self.unjudged.retain(|(name, _)| name != result);
     }
 
     /// Verdict on a drop by the verdicts on its bearings: that of the only one of a case, that of all
@@ -137,26 +152,28 @@ impl DropJudgement {
         let Some(rotor) = rotor else {
             return bearings.iter().copied().next().cloned().unwrap_or_default();
         };
-        let (mut failed, mut kept) = (vec![], vec![]);
+        let mut all = Self {
+            touched: bearings.iter().any(|bearing| bearing.touched),
+            ..Self::default()
+        };
         for (k, bearing) in bearings.iter().enumerate() {
-            let list = match bearing.passes {
-                Some(false) => &bearing.reasons,
-                _ => &bearing.kept,
-            };
-            let numbered = list.iter().map(|text| format!("bearing {}: {text}", k + 1));
-            match bearing.passes {
-                Some(false) => failed.extend(numbered),
-                _ => kept.extend(numbered),
+            let number = |text: &String| format!("bearing {}: {text}", k + 1);
+            all.failed.extend(bearing.failed.iter().map(number));
+            let unjudged = bearing.unjudged.iter();
+            all.unjudged
+                .extend(unjudged.map(|(name, text)| (name.clone(), number(text))));
+            if bearing.failed.is_empty() {
+                all.kept.extend(bearing.kept.iter().map(number));
             }
         }
         for plane in &rotor.planes {
             let limit_m = plane.clearance.radial_m;
             displaced(&plane.clearance.name, plane.displacement_max_m, limit_m)
-                .place(&mut failed, &mut kept);
+                .place(&mut all.failed, &mut all.kept);
         }
-        failed.extend(unbalanced(" of the rotor", rotor.energy_residual_relative));
-        let untouched = bearings.iter().all(|b| b.passes.is_none());
-        Self::new(failed, kept, untouched)
+        let residual = rotor.energy_residual_relative;
+        all.failed.extend(unbalanced(" of the rotor", residual));
+        all
     }
 }
 

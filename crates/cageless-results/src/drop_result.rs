@@ -2,13 +2,13 @@
 
 use cageless::Case;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
+use cageless::touchdown::{DropSummary, EndState, Limit, WhirlWindow};
 use serde::{Serialize, Serializer};
 
 use crate::kind::Kind;
-use crate::limited::limited;
+use crate::limited::{limited, limited_in_succession};
 use crate::table::DROP;
-use crate::{DropJudgement, FinishedDrop, Results, Subject, value_text};
+use crate::{Cell, DropJudgement, FinishedDrop, Results, Subject, value_text};
 
 /// Results of one bearing of a drop.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -32,7 +32,7 @@ pub fn end_state_text(name: &str) -> String {
 }
 
 fn reasons<S: Serializer>(judgement: &DropJudgement, serializer: S) -> Result<S::Ok, S::Error> {
-    judgement.reasons.serialize(serializer)
+    judgement.reasons().serialize(serializer)
 }
 
 /// Motion of the rotor round the bore, and collisions between balls, in one interval.
@@ -85,6 +85,19 @@ impl DropResult {
             stopped,
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
         }
+    }
+
+    /// Judges the drop by the limits on results of a succession, of which it is one drop, as well.
+    pub(crate) fn judge_in_succession(&mut self, limits: &[Limit], succession: &Results) {
+        let judgement = std::mem::take(&mut self.judgement);
+        self.judgement = limited_in_succession(judgement, limits, succession);
+        let [verdict, passes] = [Kind::Text, Kind::Flag].map(|kind| self.judgement.cell(kind));
+        let headline = Cell::Text(self.judgement.headline());
+        self.results = std::mem::take(&mut self.results).with(&[
+            ("verdict", verdict),
+            ("passes", passes),
+            ("headline", headline),
+        ]);
     }
 
     /// What the rotor does at the end: `falling`, `settling`, `at-rest`, `pendulum`, `bouncing`,
@@ -144,7 +157,7 @@ impl DropResult {
     }
 
     /// What stands in tables where a result has no value.
-    fn instead(&self, name: &str) -> Option<String> {
+    pub fn instead(&self, name: &str) -> Option<String> {
         if name != "spin_up_ms" {
             return None;
         }

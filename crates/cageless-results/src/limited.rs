@@ -2,34 +2,80 @@
 
 use cageless::touchdown::Limit;
 
-use crate::{Aim, DropJudgement, Results};
+use crate::declare::milliseconds;
+use crate::table::{DROP, SUCCESSION};
+use crate::{Aim, DropJudgement, Quantity, Results};
 
-/// The verdict with those of the limits that concern these results.
+/// The verdict with those of the limits that concern a drop with these results.
 pub(crate) fn limited(
     mut judgement: DropJudgement,
     limits: &[Limit],
     results: &Results,
 ) -> DropJudgement {
     for limit in limits {
-        let found = results.iter().find(|(q, _)| q.name == limit.result);
-        let Some((quantity, value)) = found.and_then(|(q, cell)| Some((q, cell.number()?))) else {
+        let mut all = DROP.iter().chain(SUCCESSION);
+        let Some(quantity) = all.find(|q| q.name == limit.result) else {
             continue;
         };
-        let (side, exceeded) = match quantity.aim {
-            Some(Aim::High) => ("at least", value < limit.value),
-            _ => ("at most", value > limit.value),
-        };
-        let [value, bound] = [value, limit.value].map(|v| quantity.number_text(v));
-        let unit = match quantity.printed_unit() {
-            unit if unit.is_empty() => unit,
-            unit => format!(" {unit}"),
-        };
-        let label = quantity.label.trim();
-        let text = format!(
-            "{label} {value}{unit}, {side} {bound}{unit} ({})",
-            limit.source
-        );
-        judgement.limit(exceeded, text);
+        add(&mut judgement, limit, quantity, results);
     }
     judgement
+}
+
+/// The verdict on a drop in succession: limits on its results are judged by these.
+pub(crate) fn limited_in_succession(
+    mut judgement: DropJudgement,
+    limits: &[Limit],
+    results: &Results,
+) -> DropJudgement {
+    for limit in limits {
+        let of_drop = DROP.iter().any(|q| q.name == limit.result);
+        let found = results
+            .iter()
+            .find(|(q, _)| q.name == limit.result && !of_drop);
+        if let Some((quantity, _)) = found {
+            judgement.judge_again(quantity.name);
+            add(&mut judgement, limit, quantity, results);
+        }
+    }
+    judgement
+}
+
+fn add(judgement: &mut DropJudgement, limit: &Limit, quantity: &Quantity, results: &Results) {
+    let least = quantity.aim == Some(Aim::High);
+    let side = if least { "at least" } else { "at most" };
+    let text = |value: f64| match quantity.printed_unit().as_str() {
+        "" => quantity.number_text(value),
+        unit => format!("{} {unit}", quantity.number_text(value)),
+    };
+    let (label, source) = (quantity.label.trim(), &limit.source);
+    let allowed = format!("{side} {} ({source})", text(limit.value));
+    if let Some(value) = results.value(quantity.name) {
+        let exceeded = if least {
+            value < limit.value
+        } else {
+            value > limit.value
+        };
+        judgement.limit(exceeded, format!("{label} {}, {allowed}", text(value)));
+        return;
+    }
+    let end_ms = results.value("simulated_s").map(milliseconds);
+    let missing = match end_ms.filter(|_| quantity.awaited) {
+        Some(end_ms) => {
+            let so_far = format!("{label} not reached within {}", text(end_ms));
+            if !least && end_ms > limit.value {
+                judgement.limit(true, format!("{so_far}, {allowed}"));
+                return;
+            }
+            format!("{so_far} (solver.duration_s)")
+        }
+        None if results.get(quantity.name).is_none() => {
+            format!("{label} is computed of drops in succession alone (drop --drops)")
+        }
+        None => format!("{label} has no value in this drop"),
+    };
+    judgement.not_judged(
+        quantity.name,
+        format!("{missing}, so that its limit cannot be judged: {allowed}"),
+    );
 }

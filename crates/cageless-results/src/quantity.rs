@@ -27,6 +27,8 @@ pub struct Quantity {
     pub aim: Option<Aim>,
     /// Its value for a rotor in several bearings, where there is one.
     pub across: Option<Across>,
+    /// Whether it is a time from the start that has no value where its event has not come by the end.
+    pub awaited: bool,
     /// Whether the columns of sweeps have it.
     pub in_sweeps: bool,
     /// Whether tables for readers have it.

@@ -36,6 +36,16 @@ impl Results {
         self
     }
 
+    /// These results with other values of those named.
+    pub(crate) fn with(mut self, values: &[(&str, Cell)]) -> Self {
+        for (quantity, cell) in &mut self.0 {
+            if let Some((_, value)) = values.iter().find(|(name, _)| quantity.name == *name) {
+                *cell = value.clone();
+            }
+        }
+        self
+    }
+
     /// Every quantity with its value.
     pub fn iter(&self) -> impl Iterator<Item = (&'static Quantity, &Cell)> {
         self.0.iter().map(|(quantity, cell)| (*quantity, cell))

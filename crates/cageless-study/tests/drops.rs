@@ -299,7 +299,7 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
             found.warnings
         );
     }
-    assert_eq!(result.judgement.passes, Some(false));
+    assert_eq!(result.judgement.passes(), Some(false));
     let reason =
         format!("contact pressure between balls {pressure_mpa:.0} MPa, above 4200 MPa (ISO 76)");
     let json = texts(&found, &file);
@@ -328,12 +328,12 @@ fn a_drop_passes_within_its_clearance_and_fails_beyond() {
         )
     };
     let (free, _) = of(1e6);
-    assert_eq!(free.judgement.passes, Some(true), "{:?}", free.judgement);
+    assert_eq!(free.judgement.passes(), Some(true), "{:?}", free.judgement);
     let most = free.results.value("rotor_displacement_max_um").unwrap();
     assert!(most > 200.0 && most < 400.0, "{most}");
     let (passes, json) = of(most + 10.0);
     assert_eq!(
-        (passes.judgement.passes, &json["verdict"]),
+        (passes.judgement.passes(), &json["verdict"]),
         (Some(true), &"pass".into())
     );
     assert!((passes.results.value("clearance_margin_um").unwrap() - 10.0).abs() < 1e-9);
@@ -346,7 +346,7 @@ fn a_drop_passes_within_its_clearance_and_fails_beyond() {
         json["headline"]
     );
     let (fails, json) = of(most - 10.0);
-    assert_eq!(fails.judgement.passes, Some(false));
+    assert_eq!(fails.judgement.passes(), Some(false));
     assert!((fails.results.value("clearance_margin_um").unwrap() + 10.0).abs() < 1e-9);
     let reason = json["reasons"][0].as_str().unwrap();
     assert!(
@@ -376,8 +376,8 @@ fn a_rotor_that_its_bearing_cannot_carry_is_not_at_rest() {
     let found = studied(&file, DropRequest::default());
     let result = &found.record.bearings[0].result;
     assert_eq!(result.end_state(), "settling");
-    assert_eq!(result.judgement.passes, Some(false));
-    let reasons = result.judgement.reasons.join("; ");
+    assert_eq!(result.judgement.passes(), Some(false));
+    let reasons = result.judgement.reasons().join("; ");
     // 196 kN on 2e7 N/m; the balls have a radius of 4.76 mm.
     assert!(
         reasons.contains("the support cannot carry the rotor: it yields by 9.81 mm"),
@@ -395,7 +395,11 @@ fn a_rotor_that_its_bearing_cannot_carry_is_not_at_rest() {
         "support.stop_stiffness_n_m=1e9",
     ]);
     let found = studied(&stopped, DropRequest::default());
-    let reasons = found.record.bearings[0].result.judgement.reasons.join("; ");
+    let reasons = found.record.bearings[0]
+        .result
+        .judgement
+        .reasons()
+        .join("; ");
     assert!(!reasons.contains("the support cannot carry"), "{reasons}");
 }
 
@@ -408,12 +412,12 @@ fn an_energy_balance_beyond_one_per_cent_is_warned_of_and_fails() {
     let summary = recorder.summary(&outcome.state);
     let judged = |outcome: &RunOutcome| DropResult::new(case, &summary, outcome).judgement;
     outcome.energy_residual_relative = 0.009;
-    assert_eq!(judged(&outcome).passes, Some(true));
+    assert_eq!(judged(&outcome).passes(), Some(true));
     outcome.energy_residual_relative = -0.0129;
     let found = judged(&outcome);
-    assert_eq!(found.passes, Some(false));
+    assert_eq!(found.passes(), Some(false));
     assert!(
-        found.reasons[0].contains("energy balance error 1.3 %, above 1 %"),
+        found.reasons()[0].contains("energy balance error 1.3 %, above 1 %"),
         "{found:?}"
     );
 }

@@ -248,10 +248,10 @@ fn a_rotor_is_judged_by_its_bearings_and_its_planes() {
     assert_eq!(again.document().rotor, rotor);
     let found = studied(&file, DropRequest::default());
     let judgement = found.record.judgement();
-    assert_eq!(judgement.passes, Some(false));
-    assert_eq!(judgement.reasons.len(), 1, "{judgement:?}");
+    assert_eq!(judgement.passes(), Some(false));
+    assert_eq!(judgement.reasons().len(), 1, "{judgement:?}");
     assert!(
-        judgement.reasons[0].starts_with("seal displaced by"),
+        judgement.reasons()[0].starts_with("seal displaced by"),
         "{judgement:?}"
     );
     let json: serde_json::Value =

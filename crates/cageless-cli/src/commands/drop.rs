@@ -82,22 +82,24 @@ fn succession_text(succession: &Succession) -> String {
     let records = succession.records.iter();
     let records: Vec<Record> = records.map(|r| r.results.clone().into()).collect();
     let table = columns(&table_of(&records));
-    let failure = succession.first_failure().map(|(drop, reasons)| {
-        let text = format!("drop {drop}: {reasons}");
-        pairs(&[("first drop beyond a limit", text)])
+    let firsts = [
+        ("fail", "first drop beyond a limit"),
+        ("not-judged", "first drop that is not judged"),
+    ];
+    let firsts = firsts.into_iter().filter_map(|(verdict, label)| {
+        let (drop, reasons) = succession.first(verdict)?;
+        Some((label, format!("drop {drop}: {reasons}")))
     });
+    let firsts: Vec<_> = firsts.collect();
     match succession.records.is_empty() {
         true => String::new(),
-        false => format!(
-            "\ndrops in succession\n{table}{}",
-            failure.unwrap_or_default()
-        ),
+        false => format!("\ndrops in succession\n{table}{}", pairs(&firsts)),
     }
 }
 
 /// PASS or FAIL with its reasons.
 fn verdict(judgement: &DropJudgement) -> String {
-    let headline = judged(judgement.passes, &judgement.headline());
+    let headline = judged(judgement.passes(), &judgement.headline());
     pairs(&[("verdict", headline)]) + "\n"
 }
 

@@ -145,7 +145,7 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
         )
     });
     let state = format!("State after {} s: {}.", short(end), states.join("; "));
-    Head::new(judgement.passes, &judgement.headline())
+    Head::new(judgement.passes(), &judgement.headline())
         .verdict(None, &state)
         .facts(facts.into_iter().chain(carried))
 }
@@ -187,7 +187,7 @@ fn head(drop: &DropResult) -> Head {
         fact("Collisions above 0.5 m/s", "collisions_above_0_5_m_s", ""),
         fact("Heat of all interfaces", "dissipated_j", "J"),
     ];
-    Head::new(drop.judgement.passes, &drop.judgement.headline())
+    Head::new(drop.judgement.passes(), &drop.judgement.headline())
         .verdict(None, &state)
         .facts(facts.into_iter().flatten())
 }

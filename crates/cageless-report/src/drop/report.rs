@@ -150,7 +150,7 @@ pub(super) fn requirements(page: &mut Page, file: &VariantFile, bearings: &[Bear
         let limit = format!("{side} {}", with_unit(quantity, bound));
         let values = bearings.iter().enumerate();
         let values = values.map(|(k, bearing)| match concerned.contains(&k) {
-            true => value(bearing, quantity),
+            true => limited(bearing, quantity),
             false => String::new(),
         });
         let first = [quantity.label.trim().to_owned(), limit, whose.to_owned()];
@@ -233,6 +233,18 @@ fn value(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
     let found = bearing.record.result.results.value(quantity.name);
     let found = found.or_else(|| bearing.succession?.value(quantity.name));
     found.map_or("–".to_owned(), |value| with_unit(quantity, value))
+}
+
+/// The value of a result with a limit, or why there is none.
+fn limited(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
+    let without = || match quantity.awaited {
+        true => "not reached".to_owned(),
+        false => "no value: not judged".to_owned(),
+    };
+    match value(bearing, quantity).as_str() {
+        "–" => (bearing.record.result.instead(quantity.name)).unwrap_or_else(without),
+        value => value.to_owned(),
+    }
 }
 
 fn with_unit(quantity: &Quantity, value: f64) -> String {

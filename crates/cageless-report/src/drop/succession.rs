@@ -33,12 +33,15 @@ pub(super) fn succession(page: &mut Page, bearings: &[Bearing<'_>], succession: 
         rows,
         Some(source),
     ));
-    match succession.first_failure() {
-        Some((drop, reasons)) => {
-            let first = format!("Drop {drop} is the first beyond a limit: {reasons}.");
+    let (failed, unjudged) = (succession.first("fail"), succession.first("not-judged"));
+    if failed.is_none() && unjudged.is_none() {
+        page.note(Note::Remark, "No drop is beyond a limit.");
+    }
+    for (first, what) in [(failed, "beyond a limit"), (unjudged, "that is not judged")] {
+        if let Some((drop, reasons)) = first {
+            let first = format!("Drop {drop} is the first {what}: {reasons}.");
             page.note(Note::Warning, &first);
         }
-        None => page.note(Note::Remark, "No drop is beyond a limit."),
     }
     page.figures(bearings.iter().enumerate().filter_map(|(k, bearing)| {
         let rows = succession.records.iter().skip(k).step_by(bearings.len());

@@ -300,21 +300,21 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
         source: "the plant".to_owned(),
     };
     let judged = |case: &Case| DropResult::new(case, &s, &outcome);
-    assert_eq!(judged(&case).judgement.passes, Some(true));
+    assert_eq!(judged(&case).judgement.passes(), Some(true));
     for (name, kept, broken) in [
         ("rotor_force_max_n", 4001.0, 3999.0),
         ("clearance_margin_um", 336.0, 338.0),
     ] {
         case.limits = vec![limit(name, kept)];
         let judgement = judged(&case).judgement;
-        assert_eq!(judgement.passes, Some(true), "{name}");
+        assert_eq!(judgement.passes(), Some(true), "{name}");
         assert!(judgement.headline().contains("(the plant)"), "{name}");
         case.limits = vec![limit(name, broken)];
         let judgement = judged(&case).judgement;
-        assert_eq!(judgement.passes, Some(false), "{name}");
-        assert_eq!(judgement.reasons.len(), 1);
+        assert_eq!(judgement.passes(), Some(false), "{name}");
+        assert_eq!(judgement.reasons().len(), 1);
         assert!(
-            judgement.reasons[0].ends_with("(the plant)"),
+            judgement.reasons()[0].ends_with("(the plant)"),
             "{judgement:?}"
         );
     }
@@ -323,8 +323,9 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
     let gr_um = 2.0 * per_k * (27_765.0 * 9.0 - 18_240.0 * 11.0 - 2.0 * 4_762.5 * 7.0);
     case.limits = vec![limit("ball_standstill_c", 90.0)];
     let result = judged(&case);
-    assert_eq!(result.judgement.passes, Some(true));
+    assert_eq!(result.judgement.passes(), None, "no succession");
     for (ball_c, verdict) in [(89.0, "pass"), (91.0, "fail")] {
+        let mut result = result.clone();
         let spin_down = SpinDown {
             time_s: 17.0,
             heat_j: 333.0,
@@ -338,7 +339,7 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
             standstill_c: Some([61.0, ball_c, 43.0]),
             judgement: DropJudgement::default(),
         };
-        let record = succession_record(ended, &result);
+        let record = succession_record(ended, &mut result);
         assert_eq!(record.text("verdict"), verdict);
         assert_eq!(
             record.sentences("reasons").len(),
@@ -362,5 +363,52 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
         assert_eq!(own.value("rotor_force_max_n"), Some(4000.0));
         assert_eq!(record.get("drop"), Some(&Cell::Integer(3)));
         assert_eq!(record.get("bearing"), Some(&Cell::Integer(2)));
+    }
+}
+
+/// A limit on a result without a value never passes: it fails where the event has not come by the limit,
+/// and cannot be judged where that is open or where nothing computes the result.
+#[test]
+fn a_limit_on_a_result_without_a_value_does_not_pass() {
+    let (mut case, mut s, mut outcome) = drop(&mut 0.2);
+    outcome.energy_residual_relative = 0.0;
+    (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
+    (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
+    (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
+    (s.spin_up_s, outcome.end_s) = (None, 0.1);
+    if let Some(rotor) = &mut case.rotor {
+        rotor.clearance_limit_m = None;
+    }
+    for (name, value, verdict, said) in [
+        ("rotor_force_max_n", 1e9, "pass", "at most"),
+        (
+            "spin_up_ms",
+            99.0,
+            "fail",
+            "not reached within 100 ms, at most 99 ms (the plant)",
+        ),
+        (
+            "spin_up_ms",
+            101.0,
+            "not-judged",
+            "not reached within 100 ms",
+        ),
+        (
+            "clearance_margin_um",
+            -1e9,
+            "not-judged",
+            "cannot be judged: at least",
+        ),
+        ("inner_ring_standstill_c", 1e9, "not-judged", "drop --drops"),
+    ] {
+        case.limits = vec![Limit {
+            result: name.to_owned(),
+            value,
+            source: "the plant".to_owned(),
+        }];
+        let found = DropResult::new(&case, &s, &outcome);
+        assert_eq!(found.results.text("verdict"), verdict, "{name} {value}");
+        let headline = found.results.text("headline");
+        assert!(headline.contains(said), "{headline}");
     }
 }

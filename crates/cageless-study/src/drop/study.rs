@@ -89,7 +89,7 @@ pub fn study<'r>(
         return Ok(study);
     }
     let drops = request.drops.unwrap_or(1);
-    study.succession = Succession::new(file, &study.drop, &study.record, drops, progress)?;
+    study.succession = Succession::new(file, &study.drop, &mut study.record, drops, progress)?;
     study.interrupted = study.succession.interrupted;
     study.warnings.extend(study.succession.warnings.clone());
     if request.compare && !study.interrupted {

@@ -42,7 +42,7 @@ impl Succession {
     pub fn new(
         file: &VariantFile,
         drop: &RotorDrop,
-        first: &DropRecord,
+        first: &mut DropRecord,
         count: u64,
         progress: &dyn Progress,
     ) -> Result<Self, RunError> {
@@ -85,10 +85,10 @@ impl Succession {
             };
             let Some(drop) = warm.drop() else { break };
             let none = drop.cases().iter().map(|_| None).collect();
-            let record = DropRecord::of(&drop, none, progress)?;
+            let mut record = DropRecord::of(&drop, none, progress)?;
             match record.ending() {
                 Ending::Complete => {
-                    warm_c = done.add(&drop, &record);
+                    warm_c = done.add(&drop, &mut record);
                     spun_up = has_spun_up(&record);
                 }
                 Ending::Interrupted => {
@@ -108,15 +108,16 @@ impl Succession {
     }
 
     /// Adds a drop; returns the temperatures of each bearing at standstill.
-    fn add(&mut self, drop: &RotorDrop, record: &DropRecord) -> Option<Vec<[f64; PARTS]>> {
+    fn add(&mut self, drop: &RotorDrop, record: &mut DropRecord) -> Option<Vec<[f64; PARTS]>> {
         let number = 1 + self.records.len() / record.bearings.len();
-        let results = || record.bearings.iter().map(|bearing| &bearing.result);
         let spin_down = spin_down(drop, record);
         // A rotor makes all of its heat in all of its bearings.
-        let power_w: f64 = results()
-            .filter_map(|r| r.results.value("end_power_w"))
+        let bearings = record.bearings.iter();
+        let power_w: f64 = bearings
+            .filter_map(|b| b.result.results.value("end_power_w"))
             .sum();
-        let cases = drop.cases().iter().enumerate().zip(results());
+        let results = record.bearings.iter_mut().map(|b| &mut b.result);
+        let cases = drop.cases().iter().enumerate().zip(results);
         let ended: Vec<_> = cases
             .map(|((bearing, case), result)| {
                 let standstill_c = spin_down.and_then(|spin_down| {
@@ -150,14 +151,11 @@ impl Succession {
         ended.into_iter().collect()
     }
 
-    /// The first drop beyond a limit, with the reasons.
-    pub fn first_failure(&self) -> Option<(f64, String)> {
+    /// The first drop with this verdict, with the reasons.
+    pub fn first(&self, verdict: &str) -> Option<(f64, String)> {
         let mut records = self.records.iter();
-        let failed = records.find(|record| record.text("verdict") == "fail")?;
-        Some((
-            failed.number("drop"),
-            failed.sentences("reasons").join("; "),
-        ))
+        let found = records.find(|record| record.text("verdict") == verdict)?;
+        Some((found.number("drop"), found.sentences("reasons").join("; ")))
     }
 }
 

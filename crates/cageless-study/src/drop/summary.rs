@@ -52,9 +52,9 @@ impl DropStudy {
                 energy_residual_relative: outcome.energy_residual_relative,
             },
             verdict: judgement.name(),
-            passes: judgement.passes,
+            passes: judgement.passes(),
             headline: judgement.headline(),
-            reasons: judgement.reasons,
+            reasons: judgement.reasons(),
             clearances: plane_records(&outcome.planes),
         })
     }
