@@ -63,12 +63,18 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
          grooves"
             .to_owned(),
     ];
-    if case.bearing.assembly() == Assembly::FillingSlot {
-        notes.push(
+    match case.bearing.assembly() {
+        Assembly::FillingSlot => notes.push(
             "bearing.assembly is \"filling-slot\": Cr has the factor bm = 1.1 of ISO 281 in place of \
              1.3, which a bearing without slot (fractured or split ring) keeps"
                 .to_owned(),
-        );
+        ),
+        Assembly::WithoutSlot if case.bearing.contact_angle_rad() > 0.0 => notes.push(
+            "bearing.assembly is \"without-slot\": the rings of a bearing with a contact angle go together \
+             over a counterbored shoulder, and Cr has the factor bm = 1.3 of ISO 281"
+                .to_owned(),
+        ),
+        Assembly::WithoutSlot => {}
     }
     if !case.raceways.is_empty() {
         notes.push(

@@ -1,4 +1,4 @@
-//! The way in which the balls of a deep groove bearing get between its rings.
+//! The way in which the balls of a bearing get between its rings.
 
 /// Largest (N − 1)ε of a bearing that is filled between eccentric rings, rad: 205°. Catalogue
 /// bearings reach 204°.
@@ -8,7 +8,8 @@ crate::named_enum! {
     /// Way of assembly. ISO 281 rates bearings with a filling slot lower.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Assembly {
-        /// Between eccentric rings (Conrad), or with a fractured or split ring: plain shoulders.
+        /// Between eccentric rings (Conrad), with a fractured or split ring, or, with a contact angle, over a
+        /// counterbored shoulder.
         WithoutSlot = "without-slot",
         /// Through a slot in the shoulders.
         FillingSlot = "filling-slot",
@@ -16,7 +17,7 @@ crate::named_enum! {
 }
 
 impl Assembly {
-    /// Way of a bearing of which none is given: through a slot where more balls are to go in
+    /// Way of a radial bearing of which none is given: through a slot where more balls are to go in
     /// than eccentric rings take.
     pub(crate) fn of(balls: usize, ball_radius_m: f64, pitch_radius_m: f64) -> Self {
         let ball_angle = 2.0 * (ball_radius_m / pitch_radius_m).asin();
@@ -28,7 +29,7 @@ impl Assembly {
         }
     }
 
-    /// bm of ISO 281, single-row deep groove ball bearings.
+    /// bm of ISO 281, radial and angular contact ball bearings.
     pub fn rating_factor(self) -> f64 {
         match self {
             Self::WithoutSlot => 1.3,

@@ -52,7 +52,8 @@ pub struct Bearing {
     /// Rw of every ball − Rw; empty if all are equal.
     deviations_m: Vec<f64>,
     bore: Option<InnerRingBore>,
-    assembly: Assembly,
+    /// Way of assembly, where it is given or follows from the contact angle.
+    assembly: Option<Assembly>,
     contact_angle_rad: f64,
     preload_change_m: f64,
 }
@@ -99,11 +100,6 @@ impl Bearing {
         let [inner_contact, outer_contact] = dimensions.raceway_contacts(&materials);
         let ball = [1.0 / dimensions.ball_radius_m; 2];
         let ball_contact = PointContact::new(ball, ball, &materials.ball);
-        let assembly = Assembly::of(
-            dimensions.balls,
-            dimensions.ball_radius_m,
-            dimensions.pitch_radius_m(),
-        );
         Ok(Self {
             dimensions,
             materials,
@@ -112,7 +108,7 @@ impl Bearing {
             ball_contact,
             deviations_m: vec![],
             bore: None,
-            assembly,
+            assembly: None,
             contact_angle_rad: 0.0,
             preload_change_m: 0.0,
         })
@@ -220,16 +216,19 @@ impl Bearing {
         })
     }
 
-    /// Bearing that is assembled in this way; by default it is as its number of balls requires.
+    /// Bearing that is assembled in this way; by default one with a contact angle has no slot, another is
+    /// assembled as its number of balls requires.
     #[must_use]
     pub fn with_assembly(mut self, assembly: Assembly) -> Self {
-        self.assembly = assembly;
+        self.assembly = Some(assembly);
         self
     }
 
     /// Way of assembly.
     pub fn assembly(&self) -> Assembly {
-        self.assembly
+        let d = &self.dimensions;
+        (self.assembly)
+            .unwrap_or_else(|| Assembly::of(d.balls, d.ball_radius_m, d.pitch_radius_m()))
     }
 
     /// The dimensions as given.

@@ -154,6 +154,31 @@ fn a_filling_slot_lowers_the_rating_as_in_catalogues() {
     );
 }
 
+/// bm of ISO 281: 1.3 for radial and angular contact ball bearings, 1.1 for those with a filling slot,
+/// which only a given `assembly` makes of an angular contact bearing.
+#[test]
+fn an_angular_contact_bearing_has_no_filling_slot() {
+    let radial = bearing(14, 9.525, 46.0, 0.52);
+    let angular = radial.clone().with_contact_angle(0.3, 0.0).unwrap();
+    let given = |b: &Bearing| b.clone().with_assembly(Assembly::FillingSlot);
+    let given_before = given(&radial).with_contact_angle(0.3, 0.0).unwrap();
+    for (bearing, bm) in [
+        (&radial, 1.1),
+        (&angular, 1.3),
+        (&given(&angular), 1.1),
+        (&given_before, 1.1),
+    ] {
+        assert_eq!(bearing.assembly().rating_factor(), bm);
+        // Cr/bm = fc (cos α0)^0.7 Z^(2/3) Dw^1.8 with fc at Dw cos α0/Dpw.
+        let cosine = bearing.contact_angle_rad().cos();
+        let fc = dynamic_factor(9.525 * cosine / 46.0, [0.52; 2]);
+        let across = cosine.powf(0.7);
+        let rest = fc * across * 14f64.powf(2.0 / 3.0) * 9.525f64.powf(1.8);
+        let found = BasicRatings::new(bearing).dynamic_n;
+        assert!((found / rest / bm - 1.0).abs() < 1e-9, "{found}");
+    }
+}
+
 /// Size 209: 9 balls of 12.7 mm on 65 mm, Harris' example.
 #[test]
 fn dynamic_rating_of_a_209() {

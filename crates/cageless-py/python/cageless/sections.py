@@ -43,7 +43,7 @@ class Bearing(Section):
     inner_ring_damping_n_s_m: Annotated[float | None, "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]"] = None
     inner_ring_polar_inertia_kg_m2: Annotated[float | None, "Ji of the inner ring with what turns with it, needed under a [rotor]"] = None
     inner_ring_bore_radius_mm: Annotated[float | None, "Rb, radius of the bore of the inner ring, needed under a [rotor]"] = None
-    assembly: Annotated[Literal["without-slot", "filling-slot"] | None, "way of assembly, for the load ratings: \"filling-slot\" if the balls fill more than 205° (N - 1 times ε), else \"without-slot\""] = None
+    assembly: Annotated[Literal["without-slot", "filling-slot"] | None, "way of assembly, for the load ratings: \"filling-slot\" if the balls of a bearing without a contact angle fill more than 205° (N - 1 times ε), else \"without-slot\""] = None
     ball_radius_deviation_um: Annotated[Sequence[float] | None, "deviation of each ball's radius"] = None
     outer_ring_outer_radius_mm: Annotated[float | None, "outer radius of the outer ring"] = None
     outer_ring_width_mm: Annotated[float | None, "width of the outer ring"] = None

@@ -68,9 +68,10 @@ section! {
         inner_ring_bore_radius_mm => inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
         assembly => assembly: Option<Assembly> = Derived, Plain,
-            "way of assembly, for the load ratings: \"filling-slot\" if the balls fill more than 205° (N - 1 times ε), else \"without-slot\"",
+            "way of assembly, for the load ratings: \"filling-slot\" if the balls of a bearing without a contact angle fill more than 205° (N - 1 times ε), else \"without-slot\"",
             Commented("\"filling-slot\"", "bm of ISO 281: 1.1 with a filling slot, 1.3 \"without-slot\"\n\
-                (eccentric rings, or a fractured or split ring)");
+                (eccentric rings, a fractured or split ring, or a\n\
+                contact angle: counterbored shoulder)");
         ball_radius_deviation_um => ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius", Absent;
         outer_ring_outer_radius_mm => outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
