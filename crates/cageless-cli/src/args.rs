@@ -138,7 +138,7 @@ pub struct New {
     /// A touch-down bearing: inner ring, rotor and support filled in with assumed values for `drop`.
     #[arg(long, requires = "bearing")]
     pub touchdown: bool,
-    /// Write the case file instead of printing it.
+    /// Write the case file instead of printing it; one that exists is not replaced.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }

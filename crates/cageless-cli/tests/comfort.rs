@@ -199,3 +199,19 @@ fn tables_are_written_as_csv() {
     assert_eq!(again.code, Some(0), "{again:?}");
     assert!(!dir.path().join("balls.csv").exists());
 }
+
+/// A case that a user may have edited is not replaced.
+#[test]
+fn a_new_case_replaces_no_file() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("case.toml");
+    let name = path.to_str().unwrap();
+    let new = || call(&["new", "--bearing", "6205", "--out", name]);
+    assert_eq!(new().code, Some(0));
+    std::fs::write(&path, "mine").unwrap();
+    let refused = new();
+    assert_eq!(refused.code, Some(2), "{refused:?}");
+    let said = format!("--out {name}: this file exists");
+    assert!(refused.stderr.contains(&said), "{refused:?}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
+}

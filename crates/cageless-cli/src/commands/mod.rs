@@ -82,6 +82,12 @@ fn new(args: &New) -> Result<(), Failure> {
         return print(&text);
     };
     writable(path)?;
+    if path.exists() {
+        return Err(Failure::Input(format!(
+            "--out {}: this file exists, and may be a case that was edited: give another name or remove it",
+            path.display()
+        )));
+    }
     write_atomically(path, text.as_bytes())?;
     if let Some(found) = found.filter(|_| !is_quiet()) {
         eprintln!("note: {}", found.source_of_balls());
