@@ -512,4 +512,10 @@ fn friction_torque_of_a_catalogue() {
     };
     case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
     assert!((skf_friction_torque_n_m(&case).unwrap() - 0.06).abs() < 1e-15);
+    // Under an axial load P is not Fr, and no X and Y are computed.
+    case.operation.space.axial_load_n = 2000.0;
+    assert_eq!(skf_friction_torque_n_m(&case), None);
+    case.operation.space.axial_load_n = 0.0;
+    case.bearing = case.bearing.with_contact_angle(0.4, 0.0).unwrap();
+    assert_eq!(skf_friction_torque_n_m(&case), None);
 }

@@ -25,7 +25,7 @@ pub const RUN: &[Quantity] = &[
     means(CRITERION, text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
     means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into())))),
     means("dissipated power over the speed of the inner ring; without rolling resistance and lubricant", low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m))))),
-    means("estimate for a deep groove ball bearing with a cage: P is the load, d the bore, μ = 0.0015", quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into()))),
+    means("estimate for a deep groove ball bearing with a cage: P is the radial load, d the bore, μ = 0.0015; none with an axial load, moments, a tilt, a contact angle or several rows", quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into()))),
     means("all heat of friction and damping, averaged over whole orbits of the balls", low(quantity("power_loss_w", "W", "power loss in the model, damping included", Run(|r| of_means(r, OrbitMeans::power_loss_w))))),
     quantity("power_loss_inner_friction_w", "W", "  friction at the inner raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::InnerFriction)))),
     quantity("power_loss_outer_friction_w", "W", "  friction at the outer raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::OuterFriction)))),

@@ -22,10 +22,11 @@ pub(super) fn bore_radius_m(bearing: &Bearing) -> f64 {
 }
 
 /// M = ½ μ P d of SKF with P = Fr, N·m: the estimate for a lubricated bearing with a cage, which the
-/// motion of dry balls does not give; `None` where load or speed is not constant.
+/// motion of dry balls does not give; `None` where load or speed is not constant, and of a case with an
+/// axial load, moments, a tilt, a contact angle or several rows, for which P is not Fr and μ another.
 pub fn skf_friction_torque_n_m(case: &Case) -> Option<f64> {
     let load_n = case.operation.radial_load_n;
     let bore_m = 2.0 * bore_radius_m(&case.bearing);
-    case.has_constant_operation()
+    (case.has_constant_operation() && case.spatial_field().is_none())
         .then_some(0.5 * SKF_FRICTION * load_n * bore_m)
 }
