@@ -16,7 +16,7 @@ use serde::Serialize;
 use crate::args::{CaseArgs, Output};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{Bars, catch_interrupt, is_quiet};
+use crate::progress::{Bars, catch_interrupt, is_quiet, message};
 
 /// Page in the folder of `--out`.
 pub const PAGE: &str = "report.html";
@@ -118,7 +118,9 @@ impl Output {
         {
             // Without a browser the page is there nevertheless.
             let page = page.display();
-            eprintln!("warning: {page} was written but could not be opened: {error}");
+            message(&format!(
+                "warning: {page} was written but could not be opened: {error}"
+            ));
         }
         answer.ending
     }

@@ -17,7 +17,6 @@ mod suggestion;
 use std::ffi::OsString;
 use std::io::Write;
 
-use cageless_io::on_terminal;
 use clap::Parser;
 
 pub use failure::Failure;
@@ -30,7 +29,7 @@ pub fn command<W: Into<OsString> + Clone>(words: impl IntoIterator<Item = W>) ->
         Ok(args) => match commands::dispatch(args) {
             Ok(()) => 0,
             Err(failure) => {
-                eprintln!("error: {}", on_terminal(&failure.to_string()));
+                progress::message(&format!("error: {failure}"));
                 failure.exit_code()
             }
         },

@@ -1,12 +1,19 @@
 //! Progress with the time left, on stderr, and Ctrl-C.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use cageless_io::on_terminal;
 use cageless_study::{KNOWN, Progress, Workload, time_left};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Writes a line to stderr, without control sequences. Where nothing reads it, it is lost and the command
+/// goes on.
+pub fn message(text: &str) {
+    let _ = writeln!(std::io::stderr(), "{}", on_terminal(text));
+}
 
 /// Set once the user has asked to stop.
 pub type StopFlag = Arc<AtomicBool>;
@@ -20,7 +27,7 @@ pub fn catch_interrupt() -> StopFlag {
         if seen.swap(true, Ordering::Relaxed) {
             std::process::exit(1);
         }
-        eprintln!("\ninterrupted: finishing the files; once more to quit at once");
+        message("\ninterrupted: finishing the files; once more to quit at once");
     });
     flag
 }
@@ -110,7 +117,10 @@ impl Progress for Bars<'_> {
             let due = lines_due(fraction);
             if whole >= SILENT_LINES && due > self.lines.fetch_max(due, Ordering::Relaxed) {
                 let times = times(elapsed, fraction);
-                eprintln!("progress: {task}: {:.0} %, {times}", 100.0 * fraction);
+                message(&format!(
+                    "progress: {task}: {:.0} %, {times}",
+                    100.0 * fraction
+                ));
             }
             return;
         }

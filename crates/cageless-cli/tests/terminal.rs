@@ -38,3 +38,20 @@ fn titles_and_excerpts_do_not_command_the_terminal() {
     assert_eq!(refused.code, Some(2), "{refused:?}");
     assert_harmless(&refused.stderr);
 }
+
+/// Where nothing reads stderr, messages are lost and exit codes stay.
+#[test]
+fn a_closed_stderr_changes_no_exit_code() {
+    for (args, code) in [
+        (&["static", "nofile.toml"][..], 2),
+        (&["new", "--bearing", "6205", "--out", "OUT"], 0),
+    ] {
+        let dir = tempfile::tempdir().unwrap();
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let mut command = cageless();
+        command.current_dir(dir.path()).args(args);
+        command.stdout(std::process::Stdio::null()).stderr(writer);
+        assert_eq!(command.status().unwrap().code(), Some(code), "{args:?}");
+    }
+}

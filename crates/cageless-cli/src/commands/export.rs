@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use cageless_io::cad::{
     Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
 };
-use cageless_io::on_terminal;
 use cageless_io::results::write_atomically;
 
 use crate::args::ExportArgs;
 use crate::driver::{make_folder, print, read_case, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
+use crate::progress::message;
 
 /// Writes the outer ring of a case.
 pub fn export(args: &ExportArgs) -> Result<(), Failure> {
@@ -47,7 +47,7 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
         (_, true) => print(&json),
         (Some(_), false) => tell(&text(&numbers)),
         (None, false) => {
-            eprint!("{}", on_terminal(&text(&numbers)));
+            message(text(&numbers).trim_end());
             Ok(())
         }
     }

@@ -26,7 +26,7 @@ use cageless_study::check_environment;
 use crate::args::{Args, Command, Isa, New};
 use crate::driver::{print, writable};
 use crate::failure::Failure;
-use crate::progress::{be_quiet, is_quiet};
+use crate::progress::{be_quiet, is_quiet, message};
 
 /// Does what was asked.
 pub fn dispatch(args: Args) -> Result<(), Failure> {
@@ -38,7 +38,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
     }
     on_former_name(|note| {
         if !is_quiet() {
-            eprintln!("note: {}", cageless_io::on_terminal(note));
+            message(&format!("note: {note}"));
         }
     });
     check_environment()?;
@@ -90,7 +90,7 @@ fn new(args: &New) -> Result<(), Failure> {
     }
     write_atomically(path, text.as_bytes())?;
     if let Some(found) = found.filter(|_| !is_quiet()) {
-        eprintln!("note: {}", found.source_of_balls());
+        message(&format!("note: {}", found.source_of_balls()));
     }
     print(&format!("{}\n", path.display()))
 }

@@ -12,7 +12,7 @@ use cageless_report::{engine, studio_page};
 use crate::args::StudioArgs;
 use crate::driver::{print, read_case};
 use crate::failure::Failure;
-use crate::progress::catch_interrupt;
+use crate::progress::{catch_interrupt, message};
 use crate::studio::{Server, Token};
 
 /// Serves the studio on the loopback address until Ctrl-C, or writes its page.
@@ -38,7 +38,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
     let server = Server::bind(page, Token::random()?, &stop)?;
     let address = server.address();
     print(&format!("{address}\n"))?;
-    eprintln!("the studio runs until Ctrl-C");
+    message("the studio runs until Ctrl-C");
     if !args.no_browser && std::io::stdout().is_terminal() {
         // Without a browser the printed address remains.
         let _ = open::that_detached(&address);
