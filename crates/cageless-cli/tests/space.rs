@@ -169,6 +169,15 @@ fn impossible_values_are_named() {
             "row.2.preload_n = 100.0 is not possible: it must be 0 or left out",
         ),
         ("axial_position_mm = 8.0\ncontact_sign = 2", "1 or -1"),
+        (
+            "axial_position_mm = 1.5",
+            "row.2.axial_position_mm = 1.5 is not possible: it must be 9.525 mm or more from row 1, at -8 mm",
+        ),
+        (
+            "axial_position_mm = 1e6",
+            "row.2.axial_position_mm = 1e6 is not possible: it must be between -4600.5 mm and \
+             4600.5 mm",
+        ),
         ("contact_sign = 1", "axial_position_mm is missing"),
     ] {
         let answer = call_on("static", &pair(folder.path(), second), &[], &[]);

@@ -23,7 +23,9 @@ use super::fields::FlankRows;
 use super::format::nearest;
 use super::sections::CaseSections;
 use super::spanned_toml::{join, nth};
-use super::unit::Unit::Micrometre;
+use super::unit::Side;
+use super::unit::Unit::{Micrometre, Millimetre};
+use super::unit::round;
 use super::{keys, messages};
 
 /// No contact of a bearing needs steps this short.
@@ -95,6 +97,7 @@ impl Converter<'_> {
     /// The rows; of opposed ones with the preload that fits and temperatures leave.
     fn rows(&self, bearing: &Bearing) -> Result<Vec<Row>, CaseError> {
         let mut rows = self.sections.row.clone();
+        self.check_places(&rows, bearing)?;
         let change_m = bearing.preload_change_m();
         let held = |row: &&Row| row.preload_n == 0.0;
         let opposed = [1.0, -1.0].map(|sign| {
@@ -123,6 +126,29 @@ impl Converter<'_> {
             }
         }
         Ok(rows)
+    }
+
+    /// Refuses rows whose balls overlap along the axis.
+    fn check_places(&self, rows: &[Row], bearing: &Bearing) -> Result<(), CaseError> {
+        let least_m = 2.0 * bearing.ball_radius_m();
+        for (k, row) in rows.iter().enumerate() {
+            let near =
+                |other: &Row| (row.axial_position_m - other.axial_position_m).abs() < least_m;
+            let Some(other) = rows[..k].iter().position(near) else {
+                continue;
+            };
+            let [at, least] = [rows[other].axial_position_m, least_m].map(|m| Millimetre.of_si(m));
+            let allowed = format!(
+                "{} or more from row {}, at {}: nearer than the diameter of a ball the balls of both rows \
+                 overlap",
+                Millimetre.with(round(least, Side::Lower)),
+                other + 1,
+                Millimetre.with(at)
+            );
+            let path = join(&nth("row", k, rows.len()), "axial_position_mm");
+            return Err(self.refuse(&path, &allowed));
+        }
+        Ok(())
     }
 
     /// The discrete raceways.

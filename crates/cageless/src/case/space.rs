@@ -10,6 +10,8 @@ use crate::rotor::{Rotor, Shaft};
 
 /// Largest tilt, rad: more is beyond all shoulders.
 const TILT_MAX_RAD: f64 = 0.1;
+/// Largest distance of a row from the origin over the pitch diameter.
+const ROW_PLACE_MAX: f64 = 100.0;
 
 /// Fields that can take a bearing out of its plane, in the order in which [`Case::spatial_field`] looks.
 pub const SPATIAL_FIELDS: [&str; 14] = [
@@ -221,7 +223,9 @@ impl Case {
     }
 
     fn check_row(&self, row: &Row) -> Result<(), InputError> {
-        finite("axial_position_m", row.axial_position_m)?;
+        let most = ROW_PLACE_MAX * 2.0 * self.bearing.pitch_radius_m();
+        let why = "100 pitch diameters from where the load acts: the rows sit on one rigid ring";
+        from_to("axial_position_m", row.axial_position_m, [-most, most], why)?;
         let most = self.bearing.balls();
         let balls = row.balls.unwrap_or(most);
         let rule =
