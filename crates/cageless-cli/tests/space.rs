@@ -188,6 +188,44 @@ fn impossible_values_are_named() {
     assert!(matches!(slipped.code, Some(2 | 3)), "{slipped:?}");
 }
 
+/// Inertias of the shaft: both are named where they are missing, and no body exceeds a thin disc.
+#[test]
+fn inertias_of_the_shaft_are_those_of_a_body() {
+    let case = repository_case("zhao-d.toml");
+    let [moment, transverse, polar] = [
+        "operation.moment_x_n_m=1",
+        "operation.shaft_transverse_inertia_kg_m2=1e-3",
+        "operation.shaft_polar_inertia_kg_m2=3e-3",
+    ];
+    for (command, sets, words) in [
+        (
+            "run",
+            &[moment][..],
+            [
+                "shaft_transverse_inertia_kg_m2",
+                "shaft_polar_inertia_kg_m2",
+            ],
+        ),
+        (
+            "check",
+            &[moment, transverse, polar],
+            [
+                "operation.shaft_polar_inertia_kg_m2 = 3e-3 is not possible",
+                "at most 0.002 kg m^2",
+            ],
+        ),
+    ] {
+        let answer = call_on(command, &case, sets, &[]);
+        assert_eq!(answer.code, Some(2), "{sets:?} {answer:?}");
+        for word in words {
+            assert!(answer.stderr.contains(word), "{word}: {answer:?}");
+        }
+    }
+    let disc = "operation.shaft_polar_inertia_kg_m2=2e-3";
+    let kept = call_on("check", &case, &[moment, transverse, disc], &[]);
+    assert_eq!(kept.code, Some(0), "{kept:?}");
+}
+
 /// One message each, with the key and the command that takes it.
 #[test]
 fn everything_else_refuses_what_it_would_ignore() {

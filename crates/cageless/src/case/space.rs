@@ -2,8 +2,9 @@
 
 use super::{Case, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionLaw;
-use crate::error::InputError;
+use crate::error::{Allowed, InputError};
 use crate::limits::{finite, from_to, positive, require};
+use crate::linear_rotor::ROUNDING;
 use crate::profile::Profile;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Shaft};
@@ -146,7 +147,7 @@ impl Case {
             None,
         ) = (load.tilt, load.inertias_kg_m2)
         {
-            let rule = "given with the inertias of what it turns";
+            let rule = "given with shaft_transverse_inertia_kg_m2 and shaft_polar_inertia_kg_m2 of what it turns";
             return Err(match x != 0.0 || y == 0.0 {
                 true => InputError::rule("moment_x_n_m", x, rule),
                 false => InputError::rule("moment_y_n_m", y, rule),
@@ -199,6 +200,13 @@ impl Case {
         if let Some([transverse, polar]) = load.inertias_kg_m2 {
             positive("shaft_transverse_inertia_kg_m2", transverse)?;
             positive("shaft_polar_inertia_kg_m2", polar)?;
+            // Ip = ∫(x² + y²)dm and 2·It = ∫(x² + y² + 2z²)dm: equal for a thin disc.
+            let most = 2.0 * transverse;
+            if polar > most * (1.0 + ROUNDING) {
+                let why = "twice shaft_transverse_inertia_kg_m2: no body exceeds a thin disc";
+                let allowed = Allowed::AtMost(most, why);
+                return Err(InputError::new("shaft_polar_inertia_kg_m2", polar, allowed));
+            }
         }
         for row in &self.rows {
             self.check_row(row)?;

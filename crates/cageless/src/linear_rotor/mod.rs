@@ -28,6 +28,7 @@ mod rigid;
 
 pub use matrices::{Reduction, RotorMatrices};
 pub use nalgebra::{Complex, DMatrix, DVector};
+pub(crate) use rigid::ROUNDING;
 pub use rigid::RigidRotor;
 
 use thiserror::Error;

@@ -136,7 +136,7 @@ pub(super) const POLAR_INERTIA: &str = "rotor_polar_inertia_kg_m2";
 /// Largest distance of a plane from the mass centre: the longest turbine shafts are shorter.
 const AXIAL_MAX_M: f64 = 100.0;
 /// Share by which Ip may exceed 2·It of a thin disc, by rounding.
-const ROUNDING: f64 = 1e-9;
+pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// Passes a value that keeps to what is `allowed`, which completes "must be".
 fn require(
