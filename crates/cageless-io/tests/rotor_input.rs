@@ -67,6 +67,12 @@ fn bad_rotors_are_named() {
             "more than 0 kg",
         ),
         (
+            "radial_clearance_um = 200.0",
+            "radial_clearance_um = 200.0\nvz_m_s = 0.1",
+            "rotor.vz_m_s",
+            "0, or with an axial_clearance_um",
+        ),
+        (
             "mass_kg = 0.5",
             "mass_kg = -0.5",
             "support.mass_kg",

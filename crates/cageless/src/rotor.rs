@@ -237,6 +237,12 @@ impl Rotor {
                     "0, or with an axial_clearance_um: nothing else holds the rotor along its axis",
                 ),
                 (
+                    "rotor_vz_m_s",
+                    self.vz_m_s,
+                    self.vz_m_s != 0.0,
+                    "0, or with an axial_clearance_um: nothing else holds the rotor along its axis",
+                ),
+                (
                     "shoulder_radius_m",
                     self.shoulder_radius_m.unwrap_or(0.0),
                     self.shoulder_radius_m.is_some(),
