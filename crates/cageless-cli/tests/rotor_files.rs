@@ -57,6 +57,23 @@ fn impossible_rotor_files_are_refused_with_line_and_key() {
     }
 }
 
+/// What motion in space does not have is refused by the key of the case of its bearing.
+#[test]
+fn bearings_of_a_rotor_are_refused_by_their_keys() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = written(dir.path(), RIGID);
+    let sets = [
+        "bearing.2.bearing.contact_angle_deg=15",
+        "bearing.2.model.motion=space",
+        "bearing.2.contact.friction_law=coulomb",
+    ];
+    let answer = call_on("drop", &path, &sets, &[]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    let said =
+        "in bearing 2, contact.friction_law = \"coulomb\" is not possible: it must be smooth";
+    assert!(answer.stderr.contains(said), "{answer:?}");
+}
+
 #[test]
 fn changes_reach_the_rotor_all_bearings_or_one() {
     let dir = tempfile::tempdir().unwrap();

@@ -170,11 +170,13 @@ impl RotorBase {
         let own = own
             .each_ref()
             .map(|(key, value)| Change { key, value, place });
-        let cases = self
-            .cases
-            .iter()
-            .enumerate()
-            .map(|(k, case)| case.with(&own).map_err(|error| error.in_bearing(k)));
+        let cases = self.cases.iter().enumerate().map(|(k, case)| {
+            let file = case.with(&own).and_then(|file| {
+                file.checked(cageless::Case::check_motion)?;
+                Ok(file)
+            });
+            file.map_err(|error| error.in_bearing(k))
+        });
         let cases: Vec<_> = cases.collect::<Result<_, _>>()?;
         let document = RotorFileDocument {
             title: sections.head.title,
