@@ -132,16 +132,16 @@ fn bad_tolerances_are_refused() {
     for (more, fragments) in [
         (
             &["--friction", "0.5"][..],
-            &["--friction 0.5", "from 0 to 0.007"][..],
+            &["--friction 0.5", "from 0 to 0.007\n"][..],
         ),
         (&["--ball-grade", "7"], &["--ball-grade 7", "3, 5, 10, 16"]),
         (
             &["--groove-depth-um", "nan"],
-            &["--groove-depth-um NaN", "from 0 to 19.05"],
+            &["--groove-depth-um NaN", "from 0 to 19.05 um\n"],
         ),
         (
             &["--clearance-um", "1e4"],
-            &["--clearance-um 10000", "from 0 to 952.5"],
+            &["--clearance-um 10000", "from 0 to 952.5 um\n"],
         ),
         (
             &["--samples", "1000000"],

@@ -58,7 +58,13 @@ fn bad_rotors_are_named() {
             "radial_clearance_um = 200.0",
             "radial_clearance_um = 200.0\ny_um = -250.0",
             "rotor.y_um",
-            "within the touch-down clearance",
+            "the touch-down clearance limits, is at most 200 um, and it is 250 um",
+        ),
+        (
+            "radial_clearance_um = 200.0",
+            "radial_clearance_um = 200.0\nx_um = 150.0\ny_um = -150.0",
+            "rotor.y_um",
+            "is at most 200 um, and it is 212.133 um",
         ),
         (
             "mass_kg = 20.0",

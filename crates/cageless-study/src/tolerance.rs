@@ -5,6 +5,7 @@ use cageless::design::judge;
 use cageless::tolerance::{BALL_GRADES, Outcome, Tolerances, Trial, assess, ball_grade, trials};
 use cageless::{Case, Raceway};
 use cageless_io::OptionError;
+use cageless_results::number_text::significant;
 use cageless_results::{Record, tolerance_record};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -106,7 +107,13 @@ impl Request {
         }
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
-                let allowed = format!("from 0 to {most:.6}");
+                let unit = match option.rsplit('_').next() {
+                    Some("um") => " um",
+                    Some("deg") => " deg",
+                    Some("percent") => " %",
+                    _ => "",
+                };
+                let allowed = format!("from 0 to {}{unit}", significant(most, 6));
                 return Err(OptionError::not_possible(option, value, &allowed).into());
             }
         }

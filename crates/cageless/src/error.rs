@@ -37,6 +37,8 @@ pub enum Allowed {
     AtMost(f64, &'static str),
     /// Between the two, bounds excluded.
     Between(f64, f64, &'static str),
+    /// Such that what `.0` names, now `.1`, is at most `.2`.
+    Reaching(&'static str, f64, f64),
     /// A condition in words.
     Rule(String),
     /// None: the field, a section of the case, must be left out for this reason.
@@ -51,6 +53,9 @@ impl std::fmt::Display for Allowed {
             Self::Below(high, why) => (format!("less than {high}"), why),
             Self::AtMost(high, why) => (format!("at most {high}"), why),
             Self::Between(low, high, why) => (format!("between {low} and {high}"), why),
+            Self::Reaching(what, now, most) => {
+                return write!(f, "such that {what} is at most {most}, and it is {now}");
+            }
             Self::Rule(rule) => return f.write_str(rule),
             Self::LeftOut(why) => return write!(f, "left out: {why}"),
         };
@@ -70,6 +75,7 @@ impl Allowed {
             Self::Below(high, _) => value < high,
             Self::AtMost(high, _) => value <= high,
             Self::Between(low, high, _) => value > low && value < high,
+            Self::Reaching(_, now, most) => now <= most,
             Self::Rule(_) | Self::LeftOut(_) => false,
         };
         match kept {

@@ -180,12 +180,10 @@ impl Rotor {
             } else {
                 ("eccentricity_m", self.eccentricity_m)
             };
-            let rule = format!(
-                "a start within the touch-down clearance: the centre of the journal would be {off:e} m off \
-                 the centre of the inner ring, and the gap is {:e} m",
-                self.radial_clearance_m
-            );
-            return Err(InputError::rule(field, value, rule));
+            let what = "the distance of the journal from the centre of the inner ring, which the touch-down \
+                        clearance limits,";
+            let allowed = Allowed::Reaching(what, off, self.radial_clearance_m);
+            return Err(InputError::new(field, value, allowed));
         }
         Ok(())
     }

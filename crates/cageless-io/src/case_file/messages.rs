@@ -34,6 +34,11 @@ pub(super) fn in_file_units(
             let between = format!("between {} and", unit.show(*low, Side::Lower));
             limit(&between, *high, Side::Upper, why)
         }
+        Allowed::Reaching(what, now, most) => format!(
+            "such that {what} is at most {}, and it is {}",
+            unit.show(*most, Side::Upper),
+            unit.show(*now, Side::Lower)
+        ),
         Allowed::Rule(rule) => match (error.field, raceway) {
             ("half_angle_rad", Some(index)) => format!(
                 "an angle at which the contact path rises steadily to the plain raceway (Zhao \

@@ -50,7 +50,7 @@ impl SlotPlan {
         let (rw, re) = (d.ball_radius_m, d.outer_groove_curvature_radius_m);
         let middle_sine = outline.middle_rad().sin();
         let most = rw * middle_sine / (1.0 - middle_sine);
-        let why = "with a larger edge nothing is left of the slot of this axial_span_m";
+        let why = "with a larger edge nothing is left of the slot of this axial span lC";
         Allowed::Between(0.0, most, why).check("edge_radius_m", edge)?;
         let half_width = (rw + edge) * middle_sine;
         let [_, shoulder] = outline.bearing.shoulder_angles_rad();
