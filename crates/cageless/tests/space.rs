@@ -666,6 +666,31 @@ fn a_contact_angle_takes_the_effect_of_a_raceway_as_worked_out_before() {
     }
 }
 
+/// The estimates of a turned section are contact angles, not angles from its direction: at them the lag is
+/// the share of that at its direction.
+#[test]
+fn estimates_of_a_turned_section_are_contact_angles() {
+    let bearing = angular_contact(15.0).bearing;
+    let turned = 0.2;
+    let raceway = raceway(&bearing, 5.1, 25.2, 0.0);
+    let raceway = raceway.with_section_angle(turned, &bearing).unwrap();
+    let lag = |angle: f64| kinematic_lag_rad(&bearing, &raceway, angle, 3e-6);
+    let e = ContactAngleEstimate::new(&bearing, &raceway, 3e-6);
+    close(e.lag_rad, lag(turned), 1e-12);
+    for (angle, share) in [
+        (e.three_quarters_rad, 0.75),
+        (e.half_rad, 0.5),
+        (e.none_rad, 0.0),
+    ] {
+        let angle = angle.unwrap();
+        assert!(angle > turned, "{angle}");
+        assert!(
+            (lag(angle) / lag(turned) - share).abs() < 1e-6,
+            "{angle} {share}"
+        );
+    }
+}
+
 /// A pair whose second row a spring presses.
 fn sprung_pair(case: &Case, force_n: f64) -> Case {
     let mut case = pair(case, 1.0, 0.0);

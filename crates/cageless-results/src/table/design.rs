@@ -37,10 +37,10 @@ pub const DESIGN: &[Quantity] = &[
 /// without sliding, no results of a motion.
 #[rustfmt::skip]
 pub const CONTACT_ANGLE: &[Quantity] = &[
-    means("how far a ball that rolls on both flanks falls behind one on a plain raceway, at a contact angle of 0; an estimate from kinematics, with the flank angle under the load of the most loaded ball", part(quantity("kinematic_lag_per_pass_deg", "deg", "lag per pass in pure rolling, estimate", ContactAngle(|e| estimated(e, |e| Some(e.lag_rad)))))),
-    means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_three_quarters_deg", "deg", "contact angle that leaves three quarters of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.three_quarters_rad))))),
-    means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_half_deg", "deg", "contact angle that leaves half of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.half_rad))))),
-    means("contact angle on the plain raceway, beyond which a ball is faster in the raceway; an estimate from kinematics", part(quantity("contact_angle_none_deg", "deg", "contact angle that leaves nothing of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.none_rad))))),
+    means("how far a ball that rolls on both flanks falls behind one on a plain raceway, at the contact angle by which its section is turned; an estimate from kinematics, with the flank angle under the load of the most loaded ball", part(quantity("kinematic_lag_per_pass_deg", "deg", "lag per pass in pure rolling, estimate", ContactAngle(|e| estimated(e, |e| Some(e.lag_rad)))))),
+    means("contact angle on the plain raceway, above that by which the section is turned; an estimate from kinematics", part(quantity("contact_angle_three_quarters_deg", "deg", "contact angle that leaves three quarters of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.three_quarters_rad))))),
+    means("contact angle on the plain raceway, above that by which the section is turned; an estimate from kinematics", part(quantity("contact_angle_half_deg", "deg", "contact angle that leaves half of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.half_rad))))),
+    means("contact angle on the plain raceway, above that by which the section is turned, beyond which a ball is faster in the raceway; an estimate from kinematics", part(quantity("contact_angle_none_deg", "deg", "contact angle that leaves nothing of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.none_rad))))),
 ];
 
 /// The profile of a measured raceway, the first of the case.

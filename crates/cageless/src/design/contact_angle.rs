@@ -23,11 +23,11 @@ use crate::equilibrium::{EquilibriumError, space};
 use crate::numerics::{quadrature, root};
 use crate::raceway::Raceway;
 
-/// Contact angles up to which a raceway keeps its effect, without sliding; they count from the angle by
-/// which its section is turned.
+/// Contact angles up to which a raceway keeps its effect, without sliding: those above the angle by which
+/// its section is turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactAngleEstimate {
-    /// Lag of a ball per pass at a contact angle of 0, behind one on the plain raceway.
+    /// Lag of a ball per pass, behind one on the plain raceway, at the contact angle of its section.
     pub lag_rad: f64,
     /// Plain contact angle at which three quarters of it are left.
     pub three_quarters_rad: Option<f64>,
@@ -37,7 +37,7 @@ pub struct ContactAngleEstimate {
     pub none_rad: Option<f64>,
 }
 
-/// Largest plain contact angle that is looked at, rad.
+/// Largest plain contact angle above that of the section that is looked at, rad.
 const ANGLE_MAX_RAD: f64 = 0.7;
 const PANELS: usize = 6;
 
@@ -45,10 +45,10 @@ impl ContactAngleEstimate {
     /// Estimate for a raceway whose balls the load presses in by `pressed_in_m`.
     pub fn new(bearing: &Bearing, raceway: &Raceway, pressed_in_m: f64) -> Self {
         let turned = raceway.section_angle_rad();
-        let lag = |beside: f64| kinematic_lag_rad(bearing, raceway, turned + beside, pressed_in_m);
-        let lag_rad = lag(0.0);
-        let keeps =
-            |share: f64| root::brent(|a| lag(a) - share * lag_rad, 0.0, ANGLE_MAX_RAD, 1e-9);
+        let lag = |angle: f64| kinematic_lag_rad(bearing, raceway, angle, pressed_in_m);
+        let lag_rad = lag(turned);
+        let most = turned + ANGLE_MAX_RAD;
+        let keeps = |share: f64| root::brent(|a| lag(a) - share * lag_rad, turned, most, 1e-9);
         Self {
             lag_rad,
             three_quarters_rad: keeps(0.75),
