@@ -121,6 +121,32 @@ fn a_spring_gives_the_displacement_of_its_force() {
     );
 }
 
+/// What each row carries along the axis, and by how much its spring displaces it, is in the tables.
+#[test]
+fn tables_show_what_each_row_carries() {
+    let folder = tempfile::tempdir().unwrap();
+    let second = "axial_position_mm = 8.0\ncontact_sign = -1\npreload_n = 200.0";
+    let case = pair(folder.path(), second);
+    let loads = [
+        "row.1.preload_um=0",
+        "operation.radial_load_n=100",
+        "operation.axial_load_n=50",
+    ];
+    let out = folder.path().join("out");
+    let answer = call_on("static", &case, &loads, &["--out", out.to_str().unwrap()]);
+    let line = |label: &str| answer.stdout.lines().find(|line| line.starts_with(label));
+    let forces = line("axial force of the rows").unwrap();
+    assert!(forces.ends_with(" 250, −200 N"), "{forces}");
+    assert!(
+        line("preload of the rows").unwrap().contains(" 0, "),
+        "{answer:?}"
+    );
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("250, −200"), "no row of forces");
+    assert!(page.contains("2 rows of 14 balls"));
+    assert!(page.contains("100 N, axial load 50 N."));
+}
+
 #[test]
 fn impossible_values_are_named() {
     let case = repository_case("zhao-d.toml");

@@ -1,6 +1,7 @@
 //! Data of the report of a design.
 
 use crate::figures::axial_load::AxialLoads;
+use crate::lead;
 use crate::recommended::{ShownRaceway, recommended_case};
 use crate::run_report::motion;
 use crate::text::pass_word;
@@ -105,10 +106,9 @@ fn lead(case: &Case) -> String {
         n => format!("{n} discrete raceways"),
     };
     format!(
-        "{} balls, {:.0} rpm, {:.0} N; initial design: {ring}.",
-        case.bearing.balls(),
-        case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
-        case.operation.radial_load_n,
+        "{}, {}; initial design: {ring}.",
+        lead::balls(case),
+        lead::operation(case)
     )
 }
 

@@ -21,6 +21,7 @@ mod from_json;
 pub mod geometry;
 mod groove_contacts;
 pub mod head;
+mod lead;
 mod load_profile;
 pub mod motion;
 pub mod names;

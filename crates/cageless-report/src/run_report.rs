@@ -15,6 +15,7 @@ use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
     VibrationSignal,
 };
+use crate::lead;
 use crate::rotor_track::rotor_track;
 use crate::run_data::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
 use crate::verification::VerificationTable;
@@ -309,15 +310,10 @@ fn facts(summary: &RunSummary) -> Vec<Parameter> {
 }
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
-    let rows = match case.rows.len() {
-        0 | 1 => String::new(),
-        rows => format!("{rows} rows of "),
-    };
     format!(
-        "{rows}{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. {}",
-        case.bearing.balls(),
-        case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
-        case.operation.radial_load_n,
+        "{}, {}, {}: {:.4} s simulated in {} steps. {}",
+        lead::balls(case),
+        lead::operation(case),
         if case.raceways.is_empty() {
             "conventional outer ring"
         } else {

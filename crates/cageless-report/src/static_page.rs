@@ -8,6 +8,7 @@ use crate::data::RacewaySector;
 use crate::figure::Figure;
 use crate::figures::polar;
 use crate::head::Head;
+use crate::lead;
 use crate::page::{Note, Page};
 use crate::studio_page::case_sections;
 use crate::table::Table;
@@ -89,17 +90,12 @@ fn head(file: &CaseFile, record: &Record) -> Page {
         title => format!("Static equilibrium: {title}"),
     };
     let bearing = &case.bearing;
-    let axial = match case.operation.space.axial_load_n {
-        0.0 => String::new(),
-        load => format!(", axial load {} N", number(load)),
-    };
     let lead = format!(
-        "{} balls of {} mm, pitch diameter {} mm; {} rpm, {} N{axial}.",
-        bearing.balls(),
+        "{} of {} mm, pitch diameter {} mm; {}.",
+        lead::balls(case),
         number(2e3 * bearing.ball_radius_m()),
         number(2e3 * bearing.pitch_radius_m()),
-        number(case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU),
-        number(case.operation.radial_load_n),
+        lead::operation(case),
     );
     let mut page = Page::new(&title, &lead, &software());
     let facts = FACTS.iter().filter_map(|name| record.row(name));

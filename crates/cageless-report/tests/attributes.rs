@@ -47,7 +47,7 @@ fn annotation(quantity: &Quantity) -> &'static str {
         Kind::Integer => "int | None",
         Kind::Flag => "bool | None",
         Kind::Text => "str",
-        Kind::Numbers | Kind::Range => "Floats",
+        Kind::Numbers | Kind::Few | Kind::Range => "Floats",
     }
 }
 

@@ -64,7 +64,7 @@ impl Cell {
     pub(crate) fn read(kind: Kind, value: &Value) -> Self {
         let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
         match (kind, value) {
-            (Kind::Numbers | Kind::Range, Value::Array(items)) => {
+            (Kind::Numbers | Kind::Few | Kind::Range, Value::Array(items)) => {
                 Self::Numbers(items.iter().map(number).collect())
             }
             (_, Value::Array(items)) => {

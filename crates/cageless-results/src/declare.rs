@@ -43,6 +43,20 @@ pub(crate) const fn list(
     }
 }
 
+/// A number for each of a few things, which tables show.
+pub(crate) const fn few(
+    name: &'static str,
+    unit: &'static str,
+    label: &'static str,
+    of: Source,
+) -> Quantity {
+    let kind = Kind::Few;
+    Quantity {
+        kind,
+        ..quantity(name, unit, label, of)
+    }
+}
+
 /// Two ends or several quantiles.
 pub(crate) const fn range(
     name: &'static str,

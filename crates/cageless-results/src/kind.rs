@@ -13,6 +13,8 @@ pub enum Kind {
     Text,
     /// A number for each ball, or for each of several things.
     Numbers,
+    /// A number for each of a few things, in the order in which tables show them.
+    Few,
     /// Both ends of a range, or several quantiles.
     Range,
 }

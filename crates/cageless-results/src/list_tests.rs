@@ -78,7 +78,7 @@ fn better(quantity: &Quantity) -> &'static str {
 fn definition(quantity: &Quantity) -> String {
     let (label, meaning) = (quantity.label.trim(), quantity.meaning);
     let label = match quantity.kind {
-        Kind::Numbers | Kind::Range => format!("{label} (list)"),
+        Kind::Numbers | Kind::Few | Kind::Range => format!("{label} (list)"),
         _ => label.to_owned(),
     };
     match meaning {

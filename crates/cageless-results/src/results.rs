@@ -165,6 +165,10 @@ pub fn value_text(quantity: &Quantity, cell: &Cell) -> Option<String> {
             let values = values.iter().map(|value| quantity.number_text(*value));
             Some(values.collect::<Vec<_>>().join(" … "))
         }
+        (Kind::Few, Cell::Numbers(values)) => {
+            let values = values.iter().map(|value| quantity.number_text(*value));
+            Some(values.collect::<Vec<_>>().join(", "))
+        }
         (_, Cell::List(cells)) => {
             let texts = cells.iter().map(|cell| value_text(quantity, cell));
             Some(texts.collect::<Option<Vec<_>>>()?.join(", "))

@@ -10,6 +10,7 @@ use cageless_results::{Aim, DROP, Quantity, SUCCESSION};
 use cageless_study::{Parameter, parameters};
 
 use super::bearing::Bearing;
+use crate::lead;
 use crate::page::Page;
 use crate::table::Table;
 use crate::text::short;
@@ -71,10 +72,7 @@ pub(super) fn pressure_limit_mpa() -> f64 {
 pub(super) fn architecture(page: &mut Page, bearings: &[Bearing<'_>]) {
     for bearing in bearings {
         let case = bearing.case;
-        let balls = match (case.rows.len(), case.bearing.balls()) {
-            (0 | 1, balls) => format!("{balls} balls"),
-            (rows, balls) => format!("{rows} rows of {balls} balls"),
-        };
+        let balls = lead::balls(case);
         let place = match case.rotor.as_ref().map(|rotor| rotor.shaft) {
             Some(Shaft::Vertical) => "on its face",
             _ => "in its bore",

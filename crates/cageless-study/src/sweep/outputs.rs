@@ -32,7 +32,7 @@ impl Output {
                 Kind::Number => ColumnKind::Number,
                 Kind::Integer | Kind::Flag => ColumnKind::Integer,
                 Kind::Text => ColumnKind::Text,
-                Kind::Numbers | Kind::Range => ColumnKind::Numbers,
+                Kind::Numbers | Kind::Few | Kind::Range => ColumnKind::Numbers,
             },
         }
     }
