@@ -167,7 +167,7 @@ pub struct DropArgs {
     /// Drop the rotor N times with random friction (±30 %), clearance (±10 %), support damping
     /// (factor 2), direction of the unbalance and arrangement of the balls, drawn for each bearing
     /// on its own; --set solver.seed=S for other draws.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = whole, allow_negative_numbers = true, value_name = "N")]
     pub samples: Option<u64>,
     /// Repeat the drop from perturbed starts and at half the step, and show which results are
     /// converged.
@@ -175,7 +175,7 @@ pub struct DropArgs {
     pub verify: bool,
     /// Drop the rotor N times one after the other, each time spinning down to standstill: the bearing
     /// keeps the heat, and its clearances change with it ([thermal], [[limit]]).
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = whole, allow_negative_numbers = true, value_name = "N")]
     pub drops: Option<u64>,
 }
 
@@ -192,7 +192,7 @@ pub struct CompareArgs {
     #[arg(long)]
     pub with_conventional: bool,
     /// Uneven starts of each ring, the same for all. Default: 8; a finished run has its own alone.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = whole, allow_negative_numbers = true, value_name = "N")]
     pub starts: Option<u64>,
     /// Replace a value of the case files; may be repeated.
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
@@ -293,7 +293,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
     /// Number of threads; default: number of cores.
-    #[arg(long, value_parser = threads, value_name = "N")]
+    #[arg(long, value_parser = threads, allow_negative_numbers = true, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Output folder.
     #[command(flatten)]
@@ -360,34 +360,34 @@ pub struct ToleranceArgs {
     #[command(flatten)]
     pub case: CaseArgs,
     /// Monte Carlo sample size; 0: one-at-a-time only.
-    #[arg(long, value_parser = whole, default_value_t = Tolerances::default().samples)]
+    #[arg(long, value_parser = whole, allow_negative_numbers = true, default_value_t = Tolerances::default().samples)]
     pub samples: u64,
     /// Tolerance of the raceway depth, ± µm.
-    #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().groove_depth_um)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().groove_depth_um)]
     pub groove_depth_um: f64,
     /// Tolerance of the axial span lC, ± µm.
-    #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().axial_span_um)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().axial_span_um)]
     pub axial_span_um: f64,
     /// Tolerance of the half angle θ, ± degrees.
-    #[arg(long, value_parser = number, value_name = "DEG", default_value_t = Tolerances::default().half_angle_deg)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Tolerances::default().half_angle_deg)]
     pub half_angle_deg: f64,
     /// Tolerance of the contact angle of the raceway, ± degrees; of cases in space.
-    #[arg(long, value_parser = number, value_name = "DEG", default_value_t = Tolerances::default().contact_angle_deg)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Tolerances::default().contact_angle_deg)]
     pub contact_angle_deg: f64,
     /// Ball grade of ISO 3290-1; 0: equal balls.
-    #[arg(long, value_parser = ball_grade, value_name = "G", default_value_t = Tolerances::default().ball_grade)]
+    #[arg(long, value_parser = ball_grade, allow_negative_numbers = true, value_name = "G", default_value_t = Tolerances::default().ball_grade)]
     pub ball_grade: u32,
     /// Tolerance of the friction coefficient, ±.
-    #[arg(long, value_parser = number, value_name = "MU", default_value_t = Tolerances::default().friction)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "MU", default_value_t = Tolerances::default().friction)]
     pub friction: f64,
     /// Tolerance of the radial internal clearance Gr (ISO 5753-1), ± µm.
-    #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().clearance_um)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().clearance_um)]
     pub clearance_um: f64,
     /// Tolerance of the speed, ± %.
-    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = Tolerances::default().speed_percent)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().speed_percent)]
     pub speed_percent: f64,
     /// Tolerance of the load, ± %.
-    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
     pub load_percent: f64,
 }
 

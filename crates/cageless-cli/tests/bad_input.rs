@@ -244,6 +244,30 @@ fn options_that_are_no_numbers() {
             &["tolerance", case, "--samples=-1"],
             "a whole number, 0 or more",
         ),
+        (
+            &["tolerance", case, "--samples", "-1"],
+            "a whole number, 0 or more",
+        ),
+        (
+            &["tolerance", case, "--friction", "-0.1"],
+            "--friction -0.1 is not possible: it must be from 0 to 0.007",
+        ),
+        (
+            &["drop", case, "--samples", "-1"],
+            "a whole number, 0 or more",
+        ),
+        (
+            &["drop", case, "--drops", "-1"],
+            "a whole number, 0 or more",
+        ),
+        (
+            &["compare", case, case, "--starts", "-1"],
+            "a whole number, 0 or more",
+        ),
+        (
+            &["sweep", "plan.toml", "--threads", "-1"],
+            "1 to 1024 are allowed",
+        ),
         (&["tolerance", case, "--friction=some"], "must be a number"),
         (
             &["export", case, "--format=step", "--blend-mm=x"],
