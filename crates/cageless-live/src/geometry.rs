@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::design::{Estimate, seats};
 use cageless::equilibrium::{self, EquilibriumError};
 use cageless::raceway::Raceway;
-use cageless::surface::Meridian;
+use cageless::surface::DrawnGroove;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{DESIGN, Record, Results, Subject, spatial_record, static_record};
 use serde_json::{Value, json};
@@ -18,6 +18,8 @@ use crate::refusal::Refusal;
 const ALONG: usize = 81;
 /// Points across one side of the groove.
 const ACROSS: usize = 15;
+/// That of a groove with a slot, whose edges and walls it has as well.
+const ACROSS_SLOT: usize = 25;
 const BEYOND: f64 = 1.2;
 
 /// Document, dimensions, contact tracks, groove depths, closed forms and estimate of a case.
@@ -111,8 +113,7 @@ fn rotor(case: &Case) -> Option<Value> {
 }
 
 /// Flanks and depth of one raceway of the first row. Depth is the distance from
-/// the plain groove, positive where material is taken away, over ψ and z from shoulder to shoulder; that
-/// of a slot, whose edges are no grooves, is left out.
+/// the plain groove, positive where material is taken away, over ψ and z from shoulder to shoulder.
 fn raceway(case: &Case, raceway: &Raceway) -> Value {
     let bearing = &case.bearing;
     let d = raceway.dimensions();
@@ -121,6 +122,11 @@ fn raceway(case: &Case, raceway: &Raceway) -> Value {
     let plain_centre_m = bearing.dimensions().outer_groove_bottom_radius_m - plain_curvature_m;
     let sign = case.all_rows()[0].contact_sign;
     let plain_z_m = -sign * bearing.groove_offset_m();
+    let groove = DrawnGroove::new(bearing, Some(raceway), sign);
+    let across_side = match groove.recess() {
+        Some(_) => ACROSS_SLOT,
+        None => ACROSS,
+    };
     let (mut angle, mut radius) = (vec![], vec![]);
     let (mut flanks, mut tracks) = ([vec![], vec![]], [vec![], vec![]]);
     let (mut across, mut depth) = (vec![], vec![]);
@@ -130,22 +136,20 @@ fn raceway(case: &Case, raceway: &Raceway) -> Value {
         let psi = d.centre_angle_rad + local;
         angle.push(local);
         radius.push(raceway.effective_radius_m(psi));
-        let section = Meridian::of(bearing, Some(raceway), sign, psi);
+        let section = groove.meridian(psi);
         let (mut z_row, mut depth_row) = (vec![], vec![]);
         for (n, arc) in section.arcs.iter().enumerate() {
             let contact = arc.point(psi, arc.contact_angle_rad);
             flanks[n].push(arc.side.sign() * arc.contact_angle_rad);
             tracks[n].push(contact.position_m[2]);
         }
-        for [x, y, z] in section.points(psi, ACROSS) {
+        for [x, y, z] in groove.points(psi, across_side) {
             let from_centre = (x.hypot(y) - plain_centre_m).hypot(z - plain_z_m);
             z_row.push(z);
             depth_row.push(from_centre - plain_curvature_m);
         }
-        if raceway.slot().is_none() {
-            across.push(rounded(&z_row, 1e3, 3));
-            depth.push(rounded(&depth_row, 1e6, 2));
-        }
+        across.push(rounded(&z_row, 1e3, 3));
+        depth.push(rounded(&depth_row, 1e6, 2));
     }
     let degrees = |angles: &[f64]| rounded(angles, DEGREES, 6);
     json!({

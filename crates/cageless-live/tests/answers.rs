@@ -67,6 +67,39 @@ fn geometry_has_the_closed_forms_of_the_paper() {
     );
 }
 
+/// The section in the middle goes from the plain groove down the edges to the floor of a slot.
+#[test]
+fn geometry_has_the_edges_of_a_slot() {
+    let case = structure(3.2, 25.2);
+    let own = "# shape = \"quartic\"";
+    let slot = "shape = \"slot\"\nedge_radius_mm = 0.3\nslot_depth_mm = 0.7 #";
+    assert!(case.contains(own));
+    let g = good(&json!({ "op": "geometry", "case": case.replace(own, slot) }));
+    let raceway = &g["raceways"][0];
+    let middle = |key: &str| -> Vec<f64> {
+        let rows = raceway[key].as_array().unwrap();
+        let row = rows[rows.len() / 2].as_array().unwrap();
+        row.iter().map(|v| v.as_f64().unwrap()).collect()
+    };
+    let (z, depth) = (middle("across_mm"), middle("depth_um"));
+    assert!(z.is_sorted(), "{z:?}");
+    // ze = (Rw + re) sin αc, and the walls re within it.
+    let half_width = (4.7625 + 0.3) * 3.2 / (2.0 * 4.7625) - 0.3;
+    for (z, depth) in z.iter().zip(&depth) {
+        let beside = z.abs() - half_width;
+        if beside > 0.301 {
+            assert!(depth.abs() < 0.01, "{z} {depth}");
+        } else if beside > 1e-3 {
+            assert!((0.0..300.0).contains(depth), "{z} {depth}");
+        } else if beside < -1e-3 {
+            // Re + D from the centre of the groove along the section.
+            let along = (4.953 + depth / 1e3).powi(2) - z * z;
+            assert!((along.sqrt() - 4.953 - 0.7).abs() < 1e-4, "{z} {depth}");
+        }
+    }
+    assert!(depth.iter().any(|d| *d > 700.0));
+}
+
 #[test]
 fn a_case_is_refused_with_the_message_of_the_command() {
     let error = refused(&json!({ "op": "geometry", "case": structure(9.0, 25.2) }));

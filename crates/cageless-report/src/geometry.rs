@@ -1,6 +1,8 @@
 //! Shape of a discrete raceway, sampled for drawing (Fig. 1b and 2).
 
-use cageless::surface::{Meridian, Side};
+use std::f64::consts::FRAC_PI_2;
+
+use cageless::surface::{DrawnGroove, Recess, Side};
 use cageless::{Bearing, Raceway};
 use serde::{Deserialize, Serialize};
 
@@ -41,6 +43,14 @@ pub struct RacewaySurface {
     pub half_angle_rad: f64,
     /// Contact track, branch z > 0, points `[x, y, z]`, mm.
     pub track_mm: Vec<[f64; 3]>,
+    /// Lines along the edges of a slot, where they leave the groove and where its walls begin, each closed; points
+    /// `[x, y, z]`, mm. Empty of other raceways.
+    #[serde(default)]
+    pub edges_mm: Vec<Vec<[f64; 3]>>,
+    /// Width between the walls of a slot in its middle, depth of its floor below the plain groove, radius of its
+    /// edges, mm.
+    #[serde(default)]
+    pub slot_mm: Option<[f64; 3]>,
     /// Provenance.
     pub provenance: Provenance,
 }
@@ -53,6 +63,9 @@ const ALONG: usize = 121;
 const ACROSS: usize = 25;
 /// Extent of drawings beyond the ends of the raceway, over θ.
 const MARGIN: f64 = 1.2;
+/// Rows at a tip of a slot over θ: of the groove and of the edges, and what is between them over the drawn half.
+const TIP: [f64; 2] = [1.0, 1.0 - 1e-9];
+const TIP_GAP: f64 = 1e-8;
 /// Half of the plain groove that is drawn without a raceway.
 const PLAIN_RAD: f64 = 0.5;
 
@@ -112,35 +125,64 @@ impl RacewaySurface {
             half_angle_rad: half,
             ..Self::default()
         };
-        let section = |local: f64| Meridian::of(bearing, raceway, contact_sign, centre + local);
-        for k in 0..ALONG {
-            let local = half * fraction(k, ALONG);
-            let section = section(local);
-            let (mut xs, mut ys, mut zs, mut deviations) = (vec![], vec![], vec![], vec![]);
-            for [x, y, z] in section.points(centre + local, ACROSS) {
-                let rho = x.hypot(y);
-                xs.push(rho * local.sin() * 1e3);
-                ys.push(-rho * local.cos() * 1e3);
-                zs.push(z * 1e3);
-                deviations.push(((rho - plain).hypot(z - plain_z) - re) * 1e6);
-            }
-            surface.x_mm.push(xs);
-            surface.y_mm.push(ys);
-            surface.z_mm.push(zs);
+        let groove = DrawnGroove::new(bearing, raceway, contact_sign);
+        let turned = |[x, y, z]: [f64; 3]| {
+            let (rho, local) = (x.hypot(y), x.atan2(-y) - centre);
+            [rho * local.sin(), -rho * local.cos(), z].map(|v| v * 1e3)
+        };
+        let mut row = |points: Vec<[f64; 3]>| {
+            let deviation =
+                |[x, y, z]: &[f64; 3]| ((x.hypot(*y) - plain).hypot(z - plain_z) - re) * 1e6;
+            let deviations = points.iter().map(deviation).collect();
+            let drawn: Vec<[f64; 3]> = points.into_iter().map(turned).collect();
+            let of = |k: usize| drawn.iter().map(|point| point[k]).collect();
+            surface.x_mm.push(of(0));
+            surface.y_mm.push(of(1));
+            surface.z_mm.push(of(2));
             surface.deviation_um.push(deviations);
+        };
+        let mut places: Vec<f64> = (0..ALONG).map(|k| half * fraction(k, ALONG)).collect();
+        if let Some(recess) = groove.recess() {
+            let tips = [-1.0, 1.0].map(|end| end * recess.half_angle_rad());
+            places.extend(tips.iter().flat_map(|tip| TIP.map(|share| share * tip)));
+            places.sort_by(f64::total_cmp);
+        }
+        for (k, local) in places.iter().enumerate() {
+            // Nothing joins the groove at a tip and the edges, there one line, of the slot.
+            let gap = k > 0 && (local - places[k - 1]).abs() < TIP_GAP * half;
+            if gap {
+                row(vec![[f64::NAN; 3]; 2 * ACROSS]);
+            }
+            row(groove.points(centre + local, ACROSS));
+        }
+        if let (Some(recess), Some(slot)) = (groove.recess(), raceway.and_then(Raceway::slot)) {
+            surface.edges_mm = [0.0, 1.0]
+                .map(|share| edge_line(recess, share).map(turned).collect())
+                .to_vec();
+            let size_m = [slot.width_m(), slot.depth_m(), slot.edge_radius_m()];
+            surface.slot_mm = Some(size_m.map(|length| length * 1e3));
         }
         for k in 0..TRACK_POINTS {
             let local = half * fraction(k, TRACK_POINTS);
-            let section = section(local);
+            let section = groove.meridian(centre + local);
             let arc = section.arc(Side::Upper);
-            let [x, y, z] = arc.point(centre + local, arc.contact_angle_rad).position_m;
-            let rho = x.hypot(y);
-            surface
-                .track_mm
-                .push([rho * local.sin(), -rho * local.cos(), z].map(|v| v * 1e3));
+            let point = arc.point(centre + local, arc.contact_angle_rad);
+            surface.track_mm.push(turned(point.position_m));
         }
         surface
     }
+}
+
+/// The line of a slot's edges at a share of their arcs, closed, from tip to tip and back.
+fn edge_line(recess: &Recess, share: f64) -> impl Iterator<Item = [f64; 3]> {
+    let half = TRACK_POINTS - 1;
+    (0..=2 * half).map(move |k| {
+        let side = usize::from(k <= half);
+        // Closer together at the tips, around which the edges turn.
+        let turn = FRAC_PI_2 * fraction(k.min(2 * half - k), TRACK_POINTS);
+        let edges = recess.edges_at(recess.half_angle_rad() * turn.sin());
+        edges[side].arc_m(share)
+    })
 }
 
 /// −1 to 1.

@@ -6,6 +6,7 @@ mod drop;
 mod pages;
 mod reproduce_page;
 mod run_data;
+mod slot;
 mod studio;
 mod sweep_page;
 mod synthetic;

@@ -6,7 +6,7 @@ use crate::common::{conventional, dimensions, steel};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::numerics::taylor::Taylor;
 use cageless::surface::{
-    EdgePlace, Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side,
+    DrawnGroove, EdgePlace, Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side,
 };
 use cageless::{
     Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, RacewayShape, Row,
@@ -444,4 +444,51 @@ fn slots_that_cannot_be_made_are_refused() {
     assert!((depth - 0.6061e-3).abs() < 1e-7, "{depth}");
     let other = deep(RacewayShape::Quartic, 0.0, Some(1e-3));
     assert_eq!(other.unwrap_err(), "slot_depth_m");
+}
+
+/// Drawn points of a slot are on the plain groove, on an edge, a wall or the floor of its ring, from shoulder to shoulder.
+#[test]
+fn a_drawn_groove_is_that_of_the_ring() {
+    for sign in [1.0, -1.0] {
+        let case = case(15.0, 12.0, sign, &[[2.4, 0.3, 25.2, 17.3]]);
+        let ring = OuterRing::of(&case, SIZE).unwrap();
+        let recess = &ring.recesses()[0];
+        let groove = DrawnGroove::new(&case.bearing, case.raceways.first(), sign);
+        for share in [-0.999, -0.95, -0.5, 0.0, 0.7, 0.9, 1.0, 1.1] {
+            let local = share * recess.half_angle_rad();
+            let points = groove.points(recess.middle_rad() + local, 25);
+            assert_eq!(points.len(), 50);
+            let mut found = [0; 4];
+            for (k, point) in points.iter().enumerate() {
+                let side = if k < 25 { -1.0 } else { 1.0 };
+                let into = (local.abs() - recess.straight_rad().unwrap()).max(0.0);
+                let end = recess.half_angle_rad() - recess.straight_rad().unwrap();
+                let near = match into > 0.0 {
+                    true => EdgePlace::End(local.signum(), side * (into / end).min(1.0).acos()),
+                    false => EdgePlace::Straight(side, local),
+                };
+                let off = [
+                    ring.distance_m(*point),
+                    recess.below_edge_m(*point, near),
+                    recess.below_wall_m(*point, near),
+                    recess.below_floor_m(*point),
+                ];
+                let on = off.map(|off| off.abs() < 1e-11);
+                assert!(on.contains(&true), "{share} {k}: {off:?}");
+                for (count, on) in found.iter_mut().zip(on) {
+                    *count += usize::from(on);
+                }
+            }
+            for end in [points[0], points[49]] {
+                assert!((end[0].hypot(end[1]) - ring.shoulder_radius_m()).abs() < 1e-12);
+            }
+            // Every kind of face, and beyond the tips the groove alone.
+            let inside = share.abs() < 1.0;
+            assert!(
+                found[0] >= 20 && (found[1] > 10) == inside,
+                "{share}: {found:?}"
+            );
+            assert!((found[3] > 4) == inside, "{share}: {found:?}");
+        }
+    }
 }

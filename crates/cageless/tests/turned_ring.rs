@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions, raceway, steel};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::numerics::taylor::Taylor;
-use cageless::surface::{Meridian, Mesh, OuterRing, OuterRingDimensions, Patch, Side};
+use cageless::surface::{DrawnGroove, Mesh, OuterRing, OuterRingDimensions, Patch, Side};
 use cageless::{Bearing, Case, InputError, Row};
 
 const SIZE: OuterRingDimensions = OuterRingDimensions {
@@ -65,10 +65,11 @@ fn a_section_needs_no_ring() {
         };
         let ring = OuterRing::of(&case, size).unwrap();
         for psi in [0.1f64, 0.3, 0.7] {
-            let section = Meridian::of(&case.bearing, case.raceways.first(), sign, psi);
-            assert_eq!(section, ring.meridian(psi));
+            let groove = DrawnGroove::new(&case.bearing, case.raceways.first(), sign);
+            assert_eq!(groove.meridian(psi), ring.meridian(psi));
         }
-        let plain = Meridian::of(&case.bearing, None, sign, 0.3)
+        let plain = DrawnGroove::new(&case.bearing, None, sign)
+            .meridian(0.3)
             .point(0.2 * sign)
             .position_m;
         let wanted = ring.point(2.0, 0.2 * sign).position_m;

@@ -1,5 +1,6 @@
 //! Contacts of a ball on the unrolled grooves, of a run in space.
 
+use cageless::Raceway;
 use serde_json::json;
 
 use super::history::figure;
@@ -52,9 +53,16 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
     }
     let [outer, inner] = [&panels[0], &panels[1]].map(Panel::axes);
     plot = shade_sectors(plot, &run.sectors, outer[0], outer[1]);
-    for (k, flanks) in flanks(&ball).into_iter().enumerate() {
-        let line = line_of("flanks", flanks, "#333333").dash("dash");
+    let slots = ball.case.raceways.iter().any(|r| r.slot().is_some());
+    let name = if slots { "flanks or edges" } else { "flanks" };
+    for (k, flanks) in flanks(&ball, contact_angle_rad).into_iter().enumerate() {
+        let line = line_of(name, flanks, "#333333").dash("dash");
         plot = plot.trace(line.in_group("flanks", k == 0).on(outer));
+    }
+    let rims = flanks(&ball, rim_rad).into_iter().filter(|_| slots);
+    for (k, rim) in rims.enumerate() {
+        let line = line_of("rim of a slot", rim, "#333333").dash("dot");
+        plot = plot.trace(line.in_group("rims", k == 0).on(outer));
     }
     let outer_names = match ball.outer[1].angle_rad.iter().all(|a| a.is_nan()) {
         true => ["outer contact", ""],
@@ -73,11 +81,17 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
         }
     }
     let finding = finding(&ball, shoulders_rad);
+    let of_slots = match slots {
+        true => {
+            "Those of a slot are its rounded edges, into which the groove runs at the dotted lines. "
+        }
+        false => "",
+    };
     let caption = format!(
         "Contacts of ball {} with both grooves, unrolled, {}: angle of the normal from the radius, positive \
          where an axial load along +z presses. The shades reach from end to end of the contact ellipse (half its length over the \
          radius of the ball); the lines at the edges are the shoulders, the dashed ones the angles of the \
-         flanks, on both of which a ball sits that the raceway slows. {finding}",
+         flanks, on both of which a ball sits that the raceway slows. {of_slots}{finding}",
         ball.ball, ball.part
     );
     Some(figure(
@@ -129,8 +143,20 @@ fn finding(ball: &GrooveContacts, shoulders_rad: [f64; 2]) -> String {
     )
 }
 
-/// The angles αg + αc and αg − αc of the flanks over ψ.
-fn flanks(ball: &GrooveContacts) -> [(Vec<f64>, Vec<f64>); 2] {
+/// αc of the flanks, or of a ball on both edges of a slot.
+fn contact_angle_rad(raceway: &Raceway, local_rad: f64) -> f64 {
+    raceway.contact_angle_rad(local_rad)[0].abs()
+}
+
+/// Angle at which the plain groove ends at the edges of a slot; NaN of flanks.
+fn rim_rad(raceway: &Raceway, local_rad: f64) -> f64 {
+    raceway
+        .slot()
+        .map_or(f64::NAN, |slot| slot.rim_rad(local_rad))
+}
+
+/// αg and this angle to both sides over ψ.
+fn flanks(ball: &GrooveContacts, angle_rad: fn(&Raceway, f64) -> f64) -> [(Vec<f64>, Vec<f64>); 2] {
     let sign = ball.row().contact_sign;
     [1.0, -1.0].map(|side| {
         let (mut psi, mut angle) = (vec![], vec![]);
@@ -138,8 +164,7 @@ fn flanks(ball: &GrooveContacts) -> [(Vec<f64>, Vec<f64>); 2] {
             let (d, theta) = (raceway.dimensions(), raceway.half_angle_rad());
             for k in -POINTS..=POINTS {
                 let local = theta * f64::from(k) / f64::from(POINTS);
-                let [flank, _] = raceway.contact_angle_rad(local);
-                let turned = sign * raceway.section_angle_rad() + side * flank.abs();
+                let turned = sign * raceway.section_angle_rad() + side * angle_rad(raceway, local);
                 psi.push(d.centre_angle_rad + local);
                 angle.push(turned);
             }

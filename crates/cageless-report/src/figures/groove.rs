@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use serde_json::{Value, json};
 
 use super::history::figure;
-use super::shape::groove_plot;
+use super::shape::{groove_plot, slot_sentence};
 use crate::data::RacewayLabel;
 use crate::figure::Figure;
 use crate::geometry::RacewaySurface;
@@ -26,10 +26,6 @@ pub fn groove(run: &RunData) -> Option<Figure> {
     let ball = GrooveContacts::of(run)?;
     let case = &ball.case;
     let (row, raceway) = (ball.row(), case.raceways.first());
-    // The edges of a slot are no groove.
-    if raceway.is_some_and(|r| r.slot().is_some()) {
-        return None;
-    }
     let label = RacewayLabel::default();
     let surface = RacewaySurface::in_row(raceway, &case.bearing, row.contact_sign, label);
     let centre = raceway.map_or(0.0, |r| r.dimensions().centre_angle_rad);
@@ -90,18 +86,26 @@ pub fn groove(run: &RunData) -> Option<Figure> {
             }
         }
     }
+    let flank = match surface.slot_mm {
+        Some(_) => "edge",
+        None => "flank",
+    };
     let [around, colours] = match raceway {
         Some(_) => [
             "around the first raceway",
-            ": blue on the plain groove and on the flank towards +z, orange on the other. Colour of the \
-             surface: distance from the plain groove, positive where material is taken away",
+            &format!(
+                ": blue on the plain groove and on the {flank} towards +z, orange on the other. Colour of the \
+                 surface: distance from the plain groove, positive where material is taken away"
+            ),
         ],
         None => ["at the bottom", ""],
     };
     let caption = format!(
         "Outer groove {around}, to scale, up to its shoulders, with ball {} near the middle, its contact \
-         ellipses there and the tracks of its contacts {}{colours}. Drag to turn it.",
-        ball.ball, ball.part
+         ellipses there and the tracks of its contacts {}{colours}. {}Drag to turn it.",
+        ball.ball,
+        ball.part,
+        slot_sentence(&surface)
     );
     Some(figure(run, "Ball on the groove", &caption, plot))
 }

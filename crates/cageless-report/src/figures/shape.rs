@@ -89,7 +89,7 @@ pub(super) fn groove_plot(surface: &RacewaySurface, [x, y, z]: [f64; 3]) -> Plot
         json!({ "title": { "text": text }, "backgroundcolor": "#fff",
         "gridcolor": "#dddddd", "showbackground": false, "zeroline": false, "nticks": 5 })
     };
-    Plot::new(560)
+    let plot = Plot::new(560)
         .margin([0, 0, 10, 0])
         .set("scene", json!({
             "xaxis": title("x (mm)"), "yaxis": title("y (mm)"), "zaxis": title("z (mm)"),
@@ -113,30 +113,58 @@ pub(super) fn groove_plot(surface: &RacewaySurface, [x, y, z]: [f64; 3]) -> Plot
             },
             "lighting": { "ambient": 0.75, "diffuse": 0.5, "specular": 0.08, "roughness": 0.8 },
             "hovertemplate": "x %{x:.3f} mm<br>y %{y:.3f} mm<br>z %{z:.3f} mm<br>%{surfacecolor:.1f} µm<extra></extra>",
-        }))
+        }));
+    let edges = surface.edges_mm.iter();
+    edges.fold(plot, |plot, edge| {
+        plot.trace(line_above("edge of the slot", edge.iter().copied(), 3))
+    })
+}
+
+/// A line a little above the surface.
+fn line_above(name: &str, points: impl Iterator<Item = [f64; 3]>, width: u32) -> Value {
+    let points: Vec<[f64; 3]> = points.map(lift).collect();
+    let of = |k: usize| numbers(&points.iter().map(|p| p[k]).collect::<Vec<f64>>());
+    json!({
+        "type": "scatter3d", "mode": "lines", "name": name, "hoverinfo": "skip",
+        "x": of(0), "y": of(1), "z": of(2), "line": { "color": "#111111", "width": width },
+    })
+}
+
+/// What the drawn lines of a slot are, with its dimensions; empty of other raceways.
+pub(super) fn slot_sentence(surface: &RacewaySurface) -> String {
+    let Some(size) = surface.slot_mm else {
+        return String::new();
+    };
+    let [width, depth, radius] = size.map(|length| fixed(Some(length), 3));
+    format!(
+        "The thin lines are the edges of the slot, of radius {radius} mm: where they leave the groove and where \
+         the walls begin, {width} mm apart in the middle; the floor is {depth} mm below the plain groove. "
+    )
 }
 
 /// Fig. 2: the surface, in three dimensions.
 pub fn surface(surface: &RacewaySurface) -> Figure {
     let [high, low] = surface.depth_and_height_um();
-    let column = |k: usize| -> Vec<f64> { surface.track_mm.iter().map(|p| lift(p)[k]).collect() };
-    let (x, y, z) = (column(0), column(1), column(2));
-    let mirrored: Vec<f64> = z.iter().map(|z| -z).collect();
-    let track = |z: &[f64]| {
-        json!({
-            "type": "scatter3d", "mode": "lines", "name": "contact track", "hoverinfo": "skip",
-            "x": numbers(&x), "y": numbers(&y), "z": numbers(z),
-            "line": { "color": "#111111", "width": 5 },
-        })
+    let track = |sign: f64| {
+        let points = surface
+            .track_mm
+            .iter()
+            .map(move |[x, y, z]| [*x, *y, sign * z]);
+        line_above("contact track", points, 5)
     };
     let plot = groove_plot(surface, [0.75, 1.15, 1.05])
-        .trace(track(&z))
-        .trace(track(&mirrored));
+        .trace(track(1.0))
+        .trace(track(-1.0));
+    let source = match surface.slot_mm {
+        Some(_) => "Deviations",
+        None => "Zhao 2022, Eq. (7); deviations",
+    };
     let caption = format!(
         "Surface of the discrete raceway and a fifth of θ of the plain raceway at each end, \
              to scale, up to the shoulder; drag to turn it. Colour: distance from the plain \
              groove, positive where material is taken away. The lines are the contact tracks, \
-             drawn 0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {} to {} µm.",
+             drawn 0.05 mm above the surface. {}{source} {} to {} µm.",
+        slot_sentence(surface),
         fixed(Some(-low), 1),
         fixed(Some(high), 1)
     );
@@ -145,7 +173,7 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
 
 /// A point of the track, a little closer to the axis, so that the surface does not
 /// hide it.
-fn lift(point: &[f64; 3]) -> [f64; 3] {
+fn lift(point: [f64; 3]) -> [f64; 3] {
     let rho = point[0].hypot(point[1]);
     let scale = if rho > 0.0 { 1.0 - 0.05 / rho } else { 1.0 };
     [point[0] * scale, point[1] * scale, point[2]]

@@ -154,7 +154,7 @@ function drawGaps(canvas, g, frame) {
 }
 
 // What is said in place of a groove that is not drawn.
-const noGroove = (r) => (!r ? "no discrete raceway" : r.depth_um.length ? "" : "the edges of a slot are not drawn");
+const NO_GROOVE = "no discrete raceway";
 
 // Ends of z of a groove, mm.
 const extentOf = (r) => { const all = r.across_mm.flat(); return [Math.min(...all), Math.max(...all)]; };
@@ -164,7 +164,7 @@ function drawDepth(canvas, g) {
   const { c, width, height } = context(canvas, 0.5);
   const k = colours(canvas), r = g.raceways[0];
   c.fillStyle = k.soft;
-  if (noGroove(r)) { c.textAlign = "center"; c.fillText(noGroove(r), width / 2, height / 2); return; }
+  if (!r) { c.textAlign = "center"; c.fillText(NO_GROOVE, width / 2, height / 2); return; }
   const left = 40, right = width - 8, top = 18, bottom = height - 30;
   const n = r.angle_deg.length, [low, high] = extentOf(r);
   const { most, text } = deviations(r);
@@ -207,7 +207,7 @@ const contactColours = (k) => [k.first, k.hit, k.inner];
 // contacts of the ball that is there.
 function drawSection(canvas, g, frame) {
   const { c, width, height } = context(canvas, 0.62);
-  const k = colours(canvas), b = g.bearing, r = g.raceways[0], groove = noGroove(r) ? null : r;
+  const k = colours(canvas), b = g.bearing, r = g.raceways[0];
   const scale = 0.37 * height / b.ball_radius_mm, x = width / 2, y = 0.48 * height;
   const middle = r ? (r.angle_deg.length - 1) / 2 : 0, flanks = r ? r.flank_deg.map((f) => f[middle]) : [0, 0];
   c.beginPath(); c.arc(x, y, b.ball_radius_mm * scale, 0, 2 * Math.PI); c.fillStyle = k.ball; c.fill();
@@ -217,10 +217,10 @@ function drawSection(canvas, g, frame) {
   const re = b.outer_curvature_mm * scale, [cx, cy] = [x - back * Math.sin(seat), y - back * Math.cos(seat)];
   const most = Math.acos(Math.max(-1, Math.min(1, 1 - (b.outer_radius_mm - b.shoulder_radius_mm) / b.outer_curvature_mm)));
   c.beginPath(); c.arc(cx, cy, re, Math.PI / 2 - most, Math.PI / 2 + most); c.setLineDash([5, 4]); c.stroke(); c.setLineDash([]);
-  if (groove) {
+  if (r) {
     c.strokeStyle = "#b2182b"; c.lineWidth = 2; c.beginPath();
-    groove.across_mm[middle].forEach((z, j) => {
-      const far = re + groove.depth_um[middle][j] / 1000 * scale, side = (z - groove.centre_mm) * scale;
+    r.across_mm[middle].forEach((z, j) => {
+      const far = re + r.depth_um[middle][j] / 1000 * scale, side = (z - r.centre_mm) * scale;
       c[j ? "lineTo" : "moveTo"](cx + side, cy + Math.sqrt(Math.max(0, far * far - side * side)));
     });
     c.stroke();

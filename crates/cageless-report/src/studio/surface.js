@@ -43,7 +43,7 @@ class Surface {
 function drawSurface(target, g, turn, tilt, frames) {
   const { c, width, height } = context(target, SURFACE_RATIO), k = colours(target), r = g.raceways[0];
   c.fillStyle = k.soft;
-  if (noGroove(r)) { c.textAlign = "center"; c.fillText(noGroove(r), width / 2, height / 2); return; }
+  if (!r) { c.textAlign = "center"; c.fillText(NO_GROOVE, width / 2, height / 2); return; }
   const n = r.angle_deg.length, m = r.across_mm[0].length, ends = [r.angle_deg[0], r.angle_deg[n - 1]];
   const [low, high] = extentOf(r), { most, text } = deviations(r);
   const along = (a) => 2 * (a - ends[0]) / (ends[1] - ends[0]) - 1, across = (z) => 2 * (z - low) / (high - low) - 1;

@@ -280,6 +280,13 @@ impl Slot {
             .exp()
     }
 
+    /// Angle from the axis of the section at which the plain groove runs into an edge at local ψ, about the centre of
+    /// its arc.
+    pub fn rim_rad(&self, local_angle_rad: f64) -> f64 {
+        let across = self.half_span_m() * self.plan.share(local_angle_rad)[0].sqrt();
+        (across / (self.groove_curvature_radius_m + self.edge_radius_m)).asin()
+    }
+
     /// The edges at local ψ.
     pub fn at(&self, local_angle_rad: f64) -> SlotSection {
         let [share, rate] = self.plan.share(local_angle_rad);

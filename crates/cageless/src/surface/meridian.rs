@@ -4,8 +4,7 @@
 use super::arc::Arc;
 use super::section_frame::SectionFrame;
 use super::side::Side;
-use crate::bearing::Bearing;
-use crate::raceway::{Raceway, SurfacePoint};
+use crate::raceway::SurfacePoint;
 
 /// Section of the groove at one ψ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,41 +18,6 @@ pub struct Meridian {
 }
 
 impl Meridian {
-    /// Section at ψ of a bearing whose balls press the outer ring to the side of this sign along the
-    /// axis: through the raceway if there is one.
-    pub fn of(
-        bearing: &Bearing,
-        raceway: Option<&Raceway>,
-        contact_sign: f64,
-        angle_rad: f64,
-    ) -> Self {
-        let axis_rad = raceway.map_or(bearing.contact_angle_rad(), Raceway::section_angle_rad);
-        let mut frame = SectionFrame::new(bearing, axis_rad);
-        let mut flank = [0.0; 2];
-        if let Some(raceway) = raceway.filter(|raceway| raceway.contains(angle_rad)) {
-            frame = frame.deeper(raceway.depth_at_m(angle_rad));
-            flank = raceway.contact_angle_rad(raceway.local_angle_rad(angle_rad));
-        }
-        if contact_sign < 0.0 {
-            frame = frame.mirrored();
-        }
-        Self::new(&frame, angle_rad, flank)
-    }
-
-    /// Points at ψ from the lower to the upper shoulder, so many on each side of the apex, which both
-    /// sides have.
-    pub fn points(&self, angle_rad: f64, per_side: usize) -> impl Iterator<Item = [f64; 3]> {
-        let last = (per_side - 1) as f64;
-        let of = move |side: Side, step: usize| {
-            let arc = self.arc(side);
-            let (valley, shoulder) = (arc.valley_rad(), arc.shoulder_rad());
-            let eta = valley + (shoulder - valley) * step as f64 / last;
-            arc.point(angle_rad, eta).position_m
-        };
-        let lower = (0..per_side).rev().map(move |step| of(Side::Lower, step));
-        lower.chain((0..per_side).map(move |step| of(Side::Upper, step)))
-    }
-
     /// Section at ψ with the flank angle α and dα/dψ.
     pub(super) fn new(frame: &SectionFrame, angle_rad: f64, flank: [f64; 2]) -> Self {
         Self {

@@ -31,6 +31,7 @@
 mod arc;
 mod directions;
 mod division;
+mod drawn_groove;
 mod flank;
 mod grid;
 mod measured_groove;
@@ -57,6 +58,7 @@ use crate::numerics::quadrature::gauss;
 use crate::raceway::{Raceway, SurfacePoint, apart};
 
 pub use arc::Arc;
+pub use drawn_groove::DrawnGroove;
 pub use grid::{Grid, GridPoint, GridRow, PointKind};
 pub use measured_groove::MeasuredGroove;
 pub use meridian::Meridian;

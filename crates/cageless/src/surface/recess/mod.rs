@@ -112,6 +112,18 @@ impl Recess {
         Edge::new(&self.frame, place)
     }
 
+    /// Both edges, lower and upper, where their centres are at ψ from the middle, within ±θ.
+    pub fn edges_at(&self, local_rad: f64) -> [Edge; 2] {
+        let into = (local_rad.abs() - self.frame.straight_rad) / self.end_rad();
+        let turn = into.min(1.0).acos();
+        [-1.0, 1.0].map(|side| {
+            self.edge(match into > 0.0 {
+                true => EdgePlace::End(1f64.copysign(local_rad), side * turn),
+                false => EdgePlace::Straight(side, local_rad),
+            })
+        })
+    }
+
     /// ρ and z of the plain groove where the straight edge of a side leaves it, of the centre of its arc, of
     /// the arc's end at the wall and of the wall's end at the floor.
     pub fn straight_m(&self, side: Side) -> [[f64; 2]; 4] {
