@@ -16,5 +16,6 @@ mod fuzz_entries;
 mod reference;
 mod results;
 mod rotor_input;
+mod searched_shapes;
 mod statics;
 mod tables;

@@ -96,7 +96,7 @@ impl ShownRaceway {
         let raceway = case.raceways.first()?;
         let label = RacewayLabel::new("", Some(raceway));
         let surface = RacewaySurface::sample(raceway, &case.bearing, label.clone());
-        let [depth, height] = surface.depth_and_height_um();
+        let [depth, _] = surface.depth_and_height_um();
         let (passes, headline) = verdict(result);
         let found = result.search.as_ref().and_then(|s| s.part("recommended"));
         let point = found.and_then(|r| r.parts("points").first());
@@ -136,7 +136,7 @@ impl ShownRaceway {
             passes,
             headline,
             facts: facts.collect(),
-            drawing: drawing(&case, &document, depth, height),
+            drawing: drawing(&case, &document, &surface),
             toml: toml(&document),
             contact_track: ContactTrack::sample(raceway, &case.bearing, label),
             surface,
@@ -162,7 +162,8 @@ fn line(name: &str, value: f64, digits: usize, unit: &str) -> Parameter {
 }
 
 /// Dimensions of the first raceway and of the ring around it.
-fn drawing(case: &Case, document: &CaseDocument, depth: f64, height: f64) -> Vec<Parameter> {
+fn drawing(case: &Case, document: &CaseDocument, surface: &RacewaySurface) -> Vec<Parameter> {
+    let [depth, height] = surface.depth_and_height_um();
     let d = case.bearing.dimensions();
     let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|key| values(document, key)[0]);
     let bottom = d.outer_groove_bottom_radius_m * 1e3;
@@ -174,7 +175,17 @@ fn drawing(case: &Case, document: &CaseDocument, depth: f64, height: f64) -> Vec
         .collect();
     let contact = (span / 2.0 / (d.ball_radius_m * 1e3)).clamp(0.0, 1.0);
     let contact = contact.asin().to_degrees();
-    vec![
+    let of_slot = surface
+        .slot_mm
+        .into_iter()
+        .flat_map(|[width, depth, radius]| {
+            [
+                line("width of the slot between its walls", width, 3, "mm"),
+                line("depth of its floor below the plain groove", depth, 3, "mm"),
+                line("radius of its edges", radius, 3, "mm"),
+            ]
+        });
+    let all = [
         line("axial span lC of the contact track", span, 3, "mm"),
         line("half angle θ", angle, 3, "°"),
         line("length along the groove bottom, 2θ·Ro", length, 3, "mm"),
@@ -194,7 +205,8 @@ fn drawing(case: &Case, document: &CaseDocument, depth: f64, height: f64) -> Vec
         ),
         line("groove curvature radius, plain part", curvature, 4, "mm"),
         line("shoulder bore radius Ros", shoulder, 3, "mm"),
-    ]
+    ];
+    all.into_iter().chain(of_slot).collect()
 }
 
 /// The raceways as a case file takes them.
@@ -211,6 +223,9 @@ fn toml(document: &CaseDocument) -> String {
         "profile",
         "blend_mm",
         "depth_um",
+        "edge_radius_mm",
+        "slot_depth_mm",
+        "contact_angle_deg",
     ];
     let line = |nth: usize, key: &str| {
         let value = document.value(&format!("raceway.{nth}.{key}"))?;

@@ -2,13 +2,14 @@
 
 use cageless::design::search::OperatingPoint;
 use cageless::raceway::RacewayDimensions;
-use cageless::{Case, RacewayForm};
+use cageless::{Case, RacewayForm, RacewayShape};
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, SectionValues};
 
 const SHAPE: &str = "shape";
 const BLEND: &str = "blend_mm";
 const DEPTH: &str = "depth_um";
 const TURNED: &str = "contact_angle_deg";
+const EDGE: &str = "edge_radius_mm";
 
 /// The section `[raceway]` of these lengths in mm, angles in degrees and depth error in µm.
 pub fn raceway_section(
@@ -36,10 +37,16 @@ pub fn entered_raceway(dimensions: &RacewayDimensions, depth_error_um: f64) -> S
     )
 }
 
-/// The key of a shape for a raceway of a case, unless it is that of its first.
-pub fn reshaped(file: &CaseFile, shape: &str) -> Option<(&'static str, CaseValue)> {
-    let own = file.case().raceway_form().shape;
-    (own.name() != shape).then(|| (SHAPE, shape.into()))
+/// The keys of a shape for a raceway of a case, unless it is that of its first; a slot has the edges that its search
+/// asks for.
+pub fn reshaped(file: &CaseFile, shape: &str) -> SectionValues {
+    if file.case().raceway_form().shape.name() == shape {
+        return vec![];
+    }
+    let slot = shape == RacewayShape::Slot.name();
+    let edge = file.document().value(&format!("search.{EDGE}"));
+    let edge = edge.filter(|_| slot).map(|radius| (EDGE, radius));
+    [(SHAPE, shape.into())].into_iter().chain(edge).collect()
 }
 
 /// The key of the angle by which a section is turned, unless it is that of the first raceway of a case.
@@ -57,6 +64,8 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
         ("profile", form.profile_rad().is_some()),
         (BLEND, form.blend_m != paper.blend_m),
         (DEPTH, form.depth_m != paper.depth_m),
+        (EDGE, form.edge_radius_m != paper.edge_radius_m),
+        ("slot_depth_mm", form.slot_depth_m.is_some()),
         (TURNED, true),
     ];
     let own = |(key, given): (&'static str, bool)| {
@@ -67,10 +76,14 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let formed = |values: &SectionValues| {
         let mut values = values.clone();
         let given: Vec<&str> = values.iter().map(|(key, _)| *key).collect();
-        let reshaped = given.contains(&SHAPE);
-        let kept = form.iter().filter(|(key, _)| {
-            !given.contains(key) && (!reshaped || [BLEND, DEPTH, TURNED].contains(key))
-        });
+        let keeps: &[&str] = match (given.contains(&SHAPE), given.contains(&EDGE)) {
+            (false, _) => &keys.map(|(key, _)| key),
+            (true, false) => &[BLEND, DEPTH, TURNED],
+            (true, true) => &[TURNED],
+        };
+        let kept = form
+            .iter()
+            .filter(|(key, _)| !given.contains(key) && keeps.contains(key));
         let kept: Vec<_> = kept.cloned().collect();
         values.extend(kept);
         values
@@ -100,4 +113,56 @@ pub fn entered(
     }
     let entered = CaseFile::from_document(document, "case").ok()?;
     Some(entered.case().clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless_io::case_file::template;
+
+    use super::*;
+
+    /// Form of the raceway that is entered in the template with these changes, of its own shape or of another.
+    fn form(sets: &[&str], shape: Option<&str>) -> RacewayForm {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        let file = CaseFile::parse(&template(false), "case", &sets).unwrap();
+        let dimensions = RacewayDimensions {
+            axial_span_m: 4.5e-3,
+            half_angle_rad: 0.4,
+            centre_angle_rad: 0.0,
+        };
+        let mut values = entered_raceway(&dimensions, 0.0);
+        values.extend(shape.into_iter().flat_map(|shape| reshaped(&file, shape)));
+        let case = entered(&file, &[values], None).unwrap();
+        assert_eq!(case.raceways[0].dimensions().axial_span_m, 4.5e-3);
+        case.raceway_form()
+    }
+
+    #[test]
+    fn slots_keep_their_edges_and_others_have_none() {
+        let slot = [
+            "raceway.shape=slot",
+            "raceway.edge_radius_mm=0.3",
+            "raceway.slot_depth_mm=0.9",
+        ];
+        let kept = form(&slot, None);
+        assert_eq!(kept.shape, RacewayShape::Slot);
+        assert_eq!(
+            (kept.edge_radius_m, kept.slot_depth_m),
+            (0.3e-3, Some(0.9e-3))
+        );
+        assert_eq!(form(&slot, Some("slot")), kept);
+        let steady = RacewayForm::default().reshaped(RacewayShape::Steady, 0.0);
+        assert_eq!(form(&slot, Some("steady")), steady);
+        let searched = [
+            "model.motion=space",
+            "search.shapes=all",
+            "search.edge_radius_mm=0.4",
+            "raceway.blend_mm=0.5",
+            "raceway.depth_um=3",
+        ];
+        let slot = RacewayForm::default().reshaped(RacewayShape::Slot, 0.4e-3);
+        assert_eq!(form(&searched, Some("slot")), slot);
+        let steady = form(&searched, Some("steady"));
+        assert_eq!((steady.blend_m, steady.depth_m), (0.5e-3, 3e-6));
+    }
 }

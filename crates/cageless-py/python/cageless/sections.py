@@ -70,7 +70,7 @@ class Raceway(Section):
     profile: Annotated[Sequence[Sequence[float]] | None, "flank angle over ψ from the middle of the raceway up to the ends, where it is 0: of shape = \"measured\", fitted to 5 rows or more of one side or both; of shape = \"spline\", met by 5 to 30 rows of one side from the middle, ψ = 0"] = None
     blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\""] = None
     depth_um: Annotated[float | None, "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\""] = None
-    edge_radius_mm: Annotated[float | None, "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run`, `compare`, `drop` and the studio, made by `export`"] = None
+    edge_radius_mm: Annotated[float | None, "radius of the rounded edges on which balls roll, of shape = \"slot\", which is computed in space"] = None
     slot_depth_mm: Annotated[float | None, "depth of the floor below the bottom of the plain groove, of shape = \"slot\"; for `export` alone, balls do not reach it. At least edge_radius_mm and the depth by which a ball sinks between the edges; edge_radius_mm more unless given"] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None
     contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given"] = None

@@ -9,10 +9,13 @@ const TOLERANCES = {
 const BUDGET = 100;
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
 
-// The keys of the first raceway that its shape leaves as they are.
-function kept({ document: { raceway } }) {
-  const own = [].concat(raceway || {})[0];
-  return Object.fromEntries(["blend_mm", "depth_um"].filter((key) => own[key]).map((key) => [key, own[key]]));
+// The keys that a slot has, and those that any other shape leaves as they are.
+const SLOT_KEYS = ["edge_radius_mm", "slot_depth_mm"], OTHER_KEYS = ["blend_mm", "depth_um"];
+
+// Those of the first raceway, of a slot that it is not the edges that the search asks for.
+function kept({ document: { raceway, search } }, shape) {
+  const own = [].concat(raceway || {})[0], from = shape === "slot" && own.shape !== shape ? search : own;
+  return Object.fromEntries((shape === "slot" ? SLOT_KEYS : OTHER_KEYS).filter((key) => from[key]).map((key) => [key, from[key]]));
 }
 
 // `text` with a raceway of this shape at each of these places; comments stay where there is one, as before.
@@ -20,9 +23,10 @@ function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg, 
   const turned = g.space ? { contact_angle_deg } : {};
   const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre, shape, ...turned });
   if (centre_angles_deg.length === 1 && g.raceways.length === 1) {
-    return Object.entries(keys(centre_angles_deg[0])).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), text);
+    const rest = without(text, "raceway", shape === "slot" ? OTHER_KEYS : SLOT_KEYS);
+    return Object.entries({ ...keys(centre_angles_deg[0]), ...kept(g, shape) }).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), rest);
   }
-  const blocks = centre_angles_deg.map((centre) => "\n[[raceway]]\n" + Object.entries({ ...keys(centre), ...kept(g) }).map(([key, value]) => key + " = " + written(value) + "\n").join(""));
+  const blocks = centre_angles_deg.map((centre) => "\n[[raceway]]\n" + Object.entries({ ...keys(centre), ...kept(g, shape) }).map(([key, value]) => key + " = " + written(value) + "\n").join(""));
   return without(text, "raceway").replace(/\n*$/, "\n") + blocks.join("");
 }
 

@@ -168,6 +168,7 @@ fn rejection_text(name: &str) -> &'static str {
     match name {
         "eq-8" => "the contact points leave the groove (Zhao 2022, Eq. (8))",
         "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
+        "slot" => "the edges leave no slot between them, or its ends alone take up 2θ",
         "overlap" => "two raceways overlap",
         "insufficient-separation" => {
             "critical gap too small a fraction of the steady-state gap: raceway too shallow"

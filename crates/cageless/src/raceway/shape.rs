@@ -16,6 +16,7 @@ mod steady_angle;
 use super::flank_angle::Flanks;
 use super::outline::Outline;
 use super::{MeasuredFlanks, SplineFlanks};
+use crate::bearing::Bearing;
 use crate::error::InputError;
 
 /// Declares the list of shapes and what follows from it: the name of each in files, its module with
@@ -122,6 +123,38 @@ impl RacewayForm {
             }),
             _ => Err(no_profile()),
         }
+    }
+
+    /// Another shape that needs no profile, with these ends and depth, or a slot with edges of this radius, which has
+    /// its own.
+    #[must_use]
+    pub fn reshaped(self, shape: RacewayShape, edge_radius_m: f64) -> Self {
+        let plain = Self {
+            shape,
+            ..Self::default()
+        };
+        match shape {
+            RacewayShape::Slot => Self {
+                edge_radius_m,
+                ..plain
+            },
+            _ => Self {
+                blend_m: self.blend_m,
+                depth_m: self.depth_m,
+                ..plain
+            },
+        }
+    }
+
+    /// θ of a raceway of this span that is nothing but its two ends: blends, or half circles of a slot.
+    pub(crate) fn half_angle_min_rad(&self, bearing: &Bearing, axial_span_m: f64) -> f64 {
+        let d = bearing.dimensions();
+        let sin = axial_span_m / (2.0 * d.ball_radius_m);
+        let ends_m = match self.shape {
+            RacewayShape::Slot => (d.ball_radius_m + self.edge_radius_m) * sin,
+            _ => 2.0 * self.blend_m,
+        };
+        ends_m / d.outer_groove_bottom_radius_m
     }
 
     /// α0 and θ of its profile.

@@ -1,7 +1,7 @@
 //! Request of a search.
 
 use cageless::design::search::{OperatingPoint, Request, placements};
-use cageless::{Case, Profile, RacewayForm, RacewayShape};
+use cageless::{Case, Profile, RacewayShape};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
@@ -35,6 +35,22 @@ impl Converter<'_> {
             }
             request.section_angles_rad.clone_from(angles_rad);
         }
+        if let Some(edge_radius_m) = search.edge_radius_m {
+            let own = case.raceway_form();
+            let allowed = match (in_space, search.shapes, own.shape) {
+                (false, ..) => Some(needs_space),
+                (_, SearchedShapes::Own, _) => {
+                    Some("left out, or search.shapes = \"all\", which then tries slots as well")
+                }
+                (.., RacewayShape::Slot) if edge_radius_m != own.edge_radius_m => {
+                    Some("raceway.edge_radius_mm, or left out: slots of the case keep their edges")
+                }
+                _ => None,
+            };
+            if let Some(allowed) = allowed {
+                return Err(self.refuse("search.edge_radius_mm", allowed));
+            }
+        }
         request.axial_span_range_m = search.axial_span_m;
         request.half_angle_range_rad = search.half_angle_rad;
         let centres = search
@@ -46,13 +62,12 @@ impl Converter<'_> {
                 return Err(self.refuse("search.shapes", "\"own\" in the profile \"paper\""));
             }
             let own = case.raceway_form();
-            let others = RacewayShape::by_dimensions().filter(|shape| *shape != own.shape);
-            request.forms.extend(others.map(|shape| RacewayForm {
-                shape,
-                measured: None,
-                spline: None,
-                ..own
-            }));
+            let slot = search.edge_radius_m.map(|_| RacewayShape::Slot);
+            let others = RacewayShape::by_dimensions().chain(slot);
+            let others = others.filter(|shape| *shape != own.shape);
+            let edge_radius_m = search.edge_radius_m.unwrap_or_default();
+            let others = others.map(|shape| own.reshaped(shape, edge_radius_m));
+            request.forms.extend(others);
         }
         if search.axial_load_max_n > 0.0 && case.profile == Profile::Paper {
             return Err(self.refuse("search.axial_load_max_n", "0 in the profile \"paper\""));

@@ -30,7 +30,7 @@ section! {
             "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\"",
             Commented("0.0", "how much deeper a ball in the middle sits than on the plain raceway");
         edge_radius_mm => edge_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
-            "radius of the rounded edges on which balls roll, of shape = \"slot\"; computed in space by `static`, `run`, `compare`, `drop` and the studio, made by `export`", Absent;
+            "radius of the rounded edges on which balls roll, of shape = \"slot\", which is computed in space", Absent;
         slot_depth_mm => slot_depth_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "depth of the floor below the bottom of the plain groove, of shape = \"slot\"; for `export` alone, balls do not reach it. At least edge_radius_mm and the depth by which a ball sinks between the edges; edge_radius_mm more unless given", Absent;
         depth_error_um => depth_error_m: f64 = default(0.0), Micrometre,

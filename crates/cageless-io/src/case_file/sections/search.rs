@@ -34,8 +34,10 @@ section! {
         raceways_max => raceways_max: usize = default(1), Plain; Within(1.0, 4.0),
             "number of raceways at most", Commented("1", "1 to 4");
         shapes => shapes: SearchedShapes = default(SearchedShapes::Own.name()), Plain,
-            "shapes of the raceway: \"own\", that of the case, or \"all\", every one that needs no profile, blended as that of the case",
+            "shapes of the raceway: \"own\", that of the case, or \"all\", every one that needs no profile, blended as that of the case, and slots if they are that of the case or edge_radius_mm is given",
             Commented("\"own\"", "\"own\": the shape of the case; \"all\": every shape");
+        edge_radius_mm => edge_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
+            "radius of the edges of the slots that shapes = \"all\" tries as well, of a case in space; slots of the case keep their own", Absent;
         critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(CRITICAL_GAP_MIN_FRACTION), Plain; Inside(0.0, 1.0),
             "smallest accepted critical gap, as a fraction of the steady-state gap",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");

@@ -78,7 +78,9 @@ fn shown_from_mm(search: &Record) -> f64 {
         for row in verdicts_of(map) {
             for (span, verdict) in map.values("axial_span_mm").iter().zip(row) {
                 widest = widest.max(*span);
-                if !["insufficient-separation", "eq-8", "eq-9", "overlap"].contains(&verdict) {
+                if !["insufficient-separation", "eq-8", "eq-9", "slot", "overlap"]
+                    .contains(&verdict)
+                {
                     works = works.min(*span);
                 }
             }

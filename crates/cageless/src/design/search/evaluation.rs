@@ -122,7 +122,7 @@ impl Evaluation {
                 let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
                 (Some(forms), cause)
             }
-            Err(error) => (None, Some(Cause::of_geometry(&error))),
+            Err(error) => (None, Some(Cause::of_geometry(structure.form.shape, &error))),
         };
         let mut evaluation = Self {
             structure,

@@ -12,7 +12,7 @@ use super::rejection::Cause;
 use super::request::{BUDGET, Request, Stage};
 use crate::bearing::Bearing;
 use crate::design::SLIP_SHORTFALL;
-use crate::raceway::{RacewayForm, axial_span_limit_m};
+use crate::raceway::{RacewayForm, RacewayShape, axial_span_limit_m};
 
 /// Cells of the maps along lC and θ, and the fewest of them.
 const MAP: [usize; 2] = [30, 18];
@@ -105,8 +105,12 @@ pub fn map_fraction(request: &Request) -> f64 {
     cells(map_cells(request)) / cells(MAP)
 }
 
-/// Largest θ at which a path of the span is possible; it grows with the span.
+/// Largest θ at which a path of the span is possible; it grows with the span. Nothing binds that of a slot.
 fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> f64 {
+    let (mut low, mut high) = (1e-2, FRAC_PI_2 * 0.999);
+    if form.shape == RacewayShape::Slot {
+        return high;
+    }
     let possible = |half_angle_rad: f64| {
         let structure = RacewayLayout {
             axial_span_m,
@@ -117,7 +121,6 @@ fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> 
         };
         structure.raceways(bearing).is_ok()
     };
-    let (mut low, mut high) = (1e-2, FRAC_PI_2 * 0.999);
     while high - low > 1e-3 {
         let middle = 0.5 * (low + high);
         if possible(middle) {
@@ -155,7 +158,7 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
                         .then(|| Cause::of_closed_forms(&forms, least));
                     (Some(forms), excluded.flatten())
                 }
-                Err(error) => (None, Some(Cause::of_geometry(&error))),
+                Err(error) => (None, Some(Cause::of_geometry(structure.form.shape, &error))),
             };
             cells.push(MapCell {
                 structure,
@@ -422,7 +425,6 @@ fn span_of_fraction(table: &[(f64, f64)], fraction: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::RacewayShape;
     use crate::common::structure;
 
     #[test]

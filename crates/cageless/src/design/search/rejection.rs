@@ -10,6 +10,7 @@ use crate::design::{
     percent_beside,
 };
 use crate::error::InputError;
+use crate::raceway::RacewayShape;
 
 /// Least gap with which balls come back, over the critical gap, which the raceway guarantees.
 /// In the load zone it is 0.7 (at low speed) to 1; where a raceway lies so that its way out has
@@ -23,6 +24,8 @@ pub enum Cause {
     Span,
     /// Zhao 2022, Eq. (9): the contact path leaves the groove or turns back.
     Path,
+    /// The edges leave no slot between them, or its ends take up more than 2θ.
+    Slot,
     /// Overlap of two raceways.
     Overlap,
     /// Separation as a fraction of the mean ball spacing; the raceway is too shallow.
@@ -64,9 +67,10 @@ pub struct Rejection {
 
 impl Cause {
     /// Names of all causes, in the order in which they are tested.
-    pub const NAMES: [&'static str; 13] = [
+    pub const NAMES: [&'static str; 14] = [
         "eq-8",
         "eq-9",
+        "slot",
         "overlap",
         "insufficient-separation",
         "slips",
@@ -85,6 +89,7 @@ impl Cause {
         match self {
             Self::Span => "eq-8",
             Self::Path => "eq-9",
+            Self::Slot => "slot",
             Self::Overlap => "overlap",
             Self::InsufficientSeparation { .. } => "insufficient-separation",
             Self::Slips(_) => "slips",
@@ -112,13 +117,15 @@ impl Cause {
             Self::LosesLag(fraction) | Self::AxialLoad(fraction) => LAG_MIN_FRACTION - fraction,
             Self::GrossSliding(fraction) => SPEED_DROP_FRACTION - fraction,
             Self::GapNotRetained(fraction) => RETAINED_FRACTION - fraction,
-            Self::Span | Self::Path | Self::Overlap | Self::Failed(_) => f64::INFINITY,
+            Self::Span | Self::Path | Self::Slot | Self::Overlap | Self::Failed(_) => f64::INFINITY,
         }
     }
 
     /// Cause for an error of the raceway geometry.
-    pub(super) fn of_geometry(error: &InputError) -> Self {
+    pub(super) fn of_geometry(shape: RacewayShape, error: &InputError) -> Self {
         match error.field {
+            "edge_radius_m" | "slot_depth_m" => Self::Slot,
+            "half_angle_rad" if shape == RacewayShape::Slot => Self::Slot,
             "axial_span_m" | "raceway_contact_angle_rad" => Self::Span,
             "half_angle_rad" => Self::Path,
             "centre_angle_rad" => Self::Overlap,
@@ -202,6 +209,10 @@ impl std::fmt::Display for Cause {
             Self::Path => write!(
                 f,
                 "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))"
+            ),
+            Self::Slot => write!(
+                f,
+                "the edges leave no slot between them, or its ends alone take up 2θ"
             ),
             Self::Overlap => write!(f, "raceways overlap"),
             Self::InsufficientSeparation { fraction, measured } => write!(
@@ -422,6 +433,7 @@ mod tests {
         for (cause, name) in [
             (Cause::Span, "eq-8"),
             (Cause::Path, "eq-9"),
+            (Cause::Slot, "slot"),
             (Cause::Overlap, "overlap"),
             (Cause::Failed("no".to_owned()), "failed"),
         ] {
