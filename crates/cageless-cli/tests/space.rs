@@ -277,28 +277,17 @@ fn everything_else_refuses_what_it_would_ignore() {
         let text =
             format!("case = {case:?}\ncompute = [\"design\"]\n[set]\n{set}\n[grid]\n{grid}\n");
         std::fs::write(&plan, text).unwrap();
-        call(&[
-            "sweep",
-            plan.to_str().unwrap(),
-            "--out",
-            folder.path().to_str().unwrap(),
-        ])
+        let out = tempfile::tempdir().unwrap();
+        let [plan, out] = [&plan, out.path()].map(|path| path.to_str().unwrap());
+        call(&["sweep", plan, "--out", out])
     };
     let base = swept(
         "operation.axial_load_n = 50",
         "operation.radial_load_n = [500, 900]",
     );
-    // A sweep of designs is planar; one of statics or runs is not.
-    assert_eq!(base.code, Some(2), "{base:?}");
-    assert!(
-        base.stderr.contains("operation.axial_load_n = 50"),
-        "{base:?}"
-    );
+    assert_eq!(base.code, Some(0), "{base:?}");
     let some = swept("", "operation.axial_load_n = [0, 50]");
-    assert!(
-        some.stdout.contains("axial_load_n") || some.stderr.contains("axial_load_n"),
-        "{some:?}"
-    );
+    assert_eq!(some.code, Some(0), "{some:?}");
     let checked = call_on("check", &case, &["operation.axial_load_n=100"], &[]);
     assert_eq!(checked.code, Some(0), "{checked:?}");
 }

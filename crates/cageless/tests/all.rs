@@ -41,6 +41,7 @@ mod rotor_damping;
 mod rotor_planes;
 mod search;
 mod slot;
+mod slot_design;
 mod slot_ring;
 mod space;
 mod space_design;

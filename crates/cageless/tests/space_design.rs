@@ -17,12 +17,12 @@ use crate::common::{dimensions, raceway, steel, structure};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-fn go_on(_: f64) -> Control {
+pub fn go_on(_: f64) -> Control {
     Control::Continue(())
 }
 
 /// A case of common as its file would be run in space, dry or lubricated.
-fn in_space(mut case: Case, friction: f64) -> Case {
+pub fn in_space(mut case: Case, friction: f64) -> Case {
     case.motion = Motion::Space;
     case.contact.friction.coefficient = friction;
     case.set_method(IntegrationMethod::VelocityVerlet);
@@ -139,7 +139,7 @@ fn a_pair_has_one_kind_of_row_until_it_is_pushed() {
     assert_eq!(case.distinct_rows(), [0]);
 }
 
-fn criterion(judged: &Judgement, name: &str) -> f64 {
+pub fn criterion(judged: &Judgement, name: &str) -> f64 {
     let of = judged.raceways[0].criteria.iter();
     of.copied().find(|c| c.name() == name).unwrap().value()
 }
@@ -176,7 +176,7 @@ fn a_verdict_in_space_is_that_of_the_lag() {
 }
 
 /// One start, few runs, one line of constant θ.
-fn small(case: &Case, half_angle_deg: f64, spans_mm: [f64; 2]) -> Request {
+pub fn small(case: &Case, half_angle_deg: f64, spans_mm: [f64; 2]) -> Request {
     let mut request = Request::from_case(case);
     request.starts = 1;
     request.budget = request.budget_least();
@@ -186,7 +186,7 @@ fn small(case: &Case, half_angle_deg: f64, spans_mm: [f64; 2]) -> Request {
 }
 
 /// The search with measured critical gaps, as if the motion of all balls accepted every structure.
-fn found(case: &Case, request: &Request) -> Found {
+pub fn found(case: &Case, request: &Request) -> Found {
     let outcome = |job: &Job| match job.task {
         Task::Motion(_) => Ok(Numbers::Motion(Perturbed {
             lag_fraction: 0.9,

@@ -27,7 +27,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let out = output.out.as_deref();
     // --axial brings its own axial loads and tilts.
     let file = args.case.read(match args.axial {
-        true => cageless::Case::check_planar,
+        true => cageless::Case::check_planar_but_for_slots,
         false => cageless::Case::check_motion,
     })?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {

@@ -30,7 +30,7 @@ pub const DESIGN: &[Quantity] = &[
     means("gap between balls that pass the raceway at equal intervals of time; balls inside the raceway take less of the circle", quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways))))),
     means("|d ln Ω/dψ| of a ball that rolls; the larger, the more friction it needs", low(quantity("speed_change_max_per_rad", "", "largest change of the orbital speed in the raceway, fraction of it per rad", Design(|c| of_raceway(c, |r| speed_change_max(&c.bearing, r)))))),
     means("floor(2θ/ε) + 1", integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r)))))),
-    means("change of slope of the groove at ±θ, 45° up the side of the groove", low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees()))))),
+    means("change of slope of the groove at ±θ, 45° up the side of the groove", low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.slot().map_or_else(|| r.kink_angle_rad(FRAC_PI_4).to_degrees(), |_| f64::NAN)))))),
 ];
 
 /// What a contact angle, by axial load or tilt, leaves of the first raceway: estimates from rolling

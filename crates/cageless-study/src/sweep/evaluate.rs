@@ -38,8 +38,7 @@ pub type Cancellation<'a> = &'a (dyn Fn() -> Control + Sync);
 pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
-/// Passes a file that these computations take: statics, runs and drops are in space, too, all else is
-/// planar.
+/// Passes a file that these computations take.
 fn check_space(file: &VariantFile, compute: &[Computation]) -> Result<(), CaseError> {
     let each = |check: fn(&Case) -> Result<(), InputError>| {
         let mut cases = file.cases().iter();
@@ -49,8 +48,7 @@ fn check_space(file: &VariantFile, compute: &[Computation]) -> Result<(), CaseEr
         .iter()
         .try_for_each(|computation| match computation {
             Computation::Static => Ok(()),
-            Computation::Run | Computation::Drop => each(Case::check_motion),
-            _ => each(Case::check_planar),
+            _ => each(Case::check_motion),
         })
 }
 

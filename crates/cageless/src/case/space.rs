@@ -162,20 +162,29 @@ impl Case {
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
         const IN_SPACE: &str = "`cageless static`, `run`, `compare`, `design` without `--axial`, `tolerance`, \
-                                `studio`, `drop` and sweeps of static, run or drop";
+                                `studio`, `drop` and sweeps";
         if let Some((field, value)) = self.spatial_field() {
-            let rule = match field {
-                "edge_radius_m" => format!(
-                    "left out here, with another shape: only {IN_SPACE} compute the edges of a slot"
-                ),
-                _ => format!(
-                    "left out here: only {IN_SPACE}, and `export` take it, all else is planar"
-                ),
+            let shape = match field {
+                "edge_radius_m" => ", with another shape",
+                _ => "",
             };
+            let rule = format!(
+                "left out here{shape}: only {IN_SPACE}, and `export` take it, all else is planar"
+            );
             return Err(InputError::rule(field, value, rule));
         }
         let rule = format!("auto here: only {IN_SPACE} compute in space");
         require("motion", 0.0, self.motion != Motion::Space, rule)
+    }
+
+    /// Passes a case that nothing but the edges of slots takes out of its plane.
+    ///
+    /// # Errors
+    /// Those of [`Self::check_planar`].
+    pub fn check_planar_but_for_slots(&self) -> Result<(), InputError> {
+        let counts = |r: &&Raceway| r.slot().is_none() || r.section_angle_rad() != 0.0;
+        let others = self.raceways.iter().filter(counts).cloned();
+        self.with_raceways(others.collect()).check_planar()
     }
 
     /// Checks what takes the case out of its plane.

@@ -42,10 +42,10 @@ pub struct AxialLag {
 /// Axial loads and tilts for the raceways of a case: every load with each tilt.
 ///
 /// # Errors
-/// An [`InputError`] if the case has no raceway, carries no radial load, is not planar, cannot
+/// An [`InputError`] if the case has no raceway, carries no radial load, is not planar but for slots, cannot
 /// move in space, or has too large a step for the heaviest axial load.
 pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
-    case.check_planar()?;
+    case.check_planar_but_for_slots()?;
     case.check_constant_operation("--axial")?;
     let radial = case.operation.radial_load_n;
     Allowed::Above(0.0, "axial loads are fractions of it").check("radial_load_n", radial)?;

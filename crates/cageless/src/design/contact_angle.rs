@@ -12,10 +12,17 @@
 //!   Ω = ωi (1 − γ cos αi) cos αc/(cos αc + cos αi)   or   Ω = ½ ωi (1 − γ cos α′),
 //!
 //! against Ω0 = ½ ωi (1 − γ cos α) outside: slower on both flanks, faster on one. A ball that the
-//! load presses in by u sees the flanks at tan αc′ = g sin αc/(u + g cos αc).
+//! load presses in by u sees the flanks at tan αc′ = g sin αc/(u + g cos αc). On the edges of a slot 1/κg of
+//! [`crate::raceway::SlotSection`] is in the place of g, but in A cos α − g.
+//!
+//! A ball that sits deeper than on the plain raceway, by s, is so much farther from the axis, and Ω smaller by
+//! 1 + s/Rm. The inner ring follows it up to a reach that the load gives it; where s is more, the ball is on
+//! its own and keeps the orbital speed with which it got there.
 //!
 //! A section turned by αg has all of this about the direction αg: α, αi and α′ above are relative to it,
 //! but those in γ cos, the distance from the axis of the bearing, count from the radius.
+
+use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
 use crate::case::{Case, Row};
@@ -39,6 +46,8 @@ pub struct ContactAngleEstimate {
 
 /// Largest plain contact angle above that of the section that is looked at, rad.
 const ANGLE_MAX_RAD: f64 = 0.7;
+/// Steps up to it.
+const ANGLES: usize = 14;
 const PANELS: usize = 6;
 
 impl ContactAngleEstimate {
@@ -47,8 +56,14 @@ impl ContactAngleEstimate {
         let turned = raceway.section_angle_rad();
         let lag = |angle: f64| kinematic_lag_rad(bearing, raceway, angle, pressed_in_m);
         let lag_rad = lag(turned);
-        let most = turned + ANGLE_MAX_RAD;
-        let keeps = |share: f64| root::brent(|a| lag(a) - share * lag_rad, turned, most, 1e-9);
+        // On one edge of a slot the lag grows again under a large contact angle: the first angle counts.
+        let angle = |k: usize| turned + ANGLE_MAX_RAD * k as f64 / ANGLES as f64;
+        let lags: Vec<f64> = (0..=ANGLES).map(|k| lag(angle(k))).collect();
+        let keeps = |share: f64| {
+            let k = lags.iter().position(|lag| *lag < share * lag_rad)?;
+            let begin = angle(k.checked_sub(1)?);
+            root::brent(|a| lag(a) - share * lag_rad, begin, angle(k), 1e-9)
+        };
         Self {
             lag_rad,
             three_quarters_rad: keeps(0.75),
@@ -78,8 +93,8 @@ pub fn seats(case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
     Ok((0..case.all_rows().len()).map(seat).collect())
 }
 
-/// Share of the lag without a contact angle that rolling leaves at the [`seats`] of a case, of the worst
-/// row and raceway, 0 of a row that carries nothing; the angle counts from that by which the section is
+/// Share of the lag of rigid raceways without a contact angle that rolling leaves at the [`seats`] of a case, of the
+/// worst row and raceway, 0 of a row that carries nothing; the angle counts from that by which the section is
 /// turned.
 pub fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
     let of_row = |(row, [angle_rad, pressed_in_m]): (Row, &[f64; 2])| {
@@ -88,8 +103,10 @@ pub fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
             return 0.0;
         }
         let fraction = |raceway: &Raceway| {
-            let lag = |angle| kinematic_lag_rad(&case.bearing, raceway, angle, *pressed_in_m);
-            lag(row.contact_sign * angle_rad) / lag(raceway.section_angle_rad())
+            let lag = |angle, pressed_in_m| {
+                kinematic_lag_rad(&case.bearing, raceway, angle, pressed_in_m)
+            };
+            lag(row.contact_sign * angle_rad, *pressed_in_m) / lag(raceway.section_angle_rad(), 0.0)
         };
         case.raceways.iter().map(fraction).fold(f64::NAN, f64::min)
     };
@@ -105,13 +122,13 @@ pub fn kinematic_lag_rad(
     angle_rad: f64,
     pressed_in_m: f64,
 ) -> f64 {
-    let whole = raceway.half_angle_rad();
-    lag_within_rad(bearing, raceway, [angle_rad, pressed_in_m], whole)
+    let (whole, reach) = (raceway.half_angle_rad(), reach_m(bearing, pressed_in_m));
+    lag_within_rad(bearing, raceway, [angle_rad, pressed_in_m], reach, whole)
 }
 
 /// β0 in space: [`kinematic_lag_rad`] over the middle ε of the raceway, by which a pair that rolls
-/// comes closer. On flanks that do not yield and without a contact angle it is β0 of Zhao 2022, Eq. (11), with
-/// the polar angle.
+/// comes closer where the inner ring follows it however deep it sits. On flanks that do not yield and without a
+/// contact angle it is β0 of Zhao 2022, Eq. (11), with the polar angle.
 pub fn kinematic_gap_rad(
     bearing: &Bearing,
     raceway: &Raceway,
@@ -119,14 +136,33 @@ pub fn kinematic_gap_rad(
     pressed_in_m: f64,
 ) -> f64 {
     let middle = 0.5 * bearing.ball_angle_rad();
-    lag_within_rad(bearing, raceway, [angle_rad, pressed_in_m], middle)
+    let pressed = [angle_rad, pressed_in_m];
+    lag_within_rad(bearing, raceway, pressed, f64::INFINITY, middle)
 }
 
-/// ∫ (Ω0/Ω − 1) dψ up to ±`half_width_rad` from the middle of the raceway, or to its ends.
+/// How far the inner ring follows a ball under a radial load that presses it in by `pressed_in_m` on the plain
+/// raceway: the approach of both its contacts there, and by how much that grows when the other balls carry all,
+/// (S/(S − 1))^⅔ with S = Σ cos^(5/2) ψ of evenly spaced balls without clearance. Rigid parts follow any.
+fn reach_m(bearing: &Bearing, pressed_in_m: f64) -> f64 {
+    if pressed_in_m == 0.0 {
+        return f64::INFINITY;
+    }
+    let [inner, outer] = [bearing.inner_contact(), bearing.outer_contact()];
+    let ratio = outer.stiffness_n_m1_5 / inner.stiffness_n_m1_5;
+    let count = bearing.balls();
+    let spacing = TAU / count as f64;
+    let shares = (1..count).map(|k| (spacing * k as f64).cos().max(0.0).powf(2.5));
+    let others = shares.sum::<f64>();
+    pressed_in_m * (1.0 + ratio.powf(2.0 / 3.0)) * (1.0 + 1.0 / others).powf(2.0 / 3.0)
+}
+
+/// ∫ (Ω0/Ω − 1) dψ up to ±`half_width_rad` from the middle of the raceway, or to its ends, with an inner ring that
+/// follows a ball as deep as its reach.
 fn lag_within_rad(
     bearing: &Bearing,
     raceway: &Raceway,
     [angle_rad, pressed_in_m]: [f64; 2],
+    reach: f64,
     half_width_rad: f64,
 ) -> f64 {
     let d = bearing.dimensions();
@@ -141,34 +177,42 @@ fn lag_within_rad(
     let centre = [room * cos - gap, room * sin];
     let seated = centre[1].atan2(centre[0]);
     let middle = raceway.dimensions().centre_angle_rad;
+    let depth = |psi: f64| raceway.depth_at_m(middle + psi)[0];
     let nominal = |psi: f64| {
         let cosine = raceway.effective_radius_m(middle + psi) / d.ball_radius_m;
         cosine.min(1.0).acos()
     };
-    let flank = |psi: f64| {
+    // Of the normal of a flank at the line through this place, from the ball along and across the section.
+    let towards = |psi: f64, [x, y]: [f64; 2]| {
         let (sin, cos) = nominal(psi).sin_cos();
-        (gap * sin).atan2(pressed_in_m + gap * cos)
+        let slot = raceway.slot().map(|slot| slot.at(psi));
+        let curvature = slot.map_or(1.0 / gap, |edge| edge.centre_curvature_per_m[0]);
+        (sin + curvature * y).atan2(cos + curvature * x)
     };
+    let flank = |psi: f64| towards(psi, [pressed_in_m * (1.0 - depth(psi) / reach), 0.0]);
     let along = |angle: f64| 1.0 - gamma * from_radius(angle).cos();
     let outside = 0.5 * along(beside.abs());
+    let farther = |psi: f64| 1.0 + depth(psi) * turned.cos() / bearing.pitch_radius_m();
     let on_both = |psi: f64| {
         let (flank, inner) = (flank(psi).cos(), seated.cos());
-        outside * (flank + inner) / (along(seated) * flank) - 1.0
+        outside * farther(psi) * (flank + inner) / (along(seated) * flank) - 1.0
     };
-    let on_one = |psi: f64| {
-        let (sin, cos) = nominal(psi).sin_cos();
-        let angle = (centre[1] + gap * sin).atan2(centre[0] + gap * cos);
-        outside / (0.5 * along(angle)) - 1.0
-    };
+    let on_one = |psi: f64| outside * farther(psi) / (0.5 * along(towards(psi, centre))) - 1.0;
     let end = half_width_rad.min(raceway.half_angle_rad() * (1.0 - 1e-12));
-    // αc falls from the middle to the ends.
-    let leaves = match flank(0.0) > seated {
-        true => root::brent(|psi| flank(psi) - seated, 0.0, end, 0.0).unwrap_or(end),
+    // αc and the depth fall from the middle to the ends.
+    let until = |excess: &dyn Fn(f64) -> f64| match excess(0.0) > 0.0 {
+        true => root::brent(excess, 0.0, end, 0.0).unwrap_or(end),
         false => 0.0,
     };
-    let mut half = 0.0;
+    let alone = until(&|psi| depth(psi) - reach);
+    let leaves = until(&|psi| flank(psi) - seated).max(alone);
+    let mut half = match flank(alone) >= seated {
+        true => alone * on_both(alone),
+        false => alone * on_one(alone),
+    };
     for [a, b] in raceway.pieces().iter().map(|piece| piece.range_rad()) {
-        let (a, leaves, b) = (a.min(end), leaves.clamp(a.min(end), b.min(end)), b.min(end));
+        let (a, b) = (a.min(end).max(alone), b.min(end).max(alone));
+        let leaves = leaves.clamp(a, b);
         half += quadrature::gauss(on_both, a, leaves, PANELS)
             + quadrature::gauss(on_one, leaves, b, PANELS);
     }

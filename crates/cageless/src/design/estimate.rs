@@ -68,7 +68,7 @@ impl Estimate {
         )
     }
 
-    /// Estimate for a case in space: in place of the friction that rolling demands, what the contact angles
+    /// Estimate for a case in space: in place of the friction that rolling demands, what contact angle and deflection
     /// of its [`seats`](super::seats) leave of the lag; the contact stress only with an equilibrium.
     pub fn in_space(
         case: &Case,
@@ -79,7 +79,7 @@ impl Estimate {
             case,
             EstimateTerm {
                 name: "lag",
-                meaning: "lag of rolling under the contact angle over that without one",
+                meaning: "lag of rolling under load and contact angle over that of rigid parts without one",
                 value: rolling_lag_fraction(case, seats),
                 limit: LAG_MIN_FRACTION,
                 at_least: true,

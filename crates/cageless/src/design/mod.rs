@@ -117,9 +117,8 @@ pub fn half_angle_for_gap_rad(
             .map(|raceway| theoretical_gap_rad(bearing, &raceway, meaning))
     };
     // β0 grows with θ; the path exists up to an angle that depends on the span, and a raceway takes its
-    // blends from an angle on.
-    let bottom_m = bearing.dimensions().outer_groove_bottom_radius_m;
-    let least = 2.0 * (1.0 + 1e-9) * form.blend_m / bottom_m;
+    // ends from an angle on.
+    let least = (1.0 + 1e-9) * form.half_angle_min_rad(bearing, axial_span_m);
     let (mut low, mut high) = (least.max(1e-3), FRAC_PI_2 * 0.999);
     if gap(high).is_err() {
         let (mut good, mut bad) = (low, high);
