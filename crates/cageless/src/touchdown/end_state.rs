@@ -6,9 +6,10 @@ use super::whirl::{ONE_WAY, WHIRL_TURNS, WhirlWindow};
 
 crate::named_enum! {
     /// What the rotor does at the end of a drop.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub enum EndState {
         /// The rotor has not touched the inner ring.
+        #[default]
         Falling = "falling",
         /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it; or stands
         /// on its shoulder.
