@@ -8,12 +8,9 @@ use crate::kind::Kind;
 use crate::quantity::{Aim, Quantity};
 use crate::source::Source;
 
-pub(crate) const fn quantity(
-    name: &'static str,
-    unit: &'static str,
-    label: &'static str,
-    of: Source,
-) -> Quantity {
+type Text = &'static str;
+
+pub(crate) const fn quantity(name: Text, unit: Text, label: Text, of: Source) -> Quantity {
     Quantity {
         name,
         unit,
@@ -30,17 +27,8 @@ pub(crate) const fn quantity(
     }
 }
 
-pub(crate) const fn list(
-    name: &'static str,
-    unit: &'static str,
-    label: &'static str,
-    of: Source,
-) -> Quantity {
-    let kind = Kind::Numbers;
-    Quantity {
-        kind,
-        ..quantity(name, unit, label, of)
-    }
+pub(crate) const fn list(name: Text, unit: Text, label: Text, of: Source) -> Quantity {
+    kind(Kind::Numbers, quantity(name, unit, label, of))
 }
 
 /// A number for each of a few things, which tables show.
@@ -58,116 +46,82 @@ pub(crate) const fn few(
 }
 
 /// Two ends or several quantiles.
-pub(crate) const fn range(
-    name: &'static str,
-    unit: &'static str,
-    label: &'static str,
-    of: Source,
-) -> Quantity {
-    let kind = Kind::Range;
-    Quantity {
-        kind,
-        ..quantity(name, unit, label, of)
-    }
+pub(crate) const fn range(name: Text, unit: Text, label: Text, of: Source) -> Quantity {
+    kind(Kind::Range, quantity(name, unit, label, of))
 }
 
-pub(crate) const fn of_kind(
-    kind: Kind,
-    name: &'static str,
-    label: &'static str,
-    of: Source,
-) -> Quantity {
-    Quantity {
-        kind,
-        ..quantity(name, "", label, of)
-    }
+pub(crate) const fn integer(name: Text, label: Text, of: Source) -> Quantity {
+    kind(Kind::Integer, quantity(name, "", label, of))
 }
 
-pub(crate) const fn integer(name: &'static str, label: &'static str, of: Source) -> Quantity {
-    of_kind(Kind::Integer, name, label, of)
+pub(crate) const fn flag(name: Text, label: Text, of: Source) -> Quantity {
+    not_in_tables(kind(Kind::Flag, quantity(name, "", label, of)))
 }
 
-pub(crate) const fn flag(name: &'static str, label: &'static str, of: Source) -> Quantity {
-    let in_tables = false;
-    Quantity {
-        in_tables,
-        ..of_kind(Kind::Flag, name, label, of)
-    }
+pub(crate) const fn text(name: Text, label: Text, of: Source) -> Quantity {
+    not_in_tables(kind(Kind::Text, quantity(name, "", label, of)))
 }
 
-pub(crate) const fn text(name: &'static str, label: &'static str, of: Source) -> Quantity {
-    let in_tables = false;
-    Quantity {
-        in_tables,
-        ..of_kind(Kind::Text, name, label, of)
-    }
+pub(crate) const fn kind(kind: Kind, mut quantity: Quantity) -> Quantity {
+    quantity.kind = kind;
+    quantity
 }
 
 /// A result that neither columns of sweeps nor tables have: a sentence, or a time that differs from
 /// run to run.
 pub(crate) const fn file_only(quantity: Quantity) -> Quantity {
-    let (in_sweeps, in_tables) = (false, false);
-    Quantity {
-        in_sweeps,
-        in_tables,
-        ..quantity
-    }
+    part(not_in_tables(quantity))
 }
 
 /// A list that tables for readers have, under a symbol.
-pub(crate) const fn column(symbol: &'static str, quantity: Quantity) -> Quantity {
-    Quantity { symbol, ..quantity }
+pub(crate) const fn column(symbol: Text, mut quantity: Quantity) -> Quantity {
+    quantity.symbol = symbol;
+    quantity
 }
 
 /// A result of a part of a computation, which columns of sweeps do not have.
-pub(crate) const fn part(quantity: Quantity) -> Quantity {
-    let in_sweeps = false;
-    Quantity {
-        in_sweeps,
-        ..quantity
-    }
+pub(crate) const fn part(mut quantity: Quantity) -> Quantity {
+    quantity.in_sweeps = false;
+    quantity
 }
 
 /// A text that tables for readers have.
-pub(crate) const fn in_tables(quantity: Quantity) -> Quantity {
-    let in_tables = true;
-    Quantity {
-        in_tables,
-        ..quantity
-    }
+pub(crate) const fn in_tables(mut quantity: Quantity) -> Quantity {
+    quantity.in_tables = true;
+    quantity
+}
+
+const fn not_in_tables(mut quantity: Quantity) -> Quantity {
+    quantity.in_tables = false;
+    quantity
 }
 
 /// A result of a drop with the rule for a rotor in several bearings.
-pub(crate) const fn across(across: Across, quantity: Quantity) -> Quantity {
-    let across = Some(across);
-    Quantity { across, ..quantity }
+pub(crate) const fn across(across: Across, mut quantity: Quantity) -> Quantity {
+    quantity.across = Some(across);
+    quantity
 }
 
 /// A result whose label does not define it, with its definition.
-pub(crate) const fn means(meaning: &'static str, quantity: Quantity) -> Quantity {
-    Quantity {
-        meaning,
-        ..quantity
-    }
+pub(crate) const fn means(meaning: Text, mut quantity: Quantity) -> Quantity {
+    quantity.meaning = meaning;
+    quantity
 }
 
 /// A time from the start that has no value where its event has not come by the end.
-pub(crate) const fn awaited(quantity: Quantity) -> Quantity {
-    let awaited = true;
-    Quantity {
-        awaited,
-        ..quantity
-    }
+pub(crate) const fn awaited(mut quantity: Quantity) -> Quantity {
+    quantity.awaited = true;
+    quantity
 }
 
-pub(crate) const fn low(quantity: Quantity) -> Quantity {
-    let aim = Some(Aim::Low);
-    Quantity { aim, ..quantity }
+pub(crate) const fn low(mut quantity: Quantity) -> Quantity {
+    quantity.aim = Some(Aim::Low);
+    quantity
 }
 
-pub(crate) const fn high(quantity: Quantity) -> Quantity {
-    let aim = Some(Aim::High);
-    Quantity { aim, ..quantity }
+pub(crate) const fn high(mut quantity: Quantity) -> Quantity {
+    quantity.aim = Some(Aim::High);
+    quantity
 }
 
 pub(crate) fn flagged(value: Option<bool>) -> Cell {

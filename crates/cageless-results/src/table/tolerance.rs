@@ -48,7 +48,7 @@ pub const INFLUENCE: &[Quantity] = &[
 #[rustfmt::skip]
 pub const SAMPLES: &[Quantity] = &[
     part(integer("count", "bearings of the Monte Carlo sample", Samples(|s| count(s.samples.count)))),
-    part(of_kind(crate::Kind::Integer, "seed", "seed", Samples(|s| s.seed.into()))),
+    part(integer("seed", "seed", Samples(|s| s.seed.into()))),
     part(integer("passed", "bearings that pass", Samples(|s| count(s.samples.passed)))),
     part(quantity("pass_probability", "", "probability of passing", Samples(|s| some(s.samples.pass_probability)))),
     part(range("pass_probability_interval", "", "  95 % interval (Wilson)", Samples(|s| ends(Some(s.samples.pass_probability_interval))))),
