@@ -22,7 +22,7 @@ pub fn design_record(
     recommendation: Option<&Recommendation>,
 ) -> Record {
     let passages = |statistics: Option<_>| -> Part {
-        let results = |s| Record::from(Results::of(PASSAGES, Subject::Passages(s)));
+        let results = |s| Record::of(PASSAGES, Subject::Passages(s));
         statistics.map(results).into()
     };
     let raceways = case.raceways.iter().zip(&judgement.raceways);
@@ -32,15 +32,15 @@ pub fn design_record(
             raceway,
             judgement,
         };
-        Record::from(Results::of(RACEWAY, Subject::Raceway(&one)))
+        Record::of(RACEWAY, Subject::Raceway(&one))
             .with_part("passages", passages(judgement.passages.as_ref()))
     });
     let recommendation = recommendation.map(|r| {
-        Record::from(Results::of(RECOMMENDATION, Subject::Recommendation(r)))
+        Record::of(RECOMMENDATION, Subject::Recommendation(r))
             .with_sentences("reasons", r.judgement.reasons.clone())
     });
     let curve = span_angle_curve(&case.bearing, case.raceway_form(), CURVE_POINTS);
-    let curve = Record::from(Results::of(CURVE, Subject::Curve(&curve)));
+    let curve = Record::of(CURVE, Subject::Curve(&curve));
     let judged = Judged { case, judgement };
     let verdict = Results::of(VERDICT, Subject::Verdict(&judged));
     let contact_angle = contact_angle(case);
@@ -64,7 +64,7 @@ pub fn design_record(
 
 /// Results of motion in space at the points of [`cageless::design::axial_points`].
 pub fn axial_record(lags: &[AxialLag]) -> Record {
-    Record::from(Results::of(AXIAL, Subject::Axial(lags)))
+    Record::of(AXIAL, Subject::Axial(lags))
 }
 
 /// What a contact angle leaves of the first raceway, its balls pressed in as the most loaded one.

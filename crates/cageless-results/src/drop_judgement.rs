@@ -109,8 +109,8 @@ impl DropJudgement {
             .as_ref()
             .and_then(|rotor| rotor.clearance_limit_m)
         {
-            displaced("the journal", summary.rotor_displacement_max_m, limit_m)
-                .place(&mut failed, &mut kept);
+            let most_m = summary.rotor_displacement_max_m;
+            displaced("the journal", most_m, limit_m, [&mut kept, &mut failed]);
         }
         failed.extend(not_carried(case, summary.rotor_weight_n));
         if summary.end_state == EndState::BackwardWhirl {
@@ -167,9 +167,9 @@ impl DropJudgement {
             }
         }
         for plane in &rotor.planes {
-            let limit_m = plane.clearance.radial_m;
-            displaced(&plane.clearance.name, plane.displacement_max_m, limit_m)
-                .place(&mut all.failed, &mut all.kept);
+            let (clearance, most_m) = (&plane.clearance, plane.displacement_max_m);
+            let lists = [&mut all.kept, &mut all.failed];
+            displaced(&clearance.name, most_m, clearance.radial_m, lists);
         }
         let residual = rotor.energy_residual_relative;
         all.failed.extend(unbalanced(" of the rotor", residual));
@@ -177,37 +177,19 @@ impl DropJudgement {
     }
 }
 
-/// A displacement against its clearance.
-struct Displaced {
-    exceeds: bool,
-    text: String,
-}
-
-impl Displaced {
-    fn place(self, failed: &mut Vec<String>, kept: &mut Vec<String>) {
-        match self.exceeds {
-            true => failed.push(self.text),
-            false => kept.push(self.text),
-        }
-    }
-}
-
-fn displaced(what: &str, displacement_m: f64, limit_m: f64) -> Displaced {
-    let (most, limit) = (1e6 * displacement_m, 1e6 * limit_m);
-    let exceeds = displacement_m > limit_m;
-    let (verb, of_margin) = match exceeds {
-        true => ("beyond", "exceeded by"),
-        false => ("within", "margin"),
+/// Adds a displacement against its clearance to the limits kept or to those that failed.
+fn displaced(what: &str, most_m: f64, limit_m: f64, [kept, failed]: [&mut Vec<String>; 2]) {
+    let (most, limit) = (1e6 * most_m, 1e6 * limit_m);
+    let (list, verb, of_margin) = match most_m > limit_m {
+        true => (failed, "beyond", "exceeded by"),
+        false => (kept, "within", "margin"),
     };
-    Displaced {
-        exceeds,
-        text: format!(
-            "{what} displaced by {} µm, {verb} its clearance of {} µm ({of_margin} {} µm)",
-            short(most),
-            short(limit),
-            short((limit - most).abs())
-        ),
-    }
+    list.push(format!(
+        "{what} displaced by {} µm, {verb} its clearance of {} µm ({of_margin} {} µm)",
+        short(most),
+        short(limit),
+        short((limit - most).abs())
+    ));
 }
 
 fn unbalanced(what: &str, residual: f64) -> Option<String> {

@@ -4,7 +4,7 @@ use cageless::simulation::{PlaneDisplacement, RotorDrop, RotorDropOutcome, Rotor
 use cageless::touchdown::DropRecorder;
 
 use crate::table::PLANE;
-use crate::{Across, Cell, DropJudgement, DropResult, Quantity, Record, Results, Subject};
+use crate::{Across, Cell, DropJudgement, DropResult, Quantity, Record, Subject};
 
 /// Results of a drop.
 #[derive(Debug, Clone)]
@@ -68,6 +68,6 @@ impl DropRun {
 
 /// Each plane of a rotor against its clearance.
 pub fn plane_records(planes: &[PlaneDisplacement]) -> Vec<Record> {
-    let record = |plane| Record::from(Results::of(PLANE, Subject::Plane(plane)));
+    let record = |plane| Record::of(PLANE, Subject::Plane(plane));
     planes.iter().map(record).collect()
 }

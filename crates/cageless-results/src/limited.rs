@@ -44,10 +44,7 @@ pub(crate) fn limited_in_succession(
 fn add(judgement: &mut DropJudgement, limit: &Limit, quantity: &Quantity, results: &Results) {
     let least = quantity.aim == Some(Aim::High);
     let side = if least { "at least" } else { "at most" };
-    let text = |value: f64| match quantity.printed_unit().as_str() {
-        "" => quantity.number_text(value),
-        unit => format!("{} {unit}", quantity.number_text(value)),
-    };
+    let text = |value: f64| quantity.with_unit(value);
     let (label, source) = (quantity.label.trim(), &limit.source);
     let allowed = format!("{side} {} ({source})", text(limit.value));
     if let Some(value) = results.value(quantity.name) {

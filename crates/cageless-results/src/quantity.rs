@@ -120,6 +120,14 @@ impl Quantity {
         significant(self.printed().0 * rounded, 5)
     }
 
+    /// A number for readers with its unit.
+    pub fn with_unit(&self, value: f64) -> String {
+        let text = self.number_text(value);
+        format!("{text} {}", self.printed_unit())
+            .trim_end()
+            .to_owned()
+    }
+
     /// Unit of [`value_text`](crate::value_text).
     pub fn printed_unit(&self) -> String {
         self.printed().1

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::Value;
 
-use crate::{Provenance, Quantity, Results};
+use crate::{Provenance, Quantity, Results, Subject};
 
 /// Results of a computation: values by name, lists of sentences, and parts with results of their own.
 /// Serialised as one map.
@@ -30,6 +30,17 @@ pub struct Shape {
     pub sentences: &'static [&'static str],
     /// Parts, by name.
     pub parts: &'static [(&'static str, &'static Shape)],
+}
+
+impl Shape {
+    /// A record of values alone.
+    pub const fn of(values: &'static [Quantity]) -> Self {
+        Self {
+            values,
+            sentences: &[],
+            parts: &[],
+        }
+    }
 }
 
 impl Deref for Record {
@@ -65,6 +76,11 @@ impl From<Option<Record>> for Part {
 }
 
 impl Record {
+    /// Results `rows` of a subject.
+    pub fn of(rows: &'static [Quantity], subject: Subject<'_>) -> Self {
+        Results::of(rows, subject).into()
+    }
+
     /// Adds a list of sentences.
     pub fn with_sentences(mut self, name: &'static str, sentences: Vec<String>) -> Self {
         self.sentences.push((name, sentences));

@@ -1,29 +1,21 @@
 //! What a search for a raceway holds.
 
+use crate::Shape;
 use crate::table::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT, VERDICT,
 };
-use crate::{Quantity, Shape};
 
-const fn values(values: &'static [Quantity]) -> Shape {
-    Shape {
-        values,
-        sentences: &[],
-        parts: &[],
-    }
-}
-
-const POINTS: Shape = values(POINT);
-const MOTIONS: Shape = values(MOTION);
+const POINTS: Shape = Shape::of(POINT);
+const MOTIONS: Shape = Shape::of(MOTION);
 const STRUCTURES: Shape = Shape {
     parts: &[(
         "points",
         &Shape {
             parts: &[("motion", &MOTIONS), ("errors", &MOTIONS)],
-            ..values(STRUCTURE_AT)
+            ..Shape::of(STRUCTURE_AT)
         },
     )],
-    ..values(STRUCTURE)
+    ..Shape::of(STRUCTURE)
 };
 
 /// What a search holds: `own` and `recommended` structure from more initial states and from the usual
@@ -34,27 +26,27 @@ pub const SEARCH_SHAPE: Shape = Shape {
     parts: &[
         ("points", &POINTS),
         ("recommended", &STRUCTURES),
-        ("recommended_verdicts", &values(VERDICT)),
+        ("recommended_verdicts", &Shape::of(VERDICT)),
         ("own", &STRUCTURES),
         ("recommended_from_usual_starts", &STRUCTURES),
         ("own_from_usual_starts", &STRUCTURES),
         ("front", &STRUCTURES),
         ("band", &STRUCTURES),
-        ("rejections", &values(REJECTION)),
+        ("rejections", &Shape::of(REJECTION)),
         (
             "placements",
             &Shape {
                 parts: &[("best", &STRUCTURES)],
-                ..values(PLACEMENT)
+                ..Shape::of(PLACEMENT)
             },
         ),
         (
             "maps",
             &Shape {
                 parts: &[("point", &POINTS)],
-                ..values(MAP)
+                ..Shape::of(MAP)
             },
         ),
-        ("paper", &values(PAPER)),
+        ("paper", &Shape::of(PAPER)),
     ],
 };

@@ -9,7 +9,7 @@ pub fn succession_record(mut drop: SuccessiveDrop<'_>, result: &mut DropResult) 
     let judged = Results::of(SUCCESSION, Subject::Succession(&drop));
     result.judge_in_succession(&drop.case.limits, &judged);
     drop.judgement = result.judgement.clone();
-    Record::from(Results::of(SUCCESSION, Subject::Succession(&drop)))
+    Record::of(SUCCESSION, Subject::Succession(&drop))
         .with_sentences("reasons", drop.judgement.reasons())
         .with_part("result", Some(Record::from(result.results.clone())))
 }

@@ -6,39 +6,29 @@ use cageless::tolerance::{Assessment, Tolerances};
 
 use crate::table::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 use crate::{
-    CountedVerdict, Deviation, Part, Provenance, Record, Results, Sampled, Shape, Subject,
-    Tolerated, provenance,
+    CountedVerdict, Deviation, Part, Provenance, Record, Sampled, Shape, Subject, Tolerated,
+    provenance,
 };
 
 /// What a tolerance analysis holds.
 pub const TOLERANCE_SHAPE: Shape = Shape {
-    values: TOLERANCE,
-    sentences: &[],
     parts: &[
         (
             "influences",
             &Shape {
-                values: INFLUENCE,
                 sentences: &["verdicts"],
-                parts: &[],
+                ..Shape::of(INFLUENCE)
             },
         ),
         (
             "samples",
             &Shape {
-                values: SAMPLES,
-                sentences: &[],
-                parts: &[(
-                    "verdicts",
-                    &Shape {
-                        values: VERDICT_COUNT,
-                        sentences: &[],
-                        parts: &[],
-                    },
-                )],
+                parts: &[("verdicts", &Shape::of(VERDICT_COUNT))],
+                ..Shape::of(SAMPLES)
             },
         ),
     ],
+    ..Shape::of(TOLERANCE)
 };
 
 /// Results of the bearing of a case within tolerances, its balls of a grade of ISO 3290-1 (0: equal
@@ -56,7 +46,7 @@ pub fn tolerance_record(
             result,
         };
         let verdicts = result.verdicts.iter().map(|v| v.name().to_owned());
-        Record::from(Results::of(INFLUENCE, Subject::Influence(&deviation)))
+        Record::of(INFLUENCE, Subject::Influence(&deviation))
             .with_sentences("verdicts", verdicts.collect())
     });
     let samples = assessment.samples.as_ref().map(|samples| {
@@ -68,11 +58,11 @@ pub fn tolerance_record(
                 verdict: *verdict,
                 outcomes: outcomes.collect(),
             };
-            Results::of(VERDICT_COUNT, Subject::VerdictCount(&counted)).into()
+            Record::of(VERDICT_COUNT, Subject::VerdictCount(&counted))
         });
         let seed = case.seed;
         let sampled = Sampled { samples, seed };
-        Record::from(Results::of(SAMPLES, Subject::Samples(&sampled)))
+        Record::of(SAMPLES, Subject::Samples(&sampled))
             .with_part("verdicts", Part::Many(verdicts.collect()))
     });
     let tolerated = Tolerated {
@@ -80,7 +70,7 @@ pub fn tolerance_record(
         ball_grade,
         assessment,
     };
-    Record::from(Results::of(TOLERANCE, Subject::Tolerance(&tolerated)))
+    Record::of(TOLERANCE, Subject::Tolerance(&tolerated))
         .with_part("influences", Part::Many(influences.collect()))
         .with_part("samples", samples)
         .with_provenance(Provenance {

@@ -4,14 +4,10 @@ use cageless::verification::{Convergence, Distance, Judgement, Verification};
 
 use crate::judged::{JudgedResult, Named, VerifiedDrop};
 use crate::table::{DISTANCE, DROP_VERIFICATION, JUDGEMENT, VERIFICATION, VERIFIED};
-use crate::{Cell, Part, Quantity, Record, Results, Subject};
+use crate::{Cell, Part, Quantity, Record, Subject};
 
 /// Rows of the distances over time, about.
 const ROWS: usize = 250;
-
-fn judged(result: &JudgedResult) -> Record {
-    Results::of(JUDGEMENT, Subject::Judged(result)).into()
-}
 
 /// The judgement of an SI result in the unit of its row.
 fn in_unit<Q>(j: &Judgement<Q>, quantity: &'static Quantity) -> Judgement<Named> {
@@ -47,15 +43,18 @@ pub fn verification_record(v: &Verification) -> Record {
             z_limit: v.z_limit,
             diverges: v.divergence.divergence_time_s.is_some(),
         };
-        numbers.with_part(quantity.name, Some(judged(&result)))
+        numbers.with_part(
+            quantity.name,
+            Some(Record::of(JUDGEMENT, Subject::Judged(&result))),
+        )
     });
     let stride = v.divergence.distances.len().div_ceil(ROWS).max(1);
     let distances = v.divergence.distances.iter().step_by(stride).copied();
     let distances: Vec<Distance> = distances.collect();
-    let distance = Results::of(DISTANCE, Subject::Distance(&distances));
-    Record::from(Results::of(VERIFICATION, Subject::Verified(v)))
+    let distance = Record::of(DISTANCE, Subject::Distance(&distances));
+    Record::of(VERIFICATION, Subject::Verified(v))
         .with_part("numbers", Some(numbers))
-        .with_part("distance", Some(distance.into()))
+        .with_part("distance", Some(distance))
 }
 
 /// Names of the results of a run that depend on the step, as a warning.
@@ -76,14 +75,15 @@ impl VerifiedDrop {
     /// Results of the verification, with the judgement of each of the `numbers`.
     pub fn record(&self) -> Record {
         let numbers = self.judgements.iter().map(|judgement| {
-            judged(&JudgedResult {
+            let result = JudgedResult {
                 judgement: *judgement,
                 replicas: self.replicas,
                 z_limit: self.z_limit,
                 diverges: false,
-            })
+            };
+            Record::of(JUDGEMENT, Subject::Judged(&result))
         });
-        Record::from(Results::of(DROP_VERIFICATION, Subject::DropVerified(self)))
+        Record::of(DROP_VERIFICATION, Subject::DropVerified(self))
             .with_part("numbers", Part::Many(numbers.collect()))
     }
 }

@@ -145,7 +145,7 @@ pub(super) fn requirements(page: &mut Page, file: &VariantFile, bearings: &[Bear
             Some(Aim::High) => "at least",
             _ => "at most",
         };
-        let limit = format!("{side} {}", with_unit(quantity, bound));
+        let limit = format!("{side} {}", quantity.with_unit(bound));
         let values = bearings.iter().enumerate();
         let values = values.map(|(k, bearing)| match concerned.contains(&k) {
             true => limited(bearing, quantity),
@@ -230,7 +230,7 @@ fn quantity(name: &str) -> Option<&'static Quantity> {
 fn value(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
     let found = bearing.record.result.results.value(quantity.name);
     let found = found.or_else(|| bearing.succession?.value(quantity.name));
-    found.map_or("–".to_owned(), |value| with_unit(quantity, value))
+    found.map_or("–".to_owned(), |value| quantity.with_unit(value))
 }
 
 /// The value of a result with a limit, or why there is none.
@@ -243,11 +243,4 @@ fn limited(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
         "–" => (bearing.record.result.instead(quantity.name)).unwrap_or_else(without),
         value => value.to_owned(),
     }
-}
-
-fn with_unit(quantity: &Quantity, value: f64) -> String {
-    let text = quantity.number_text(value);
-    format!("{text} {}", quantity.printed_unit())
-        .trim_end()
-        .to_owned()
 }

@@ -7,8 +7,8 @@ use cageless::design::search::{
 use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{
-    AtPoint, MAP, MOTION, PAPER, PLACEMENT, POINT, Part, Quantity, REJECTION, Record, Results,
-    SEARCH, STRUCTURE, STRUCTURE_AT, Searched, SearchedPlacement, Subject, provenance,
+    AtPoint, MAP, MOTION, PAPER, PLACEMENT, POINT, Part, REJECTION, Record, SEARCH, STRUCTURE,
+    STRUCTURE_AT, Searched, SearchedPlacement, Subject, provenance,
 };
 
 use super::narrative;
@@ -16,10 +16,6 @@ use crate::RacewayLabel;
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 120;
-
-fn of(rows: &'static [Quantity], subject: Subject<'_>) -> Record {
-    Results::of(rows, subject).into()
-}
 
 /// Results of a search with the verdicts of `design` on the recommended structure at every operating
 /// point and the structures of the paper for this bearing.
@@ -43,18 +39,18 @@ pub fn search_record(
     let of_the_paper = |_: &&RacewayLabel| form == RacewayForm::default();
     let paper = paper.iter().filter(of_the_paper).map(|label| {
         let size = [label.axial_span_mm, label.half_angle_deg];
-        of(PAPER, Subject::Paper(&(label.letter.clone(), size)))
+        Record::of(PAPER, Subject::Paper(&(label.letter.clone(), size)))
     });
     let own_usual = confirmed("own").map(|c| structure(&c.evaluation, None));
     let usual = found.recommended.map(|k| &found.evaluations[k]);
     let rejections = found.rejections();
     let rejections = rejections
         .iter()
-        .map(|r| of(REJECTION, Subject::Rejection(r)));
+        .map(|r| Record::of(REJECTION, Subject::Rejection(r)));
     let each = found.evaluations.iter().map(|e| structure(e, None));
     let point = request.points[0].case(case, case.raceways.clone());
     let discarded = "the first 16 of 32 orbits, except collisions and friction";
-    let record = of(SEARCH, Subject::Search(&searched))
+    let record = Record::of(SEARCH, Subject::Search(&searched))
         .with_part("points", many(request.points.iter().map(point_record)))
         .with_part(
             "recommended",
@@ -83,11 +79,11 @@ fn many(records: impl Iterator<Item = Record>) -> Part {
 }
 
 fn point_record(point: &OperatingPoint) -> Record {
-    of(POINT, Subject::Point(point))
+    Record::of(POINT, Subject::Point(point))
 }
 
 fn motion(motion: &Motion, steady_gap_rad: f64) -> Record {
-    of(MOTION, Subject::Motion(&(*motion, steady_gap_rad)))
+    Record::of(MOTION, Subject::Motion(&(*motion, steady_gap_rad)))
 }
 
 /// A structure with its numbers; means and errors of its motion are those of `confirmed`, if it was.
@@ -101,14 +97,14 @@ pub(super) fn structure(evaluation: &Evaluation, confirmed: Option<&Confirmed>) 
             .map(|(m, s)| motion(&m, s));
         let mean = statistics.map(|s| motion(&s.mean, steady_or_nan)).or(own);
         let errors = statistics.map(|s| motion(&s.error, steady_or_nan));
-        of(
+        Record::of(
             STRUCTURE_AT,
             Subject::StructureAt(&AtPoint { evaluation, point }),
         )
         .with_part("motion", mean)
         .with_part("errors", errors)
     });
-    of(STRUCTURE, Subject::Structure(evaluation)).with_part("points", many(points))
+    Record::of(STRUCTURE, Subject::Structure(evaluation)).with_part("points", many(points))
 }
 
 fn confirmed_record(confirmed: &Confirmed) -> Record {
@@ -162,13 +158,13 @@ fn placements(found: &Found) -> Part {
                     section_angle_rad,
                     evaluations,
                 };
-                of(PLACEMENT, Subject::Placement(&placement)).with_part("best", best)
+                Record::of(PLACEMENT, Subject::Placement(&placement)).with_part("best", best)
             }),
     )
 }
 
 fn map(map: &SpeedMap) -> Record {
-    of(MAP, Subject::Map(map)).with_part("point", Some(point_record(&map.point)))
+    Record::of(MAP, Subject::Map(map)).with_part("point", Some(point_record(&map.point)))
 }
 
 #[cfg(test)]
