@@ -1,62 +1,56 @@
 //! Thinning of long traces, so that a page stays small and no peak is lost.
 
+use std::ops::Range;
+
 /// Decimates a history to about `points` points: in each of `points`/2 segments the
 /// lowest and the highest. A stretch with a gap (NaN) keeps it.
 pub fn history(x: &[f64], y: &[f64], points: usize) -> (Vec<f64>, Vec<f64>) {
-    let n = x.len().min(y.len());
-    if n <= points || points < 4 {
-        return (x[..n].to_vec(), y[..n].to_vec());
-    }
-    let stretches = points / 2;
-    let mut kept = Vec::with_capacity(2 * stretches + 2);
-    for k in 0..stretches {
-        let range = k * n / stretches..(k + 1) * n / stretches;
-        let finite = || range.clone().filter(|&i| y[i].is_finite());
+    thinned(x, y, points, |stretch| {
+        let finite = || stretch.clone().filter(|&i| y[i].is_finite());
         let low = finite().min_by(|&a, &b| y[a].total_cmp(&y[b]));
         let high = finite().max_by(|&a, &b| y[a].total_cmp(&y[b]));
-        let hole = range.clone().find(|&i| !y[i].is_finite());
+        let hole = stretch.clone().find(|&i| !y[i].is_finite());
         let mut chosen: Vec<usize> = [low, high, hole].into_iter().flatten().collect();
         chosen.sort_unstable();
-        chosen.dedup();
-        kept.extend(chosen);
-    }
-    // The ends, so that the trace spans the same time.
-    if kept.first() != Some(&0) {
-        kept.insert(0, 0);
-    }
-    if kept.last() != Some(&(n - 1)) {
-        kept.push(n - 1);
-    }
-    (
-        kept.iter().map(|&i| x[i]).collect(),
-        kept.iter().map(|&i| y[i]).collect(),
-    )
+        chosen
+    })
 }
 
 /// At most about `points` points of a curve in the plane: of each of `points`/2
 /// stretches the first point and the one farthest from the stretch's chord.
 pub fn curve(x: &[f64], y: &[f64], points: usize) -> (Vec<f64>, Vec<f64>) {
     let n = x.len().min(y.len());
+    let (sx, sy) = (extent(&x[..n]), extent(&y[..n]));
+    thinned(x, y, points, |stretch| {
+        let (from, end) = (stretch.start, stretch.end.min(n - 1));
+        let (dx, dy) = ((x[end] - x[from]) / sx, (y[end] - y[from]) / sy);
+        let off = |i: usize| ((x[i] - x[from]) / sx * dy - (y[i] - y[from]) / sy * dx).abs();
+        let farthest = stretch.skip(1).max_by(|&a, &b| off(a).total_cmp(&off(b)));
+        std::iter::once(from).chain(farthest).collect()
+    })
+}
+
+/// Both ends, so that the curve spans the same, and the points `of_stretch` of each of `points`/2
+/// stretches.
+fn thinned(
+    x: &[f64],
+    y: &[f64],
+    points: usize,
+    of_stretch: impl Fn(Range<usize>) -> Vec<usize>,
+) -> (Vec<f64>, Vec<f64>) {
+    let n = x.len().min(y.len());
     if n <= points || points < 4 {
         return (x[..n].to_vec(), y[..n].to_vec());
     }
-    let (sx, sy) = (extent(&x[..n]), extent(&y[..n]));
     let stretches = points / 2;
-    let mut kept = Vec::with_capacity(points + 1);
-    for k in 0..stretches {
-        let (from, to) = (k * n / stretches, (k + 1) * n / stretches);
-        let end = to.min(n - 1);
-        let (dx, dy) = ((x[end] - x[from]) / sx, (y[end] - y[from]) / sy);
-        let off = |i: usize| ((x[i] - x[from]) / sx * dy - (y[i] - y[from]) / sy * dx).abs();
-        kept.push(from);
-        kept.extend((from + 1..to).max_by(|&a, &b| off(a).total_cmp(&off(b))));
-    }
+    let mut kept = vec![0];
+    kept.extend(
+        (0..stretches).flat_map(|k| of_stretch(k * n / stretches..(k + 1) * n / stretches)),
+    );
     kept.push(n - 1);
     kept.dedup();
-    (
-        kept.iter().map(|&i| x[i]).collect(),
-        kept.iter().map(|&i| y[i]).collect(),
-    )
+    let of = |values: &[f64]| kept.iter().map(|&i| values[i]).collect();
+    (of(x), of(y))
 }
 
 /// Largest less smallest; 1 if that is nothing.
