@@ -143,11 +143,7 @@ pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, PaperError> {
         .collect()
 }
 
-struct One {
-    found: Found,
-    portrait: PhasePortrait,
-    speed: OrbitSpeed,
-}
+type One = (Found, PhasePortrait, OrbitSpeed);
 
 /// Runs all structures under both readings.
 pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], PaperError> {
@@ -211,11 +207,7 @@ fn one(
         rolling_deg_s,
     };
     let steady = Steady::new(&case, &contacts, (end_s - after_s) / orbit_s, &snapshots);
-    Ok(One {
-        found: Found { judgement, steady },
-        portrait,
-        speed,
-    })
+    Ok((Found { judgement, steady }, portrait, speed))
 }
 
 /// ψ and speed of ball 1 on its last whole way through the window.
@@ -238,25 +230,19 @@ fn last_passage(snapshots: &[Snapshot]) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, PaperError> {
-    let case = cases::structure(0, reading, &[])?;
-    let source = shared_provenance(&case);
-    let mut ten = Ten {
+    let provenance = shared_provenance(&cases::structure(0, reading, &[])?);
+    let (found, portraits, passages) = ones.into_iter().collect();
+    Ok(Ten {
         portraits: PhasePortraits {
-            portraits: vec![],
-            provenance: source.clone(),
+            portraits,
+            provenance: provenance.clone(),
         },
         speeds: OrbitSpeeds {
-            passages: vec![],
-            provenance: source,
+            passages,
+            provenance,
         },
-        found: vec![],
-    };
-    for one in ones {
-        ten.portraits.portraits.push(one.portrait);
-        ten.speeds.passages.push(one.speed);
-        ten.found.push(one.found);
-    }
-    Ok(ten)
+        found,
+    })
 }
 
 fn shared_provenance(case: &Case) -> Provenance {
