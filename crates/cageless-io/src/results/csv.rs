@@ -6,7 +6,7 @@ use std::path::Path;
 use super::atomic_file::PartialFile;
 use super::columns::{COLLISIONS, run_columns};
 use super::error::ResultError;
-use super::run_tables::{columns_of, for_each_group};
+use super::run_tables::RunTable;
 use super::table::ColumnKind;
 
 /// Writes `NAME.csv` beside each table of the run in `dir`: names with units in the first line,
@@ -26,15 +26,16 @@ pub fn write_csv(dir: &Path) -> Result<(), ResultError> {
         if !table.exists() {
             continue;
         }
-        let columns = columns_of(&table, columns)?;
+        let table = RunTable::open(&table, columns)?;
         let path = dir.join(name).with_extension("csv");
         let fail = |source| ResultError::out(&path, source);
         let mut file = BufWriter::new(PartialFile::create(&path)?);
-        let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
+        let names: Vec<&str> = table.columns.iter().map(|column| &*column.name).collect();
         writeln!(file, "{}", names.join(",")).map_err(fail)?;
-        for_each_group(&table, columns, |group| {
+        for group in table.groups() {
+            let group = group?;
             for row in 0..group[0].len() {
-                let cells: Vec<String> = (columns.iter().zip(&group))
+                let cells: Vec<String> = (table.columns.iter().zip(&group))
                     .map(|(column, values)| match column.kind {
                         ColumnKind::Ordinal => format!("{:.0}", values[row]),
                         _ => format!("{:?}", values[row]),
@@ -42,8 +43,7 @@ pub fn write_csv(dir: &Path) -> Result<(), ResultError> {
                     .collect();
                 writeln!(file, "{}", cells.join(",")).map_err(fail)?;
             }
-            Ok(())
-        })?;
+        }
         let file = file.into_inner().map_err(|e| fail(e.into_error()))?;
         file.commit()?;
     }

@@ -15,6 +15,7 @@ use parquet::schema::types::TypePtr;
 
 use super::checksum::{CHECKSUM, Fault, verify};
 use super::error::ResultError;
+use super::run_tables::of_length;
 use super::table::{Column, ColumnKind, GROUP_ROWS, Row, UNIT};
 use crate::system::io_error_message;
 
@@ -108,10 +109,7 @@ impl TableReader {
         let mut rows: Vec<Row> = Vec::new();
         for &column in wanted {
             let cells = read_column(group.get_column_reader(column)?, count)?;
-            if cells.len() != count {
-                let message = "its columns are not of one length".to_owned();
-                return Err(ParquetError::General(message));
-            }
+            let cells = of_length(cells, count)?;
             rows.resize_with(count, || Row::with_capacity(wanted.len()));
             for (row, cell) in rows.iter_mut().zip(cells) {
                 row.push(cell);
