@@ -110,9 +110,9 @@ impl<L: Law> AtFlanks<L> {
 }
 
 impl<L: Law> Law for AtFlanks<L> {
-    /// The part of the friction across the groove.
+    /// The part of the friction across the groove, with the knee of its own sliding.
     #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, _: f64) -> [f64; 2] {
         let [secant, slope, share] = self.along_sliding(sliding_m_s, normal_n);
         [secant * sliding_m_s, secant + (slope - secant) * share]
     }

@@ -29,9 +29,9 @@ law_struct! {
 impl Law for Coulomb {
     const STICKS: bool = true;
 
-    /// g·ΔV bounded by ±μN, the cone with the relaxed stick of [`crate::dynamics::Model`].
+    /// g·ΔV bounded by ±μN, the cone with the relaxed stick of [`crate::dynamics::Model`]; it has no knee.
     #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, _: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
         let wanted = self.stick_gain * sliding_m_s;
         let bounded = if wanted > largest { largest } else { wanted };

@@ -12,16 +12,14 @@ pub trait Law: Copy {
 
     /// Friction force along −ΔV under the normal force `normal_n`, N, and its slope over ΔV,
     /// N·s/m.
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2];
+    #[inline(always)]
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed())
+    }
 
     /// [`Self::force`] with the knee at another speed, of laws that do not stick: that of a contact
-    /// which spins. A law whose force depends on the sliding speed beyond the knee as well overrides it.
-    #[inline(always)]
-    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
-        let scale = inverse_knee_s_m / self.inverse_regularisation_speed();
-        let [force, slope] = self.force(sliding_m_s * scale, normal_n);
-        [force, slope * scale]
-    }
+    /// which spins.
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2];
 
     /// [`Self::force`] of two contacts; to rounding the same.
     #[inline(always)]
@@ -38,11 +36,6 @@ pub trait Law: Copy {
     /// 1/ΔV at which the force has its knee, s/m; of laws that do not stick.
     fn inverse_regularisation_speed(&self) -> f64 {
         f64::INFINITY
-    }
-
-    /// The law with its knee elsewhere, 1/ΔV in s/m; of laws that do not stick.
-    fn with_knee(self, _inverse_regularisation_speed: f64) -> Self {
-        self
     }
 
     /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of
@@ -105,14 +98,6 @@ macro_rules! knee {
         #[inline(always)]
         fn inverse_regularisation_speed(&self) -> f64 {
             self.inverse_regularisation_speed
-        }
-
-        #[inline(always)]
-        fn with_knee(self, inverse_regularisation_speed: f64) -> Self {
-            Self {
-                inverse_regularisation_speed,
-                ..self
-            }
         }
     };
 }

@@ -29,11 +29,6 @@ impl Law for Smooth {
     /// μ·tanh(ΔV/scale)·N along −ΔV, N, in place of the step of Zhao 2022, Eq. (20) and Eq. (21),
     /// and its slope over ΔV, N·s/m.
     #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed)
-    }
-
-    #[inline(always)]
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         self.at_knee(tanh(sliding_m_s * inverse_knee_s_m), normal_n, inverse_knee_s_m)
     }

@@ -21,11 +21,6 @@ law_struct! {
 
 impl Law for Stribeck {
     #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed)
-    }
-
-    #[inline(always)]
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
         let knee = tanh(sliding_m_s * inverse_knee_s_m);

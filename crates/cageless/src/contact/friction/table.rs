@@ -37,11 +37,6 @@ fn edge(starts: impl Iterator<Item = f64>, speed: f64) -> f64 {
 
 impl Law for Table {
     #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed)
-    }
-
-    #[inline(always)]
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let speed = sliding_m_s.abs();
         let piece = self.pieces.iter().rfind(|p| speed >= p.start);
@@ -128,11 +123,6 @@ impl LawLanes for TableLanes {
 }
 
 impl Law for TableLane<'_> {
-    #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed())
-    }
-
     #[inline(always)]
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let (pieces, speed) = (&self.table.pieces, sliding_m_s.abs());
