@@ -52,10 +52,8 @@ const FALSE_ALARM: f64 = 0.0027;
 /// # Panics
 /// If the values are not those of `replicas(case, large)`, large ≥ 1.
 pub fn judge<Q>(quantity: Q, values: &[(Role, f64)], scale: f64, lost: bool) -> Judgement<Q> {
-    let [perturbed, full, half]: [Vec<f64>; 3] = Sample::ALL.map(|sample| {
-        let of_sample = sample.of(values, |(role, _)| *role);
-        of_sample.into_iter().map(|(_, value)| *value).collect()
-    });
+    let [perturbed, full, half] = samples(values, |(role, _)| *role)
+        .map(|sample| -> Vec<f64> { sample.into_iter().map(|(_, value)| *value).collect() });
     let samples = convergence::Samples {
         perturbed: &perturbed,
         full: &full,
@@ -70,33 +68,20 @@ pub fn z_limit(replicas: usize) -> f64 {
     two_sided_limit(FALSE_ALARM, 2 * replicas - 2)
 }
 
-/// Replicas that are compared with each other.
-#[derive(Clone, Copy)]
-enum Sample {
-    /// Given start and small perturbations.
-    Perturbed,
-    /// Given start and large perturbations.
-    Full,
-    /// The same at half the step.
-    Half,
-}
+/// Replicas that are compared with each other: given start and small perturbations; given start and
+/// large perturbations; the same at half the step.
+const SAMPLES: [fn(Role) -> bool; 3] = [
+    |role| !role.half_step && role.perturbation != Perturbation::Large,
+    |role| !role.half_step && role.perturbation != Perturbation::Small,
+    |role| role.half_step,
+];
 
-impl Sample {
-    const ALL: [Self; 3] = [Self::Perturbed, Self::Full, Self::Half];
-
-    fn of<T>(self, records: &[T], role: impl Fn(&T) -> Role) -> Vec<&T> {
-        let wanted = |r: &&T| {
-            let role = role(r);
-            match self {
-                Self::Perturbed => !role.half_step && role.perturbation != Perturbation::Large,
-                Self::Full => !role.half_step && role.perturbation != Perturbation::Small,
-                Self::Half => role.half_step,
-            }
-        };
-        let found: Vec<&T> = records.iter().filter(wanted).collect();
+fn samples<T>(records: &[T], role: impl Fn(&T) -> Role) -> [Vec<&T>; 3] {
+    SAMPLES.map(|wanted| {
+        let found: Vec<&T> = records.iter().filter(|r| wanted(role(r))).collect();
         assert!(found.len() >= 2, "records of all replicas");
         found
-    }
+    })
 }
 
 /// Verification of a run.
@@ -134,7 +119,7 @@ impl Verification {
     /// # Panics
     /// If the records are not those of `replicas(case, far)`, far ≥ 1.
     pub fn new(case: &Case, records: &[Record]) -> Result<Self, InputError> {
-        let [perturbed, full, half] = Sample::ALL.map(|sample| sample.of(records, |r| r.role));
+        let [perturbed, full, half] = samples(records, |r| r.role);
         let divergence = Divergence::new(case, &perturbed, half[0])?;
         let judgements = Quantity::ALL
             .into_iter()
