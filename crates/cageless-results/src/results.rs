@@ -59,7 +59,7 @@ impl Results {
 
     /// Value of a numeric quantity; NaN if there is none.
     pub fn number(&self, name: &str) -> f64 {
-        self.get(name).and_then(Cell::number).unwrap_or(f64::NAN)
+        self.value(name).unwrap_or(f64::NAN)
     }
 
     /// Value of a numeric quantity, if it has one.
@@ -69,10 +69,7 @@ impl Results {
 
     /// Text of a quantity; empty if it has none.
     pub fn text(&self, name: &str) -> &str {
-        match self.get(name) {
-            Some(Cell::Text(text)) => text,
-            _ => "",
-        }
+        self.get(name).and_then(Cell::text).unwrap_or_default()
     }
 
     /// Whether a flag is set; `None` if it has no value.
@@ -93,17 +90,12 @@ impl Results {
 
     /// Items of a list; none if there is no list.
     pub fn items(&self, name: &str) -> &[Cell] {
-        match self.get(name) {
-            Some(Cell::List(items)) => items,
-            _ => &[],
-        }
+        self.get(name).map_or(&[], Cell::items)
     }
 
     /// Quantities for readers that have a value: label, value, unit.
     pub fn rows(&self) -> impl Iterator<Item = (&'static str, String, String)> {
-        self.iter()
-            .filter(|(q, _)| q.in_tables)
-            .filter_map(|(q, cell)| Some((q.label, value_text(q, cell)?, q.printed_unit())))
+        self.iter().filter(|(q, _)| q.in_tables).filter_map(row)
     }
 
     /// Values of every ball as a table for readers: the number of the ball, then the lists with a symbol.
@@ -148,10 +140,12 @@ impl Results {
 
     /// Label, value and unit of one quantity, if it has a value.
     pub fn row(&self, name: &str) -> Option<(&'static str, String, String)> {
-        let mut all = self.iter();
-        let (q, cell) = all.find(|(q, _)| q.name == name)?;
-        Some((q.label, value_text(q, cell)?, q.printed_unit()))
+        self.iter().find(|(q, _)| q.name == name).and_then(row)
     }
+}
+
+fn row((q, cell): (&'static Quantity, &Cell)) -> Option<(&'static str, String, String)> {
+    Some((q.label, value_text(q, cell)?, q.printed_unit()))
 }
 
 /// A value for readers, in [`Quantity::printed_unit`]; `None` if there is none.
