@@ -108,23 +108,30 @@ impl Figure {
 
 /// Caption, provenance and buttons under whatever is drawn.
 pub(crate) fn below(id: &str, label: &str, caption: &str, sources: &[&Provenance]) -> String {
-    let mut out = format!(
-        "<figcaption><div class=\"caption\"><b>{}.</b> {}",
-        rich(label),
-        rich(caption)
-    );
-    for source in sources {
-        out.push_str(&format!(
-            "<div class=\"provenance\">{}</div>",
-            rich(&source.line())
-        ));
-    }
-    out.push_str(&format!(
-        "</div><div class=\"save\"><button type=\"button\" data-save=\"svg\" data-figure=\"{id}\" \
+    format!(
+        "{caption}<div class=\"save\"><button type=\"button\" data-save=\"svg\" data-figure=\"{id}\" \
          aria-label=\"Save {name} as SVG\">SVG</button>\
          <button type=\"button\" data-save=\"png\" data-figure=\"{id}\" \
          aria-label=\"Save {name} as PNG\">PNG</button></div></figcaption>\n",
+        caption = captioned(label, caption, sources.iter().copied()),
         name = escape(label),
-    ));
-    out
+    )
+}
+
+/// The begin of a caption: label, text and provenance.
+pub(crate) fn captioned<'p>(
+    label: &str,
+    caption: &str,
+    sources: impl Iterator<Item = &'p Provenance>,
+) -> String {
+    let sources = sources.map(|source| {
+        let line = rich(&source.line());
+        format!("<div class=\"provenance\">{line}</div>")
+    });
+    format!(
+        "<figcaption><div class=\"caption\"><b>{}.</b> {}{}</div>",
+        rich(label),
+        rich(caption),
+        sources.collect::<String>()
+    )
 }

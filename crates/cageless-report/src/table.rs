@@ -1,6 +1,7 @@
 //! A table with units in its header and numbers aligned right.
 
 use crate::data::Provenance;
+use crate::figure::captioned;
 use crate::text::{escape, rich, slug};
 
 /// Bytes of a number from which on it is a list that needs several lines.
@@ -129,21 +130,11 @@ impl Table {
     /// HTML with the anchor `id`.
     pub fn html(&self, id: &str) -> String {
         let mut out = format!(
-            "<figure id=\"{id}\" class=\"tab\"><figcaption><div class=\"caption\"><b>{}.</b> {}",
-            rich(&self.label),
-            rich(&self.caption)
-        );
-        if let Some(source) = &self.provenance {
-            out.push_str(&format!(
-                "<div class=\"provenance\">{}</div>",
-                rich(&source.line())
-            ));
-        }
-        out.push_str(&format!(
-            "</div></figcaption><div class=\"scroll\" role=\"region\" tabindex=\"0\" \
-             aria-label=\"{}\"><table><thead>",
+            "<figure id=\"{id}\" class=\"tab\">{}</figcaption><div class=\"scroll\" role=\"region\" \
+             tabindex=\"0\" aria-label=\"{}\"><table><thead>",
+            captioned(&self.label, &self.caption, self.provenance.iter()),
             escape(&self.label)
-        ));
+        );
         if !self.groups.is_empty() {
             out.push_str("<tr class=\"groups\">");
             for (text, span) in &self.groups {

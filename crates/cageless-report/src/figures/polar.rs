@@ -49,11 +49,6 @@ pub fn loads(run: &RunData) -> Option<Figure> {
             "hovertemplate": format!("{name}<br>ψ %{{theta:.0f}}°<br>%{{r:.4r}} {unit}<extra></extra>"),
         })));
     }
-    let plot = plot.finding(&format!(
-        "The largest contact force is {} N, the highest contact pressure {} MPa.",
-        short(force),
-        short(pressure)
-    ));
     let caption = format!(
         "Forces and peak contact pressures (Hertz) of all balls over their angular position ψ, \
              0° at the bottom, t = {} s to {} s: largest and mean in steps of {}°; the discrete \
@@ -98,7 +93,11 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
             json!({ "xanchor": "center", "yanchor": "bottom", "name": format!("polar{}", if k == 0 { "" } else { "2" }) }),
         );
     }
-    sectors(plot, raceways, force, pressure)
+    sectors(plot, raceways, force, pressure).finding(&format!(
+        "The largest contact force is {} N, the highest contact pressure {} MPa.",
+        short(force),
+        short(pressure)
+    ))
 }
 
 /// Loads of the balls and contact pressures in a static equilibrium.
@@ -131,11 +130,6 @@ pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Prove
             }));
         }
     }
-    let plot = plot.finding(&format!(
-        "The largest contact force is {} N, the highest contact pressure {} MPa.",
-        short(force),
-        short(pressure)
-    ));
     let caption = "Contact force and peak contact pressure (Hertz) of each ball in static equilibrium over \
                   its angular position ψ, 0° at the bottom. Discrete raceways are shaded; there the \
                   pressure at the outer raceway is that of one of two contact points.";
