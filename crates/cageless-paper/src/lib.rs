@@ -17,8 +17,6 @@ mod printed;
 mod structures;
 mod table2;
 
-use cageless::dynamics::InstructionSet;
-use cageless_io::results::VERSION;
 use cageless_report::run_report::ball_pass_mark;
 use cageless_report::{DesignCurve, ReproduceData, RingComparison};
 use cageless_study::{Progress, Work};
@@ -43,7 +41,7 @@ pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
     let design_curve = parameters::design_curve(&case_d);
     let evidence = computed.evidence(&design_curve)?;
     Ok(ReproduceData {
-        software: format!("Cageless {VERSION}, {}", InstructionSet::chosen().name()),
+        software: cageless_results::software(),
         lead: claims::lead(&evidence),
         table1: parameters::table1(&case_d),
         contact_track: Some(parameters::contact_track(&case_d)),

@@ -3,11 +3,11 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
-use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::template;
 use cageless_io::io_error_message;
-use cageless_io::results::{VERSION, write_atomically};
+use cageless_io::results::write_atomically;
 use cageless_report::{engine, studio_page};
+use cageless_results::software;
 
 use crate::args::StudioArgs;
 use crate::driver::{print, read_case};
@@ -22,8 +22,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
         None if args.set.is_empty() => template(false),
         None => return Err(Failure::Input("--set needs a case file".to_owned())),
     };
-    let software = format!("Cageless {VERSION}, {}", InstructionSet::chosen().name());
-    let page = studio_page(&toml, &software);
+    let page = studio_page(&toml, &software());
     if let Some(path) = &args.page {
         if engine().is_none() {
             return Err(Failure::Other(anyhow::anyhow!(
