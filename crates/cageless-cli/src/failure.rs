@@ -9,9 +9,7 @@ use cageless::simulation::{Ending, RunOutcome, Stop};
 use cageless_io::case_file::CaseError;
 use cageless_io::io_error_message;
 use cageless_io::results::ResultError;
-use cageless_paper::PaperError;
 use cageless_study::StudyError;
-use cageless_study::run::RunError;
 
 /// A failed command.
 #[derive(Debug)]
@@ -134,6 +132,7 @@ impl From<StudyError> for Failure {
                 error.problem
             )),
             StudyError::Run(error) => error.into(),
+            StudyError::Rows(error) => Self::Other(anyhow::anyhow!(error)),
             StudyError::Input(message) | StudyError::Foreign(message) => Self::Input(message),
             StudyError::Interrupted => {
                 Self::Interrupted("interrupted before there was a result".to_owned())
@@ -149,29 +148,6 @@ impl From<StudyError> for Failure {
                 path.display(),
                 io_error_message(&source)
             )),
-        }
-    }
-}
-
-impl From<PaperError> for Failure {
-    fn from(error: PaperError) -> Self {
-        match error {
-            PaperError::File(error) => error.into(),
-            PaperError::Case(error) => error.into(),
-            PaperError::CriticalGap(error) => error.into(),
-            PaperError::Equilibrium(error) => error.into(),
-            PaperError::Stopped(stop) => Self::stopped(&stop, ""),
-            PaperError::Interrupted => Self::Interrupted(error.to_string()),
-            PaperError::NoResult(message) => Self::Unphysical(message),
-        }
-    }
-}
-
-impl From<RunError> for Failure {
-    fn from(error: RunError) -> Self {
-        match error {
-            RunError::Start(error) => error.into(),
-            RunError::Rows(error) => Self::Other(anyhow::anyhow!(error)),
         }
     }
 }

@@ -8,9 +8,7 @@ use std::f64::consts::TAU;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::design::search::uneven_gaps_rad;
 use cageless::recorder::keeping;
-use cageless::simulation::{
-    Control, Ending, Observer, ObserverError, StepView, batches, run_batch,
-};
+use cageless::simulation::{Control, Observer, ObserverError, StepView, batches, run_batch};
 use cageless::tolerance::{ball_grade, ball_lot_m};
 use cageless::vibration::VibrationRecorder;
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
@@ -18,14 +16,13 @@ use cageless_report::run_report::filter_note;
 use cageless_report::{
     ComparisonCell, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison, RingNumbers,
 };
-use cageless_study::Work;
-use cageless_study::{SAMPLING_HZ, provenance};
+use cageless_study::{SAMPLING_HZ, StudyError, Work, provenance};
 use rayon::prelude::*;
 
 use outcome::{Outcome, outcome};
 
 use crate::cases;
-use crate::error::PaperError;
+use crate::error::{housing, not_stopped};
 use crate::experiment::{STRETCHES, Stretch};
 use crate::load_zone::load_zone_rad;
 
@@ -93,7 +90,7 @@ struct Plan {
 }
 
 /// Runs every combination of equal balls and of lots of these grades.
-pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, PaperError> {
+pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, StudyError> {
     let plans = plans(grades)?;
     let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
     let found: Vec<Vec<Outcome>> = plans
@@ -102,7 +99,7 @@ pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, Pa
             let units = WORK * plan.case.solver.duration_s / total_s;
             outcomes(plan, progress, units)
         })
-        .collect::<Result<_, PaperError>>()?;
+        .collect::<Result<_, StudyError>>()?;
     let rings = plans.len() / SPEEDS.len() / (1 + grades.len());
     let cells = plans
         .iter()
@@ -112,7 +109,7 @@ pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, Pa
             let conventional = &found[k - k % rings];
             cell(plan, outcomes, (k % rings > 0).then_some(conventional))
         })
-        .collect::<Result<_, PaperError>>()?;
+        .collect::<Result<_, StudyError>>()?;
     Ok(RingComparison {
         cells,
         starts: format!(
@@ -137,7 +134,7 @@ pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, Pa
 }
 
 /// The combinations, by speed, lot and ring.
-fn plans(grades: &[u32]) -> Result<Vec<Plan>, PaperError> {
+fn plans(grades: &[u32]) -> Result<Vec<Plan>, StudyError> {
     let [conventional, discrete] = cases::experiment()?;
     let mut plans = vec![];
     for speed in &SPEEDS {
@@ -172,7 +169,7 @@ fn plans(grades: &[u32]) -> Result<Vec<Plan>, PaperError> {
     Ok(plans)
 }
 
-fn with_raceway(case: &Case, speed: &Speed) -> Result<Case, PaperError> {
+fn with_raceway(case: &Case, speed: &Speed) -> Result<Case, StudyError> {
     let dimensions = RacewayDimensions {
         axial_span_m: speed.found_axial_span_mm * 1e-3,
         half_angle_rad: speed.found_half_angle_deg.to_radians(),
@@ -191,7 +188,7 @@ impl Plan {
     }
 
     /// The case of start `start`, with its own lot of balls.
-    fn start(&self, start: u64) -> Result<Case, PaperError> {
+    fn start(&self, start: u64) -> Result<Case, StudyError> {
         let mut case = self.case.clone();
         let grade = GRADES
             .into_iter()
@@ -265,7 +262,7 @@ impl Observer for OrbitMeter {
 }
 
 /// Runs every start of a combination, side by side.
-fn outcomes(plan: &Plan, progress: &Work<'_>, units: f64) -> Result<Vec<Outcome>, PaperError> {
+fn outcomes(plan: &Plan, progress: &Work<'_>, units: f64) -> Result<Vec<Outcome>, StudyError> {
     let cases: Vec<Case> = (0..STARTS)
         .map(|k| plan.start(k))
         .collect::<Result<_, _>>()?;
@@ -283,13 +280,9 @@ fn side_by_side(
     plan: &Plan,
     progress: &Work<'_>,
     units: f64,
-) -> Result<Vec<Outcome>, PaperError> {
+) -> Result<Vec<Outcome>, StudyError> {
     let (duration_s, after_s) = (plan.case.solver.duration_s, plan.settled_after_s());
-    let Some(housing) = &plan.case.housing else {
-        return Err(PaperError::NoResult(
-            "the case of the experiment needs a [housing]".to_owned(),
-        ));
-    };
+    let housing = housing(&plan.case)?;
     let mut vibrations: Vec<VibrationRecorder> = cases
         .iter()
         .map(|_| VibrationRecorder::new(housing, SAMPLING_HZ, 0.0))
@@ -324,7 +317,7 @@ fn side_by_side(
         for detector in &mut detectors {
             detector
                 .close(duration_s)
-                .map_err(|error| PaperError::NoResult(error.to_string()))?;
+                .map_err(|error| StudyError::Input(error.to_string()))?;
         }
         ended
     };
@@ -332,9 +325,7 @@ fn side_by_side(
     let mut outcomes = vec![];
     for (k, ended) in ended.into_iter().enumerate() {
         let ended = ended?;
-        if let Ending::Stopped(stop) = &ended.ending {
-            return Err(PaperError::Stopped(stop.clone()));
-        }
+        not_stopped(&ended)?;
         let Some(orbit_hz) = orbits[k].orbit_hz() else {
             return crate::error::not_computed();
         };
@@ -362,7 +353,7 @@ fn estimate(outcomes: &[Outcome], of: impl Fn(&Outcome) -> f64) -> Option<Estima
 /// Numbers of a ring of which `of` estimates each.
 fn numbers(
     of: impl Fn(fn(&Outcome) -> f64) -> Option<Estimate>,
-) -> Result<RingNumbers, PaperError> {
+) -> Result<RingNumbers, StudyError> {
     let of = |number| of(number).ok_or_else(no_value);
     Ok(RingNumbers {
         rms_m_s2: of(|o| o.mean_square.sqrt())?,
@@ -380,7 +371,7 @@ fn cell(
     plan: &Plan,
     outcomes: &[Outcome],
     conventional: Option<&Vec<Outcome>>,
-) -> Result<ComparisonCell, PaperError> {
+) -> Result<ComparisonCell, StudyError> {
     let difference = conventional.map(|conventional| {
         numbers(|of| Estimate::of_differences(&values(outcomes, of), &values(conventional, of)))
     });
@@ -391,27 +382,19 @@ fn cell(
             })
             .ok_or_else(no_value)
         };
-        Ok::<_, PaperError>(RecordChange {
+        Ok::<_, StudyError>(RecordChange {
             rms_m_s2: change(|s| s.rms_m_s2)?,
             contacts_per_s: change(|s| s.contacts_per_s)?,
             impulse_rate_n: change(|s| s.impulse_rate_n)?,
         })
     };
-    let raceway = plan.case.raceways.first().map(|raceway| {
-        let d = raceway.dimensions();
-        // Rounding away what the conversion to SI leaves.
-        RacewayLabel {
-            letter: String::new(),
-            axial_span_mm: (d.axial_span_m * 1e9).round() / 1e6,
-            half_angle_deg: (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9,
-        }
-    });
+    let raceway = plan.case.raceways.first();
     Ok(ComparisonCell {
         speed_rpm: plan.rpm,
         lot: plan.lot.clone(),
         lot_diameter_variation_um: plan.lot_variation_m * 1e6,
         ring: plan.ring.to_owned(),
-        raceway,
+        raceway: raceway.map(|one| RacewayLabel::new("", Some(one))),
         numbers: numbers(|of| estimate(outcomes, of))?,
         approach_speed_m_s: estimate(outcomes, |o| o.approach_speed_m_s),
         impulse_n_s: estimate(outcomes, |o| o.impulse_n_s),
@@ -426,8 +409,8 @@ fn cell(
     })
 }
 
-fn no_value() -> PaperError {
-    PaperError::NoResult("a start of the comparison of rings gave no number".to_owned())
+fn no_value() -> StudyError {
+    StudyError::Input("a start of the comparison of rings gave no number".to_owned())
 }
 
 fn source(plans: &[Plan]) -> Provenance {

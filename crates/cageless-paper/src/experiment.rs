@@ -4,16 +4,16 @@ use cageless::Case;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::numerics::moments::Moments;
 use cageless::recorder::{Recorder, keeping};
-use cageless::simulation::{Ending, run};
+use cageless::simulation::run;
 use cageless::snapshot::Snapshot;
 use cageless::vibration::VibrationRecorder;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};
 
 use crate::cases;
-use crate::error::PaperError;
+use crate::error::{housing, not_stopped};
 use crate::load_zone::{load_zone_rad, transition_shares};
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
-use cageless_study::{SAMPLING_HZ, Work, provenance};
+use cageless_study::{SAMPLING_HZ, StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 3.0;
@@ -90,7 +90,7 @@ struct One {
 }
 
 /// Runs both bearings.
-pub fn compute(progress: &Work<'_>) -> Result<Experiment, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<Experiment, StudyError> {
     let both = cases::experiment()?;
     let names = ["conventional", "discrete raceway"];
     let ones = rayon::join(
@@ -123,12 +123,8 @@ pub fn compute(progress: &Work<'_>) -> Result<Experiment, PaperError> {
     })
 }
 
-fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, PaperError> {
-    let Some(housing) = &case.housing else {
-        return Err(PaperError::NoResult(
-            "the case of the experiment needs a [housing]".to_owned(),
-        ));
-    };
+fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, StudyError> {
+    let housing = housing(case)?;
     let mut settled = VibrationRecorder::new(housing, SAMPLING_HZ, SETTLED_AFTER_S);
     let mut whole = VibrationRecorder::new(housing, SAMPLING_HZ, 0.0);
     let mut snapshots: Vec<Snapshot> = vec![];
@@ -150,9 +146,7 @@ fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, PaperError> 
         &mut progress.run_control(duration_s, WORK / 2.0),
     )?;
     drop((recorder, detector));
-    if let Ending::Stopped(stop) = &outcome.ending {
-        return Err(PaperError::Stopped(stop.clone()));
-    }
+    not_stopped(&outcome)?;
     let record = whole.measurements()[1].trace();
     let signal = VibrationSignal {
         time_s: record.iter().map(|point| point[0]).collect(),

@@ -3,11 +3,9 @@
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::{StartingPoint, starting_point};
 use cageless::{FrictionLaw, Profile};
-use cageless_study::Work;
+use cageless_study::{StudyError, Work};
 
-use crate::cases;
-use crate::cases::READINGS;
-use crate::error::PaperError;
+use crate::cases::{self, READINGS};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 2.0;
@@ -25,7 +23,7 @@ pub struct Extra {
 }
 
 /// Computes them.
-pub fn compute(progress: &Work<'_>) -> Result<Extra, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<Extra, StudyError> {
     let usable = |reading: (Profile, FrictionLaw)| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {
@@ -34,7 +32,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Extra, PaperError> {
             Err(_) => None,
         };
         let _ = progress.add(WORK / 3.0);
-        Ok::<_, PaperError>(found)
+        Ok::<_, StudyError>(found)
     };
     let at_speeds = |structure: usize| {
         let mut gaps_deg = [f64::NAN; 2];
@@ -45,7 +43,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Extra, PaperError> {
             *gap = found?.to_degrees();
         }
         let _ = progress.add(WORK / 6.0);
-        Ok::<_, PaperError>(gaps_deg)
+        Ok::<_, StudyError>(gaps_deg)
     };
     let ((published, consistent), (d, h)) = rayon::join(
         || rayon::join(|| usable(READINGS[0]), || usable(READINGS[1])),

@@ -6,16 +6,14 @@ use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::recorder::{Recorder, keeping};
-use cageless::simulation::{Ending, run};
+use cageless::simulation::run;
 use cageless::snapshot::Snapshot;
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 
-use crate::cases::READINGS;
-use crate::cases::{self, label};
-use crate::error::PaperError;
-use cageless_study::Work;
-use cageless_study::provenance;
+use crate::cases::{self, READINGS, label};
+use crate::error::not_stopped;
+use cageless_study::{StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 1.5;
@@ -62,13 +60,13 @@ pub struct Stages {
 }
 
 /// Runs structure (a) under both readings.
-pub fn compute(progress: &Work<'_>) -> Result<[History; 2], PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<[History; 2], StudyError> {
     let [published, consistent] = READINGS;
     let both = rayon::join(|| one(published, progress), || one(consistent, progress));
     Ok([both.0?, both.1?])
 }
 
-fn one(reading: (Profile, FrictionLaw), progress: &Work<'_>) -> Result<History, PaperError> {
+fn one(reading: (Profile, FrictionLaw), progress: &Work<'_>) -> Result<History, StudyError> {
     // As in the paper: balls in pure rolling, the ring where it was before the load came.
     let overrides = [
         "start.state=\"rolling\"".to_owned(),
@@ -86,9 +84,7 @@ fn one(reading: (Profile, FrictionLaw), progress: &Work<'_>) -> Result<History, 
         &mut progress.run_control(case.solver.duration_s, WORK / 2.0),
     )?;
     drop((recorder, detector));
-    if let Ending::Stopped(stop) = &outcome.ending {
-        return Err(PaperError::Stopped(stop.clone()));
-    }
+    not_stopped(&outcome)?;
     let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
     let (neighbours, ball, double_passages) = neighbours(&case, &snapshots, &collisions, &source);
     let (gap, stages) = gap_history(&case, &snapshots, ball, source);

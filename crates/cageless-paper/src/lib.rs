@@ -19,20 +19,19 @@ mod table2;
 
 use cageless_report::run_report::ball_pass_mark;
 use cageless_report::{DesignCurve, ReproduceData, RingComparison};
-use cageless_study::{Progress, Work};
+use cageless_study::{Progress, StudyError, Work};
 
 use cases::READINGS;
 use error::not_computed;
 
 pub use cases::{ODD_ROW, PUBLISHED, Published, experiment, structure, structures_of};
-pub use error::PaperError;
 
 /// Computes every table and figure, in parallel on the threads of the caller's rayon pool.
 ///
 /// # Errors
-/// [`PaperError::Interrupted`] if `progress` ended the work; else the first computation that
+/// [`StudyError::Interrupted`] if `progress` ended the work; else the first computation that
 /// failed.
-pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
+pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, StudyError> {
     let progress = progress.begin("reproduce", WORK);
     let progress = &progress;
     let computed = Simulations::new(progress, &comparison::GRADES)?;
@@ -81,7 +80,7 @@ struct Simulations {
 
 impl Simulations {
     /// Everything, rings with equal balls and with balls of these grades.
-    fn new(progress: &Work<'_>, grades: &[u32]) -> Result<Self, PaperError> {
+    fn new(progress: &Work<'_>, grades: &[u32]) -> Result<Self, StudyError> {
         let (mut table2, mut structures, mut between) =
             (not_computed(), not_computed(), not_computed());
         let (mut histories, mut experiment, mut extra) =
@@ -113,7 +112,7 @@ impl Simulations {
     }
 
     /// The numbers on which claims rest.
-    fn evidence(&self, curve: &DesignCurve) -> Result<claims::Evidence, PaperError> {
+    fn evidence(&self, curve: &DesignCurve) -> Result<claims::Evidence, StudyError> {
         let [published, consistent] = [0, 1].map(|k| cases::structure(3, READINGS[k], &[]));
         let (published, consistent) = (published?, consistent?);
         Ok(claims::Evidence {

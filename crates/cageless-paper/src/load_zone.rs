@@ -6,8 +6,7 @@ use cageless::collision::Collision;
 use cageless::equilibrium::solve;
 use cageless::numerics::angle::wrap_angle_rad;
 use cageless::{Case, Gaps, Start};
-
-use crate::error::PaperError;
+use cageless_study::StudyError;
 
 /// Names of the parts of |ψ| that the transition of Section 4.3, which the paper does not bound,
 /// may be, as in [`transition_rad`].
@@ -41,7 +40,7 @@ const ARRANGEMENTS: u32 = 16;
 
 /// Largest |ψ| at which an evenly spaced ball in static equilibrium carries load at the inner
 /// raceway, to the distance of the angles that [`ARRANGEMENTS`] turned balls take up.
-pub fn load_zone_rad(case: &Case) -> Result<f64, PaperError> {
+pub fn load_zone_rad(case: &Case) -> Result<f64, StudyError> {
     let spacing = TAU / case.bearing.balls() as f64;
     let mut end = 0.0;
     for turned in 0..ARRANGEMENTS {

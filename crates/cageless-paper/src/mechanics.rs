@@ -5,8 +5,7 @@ use cageless::equilibrium::solve;
 use cageless::kinematics::{
     rolling_orbit_speed_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
-
-use crate::error::PaperError;
+use cageless_study::StudyError;
 
 /// Numbers of one bearing, as the paper prints the formulas and as they must be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,12 +28,12 @@ pub struct Mechanics {
 
 impl Mechanics {
     /// From the static equilibrium under the equations as published and without Fw.
-    pub fn new(published: &Case, consistent: &Case) -> Result<Self, PaperError> {
+    pub fn new(published: &Case, consistent: &Case) -> Result<Self, StudyError> {
         let bearing = &consistent.bearing;
         let (rw, rm) = (bearing.ball_radius_m(), bearing.pitch_radius_m());
         // arccos((2Rm² − Rw²)/(2Rm²)) doubled: the chord is Rw.
         let chord = ((2.0 * rm * rm - rw * rw) / (2.0 * rm * rm)).acos();
-        let top = |case: &Case| -> Result<f64, PaperError> {
+        let top = |case: &Case| -> Result<f64, StudyError> {
             let found = solve(case)?;
             let height = |k: &usize| -found.ball_distance_m[*k] * found.ball_angle_rad[*k].cos();
             let highest = (0..bearing.balls()).max_by(|a, b| height(a).total_cmp(&height(b)));
@@ -59,7 +58,7 @@ impl Mechanics {
 }
 
 /// |Fr + mi·g + s ΣFi| over the load, with s = 1, the force on the balls, and s = −1, on the ring.
-fn ring_residual(case: &Case) -> Result<[f64; 2], PaperError> {
+fn ring_residual(case: &Case) -> Result<[f64; 2], StudyError> {
     let found = solve(case)?;
     let mass_kg = case.bearing.dimensions().inner_ring_mass_kg;
     let load_n = case.operation.radial_load_n + mass_kg * case.operation.gravity_m_s2;

@@ -1,15 +1,13 @@
 //! Table 1 and the figures that need no simulation.
 
-use cageless::Case;
-use cageless::RacewayForm;
 use cageless::design::span_angle_curve;
 use cageless::raceway::axial_span_limit_m;
+use cageless::{Case, RacewayForm};
 use cageless_report::{
     ContactTrack, DesignCurve, DesignLimit, LimitedQuantity, Parameter, Provenance, RacewaySurface,
 };
 
-use crate::cases::READINGS;
-use crate::cases::{self, label};
+use crate::cases::{self, READINGS, label};
 
 /// Structure (d), the one that the authors had made.
 const SAMPLE: usize = 3;

@@ -14,11 +14,8 @@ use cageless::{Case, FrictionLaw, Profile, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
-use crate::cases::READINGS;
-use crate::cases::{self, PUBLISHED, Published, label};
-use crate::error::PaperError;
-use cageless_study::Work;
-use cageless_study::provenance;
+use crate::cases::{self, PUBLISHED, Published, READINGS, label};
+use cageless_study::{StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 12.0;
@@ -112,7 +109,7 @@ pub struct Between {
 
 /// Judges structures midway in lC between neighbours of Table 2, θ by Eq. (11), under the reading
 /// `paper`, to whose ten verdicts the thresholds of a verdict were fitted.
-pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, PaperError> {
+pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, StudyError> {
     let pairs: Vec<&[Published]> = PUBLISHED.windows(2).collect();
     pairs
         .par_iter()
@@ -146,13 +143,13 @@ pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, PaperError> {
 type One = (Found, PhasePortrait, OrbitSpeed);
 
 /// Runs all structures under both readings.
-pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], StudyError> {
     let tasks: Vec<(usize, usize)> = (0..2).flat_map(|r| (0..10).map(move |k| (r, k))).collect();
     let share = WORK / tasks.len() as f64;
     let mut found: Vec<One> = tasks
         .par_iter()
         .map(|&(reading, k)| one(READINGS[reading], k, progress, share))
-        .collect::<Result<_, PaperError>>()?;
+        .collect::<Result<_, StudyError>>()?;
     let physical = found.split_off(10);
     Ok([gather(found, READINGS[0])?, gather(physical, READINGS[1])?])
 }
@@ -162,7 +159,7 @@ fn one(
     k: usize,
     progress: &Work<'_>,
     share: f64,
-) -> Result<One, PaperError> {
+) -> Result<One, StudyError> {
     let case = cases::structure(k, reading, &[])?;
     let steady = steady_case(&case);
     let end_s = steady.solver.duration_s;
@@ -229,7 +226,7 @@ fn last_passage(snapshots: &[Snapshot]) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, PaperError> {
+fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, StudyError> {
     let provenance = shared_provenance(&cases::structure(0, reading, &[])?);
     let (found, portraits, passages) = ones.into_iter().collect();
     Ok(Ten {

@@ -10,8 +10,7 @@ use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 
 use crate::cases::{self, ODD_ROW, PUBLISHED, label};
-use crate::error::PaperError;
-use cageless_study::Work;
+use cageless_study::{StudyError, Work};
 
 /// Columns: what the paper can be read as, and the flanks of metal.
 const VARIANTS: [((Profile, FrictionLaw), FlankModel); 5] = [
@@ -121,7 +120,7 @@ fn changes() -> Vec<Change> {
 }
 
 /// Critical gap in degrees; `None` where there is none, or the user ended the work.
-fn gap_deg(case: &Case, test: &PairTest, progress: &Work<'_>) -> Result<Option<f64>, PaperError> {
+fn gap_deg(case: &Case, test: &PairTest, progress: &Work<'_>) -> Result<Option<f64>, StudyError> {
     match critical_gap_rad(case, test, &mut |_| progress.control()) {
         Ok(gap) => Ok(Some(gap.to_degrees())),
         Err(
@@ -138,7 +137,7 @@ fn step_override(step_us: f64) -> String {
 }
 
 /// Computes all gaps.
-pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<Computed, StudyError> {
     let changes = changes();
     // One task for every gap, the longest first: those of the table itself, then for the
     // columns whose spread is shown the base of the spreads and every change.
@@ -178,7 +177,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
             let _ = progress.add(share);
             gap
         })
-        .collect::<Result<_, PaperError>>()?;
+        .collect::<Result<_, StudyError>>()?;
     let find = |column: usize, row: usize, change: &Change| {
         tasks
             .iter()

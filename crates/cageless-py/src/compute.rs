@@ -17,10 +17,10 @@ use cageless_results::{Aim, equilibrium_record};
 use cageless_study::design::{Asked, Designed, design as study_design};
 use cageless_study::drop::{DropRequest, study};
 use cageless_study::rings::rings;
-use cageless_study::run::{Options, RunError, run as simulate};
+use cageless_study::run::{Options, run as simulate};
 use cageless_study::sweep::analysis::{Goal, analyse as analyse_sweep};
 use cageless_study::tolerance::tolerance as within_tolerances;
-use cageless_study::{Progress, comparison, search as study_search};
+use cageless_study::{Progress, StudyError, comparison, search as study_search};
 use pyo3::prelude::*;
 use serde::Serialize;
 
@@ -58,7 +58,7 @@ pub fn run(py: Python<'_>, file: &File, verify: bool, background: Background) ->
         };
         let mut record = simulate(&file, options, progress)?;
         record.verify(&file, progress);
-        Ok::<_, RunError>(record)
+        Ok::<_, StudyError>(record)
     })??;
     let values = record.summary.to_json()?;
     let content = Content::run(move || Ok(run_data(&file, &record)));

@@ -8,9 +8,7 @@ use cageless_cli::Failure;
 use cageless_io::cad::ExportError;
 use cageless_io::case_file::CaseError;
 use cageless_io::results::ResultError;
-use cageless_paper::PaperError;
 use cageless_study::StudyError;
-use cageless_study::run::RunError;
 use pyo3::exceptions::{PyFutureWarning, PyKeyboardInterrupt};
 use pyo3::prelude::*;
 
@@ -90,13 +88,7 @@ macro_rules! as_of_the_command {
     };
 }
 
-as_of_the_command!(
-    EquilibriumError,
-    PaperError,
-    ResultError,
-    RunError,
-    serde_json::Error
-);
+as_of_the_command!(EquilibriumError, ResultError, serde_json::Error);
 
 impl From<RotorError> for Error {
     fn from(error: RotorError) -> Self {

@@ -1,7 +1,6 @@
 //! Names of the columns of sweeps in words.
 
-use cageless_results::Computation;
-use cageless_results::{Quantity, bearing_in_column, of_column, quantities};
+use cageless_results::{Computation, Quantity, bearing_in_column, of_column, quantities};
 
 use crate::sweep::SweepQuantity;
 

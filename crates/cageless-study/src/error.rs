@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use cageless::InputError;
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
+use cageless::simulation::ObserverError;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::journal::JournalError;
 use cageless_io::results::ResultError;
@@ -32,6 +33,9 @@ pub enum StudyError {
     /// A run that everything rests on left the physical range, or did not converge.
     #[error(transparent)]
     Run(#[from] CriticalGapError),
+    /// Rows of a run could not be stored.
+    #[error("{0}")]
+    Rows(ObserverError),
     /// Ended by the progress.
     #[error("interrupted")]
     Interrupted,
@@ -86,6 +90,12 @@ impl StudyError {
             path: path.to_owned(),
             source,
         }
+    }
+}
+
+impl From<EquilibriumError> for StudyError {
+    fn from(error: EquilibriumError) -> Self {
+        Self::Run(error.into())
     }
 }
 

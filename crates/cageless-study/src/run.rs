@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 use std::time::Instant;
 
+use crate::StudyError;
 use cageless::collision::{Collision, CollisionDetector};
-use cageless::equilibrium::EquilibriumError;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Observer, ObserverError, RunOutcome, run as simulate};
 use cageless::snapshot::Snapshot;
@@ -66,17 +66,6 @@ pub struct Options<'r> {
     pub verify: bool,
 }
 
-/// Why there is no record of a run.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// The case is impossible, or its start has no equilibrium.
-    #[error(transparent)]
-    Start(#[from] EquilibriumError),
-    /// The last collisions could not be stored.
-    #[error("{0}")]
-    Rows(ObserverError),
-}
-
 /// A run that has ended.
 pub struct RunRecord {
     /// How it ended.
@@ -121,7 +110,7 @@ pub fn run(
     file: &CaseFile,
     options: Options<'_>,
     progress: &dyn Progress,
-) -> Result<RunRecord, RunError> {
+) -> Result<RunRecord, StudyError> {
     let case = file.case();
     let settled_s = transient_s(case);
     let recorded = options.rows.is_some();
@@ -171,7 +160,7 @@ pub fn run(
         }
         let mut control = work.run_control(case.solver.duration_s, 1.0);
         let outcome = simulate(case, &mut observers, &mut *control)?;
-        collisions.close(outcome.end_s).map_err(RunError::Rows)?;
+        collisions.close(outcome.end_s).map_err(StudyError::Rows)?;
         outcome
     };
     let wall_s = started.elapsed().as_secs_f64();

@@ -1,6 +1,7 @@
 //! `cageless reproduce`: every table and figure of Zhao 2022 next to the paper's numbers.
 
 use cageless_report::{ReproduceData, reproduce_page, to_json};
+use cageless_study::StudyError;
 
 use crate::args::{Output, Reproduce};
 use crate::driver::{Answer, PAGE, PAGE_DATA};
@@ -11,7 +12,12 @@ use crate::format::columns;
 pub fn reproduce(args: &Reproduce) -> Result<(), Failure> {
     let output = Output::of_page(args.json, args.open, &args.out);
     output.drive(&[PAGE, PAGE_DATA], |bars| {
-        let data = cageless_paper::reproduce(bars)?;
+        let data = cageless_paper::reproduce(bars).map_err(|error| match error {
+            StudyError::Interrupted => {
+                Failure::Interrupted("interrupted: no report was written".to_owned())
+            }
+            error => error.into(),
+        })?;
         Ok(Answer {
             files: output.files(|| Ok(vec![(PAGE, Some(reproduce_page(&data)))]))?,
             ..Answer::new(

@@ -4,8 +4,8 @@ use cageless::Case;
 use cageless::collision::Collision;
 use cageless::simulation::RunOutcome;
 use cageless::vibration::{Measurement, PassingSplit};
+use cageless_study::StudyError;
 
-use crate::error::PaperError;
 use crate::experiment::{STRETCHES, Stretch, deviation_deg, stretches};
 use crate::load_zone::transition_shares;
 
@@ -33,7 +33,7 @@ pub fn outcome(
     orbit_hz: f64,
     contacts: &[Collision],
     load_zone_rad: f64,
-) -> Result<Outcome, PaperError> {
+) -> Result<Outcome, StudyError> {
     let after_s = case.solver.duration_s / 2.0;
     let of = |trace: &[[f64; 2]]| -> Vec<f64> {
         let settled = trace.iter().filter(|[time_s, _]| *time_s >= after_s);
@@ -49,7 +49,7 @@ pub fn outcome(
     let split = match PassingSplit::new(&values, vertical.interval_s(), orbit_hz) {
         Some(split) if vertical.trace_stretch_s().is_none() => split,
         _ => {
-            return Err(PaperError::NoResult(
+            return Err(StudyError::Input(
                 "the run is too short or too long to split its vibration".to_owned(),
             ));
         }

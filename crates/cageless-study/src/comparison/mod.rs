@@ -18,7 +18,7 @@ pub use result::{ComparedResult, RingComparison, RingResults, Starts};
 use crate::error::StudyError;
 use crate::histories::SAMPLING_HZ;
 use crate::progress::{Progress, Work};
-use crate::run::{Options, RunError, RunRecord, run};
+use crate::run::{Options, RunRecord, run};
 use crate::together::{Record, RunRecorder, run_together};
 use cageless_results::{COMPARED, RUN, Results, Subject};
 
@@ -102,10 +102,7 @@ fn recorded(file: &CaseFile, work: &Work<'_>) -> Result<RunRecord, StudyError> {
         rows: Some(&mut rows),
         verify: false,
     };
-    let record = run(file, options, &Part(work)).map_err(|error| match error {
-        RunError::Start(error) => StudyError::Run(error.into()),
-        RunError::Rows(error) => StudyError::Input(error.to_string()),
-    })?;
+    let record = run(file, options, &Part(work))?;
     let _ = work.add(1.0);
     match &record.outcome.ending {
         Ending::Complete => Ok(record),
@@ -153,7 +150,7 @@ fn outcomes(
     let control = |runs: usize| work.run_control(duration_s, runs as f64);
     let runs = run_together(&cases, record, control).ok_or(StudyError::Interrupted)?;
     let outcomes = runs.into_iter().zip(&cases).map(|(run, case)| {
-        let (recorder, outcome) = run.map_err(CriticalGapError::Case)?;
+        let (recorder, outcome) = run?;
         if !matches!(outcome.ending, Ending::Complete) {
             return Err(stopped(&outcome.ending));
         }

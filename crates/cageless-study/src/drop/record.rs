@@ -9,8 +9,9 @@ use cageless::snapshot::Snapshot;
 use cageless_results::{DropJudgement, DropResult};
 
 use super::side_by_side::recorders;
+use crate::StudyError;
 use crate::progress::Progress;
-use crate::run::{Rows, RunError};
+use crate::run::Rows;
 
 /// One drop with its record.
 pub struct DropRecord {
@@ -49,7 +50,7 @@ impl DropRecord {
         drop: &RotorDrop,
         rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
         progress: &dyn Progress,
-    ) -> Result<Self, RunError> {
+    ) -> Result<Self, StudyError> {
         let cases = drop.cases();
         let work = progress.begin("drop", 1.0);
         let mut control = work.run_control(cases[0].solver.duration_s, 1.0);
@@ -96,7 +97,7 @@ impl DropRecord {
                 .collect();
             let outcome = drop.run(&mut observers, &mut *control)?;
             for (detector, outcome) in detectors.iter_mut().zip(&outcome.bearings) {
-                detector.close(outcome.end_s).map_err(RunError::Rows)?;
+                detector.close(outcome.end_s).map_err(StudyError::Rows)?;
             }
             outcome
         };

@@ -12,7 +12,7 @@ use super::verification::verify;
 use super::{BearingRecord, DropRecord, Ensemble, Succession, check_drops, ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
-use crate::run::{Rows, RunError};
+use crate::run::Rows;
 use crate::warnings::{of_drop, of_scattered};
 
 /// What a study of a drop computes beside the drop.
@@ -82,7 +82,7 @@ pub fn study<'r>(
     request: DropRequest,
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
     progress: &dyn Progress,
-) -> Result<DropStudy, RunError> {
+) -> Result<DropStudy, StudyError> {
     let record = DropRecord::of(&drop, rows, progress)?;
     let mut study = DropStudy::new(drop, record);
     if !matches!(study.record.ending(), Ending::Complete) {

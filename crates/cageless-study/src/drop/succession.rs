@@ -7,8 +7,8 @@ use cageless_io::plan_file::VariantFile;
 use cageless_results::{DropJudgement, Record, SuccessiveDrop, succession_record};
 
 use super::DropRecord;
+use crate::StudyError;
 use crate::progress::Progress;
-use crate::run::RunError;
 
 /// Drops one after the other: a record for each drop and bearing, in this order.
 #[derive(Default)]
@@ -45,7 +45,7 @@ impl Succession {
         first: &mut DropRecord,
         count: u64,
         progress: &dyn Progress,
-    ) -> Result<Self, RunError> {
+    ) -> Result<Self, StudyError> {
         let mut done = Self::default();
         let mut warm_c = done.add(drop, first);
         let mut spun_up = has_spun_up(first);
