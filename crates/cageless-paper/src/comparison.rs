@@ -22,7 +22,7 @@ use rayon::prelude::*;
 use outcome::{Outcome, outcome};
 
 use crate::cases;
-use crate::error::{housing, not_stopped};
+use crate::error::housing;
 use crate::experiment::{STRETCHES, Stretch};
 use crate::load_zone::load_zone_rad;
 
@@ -315,9 +315,7 @@ fn side_by_side(
         );
         drop(observers);
         for detector in &mut detectors {
-            detector
-                .close(duration_s)
-                .map_err(|error| StudyError::Input(error.to_string()))?;
+            detector.close(duration_s).map_err(StudyError::Rows)?;
         }
         ended
     };
@@ -325,7 +323,7 @@ fn side_by_side(
     let mut outcomes = vec![];
     for (k, ended) in ended.into_iter().enumerate() {
         let ended = ended?;
-        not_stopped(&ended)?;
+        StudyError::unless_complete(&ended.ending)?;
         let Some(orbit_hz) = orbits[k].orbit_hz() else {
             return crate::error::not_computed();
         };

@@ -10,7 +10,7 @@ use cageless::vibration::VibrationRecorder;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};
 
 use crate::cases;
-use crate::error::{housing, not_stopped};
+use crate::error::housing;
 use crate::load_zone::{load_zone_rad, transition_shares};
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
 use cageless_study::{SAMPLING_HZ, StudyError, Work, provenance};
@@ -146,7 +146,7 @@ fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, StudyError> 
         &mut progress.run_control(duration_s, WORK / 2.0),
     )?;
     drop((recorder, detector));
-    not_stopped(&outcome)?;
+    StudyError::unless_complete(&outcome.ending)?;
     let record = whole.measurements()[1].trace();
     let signal = VibrationSignal {
         time_s: record.iter().map(|point| point[0]).collect(),

@@ -12,7 +12,6 @@ use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 
 use crate::cases::{self, READINGS, label};
-use crate::error::not_stopped;
 use cageless_study::{StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
@@ -84,7 +83,7 @@ fn one(reading: (Profile, FrictionLaw), progress: &Work<'_>) -> Result<History, 
         &mut progress.run_control(case.solver.duration_s, WORK / 2.0),
     )?;
     drop((recorder, detector));
-    not_stopped(&outcome)?;
+    StudyError::unless_complete(&outcome.ending)?;
     let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
     let (neighbours, ball, double_passages) = neighbours(&case, &snapshots, &collisions, &source);
     let (gap, stages) = gap_history(&case, &snapshots, ball, source);

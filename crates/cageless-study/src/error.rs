@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cageless::InputError;
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::ObserverError;
+use cageless::simulation::{Ending, ObserverError};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::journal::JournalError;
 use cageless_io::results::ResultError;
@@ -77,6 +77,19 @@ impl StudyError {
                 }
             }
             error => error.into(),
+        }
+    }
+
+    /// Refuses a run that has not come to its end.
+    ///
+    /// # Errors
+    /// Why it ended.
+    pub fn unless_complete(ending: &Ending) -> Result<(), Self> {
+        match ending {
+            Ending::Complete => Ok(()),
+            Ending::Stopped(stop) => Err(CriticalGapError::Stopped(stop.clone()).into()),
+            Ending::ObserverFailed(error) => Err(Self::Input(error.to_string())),
+            Ending::Interrupted => Err(Self::Interrupted),
         }
     }
 

@@ -5,8 +5,7 @@
 mod result;
 
 use cageless::Case;
-use cageless::critical_gap::CriticalGapError;
-use cageless::simulation::{Ending, Observer};
+use cageless::simulation::Observer;
 use cageless::summary::transient_s;
 use cageless::vibration::VibrationRecorder;
 use cageless_io::OptionError;
@@ -104,10 +103,8 @@ fn recorded(file: &CaseFile, work: &Work<'_>) -> Result<RunRecord, StudyError> {
     };
     let record = run(file, options, &Part(work))?;
     let _ = work.add(1.0);
-    match &record.outcome.ending {
-        Ending::Complete => Ok(record),
-        ending => Err(stopped(ending)),
-    }
+    StudyError::unless_complete(&record.outcome.ending)?;
+    Ok(record)
 }
 
 /// The work of a comparison as the progress of one of its runs, which only cancels.
@@ -151,9 +148,7 @@ fn outcomes(
     let runs = run_together(&cases, record, control).ok_or(StudyError::Interrupted)?;
     let outcomes = runs.into_iter().zip(&cases).map(|(run, case)| {
         let (recorder, outcome) = run?;
-        if !matches!(outcome.ending, Ending::Complete) {
-            return Err(stopped(&outcome.ending));
-        }
+        StudyError::unless_complete(&outcome.ending)?;
         let results =
             (recorder.run).finished(case, &outcome, |run| Results::of(RUN, Subject::Run(run)));
         let results = match &recorder.vibration {
@@ -169,12 +164,4 @@ fn outcomes(
             .collect())
     });
     outcomes.collect()
-}
-
-fn stopped(ending: &Ending) -> StudyError {
-    match ending {
-        Ending::Stopped(stop) => StudyError::Run(CriticalGapError::Stopped(stop.clone())),
-        Ending::ObserverFailed(error) => StudyError::Input(error.to_string()),
-        Ending::Complete | Ending::Interrupted => StudyError::Interrupted,
-    }
 }
