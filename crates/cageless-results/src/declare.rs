@@ -132,11 +132,6 @@ pub(crate) fn rpm(speed_rad_s: f64) -> f64 {
     speed_rad_s * 60.0 / TAU
 }
 
-/// A time in the unit of those of drops.
-pub(crate) fn milliseconds(time_s: f64) -> f64 {
-    1e3 * time_s
-}
-
 pub(crate) fn some(value: f64) -> Cell {
     Some(value).into()
 }

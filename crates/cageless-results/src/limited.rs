@@ -2,8 +2,7 @@
 
 use cageless::touchdown::Limit;
 
-use crate::declare::milliseconds;
-use crate::table::{DROP, SUCCESSION};
+use crate::table::{DROP, SUCCESSION, milliseconds};
 use crate::{Aim, DropJudgement, Quantity, Results};
 
 /// The verdict with those of the limits that concern a drop with these results.

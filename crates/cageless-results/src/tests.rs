@@ -450,8 +450,8 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         ("ring_x_mean_um", s.ring_x_mean_m / MICROMETRE),
         ("ring_y_mean_um", s.ring_y_mean_m / MICROMETRE),
         ("ring_z_mean_um", space.ring_z_mean_m / MICROMETRE),
-        ("tilt_x_mean_mrad", 1e3 * space.tilt_mean_rad[0]),
-        ("tilt_y_mean_mrad", 1e3 * space.tilt_mean_rad[1]),
+        ("tilt_x_mean_mrad", space.tilt_mean_rad[0] / 0.001),
+        ("tilt_y_mean_mrad", space.tilt_mean_rad[1] / 0.001),
         (
             "inner_contact_angle_mean_deg",
             space.inner_contact_angle_mean_rad / DEGREE,

@@ -116,6 +116,11 @@ const STANDSTILL: &str = "at standstill of the rotor, all heat of drop and spin-
 const ADIABATIC: &str =
     "start and heat of the drop over the heat capacity of the part, none of which is lost";
 
+/// A time in the unit of those of drops.
+pub(crate) fn milliseconds(time_s: f64) -> f64 {
+    1e3 * time_s
+}
+
 fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {
     drop.summary.end_power.as_ref().map(of).into()
 }

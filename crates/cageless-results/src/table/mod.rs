@@ -14,6 +14,7 @@ use crate::quantity::{Quantity, bearing_in_column};
 
 pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWAY, VERDICT};
 pub(crate) use design::{CURVE, RECOMMENDATION};
+pub(crate) use drop::milliseconds;
 pub use drop::{DROP, PLANE, ROTOR_DROP, SUCCESSION};
 pub use run::{COMPARED, RUN};
 pub use search::{
