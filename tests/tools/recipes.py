@@ -48,11 +48,11 @@ law_struct! {
 
 impl Law for Rising {
     #[inline(always)]
-    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-        let knee = tanh(sliding_m_s * self.inverse_regularisation_speed);
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
+        let knee = tanh(sliding_m_s * inverse_knee_s_m);
         let largest = self.coefficient * normal_n;
         let factor = 1.0 + self.rise * sliding_m_s.abs();
-        let slope = largest * (1.0 - knee * knee) * self.inverse_regularisation_speed;
+        let slope = largest * (1.0 - knee * knee) * inverse_knee_s_m;
         [largest * knee * factor, slope * factor + largest * self.rise * knee.abs()]
     }
 

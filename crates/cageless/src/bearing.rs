@@ -52,7 +52,7 @@ pub struct Bearing {
     /// Rw of every ball − Rw; empty if all are equal.
     deviations_m: Vec<f64>,
     bore: Option<InnerRingBore>,
-    /// Way of assembly, where it is given or follows from the contact angle.
+    /// Way of assembly, where it is not that of the contact angle or the number of balls.
     assembly: Option<Assembly>,
     contact_angle_rad: f64,
     preload_change_m: f64,
@@ -216,19 +216,23 @@ impl Bearing {
         })
     }
 
-    /// Bearing that is assembled in this way; by default one with a contact angle has no slot, another is
-    /// assembled as its number of balls requires.
+    /// Bearing, with its contact angle, that is assembled in this way.
     #[must_use]
     pub fn with_assembly(mut self, assembly: Assembly) -> Self {
-        self.assembly = Some(assembly);
+        self.assembly = None;
+        self.assembly = (self.assembly() != assembly).then_some(assembly);
         self
     }
 
-    /// Way of assembly.
+    /// Way of assembly: unless given, rings with a contact angle go together over a counterbored shoulder,
+    /// others as their number of balls requires.
     pub fn assembly(&self) -> Assembly {
         let d = &self.dimensions;
-        (self.assembly)
-            .unwrap_or_else(|| Assembly::of(d.balls, d.ball_radius_m, d.pitch_radius_m()))
+        match self.assembly {
+            Some(assembly) => assembly,
+            None if self.contact_angle_rad > 0.0 => Assembly::WithoutSlot,
+            None => Assembly::of(d.balls, d.ball_radius_m, d.pitch_radius_m()),
+        }
     }
 
     /// The dimensions as given.

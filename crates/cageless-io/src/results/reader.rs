@@ -15,7 +15,6 @@ use parquet::schema::types::TypePtr;
 
 use super::checksum::{CHECKSUM, Fault, verify};
 use super::error::ResultError;
-use super::run_tables::of_length;
 use super::table::{Column, ColumnKind, GROUP_ROWS, Row, UNIT};
 use crate::system::io_error_message;
 
@@ -184,6 +183,16 @@ pub(super) fn checked(path: &Path, rows: usize) -> Result<SerializedFileReader<F
         ));
     }
     Ok(reader)
+}
+
+/// The contents of a column if it has so many rows.
+pub(super) fn of_length<T>(values: Vec<T>, count: usize) -> Result<Vec<T>, ParquetError> {
+    if values.len() == count {
+        Ok(values)
+    } else {
+        let message = "its columns are not of one length".to_owned();
+        Err(ParquetError::General(message))
+    }
 }
 
 /// The column of a field; `None` if it is none of ours.

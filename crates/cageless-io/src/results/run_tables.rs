@@ -9,7 +9,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use super::columns::run_columns;
 use super::error::ResultError;
-use super::reader::checked;
+use super::reader::{checked, of_length};
 use super::table::Column;
 
 /// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
@@ -92,14 +92,4 @@ fn read(column: ColumnReader, count: usize) -> Result<Vec<f64>, ParquetError> {
         _ => return Err(ParquetError::General("unknown type of column".to_owned())),
     }
     of_length(values, count)
-}
-
-/// The contents of a column if it has so many rows.
-pub(super) fn of_length<T>(values: Vec<T>, count: usize) -> Result<Vec<T>, ParquetError> {
-    if values.len() == count {
-        Ok(values)
-    } else {
-        let message = "its columns are not of one length".to_owned();
-        Err(ParquetError::General(message))
-    }
 }

@@ -1,7 +1,6 @@
 //! Contact angles of a bearing without load, and the shoulders that limit them.
 
 use super::{Bearing, BearingDimensions};
-use crate::assembly::Assembly;
 use crate::contact::hertz::PointContact;
 use crate::error::{Allowed, InputError};
 use crate::limits::require;
@@ -74,8 +73,6 @@ impl Bearing {
             let rule = "smaller: fits and temperatures open the bearing until its free contact angle is beyond the shoulder";
             return Err(InputError::rule(FIELD, angle_rad, rule));
         }
-        // The rings go together over a counterbored shoulder.
-        self.assembly = self.assembly.or(Some(Assembly::WithoutSlot));
         self.contact_angle_rad = free;
         self.preload_change_m = room * (by_itself.sin() - free.sin());
         [self.inner_contact, self.outer_contact] = self.contacts_at([free; 2]);

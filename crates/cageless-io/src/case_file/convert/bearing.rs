@@ -32,14 +32,14 @@ impl Converter<'_> {
         let interference_max_m = dimensions.interference_max_m(&materials);
         let mut bearing = Bearing::new(dimensions, materials)
             .map_err(|e| self.refused_interference(&e, interference_max_m, fit))?;
-        if let Some(assembly) = b.assembly {
-            bearing = bearing.with_assembly(assembly);
-        }
         let refused = |e| self.refused(&e, None);
         if let Some(angle) = b.contact_angle_rad {
             let enlargement_m = fit.map_or(0.0, |fit| fit.change_m());
             let angular = bearing.with_contact_angle(angle, enlargement_m);
             bearing = angular.map_err(refused)?;
+        }
+        if let Some(assembly) = b.assembly {
+            bearing = bearing.with_assembly(assembly);
         }
         // The bore that is to catch a rotor.
         let (inertia, radius) = (b.inner_ring_polar_inertia_kg_m2, b.inner_ring_bore_radius_m);
