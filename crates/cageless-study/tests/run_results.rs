@@ -43,6 +43,7 @@ fn summary_and_tables_are_views_of_one_table() {
         "rotor",
         "support",
         "ring_z",
+        "tilt",
         "contact_angle",
         "ellipse_edge",
     ];
