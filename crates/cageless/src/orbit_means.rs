@@ -139,9 +139,12 @@ impl OrbitMeansTracker {
         let [x, y] = [x[0], y[0]];
         if sampled {
             let balls = view.contacts.balls();
-            for k in 0..2 {
-                let sum: f64 = (0..balls).map(|ball| rotations_rad_s(view, ball)[k]).sum();
-                self.rotation_sum[k] += sum / balls as f64;
+            let sums = (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
+                let [of_ball, more] = rotations_rad_s(view, k);
+                [absolute + of_ball, beyond + more]
+            });
+            for (total, sum) in self.rotation_sum.iter_mut().zip(sums) {
+                *total += sum / balls as f64;
             }
             self.rotation_samples += 1;
         }
@@ -213,6 +216,7 @@ impl OrbitMeansTracker {
 
 /// Absolute rotational speed of ball `k`, and that in the frame of its orbit less the orbital speed, rad/s;
 /// in the plane both are its spin.
+#[inline]
 fn rotations_rad_s(view: &StepView<'_, '_>, k: usize) -> [f64; 2] {
     let spin = view.contacts.rotation_rad_s(k);
     if !view.layout().is_in_space() {
