@@ -1,8 +1,9 @@
 //! Raceways that are accepted, as rings.
 
 use crate::outer_ring::{SIZE, bearing, edges_are_shared_by_two, ring};
+use crate::slot_ring::slot;
 use cageless::surface::{Mesh, OuterRing, OuterRingDimensions, Patch};
-use cageless::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
+use cageless::{Raceway, RacewayDimensions};
 use proptest::prelude::*;
 
 /// A ring with this raceway: the contact angle falls steadily to 0, contacts are on the groove, the
@@ -86,20 +87,10 @@ proptest! {
         section in -20.0f64..20.0,
         turned: bool,
     ) {
-        let dimensions = RacewayDimensions {
-            axial_span_m: span * 1e-3,
-            half_angle_rad: angle.to_radians(),
-            centre_angle_rad: centre.to_radians(),
-        };
-        let form = RacewayForm {
-            shape: RacewayShape::Slot,
-            edge_radius_m: edge * 1e-3,
-            ..RacewayForm::default()
-        };
         let section = if turned { section.to_radians() } else { 0.0 };
         // Room for every floor.
         let size = OuterRingDimensions { outer_ring_outer_radius_m: 45e-3, ..SIZE };
-        let made = Raceway::formed(dimensions, form, &bearing())
+        let made = slot(&bearing(), [span, edge, angle, centre])
             .and_then(|slot| slot.with_section_angle(section, &bearing()))
             .and_then(|slot| OuterRing::new(&bearing(), &[slot], size));
         let Ok(ring) = made else {

@@ -19,9 +19,9 @@ const SIZE: OuterRingDimensions = OuterRingDimensions {
 };
 
 /// lC and re in mm, θ and ψ of the middle in degrees.
-type Given = [f64; 4];
+pub type Given = [f64; 4];
 
-fn slot(bearing: &Bearing, [span, edge, angle, centre]: Given) -> Result<Raceway, InputError> {
+pub fn slot(bearing: &Bearing, [span, edge, angle, centre]: Given) -> Result<Raceway, InputError> {
     let dimensions = RacewayDimensions {
         axial_span_m: span * 1e-3,
         half_angle_rad: angle.to_radians(),

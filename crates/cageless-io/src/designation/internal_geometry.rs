@@ -74,11 +74,17 @@ impl BoundaryDimensions {
             }
         };
         let angle = ball_angle(ball_diameter_mm);
-        let (caged_balls, source) = match self.contact_angle_deg > 0.0 {
-            false => (caged_balls, source),
+        let group = CLEARANCE_UM
+            .iter()
+            .find(|(bore, ..)| self.bore_mm <= f64::from(*bore));
+        let (_, least, most) = group.copied().unwrap_or_default();
+        let (caged_balls, source, clearance_um) = match self.contact_angle_deg > 0.0 {
+            false => (caged_balls, source, f64::from(least + most) / 2.0),
+            // The contact angle is that without load.
             true => (
                 (CAGED_SHARE * TAU / angle) as usize,
                 BallSource::AngularContact,
+                0.0,
             ),
         };
         let balls = if full_complement {
@@ -86,15 +92,6 @@ impl BoundaryDimensions {
         } else {
             let [ball, pitch] = [ball_diameter_mm, pitch_diameter_mm].map(|mm| 0.5e-3 * mm);
             caged_balls.max(Bearing::balls_that_hold_ring(ball, pitch))
-        };
-        let group = CLEARANCE_UM
-            .iter()
-            .find(|(bore, ..)| self.bore_mm <= f64::from(*bore));
-        let (_, least, most) = group.copied().unwrap_or_default();
-        // The contact angle is that without load.
-        let clearance_um = match self.contact_angle_deg > 0.0 {
-            false => f64::from(least + most) / 2.0,
-            true => 0.0,
         };
         InternalGeometry {
             ball_diameter_mm,

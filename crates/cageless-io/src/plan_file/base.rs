@@ -66,11 +66,11 @@ impl From<RotorFile> for VariantFile {
 }
 
 impl VariantFile {
-    /// Passes a file whose rotor can be dropped.
+    /// Passes a file whose motion can be computed.
     ///
     /// # Errors
     /// A [`CaseError`] that names what motion in space does not have.
-    pub fn check_drop(&self) -> Result<(), CaseError> {
+    pub fn check_motion(&self) -> Result<(), CaseError> {
         let mut cases = self.cases().iter();
         cases.try_for_each(|file| file.checked(Case::check_motion))
     }

@@ -40,7 +40,7 @@ impl DropRequest {
                 missing_rotor()
             ))
         };
-        file.check_drop()?;
+        file.check_motion()?;
         let drop = file.drop().ok_or_else(missing)?;
         for (option, count) in [("samples", self.samples), ("drops", self.drops)] {
             count.map_or(Ok(()), |count| check_drops(option, count))?;

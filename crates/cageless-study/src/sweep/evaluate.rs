@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
+use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::equilibrium::{self, space};
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
-use cageless::{Case, InputError};
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind, Row};
@@ -40,16 +40,11 @@ pub(crate) const REASON: &str = "reason";
 
 /// Passes a file that these computations take.
 fn check_space(file: &VariantFile, compute: &[Computation]) -> Result<(), CaseError> {
-    let each = |check: fn(&Case) -> Result<(), InputError>| {
-        let mut cases = file.cases().iter();
-        cases.try_for_each(|case| case.checked(check))
-    };
-    compute
-        .iter()
-        .try_for_each(|computation| match computation {
-            Computation::Static => Ok(()),
-            _ => each(Case::check_motion),
-        })
+    let at_rest = |computation: &Computation| matches!(computation, Computation::Static);
+    match compute.iter().all(at_rest) {
+        true => Ok(()),
+        false => file.check_motion(),
+    }
 }
 
 impl Sweep {

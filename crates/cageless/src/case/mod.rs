@@ -23,6 +23,7 @@ use crate::flank_model::FlankModel;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::lubrication::Lubrication;
+use crate::numerics::root;
 use crate::profile::Profile;
 use crate::raceway::{Raceway, RacewayForm};
 use crate::rotor::{Rotor, Support};
@@ -349,17 +350,13 @@ impl Case {
     /// Force with which each ball of one row bears a thrust without any other load, N.
     pub(crate) fn thrust_on_ball_n(&self, thrust_n: f64) -> f64 {
         let balls = self.bearing.balls() as f64;
-        let [mut less, mut more] = [0.0, self.bearing.dimensions().groove_distance_m()];
-        for _ in 0..60 {
-            let middle = 0.5 * (less + more);
-            let [force_n, sine] = self.pressed_along_axis(middle);
-            if balls * force_n * sine < thrust_n {
-                less = middle;
-            } else {
-                more = middle;
-            }
-        }
-        self.pressed_along_axis(more)[0]
+        let beyond = |displacement_m: f64| {
+            let [force_n, sine] = self.pressed_along_axis(displacement_m);
+            balls * force_n * sine - thrust_n
+        };
+        let most = self.bearing.dimensions().groove_distance_m();
+        let displacement_m = root::brent(beyond, 0.0, most, 0.0).unwrap_or(most);
+        self.pressed_along_axis(displacement_m)[0]
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

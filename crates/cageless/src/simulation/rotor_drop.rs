@@ -177,8 +177,7 @@ impl RotorDrop {
     }
 
     fn is_vertical(&self) -> bool {
-        let rotor = self.cases[0].rotor.as_ref();
-        rotor.is_some_and(|rotor| rotor.shaft == Shaft::Vertical)
+        self.cases[0].upward() == 2
     }
 
     /// A value of the rotor, which all cases have.
