@@ -253,6 +253,10 @@ fn options_that_are_no_numbers() {
             "--friction -0.1 is not possible: it must be from 0 to 0.007",
         ),
         (
+            &["tolerance", case, "--contact-angle-deg", "0.2"],
+            "it must be 0 in the plane",
+        ),
+        (
             &["drop", case, "--samples", "-1"],
             "a whole number, 0 or more",
         ),

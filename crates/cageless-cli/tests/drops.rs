@@ -1,6 +1,6 @@
 //! Drops of new cases and what the command prints of drops.
 
-use crate::common::{call, repository_case};
+use crate::common::{call, call_on, repository_case};
 
 #[test]
 fn a_new_touch_down_case_drops_at_once() {
@@ -40,6 +40,18 @@ fn a_new_touch_down_case_drops_at_once() {
             "{name}: {gyration} {bore}"
         );
     }
+}
+
+/// Fewer drops than were asked for are a partial result: exit code 3, its numbers, and the reason.
+#[test]
+fn drops_that_are_not_possible_are_missed() {
+    let case = repository_case("touchdown-d.toml");
+    let sets = ["solver.duration_s=0.002"];
+    let answer = call_on("drop", &case, &sets, &["--drops", "2", "--json"]);
+    assert_eq!(answer.code, Some(3), "{answer:?}");
+    assert_eq!(answer.json()["succession"].as_array().unwrap().len(), 1);
+    let reason = "drop 2 needs the temperatures after drop 1: the inner ring has not come up to speed";
+    assert!(answer.stderr.contains(reason), "{answer:?}");
 }
 
 #[test]

@@ -105,6 +105,12 @@ impl Request {
             let allowed = format!("at most {SAMPLES_MAX}");
             return Err(OptionError::not_possible("samples", self.samples, &allowed).into());
         }
+        let in_space = case.moves_in_space();
+        if !in_space && ![0.0, Self::default().contact_angle_deg].contains(&self.contact_angle_deg) {
+            let allowed = "0 in the plane: model.motion = \"space\" has contact angles";
+            let given = self.contact_angle_deg;
+            return Err(OptionError::not_possible("contact_angle_deg", given, allowed).into());
+        }
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
                 let unit = match option.rsplit('_').next() {
@@ -128,7 +134,7 @@ impl Request {
             groove_depth_m: self.groove_depth_um * 1e-6,
             axial_span_m: self.axial_span_um * 1e-6,
             half_angle_rad: self.half_angle_deg.to_radians(),
-            section_angle_rad: match case.moves_in_space() {
+            section_angle_rad: match in_space {
                 true => self.contact_angle_deg.to_radians(),
                 false => 0.0,
             },

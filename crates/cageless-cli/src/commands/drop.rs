@@ -47,10 +47,12 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
             true => format!("bearing {}: ", study.record.last_index() + 1),
             false => String::new(),
         };
+        let cut_short = study.succession.cut_short;
         let ending = Failure::of_outcome(study.record.into_last_outcome(), rest_interrupted, out);
+        let ending = ending.map_err(|failure| failure.stopped_at(&place));
         Ok(Answer {
             files,
-            ending: ending.map_err(|failure| failure.stopped_at(&place)),
+            ending: ending.and_then(|()| cut_short.map(Failure::Unphysical).map_or(Ok(()), Err)),
             ..Answer::new(SUMMARY, json, text)
         })
     })

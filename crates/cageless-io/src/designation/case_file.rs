@@ -162,7 +162,7 @@ outer_ring_width_mm = {width:<24} # B
 
 [operation]
 inner_speed_rpm = {speed:<28} # (assumed) n·Dpw of 300,000 mm/min
-radial_load_n = {load:<30} # (assumed) about 5 % of the static load rating
+radial_load_n = {load:<30} # (assumed) about 4 % of the static load rating
 
 [contact]
 friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3

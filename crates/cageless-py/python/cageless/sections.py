@@ -39,7 +39,7 @@ class Bearing(Section):
     outer_groove_curvature_radius_mm: Annotated[float | None, "Re, radius of the outer groove in the meridian plane"] = None
     inner_conformity: Annotated[float | None, "fi, radius of the inner groove over Dw, in place of that radius; 0.52 unless one is given"] = None
     outer_conformity: Annotated[float | None, "fo = Re/Dw, in place of that radius; 0.52 unless one is given"] = None
-    inner_ring_mass_kg: Annotated[float | None, "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given"] = None
+    inner_ring_mass_kg: Annotated[float | None, "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given"] = None
     inner_ring_damping_n_s_m: Annotated[float | None, "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]"] = None
     inner_ring_polar_inertia_kg_m2: Annotated[float | None, "Ji of the inner ring with what turns with it, needed under a [rotor]"] = None
     inner_ring_bore_radius_mm: Annotated[float | None, "Rb, radius of the bore of the inner ring, needed under a [rotor]"] = None
@@ -78,7 +78,7 @@ class Raceway(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Row(Section):
-    """`[row]`: a row of balls, where one inner ring has several; only for `static` and `run`."""
+    """`[row]`: a row of balls, where one inner ring has several."""
 
     axial_position_mm: Annotated[float, "z of the middle of the row"]
     contact_sign: Annotated[float | None, "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem"] = None

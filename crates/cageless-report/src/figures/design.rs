@@ -22,10 +22,24 @@ pub fn curve(design: &DesignCurve) -> Figure {
         let polar = line(name, spans, angles, PALETTE[2]);
         plot = plot.trace(polar.dash("dash").width(1.8));
     }
+    let (legend, shown) = match design.paper.as_slice() {
+        [] => ("", String::new()),
+        [first, .., last] if !first.letter.is_empty() => (
+            "structures of the paper",
+            format!(
+                ", the paper's structures ({}) to ({})",
+                first.letter, last.letter
+            ),
+        ),
+        _ => (
+            "structure of the case",
+            ", and the structure of the case".to_owned(),
+        ),
+    };
     let spans: Vec<f64> = design.paper.iter().map(|s| s.axial_span_mm).collect();
     let angles: Vec<f64> = design.paper.iter().map(|s| s.half_angle_deg).collect();
     let letters: Value = design.paper.iter().map(|s| plain(&s.letter)).collect();
-    let structures = markers("structures of the paper", &spans, &angles, PALETTE[1]);
+    let structures = markers(legend, &spans, &angles, PALETTE[1]);
     plot = plot.trace(structures.with(json!({
         "mode": "markers+text", "text": letters, "textposition": "top right",
         "hovertemplate": "(%{text}) lC %{x} mm, θ %{y}°<extra></extra>",
@@ -55,14 +69,7 @@ pub fn curve(design: &DesignCurve) -> Figure {
         "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
              gap of {:.4}° (Zhao 2022, Eq. (10), (11)){}, and the limits on both.",
         design.uniform_gap_deg,
-        match design.paper.as_slice() {
-            [] => String::new(),
-            [first, .., last] if !first.letter.is_empty() => format!(
-                ", the paper's structures ({}) to ({})",
-                first.letter, last.letter
-            ),
-            _ => ", and the structure of the case".to_owned(),
-        }
+        shown,
     );
     Figure::new("Figure 5", &caption, &design.provenance, plot)
 }

@@ -91,7 +91,8 @@ pub fn study<'r>(
     let drops = request.drops.unwrap_or(1);
     study.succession = Succession::new(file, &study.drop, &mut study.record, drops, progress)?;
     study.interrupted = study.succession.interrupted;
-    study.warnings.extend(study.succession.warnings.clone());
+    study.warnings.extend(study.succession.overheated());
+    study.warnings.extend(study.succession.cut_short.clone());
     if request.compare && !study.interrupted {
         let drop = study.drop.conventional();
         let none = drop.cases().iter().map(|_| None).collect();

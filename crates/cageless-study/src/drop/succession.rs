@@ -16,7 +16,7 @@ pub struct Succession {
     /// The records.
     pub records: Vec<Record>,
     /// Why there are fewer drops than were asked for.
-    pub warnings: Vec<String>,
+    pub cut_short: Option<String>,
     /// Whether the progress cancelled it.
     pub interrupted: bool,
 }
@@ -27,6 +27,14 @@ const TEMPERATURES: [&str; PARTS] = [
     "ball_temperature_c",
     "outer_ring_temperature_c",
 ];
+/// Results of the temperatures at standstill, and the parts.
+const STANDSTILL: [(&str, &str); PARTS] = [
+    ("inner_ring_standstill_c", "the inner ring"),
+    ("ball_standstill_c", "the balls"),
+    ("outer_ring_standstill_c", "the outer ring"),
+];
+/// Temperature above which bearing steel softens, °C: 100Cr6 is tempered at 150 to 200 °C (ISO 683-17).
+const SOFTENING_C: f64 = 200.0;
 /// Powers that warm them at the end of a drop.
 const POWERS: [&str; PARTS] = ["inner_ring_power_w", "ball_power_w", "outer_ring_power_w"];
 /// Key of the touch-down clearance.
@@ -66,7 +74,7 @@ impl Succession {
                         }
                     };
                     let before = number - 1;
-                    done.warnings.push(format!(
+                    done.cut_short = Some(format!(
                         "drop {number} needs the temperatures after drop {before}: {reason}"
                     ));
                     break;
@@ -75,7 +83,7 @@ impl Succession {
             let warm = match warm {
                 Ok(warm) => warm,
                 Err(error) => {
-                    done.warnings.push(format!(
+                    done.cut_short = Some(format!(
                         "drop {number} is not possible with the fit [fit] of the temperatures after drop {}: {}",
                         number - 1,
                         error.message()
@@ -98,8 +106,7 @@ impl Succession {
                 _ => {
                     let stopped = record.bearings[record.last_index()].result.stopped.clone();
                     let reason = stopped.unwrap_or_default();
-                    done.warnings
-                        .push(format!("drop {number} stopped {reason}"));
+                    done.cut_short = Some(format!("drop {number} stopped {reason}"));
                     break;
                 }
             }
@@ -149,6 +156,24 @@ impl Succession {
             })
             .collect();
         ended.into_iter().collect()
+    }
+
+    /// Warning of the first drop after which a part is too hot for bearing steel.
+    pub fn overheated(&self) -> Option<String> {
+        self.records.iter().find_map(|record| {
+            let parts = STANDSTILL
+                .iter()
+                .filter_map(|(key, part)| Some((part, record.value(key)?)));
+            let (part, hottest_c) = parts.max_by(|a, b| a.1.total_cmp(&b.1))?;
+            (hottest_c > SOFTENING_C).then(|| {
+                format!(
+                    "after drop {} {part} would be at {hottest_c:.0} °C with all heat kept: bearing steel \
+                     softens above {SOFTENING_C} °C (100Cr6, ISO 683-17), and what follows are numbers of \
+                     parts that would have failed",
+                    record.number("drop")
+                )
+            })
+        })
     }
 
     /// The first drop with this verdict, with the reasons.

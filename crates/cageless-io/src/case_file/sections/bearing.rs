@@ -57,7 +57,7 @@ section! {
         outer_conformity => outer_conformity: Option<f64> = Optional, Plain,
             "fo = Re/Dw, in place of that radius; 0.52 unless one is given", Absent;
         inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"); Above(0.0),
-            "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given",
+            "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given",
             Shown("0.2", "inner ring and attached rotating parts");
         inner_ring_damping_n_s_m formerly inner_ring_drag_n_s_m => inner_ring_damping_n_s_m: Option<f64> = Derived, Si("N s/m"); AtLeast(0.0),
             "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]",
@@ -156,13 +156,14 @@ pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> V
     }
     let key = "bearing.inner_ring_mass_kg";
     let width = tree.number("bearing.outer_ring_width_mm");
-    let mass = ring_mass_kg(d, width.map(|mm| Millimetre.to_si(mm)));
+    let rings = tree.count("row").max(1) as f64;
+    let mass = rings * ring_mass_kg(d, width.map(|mm| Millimetre.to_si(mm)));
     assume(
         tree.find(key).is_none(),
         key,
         round(mass, Side::Nearest),
         "a steel ring without anything attached, 0.3 ball diameters thick below its groove, \
-         1.6 ball diameters wide unless outer_ring_width_mm is given",
+         1.6 ball diameters wide unless outer_ring_width_mm is given; as many as there are rows",
     );
     list
 }

@@ -36,7 +36,7 @@ sections! {
         Heading::Commented("of the rings, if different");
     raceway: Vec<raceway::RacewaySection>, "the discrete raceway",
         Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
-    row: Vec<cageless::Row>, "a row of balls, where one inner ring has several; only for `static` and `run`",
+    row: Vec<cageless::Row>, "a row of balls, where one inner ring has several",
         Heading::Absent;
     operation: operation::OperationSection, "speed and load", Heading::Shown("");
     contact: cageless::Contact, "friction, damping and stiffness", Heading::Shown("");
