@@ -50,7 +50,8 @@ fn drops_that_are_not_possible_are_missed() {
     let answer = call_on("drop", &case, &sets, &["--drops", "2", "--json"]);
     assert_eq!(answer.code, Some(3), "{answer:?}");
     assert_eq!(answer.json()["succession"].as_array().unwrap().len(), 1);
-    let reason = "drop 2 needs the temperatures after drop 1: the inner ring has not come up to speed";
+    let reason =
+        "drop 2 needs the temperatures after drop 1: the inner ring has not come up to speed";
     assert!(answer.stderr.contains(reason), "{answer:?}");
 }
 

@@ -37,6 +37,10 @@ fn an_axial_load_moves_and_tilts_the_ring() {
         "bearing.contact_angle_deg=0",
     ];
     assert_eq!(statics(&case, &zeros)["ring_y_um"], plane["ring_y_um"]);
+    // Space without anything that moves the ring along its axis.
+    let [still, touched] = ["model.motion=space", "operation.axial_load_n=1e-6"]
+        .map(|set| statics(&case, &[set])["ring_y_um"].as_f64().unwrap());
+    assert!((still / touched - 1.0).abs() < 1e-6, "{still} {touched}");
     let loaded = statics(&case, &["operation.axial_load_n=300"]);
     let z = loaded["ring_z_um"].as_f64().unwrap();
     assert!(z > 30.0 && z < 60.0, "{z}");

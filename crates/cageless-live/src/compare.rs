@@ -1,7 +1,7 @@
 //! A case compared with another from the same uneven starts.
 
 use cageless::Case;
-use cageless::design::RunVerdict;
+use cageless::design::{RacewayTallies, RunVerdict};
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, Ending, Observer, batches, run_batch};
 use cageless::summary::SummaryRecorder;
@@ -110,7 +110,7 @@ fn results(
                 outcome: &outcome,
                 summary: Some(&summary.ok_or_else(|| Refusal::new("the run is too short"))?),
                 passages: &PassageTally::new(),
-                verdict: &RunVerdict::from_case(case, &[]),
+                verdict: &RunVerdict::from_case(case, &RacewayTallies::new(case)),
                 wall_s: f64::NAN,
             };
             found.push(Results::of(RUN, Subject::Run(&finished)));

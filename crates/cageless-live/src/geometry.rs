@@ -82,11 +82,15 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
 fn settled(case: &Case) -> Result<(Record, Estimate), EquilibriumError> {
     if case.rotor.is_none() && case.moves_in_space() {
         let solved = equilibrium::space::solve(case)?;
-        let estimate = Estimate::in_space(case, &seats(case)?, Some(&solved));
+        let estimate = Estimate::elastic(case, &seats(case)?, Some(&solved.rest));
         return Ok((spatial_record(case, &solved), estimate));
     }
     let solved = equilibrium::solve(case)?;
-    Ok((static_record(case, &solved), Estimate::new(case, &solved)))
+    let estimate = match case.rotor.is_none() && case.has_elastic_flanks() {
+        true => Estimate::elastic(case, &seats(case)?, Some(&solved)),
+        false => Estimate::new(case, &solved),
+    };
+    Ok((static_record(case, &solved), estimate))
 }
 
 /// Contact signs of the rows and shoulder angles, inner and outer, of a case that moves in space.

@@ -96,15 +96,19 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
 /// Where the balls of all points of a map rest, if anywhere.
 type Rests<'a> = &'a dyn Fn() -> Option<&'a [[f64; 2]]>;
 
-/// The estimate of a point; in space without the contact stress, from where the balls of all points rest
-/// if that is the same for all.
+/// The estimate of a point; in space without the contact stress, on elastic flanks from where the balls of all
+/// points rest if that is the same for all.
 fn estimate(case: &Case, rests: Option<Rests<'_>>) -> Option<Estimate> {
-    if !case.moves_in_space() {
-        return Some(Estimate::new(case, &equilibrium::solve(case).ok()?));
+    let solved = match case.moves_in_space() {
+        true => None,
+        false => Some(equilibrium::solve(case).ok()?),
+    };
+    if !case.has_elastic_flanks() {
+        return Some(Estimate::new(case, solved.as_ref()?));
     }
     Some(match rests {
-        Some(rests) => Estimate::in_space(case, rests()?, None),
-        None => Estimate::in_space(case, &seats(case).ok()?, None),
+        Some(rests) => Estimate::elastic(case, rests()?, solved.as_ref()),
+        None => Estimate::elastic(case, &seats(case).ok()?, solved.as_ref()),
     })
 }
 

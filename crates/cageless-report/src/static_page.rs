@@ -53,10 +53,10 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
     page.section("Displacement, stiffness, ratings and frequencies");
     page.table(&results(file, record.rows()));
     page.notes(Note::Remark, record.sentences("notes"));
-    // A seed beyond the whole numbers of TOML leaves the page without a studio, which is planar.
-    let toml = match file.case().spatial_field() {
-        None => file.document().to_toml().unwrap_or_default(),
-        Some(_) => String::new(),
+    // A seed beyond the whole numbers of TOML leaves the page without a studio, which moves the balls.
+    let toml = match file.case().check_motion() {
+        Ok(()) => file.document().to_toml().unwrap_or_default(),
+        Err(_) => String::new(),
     };
     case_sections(&mut page, "The case as computed", &parameters(file), &toml);
     page.html()

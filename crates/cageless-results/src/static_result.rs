@@ -50,9 +50,9 @@ fn of_every_case(solved: &Solved<'_>) -> Results {
 /// # Errors
 /// The case has no equilibrium.
 pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
-    Ok(match case.spatial_field() {
-        Some(_) => spatial_record(case, &space::solve(case)?),
-        None => static_record(case, &equilibrium::solve(case)?),
+    Ok(match case.moves_in_space() {
+        true => spatial_record(case, &space::solve(case)?),
+        false => static_record(case, &equilibrium::solve(case)?),
     })
 }
 

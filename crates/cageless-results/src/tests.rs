@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use cageless::Case;
-use cageless::design::{AxialLag, Judgement, PassageStatistics, RacewayVerdict, RunVerdict};
+use cageless::design::{
+    AxialLag, Judgement, PassageStatistics, RacewayTallies, RacewayVerdict, RunVerdict,
+};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::raceway::MeasuredFlanks;
@@ -399,7 +401,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         outcome: &outcome,
         summary: Some(&s),
         passages: &tally,
-        verdict: &RunVerdict::from_case(&case, &[PassageTally::new()]),
+        verdict: &RunVerdict::from_case(&case, &RacewayTallies::new(&case)),
         wall_s: 77.0,
     };
     let turns = case.operation.inner_speed_rad_s / (2.0 * PI);

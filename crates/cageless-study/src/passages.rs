@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use cageless::Case;
-use cageless::design::RunVerdict;
+use cageless::design::{RacewayTallies, RunVerdict};
 use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::simulation::Observer;
 use cageless::summary::transient_s;
@@ -17,7 +17,7 @@ pub struct Passages {
     /// Passages through all raceways.
     pub all: PassageTally,
     /// Passages through each raceway of the case.
-    pub of_raceway: Vec<PassageTally>,
+    pub of_raceway: RacewayTallies,
     /// The last of them, one by one.
     pub recent: VecDeque<Passage>,
 }
@@ -27,7 +27,7 @@ impl Passages {
     pub fn new(case: &Case) -> Self {
         Self {
             all: PassageTally::new(),
-            of_raceway: vec![PassageTally::new(); case.raceways.len()],
+            of_raceway: RacewayTallies::new(case),
             recent: VecDeque::new(),
         }
     }
@@ -38,7 +38,7 @@ impl Passages {
         PassageRecorder::new(move |passage| {
             if passage.enter_s > settled_s {
                 self.all.add(&passage);
-                self.of_raceway[passage.raceway].add(&passage);
+                self.of_raceway.add(&passage);
                 if self.recent.len() == RECENT {
                     self.recent.pop_front();
                 }
@@ -100,8 +100,9 @@ mod tests {
             tally
         };
         assert_eq!(passages.all, tally(None));
-        assert_eq!(passages.of_raceway, [tally(Some(0)), tally(Some(1))]);
-        assert_ne!(passages.of_raceway[0], passages.of_raceway[1]);
+        let [first, second] = [0, 1].map(|k| *passages.of_raceway.of_raceway(k));
+        assert_eq!([first, second], [0, 1].map(|k| tally(Some(k))));
+        assert_ne!(first, second);
         assert!(passages.recent.iter().eq(&late[late.len() - 60..]));
         let verdict = passages.verdict(case);
         assert_eq!(verdict, RunVerdict::from_case(case, &passages.of_raceway));

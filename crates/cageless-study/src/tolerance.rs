@@ -106,7 +106,8 @@ impl Request {
             return Err(OptionError::not_possible("samples", self.samples, &allowed).into());
         }
         let in_space = case.moves_in_space();
-        if !in_space && ![0.0, Self::default().contact_angle_deg].contains(&self.contact_angle_deg) {
+        if !in_space && ![0.0, Self::default().contact_angle_deg].contains(&self.contact_angle_deg)
+        {
             let allowed = "0 in the plane: model.motion = \"space\" has contact angles";
             let given = self.contact_angle_deg;
             return Err(OptionError::not_possible("contact_angle_deg", given, allowed).into());

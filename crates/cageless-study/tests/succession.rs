@@ -53,7 +53,11 @@ fn drops_in_succession_keep_their_heat() {
     let done = dropped(&file("touchdown-d.toml", &BRAKED), 3);
     let rows = &done.succession.records;
     assert_eq!(rows.len(), 3, "{:?}", done.warnings);
-    assert!(!done.warnings.join("\n").contains("softens"), "{:?}", done.warnings);
+    assert!(
+        !done.warnings.join("\n").contains("softens"),
+        "{:?}",
+        done.warnings
+    );
     let per_k = 12.5e-6;
     for pair in rows.windows(2) {
         for part in ["inner_ring", "ball", "outer_ring"] {
@@ -179,7 +183,10 @@ fn drops_that_are_no_longer_possible_say_so() {
         "{said}"
     );
     let hottest = format!("would be at {:.0} °C", standstill_c.unwrap());
-    assert!(said.contains("after drop 1 the balls") && said.contains(&hottest), "{said}");
+    assert!(
+        said.contains("after drop 1 the balls") && said.contains(&hottest),
+        "{said}"
+    );
     let (said, standstill_c) = stopped(&["ball_material.preset=\"Si3N4\""]);
     assert!(said.contains("thermal.ball_specific_heat_j_kg_k"), "{said}");
     assert!(standstill_c.is_none());

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::common::{complete, conventional, dimensions, drop_case, raceway, structure, undamped};
 use cageless::contact::friction::{Law, Smooth};
 use cageless::contact::{AtFlanks, FlankContact, FlankSection, FlankSliding};
+use cageless::design::{Judgement, RacewayTallies, RacewayVerdict, RunVerdict, judge_watched};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
@@ -15,7 +16,8 @@ use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, RunOutcome, run, run_batch};
 use cageless::{
-    Case, FlankModel, FrictionLaw, Gaps, InputError, IntegrationMethod, Profile, Snapshot, Start,
+    Case, FlankModel, FrictionLaw, Gaps, InputError, IntegrationMethod, Motion, Profile, Snapshot,
+    Start,
 };
 
 fn elastic(mut case: Case) -> Case {
@@ -293,6 +295,43 @@ fn elastic_flanks_lag_as_in_space() {
     for (case, known) in [(case.clone(), 2.290), (elastic(case), 1.935)] {
         let lag = lag_rad(&case).to_degrees();
         assert!((lag - known).abs() < 0.01, "{lag}, not {known}");
+    }
+}
+
+/// Verdict, lag that is left and critical gap on elastic flanks in the plane are those in space, of a raceway that
+/// passes, and of a short one on which little friction leaves the balls less than half of it; so is a run's own verdict.
+#[test]
+fn verdicts_on_elastic_flanks_are_those_in_space() {
+    let mut steep = structure(6.3, 9.0);
+    steep.contact.friction.coefficient = 0.002;
+    for (case, expected) in [
+        (structure(5.1, 25.2), RacewayVerdict::Smooth),
+        (steep, RacewayVerdict::LosesLag),
+    ] {
+        let space = Case {
+            motion: Motion::Space,
+            ..case.clone()
+        };
+        let [plane, space] = [elastic(case), space].map(|case| {
+            let mut tallies = RacewayTallies::new(&case);
+            let mut recorder = PassageRecorder::new(|passage| {
+                tallies.add(&passage);
+                Ok(())
+            });
+            let judgement =
+                judge_watched(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+            let own = RunVerdict::from_case(&case, &tallies).verdict;
+            assert_eq!([judgement.verdict, own], [expected; 2], "{judgement:?}");
+            judgement
+        });
+        let numbers = |judgement: &Judgement| {
+            let gaps = [judgement.critical_gap_rad, judgement.steady_gap_rad];
+            let lag = judgement.passages.unwrap().lag_fraction;
+            [gaps[0].unwrap(), gaps[1].unwrap(), lag]
+        };
+        for (plane, space) in numbers(&plane).into_iter().zip(numbers(&space)) {
+            assert!((plane / space - 1.0).abs() < 1e-3, "{plane} {space}");
+        }
     }
 }
 

@@ -145,7 +145,7 @@ fn verdicts_on_slots() {
     let lost = judge(&deep, &mut go_on).unwrap();
     assert_eq!(lost.verdict, RacewayVerdict::LosesLag);
     let share_of = |case: &Case| {
-        let estimate = Estimate::in_space(case, &seats(case).unwrap(), None);
+        let estimate = Estimate::elastic(case, &seats(case).unwrap(), None);
         let lag = estimate.terms().iter().find(|t| t.name == "lag");
         lag.unwrap().value
     };
@@ -164,7 +164,7 @@ fn the_search_finds_slots() {
     let found = found(&case, &request);
     let seats = OperatingPoint::from_case(&case).row_seats(&case).unwrap();
     let fraction = |span_m: f64| {
-        ClosedForms::in_space(&case.bearing, &[slot(&case, span_m * 1e3)], &seats).fraction()
+        ClosedForms::elastic(&case.bearing, &[slot(&case, span_m * 1e3)], &seats).fraction()
     };
     let gap =
         |e: &Evaluation| e.spacing[0].unwrap().critical_gap_rad / e.forms.unwrap().steady_gap_rad;

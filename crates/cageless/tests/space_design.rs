@@ -236,7 +236,7 @@ fn the_search_in_space_finds_what_the_closed_form_has() {
     let seats = OperatingPoint::from_case(&case).row_seats(&case).unwrap();
     let fraction = |span_m: f64| {
         let raceway = raceway(&case.bearing, span_m * 1e3, 25.2, 0.0);
-        ClosedForms::in_space(&case.bearing, &[raceway], &seats).fraction()
+        ClosedForms::elastic(&case.bearing, &[raceway], &seats).fraction()
     };
     // The span at which the closed form has this share of the steady-state gap, by bisection.
     let span_of = |share: f64| {

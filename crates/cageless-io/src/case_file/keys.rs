@@ -73,6 +73,7 @@ mod tests {
             "operation_axial_load_n",
             "raceway_2_contact_angle_deg",
             "row_1_axial_position_mm",
+            "model_motion",
         ] {
             assert!(is_spatial(column), "{column}");
         }

@@ -96,7 +96,7 @@ impl BoundaryDimensions {
             true => "0: the contact angle is that without load",
             false => "(assumed) Gr, middle of group Normal of ISO 5753-1",
         };
-        let rows = match angular {
+        let rows_or_flanks = match angular {
             true => format!(
                 "\
 [[row]]
@@ -113,7 +113,12 @@ preload_um = 5
                 -0.5 * width,
                 0.5 * width
             ),
-            false => String::new(),
+            false => "\
+[model]
+flanks = \"elastic\"                             # as in a real bearing; \"rigid\" as published, and faster
+
+"
+            .to_owned(),
         };
         let assembly = if full_complement && !angular {
             format!(
@@ -153,12 +158,13 @@ outer_ring_width_mm = {width:<24} # B
 # [ball_material]                              # hybrid bearing: ceramic balls in steel rings
 # preset = \"Si3N4\"
 
-{rows}\
+{rows_or_flanks}\
 # A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
 # `cageless design --search` looks for the best one.
 # [raceway]
 # axial_span_mm =
 # half_angle_deg =
+# blend_mm = 0.5                               # ends as `export` machines them
 
 [operation]
 inner_speed_rpm = {speed:<28} # (assumed) n·Dpw of 300,000 mm/min

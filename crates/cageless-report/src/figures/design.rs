@@ -68,8 +68,7 @@ pub fn curve(design: &DesignCurve) -> Figure {
     let caption = format!(
         "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
              gap of {:.4}° (Zhao 2022, Eq. (10), (11)){}, and the limits on both.",
-        design.uniform_gap_deg,
-        shown,
+        design.uniform_gap_deg, shown,
     );
     Figure::new("Figure 5", &caption, &design.provenance, plot)
 }

@@ -27,8 +27,6 @@ pub struct Sweep {
     outputs: Vec<Output>,
     columns: Vec<Column>,
     normal: String,
-    /// Whether statics are solved in space.
-    in_space: bool,
 }
 
 /// Function that is called now and then; `Break(())` cancels the work.
@@ -60,7 +58,7 @@ impl Sweep {
         let normal = plan.normal().map_err(StudyError::Plan)?;
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
         let base = &variants.plan.base_file;
-        let spatial = |file: &CaseFile| file.case().spatial_field().is_some();
+        let spatial = |file: &CaseFile| file.case().moves_in_space();
         let in_space = base.cases().iter().any(spatial)
             || variants.columns.iter().any(|c| is_spatial(&c.name));
         let outputs = outputs(&variants.plan, in_space).map_err(StudyError::Plan)?;
@@ -74,7 +72,6 @@ impl Sweep {
             outputs,
             columns,
             normal,
-            in_space,
         })
     }
 
@@ -185,7 +182,7 @@ impl Sweep {
         };
         let case = file.case();
         if self.wants(Computation::Static) {
-            let solved = match self.in_space {
+            let solved = match case.moves_in_space() {
                 true => space::solve(case)
                     .map(|solved| found.fill(Subject::Static(&Solved::in_space(case, &solved)))),
                 false => equilibrium::solve(case)

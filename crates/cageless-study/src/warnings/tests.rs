@@ -1,5 +1,5 @@
 use cageless::contact_peaks::{ContactPeak, ContactPeaks};
-use cageless::design::RunVerdict;
+use cageless::design::{RacewayTallies, RunVerdict};
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, RunOutcome, run};
 use cageless::summary::{Summary, SummaryRecorder};
@@ -39,7 +39,7 @@ impl Run {
             outcome: &self.outcome,
             summary: self.summary.as_ref(),
             passages: &PassageTally::new(),
-            verdict: &RunVerdict::from_case(&self.case, &[]),
+            verdict: &RunVerdict::from_case(&self.case, &RacewayTallies::new(&self.case)),
             wall_s: 1.0,
         })
     }

@@ -3,6 +3,7 @@
 use super::{Case, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionLaw;
 use crate::error::{Allowed, InputError};
+use crate::flank_model::FlankModel;
 use crate::limits::{finite, from_to, positive, require};
 use crate::linear_rotor::ROUNDING;
 use crate::profile::Profile;
@@ -14,8 +15,9 @@ const TILT_MAX_RAD: f64 = 0.1;
 /// Largest distance of a row from the origin over the pitch diameter.
 const ROW_PLACE_MAX: f64 = 100.0;
 
-/// Fields that can take a bearing out of its plane, in the order in which [`Case::spatial_field`] looks.
-pub const SPATIAL_FIELDS: [&str; 14] = [
+/// Fields that can take a bearing out of its plane.
+pub const SPATIAL_FIELDS: [&str; 15] = [
+    "motion",
     "axial_load_n",
     "tilt_x_rad",
     "tilt_y_rad",
@@ -87,6 +89,12 @@ impl Case {
     /// Whether the balls of a run move in space.
     pub fn moves_in_space(&self) -> bool {
         self.motion == Motion::Space || self.spatial_field().is_some()
+    }
+
+    /// Whether the flanks of the raceways yield under load, and balls slide and spin on them: in space, and in
+    /// the plane with elastic flanks.
+    pub fn has_elastic_flanks(&self) -> bool {
+        self.moves_in_space() || self.flanks == FlankModel::Elastic
     }
 
     /// Indices of rows of which no two move alike; every other row is like one of them. Rows with the same contact

@@ -14,9 +14,9 @@ pub const SPEED_DROP_FRACTION: f64 = 0.8;
 /// `paper` profile those of the paper's ten structures that it calls so lie well above,
 /// the others well below; in `physical`, (c) falls below.
 pub const DOUBLE_COLLISION_FRACTION: f64 = 0.25;
-/// Share of its lag that a raceway must keep in space, of the lag of rolling on rigid flanks without a contact
-/// angle: with less it hardly spaces the balls. Load, contact angle and sliding take the rest; β0 of rigid
-/// flanks, with which the plane compares, is out of reach there.
+/// Share of its lag that a raceway must keep on elastic flanks, of the lag of rolling on rigid ones without a
+/// contact angle: with less it hardly spaces the balls. Load, contact angle and sliding take the rest; β0 of
+/// rigid flanks is out of reach there.
 pub const LAG_MIN_FRACTION: f64 = 0.5;
 
 /// One requirement on the motion of the balls. Values, limits and margins are fractions of 1.
@@ -28,7 +28,7 @@ pub enum Criterion {
     Deceleration(f64),
     /// Fraction of the passages in which both neighbours hit, at most [`DOUBLE_COLLISION_FRACTION`].
     BothNeighbours(f64),
-    /// Share of its lag that a raceway keeps in space, at least [`LAG_MIN_FRACTION`].
+    /// Share of its lag that a raceway keeps on elastic flanks, at least [`LAG_MIN_FRACTION`].
     Lag(f64),
 }
 
@@ -150,7 +150,7 @@ impl std::fmt::Display for Criterion {
             ),
             Self::Lag(_) => write!(
                 f,
-                "balls keep {shown} of the lag of rolling without a contact angle ({bound:.0} % needed"
+                "balls keep {shown} of the lag of rolling on rigid flanks ({bound:.0} % needed"
             ),
         }?;
         let margin = percent_beside(self.margin().abs(), 0.0);
@@ -242,8 +242,8 @@ mod tests {
                 1.0,
                 0.5,
                 RacewayVerdict::LosesLag,
-                "balls keep 40.0 % of the lag of rolling without a contact angle (50 % needed, missed \
-                 by 10.0 percentage points)",
+                "balls keep 40.0 % of the lag of rolling on rigid flanks (50 % needed, missed by 10.0 \
+                 percentage points)",
             ),
         ];
         for (of, name, ideal, limit, failure, text) in rows {

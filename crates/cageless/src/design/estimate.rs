@@ -5,7 +5,6 @@ use super::{Eq11, LAG_MIN_FRACTION, rolling_lag_fraction, steady_gap_rad, theore
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
-use crate::equilibrium::space::SpatialEquilibrium;
 use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_rotation_rad_s};
 use crate::raceway::Raceway;
 
@@ -68,13 +67,10 @@ impl Estimate {
         )
     }
 
-    /// Estimate for a case in space: in place of the friction that rolling demands, what contact angle and deflection
-    /// of its [`seats`](super::seats) leave of the lag; the contact stress only with an equilibrium.
-    pub fn in_space(
-        case: &Case,
-        seats: &[[f64; 2]],
-        equilibrium: Option<&SpatialEquilibrium>,
-    ) -> Self {
+    /// Estimate for a case on elastic flanks or in space: in place of the friction that rolling demands, what contact
+    /// angle and deflection of its [`seats`](super::seats) leave of the lag; the contact stress only with an
+    /// equilibrium.
+    pub fn elastic(case: &Case, seats: &[[f64; 2]], equilibrium: Option<&Equilibrium>) -> Self {
         Self::of(
             case,
             EstimateTerm {
@@ -84,7 +80,7 @@ impl Estimate {
                 limit: LAG_MIN_FRACTION,
                 at_least: true,
             },
-            equilibrium.map(|solved| &solved.rest),
+            equilibrium,
         )
     }
 

@@ -43,6 +43,7 @@ pub use criterion::{
     percent_beside,
 };
 pub use estimate::{Estimate, EstimateTerm};
+pub use raceway_tallies::RacewayTallies;
 pub use raceway_verdict::RacewayVerdict;
 pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};
 pub use run_verdict::RunVerdict;

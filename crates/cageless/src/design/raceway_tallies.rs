@@ -1,11 +1,15 @@
 //! Passages of each row through each raceway.
 
+use super::criterion::Criterion;
 use super::kinematic_lag_rad;
 use crate::case::Case;
+use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::passage::{Passage, PassageTally};
+use crate::raceway::Raceway;
 
 /// Sums over the passages through each raceway, of all balls and of each row.
-pub(super) struct RacewayTallies {
+#[derive(Debug, Clone, PartialEq)]
+pub struct RacewayTallies {
     /// N, balls of a row.
     balls: usize,
     /// Raceway by raceway.
@@ -15,7 +19,7 @@ pub(super) struct RacewayTallies {
 }
 
 impl RacewayTallies {
-    /// Those of a case, without passages.
+    /// Sums of a case, without passages.
     pub fn new(case: &Case) -> Self {
         let tallies = |count: usize| vec![PassageTally::new(); count];
         let rows = case.all_rows().len();
@@ -37,6 +41,20 @@ impl RacewayTallies {
         &self.of_raceway[k]
     }
 
+    /// How far raceway `k` slows the balls: on elastic flanks by the lag that is left, on rigid ones by the
+    /// deceleration that is reached. `None` before a ball has passed, and of the lag before one has passed two.
+    pub(super) fn slowing(&self, case: &Case, k: usize) -> Option<Criterion> {
+        let tally = &self.of_raceway[k];
+        let criterion = match case.has_elastic_flanks() {
+            true => Criterion::Lag(self.lag_fraction(case, k)),
+            false => {
+                let slowest_rad_s = tally.lowest_orbit_speed_mean_rad_s();
+                Criterion::Deceleration(speed_drop_fraction(case, &case.raceways[k], slowest_rad_s))
+            }
+        };
+        (tally.count > 0 && !criterion.value().is_nan()).then_some(criterion)
+    }
+
     /// Lag in raceway `k` over that of rolling on rigid flanks at the angle of its section, of the row where it
     /// is least; 0 where no ball passes.
     pub fn lag_fraction(&self, case: &Case, k: usize) -> f64 {
@@ -52,4 +70,18 @@ impl RacewayTallies {
             .map(fraction)
             .fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Fraction of the theoretical drop of orbital speed in a raceway that balls reach which fall to
+/// `slowest_rad_s`, in a turned section of that at its contact angle.
+pub(super) fn speed_drop_fraction(case: &Case, raceway: &Raceway, slowest_rad_s: f64) -> f64 {
+    let bearing = &case.bearing;
+    let gamma = bearing.ball_radius_m() / bearing.pitch_radius_m();
+    // Ω has the factor 1 − γ cos α.
+    let turned = (1.0 - gamma * raceway.section_angle_rad().cos()) / (1.0 - gamma);
+    let inner_speed_rad_s = turned * case.operation.inner_speed_rad_s;
+    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, inner_speed_rad_s, r);
+    let plain = speed(bearing.ball_radius_m());
+    let middle = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
+    (plain - slowest_rad_s) / (plain - speed(middle))
 }

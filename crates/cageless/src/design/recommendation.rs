@@ -2,8 +2,8 @@
 
 use super::search::CRITICAL_GAP_MIN_FRACTION;
 use super::{
-    Eq11, Judgement, RacewayVerdict, SLIP_SHORTFALL, half_angle_for_gap_rad, judge, steady_gap_rad,
-    theoretical_gap_rad,
+    Eq11, Judgement, LAG_MIN_FRACTION, RacewayVerdict, SLIP_SHORTFALL, half_angle_for_gap_rad,
+    judge, steady_gap_rad, theoretical_gap_rad,
 };
 use crate::case::Case;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
@@ -15,7 +15,8 @@ use crate::simulation::Control;
 /// its middle. Critical gaps bound it; the motion of all balls is not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartingPoint {
-    /// Smallest θ, below which slip takes more than [`SLIP_SHORTFALL`] of the separation.
+    /// Smallest θ, below which slip takes more than [`SLIP_SHORTFALL`] of the separation, on elastic flanks all
+    /// that lowers it leaves less than [`LAG_MIN_FRACTION`].
     pub half_angle_min_rad: f64,
     /// Largest θ = ε + nominal gap, above which three evenly spaced balls are inside at once.
     pub half_angle_max_rad: f64,
@@ -142,13 +143,18 @@ pub fn starting_point(
     ) else {
         return Ok(None);
     };
+    // On elastic flanks more is taken than by sliding.
+    let allowed = match case.has_elastic_flanks() {
+        true => 1.0 - LAG_MIN_FRACTION,
+        false => SLIP_SHORTFALL,
+    };
     let mut gaps = 0.0;
     let mut excess = |span: f64| match on_curve(case, span) {
         Some(raceway) => {
             let mut fraction = |part: f64| control(((gaps + part) / CRITICAL_GAPS).min(1.0));
             let shortfall = shortfall(case, raceway, &mut fraction)?;
             gaps += 1.0;
-            Ok(shortfall - SLIP_SHORTFALL)
+            Ok(shortfall - allowed)
         }
         None => Err(CriticalGapError::NeverCloses),
     };

@@ -2,11 +2,10 @@
 
 use super::RacewayVerdict;
 use super::criterion::Criterion;
-use super::verdict::speed_drop_fraction;
+use super::raceway_tallies::RacewayTallies;
 use crate::case::Case;
-use crate::passage::PassageTally;
 
-/// Whether the balls passed the raceways of a run as they should. It rests on deceleration and
+/// Whether the balls passed the raceways of a run as they should. It rests on deceleration or lag and on
 /// contacts alone: the critical gap takes runs of its own, see [`super::judge`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunVerdict {
@@ -19,21 +18,16 @@ pub struct RunVerdict {
 }
 
 impl RunVerdict {
-    /// Verdict from the passages through each raceway of the case, in their order.
-    pub fn from_case(case: &Case, passages: &[PassageTally]) -> Self {
-        let all: Vec<Criterion> = case
-            .raceways
-            .iter()
-            .zip(passages)
-            .filter(|(_, tally)| tally.count > 0 && case.rotor.is_none())
-            .flat_map(|(raceway, tally)| {
-                let fraction =
-                    speed_drop_fraction(case, raceway, tally.lowest_orbit_speed_mean_rad_s());
-                [
-                    Criterion::Deceleration(fraction),
-                    Criterion::BothNeighbours(tally.double_collision_fraction()),
-                ]
+    /// Verdict from the passages of a run of the case.
+    pub fn from_case(case: &Case, passages: &RacewayTallies) -> Self {
+        let raceways = 0..case.raceways.len();
+        let all: Vec<Criterion> = raceways
+            .filter(|_| case.rotor.is_none())
+            .filter_map(|k| {
+                let twice = passages.of_raceway(k).double_collision_fraction();
+                Some([passages.slowing(case, k)?, Criterion::BothNeighbours(twice)])
             })
+            .flatten()
             .collect();
         let deciding = Criterion::deciding(&all);
         let verdict = match deciding {

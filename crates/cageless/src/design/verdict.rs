@@ -3,13 +3,12 @@
 use super::criterion::{
     Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
 };
-use super::raceway_tallies::RacewayTallies;
+use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
 use super::{Eq11, gap_of_delay_rad, steady_gap_rad, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
-use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::passage::PassageRecorder;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
@@ -65,7 +64,7 @@ pub struct Judgement {
     pub deciding: Option<Criterion>,
     /// Largest critical gap: what all raceways together guarantee.
     pub critical_gap_rad: Option<f64>,
-    /// Gap outside the raceways of balls that come by evenly in time: by rolling, in space by the lag of the run;
+    /// Gap outside the raceways of balls that come by evenly in time: by rolling on rigid flanks, else by the lag of the run;
     /// `None` if that is not known.
     pub steady_gap_rad: Option<f64>,
     /// Statistics of the first raceway with the worst verdict.
@@ -86,8 +85,8 @@ const GAP_ORBITS: f64 = 1.5;
 /// separation suffer from slip, are balls hit twice per passage, or do they pass
 /// smoothly. The critical gap is that of each raceway alone; then all balls, evenly spaced
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
-/// 16 are discarded. In space it looks at the share of the lag that load, contact angle and sliding leave, and at
-/// double collisions; the critical gap is that of the row with the least.
+/// 16 are discarded. On elastic flanks and in space it looks at the share of the lag that load, contact angle and
+/// sliding leave, and at double collisions; the critical gap is that of the row with the least.
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
@@ -149,7 +148,7 @@ pub fn judge_watched(
     let (statistics, stopped) = steady_passages(case, watchers, &mut |time_s| {
         control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
     })?;
-    let steady_gap_rad = match case.moves_in_space() {
+    let steady_gap_rad = match case.has_elastic_flanks() {
         false => Some(steady_gap_rad(&case.bearing, &case.raceways)),
         true => measured_steady_gap_rad(case, &statistics),
     };
@@ -182,8 +181,8 @@ pub fn judge_watched(
     })
 }
 
-/// Critical gap of the only raceway of a case; in space that of the row with the least, 0 where the gap of a
-/// pair never closes.
+/// Critical gap of the only raceway of a case, in space that of the row with the least; on elastic flanks 0 where
+/// the gap of a pair never closes.
 fn guaranteed_gap_rad(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
@@ -197,7 +196,7 @@ fn guaranteed_gap_rad(
         };
         let mut fraction = |part: f64| control((k as f64 + part) / rows.len() as f64);
         let gap = match critical_gap_rad(case, &test, &mut fraction) {
-            Err(CriticalGapError::NeverCloses) if case.moves_in_space() => 0.0,
+            Err(CriticalGapError::NeverCloses) if case.has_elastic_flanks() => 0.0,
             gap => gap?,
         };
         least = least.min(gap);
@@ -303,8 +302,8 @@ fn decide(
     let shortfall = 1.0 - critical / beta0;
     let three = 2.0 * (bearing.ball_angle_rad() + bearing.nominal_gap_rad());
     let wide = 2.0 * raceway.half_angle_rad();
-    let in_space = case.moves_in_space();
-    let criteria = match in_space {
+    let elastic = case.has_elastic_flanks();
+    let criteria = match elastic {
         true => vec![
             Criterion::Lag(s.lag_fraction),
             Criterion::BothNeighbours(s.double_collision_fraction),
@@ -316,16 +315,20 @@ fn decide(
         ],
     };
     let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
-    let gap_and_lag = match in_space {
+    let gap_and_lag = match elastic {
         true => {
             format!(
                 "critical gap {:.4}°, {:.0} % of the {:.4}° that balls have which come by evenly; lag per \
-                 pass {:.2}° in the mean, in the row with the least {:.0} % of that of rolling without a \
-                 contact angle (at least {:.0} % required)",
+                 pass {:.2}° in the mean, {}{:.0} % of that of rolling on rigid flanks (at least {:.0} % \
+                 required)",
                 critical.to_degrees(),
                 100.0 * critical / steady,
                 steady.to_degrees(),
                 s.lag_mean_rad.to_degrees(),
+                match case.rows.len() {
+                    0 | 1 => "",
+                    _ => "in the row with the least ",
+                },
                 100.0 * s.lag_fraction,
                 100.0 * LAG_MIN_FRACTION
             )
@@ -350,8 +353,8 @@ fn decide(
             s.collisions_mean
         ),
     ];
-    // Those that follow compare with rolling on rigid flanks, which the plane has.
-    if !in_space {
+    // Those that follow compare with rolling on rigid flanks.
+    if !elastic {
         reasons.extend([
             format!(
                 "largest sliding speed in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
@@ -460,20 +463,6 @@ fn statistics(case: &Case, k: usize, tallies: &RacewayTallies) -> Option<Passage
         gap_leave_max_rad,
         gap_leave_min_rad,
     })
-}
-
-/// Fraction of the theoretical drop of orbital speed in a raceway that balls reach which fall to
-/// `slowest_rad_s`, in a turned section of that at its contact angle.
-pub(super) fn speed_drop_fraction(case: &Case, raceway: &Raceway, slowest_rad_s: f64) -> f64 {
-    let bearing = &case.bearing;
-    let gamma = bearing.ball_radius_m() / bearing.pitch_radius_m();
-    // Ω has the factor 1 − γ cos α.
-    let turned = (1.0 - gamma * raceway.section_angle_rad().cos()) / (1.0 - gamma);
-    let inner_speed_rad_s = turned * case.operation.inner_speed_rad_s;
-    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, inner_speed_rad_s, r);
-    let plain = speed(bearing.ball_radius_m());
-    let middle = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
-    (plain - slowest_rad_s) / (plain - speed(middle))
 }
 
 #[cfg(test)]

@@ -180,15 +180,15 @@ impl Evaluation {
 }
 
 impl Batch<'_, '_> {
-    /// Whether balls move in space.
-    pub fn in_space(&self) -> bool {
+    /// Whether the flanks are elastic.
+    pub fn elastic(&self) -> bool {
         !self.row_seats.is_empty()
     }
 
     /// Closed forms of equal raceways.
     pub fn closed_forms(&self, raceways: &[Raceway]) -> ClosedForms {
-        match self.in_space() {
-            true => ClosedForms::in_space(self.bearing, raceways, &self.row_seats),
+        match self.elastic() {
+            true => ClosedForms::elastic(self.bearing, raceways, &self.row_seats),
             false => ClosedForms::new(self.bearing, raceways),
         }
     }
@@ -245,11 +245,11 @@ impl Batch<'_, '_> {
                 Err(reason) => fail(e, reason, p),
             }
         }
-        let in_space = self.in_space();
+        let elastic = self.elastic();
         for e in evaluations {
             e.reject(|e, p| {
                 let (forms, spacing) = (e.forms?, e.spacing[p]?);
-                Cause::of_spacing(&forms, &spacing, critical_gap_min_fraction, in_space)
+                Cause::of_spacing(&forms, &spacing, critical_gap_min_fraction, elastic)
             });
         }
         Ok(())
@@ -285,8 +285,8 @@ impl Batch<'_, '_> {
                     Err(reason) => fail(&mut evaluations[k], reason, p),
                 }
             }
-            let in_space = self.in_space();
-            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, in_space));
+            let elastic = self.elastic();
+            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, elastic));
             evaluations[k].rate();
         }
         Ok(())
@@ -340,8 +340,8 @@ impl Batch<'_, '_> {
                 Err(reason) => fail(&mut evaluation, reason, p),
             }
         }
-        let in_space = self.in_space();
-        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, in_space));
+        let elastic = self.elastic();
+        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, elastic));
         if from_geometry.is_some() {
             evaluation.rejection = from_geometry;
         }

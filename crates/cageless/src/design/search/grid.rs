@@ -152,9 +152,9 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
                 Ok(raceways) => {
                     let forms = batch.closed_forms(&raceways);
                     let least = request.critical_gap_min_fraction;
-                    // In the plane all critical gaps are drawn; in space they take long.
+                    // With rigid flanks all critical gaps are drawn; with elastic ones they take long.
                     let excluded = batch
-                        .in_space()
+                        .elastic()
                         .then(|| Cause::of_closed_forms(&forms, least));
                     (Some(forms), excluded.flatten())
                 }
@@ -209,7 +209,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
             (Some(Ok(Numbers::PairSeparation(spacing))), Some(forms)) => {
                 cell.spacing = Some(spacing);
                 let of_spacing = || {
-                    Cause::of_spacing(forms, &spacing, critical_gap_min_fraction, batch.in_space())
+                    Cause::of_spacing(forms, &spacing, critical_gap_min_fraction, batch.elastic())
                 };
                 Cause::of_closed_forms(forms, critical_gap_min_fraction).or_else(of_spacing)
             }
@@ -244,7 +244,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         let cell = &mut maps[k].cells[c];
         cell.cause = match (motions(runs), &cell.spacing) {
             (Ok(all), Some(spacing)) => {
-                Cause::of_motion(&Motion::mean(&all), spacing, batch.in_space())
+                Cause::of_motion(&Motion::mean(&all), spacing, batch.elastic())
             }
             (Err(reason), _) => Some(Cause::Failed(reason)),
             (Ok(_), None) => None,

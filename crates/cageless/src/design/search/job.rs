@@ -41,9 +41,9 @@ pub struct PairSeparation {
     /// looked at.
     pub critical_gap_rad: f64,
     /// Largest fraction of β0 that slip takes from a critical gap; 0 where that is beyond
-    /// [`CROWDED_MAX`]. In space β0 is that of rolling at the contact angle and the deflection of the row.
+    /// [`CROWDED_MAX`]. On elastic flanks β0 is that of rolling at the contact angle and the deflection of the row.
     pub shortfall: f64,
-    /// Largest Hertz pressure at the outer raceway while the balls go by; in space NaN where the critical gap
+    /// Largest Hertz pressure at the outer raceway while the balls go by; on elastic flanks NaN where the critical gap
     /// excludes the structure whatever the pressure.
     pub stress_pa: f64,
 }
@@ -157,8 +157,8 @@ fn spacing(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<PairSeparation, CriticalGapError> {
     let loaded = point.case(case, raceways.to_vec());
-    let in_space = loaded.moves_in_space();
-    let seats = match in_space {
+    let elastic = loaded.has_elastic_flanks();
+    let seats = match elastic {
         true => point.row_seats(case)?,
         false => vec![],
     };
@@ -199,7 +199,7 @@ fn spacing(
         spacing.critical_gap_rad = spacing.critical_gap_rad.min(of_row);
     }
     let separates = spacing.critical_gap_rad > 0.0 && spacing.critical_gap_rad < most;
-    if !in_space || separates {
+    if !elastic || separates {
         spacing.stress_pa = peak_pressure_pa(&loaded)?.1;
     }
     Ok(spacing)

@@ -169,7 +169,7 @@ pub fn search(
         measured: None,
     };
     let maps = grid::maps(&mut batch)?;
-    if batch.in_space() {
+    if batch.elastic() {
         batch.measured = Some(grid::measured(&maps[..request.points.len()]));
     }
     let mut evaluations = grid::candidates(&batch);
@@ -273,10 +273,10 @@ fn optimise_from(
     let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
     let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
     let tries = batch.request.optimised_structures();
-    let in_space = batch.in_space();
+    let elastic = batch.elastic();
     let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
-        constraints: e.slack(critical_gap_min_fraction, in_space),
+        constraints: e.slack(critical_gap_min_fraction, elastic),
     };
     let start = value(from);
     let found = local_optimisation::minimise(2.0, tries, start, &mut |[x, y]| {
@@ -329,10 +329,10 @@ fn seats(case: &Case, request: &Request) -> Result<Vec<[f64; 2]>, SearchError> {
     loaded.map(seat).collect()
 }
 
-/// Seats of every row at each operating point of a case in space; empty in the plane.
+/// Seats of every row at each operating point; empty with rigid flanks.
 fn row_seats(case: &Case, request: &Request) -> Result<Vec<[f64; 2]>, SearchError> {
     let mut all = vec![];
-    for point in request.points.iter().filter(|_| case.moves_in_space()) {
+    for point in request.points.iter().filter(|_| case.has_elastic_flanks()) {
         match point.row_seats(case) {
             Err(EquilibriumError::Input(error)) => return Err(error.into()),
             Err(error) => {
@@ -406,8 +406,8 @@ fn ranges(case: &Case, request: &Request) -> Result<[[f64; 2]; 2], SearchError> 
 pub(super) const REQUIREMENTS: usize = 4;
 
 impl Evaluation {
-    /// Slip, in space lag, room in steady flow, spread, double collisions; the worst point of each.
-    fn slack(&self, critical_gap_min_fraction: f64, in_space: bool) -> [f64; REQUIREMENTS] {
+    /// Slip, on elastic flanks lag, room in steady flow, spread, double collisions; the worst point of each.
+    fn slack(&self, critical_gap_min_fraction: f64, elastic: bool) -> [f64; REQUIREMENTS] {
         let Some(forms) = self.forms else {
             return [-1.0; REQUIREMENTS];
         };
@@ -417,7 +417,7 @@ impl Evaluation {
                 return [-1.0; REQUIREMENTS];
             };
             let fraction = s.critical_gap_rad / forms.steady_gap_rad;
-            if !in_space {
+            if !elastic {
                 slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
             }
             slack[1] = slack[1].min(1.0 - fraction);
@@ -427,7 +427,7 @@ impl Evaluation {
             slack[2] = slack[2].min(axial.rolling_fraction - LAG_MIN_FRACTION);
         }
         for motion in self.motion.iter().flatten() {
-            if in_space {
+            if elastic {
                 slack[0] = slack[0].min(motion.lag_fraction - LAG_MIN_FRACTION);
             }
             slack[3] = slack[3].min(DOUBLE_COLLISION_FRACTION - motion.double_collision_fraction);

@@ -7,7 +7,7 @@
 use crate::case::{Case, Gaps, Start};
 use crate::contact_tracker::ContactTracker;
 use crate::design::raceway_tallies::RacewayTallies;
-use crate::design::verdict::speed_drop_fraction;
+use crate::design::raceway_tallies::speed_drop_fraction;
 use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;

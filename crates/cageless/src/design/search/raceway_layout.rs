@@ -122,10 +122,10 @@ impl OperatingPoint {
     }
 }
 
-/// Closed-form results of the geometry, in space also of the load.
+/// Closed-form results of the geometry, on elastic flanks also of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosedForms {
-    /// β0 of Zhao 2022, Eq. (11), as published; in space [`kinematic_gap_rad`].
+    /// β0 of Zhao 2022, Eq. (11), as published; on elastic flanks [`kinematic_gap_rad`].
     pub theoretical_gap_rad: f64,
     /// Gap outside the raceways in steady flow, [`steady_gap_rad`].
     pub steady_gap_rad: f64,
@@ -142,10 +142,10 @@ impl ClosedForms {
         }
     }
 
-    /// Closed forms of equal raceways in space with the contact angles and deflections that
+    /// Closed forms of equal raceways with elastic flanks, with the contact angles and deflections that
     /// [`OperatingPoint::row_seats`] has for rows and operating points: the least of them. A row without load
     /// spreads nothing.
-    pub fn in_space(bearing: &Bearing, raceways: &[Raceway], row_seats: &[[f64; 2]]) -> Self {
+    pub fn elastic(bearing: &Bearing, raceways: &[Raceway], row_seats: &[[f64; 2]]) -> Self {
         let least = |of: &dyn Fn(f64, f64) -> f64| {
             let values = row_seats
                 .iter()

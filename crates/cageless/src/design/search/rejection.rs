@@ -144,16 +144,16 @@ impl Cause {
         })
     }
 
-    /// Cause of rejection by critical gap and contact stress. In space what sliding takes from β0 is no
+    /// Cause of rejection by critical gap and contact stress. On elastic flanks what sliding takes from β0 is no
     /// cause: spin on the flanks takes a part of it in every raceway, which a deeper one makes up for.
     pub(super) fn of_spacing(
         forms: &ClosedForms,
         spacing: &PairSeparation,
         critical_gap_min_fraction: f64,
-        in_space: bool,
+        elastic: bool,
     ) -> Option<Self> {
         let fraction = spacing.critical_gap_rad / forms.steady_gap_rad;
-        if spacing.shortfall > SLIP_SHORTFALL && !in_space {
+        if spacing.shortfall > SLIP_SHORTFALL && !elastic {
             Some(Self::Slips(spacing.shortfall))
         } else if fraction > 1.0 {
             Some(Self::ExcessiveSeparation(fraction))
@@ -180,12 +180,12 @@ impl Cause {
     pub(super) fn of_motion(
         motion: &Motion,
         spacing: &PairSeparation,
-        in_space: bool,
+        elastic: bool,
     ) -> Option<Self> {
         let kept = motion.gap_min_rad / spacing.critical_gap_rad;
-        if in_space && motion.lag_fraction < LAG_MIN_FRACTION {
+        if elastic && motion.lag_fraction < LAG_MIN_FRACTION {
             Some(Self::LosesLag(motion.lag_fraction))
-        } else if !in_space && motion.speed_drop_fraction < SPEED_DROP_FRACTION {
+        } else if !elastic && motion.speed_drop_fraction < SPEED_DROP_FRACTION {
             Some(Self::GrossSliding(motion.speed_drop_fraction))
         } else if kept < RETAINED_FRACTION {
             Some(Self::GapNotRetained(kept))
@@ -241,7 +241,7 @@ impl std::fmt::Display for Cause {
             ),
             Self::LosesLag(fraction) => write!(
                 f,
-                "balls keep {} of the lag of rolling without a contact angle ({:.0} % required)",
+                "balls keep {} of the lag of rolling on rigid flanks ({:.0} % required)",
                 beside(fraction, LAG_MIN_FRACTION),
                 100.0 * LAG_MIN_FRACTION
             ),
