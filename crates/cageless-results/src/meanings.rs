@@ -4,7 +4,7 @@ pub(crate) const ABOVE_0_1: &str = "contacts that begin with an approach speed a
 pub(crate) const ABOVE_0_5: &str = "contacts that begin with an approach speed above 0.5 m/s";
 pub(crate) const ABOVE_1: &str = "contacts that begin with an approach speed above 1 m/s";
 pub(crate) const BETA0: &str = "theoretical critical gap, as published: a gap that just closes in a raceway in which balls roll without sliding";
-pub(crate) const BETA0_SEARCHED: &str = "theoretical critical gap, as published; in space that of rolling at the contact angle and deflection of the most loaded ball, in the row and at the operating point with the least";
+pub(crate) const BETA0_SEARCHED: &str = "theoretical critical gap, as published; on elastic flanks and in space that of rolling at the contact angle and deflection of the most loaded ball, in the row and at the operating point with the least";
 pub(crate) const BPFI: &str = "ball pass frequency of the inner ring";
 pub(crate) const BPFO: &str = "ball pass frequency of the outer ring";
 pub(crate) const BSF: &str = "ball spin frequency: rotations of a ball about its axis per second";
@@ -25,4 +25,4 @@ pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure 
 pub(crate) const SIMULATED: &str = "time at which the simulation ended";
 pub(crate) const UNLOADED: &str = "the inner ring does not drive a ball then; 0 where it drives all of them all the time";
 pub(crate) const STIFFNESS: &str = "K in F = K δ^1.5";
-pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `slips`, in space `loses-lag`, or `infeasible`";
+pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `slips`, on elastic flanks and in space `loses-lag`, or `infeasible`";

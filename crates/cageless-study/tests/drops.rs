@@ -248,6 +248,47 @@ fn scattered_drops_are_the_same_on_any_number_of_threads() {
     assert_eq!(one, drops(2));
 }
 
+/// The draws of a scattered drop, entered in the case, give its results.
+#[test]
+fn a_scattered_drop_can_be_repeated() {
+    let request = DropRequest {
+        samples: Some(2),
+        ..DropRequest::default()
+    };
+    // The automatic step is that of the case before it is scattered.
+    let short = ["solver.duration_s=0.0075", "solver.step_us=0.5"];
+    let ensemble = studied(&drop(&short), request).ensemble.unwrap();
+    let row = serde_json::to_value(&ensemble.drops[1]).unwrap();
+    let of = |name: &str| row[name].clone();
+    let changes = [
+        ("rotor.friction_coefficient", of("rotor_friction")),
+        ("contact.friction_coefficient", of("ball_friction")),
+        ("rotor.radial_clearance_um", of("radial_clearance_um")),
+        ("support.damping_n_s_m", of("support_damping_n_s_m")),
+        ("rotor.eccentricity_phase_deg", of("eccentricity_phase_deg")),
+        ("start.lead_ball_angle_deg", of("lead_ball_angle_deg")),
+        ("start.gaps", of("gaps_deg")),
+    ];
+    let changes: Vec<String> = changes
+        .iter()
+        .map(|(key, v)| format!("{key}={v}"))
+        .collect();
+    let mut changes: Vec<&str> = changes.iter().map(String::as_str).collect();
+    changes.extend(short);
+    let again = studied(&drop(&changes), DropRequest::default());
+    for name in ["rotor_force_max_n", "first_contact_ms", "end_power_w"] {
+        let [found, expected] = [
+            &again.record.bearings[0].result,
+            &ensemble.drops[1].bearings[0].result,
+        ]
+        .map(|result| result.results.number(name));
+        assert!(
+            (found / expected - 1.0).abs() < 1e-9,
+            "{name}: {found} {expected}"
+        );
+    }
+}
+
 fn texts(study: &DropStudy, file: &CaseFile) -> serde_json::Value {
     serde_json::from_str(&study.to_json(&file.clone().into()).unwrap()).unwrap()
 }

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use cageless::simulation::Control;
-use cageless_io::case_file::template;
+use cageless_io::case_file::{CaseFile, template};
 use cageless_io::plan_file::{PlanFile, difference};
-use cageless_io::results::Row;
-use cageless_results::Cell;
+use cageless_io::results::{Row, TableWriter};
+use cageless_results::{Cell, equilibrium_record};
 use cageless_study::sweep::Sweep;
 
 fn plan(text: &str) -> PlanFile {
@@ -172,6 +172,47 @@ fn a_failed_variant_is_a_row_with_its_reason() {
         numbers(&sweep, &rows, "raceway_half_angle_deg"),
         [25.0, 95.0]
     );
+}
+
+/// A row is what the command computes of its case: in the plane where nothing takes it out.
+#[test]
+fn statics_are_in_space_where_their_case_is() {
+    let text = "compute = [\"static\"]\n[grid]\noperation.axial_load_n = [0.0, 200.0]\n\
+                model.motion = [\"auto\", \"space\"]\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    let [z, safety] =
+        ["static_ring_z_um", "static_static_safety_factor"].map(|name| column(&sweep, &rows, name));
+    assert_eq!(z[0], Cell::Null);
+    assert!(safety[0].number().is_some());
+    let ring = numbers(&sweep, &rows, "static_ring_y_um");
+    let axes = [(0, "auto"), (0, "space"), (200, "auto"), (200, "space")];
+    for (k, (axial_n, motion)) in axes.into_iter().enumerate() {
+        let changes = [
+            format!("operation.axial_load_n={axial_n}"),
+            format!("model.motion={motion}"),
+        ];
+        let file = CaseFile::parse(&template(false), "case.toml", &changes).unwrap();
+        let record = equilibrium_record(file.case()).unwrap();
+        assert_eq!(ring[k], record.results.number("ring_y_um"), "{changes:?}");
+    }
+    assert!(ring[0] != ring[1] && ring[2] == ring[3], "{ring:?}");
+}
+
+/// Tables over time are values like others, told apart by how they are written.
+#[test]
+fn an_axis_may_have_tables() {
+    let text = "compute = [\"static\"]\nkeep = [\"static_ring_y_um\"]\n[grid]\n\
+                operation.radial_load_n = [[[0.0, 100.0], [1.0, 200.0]], 150]\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    let written = ["[[0, 100], [1, 200]]", "150"].map(|text| Cell::Text(text.to_owned()));
+    assert_eq!(column(&sweep, &rows, "operation_radial_load_n"), written);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("rows.parquet");
+    let mut table = TableWriter::create(&path, sweep.columns(), &[]).expect("a table");
+    rows.into_iter()
+        .for_each(|row| table.push(row).expect("fits"));
 }
 
 #[test]

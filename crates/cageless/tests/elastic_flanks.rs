@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use crate::common::{complete, conventional, dimensions, drop_case, raceway, structure, undamped};
 use cageless::contact::friction::{Law, Smooth};
 use cageless::contact::{AtFlanks, FlankContact, FlankSection, FlankSliding};
-use cageless::design::{Judgement, RacewayTallies, RacewayVerdict, RunVerdict, judge_watched};
+use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
+use cageless::design::{RacewayTallies, RacewayVerdict, RunVerdict, judge_watched};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
@@ -298,7 +299,7 @@ fn elastic_flanks_lag_as_in_space() {
     }
 }
 
-/// Verdict, lag that is left and critical gap on elastic flanks in the plane are those in space, of a raceway that
+/// Verdict, lag that is left, critical gap and what a search finds on elastic flanks in the plane are those in space, of a raceway that
 /// passes, and of a short one on which little friction leaves the balls less than half of it; so is a run's own verdict.
 #[test]
 fn verdicts_on_elastic_flanks_are_those_in_space() {
@@ -322,14 +323,25 @@ fn verdicts_on_elastic_flanks_are_those_in_space() {
                 judge_watched(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
             let own = RunVerdict::from_case(&case, &tallies).verdict;
             assert_eq!([judgement.verdict, own], [expected; 2], "{judgement:?}");
-            judgement
+            let job = Job {
+                structure: RacewayLayout::from_case(&case).unwrap(),
+                point: OperatingPoint::from_case(&case),
+                task: Task::PairSeparation,
+            };
+            let searched = run_jobs(&case, &[&job], &mut |_| Control::Continue(())).swap_remove(0);
+            let Some(Ok(Numbers::PairSeparation(searched))) = searched else {
+                panic!("{searched:?}");
+            };
+            [
+                judgement.critical_gap_rad.unwrap(),
+                judgement.steady_gap_rad.unwrap(),
+                judgement.passages.unwrap().lag_fraction,
+                searched.critical_gap_rad,
+                1.0 - searched.shortfall,
+                searched.stress_pa,
+            ]
         });
-        let numbers = |judgement: &Judgement| {
-            let gaps = [judgement.critical_gap_rad, judgement.steady_gap_rad];
-            let lag = judgement.passages.unwrap().lag_fraction;
-            [gaps[0].unwrap(), gaps[1].unwrap(), lag]
-        };
-        for (plane, space) in numbers(&plane).into_iter().zip(numbers(&space)) {
+        for (plane, space) in plane.into_iter().zip(space) {
             assert!((plane / space - 1.0).abs() < 1e-3, "{plane} {space}");
         }
     }

@@ -167,7 +167,7 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
     assert_eq!(drawn.bearings[..1], of_case.bearings);
     assert_eq!(scattered.cases()[0].start, alone.cases()[0].start);
     // Equal cases, no draw in common.
-    let [a, b] = [drawn.bearings[0], drawn.bearings[1]];
+    let [a, b] = [&drawn.bearings[0], &drawn.bearings[1]];
     for (a, b) in [
         (a.rotor_friction, b.rotor_friction),
         (a.ball_friction, b.ball_friction),

@@ -198,7 +198,7 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
     let samples = found.samples.as_ref().unwrap();
     assert_eq!(
         samples.critical_gap_quantiles_rad,
-        Some([6.0, 51.0, 95.0]),
+        Some([5.95, 50.5, 95.05]),
         "of 1 to 100"
     );
     assert_eq!((samples.count, samples.passed), (100, 99));

@@ -358,7 +358,7 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
         assert!(off[0].hypot(off[1]) < 1e-18, "{off:?}");
     }
     let damping = case.support.as_ref().unwrap().damping_n_s_m;
-    let bearing = |k: usize| drawn[k].bearings[0];
+    let bearing = |k: usize| &drawn[k].bearings[0];
     within(
         "damping",
         &|k| bearing(k).support_damping_n_s_m.unwrap() / damping,

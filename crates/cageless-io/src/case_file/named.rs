@@ -21,10 +21,11 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
             .map(|&(_, value)| value)
     }
 
-    /// The value that a text names.
+    /// The value that a text names, or a whole number by its digits.
     fn of_node(node: &Node) -> Option<Self> {
         match &node.value {
             Value::Text(text) => Self::from_name(text),
+            Value::Integer(digits) => Self::from_name(&digits.to_string()),
             _ => None,
         }
     }

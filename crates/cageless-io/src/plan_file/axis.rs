@@ -111,9 +111,10 @@ impl Axis {
         unit(&self.key)
     }
 
-    /// Whether the values are names.
+    /// Whether the values are names, lists or tables, which are told apart by how they are written.
     pub fn is_text(&self) -> bool {
-        matches!(&self.values, AxisValues::List(list)
-            if list.iter().any(|v| matches!(v, CaseValue::Text(_))))
+        let numbers =
+            |value: &CaseValue| matches!(value, CaseValue::Integer(_) | CaseValue::Number(_));
+        matches!(&self.values, AxisValues::List(list) if !list.iter().all(numbers))
     }
 }

@@ -4,11 +4,11 @@ const PROGRESS_STEP = 0.05;
 // What the criteria measure.
 const SIMULATED = {
   separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
-  "both-neighbours": "passages with double collision", lag: "lag per pass, of that of rolling without a contact angle",
+  "both-neighbours": "passages with double collision", lag: "lag per pass, of that of rolling on rigid flanks",
 };
 const ESTIMATED = {
   separation: "β0 over the gap outside the raceway", sliding: "friction demand over that available",
-  "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4200 MPa (ISO 76)", lag: "lag of rolling over that without a contact angle",
+  "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4200 MPa (ISO 76)", lag: "lag of rolling over that on rigid flanks",
 };
 
 class Verdict {

@@ -62,7 +62,7 @@ pub const DROP: &[Quantity] = &[
     across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j)))),
     across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j)))),
     across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j)))),
-    means("power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact", across(Sum, quantity("braking_torque_n_m", "N m", "torque by which the contacts brake the rotor, at the end", Drop(|d| end(d, |p| p.torque_n_m))))),
+    means("power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact; while an inner ring still comes up to speed, the torque that accelerates it brakes the rotor as well", across(Sum, quantity("braking_torque_n_m", "N m", "torque of the losses that brakes the rotor, at the end", Drop(|d| end(d, |p| p.torque_n_m))))),
     means("mean over the last fifth of the time after the first contact", across(Sum, quantity("end_power_w", "W", "heat of all interfaces per second, at the end", Drop(|d| end(d, |p| p.total_w))))),
     means(INTO_PART, across(Sum, quantity("inner_ring_power_w", "W", "  into the inner ring", Drop(|d| end(d, |p| p.parts_w[0]))))),
     means(INTO_PART, across(Sum, quantity("ball_power_w", "W", "  into the balls", Drop(|d| end(d, |p| p.parts_w[1]))))),

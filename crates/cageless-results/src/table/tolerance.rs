@@ -52,7 +52,7 @@ pub const SAMPLES: &[Quantity] = &[
     part(integer("passed", "bearings that pass", Samples(|s| count(s.samples.passed)))),
     part(quantity("pass_probability", "", "probability of passing", Samples(|s| some(s.samples.pass_probability)))),
     part(range("pass_probability_interval", "", "  95 % interval (Wilson)", Samples(|s| ends(Some(s.samples.pass_probability_interval))))),
-    part(means("of fewer than 20 bearings the smallest, median and largest", range("critical_gap_quantiles_deg", "deg", "critical gap, 5 % … 50 % … 95 %", Samples(|s| s.samples.critical_gap_quantiles_rad.map_or(Cell::Null, |q| Cell::Numbers(q.map(f64::to_degrees).to_vec())))))),
+    part(means("linear between the values of neighbouring ranks", range("critical_gap_quantiles_deg", "deg", "critical gap, 5 % … 50 % … 95 %", Samples(|s| s.samples.critical_gap_quantiles_rad.map_or(Cell::Null, |q| Cell::Numbers(q.map(f64::to_degrees).to_vec())))))),
     part(text("first_impossible", "reason of the first infeasible bearing", Samples(|s| s.samples.outcomes.iter().find_map(|o| o.reason.clone()).map_or(Cell::Null, Cell::Text)))),
 ];
 

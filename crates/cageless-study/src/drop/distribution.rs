@@ -1,6 +1,7 @@
 //! Distributions over drops whose conditions scatter.
 
 use cageless::numerics::proportion::wilson_interval;
+use cageless::numerics::quantile::quantile;
 use cageless::touchdown::{DrawnBearing, EndState};
 use cageless_io::OptionError;
 use serde::{Serialize, Serializer};
@@ -90,17 +91,25 @@ pub struct BearingRow {
     pub radial_clearance_um: f64,
     /// Damping of the support, N·s/m; `None` without a support.
     pub support_damping_n_s_m: Option<f64>,
+    /// Place of ball 1 at the start, degrees; `None` if it is not drawn.
+    pub lead_ball_angle_deg: Option<f64>,
+    /// Gaps of the balls to the next at the start, degrees; `None` if they are not drawn.
+    pub gaps_deg: Option<Vec<f64>>,
     /// Results.
     pub result: DropResult,
 }
 
 impl BearingRow {
     pub(super) fn new(drawn: &DrawnBearing, result: DropResult) -> Self {
+        let arrangement = drawn.arrangement_rad.as_ref();
         Self {
             rotor_friction: drawn.rotor_friction,
             ball_friction: drawn.ball_friction,
             radial_clearance_um: 1e6 * drawn.radial_clearance_m,
             support_damping_n_s_m: drawn.support_damping_n_s_m,
+            lead_ball_angle_deg: arrangement.map(|(_, lead_rad)| lead_rad.to_degrees()),
+            gaps_deg: arrangement
+                .map(|(gaps_rad, _)| gaps_rad.iter().map(|g| g.to_degrees()).collect()),
             result,
         }
     }
@@ -176,14 +185,13 @@ fn quantiles(complete: &[&DropResult]) -> Vec<Quantiles> {
             .filter_map(|result| result.results.value(quantity.name))
             .collect();
         values.sort_by(f64::total_cmp);
-        let last = values.len().checked_sub(1)?;
-        let quantile = |q: f64| values[(q * last as f64).round() as usize];
+        let most = *values.last()?;
         Some(Quantiles {
             quantity,
             least: values[0],
-            median: quantile(0.5),
-            high: quantile(0.95),
-            most: values[last],
+            median: quantile(&values, 0.5),
+            high: quantile(&values, 0.95),
+            most,
         })
     };
     numbers.filter_map(of).collect()

@@ -176,6 +176,8 @@ mod tests {
             ball_friction: 0.1,
             radial_clearance_um: 200.0,
             support_damping_n_s_m: None,
+            lead_ball_angle_deg: None,
+            gaps_deg: None,
             result: DropResult {
                 results: Results::only(DROP, &results),
                 judgement: DropJudgement::default(),

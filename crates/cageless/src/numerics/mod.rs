@@ -19,6 +19,7 @@ pub mod lanes;
 pub mod moments;
 pub mod proportion;
 pub(crate) mod quadrature;
+pub mod quantile;
 pub mod random;
 pub(crate) mod root;
 pub mod student;

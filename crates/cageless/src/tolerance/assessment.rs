@@ -3,6 +3,7 @@
 use super::deviation::{Influence, Trial};
 use crate::design::{Judgement, RacewayVerdict};
 use crate::numerics::proportion::wilson_interval;
+use crate::numerics::quantile::quantile;
 
 /// Result of one trial.
 #[derive(Debug, Clone, PartialEq)]
@@ -207,7 +208,6 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
     let passed = outcomes.iter().filter(|o| o.passes()).count();
     let mut gaps: Vec<f64> = outcomes.iter().filter_map(|o| o.critical_gap_rad).collect();
     gaps.sort_by(f64::total_cmp);
-    let quantile = |fraction: f64| gaps[(fraction * (gaps.len() - 1) as f64).round() as usize];
     Samples {
         count,
         passed,
@@ -221,7 +221,8 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
         .map(|verdict| (verdict, number(verdict))),
         pass_probability: passed as f64 / count as f64,
         pass_probability_interval: wilson_interval(passed, count),
-        critical_gap_quantiles_rad: (!gaps.is_empty()).then(|| [0.05, 0.5, 0.95].map(quantile)),
+        critical_gap_quantiles_rad: (!gaps.is_empty())
+            .then(|| [0.05, 0.5, 0.95].map(|p| quantile(&gaps, p))),
         outcomes,
     }
 }

@@ -39,7 +39,7 @@ impl Default for Scatter {
 }
 
 /// What was drawn for one bearing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DrawnBearing {
     /// Friction coefficient between rotor and inner ring.
     pub rotor_friction: f64,
@@ -49,6 +49,8 @@ pub struct DrawnBearing {
     pub radial_clearance_m: f64,
     /// Damping of the support, N·s/m; `None` without a support.
     pub support_damping_n_s_m: Option<f64>,
+    /// Gaps between the balls and place of the first one, rad; `None` if they are not drawn.
+    pub arrangement_rad: Option<(Vec<f64>, f64)>,
 }
 
 /// What was drawn for one drop.
@@ -142,6 +144,7 @@ impl Scatter {
             ball_friction: drop.contact.friction.coefficient,
             radial_clearance_m: rotor.radial_clearance_m,
             support_damping_n_s_m: None,
+            arrangement_rad: None,
         };
         if let Some(support) = &mut drop.support {
             let most = self.support_damping_factor.ln();
@@ -152,10 +155,13 @@ impl Scatter {
         }
         if self.ball_arrangement {
             let Streams { seed, index } = streams;
+            let gaps_rad = uneven_gaps_rad(case, seed, index);
+            let lead_ball_angle_rad = streams.between(Dimension::FirstBall, 0.0, TAU) - TAU / 2.0;
             drop.start = Start::AtRest {
-                gaps: Gaps::List(uneven_gaps_rad(case, seed, index)),
-                lead_ball_angle_rad: streams.between(Dimension::FirstBall, 0.0, TAU) - TAU / 2.0,
+                gaps: Gaps::List(gaps_rad.clone()),
+                lead_ball_angle_rad,
             };
+            drawn.arrangement_rad = Some((gaps_rad, lead_ball_angle_rad));
         }
         (drop, drawn)
     }
