@@ -164,6 +164,10 @@ fn impossible_values_are_named() {
             ["raceway.contact_angle_deg = 30", "shoulder"],
         ),
         (
+            &["model.motion=space", "search.contact_angle_deg=[0,80]"],
+            ["search.contact_angle_deg", "outer shoulder"],
+        ),
+        (
             &["operation.tilt_x_mrad=500"],
             [
                 "operation.tilt_x_mrad = 500",
@@ -481,7 +485,7 @@ fn the_ring_of_a_bearing_in_space_is_exported() {
     let rows = pair(folder.path(), "axial_position_mm = 8.0\ncontact_sign = -1");
     let refused = export(&rows, &[], &[]);
     assert_eq!(refused.code, Some(2), "{refused:?}");
-    for words in ["axial_position_mm = 8", "one [[row]]"] {
+    for words in ["axial_position_mm = 8", "with its [[row]]"] {
         assert!(refused.stderr.contains(words), "{refused:?}");
     }
 }

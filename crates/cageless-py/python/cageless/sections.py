@@ -44,7 +44,7 @@ class Bearing(Section):
     inner_ring_polar_inertia_kg_m2: Annotated[float | None, "Ji of the inner ring with what turns with it, needed under a [rotor]"] = None
     inner_ring_bore_radius_mm: Annotated[float | None, "Rb, radius of the bore of the inner ring, needed under a [rotor]"] = None
     assembly: Annotated[Literal["without-slot", "filling-slot"] | None, "way of assembly, for the load ratings: \"filling-slot\" if the balls of a bearing without a contact angle fill more than 205° (N - 1 times ε), else \"without-slot\""] = None
-    ball_radius_deviation_um: Annotated[Sequence[float] | None, "deviation of each ball's radius"] = None
+    ball_radius_deviation_um: Annotated[Sequence[float] | None, "deviation of each ball's radius, the same in every [[row]]"] = None
     outer_ring_outer_radius_mm: Annotated[float | None, "outer radius of the outer ring"] = None
     outer_ring_width_mm: Annotated[float | None, "width of the outer ring"] = None
 
@@ -139,7 +139,7 @@ class Start(Section):
     state: Annotated[Literal["settled", "rolling", "at-rest"] | None, "kind of initial state; \"at-rest\" with a [rotor] unless given"] = None
     ring_x_um: Annotated[float | None, "centre of the inner ring, only for \"rolling\", there 0 by default"] = None
     ring_y_um: Annotated[float | None, "centre of the inner ring, only for \"rolling\", there 0 by default"] = None
-    gaps: Annotated[Literal["uniform", "bunched", "random"] | Sequence[float] | None, "gaps between neighbouring balls: equal, all balls in one group, random by solver.seed, or a list"] = None
+    gaps: Annotated[Literal["uniform", "bunched", "random"] | Sequence[float] | None, "gaps between neighbouring balls: equal, all balls in one group, random by solver.seed, or a list; the same in every [[row]]"] = None
     lead_ball_angle_deg: Annotated[float | None, "initial position of ball 1"] = None
 
 

@@ -152,8 +152,8 @@ impl OuterRing {
             [] | [_] => Ok(ring),
             [_, second, ..] => {
                 let place_m = second.axial_position_m;
-                let rule =
-                    "left out here: each row has its own ring, and that of one [[row]] is made";
+                let rule = "left out with its [[row]]: each row has an outer ring of its own, of which one at \
+                            a time is made";
                 Err(InputError::rule("axial_position_m", place_m, rule))
             }
         }

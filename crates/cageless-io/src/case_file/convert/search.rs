@@ -6,6 +6,8 @@ use cageless::{Case, Profile, RacewayShape};
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
 use crate::case_file::named::SearchedShapes;
+use crate::case_file::unit::Side;
+use crate::case_file::unit::Unit::Degree;
 
 /// Further maps at most.
 const MAPS_MAX: usize = 8;
@@ -32,6 +34,15 @@ impl Converter<'_> {
         if let Some(angles_rad) = &search.section_angle_rad {
             if !in_space {
                 return Err(self.refuse("search.contact_angle_deg", needs_space));
+            }
+            let [_, shoulder_rad] = case.bearing.shoulder_angles_rad();
+            if angles_rad
+                .iter()
+                .any(|angle_rad| angle_rad.abs() >= shoulder_rad)
+            {
+                let shoulder = Degree.show(shoulder_rad, Side::Lower);
+                let allowed = format!("angles below {shoulder}, that of the outer shoulder");
+                return Err(self.refuse("search.contact_angle_deg", &allowed));
             }
             request.section_angles_rad.clone_from(angles_rad);
         }

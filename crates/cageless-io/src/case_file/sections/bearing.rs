@@ -73,7 +73,7 @@ section! {
                 (eccentric rings, a fractured or split ring, or a\n\
                 contact angle: counterbored shoulder)");
         ball_radius_deviation_um => ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
-            "deviation of each ball's radius", Absent;
+            "deviation of each ball's radius, the same in every [[row]]", Absent;
         outer_ring_outer_radius_mm => outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "outer radius of the outer ring",
             Shown("31.0", "outer ring, only for the export to CAD");

@@ -15,7 +15,8 @@ section! {
         gravity_m_s2 => gravity_m_s2: f64 = default(9.81), Si("m/s^2"); AtLeast(0.0),
             "g, downwards", Shown("9.81", "downwards");
         axial_load_n => axial_load_n: Option<f64> = Optional, Si("N"),
-            "Fa, load on the inner ring along the axis, +z; 0 unless given", Absent;
+            "Fa, load on the inner ring along the axis, +z; 0 unless given",
+            Commented("150.0", "Fa, along +z: the balls move in space");
         moment_x_n_m => moment_x_n_m: Option<f64> = Optional, Si("N m"),
             "moment on the inner ring about x, which is then free to tilt", Absent;
         moment_y_n_m => moment_y_n_m: Option<f64> = Optional, Si("N m"),

@@ -18,7 +18,7 @@ section! {
             "centre of the inner ring, only for \"rolling\", there 0 by default",
             Commented("0.0", "");
         gaps => gaps: GivenGaps = default("uniform"), Degree,
-            "gaps between neighbouring balls: equal, all balls in one group, random by solver.seed, or a list",
+            "gaps between neighbouring balls: equal, all balls in one group, random by solver.seed, or a list; the same in every [[row]]",
             Commented("\"uniform\"", "\"bunched\" (one group), \"random\" (by seed) or a list,\n\
                 one gap in degrees per ball, to the ball ahead");
         lead_ball_angle_deg => lead_ball_angle_rad: f64 = default(0.0), Degree,
