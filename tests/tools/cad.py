@@ -685,6 +685,51 @@ def measured(name, binary, case, path, ring, generator):
         below(f"{name}: lag of {lag[1]:.3f}°", lag[0] - lag[1], 0.01)
 
 
+def measured_slots(name, binary, case, path, ring, generator):
+    """Points of all faces of the groove with errors of 1 µm give slots back by `cageless measure`, by a drawing that is
+    off by tenths of a millimetre."""
+    reader = STEPControl_Reader()
+    reader.ReadFile(str(path))
+    reader.TransferRoots()
+    faces = [TopoDS.Face(face) for face in explore(reader.OneShape(), Shape.TopAbs_FACE)]
+    points = np.concatenate([face_points(face, 3000, generator) for face in faces])
+    points += generator.normal(0.0, 1e-3, points.shape)
+    touched = path.with_suffix(".points.csv")
+    np.savetxt(touched, points, delimiter=",", header="x_mm,y_mm,z_mm", comments="", fmt="%.7f")
+    text, designed = case.read_text(), tomllib.loads(case.read_text())["raceway"]
+    for slot in designed:
+        for key, factor in (("axial_span_mm", 1.04), ("half_angle_deg", 1.01), ("edge_radius_mm", 0.8)):
+            text = text.replace(f"{key} = {slot[key]}\n", f"{key} = {slot[key] * factor}\n")
+    drawn, out = path.with_suffix(".drawn.toml"), path.with_suffix(".measured")
+    drawn.write_text(text)
+    command = [str(c) for c in (binary, "measure", drawn, touched, "--json", "--out", out)]
+    found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)["raceways"]
+    entered = tomllib.loads((out / "measured.toml").read_text())["raceway"]
+    check(f"{name}: every slot", len(found) == len(entered) == len(ring.slots))
+    for said, slot, given in zip(found, entered, designed, strict=True):
+        check(f"{name}: points", said["measured_points"] > 2000, said["measured_points"])
+        below(f"{name}: deviation, µm", said["measured_deviation_um"] - 1.0, 0.05)
+        below(f"{name}: depth error, µm", said["depth_error_um"], 1.0)
+        for key, length in (("axial_span_mm", 1), ("edge_radius_mm", 1), ("half_angle_deg", np.radians(1) * ring.ro)):
+            below(f"{name}: {key}, µm", 1e3 * length * (slot[key] - given[key]), 5.0)
+        below(f"{name}: lag, °", slot_lag(ring, slot) - slot_lag(ring, given), 0.01)
+
+
+def slot_lag(ring, given):
+    """Lag of a ball that rolls through a slot, sink and contact angle included, of equal radii of pitch and orbit, in °."""
+    sine, edge = given["axial_span_mm"] / (2 * ring.rw), given["edge_radius_mm"]
+    half, theta = (ring.rw + edge) * sine, np.radians(given["half_angle_deg"])
+    local = np.linspace(0, theta, 200_001)
+    left = 1 - (np.maximum(local - theta + half / ring.ro, 0) * ring.ro / half) ** 2
+    square = sine**2 * np.maximum(left, 0)
+    cos = np.sqrt(1 - square)
+    sink = np.sqrt((ring.re + edge) ** 2 - (ring.rw + edge) ** 2 * square) - (ring.rw + edge) * cos - ring.back
+    # Rolling on the inner ring at Ri + s and on two points at the angle αc: ω of the ball set ∝ 1/(1 + ρ/(r cos αc)).
+    out = ring.t + sink + ring.rw * cos
+    speed = (ring.t + sink - ring.rw) / (ring.t + sink - ring.rw + out / cos)
+    return np.degrees(2 * np.trapezoid(speed[-1] / speed - 1, local))
+
+
 def main():
     binary, scratch = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     scratch.mkdir(parents=True, exist_ok=True)
@@ -701,6 +746,8 @@ def main():
             below(f"{which}: deviation under 0.1 µm by default", said["deviation_um"], 0.1)
             if name in ("structure-d", "two", "turned") and blend == min(blends):
                 measured(f"{which} measured", binary, path, out, ring, generator)
+            if name in ("slot", "turned-slot"):
+                measured_slots(f"{which} measured", binary, path, out, ring, generator)
             check(f"{which}: kink", (said["slope_discontinuity_45_deg"] > 0.1) == (bool(ring.raceways) and blend == 0))
             out = scratch / f"{which}.stl"
             stl(f"{which} STL", out, export(binary, path, out, *more), ring, generator)

@@ -11,6 +11,10 @@ const SIZE: [&str; 2] = [
 
 /// The points of a ring as `export` writes them, without blends.
 fn points(case: &Path, dir: &Path) -> PathBuf {
+    spaced(case, dir, "0.4")
+}
+
+fn spaced(case: &Path, dir: &Path, spacing_mm: &str) -> PathBuf {
     let path = dir.join("points.csv");
     let more = [
         "--format",
@@ -18,7 +22,7 @@ fn points(case: &Path, dir: &Path) -> PathBuf {
         "--blend-mm",
         "0",
         "--spacing-mm",
-        "0.4",
+        spacing_mm,
         "--out",
     ];
     let more = [&more[..], &[path.to_str().unwrap()]].concat();
@@ -92,12 +96,92 @@ fn every_raceway_is_measured() {
     let answer = measure(&case, &points, &["--out", out.to_str().unwrap()]);
     assert_eq!(answer.code, Some(0), "{answer:?}");
     assert!(
-        answer.stdout.contains("raceway 2\npoints within"),
+        answer.stdout.contains("raceway 2\npoints of the raceway"),
         "{answer:?}"
     );
     let shown = call_on("design", &out.join("measured.toml"), &[], &["--json"]).json();
     close(&shown["raceways"][1]["axial_span_mm"], 4.0, 1e-5);
     close(&shown["raceways"][1]["half_angle_deg"], 15.0, 1e-9);
+}
+
+/// A case with slots in space in the place of the raceway of structure (d).
+fn slotted(dir: &Path, name: &str, slots: &[&str]) -> PathBuf {
+    let text = std::fs::read_to_string(repository_case("zhao-d.toml")).unwrap();
+    let (head, rest) = text.split_once("[raceway]").unwrap();
+    let (_, tail) = rest.split_once("\n[").unwrap();
+    let slots: String = slots
+        .iter()
+        .map(|slot| format!("\n[[raceway]]\nshape = \"slot\"\n{slot}\n"))
+        .collect();
+    let path = dir.join(name);
+    std::fs::write(&path, format!("{head}[{tail}{slots}")).unwrap();
+    path
+}
+
+/// Slots of an exported ring, by a drawing with other dimensions: what was made, the rest of the case is kept.
+#[test]
+fn slots_are_measured() {
+    let dir = tempfile::tempdir().unwrap();
+    let made = [
+        "axial_span_mm = 2.4\nhalf_angle_deg = 25.2\ncentre_angle_deg = 17.3\nedge_radius_mm = 0.3",
+        "axial_span_mm = 2.0\nhalf_angle_deg = 2.22\ncentre_angle_deg = 150.0\nedge_radius_mm = 0.35\nslot_depth_mm = 1.2",
+    ];
+    let drawn = [
+        "axial_span_mm = 2.45 # as drawn\nhalf_angle_deg = 25.0\ncentre_angle_deg = 17.0\nedge_radius_mm = 0.25",
+        "axial_span_mm = 1.95\nhalf_angle_deg = 2.3\ncentre_angle_deg = 150.2\nedge_radius_mm = 0.4\nslot_depth_mm = 1.3",
+    ];
+    let points = spaced(&slotted(dir.path(), "made.toml", &made), dir.path(), "0.08");
+    let out = dir.path().join("out");
+    let case = slotted(dir.path(), "drawn.toml", &drawn);
+    let answer = measure(&case, &points, &["--json", "--out", out.to_str().unwrap()]);
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    let [first, second] = [0, 1].map(|k| answer.json()["raceways"][k].clone());
+    for (slot, key, expected) in [
+        (&first, "axial_span_mm", 2.4),
+        (&first, "edge_radius_mm", 0.3),
+        (&first, "half_angle_deg", 25.2),
+        (&first, "centre_angle_deg", 17.3),
+        // 2 ((Rw + re) lC/(2 Rw) − re).
+        (&first, "slot_width_mm", 5.0625 / 4.7625 * 2.4 - 0.6),
+        (&first, "measured_deviation_max_um", 0.0),
+        (&first, "depth_error_um", 0.0),
+        (&second, "axial_span_mm", 2.0),
+        (&second, "edge_radius_mm", 0.35),
+        (&second, "half_angle_deg", 2.22),
+    ] {
+        let allowed = if key.ends_with("_um") { 5e-3 } else { 2e-5 };
+        close(&slot[key], expected, allowed);
+    }
+    // 2 re and the sink of a ball.
+    let [ball, groove] = [4.7625 + 0.3, 4.953 + 0.3];
+    let across: f64 = ball * 1.2 / 4.7625;
+    let along = |reach: f64| (reach * reach - across * across).sqrt();
+    let sink = along(groove) - along(ball) - (groove - ball);
+    close(&first["slot_depth_mm"], 0.6 + sink, 1e-5);
+    let text = std::fs::read_to_string(out.join("measured.toml")).unwrap();
+    assert_eq!(text.matches("shape = \"slot\"").count(), 2);
+    for kept in [
+        "axial_span_mm = 2.4",
+        "slot_depth_mm = 1.3",
+        "edge_radius_mm = 0.3",
+    ] {
+        assert!(text.contains(kept), "{kept}: {text}");
+    }
+    assert!(text.contains("# not in the paper: 0.52 x ball diameter"));
+    let checked = call_on("check", &out.join("measured.toml"), &[], &[]);
+    assert_eq!(checked.code, Some(0), "{checked:?}");
+
+    let answer = measure(&case, &points, &[]);
+    for line in ["radius of the rounded edges", "depth error of the edges"] {
+        assert!(answer.stdout.contains(line), "{answer:?}");
+    }
+    let plain = self::points(&repository_case("conventional.toml"), dir.path());
+    let answer = measure(&case, &plain, &[]);
+    let said = "0 points of raceway 1 are not possible: they must be 50 or more on the rounded edges of the slot";
+    assert!(
+        answer.code == Some(2) && answer.stderr.contains(said),
+        "{answer:?}"
+    );
 }
 
 #[test]

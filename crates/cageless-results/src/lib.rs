@@ -58,8 +58,8 @@ pub use successive_drop::succession_record;
 pub use table::{
     AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE, LUBRICATION, MAP, MOTION,
     PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION,
-    RUN, SEARCH, SPACE, STATIC, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT, of_column, of_kind,
-    quantities,
+    RUN, SEARCH, SLOT, SPACE, STATIC, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT, of_column,
+    of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use verification_result::{step_warning, verification_record};

@@ -13,7 +13,7 @@ use cageless::raceway::MeasuredFlanks;
 use cageless::rating::Rating;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::summary::Summary;
-use cageless::surface::MeasuredGroove;
+use cageless::surface::{MeasuredSlot, PointDeviation};
 use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
 use cageless::touchdown::{DropSummary, PARTS, SpinDown};
 use cageless::verification::{Distance, Verification};
@@ -218,7 +218,8 @@ sources! {
     Design(Case, Case) "A case, by closed forms.",
     ContactAngle(Option<ContactAngleEstimate>, Option<ContactAngleEstimate>) "What a contact angle leaves of a raceway.",
     Profile(MeasuredFlanks, MeasuredFlanks) "The profile of a measured raceway.",
-    Groove(MeasuredGroove, MeasuredGroove) "A raceway fitted to points of its surface.",
+    Points(PointDeviation, PointDeviation) "A raceway fitted to points of its surface.",
+    Slot(MeasuredSlot, MeasuredSlot) "A slot fitted to points of its edges.",
     Axial([AxialLag], [AxialLag]) "Lags under axial load and tilt.",
     Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",
     Verdict(Judged<'_>, Judged<'a>) "The raceways of a case with their verdict.",

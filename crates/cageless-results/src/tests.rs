@@ -13,7 +13,9 @@ use cageless::raceway::MeasuredFlanks;
 use cageless::simulation::{Control, run};
 use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::SummaryRecorder;
-use cageless::surface::{MeasuredGroove, OuterRing, OuterRingDimensions};
+use cageless::surface::{
+    MeasuredGroove, MeasuredSlot, OuterRing, OuterRingDimensions, PointDeviation,
+};
 use cageless_io::case_file::{CaseFile, template};
 
 use super::*;
@@ -159,10 +161,50 @@ fn results_of_a_measured_raceway_are_deviations_from_its_fit() {
     };
     let points: Vec<[f64; 3]> = (0..21 * 8).map(point).collect();
     let groove = MeasuredGroove::fit(case, 0, &points).unwrap();
-    let results = Results::of(GROOVE, Subject::Groove(&groove));
+    let results = Results::of(GROOVE, Subject::Points(&groove.deviation()));
     assert_eq!(results.get("measured_points"), Some(&Cell::Integer(21 * 8)));
     assert!((results.number("measured_deviation_um") - 2.0).abs() < 0.1);
     assert!((results.number("measured_deviation_max_um") - 2.5).abs() < 0.5);
+}
+
+#[test]
+fn results_of_a_measured_slot_are_its_dimensions() {
+    let mut slot = MeasuredSlot {
+        edge_radius_m: 0.31e-3,
+        axial_span_m: 2.41e-3,
+        half_angle_rad: 25.1 * DEGREE,
+        centre_angle_rad: 17.2 * DEGREE,
+        width_m: 1.97e-3,
+        depth_error_m: 3.7 * MICROMETRE,
+        slot_depth_m: Some(0.63e-3),
+        deviation: PointDeviation {
+            points: 701,
+            mean_m: 1.1 * MICROMETRE,
+            largest_m: 4.3 * MICROMETRE,
+        },
+    };
+    let expected = [
+        ("edge_radius_mm", 0.31),
+        ("axial_span_mm", 2.41),
+        ("slot_width_mm", 1.97),
+        ("half_angle_deg", 25.1),
+        ("centre_angle_deg", 17.2),
+        ("depth_error_um", 3.7),
+        ("slot_depth_mm", 0.63),
+    ];
+    compare(
+        &Results::of(SLOT, Subject::Slot(&slot)),
+        &expected,
+        &[],
+        1e-12,
+    );
+    let of_points = Results::of(GROOVE, Subject::Points(&slot.deviation));
+    assert_eq!(of_points.get("measured_points"), Some(&Cell::Integer(701)));
+    assert!((of_points.number("measured_deviation_um") - 1.1).abs() < 1e-12);
+    assert!((of_points.number("measured_deviation_max_um") - 4.3).abs() < 1e-12);
+    slot.slot_depth_m = None;
+    let results = Results::of(SLOT, Subject::Slot(&slot));
+    assert_eq!(results.get("slot_depth_mm"), Some(&Cell::Null));
 }
 
 #[test]

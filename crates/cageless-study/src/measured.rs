@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use cageless::surface::MeasuredGroove;
+use cageless::surface::{MeasuredGroove, MeasuredSlot};
+use cageless::{Case, InputError};
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::point_file::read_points;
-use cageless_results::{GROOVE, PROFILE, Part, Record, Results, Subject};
+use cageless_results::{GROOVE, PROFILE, Part, Record, Results, SLOT, Subject};
 
 use crate::error::StudyError;
 
@@ -15,12 +16,44 @@ const INTERVALS: usize = 24;
 /// A case with the raceways that were measured.
 #[derive(Debug, Clone)]
 pub struct Measured {
-    /// The case with their profiles in the place of its raceways.
+    /// The case with their profiles, or the dimensions of slots, in the place of its raceways.
     pub file: CaseFile,
     /// Its document.
     pub document: CaseDocument,
-    /// Points, deviations and profile of each, `raceways`.
+    /// Points, deviations and profile or dimensions of each, `raceways`.
     pub record: Record,
+}
+
+/// A raceway that was measured.
+enum Fitted {
+    Groove(MeasuredGroove),
+    Slot(MeasuredSlot),
+}
+
+impl Fitted {
+    fn of(case: &Case, index: usize, points_m: &[[f64; 3]]) -> Result<Self, InputError> {
+        match case.raceways[index].slot() {
+            Some(_) => MeasuredSlot::fit(case, index, points_m).map(Self::Slot),
+            None => MeasuredGroove::fit(case, index, points_m).map(Self::Groove),
+        }
+    }
+
+    fn enter(&self, document: &mut CaseDocument, index: usize) {
+        match self {
+            Self::Groove(groove) => document.enter_profile(index, &groove.rows(INTERVALS)),
+            Self::Slot(slot) => document.enter_slot(index, slot),
+        }
+    }
+
+    fn results(&self) -> Results {
+        let of_points = |deviation| Results::of(GROOVE, Subject::Points(deviation));
+        match self {
+            Self::Groove(groove) => of_points(&groove.deviation()),
+            Self::Slot(slot) => {
+                of_points(&slot.deviation).and(Results::of(SLOT, Subject::Slot(slot)))
+            }
+        }
+    }
 }
 
 /// Fits the raceways of a case, which messages call `name`, to the points in a file.
@@ -35,9 +68,9 @@ pub fn measured(file: &CaseFile, name: &str, points: &Path) -> Result<Measured, 
     }
     let found = read_points(points).map_err(StudyError::Input)?;
     let mut document = file.document().clone();
-    let mut grooves = vec![];
+    let mut fitted = vec![];
     for index in 0..case.raceways.len() {
-        let groove = MeasuredGroove::fit(case, index, &found).map_err(|e| {
+        let raceway = Fitted::of(case, index, &found).map_err(|e| {
             StudyError::Input(format!(
                 "{}: {} points of raceway {} are not possible: they must be {}; coordinates are in mm",
                 points.display(),
@@ -46,13 +79,13 @@ pub fn measured(file: &CaseFile, name: &str, points: &Path) -> Result<Measured, 
                 e.allowed
             ))
         })?;
-        document.enter_profile(index, &groove.rows(INTERVALS));
-        grooves.push(groove);
+        raceway.enter(&mut document, index);
+        fitted.push(raceway);
     }
     let file = CaseFile::from_document(document.clone(), name)?;
     let raceways = file.case().raceways.iter();
-    let records = grooves.iter().zip(raceways).map(|(groove, raceway)| {
-        let mut results = Results::of(GROOVE, Subject::Groove(groove));
+    let records = fitted.iter().zip(raceways).map(|(fitted, raceway)| {
+        let mut results = fitted.results();
         if let Some(profile) = &raceway.form().measured {
             results = results.and(Results::of(PROFILE, Subject::Profile(profile)));
         }

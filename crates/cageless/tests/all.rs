@@ -25,6 +25,7 @@ mod linear_rotor;
 mod load_distribution;
 mod lubrication;
 mod measured_ring;
+mod measured_slot;
 mod observed;
 mod one_place;
 mod operating_results;

@@ -61,8 +61,9 @@ fn points_of_the_surface_give_its_flank_angle() {
     for case in rings() {
         let raceway = &case.raceways[0];
         let groove = MeasuredGroove::fit(&case, 0, &touched(&case, 40, 0.0, 0)).unwrap();
-        assert_eq!(groove.points(), 1600);
-        let [rms, largest] = groove.deviation_m();
+        let deviation = groove.deviation();
+        assert_eq!(deviation.points, 1600);
+        let [rms, largest] = [deviation.mean_m, deviation.largest_m];
         assert!(rms <= largest && largest < 1e-9, "{largest:e}");
         for k in -99..100 {
             let psi = raceway.half_angle_rad() * f64::from(k) / 100.0;
@@ -82,7 +83,7 @@ fn errors_of_the_machine_average_out() {
     };
     for seed in 0..5 {
         let groove = MeasuredGroove::fit(&case, 0, &touched(&case, 100, 1e-6, seed)).unwrap();
-        let [rms, largest] = groove.deviation_m();
+        let [rms, largest] = [groove.deviation().mean_m, groove.deviation().largest_m];
         assert!((rms / 1e-6 - 1.0).abs() < 0.05, "{seed} {rms:e}");
         assert!(largest > 2e-6 && largest < 6e-6, "{seed} {largest:e}");
         let theta = raceway.half_angle_rad();

@@ -12,7 +12,7 @@ use cageless::{
     Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, RacewayShape, Row,
 };
 
-const SIZE: OuterRingDimensions = OuterRingDimensions {
+pub const SIZE: OuterRingDimensions = OuterRingDimensions {
     outer_ring_outer_radius_m: 31e-3,
     outer_ring_width_m: 16e-3,
     blend_m: 0.5e-3,
@@ -36,7 +36,7 @@ pub fn slot(bearing: &Bearing, [span, edge, angle, centre]: Given) -> Result<Rac
 }
 
 /// A bearing of the contact angle α0 with slots turned by αg, in degrees, in a row of this contact sign.
-fn case(free: f64, section: f64, sign: f64, slots: &[Given]) -> Case {
+pub fn case(free: f64, section: f64, sign: f64, slots: &[Given]) -> Case {
     let mut case = conventional(dimensions());
     let bearing = Bearing::new(dimensions(), steel()).unwrap();
     let opened = bearing.with_contact_angle(free.to_radians(), 0.0);

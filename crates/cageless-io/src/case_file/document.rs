@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cageless::surface::MeasuredSlot;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -104,14 +105,41 @@ impl CaseDocument {
         ] {
             self.remove(&join(&section, designed));
         }
-        // The conversion leaves rounding.
-        let rounded = |angle: f64| {
-            let degrees = Unit::Degree.of_si(angle);
-            format!("{degrees:.6}").parse().unwrap_or(degrees)
-        };
+        let rounded = |angle: f64| rounded(Unit::Degree, angle, 6);
         let rows = rows.iter().map(|row| row.map(rounded)).collect();
         self.set(&join(&section, "shape"), "measured");
         self.set(&join(&section, "profile"), CaseValue::Table(rows));
+    }
+
+    /// Enters the dimensions of a slot that was measured in the place of those of a raceway.
+    pub fn enter_slot(&mut self, index: usize, slot: &MeasuredSlot) {
+        let section = nth("raceway", index, self.count("raceway"));
+        // Rounding must not make the slot shorter than its ends.
+        let up = |degrees: f64| (degrees * 1e9 + 0.5).ceil() / 1e9;
+        let lengths = [
+            ("axial_span_mm", Some(slot.axial_span_m)),
+            ("edge_radius_mm", Some(slot.edge_radius_m)),
+            ("slot_depth_mm", slot.slot_depth_m),
+        ];
+        let lengths = (lengths.into_iter())
+            .filter_map(|(key, length)| Some((key, rounded(Unit::Millimetre, length?, 6))));
+        let others = [
+            (
+                "half_angle_deg",
+                up(Unit::Degree.of_si(slot.half_angle_rad)),
+            ),
+            (
+                "centre_angle_deg",
+                rounded(Unit::Degree, slot.centre_angle_rad, 6),
+            ),
+            (
+                "depth_error_um",
+                rounded(Unit::Micrometre, slot.depth_error_m, 3),
+            ),
+        ];
+        for (key, value) in lengths.chain(others) {
+            self.set(&join(&section, key), value);
+        }
     }
 
     /// The value of a dotted key; `None` if it is left out or not a key.
@@ -173,6 +201,12 @@ impl CaseDocument {
         toml::to_string(&Without(self, left_out))
             .map_err(|e| CaseError::of_file("case", format!("cannot be written as TOML: {e}")))
     }
+}
+
+/// A value in SI in the unit of a file: the conversion leaves rounding.
+fn rounded(unit: Unit, value: f64, decimals: usize) -> f64 {
+    let value = unit.of_si(value);
+    format!("{value:.decimals$}").parse().unwrap_or(value)
 }
 
 /// Two documents are equal if they have the same keys and values, wherever those come from.

@@ -42,7 +42,7 @@ class Measured(NamedTuple):
 
     #: The case with the raceways as measured in place of those that were designed.
     case: Any
-    #: A row per raceway: points, their deviations from the fit, flank and half angle.
+    #: A row per raceway: points, their deviations from the fit, flank and half angle; dimensions of a slot.
     raceways: pd.DataFrame
 
 

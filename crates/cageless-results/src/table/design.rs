@@ -15,7 +15,8 @@ use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::{
-    Axial, ContactAngle, Curve, Design, Groove, Passages, Profile, Raceway, Recommendation, Verdict,
+    Axial, ContactAngle, Curve, Design, Passages, Points, Profile, Raceway, Recommendation, Slot,
+    Verdict,
 };
 
 /// Closed forms of a design; those of one raceway are of the first.
@@ -55,9 +56,21 @@ pub const PROFILE: &[Quantity] = &[
 /// A raceway that is fitted to points of its surface.
 #[rustfmt::skip]
 pub const GROOVE: &[Quantity] = &[
-    part(integer("measured_points", "points within the half angle of the raceway", Groove(|g| count(g.points())))),
-    means("root mean square of their distances from the fitted surface", part(low(quantity("measured_deviation_um", "um", "deviation of the points from the fitted raceway", Groove(|g| some(g.deviation_m()[0] * 1e6)))))),
-    part(low(quantity("measured_deviation_max_um", "um", "largest deviation of a point", Groove(|g| some(g.deviation_m()[1] * 1e6))))),
+    means("within the half angle of a groove with flanks; on the rounded edges of a slot", part(integer("measured_points", "points of the raceway", Points(|p| count(p.points))))),
+    means("root mean square of their distances from the fitted surface", part(low(quantity("measured_deviation_um", "um", "deviation of the points from the fitted raceway", Points(|p| some(p.mean_m * 1e6)))))),
+    part(low(quantity("measured_deviation_max_um", "um", "largest deviation of a point", Points(|p| some(p.largest_m * 1e6))))),
+];
+
+/// A slot that is fitted to points of its edges.
+#[rustfmt::skip]
+pub const SLOT: &[Quantity] = &[
+    part(quantity("edge_radius_mm", "mm", "radius of the rounded edges", Slot(|s| some(s.edge_radius_m * 1e3)))),
+    means("largest axial distance between the contact points of a ball on both edges", part(quantity("axial_span_mm", "mm", "axial span lC", Slot(|s| some(s.axial_span_m * 1e3))))),
+    part(quantity("slot_width_mm", "mm", "width between the walls below the edges", Slot(|s| some(s.width_m * 1e3)))),
+    part(quantity("half_angle_deg", "deg", "half angle θ", Slot(|s| degrees(s.half_angle_rad)))),
+    part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Slot(|s| degrees(s.centre_angle_rad)))),
+    means("how much farther out a ball on both edges sits in the middle than on edges of these dimensions that run into the groove of the case, along the normals at its contacts", part(quantity("depth_error_um", "um", "depth error of the edges", Slot(|s| some(s.depth_error_m * 1e6))))),
+    means("median of the points of the floor below the bottom of the groove of the case; none with fewer than 10", part(quantity("slot_depth_mm", "mm", "depth of the floor", Slot(|s| s.slot_depth_m.map(|depth| depth * 1e3).into())))),
 ];
 
 /// What axial load and tilt leave of the lag, by motion in space; lists are over pairs of both.

@@ -12,7 +12,7 @@ mod verification;
 use crate::computation::Computation;
 use crate::quantity::{Quantity, bearing_in_column};
 
-pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWAY, VERDICT};
+pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWAY, SLOT, VERDICT};
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub(crate) use drop::milliseconds;
 pub use drop::{DROP, PLANE, ROTOR_DROP, SUCCESSION};
@@ -38,6 +38,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         CONTACT_ANGLE,
         PROFILE,
         GROOVE,
+        SLOT,
         AXIAL,
         VERDICT,
         PASSAGES,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::point_deviation::PointDeviation;
 use super::section_frame::SectionFrame;
 use crate::case::Case;
 use crate::error::InputError;
@@ -17,8 +18,7 @@ const DEVIATION_MAX: f64 = 0.1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredGroove {
     flanks: PowerAngle,
-    deviation_m: [f64; 2],
-    points: usize,
+    deviation: PointDeviation,
 }
 
 /// A point as seen from the ball that rests in its section: ψ from the middle of the raceway, and
@@ -42,11 +42,7 @@ impl MeasuredGroove {
     /// If the case has no raceway `index`.
     pub fn fit(case: &Case, index: usize, points_m: &[[f64; 3]]) -> Result<Self, InputError> {
         let raceway = &case.raceways[index];
-        let frame = SectionFrame::new(&case.bearing, raceway.section_angle_rad());
-        let frame = match case.rows.as_slice() {
-            [row] if row.contact_sign < 0.0 => frame.mirrored(),
-            _ => frame,
-        };
+        let frame = SectionFrame::of(case, raceway);
         let (sin, cos) = frame.axis_rad.sin_cos();
         let theta = raceway.half_angle_rad();
         let seen = points_m.iter().map(|[x, y, z]| {
@@ -62,7 +58,7 @@ impl MeasuredGroove {
         let count = seen.len();
         let refuse = |rule: &str| Err(InputError::rule("points", count as f64, rule));
         if raceway.slot().is_some() {
-            return refuse("those of another shape: the edges of a slot are not fitted");
+            return refuse("those of another shape: MeasuredSlot fits the edges of a slot");
         }
         if count < POINTS_MIN {
             return refuse("50 or more within the half angle of the raceway, or nothing is fitted");
@@ -82,11 +78,13 @@ impl MeasuredGroove {
         };
         match fit_flanks(theta, &observed) {
             Some((flanks, deviation_m)) if deviation_m[0] <= DEVIATION_MAX * frame.offset_m => {
-                Ok(Self {
-                    flanks,
-                    deviation_m,
+                let [mean_m, largest_m] = deviation_m;
+                let deviation = PointDeviation {
                     points: count,
-                })
+                    mean_m,
+                    largest_m,
+                };
+                Ok(Self { flanks, deviation })
             }
             _ => refuse(
                 "of the groove of this ring, in its frame, with flanks whose angle falls steadily \
@@ -111,13 +109,8 @@ impl MeasuredGroove {
         (0..=intervals).map(row).collect()
     }
 
-    /// Root mean square and largest distance of the points from the fitted groove, m.
-    pub fn deviation_m(&self) -> [f64; 2] {
-        self.deviation_m
-    }
-
-    /// Number of points within ±θ.
-    pub fn points(&self) -> usize {
-        self.points
+    /// Distances of the points within ±θ from the fitted groove.
+    pub fn deviation(&self) -> PointDeviation {
+        self.deviation
     }
 }

@@ -1,6 +1,8 @@
 //! What all sections of a ring share.
 
 use crate::bearing::Bearing;
+use crate::case::Case;
+use crate::raceway::Raceway;
 
 /// Groove, ball and shoulder of all sections, turned by the contact angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +37,15 @@ impl SectionFrame {
             offset_m,
             curvature_radius_m: d.outer_groove_curvature_radius_m,
             shoulder_radius_m: d.outer_shoulder_radius_m,
+        }
+    }
+
+    /// That of a raceway of a case, whose row may press its balls to −Z.
+    pub(super) fn of(case: &Case, raceway: &Raceway) -> Self {
+        let frame = Self::new(&case.bearing, raceway.section_angle_rad());
+        match case.rows.as_slice() {
+            [row] if row.contact_sign < 0.0 => frame.mirrored(),
+            _ => frame,
         }
     }
 

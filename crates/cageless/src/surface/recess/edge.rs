@@ -1,5 +1,6 @@
 //! The rounded edge of a slot at one place along it.
 
+use super::centre_line::CentreLine;
 use super::recess_frame::RecessFrame;
 use crate::numerics::bspline::Vec3;
 use crate::numerics::vector::{cross, dot, plus};
@@ -56,54 +57,41 @@ pub struct Edge {
 
 impl Edge {
     pub(super) fn new(frame: &RecessFrame, place: EdgePlace) -> Self {
-        let half = frame.half_span_m;
-        // ψ from the middle and distance from the axis of the section with their slopes, ψ of the mill, and
-        // on which side of the line of centres the slot is.
-        let ([local, turning], [across, crossing], mill_rad, sense) = match place {
-            EdgePlace::End(end, turn) => {
-                let (sin, cos) = turn.sin_cos();
-                let angle = half / frame.groove_bottom_radius_m;
-                let local = end * (frame.straight_rad + angle * cos);
-                let turning = -end * angle * sin;
-                let last = end * frame.straight_rad;
-                ([local, turning], [half * sin, half * cos], last, -end)
-            }
-            EdgePlace::Straight(side, local) => ([local, 1.0], [side * half, 0.0], local, side),
-        };
-        let reach = frame.curvature_radius_m + frame.edge_radius_m;
-        let depth = (reach * reach - across * across).sqrt();
-        let [radius, height] = frame.section_m(depth, across);
-        let [climb, rise] = frame.turned(-across * crossing / depth, crossing);
-        let angle_rad = frame.middle_rad + local;
-        let along_m = vector(angle_rad, [climb, radius * turning, rise]);
-        let groove_rad = frame.axis_rad + (across / reach).asin();
-        let groove = vector(angle_rad, [-groove_rad.cos(), 0.0, -groove_rad.sin()]);
-        let inside = cross(groove, along_m);
-        let length = dot(inside, inside).sqrt();
-        let inside = inside.map(|c| sense * c / length);
-        let sin = across / frame.ball_reach_m;
-        let to_ball = frame.turned((1.0 - sin * sin).sqrt(), sin);
-        let [out, up] = frame.turned(1.0, 0.0);
-        let mill = vector(frame.middle_rad + mill_rad, [out, 0.0, up]);
-        let mut edge = Self {
-            angle_rad,
-            groove_rad,
-            centre_m: vector(angle_rad, [radius, 0.0, height]),
-            along_m,
-            groove,
-            inside,
-            ball: vector(angle_rad, [-to_ball[0], 0.0, -to_ball[1]]),
-            mill,
-            // The normal of the wall is square to the mill.
-            arc_rad: (-dot(groove, mill)).atan2(dot(inside, mill)),
-            radius_m: frame.edge_radius_m,
-            wall_length_m: 0.0,
-        };
+        let mut edge = Self::without_wall(frame, &CentreLine::new(frame, place));
         // The floor is nearly square to the mill, so that few steps reach it.
         for _ in 0..8 {
             edge.wall_length_m += frame.above_floor_m(edge.wall_m(1.0));
         }
         edge
+    }
+
+    /// With a wall of no length.
+    pub(super) fn without_wall(frame: &RecessFrame, line: &CentreLine) -> Self {
+        let across = line.across_m;
+        let reach = frame.curvature_radius_m + frame.edge_radius_m;
+        let groove_rad = frame.axis_rad + (across / reach).asin();
+        let groove = vector(line.angle_rad, [-groove_rad.cos(), 0.0, -groove_rad.sin()]);
+        let inside = cross(groove, line.along_m);
+        let length = dot(inside, inside).sqrt();
+        let inside = inside.map(|c| line.sense * c / length);
+        let sin = across / frame.ball_reach_m;
+        let to_ball = frame.turned((1.0 - sin * sin).sqrt(), sin);
+        let [out, up] = frame.turned(1.0, 0.0);
+        let mill = vector(line.mill_rad, [out, 0.0, up]);
+        Self {
+            angle_rad: line.angle_rad,
+            groove_rad,
+            centre_m: line.centre_m,
+            along_m: line.along_m,
+            groove,
+            inside,
+            ball: vector(line.angle_rad, [-to_ball[0], 0.0, -to_ball[1]]),
+            mill,
+            // The normal of the wall is square to the mill.
+            arc_rad: (-dot(groove, mill)).atan2(dot(inside, mill)),
+            radius_m: frame.edge_radius_m,
+            wall_length_m: 0.0,
+        }
     }
 
     /// Unit normal out of the material at a share of the arc, from the groove on.

@@ -6,7 +6,10 @@
 //! go on from them along the axis of the mill, which points outwards in the middle of the section; over an
 //! end it stays where it is at its last full width. The floor is the surface of revolution at the depth D.
 
+mod centre_line;
 mod edge;
+mod edge_fit;
+mod measured_slot;
 mod recess_frame;
 mod strip;
 mod volume;
@@ -14,6 +17,7 @@ mod volume;
 use std::f64::consts::FRAC_PI_2;
 
 pub use edge::{Edge, EdgePlace};
+pub use measured_slot::MeasuredSlot;
 
 use super::patch::{Patch, PatchError};
 use super::section_frame::SectionFrame;

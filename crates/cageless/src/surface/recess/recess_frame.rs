@@ -13,7 +13,7 @@ pub(super) struct RecessFrame {
     /// αg.
     pub axis_rad: f64,
     /// ρ and z of the centre of the plain groove's arc.
-    groove_m: [f64; 2],
+    pub groove_m: [f64; 2],
     /// Re.
     pub curvature_radius_m: f64,
     /// Ro.
@@ -82,11 +82,17 @@ impl RecessFrame {
         self.floor_m - along
     }
 
+    /// Distance of a point from the axis of its section, towards +z.
+    pub fn across_m(&self, [x, y, z]: Vec3) -> f64 {
+        let (sin, cos) = self.axis_rad.sin_cos();
+        (z - self.groove_m[1]) * cos - (x.hypot(y) - self.groove_m[0]) * sin
+    }
+
     /// ∫ ρ²/2 dz along the floor, to this point of it.
-    pub fn floor_moment_m3(&self, [x, y, z]: Vec3) -> f64 {
+    pub fn floor_moment_m3(&self, point: Vec3) -> f64 {
         let ((sin, cos), [middle, _]) =
             (self.axis_rad.sin_cos(), self.section_m(self.floor_m, 0.0));
-        let across = (z - self.groove_m[1]) * cos - (x.hypot(y) - self.groove_m[0]) * sin;
+        let across = self.across_m(point);
         let square = middle * (middle - across * sin) + (across * sin).powi(2) / 3.0;
         cos / 2.0 * across * square
     }
