@@ -709,7 +709,7 @@ def measured_slots(name, binary, case, path, ring, generator):
     for said, slot, given in zip(found, entered, designed, strict=True):
         check(f"{name}: points", said["measured_points"] > 2000, said["measured_points"])
         below(f"{name}: deviation, µm", said["measured_deviation_um"] - 1.0, 0.05)
-        below(f"{name}: depth error, µm", said["depth_error_um"], 1.0)
+        below(f"{name}: depth error, µm", said["measured_depth_error_um"], 1.0)
         for key, length in (("axial_span_mm", 1), ("edge_radius_mm", 1), ("half_angle_deg", np.radians(1) * ring.ro)):
             below(f"{name}: {key}, µm", 1e3 * length * (slot[key] - given[key]), 5.0)
         below(f"{name}: lag, °", slot_lag(ring, slot) - slot_lag(ring, given), 0.01)

@@ -144,7 +144,7 @@ fn slots_are_measured() {
         // 2 ((Rw + re) lC/(2 Rw) − re).
         (&first, "slot_width_mm", 5.0625 / 4.7625 * 2.4 - 0.6),
         (&first, "measured_deviation_max_um", 0.0),
-        (&first, "depth_error_um", 0.0),
+        (&first, "measured_depth_error_um", 0.0),
         (&second, "axial_span_mm", 2.0),
         (&second, "edge_radius_mm", 0.35),
         (&second, "half_angle_deg", 2.22),

@@ -239,10 +239,12 @@ fn a_verdict_in_space_is_about_the_lag() {
         let case = with(&[("operation", &format!("axial_load_n = {axial_n}"))]);
         let found = good(&json!({ "op": "verdict", "case": case }));
         assert_eq!(found["passes"], json!(passes), "{found}");
-        let [criterion, double] = &found["criteria"].as_array().unwrap()[..] else {
+        let [pressure, criterion, double] = &found["criteria"].as_array().unwrap()[..] else {
             panic!("{found}");
         };
         assert_eq!(double["name"], "both-neighbours");
+        let pressed = found["pressure_at_rest_mpa"].as_f64().unwrap() / 4200.0;
+        assert!((pressure["value"].as_f64().unwrap() / pressed - 1.0).abs() < 1e-12);
         assert!(found["critical_gap_deg"].as_f64().unwrap() < 1.5, "{found}");
         let share = criterion["value"].as_f64().unwrap();
         let lag = found["passages"]["lag_per_pass_deg"].as_f64().unwrap();

@@ -189,7 +189,7 @@ fn results_of_a_measured_slot_are_its_dimensions() {
         ("slot_width_mm", 1.97),
         ("half_angle_deg", 25.1),
         ("centre_angle_deg", 17.2),
-        ("depth_error_um", 3.7),
+        ("measured_depth_error_um", 3.7),
         ("slot_depth_mm", 0.63),
     ];
     compare(
@@ -225,6 +225,7 @@ fn results_of_a_verdict_are_its_fields() {
         reasons: vec![],
         deciding: None,
         critical_gap_rad: Some(0.033),
+        pressure_at_rest_pa: Some(2.3e9),
         steady_gap_rad: Some(0.037),
         passages: Some(passages),
         raceways: vec![],
@@ -234,6 +235,7 @@ fn results_of_a_verdict_are_its_fields() {
     let expected = [
         ("critical_gap_deg", 0.033 / DEGREE),
         ("gap_reserve_deg", (0.037 - 0.033) / DEGREE),
+        ("pressure_at_rest_mpa", 2300.0),
         ("collisions_mean", 0.31),
         ("double_collision_fraction", 0.47),
         ("sliding_mean_m_s", 0.53),

@@ -50,8 +50,9 @@ pub fn tolerance_record(
             .with_sentences("verdicts", verdicts.collect())
     });
     let samples = assessment.samples.as_ref().map(|samples| {
-        // What only space has is listed where it came out.
-        let listed = |at: &&(RacewayVerdict, usize)| at.0 != RacewayVerdict::LosesLag || at.1 > 0;
+        // What only space or high loads have is listed where it came out.
+        let rare = [RacewayVerdict::LosesLag, RacewayVerdict::Overloaded];
+        let listed = |at: &&(RacewayVerdict, usize)| !rare.contains(&at.0) || at.1 > 0;
         let verdicts = samples.verdicts.iter().filter(listed).map(|(verdict, _)| {
             let outcomes = samples.outcomes.iter().filter(|o| o.verdict == *verdict);
             let counted = CountedVerdict {

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 
 use cageless::Case;
 use cageless::collision::CollisionDetector;
-use cageless::design::search::{from_uneven_start, peak_pressure_pa};
+use cageless::design::pressure_at_rest_pa;
+use cageless::design::search::from_uneven_start;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::{Ending, Observer, run};
@@ -77,7 +78,7 @@ pub fn rings(
             // One start that fails would make the means incomparable.
             (motions.len() as u64 == STARTS).then(|| sum / STARTS as f64)
         };
-        let at_rest = peak_pressure_pa(case).ok();
+        let at_rest = pressure_at_rest_pa(case).ok();
         found.push(RingNumbers {
             name: (*name).to_owned(),
             contacts: mean(|m| m.contacts),
@@ -85,8 +86,8 @@ pub fn rings(
             spacing_scatter: mean(|m| m.scatter),
             friction_w: mean(|m| m.friction),
             ring_deviation_um: mean(|m| m.ring * 1e6),
-            inner_pressure_mpa: at_rest.map(|(inner, _)| inner * 1e-6),
-            outer_pressure_mpa: at_rest.map(|(_, outer)| outer * 1e-6),
+            inner_pressure_mpa: at_rest.map(|[inner, _]| inner * 1e-6),
+            outer_pressure_mpa: at_rest.map(|[_, outer]| outer * 1e-6),
         });
     }
     Ok(found)

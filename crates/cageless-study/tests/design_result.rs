@@ -38,6 +38,7 @@ fn judgement(verdict: RacewayVerdict, number: f64) -> Judgement {
         reasons: vec![format!("reason {number}")],
         deciding: Some(Criterion::Deceleration(0.6)),
         critical_gap_rad: Some(0.5 * number * DEGREE),
+        pressure_at_rest_pa: Some(1e8 * number),
         steady_gap_rad: None,
         passages: Some(statistics(3.0 * number)),
         raceways: vec![raceway(1.0), raceway(2.0)],

@@ -9,9 +9,12 @@ use cageless::{Case, Raceway};
 
 use crate::slot_ring::{Given, SIZE, case, slot};
 
+/// A point and what it is on.
+type Point = (PointKind, [f64; 3]);
+
 /// Points of the groove and of all faces of slots, and 1500 more anywhere on the edges of each, moved by a normal
 /// error along the normal.
-fn touched(case: &Case, sigma_m: f64, seed: u64) -> Vec<(PointKind, [f64; 3])> {
+fn touched(case: &Case, sigma_m: f64, seed: u64) -> Vec<Point> {
     let ring = OuterRing::of(case, SIZE).unwrap();
     let grid = Grid::new(&ring, 0.3e-3);
     let mut random = RandomStream::new(seed, 0, 0, 0);
@@ -42,7 +45,7 @@ fn touched(case: &Case, sigma_m: f64, seed: u64) -> Vec<(PointKind, [f64; 3])> {
         .collect()
 }
 
-fn places(points: &[(PointKind, [f64; 3])]) -> Vec<[f64; 3]> {
+fn places(points: &[Point]) -> Vec<[f64; 3]> {
     points.iter().map(|(_, place)| *place).collect()
 }
 
@@ -194,7 +197,7 @@ fn deeper_edges_are_a_depth_error() {
 fn points_of_something_else_are_refused() {
     let made = case(0.0, 0.0, 1.0, &[[2.4, 0.3, 25.2, 17.3]]);
     let all = touched(&made, 0.0, 0);
-    let of = |kept: &dyn Fn(&(PointKind, [f64; 3])) -> bool| -> Vec<[f64; 3]> {
+    let of = |kept: &dyn Fn(&Point) -> bool| -> Vec<[f64; 3]> {
         places(
             &all.iter()
                 .filter(|point| kept(point))

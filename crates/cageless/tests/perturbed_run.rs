@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::common::*;
+use cageless::design::pressure_at_rest_pa;
 use cageless::design::search::{
-    Job, Numbers, OperatingPoint, RacewayLayout, Task, peak_pressure_pa, perturbed_runs, run_jobs,
-    uneven_gaps_rad,
+    Job, Numbers, OperatingPoint, RacewayLayout, Task, perturbed_runs, run_jobs, uneven_gaps_rad,
 };
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{Passage, PassageRecorder};
@@ -171,7 +171,7 @@ fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
 #[test]
 fn stress_is_the_largest_while_the_balls_go_by() {
     let case = as_searched(5.1, 25.2);
-    let (inner, outer) = peak_pressure_pa(&case).unwrap();
+    let [inner, outer] = pressure_at_rest_pa(&case).unwrap();
     let mut largest = [0.0f64; 2];
     for k in 0..40 {
         let mut at = case.clone();

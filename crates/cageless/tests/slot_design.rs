@@ -2,8 +2,10 @@
 
 use cageless::design::search::{ClosedForms, Evaluation, OperatingPoint, Request};
 use cageless::design::{
-    Estimate, RacewayVerdict, judge, kinematic_gap_rad, kinematic_lag_rad, seats, span_angle_curve,
+    Criterion, Estimate, RacewayVerdict, judge, kinematic_gap_rad, kinematic_lag_rad,
+    pressure_at_rest_pa, seats, span_angle_curve,
 };
+use cageless::equilibrium;
 use cageless::{Case, Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 
 use crate::common::{conventional, dimensions};
@@ -140,6 +142,24 @@ fn verdicts_on_slots() {
     let rolling = kinematic_lag_rad(&case.bearing, &case.raceways[0], angle, pressed_in);
     assert!((lag / rolling - 1.0).abs() < 0.02, "{lag} {rolling}");
     assert_eq!(judged.verdict, RacewayVerdict::Smooth);
+
+    let pressure = judged.pressure_at_rest_pa.unwrap();
+    let [inner, outer] = pressure_at_rest_pa(&case).unwrap();
+    let below = equilibrium::space::solve(&case).unwrap().rest;
+    assert!(pressure == inner.max(outer) && outer >= below.outer_pressure_max_pa);
+    assert_eq!(criterion(&judged, "pressure"), pressure / 4.2e9);
+    // The same balls on sharp edges.
+    let mut sharp = case.clone();
+    let form = RacewayForm::default().reshaped(RacewayShape::Slot, 0.1e-3);
+    let dimensions = *case.raceways[0].dimensions();
+    sharp.raceways = vec![Raceway::formed(dimensions, form, &case.bearing).unwrap()];
+    let overloaded = judge(&sharp, &mut go_on).unwrap();
+    assert_eq!(
+        overloaded.verdict,
+        RacewayVerdict::Overloaded,
+        "{overloaded:?}"
+    );
+    assert!(matches!(overloaded.deciding, Some(Criterion::Pressure(p)) if p > 1.0));
 
     let deep = slotted(5.1, 0.007, 12e3, 1500.0);
     let lost = judge(&deep, &mut go_on).unwrap();

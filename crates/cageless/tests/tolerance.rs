@@ -219,6 +219,7 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
         ("double-collision", 0),
         ("slips", 0),
         ("loses-lag", 0),
+        ("overloaded", 0),
         ("infeasible", 1),
     ];
     assert_eq!(counts, expected);

@@ -5,6 +5,7 @@ const PROGRESS_STEP = 0.05;
 const SIMULATED = {
   separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
   "both-neighbours": "passages with double collision", lag: "lag per pass, of that of rolling on rigid flanks",
+  pressure: "contact pressure at rest, of 4200 MPa (ISO 76)",
 };
 const ESTIMATED = {
   separation: "β0 over the gap outside the raceway", sliding: "friction demand over that available",

@@ -69,7 +69,7 @@ pub const SLOT: &[Quantity] = &[
     part(quantity("slot_width_mm", "mm", "width between the walls below the edges", Slot(|s| some(s.width_m * 1e3)))),
     part(quantity("half_angle_deg", "deg", "half angle θ", Slot(|s| degrees(s.half_angle_rad)))),
     part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Slot(|s| degrees(s.centre_angle_rad)))),
-    means("how much farther out a ball on both edges sits in the middle than on edges of these dimensions that run into the groove of the case, along the normals at its contacts", part(quantity("depth_error_um", "um", "depth error of the edges", Slot(|s| some(s.depth_error_m * 1e6))))),
+    means("how much farther out a ball on both edges sits in the middle than on edges of these dimensions that run into the groove of the case, along the normals at its contacts", part(quantity("measured_depth_error_um", "um", "depth error of the edges", Slot(|s| some(s.depth_error_m * 1e6))))),
     means("median of the points of the floor below the bottom of the groove of the case; none with fewer than 10", part(quantity("slot_depth_mm", "mm", "depth of the floor", Slot(|s| s.slot_depth_m.map(|depth| depth * 1e3).into())))),
 ];
 
@@ -95,6 +95,7 @@ pub const VERDICT: &[Quantity] = &[
     means(CRITERION, text("criterion", "criterion that decides", Verdict(|j| j.judgement.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
     means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Verdict(|j| j.judgement.deciding.map(Criterion::margin).into())))),
     means(CRITICAL_GAP, quantity("critical_gap_deg", "deg", "critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
+    means("largest Hertz pressure at both raceways in static equilibrium, over eight places of the balls within their spacing; ISO 76 allows 4200 MPa", low(quantity("pressure_at_rest_mpa", "MPa", "peak contact pressure at rest", Verdict(|j| j.judgement.pressure_at_rest_pa.map(|pa| pa * 1e-6).into())))),
     means("steady-state gap less critical gap; on elastic flanks and in space the steady-state gap has the lag of the motion in the place of that of rolling", high(quantity("gap_reserve_deg", "deg", "gap reserve", Verdict(|j| j.judgement.steady_gap_rad.zip(j.judgement.critical_gap_rad).map(|(steady, gap)| (steady - gap).to_degrees()).into())))),
 ];
 

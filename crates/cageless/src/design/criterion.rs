@@ -1,6 +1,7 @@
 //! The criteria of a verdict, each with its value, its limit and the margin between them.
 
 use super::raceway_verdict::RacewayVerdict;
+use crate::contact::hertz::STRESS_LIMIT_PA;
 
 /// A raceway slips when the critical gap falls this fraction short of β0 (Eq. (11)). In the
 /// `paper` profile those of the paper's ten structures that it calls slipping lose 9 %
@@ -22,6 +23,8 @@ pub const LAG_MIN_FRACTION: f64 = 0.5;
 /// One requirement on the motion of the balls. Values, limits and margins are fractions of 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Criterion {
+    /// Largest Hertz pressure at rest over the 4200 MPa of ISO 76, at most 1.
+    Pressure(f64),
     /// Fraction of β0 by which sliding lowers the critical gap, at most [`SLIP_SHORTFALL`].
     Separation(f64),
     /// Fraction of the kinematic deceleration that the balls reach, at least [`SPEED_DROP_FRACTION`].
@@ -36,6 +39,7 @@ impl Criterion {
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Pressure(_) => "pressure",
             Self::Separation(_) => "separation",
             Self::Deceleration(_) => "deceleration",
             Self::BothNeighbours(_) => "both-neighbours",
@@ -46,7 +50,8 @@ impl Criterion {
     /// Measured value.
     pub fn value(self) -> f64 {
         match self {
-            Self::Separation(value)
+            Self::Pressure(value)
+            | Self::Separation(value)
             | Self::Deceleration(value)
             | Self::BothNeighbours(value)
             | Self::Lag(value) => value,
@@ -56,6 +61,7 @@ impl Criterion {
     /// Limit of the value.
     pub fn limit(self) -> f64 {
         match self {
+            Self::Pressure(_) => 1.0,
             Self::Separation(_) => SLIP_SHORTFALL,
             Self::Deceleration(_) => SPEED_DROP_FRACTION,
             Self::BothNeighbours(_) => DOUBLE_COLLISION_FRACTION,
@@ -85,14 +91,19 @@ impl Criterion {
     pub fn verdict(self) -> RacewayVerdict {
         match self {
             _ if self.is_met() => RacewayVerdict::Smooth,
+            Self::Pressure(_) => RacewayVerdict::Overloaded,
             Self::Separation(_) | Self::Deceleration(_) => RacewayVerdict::Slips,
             Self::BothNeighbours(_) => RacewayVerdict::DoubleCollision,
             Self::Lag(_) => RacewayVerdict::LosesLag,
         }
     }
 
-    /// Margin over that of a raceway without sliding and collisions: 1 there, 0 at the limit.
+    /// Margin over that of a raceway without load, sliding and collisions: 1 there, 0 at the limit. The
+    /// load that makes a pressure grows as its cube.
     pub fn relative_margin(self) -> f64 {
+        if let Self::Pressure(value) = self {
+            return 1.0 - value.powi(3);
+        }
         let ideal = match self.at_least() {
             true => 1.0 - self.limit(),
             false => self.limit(),
@@ -112,26 +123,31 @@ impl Criterion {
     }
 }
 
-/// Decimals that keep `values` from being printed as equal to the limit that they miss, in per
-/// cent: one at least, six at most.
-fn decimals(value: f64, limit: f64) -> usize {
-    let shown = |x: f64, digits: usize| format!("{:.digits$}", 100.0 * x);
-    (1..6)
+/// Decimals that keep a value from being printed as equal to the limit that it misses: `least` at
+/// least, six at most.
+fn decimals(value: f64, limit: f64, least: usize) -> usize {
+    let shown = |x: f64, digits: usize| format!("{x:.digits$}");
+    (least..6)
         .find(|&digits| value == limit || shown(value, digits) != shown(limit, digits))
         .unwrap_or(6)
 }
 
 /// A fraction in per cent with as many decimals as tell it from its limit: `5.003 %`.
 pub fn percent_beside(value: f64, limit: f64) -> String {
-    format!("{:.*} %", decimals(value, limit), 100.0 * value)
+    let [value, limit] = [value, limit].map(|x| 100.0 * x);
+    format!("{:.*} %", decimals(value, limit, 1), value)
 }
 
 impl std::fmt::Display for Criterion {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (value, limit) = (self.value(), self.limit());
+        if let Self::Pressure(_) = self {
+            return overload(f, [value, limit]);
+        }
         let shown = percent_beside(value, limit);
         let bound = 100.0 * limit;
         match self {
+            Self::Pressure(_) => Ok(()),
             Self::Separation(_) if value < 0.0 => write!(
                 f,
                 "sliding does not lower the critical gap (limit {bound:.0} % of β0"
@@ -161,6 +177,21 @@ impl std::fmt::Display for Criterion {
             write!(f, ", missed by {points} percentage points)")
         }
     }
+}
+
+/// A pressure over its limit in MPa.
+fn overload(f: &mut std::fmt::Formatter<'_>, fractions: [f64; 2]) -> std::fmt::Result {
+    let [value, limit] = fractions.map(|fraction| 1e-6 * STRESS_LIMIT_PA * fraction);
+    let digits = decimals(value, limit, 0);
+    let (word, margin) = match value <= limit {
+        true => ("margin", limit - value),
+        false => ("missed by", value - limit),
+    };
+    write!(
+        f,
+        "the contact pressure at rest reaches {value:.digits$} MPa (limit {limit:.0} MPa of ISO 76, {word} \
+         {margin:.digits$} MPa)"
+    )
 }
 
 #[cfg(test)]
@@ -195,6 +226,11 @@ mod tests {
         assert_eq!(Criterion::deciding(&bad), Some(bad[1]));
         assert!(!Criterion::Deceleration(f64::NAN).is_met());
         assert_eq!(Criterion::deciding(&[]), None);
+        // A pressure by the load that is left, a third here; at the limit none.
+        let pressed = [Criterion::BothNeighbours(0.15), Criterion::Pressure(0.874)];
+        assert_eq!(Criterion::deciding(&pressed), Some(pressed[1]));
+        assert!((pressed[1].relative_margin() - 0.332).abs() < 1e-3);
+        assert_eq!(Criterion::Pressure(1.0).relative_margin(), 0.0);
         // By the fraction of the possible margin: 0.15 of 0.2, not 0.01 of 0.05.
         let close = [
             Criterion::Separation(0.04),
@@ -202,6 +238,31 @@ mod tests {
             Criterion::BothNeighbours(0.20),
         ];
         assert_eq!(Criterion::deciding(&close), Some(close[1]));
+    }
+
+    #[test]
+    fn a_pressure_is_in_megapascal() {
+        let text = |value: f64| Criterion::Pressure(value).to_string();
+        assert_eq!(
+            text(0.5),
+            "the contact pressure at rest reaches 2100 MPa (limit 4200 MPa of ISO 76, margin 2100 MPa)"
+        );
+        assert_eq!(
+            text(1.5),
+            "the contact pressure at rest reaches 6300 MPa (limit 4200 MPa of ISO 76, missed by 2100 MPa)"
+        );
+        assert!(
+            text(1.0 + 1e-5).contains("4200.04 MPa"),
+            "{}",
+            text(1.0 + 1e-5)
+        );
+        assert!(text(f64::NAN).contains("NaN MPa"));
+        for (value, met) in [(1.0, true), (1f64.next_up(), false), (f64::NAN, false)] {
+            let pressure = Criterion::Pressure(value);
+            assert_eq!((pressure.is_met(), pressure.at_least()), (met, false));
+            let verdict = [RacewayVerdict::Overloaded, RacewayVerdict::Smooth][usize::from(met)];
+            assert_eq!(pressure.verdict(), verdict);
+        }
     }
 
     /// At its limit a criterion is met, the next number beyond it is a failure; half way from the

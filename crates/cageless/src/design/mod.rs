@@ -18,6 +18,7 @@ mod axial;
 mod contact_angle;
 mod criterion;
 mod estimate;
+mod pressure_at_rest;
 mod raceway_tallies;
 mod raceway_verdict;
 mod recommendation;
@@ -43,6 +44,7 @@ pub use criterion::{
     percent_beside,
 };
 pub use estimate::{Estimate, EstimateTerm};
+pub use pressure_at_rest::pressure_at_rest_pa;
 pub use raceway_tallies::RacewayTallies;
 pub use raceway_verdict::RacewayVerdict;
 pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};

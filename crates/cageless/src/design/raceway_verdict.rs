@@ -14,6 +14,8 @@ crate::named_enum! {
         Slips = "slips",
         /// Load, contact angle and sliding leave too little of the lag, in space.
         LosesLag = "loses-lag",
+        /// Balls press a raceway at rest with more than ISO 76 allows.
+        Overloaded = "overloaded",
         /// The raceway does not work at all.
         Infeasible = "infeasible",
     }
@@ -25,7 +27,11 @@ impl RacewayVerdict {
         match self {
             Self::NotJudged => None,
             Self::Smooth => Some(true),
-            Self::DoubleCollision | Self::Slips | Self::LosesLag | Self::Infeasible => Some(false),
+            Self::DoubleCollision
+            | Self::Slips
+            | Self::LosesLag
+            | Self::Overloaded
+            | Self::Infeasible => Some(false),
         }
     }
 
@@ -37,6 +43,7 @@ impl RacewayVerdict {
             Self::DoubleCollision => "double collision",
             Self::Slips => "excessive sliding",
             Self::LosesLag => "lag lost",
+            Self::Overloaded => "overloaded",
             Self::Infeasible => "no solution",
         }
     }

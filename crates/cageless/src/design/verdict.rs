@@ -3,10 +3,12 @@
 use super::criterion::{
     Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
 };
+use super::pressure_at_rest::pressure_at_rest_pa;
 use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
 use super::{Eq11, gap_of_delay_rad, steady_gap_rad, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
+use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
 use crate::passage::PassageRecorder;
@@ -64,6 +66,8 @@ pub struct Judgement {
     pub deciding: Option<Criterion>,
     /// Largest critical gap: what all raceways together guarantee.
     pub critical_gap_rad: Option<f64>,
+    /// Largest Hertz pressure of both rings at rest, as [`pressure_at_rest_pa`] has it; `None` if no ball passes.
+    pub pressure_at_rest_pa: Option<f64>,
     /// Gap outside the raceways of balls that come by evenly in time: by rolling on rigid flanks, else by the lag of the run;
     /// `None` if that is not known.
     pub steady_gap_rad: Option<f64>,
@@ -117,6 +121,7 @@ pub fn judge_watched(
             reasons: vec!["the outer ring has no discrete raceway".to_owned()],
             deciding: None,
             critical_gap_rad: None,
+            pressure_at_rest_pa: None,
             steady_gap_rad: None,
             passages: None,
             raceways: vec![],
@@ -152,6 +157,9 @@ pub fn judge_watched(
         false => Some(steady_gap_rad(&case.bearing, &case.raceways)),
         true => measured_steady_gap_rad(case, &statistics),
     };
+    let pass = statistics.iter().any(Option::is_some);
+    let pressure = pass.then(|| pressure_at_rest_pa(case)).transpose()?;
+    let pressure_pa = pressure.map(|[inner, outer]| inner.max(outer));
     let judged = criticals
         .into_iter()
         .enumerate()
@@ -163,7 +171,8 @@ pub fn judge_watched(
             match statistics.get(k).copied().flatten() {
                 Some(statistics) => {
                     let steady = steady_gap_rad.unwrap_or(f64::NAN);
-                    decide(case, &case.raceways[k], [critical, steady], statistics)
+                    let measured = [critical, steady, pressure_pa.unwrap_or(f64::NAN)];
+                    decide(case, &case.raceways[k], measured, statistics)
                 }
                 None => {
                     let reason = stopped.as_ref().map_or_else(
@@ -177,6 +186,7 @@ pub fn judge_watched(
         .collect();
     Ok(Judgement {
         steady_gap_rad,
+        pressure_at_rest_pa: pressure_pa,
         ..summary(judged, stopped)
     })
 }
@@ -260,6 +270,7 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
             .iter()
             .filter_map(|r| r.critical_gap_rad)
             .reduce(f64::max),
+        pressure_at_rest_pa: None,
         steady_gap_rad: None,
         passages: raceways
             .iter()
@@ -294,7 +305,7 @@ impl Judgement {
 fn decide(
     case: &Case,
     raceway: &Raceway,
-    [critical, steady]: [f64; 2],
+    [critical, steady, pressure_pa]: [f64; 3],
     s: PassageStatistics,
 ) -> RacewayJudgement {
     let bearing = &case.bearing;
@@ -303,17 +314,15 @@ fn decide(
     let three = 2.0 * (bearing.ball_angle_rad() + bearing.nominal_gap_rad());
     let wide = 2.0 * raceway.half_angle_rad();
     let elastic = case.has_elastic_flanks();
-    let criteria = match elastic {
-        true => vec![
-            Criterion::Lag(s.lag_fraction),
-            Criterion::BothNeighbours(s.double_collision_fraction),
-        ],
+    let mut criteria = vec![Criterion::Pressure(pressure_pa / STRESS_LIMIT_PA)];
+    criteria.extend(match elastic {
+        true => vec![Criterion::Lag(s.lag_fraction)],
         false => vec![
             Criterion::Separation(shortfall),
             Criterion::Deceleration(s.speed_drop_fraction),
-            Criterion::BothNeighbours(s.double_collision_fraction),
         ],
-    };
+    });
+    criteria.push(Criterion::BothNeighbours(s.double_collision_fraction));
     let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
     let gap_and_lag = match elastic {
         true => {
@@ -351,6 +360,11 @@ fn decide(
             s.passages,
             100.0 * DOUBLE_COLLISION_FRACTION,
             s.collisions_mean
+        ),
+        format!(
+            "contact pressure at rest up to {:.0} MPa (at most {:.0} MPa allowed, ISO 76)",
+            1e-6 * pressure_pa,
+            1e-6 * STRESS_LIMIT_PA
         ),
     ];
     // Those that follow compare with rolling on rigid flanks.

@@ -102,7 +102,7 @@ pub struct Samples {
     /// Those that pass.
     pub passed: usize,
     /// Number of each verdict.
-    pub verdicts: [(RacewayVerdict, usize); 5],
+    pub verdicts: [(RacewayVerdict, usize); 6],
     /// Probability of passing.
     pub pass_probability: f64,
     /// 95 % interval of the probability (Wilson 1927).
@@ -216,6 +216,7 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
             RacewayVerdict::DoubleCollision,
             RacewayVerdict::Slips,
             RacewayVerdict::LosesLag,
+            RacewayVerdict::Overloaded,
             RacewayVerdict::Infeasible,
         ]
         .map(|verdict| (verdict, number(verdict))),

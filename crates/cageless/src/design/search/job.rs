@@ -4,10 +4,11 @@
 use super::axial;
 use super::perturbed_run::{Motion, PerturbedRunError, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
-use crate::case::{Case, Gaps, Start};
+use crate::case::Case;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
-use crate::design::{Eq11, kinematic_gap_rad, steady_gap_rad, theoretical_gap_rad};
-use crate::equilibrium;
+use crate::design::{
+    Eq11, kinematic_gap_rad, pressure_at_rest_pa, steady_gap_rad, theoretical_gap_rad,
+};
 use crate::raceway::Raceway;
 use crate::simulation::Control;
 
@@ -74,8 +75,6 @@ const GAP_TOLERANCE_RAD: f64 = 2e-5;
 pub const NEIGHBOURS_WIDER: f64 = 1.4;
 /// Upper end of the critical gaps that are resolved, as a multiple of the steady gap: balls collide above.
 pub const CROWDED_MAX: f64 = 1.5;
-/// Places within one spacing of the balls at which the load is looked at.
-const POSITIONS: usize = 8;
 
 impl Job {
     /// A name that no other job of the same case has.
@@ -200,33 +199,8 @@ fn spacing(
     }
     let separates = spacing.critical_gap_rad > 0.0 && spacing.critical_gap_rad < most;
     if !elastic || separates {
-        spacing.stress_pa = peak_pressure_pa(&loaded)?.1;
+        let [_, outer] = pressure_at_rest_pa(&loaded)?;
+        spacing.stress_pa = outer;
     }
     Ok(spacing)
-}
-
-/// Largest Hertz pressure at the inner and at the outer raceway, over places of the balls
-/// within one spacing, Pa.
-///
-/// # Errors
-/// The case is impossible or has no equilibrium.
-pub fn peak_pressure_pa(case: &Case) -> Result<(f64, f64), equilibrium::EquilibriumError> {
-    let pitch = std::f64::consts::TAU / case.bearing.balls() as f64;
-    let mut case = case.clone();
-    let mut peak = (0.0f64, 0.0f64);
-    for k in 0..POSITIONS {
-        case.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: pitch * k as f64 / POSITIONS as f64,
-        };
-        let e = match case.moves_in_space() {
-            true => equilibrium::space::solve(&case)?.rest,
-            false => equilibrium::solve(&case)?,
-        };
-        peak = (
-            peak.0.max(e.inner_pressure_max_pa),
-            peak.1.max(e.outer_pressure_max_pa),
-        );
-    }
-    Ok(peak)
 }

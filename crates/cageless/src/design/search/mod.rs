@@ -44,7 +44,7 @@ pub use evaluation::{Confirmed, Evaluation, Statistics};
 pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
     CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
-    peak_pressure_pa, run_jobs,
+    run_jobs,
 };
 pub use pareto::{OBJECTIVES, ObjectiveScale, RESOLUTION, pareto_front};
 pub use perturbed_run::{
@@ -57,7 +57,9 @@ pub use request::{BUDGET, CONFIRMING_STARTS, CRITICAL_GAP_MIN_FRACTION, Execute,
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
-use crate::design::{DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL};
+use crate::design::{
+    DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, pressure_at_rest_pa,
+};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::raceway::axial_span_limit_m;
@@ -362,8 +364,8 @@ fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
     for point in &request.points {
         let at = format!("at {}", label(point));
         let plain = point.case(case, vec![]);
-        match peak_pressure_pa(&plain) {
-            Ok((inner, _)) if inner > STRESS_LIMIT_PA => {
+        match pressure_at_rest_pa(&plain) {
+            Ok([inner, _]) if inner > STRESS_LIMIT_PA => {
                 return Err(SearchError::Impossible(format!(
                     "{at} the contact pressure at the inner raceway is {:.0} MPa, above the {:.0} MPa \
                      of ISO 76: no raceway in the outer ring changes that, lower the load or the \

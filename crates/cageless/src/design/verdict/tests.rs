@@ -1,8 +1,10 @@
 use super::*;
+use crate::case::Motion;
 use crate::common::{raceway, structure};
 
-/// A steady-state gap, rad.
+/// A steady-state gap, rad, and a contact pressure at rest, Pa.
 const STEADY: f64 = 0.034;
+const PRESSURE: f64 = 1.41e9;
 
 /// Statistics of which every number is another.
 fn statistics() -> PassageStatistics {
@@ -26,7 +28,7 @@ fn decided(gap_fraction: f64, statistics: PassageStatistics) -> RacewayJudgement
     decide(
         &case,
         &case.raceways[0],
-        [gap_fraction * beta0, STEADY],
+        [gap_fraction * beta0, STEADY, PRESSURE],
         statistics,
     )
 }
@@ -58,12 +60,41 @@ fn each_criterion_decides_at_its_limit() {
     assert_eq!(decided(1.0, all).verdict, RacewayVerdict::Slips);
 }
 
+/// In plane and space a pressure above the limit is worse than all motion, and the limit itself passes.
+#[test]
+fn an_overload_decides() {
+    for in_space in [false, true] {
+        let mut case = structure(5.1, 25.2);
+        case.motion = if in_space {
+            Motion::Space
+        } else {
+            Motion::BySymmetry
+        };
+        let beta0 = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
+        let under = |pressure_pa: f64, statistics| {
+            let measured = [beta0, STEADY, pressure_pa];
+            decide(&case, &case.raceways[0], measured, statistics).verdict
+        };
+        assert_eq!(under(4.2e9, statistics()), RacewayVerdict::Smooth);
+        let beyond = 4.2e9f64.next_up();
+        assert_eq!(under(beyond, statistics()), RacewayVerdict::Overloaded);
+        let sliding = PassageStatistics {
+            speed_drop_fraction: 0.2,
+            lag_fraction: 0.2,
+            ..statistics()
+        };
+        assert_eq!(under(6.3e9, sliding), RacewayVerdict::Overloaded);
+        assert_eq!(under(f64::NAN, statistics()), RacewayVerdict::Overloaded);
+    }
+}
+
 /// The numbers of a judgement are in its reasons, each in the unit that it is shown in.
 #[test]
 fn reasons_have_the_numbers() {
     let judged = decided(0.97, statistics());
     assert_eq!(judged.passages, Some(statistics()));
     let expected = [
+        Criterion::Pressure(1410.0 / 4200.0),
         Criterion::Separation(0.03),
         Criterion::Deceleration(0.93),
         Criterion::BothNeighbours(0.12),
@@ -78,6 +109,7 @@ fn reasons_have_the_numbers() {
         "critical gap 1.7626°, 3.0 % below β0 = 1.8171°",
         "at most 5 % allowed",
         "12 % of 231 passages with a double collision (at most 25 % allowed), 0.61 contacts",
+        "contact pressure at rest up to 1410 MPa (at most 4200 MPa allowed, ISO 76)",
         "sliding speed in a passage 0.340 m/s on average, achieved deceleration 93 %",
         "at least 80 % required",
         // Two balls are 2·(360°/14 − 23.898°) + 2·23.898° = 51.43° apart: three from there.
@@ -107,7 +139,7 @@ fn the_depth_of_a_raceway_has_its_word() {
             fraction if fraction > 1.1 => "collide: raceway too deep",
             _ => "just touch",
         };
-        let judged = decide(&case, &raceway, [beta0, STEADY], statistics());
+        let judged = decide(&case, &raceway, [beta0, STEADY, PRESSURE], statistics());
         let last = judged.reasons.last().map_or("", String::as_str);
         assert!(last.ends_with(word), "{span_mm}: {last}");
     }
@@ -139,7 +171,7 @@ fn the_worst_raceway_decides() {
         "{headline}"
     );
     for (k, number) in [(0, "raceway 1: "), (2, "raceway 3: ")] {
-        assert!(all.reasons[5 * k].starts_with(number), "{:?}", all.reasons);
+        assert!(all.reasons[6 * k].starts_with(number), "{:?}", all.reasons);
     }
 
     for (k, fraction) in [(1, 0.7), (2, 0.4)] {

@@ -76,12 +76,11 @@ pub(super) fn fit_edges(
 /// The points that lie on the edges.
 fn on_edges(frame: &RecessFrame, points_m: &[Vec3]) -> Vec<Touched> {
     let near = [1.0, -1.0].map(|sign| {
-        let by = std::array::from_fn(|k| {
+        std::array::from_fn(|k| {
             let mut step = [0.0; DIMENSIONS];
             step[k] = sign * DIFFERENCE_M;
             moved(frame, step)
-        });
-        by
+        })
     });
     let points = points_m.iter();
     points

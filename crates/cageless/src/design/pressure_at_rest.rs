@@ -1,0 +1,33 @@
+//! Contact pressure at rest, wherever the balls are.
+
+use std::f64::consts::TAU;
+
+use crate::case::{Case, Gaps, Start};
+use crate::equilibrium::{self, EquilibriumError};
+
+/// Places within one spacing of the balls at which the load is looked at.
+const POSITIONS: usize = 8;
+
+/// Largest Hertz pressure at the inner and at the outer raceway in static equilibrium, over places of the evenly
+/// spaced balls within one spacing, Pa.
+///
+/// # Errors
+/// The case is impossible or has no equilibrium.
+pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
+    let pitch = TAU / case.bearing.balls() as f64;
+    let mut case = case.clone();
+    let mut peak = [0.0f64; 2];
+    for k in 0..POSITIONS {
+        case.start = Start::Settled {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: pitch * k as f64 / POSITIONS as f64,
+        };
+        let e = match case.moves_in_space() {
+            true => equilibrium::space::solve(&case)?.rest,
+            false => equilibrium::solve(&case)?,
+        };
+        let here = [e.inner_pressure_max_pa, e.outer_pressure_max_pa];
+        peak = std::array::from_fn(|raceway| peak[raceway].max(here[raceway]));
+    }
+    Ok(peak)
+}
