@@ -305,6 +305,7 @@ class DesignAttributes:
     criterion: str  # criterion that decides
     margin: float  # margin to the nearest limit
     critical_gap_deg: float  # critical gap, deg
+    pressure_at_rest_mpa: float  # peak contact pressure at rest, MPa
     gap_reserve_deg: float  # gap reserve, deg
     plot_curve: Callable[..., go.Figure]  # θ over lC by Eq. (11), with the raceway and the limits
     plot_contact_track: Callable[..., go.Figure]  # contact track of the first raceway
