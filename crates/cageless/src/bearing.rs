@@ -27,6 +27,7 @@
 
 mod contact_angle;
 mod dimensions;
+mod outer_ring;
 mod shoulder;
 
 use std::f64::consts::{PI, TAU};

@@ -64,7 +64,8 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         true => equilibrium::seated_distances_m(case, ring, inner_speed).repeat(rows.len()),
         false => vec![pitch; case.balls()],
     };
-    let preloaded = rows.iter().any(|row| row.preload_m > 0.0);
+    let sprung = rows.iter().any(|row| row.preload_n > 0.0);
+    let preloaded = sprung || rows.iter().any(|row| row.preload_m > 0.0);
     // Rows hold each other's balls; those without preload may be too loose for an equilibrium.
     let mut in_space = match starts_at_rest && (preloaded || rows.len() > 1) {
         false => None,
@@ -97,6 +98,12 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             (e.ball_distance_m, [e.ring_x_m, e.ring_y_m])
         }
     };
+    let row_preload_m = match &in_space {
+        Some(e) => e.row_preload_m.clone(),
+        // A rolling start finds outer rings where their springs held them at rest.
+        None if sprung => equilibrium::space::solve(&at_rest(case))?.row_preload_m,
+        None => rows.iter().map(|row| row.preload_m).collect(),
+    };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
         let rest = in_space.as_ref().map(|e| Rest {
             orbit_speed_rad_s: if starts_at_rest {
@@ -114,7 +121,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
                 effective_radius_m: r,
                 orbit_speed_rad_s: orbit_speed_of_rad_s(bearing, radius, inner_speed, r),
                 // Halfway between where its grooves hold it.
-                z_m: row.axial_position_m - 0.5 * row.contact_sign * row.preload_m,
+                z_m: row.axial_position_m - 0.5 * row.contact_sign * row_preload_m[k / n],
                 pitch_angle_rad: 0.0,
             }
         });
@@ -159,6 +166,11 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         state.set_ring_in_space(ring_z_m, [y, -x]);
         if let Some(rotor) = &case.rotor {
             state.set_rotor_in_space(ring_z_m + rotor.z_m, rotor.vz_m_s);
+        }
+        let in_rows = rows.iter().zip(&row_preload_m);
+        let sliding = in_rows.filter(|(row, _)| row.preload_n > 0.0);
+        for (k, (row, preload_m)) in sliding.enumerate() {
+            state.set_sliding(k, -row.contact_sign * preload_m);
         }
     }
     Ok((state, angles))

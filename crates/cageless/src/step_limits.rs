@@ -122,10 +122,11 @@ fn pressed_along_axis_n(case: &Case) -> f64 {
             moment_y_n_m,
         } => {
             let moment_n_m = moment_x_n_m.hypot(moment_y_n_m);
-            case.thrust_on_ball_n(thrust_n + MOMENT_FACTOR * moment_n_m / pitch)
+            case.thrust_on_ball(thrust_n + MOMENT_FACTOR * moment_n_m / pitch)[0]
         }
         Tilt::Held { x_rad, y_rad } => {
-            case.thrust_on_ball_n(thrust_n) + case.pressed_along_axis(pitch * x_rad.hypot(y_rad))[0]
+            case.thrust_on_ball(thrust_n)[0]
+                + case.pressed_along_axis(pitch * x_rad.hypot(y_rad))[0]
         }
     }
 }
@@ -340,6 +341,23 @@ impl Drop {
     }
 }
 
+/// What outer rings that slide add to the rates: the largest Σ sin²α of the balls of a row over the mass of
+/// its ring, 1/kg, and the largest decay by the damping in the housing, 1/s; 0 where all are held.
+///
+/// All balls of a row push its ring, at the contact angle that its spring gives them.
+fn sliding(case: &Case) -> [f64; 2] {
+    let sprung = case.rows.iter().filter(|row| row.preload_n > 0.0);
+    sprung.fold([0.0; 2], |[along, decay], row| {
+        let [mass, damping] = row.sliding(&case.bearing);
+        let [_, sine] = case.thrust_on_ball(OVERLOAD * row.preload_n);
+        let balls = case.bearing.balls() as f64;
+        [
+            along.max(balls * sine * sine / mass),
+            decay.max(damping / mass),
+        ]
+    })
+}
+
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + what axial load and tilt press +
     /// centrifugal force, a quarter more, + the preload, of what presses the parts together without load
@@ -379,12 +397,14 @@ impl StepLimits {
         let (_, peak, _) = hertz::impact(ball, mass, impact);
         let carrying = carrying(case);
         let ring_mass = d.inner_ring_mass_kg;
+        let [sliding, sliding_1_s] = sliding(case);
         let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
             + (carrying * slope(inner, load) + drop.contact_n_m) / ring_mass
             + drop.contact_n_m * drop.inverse_rotor_mass
             + (carrying * slope(outer, load) * drop.support_moves + drop.support_n_m)
-                * drop.inverse_outer_mass)
-            .sqrt();
+                * drop.inverse_outer_mass
+            + sliding * slope(outer, load))
+        .sqrt();
         let contact = &case.contact;
         let wedge = wedged_n(case, down);
         let touching = match (case.start.gaps(), &case.start) {
@@ -410,7 +430,9 @@ impl StepLimits {
             + (carrying * damper(inner) + d.inner_ring_damping_n_s_m + drop.contact_n_s_m)
                 / ring_mass
             + (carrying * damper(outer) * drop.support_moves + drop.support_n_s_m)
-                * drop.inverse_outer_mass;
+                * drop.inverse_outer_mass
+            + sliding * damper(outer)
+            + sliding_1_s;
         Self {
             contact_rad_s,
             damping_1_s: damping,

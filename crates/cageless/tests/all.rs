@@ -50,6 +50,7 @@ mod space_drop;
 mod space_motion;
 mod space_rotor;
 mod space_rows;
+mod space_springs;
 mod static_minimum;
 mod step_limits;
 mod tolerance;

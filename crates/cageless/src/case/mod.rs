@@ -323,8 +323,12 @@ impl Case {
     /// Force with which the largest axial preload of a row presses each of its balls between rings that
     /// nothing else moves, N.
     pub fn axial_preload_n(&self) -> f64 {
-        let preloads = self.rows.iter().map(|row| row.preload_m);
-        self.pressed_along_axis(preloads.fold(0.0, f64::max))[0]
+        let most = |of: fn(&Row) -> f64| self.rows.iter().map(of).fold(0.0, f64::max);
+        let by_displacement_n = self.pressed_along_axis(most(|row| row.preload_m))[0];
+        match most(|row| row.preload_n) {
+            0.0 => by_displacement_n,
+            spring_n => by_displacement_n.max(self.thrust_on_ball(spring_n)[0]),
+        }
     }
 
     /// Largest axial force of `balls` balls between unloaded rings, N: each bears 4200 MPa.
@@ -347,8 +351,9 @@ impl Case {
         ]
     }
 
-    /// Force with which each ball of one row bears a thrust without any other load, N.
-    pub(crate) fn thrust_on_ball_n(&self, thrust_n: f64) -> f64 {
+    /// Force with which each ball of one row bears a thrust without any other load, N, and the sine of its
+    /// contact angle then.
+    pub(crate) fn thrust_on_ball(&self, thrust_n: f64) -> [f64; 2] {
         let balls = self.bearing.balls() as f64;
         let beyond = |displacement_m: f64| {
             let [force_n, sine] = self.pressed_along_axis(displacement_m);
@@ -356,7 +361,7 @@ impl Case {
         };
         let most = self.bearing.dimensions().groove_distance_m();
         let displacement_m = root::brent(beyond, 0.0, most, 0.0).unwrap_or(most);
-        self.pressed_along_axis(displacement_m)[0]
+        self.pressed_along_axis(displacement_m)
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

@@ -4,7 +4,7 @@ use super::{Case, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionLaw;
 use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
-use crate::limits::{finite, from_to, positive, require};
+use crate::limits::{finite, from_to, not_negative, positive, require};
 use crate::linear_rotor::ROUNDING;
 use crate::profile::Profile;
 use crate::raceway::Raceway;
@@ -105,10 +105,19 @@ impl Case {
         let load = &self.operation.space;
         let straight = load.tilt == Tilt::default();
         let balanced = load.axial_load_n == 0.0
-            && rows.iter().all(|row| row.preload_m == rows[0].preload_m)
+            && rows
+                .iter()
+                .all(|row| row.preload_m == rows[0].preload_m && row.preload_n == 0.0)
             && rows.iter().map(|row| row.contact_sign).sum::<f64>() == 0.0;
         let alike = |a: &Row, b: &Row| {
-            straight && a.preload_m == b.preload_m && (balanced || a.contact_sign == b.contact_sign)
+            let held_alike = [a, b].map(|row| Row {
+                axial_position_m: 0.0,
+                contact_sign: 1.0,
+                ..*row
+            });
+            straight
+                && held_alike[0] == held_alike[1]
+                && (balanced || a.contact_sign == b.contact_sign)
         };
         let new = |&k: &usize| !rows[..k].iter().any(|before| alike(before, &rows[k]));
         (0..rows.len()).filter(new).collect()
@@ -129,11 +138,6 @@ impl Case {
             let rule =
                 format!("{most}, or left out: in motion every row has the balls of [bearing]");
             return Err(InputError::rule("row_balls", balls as f64, rule));
-        }
-        if let Some(row) = self.rows.iter().find(|row| row.preload_n != 0.0) {
-            let rule = "0 in motion, with the row_preload_um that `cageless static --json` finds for this force in \
-                        its place, with [fit] less the change of the preload of both rows: an outer ring that slides along the axis is computed at rest only";
-            return Err(InputError::rule("preload_n", row.preload_n, rule));
         }
         let physical = self.profile != Profile::Paper;
         let rule = "physical: the published equations are planar";
@@ -235,6 +239,15 @@ impl Case {
                         inner ring along the axis";
             return Err(InputError::rule("preload_n", last.preload_n, rule));
         }
+        let sprung = self.rows.iter().filter(|row| row.preload_n > 0.0);
+        let sliding_kg: f64 = sprung.map(|row| row.sliding(&self.bearing)[0]).sum();
+        if let Some(support) = &self.support
+            && sliding_kg >= support.mass_kg
+        {
+            let why = "the mass of the outer rings that springs push is part of it";
+            let allowed = Allowed::Above(sliding_kg, why);
+            return Err(InputError::new("support_mass_kg", support.mass_kg, allowed));
+        }
         if self.rotor.is_some() {
             let of_load = Self::spatial_load(load)
                 .into_iter()
@@ -268,6 +281,9 @@ impl Case {
         require("preload_n", row.preload_n, kept, rule)?;
         let most = self.axial_preload_max_n(balls);
         let why = "more presses its balls with over 4200 MPa, the limit of ISO 76";
-        from_to("preload_n", row.preload_n, [0.0, most], why)
+        from_to("preload_n", row.preload_n, [0.0, most], why)?;
+        let [mass_kg, damping] = row.sliding(&self.bearing);
+        positive("sliding_mass_kg", mass_kg)?;
+        not_negative("sliding_damping_n_s_m", damping)
     }
 }

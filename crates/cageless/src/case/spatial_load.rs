@@ -1,5 +1,10 @@
 //! Load, tilt and rows of a bearing in space.
 
+use crate::bearing::Bearing;
+
+/// Damping of a sliding fit over the area of its seat, N·s/m³: a film of oil of 0.03 Pa·s, 5 µm thick.
+const FIT_DAMPING_N_S_M3: f64 = 0.03 / 5e-6;
+
 /// Load on the inner ring out of the plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpatialLoad {
@@ -63,6 +68,10 @@ pub struct Row {
     pub preload_m: f64,
     /// Force of a soft spring on its outer ring by −σ times this; 0: the outer ring is held.
     pub preload_n: f64,
+    /// Mass that slides with the outer ring under a spring; that of [`Bearing::outer_ring_mass_kg`] if `None`.
+    pub sliding_mass_kg: Option<f64>,
+    /// Viscous damping of that ring in its housing; that of a film of oil if `None`.
+    pub sliding_damping_n_s_m: Option<f64>,
     /// Balls; those of the bearing if `None`.
     pub balls: Option<usize>,
 }
@@ -74,7 +83,20 @@ impl Default for Row {
             contact_sign: 1.0,
             preload_m: 0.0,
             preload_n: 0.0,
+            sliding_mass_kg: None,
+            sliding_damping_n_s_m: None,
             balls: None,
         }
+    }
+}
+
+impl Row {
+    /// [`Self::sliding_mass_kg`], kg, and [`Self::sliding_damping_n_s_m`], N·s/m, in this bearing.
+    pub(crate) fn sliding(&self, bearing: &Bearing) -> [f64; 2] {
+        let film = || FIT_DAMPING_N_S_M3 * bearing.outer_seat_area_m2();
+        [
+            (self.sliding_mass_kg).unwrap_or_else(|| bearing.outer_ring_mass_kg()),
+            self.sliding_damping_n_s_m.unwrap_or_else(film),
+        ]
     }
 }

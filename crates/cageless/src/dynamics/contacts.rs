@@ -177,6 +177,12 @@ impl Contacts<'_> {
             .map_or(0.0, |space| space.outer_ring_force_n()[2])
     }
 
+    /// Axial force of the balls of a row, from 0, on its outer ring, friction included, N.
+    pub fn row_axial_force_n(&self, row: usize) -> f64 {
+        self.space
+            .map_or(0.0, |space| space.row_force_n(self.layout, row))
+    }
+
     /// Force of the balls on the outer ring along X and Y, friction included, N.
     pub fn outer_ring_force_n(&self) -> [f64; 2] {
         if let Some(space) = self.space {

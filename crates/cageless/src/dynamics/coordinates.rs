@@ -196,6 +196,21 @@ pub enum DropCoordinate {
     RotorVz,
 }
 
+/// Index of a coordinate of an outer ring that slides in its housing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SlidingCoordinate {
+    /// z of the ring, from where no preload displaces it.
+    Z,
+    /// ż of the ring.
+    Vz,
+}
+
+/// Coordinates of each outer ring that slides in its housing, pushed by the preload spring of its row.
+pub const SLIDING: [Coordinate; 2] = [
+    coordinate("outer_ring_z_m", "m", 1e-5, Kind::Position),
+    coordinate("outer_ring_vz_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
+];
+
 /// Coordinates of the bodies under a falling rotor.
 pub const DROP: [Coordinate; 15] = [
     RING[0],

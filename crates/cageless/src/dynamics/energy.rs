@@ -26,7 +26,7 @@ crate::named_enum! {
         BallFriction = "ball_friction",
         /// Heat of the damping of the contacts.
         Damping = "damping",
-        /// Heat of the drag on the inner ring.
+        /// Heat of the viscous damping of the inner ring and of outer rings that slide in their housing.
         Drag = "drag",
         /// `paper` profile: work of the centrifugal force added to Zhao 2022, Eq. (12).
         Centrifugal = "centrifugal_force",

@@ -13,7 +13,7 @@
 use super::ball::{BallMotion, Centre};
 use super::coordinates::{
     BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, DROP, DROP_IN_SPACE, DropCoordinate, RING,
-    RING_IN_SPACE, RingCoordinate, second_order_runs,
+    RING_IN_SPACE, RingCoordinate, SLIDING, SlidingCoordinate, second_order_runs,
 };
 use super::energy::EnergyTerm;
 use super::rotor::RotorMotion;
@@ -28,7 +28,8 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 /// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
 /// [`LANES`], so that whole vectors are computed either way; then those of the bodies
 /// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]). In space
-/// it is [`BALL_IN_SPACE`], [`RING_IN_SPACE`] and [`DROP_IN_SPACE`].
+/// it is [`BALL_IN_SPACE`], [`RING_IN_SPACE`] and [`DROP_IN_SPACE`], and after the bodies those of the outer
+/// rings that slide ([`SLIDING`]), an array each.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// N, of all rows.
@@ -41,6 +42,8 @@ pub struct Layout {
     of_ball: &'static [Coordinate],
     /// Coordinates of the bodies.
     bodies: &'static [Coordinate],
+    /// Outer rings that slide.
+    sliding: usize,
     /// Bearings side by side.
     width: usize,
     /// The one whose places are given.
@@ -60,8 +63,10 @@ impl Layout {
             (true, false) => &RING_IN_SPACE,
             (true, true) => &DROP_IN_SPACE,
         };
+        let sprung = case.rows.iter().filter(|row| row.preload_n > 0.0);
         Self {
             row: case.bearing.balls(),
+            sliding: sprung.count(),
             ..Self::with_bodies(case.balls(), [of_ball, bodies], 1)
         }
     }
@@ -75,6 +80,7 @@ impl Layout {
     pub fn side_by_side(self) -> Self {
         Self {
             row: self.row,
+            sliding: self.sliding,
             ..Self::with_bodies(self.balls, [self.of_ball, self.bodies], BATCH_WIDTH)
         }
     }
@@ -83,6 +89,7 @@ impl Layout {
     pub fn alone(self) -> Self {
         Self {
             row: self.row,
+            sliding: self.sliding,
             ..Self::with_bodies(self.balls, [self.of_ball, self.bodies], 1)
         }
     }
@@ -98,6 +105,7 @@ impl Layout {
             stride: (balls * width).next_multiple_of(LANES),
             of_ball,
             bodies,
+            sliding: 0,
             width,
             bearing: 0,
             start: 0,
@@ -158,12 +166,12 @@ impl Layout {
     #[allow(clippy::len_without_is_empty)] // never empty
     pub fn len(&self) -> usize {
         self.of_ball.len() * self.stride
-            + (self.bodies.len() + self.energy_terms().len()) * self.width
+            + (self.body_coordinates() + self.energy_terms().len()) * self.width
     }
 
     /// Length of the motion of one bearing alone, which precedes its energy ledger.
     pub(crate) fn motion_len(&self) -> usize {
-        self.of_ball.len() * self.stride + self.bodies.len() * self.width
+        self.of_ball.len() * self.stride + self.body_coordinates() * self.width
     }
 
     #[inline]
@@ -231,10 +239,23 @@ impl Layout {
         self.bodies_start() + index * self.width + self.bearing
     }
 
+    /// Coordinates of the bodies, those of outer rings that slide included.
+    #[inline]
+    fn body_coordinates(&self) -> usize {
+        self.bodies.len() + SLIDING.len() * self.sliding
+    }
+
+    /// Place of a coordinate of ring `k` of the outer rings that slide.
+    #[inline]
+    pub fn sliding(&self, coordinate: SlidingCoordinate, k: usize) -> usize {
+        debug_assert!(k < self.sliding);
+        self.body(self.bodies.len() + coordinate as usize * self.sliding + k)
+    }
+
     /// Place of a term of the energy ledger.
     #[inline]
     pub fn energy_term(&self, term: EnergyTerm) -> usize {
-        self.body(self.bodies.len() + term as usize)
+        self.body(self.body_coordinates() + term as usize)
     }
 
     /// Gives the balls of the padding distinct positions away from the centre.
@@ -349,6 +370,11 @@ impl Layout {
         balls
             .map(|run| block(run, self.start, self.stride))
             .chain(bodies.map(|run| block(run, self.bodies_start(), self.width)))
+            .chain((self.sliding > 0).then(|| SecondOrderBlock {
+                positions: self.sliding(SlidingCoordinate::Z, 0) - self.bearing,
+                rates: self.sliding(SlidingCoordinate::Vz, 0) - self.bearing,
+                count: self.sliding * self.width,
+            }))
             .collect()
     }
 
@@ -360,7 +386,10 @@ impl Layout {
             .iter()
             .enumerate()
             .flat_map(move |(i, c)| (0..layout.balls).map(move |k| (layout.of_table(i, k), c)));
-        let bodies = self.bodies.iter().enumerate();
+        let sliding = SLIDING
+            .iter()
+            .flat_map(move |c| std::iter::repeat_n(c, layout.sliding));
+        let bodies = self.bodies.iter().chain(sliding).enumerate();
         balls.chain(bodies.map(move |(k, c)| (layout.body(k), c)))
     }
 
@@ -382,7 +411,7 @@ impl Layout {
             .motion()
             .map(|(place, c)| (difference[place] / c.error_scale).powi(2))
             .sum();
-        let count = self.of_ball.len() * self.balls + self.bodies.len();
+        let count = self.of_ball.len() * self.balls + self.body_coordinates();
         (sum / count as f64).sqrt()
     }
 
@@ -392,7 +421,7 @@ impl Layout {
         let balls = (0..self.of_ball.len()).flat_map(move |c| {
             (0..layout.balls).map(move |k| (layout.of_table(c, k), other.of_table(c, k)))
         });
-        let rest = 0..self.bodies.len() + self.energy_terms().len();
+        let rest = 0..self.body_coordinates() + self.energy_terms().len();
         balls.chain(rest.map(move |k| (layout.body(k), other.body(k))))
     }
 }

@@ -10,7 +10,7 @@
 //! ```
 
 use super::ball::{BallMotion, Centre};
-use super::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use super::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate, SlidingCoordinate};
 use super::energy::EnergyTerm;
 use super::layout::Layout;
 use super::rotor::RotorMotion;
@@ -199,6 +199,11 @@ impl State {
         ] {
             self.values[self.layout.drop(coordinate)] = value;
         }
+    }
+
+    /// Sets z of ring `k` of the outer rings that slide.
+    pub fn set_sliding(&mut self, k: usize, z_m: f64) {
+        self.values[self.layout.sliding(SlidingCoordinate::Z, k)] = z_m;
     }
 
     /// ωi of the inner ring, rad/s, where it is a state: under a rotor.

@@ -11,8 +11,6 @@
 //! assert!((cooling.after_pause_c([120.0; 3], [20.0; 3])[0] - (20.0 + 100.0 / 1f64.exp())).abs() < 1e-9);
 //! ```
 
-use std::f64::consts::PI;
-
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError};
 use crate::limits::{not_negative, positive};
@@ -21,10 +19,6 @@ use crate::material::Material;
 /// Specific heat of bearing steel 100Cr6, J/(kg K): that of
 /// [`STEEL_EFFUSIVITY`](crate::contact::flash_temperature::STEEL_EFFUSIVITY).
 pub const STEEL_SPECIFIC_HEAT_J_KG_K: f64 = 460.0;
-/// Width of an outer ring whose mass is not given, over the diameter of a ball.
-const WIDTH: f64 = 1.6;
-/// Wall of that ring behind its groove, over the diameter of a ball.
-const WALL: f64 = 0.3;
 
 /// Parts of a bearing that warm, each with one temperature: inner ring, balls, outer ring.
 pub const PARTS: usize = 3;
@@ -92,7 +86,7 @@ impl Thermal {
         )?;
         let outer_kg = self
             .outer_ring_mass_kg
-            .unwrap_or_else(|| rows * outer_ring_mass_kg(bearing));
+            .unwrap_or_else(|| rows * bearing.outer_ring_mass_kg());
         let inner_kg = bearing.dimensions().inner_ring_mass_kg;
         Ok([
             inner_kg * ring_j_kg_k,
@@ -108,15 +102,6 @@ impl Thermal {
             .map_or(1.0, |time_s| (-self.pause_s / time_s).exp());
         std::array::from_fn(|k| start_c[k] + kept * (warm_c[k] - start_c[k]))
     }
-}
-
-/// Mass of an outer ring from its shoulders to the wall behind its groove.
-fn outer_ring_mass_kg(bearing: &Bearing) -> f64 {
-    let d = bearing.dimensions();
-    let ball_m = 2.0 * d.ball_radius_m;
-    let outside = d.outer_groove_bottom_radius_m + WALL * ball_m;
-    let area = PI * (outside.powi(2) - d.outer_shoulder_radius_m.powi(2));
-    bearing.materials().ring.density_kg_m3 * area * WIDTH * ball_m
 }
 
 /// Spin-down of a rotor to standstill under torques that stay as they are at the end of a drop.

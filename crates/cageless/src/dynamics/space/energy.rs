@@ -4,6 +4,7 @@ use super::evaluation::ball_motion;
 use super::model::SpaceModel;
 use super::ring::RingMotion;
 use super::rotor::energy_along_axis_j;
+use super::sliding::{outer_z_m, sliding_energy_j};
 use crate::contact::hertz;
 use crate::dynamics::model::Model;
 use crate::dynamics::state::State;
@@ -17,14 +18,16 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
         sum += 0.5 * free.transverse * ring.axis_rate.norm_squared();
     }
     let outer_ring = layout.outer_ring_motion(y);
-    let [outer_z, _] = layout.outer_ring_along_axis(y);
     if let Some(along_axis) = &space.rotor {
-        sum += model.rotor_energy_j(state) + energy_along_axis_j(model, along_axis, layout, y);
+        sum += model.rotor_energy_j(state)
+            + energy_along_axis_j(model, (space, along_axis), layout, y);
     }
+    sum += sliding_energy_j(space, layout, y);
     for (k, (ball, grooves)) in model.balls.iter().zip(&space.balls).enumerate() {
         let [place, velocity, rotation] = ball_motion(layout, y, k);
         let off = [place.x - outer_ring.x, place.y - outer_ring.y];
-        let (distance, height) = (off[0].hypot(off[1]), place.z - outer_z);
+        let height = place.z - outer_z_m(space, layout, y, k);
+        let distance = off[0].hypot(off[1]);
         let direction = off.map(|part| part / distance);
         let beyond = distance - ball.outer_orbit_radius;
         let outer = match space.flanks_at(k, direction) {

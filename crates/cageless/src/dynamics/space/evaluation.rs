@@ -8,6 +8,7 @@ use super::model::SpaceModel;
 use super::normal_contacts::{PLACE, normal_contacts};
 use super::ring::RingMotion;
 use super::rotor::rates_with_rotor;
+use super::sliding::{set_speeds, sliding_rates};
 use super::workspace::SpaceWorkspace;
 use crate::contact::NormalForce;
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -54,6 +55,9 @@ pub(crate) fn evaluate(
     let ring = RingMotion::new(layout, y, drive.inner_speed);
     s.ring = ring;
     s.outer_ring_velocity = outer_ring_velocity(layout, y);
+    if !space.sliding.is_empty() {
+        set_speeds(layout, s, y);
+    }
     dydt.fill(0.0);
     let mut totals = Totals::default();
     let bearing = (p, model, space, drive);
@@ -80,6 +84,9 @@ pub(crate) fn evaluate(
             dydt,
             raceway_friction,
         );
+    }
+    if !space.sliding.is_empty() {
+        sliding_rates((model, space), s, y, dydt);
     }
 }
 

@@ -7,6 +7,7 @@ use super::model::SpaceModel;
 use super::newton::{begin, iterate, slide};
 use super::ring::RingMotion;
 use super::rotor::add_rotor_friction;
+use super::sliding::{add_sliding_friction, slide_as_evaluated, slide_as_in};
 use super::strips::SlidingLanes;
 use super::workspace::SpaceWorkspace;
 use crate::dynamics::ball::BallLanes;
@@ -27,6 +28,9 @@ pub(super) fn add_explicit_friction(
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         for end in 0..2 {
             set_at_rest(b, end, &s.ring, s.outer_ring_velocity);
+            if !space.sliding.is_empty() {
+                slide_as_evaluated((space, model.layout), b, [block, end], &s.sliding);
+            }
         }
         slide(&p.friction, space, b, true);
         for step in &mut b.steps {
@@ -66,6 +70,10 @@ pub(crate) fn add_implicit_friction(
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         set_at_rest(b, 0, &start.0, start.1);
         set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
+        if !space.sliding.is_empty() {
+            slide_as_in((space, layout), b, [block, 0], y0);
+            slide_as_evaluated((space, layout), b, [block, 1], &s.sliding);
+        }
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);
         iterate(&p.friction, space, b, h_s);
@@ -91,12 +99,21 @@ pub(crate) fn add_implicit_friction(
         add(layout.ring(RingCoordinate::TiltPRate), p);
         add(layout.ring(RingCoordinate::TiltQRate), q);
     }
+    if !space.sliding.is_empty() {
+        add_sliding_friction((model, space), s, h_s, y, dydt);
+    }
     if space.rotor.is_some() {
         add_rotor_friction((p, model, space), (w, s), &totals, (h_s, y0), y, dydt);
-        // The light inner ring turns by the friction of the step.
+    }
+    if space.rotor.is_some() || !space.sliding.is_empty() {
+        // The light inner ring turns, and outer rings slide, by the friction of the step.
         let (ring, outer) = rings_of(y, &s.ring);
-        let blocks = s.blocks.iter_mut();
-        blocks.for_each(|b| end_with_rings(b, &ring, outer));
+        for (block, b) in s.blocks.iter_mut().enumerate() {
+            end_with_rings(b, &ring, outer);
+            if !space.sliding.is_empty() {
+                slide_as_in((space, layout), b, [block, 1], y);
+            }
+        }
     }
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let (start, end) = (

@@ -20,6 +20,7 @@ mod outer_groove;
 mod ring;
 mod rotor;
 mod rotor_touch;
+mod sliding;
 mod strips;
 mod workspace;
 

@@ -3,6 +3,7 @@
 use super::inner_groove::InnerGroove;
 use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
 use super::rotor_touch::RotorAlongAxis;
+use super::sliding::SlidingRing;
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
 
@@ -44,6 +45,12 @@ pub(crate) struct SpaceModel {
     pub upward: usize,
     /// None without a rotor.
     pub rotor: Option<RotorAlongAxis>,
+    /// Outer rings that slide in the housing.
+    pub sliding: Vec<SlidingRing>,
+    /// Mass that moves with the housing along the axis, without those rings, kg; 0 if it is fixed.
+    pub housing_mass: f64,
+    /// 1 over it, 1/kg; 0 if it is fixed.
+    pub housing_inverse_mass: f64,
 }
 
 impl SpaceModel {
@@ -102,6 +109,10 @@ impl SpaceModel {
             pieces.map(|piece| FlankModel::new(raceway, piece))
         });
         let bore_m = bearing.inner_ring_bore().map_or(0.0, |bore| bore.radius_m);
+        let sliding = SlidingRing::of_case(case);
+        let housing_mass = case.support.as_ref().map_or(0.0, |support| {
+            support.mass_kg - sliding.iter().map(|ring| ring.mass).sum::<f64>()
+        });
         let face_m = 0.5 * (bore_m + d.inner_groove_bottom_radius_m);
         Some(Self {
             upward: case.upward(),
@@ -111,6 +122,9 @@ impl SpaceModel {
             strips: strips(case.contact.friction_strips),
             axial_load: load.axial_load_n,
             free_tilt,
+            sliding,
+            housing_mass,
+            housing_inverse_mass: case.support.as_ref().map_or(0.0, |_| 1.0 / housing_mass),
         })
     }
 

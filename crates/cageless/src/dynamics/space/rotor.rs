@@ -46,7 +46,7 @@ pub(super) fn rates_with_rotor(
     let [fx, fy, fz] = s.outer_ring_force_n();
     let [ox, oy] = outer_ring.acceleration(&outer, [fx, fy]);
     let oz =
-        (fz + outer_ring.support_force_along_axis(outer_z, outer_vz)) * outer_ring.inverse_mass;
+        (fz + outer_ring.support_force_along_axis(outer_z, outer_vz)) * space.housing_inverse_mass;
     let speed = y[layout.drop(DropCoordinate::RotorSpeed)];
     for (coordinate, rate) in [
         (DropCoordinate::OuterX, outer.vx),
@@ -123,7 +123,8 @@ pub(super) fn add_rotor_friction(
     let layout = model.layout;
     let [_, moment] = totals.on_ring();
     let turning = moment.dot(&s.ring.axis) / body.ring_inertia;
-    let [ox, oy, oz] = totals.outer_ring.map(|f| f * outer_ring.inverse_mass);
+    let [ox, oy, _] = totals.outer_ring.map(|f| f * outer_ring.inverse_mass);
+    let oz = totals.outer_ring[2] * space.housing_inverse_mass;
     let mut add = |place: usize, rate: f64| {
         dydt[place] += rate;
         y[place] += h_s * rate;
@@ -153,10 +154,10 @@ pub(super) fn add_rotor_friction(
     }
 }
 
-/// Kinetic energy of rotor, turning inner ring and outer ring along the axis, and what is stored there, J.
+/// Kinetic energy of rotor, turning inner ring and housing along the axis, and what is stored there, J.
 pub(super) fn energy_along_axis_j(
     model: &Model,
-    along_axis: &RotorAlongAxis,
+    (space, along_axis): (&SpaceModel, &RotorAlongAxis),
     layout: Layout,
     y: &[f64],
 ) -> f64 {
@@ -169,7 +170,7 @@ pub(super) fn energy_along_axis_j(
     let faces = along_axis.faces.map_or(0.0, |[clearance, _]| {
         journal_energy_j(&body.journal, z.abs() - clearance)
     });
-    let (mass, stiffness) = (model.outer_ring.mass, model.outer_ring.stiffness);
+    let (mass, stiffness) = (space.housing_mass, model.outer_ring.stiffness);
     0.5 * body.mass * vz * vz
         + faces
         + 0.5 * mass * outer_vz * outer_vz

@@ -4,6 +4,8 @@ use super::block::{INNER, PLACES, SpaceBlock};
 use super::model::SpaceModel;
 use super::ring::RingMotion;
 use super::rotor_touch::RotorTouch;
+use super::sliding::SlidingWork;
+use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
 use crate::raceway_contact::RacewayPoint;
@@ -100,6 +102,8 @@ pub(crate) struct SpaceWorkspace {
     pub blocks: Vec<SpaceBlock>,
     /// Contacts of a rotor, if there is one.
     pub rotor: RotorTouch,
+    /// Outer rings that slide.
+    pub sliding: Vec<SlidingWork>,
     /// Whether the last evaluation with friction was the end of an implicit step.
     pub known: bool,
 }
@@ -115,6 +119,7 @@ impl SpaceWorkspace {
                 .collect(),
             known: false,
             rotor: RotorTouch::new(space.rotor.as_ref()),
+            sliding: vec![SlidingWork::default(); space.sliding.len()],
         }
     }
 
@@ -134,6 +139,13 @@ impl SpaceWorkspace {
         BallContacts {
             points: [point(0), point(1), point(INNER)],
         }
+    }
+
+    /// Force of the balls of a row on its outer ring along +Z, N.
+    pub fn row_force_n(&self, layout: Layout, row: usize) -> f64 {
+        let balls = row * layout.row..(row + 1) * layout.row;
+        let along = |k: usize| self.blocks[k / LANES].outer_ring_force_n[2].0[k % LANES];
+        balls.map(along).sum()
     }
 
     /// Force of the balls on the outer ring, N.

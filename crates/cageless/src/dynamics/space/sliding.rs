@@ -1,0 +1,224 @@
+//! Outer rings that slide in their housing along the axis, each pushed by the preload spring of its row.
+//!
+//! With F of its balls, P of the spring and the place zh of the housing,
+//!
+//!   m z̈ = F − σP − c(ż − żh),
+//!
+//! the spring so soft that its force stays the same; the housing has the reaction.
+
+use super::block::{INNER, SpaceBlock};
+use super::model::SpaceModel;
+use super::workspace::SpaceWorkspace;
+use crate::case::Case;
+use crate::dynamics::coordinates::{DropCoordinate, SlidingCoordinate};
+use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::layout::Layout;
+use crate::dynamics::model::Model;
+use crate::numerics::lanes::{LANES, Lanes};
+
+/// Constants of an outer ring that slides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SlidingRing {
+    /// Its row, from 0.
+    pub row: usize,
+    /// m, kg.
+    pub mass: f64,
+    /// c, N·s/m.
+    pub damping: f64,
+    /// Force of the spring along +Z, −σP, N.
+    pub spring_n: f64,
+}
+
+/// What an outer ring that slides had at the last evaluation.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct SlidingWork {
+    /// Speed against the housing, m/s.
+    speed: f64,
+    /// Force of its balls along +Z, N.
+    force_n: f64,
+}
+
+impl SlidingRing {
+    /// Those of a case, row by row.
+    pub fn of_case(case: &Case) -> Vec<Self> {
+        let rows = case.rows.iter().enumerate();
+        let sprung = rows.filter(|(_, row)| row.preload_n > 0.0);
+        sprung
+            .map(|(k, row)| {
+                let [mass, damping] = row.sliding(&case.bearing);
+                Self {
+                    row: k,
+                    mass,
+                    damping,
+                    spring_n: -row.contact_sign * row.preload_n,
+                }
+            })
+            .collect()
+    }
+}
+
+/// z and speed along the axis of ring `k` that slides, in a vector.
+fn motion(layout: Layout, y: &[f64], k: usize) -> [f64; 2] {
+    [SlidingCoordinate::Z, SlidingCoordinate::Vz].map(|c| y[layout.sliding(c, k)])
+}
+
+/// Takes the displacements of these rings in the housing from the heights of the balls of a block, and
+/// their speeds from what those rise with.
+#[inline(never)] // once for all instruction sets
+pub(super) fn see_from_rings(
+    (space, layout): (&SpaceModel, Layout),
+    y: &[f64],
+    block: usize,
+    [height, rise]: [&mut Lanes; 2],
+) {
+    let [housing_z, housing_vz] = layout.outer_ring_along_axis(y);
+    each_lane(space, layout, block, |k, lane| {
+        let [z, vz] = motion(layout, y, k);
+        height.0[lane] -= z - housing_z;
+        rise.0[lane] -= vz - housing_vz;
+    });
+}
+
+/// Calls with every ring that slides, from 0, and each lane of a block that has a ball of its row.
+fn each_lane(space: &SpaceModel, layout: Layout, block: usize, mut call: impl FnMut(usize, usize)) {
+    let first = block * LANES;
+    for (k, ring) in space.sliding.iter().enumerate() {
+        let [begin, end] = [ring.row, ring.row + 1].map(|row| row * layout.row);
+        for ball in begin.max(first)..end.min(first + LANES) {
+            call(k, ball - first);
+        }
+    }
+}
+
+/// Lets balls at rest slide on these rings as fast as those move in the housing, at the start (0) or the
+/// end (1) of the step.
+fn slide_with(
+    space: &SpaceModel,
+    layout: Layout,
+    b: &mut SpaceBlock,
+    [block, end]: [usize; 2],
+    speed: impl Fn(usize) -> f64,
+) {
+    for &place in b.places.iter().filter(|place| **place != INNER) {
+        let (frames, sliding) = (&b.frames[place], &mut b.at_rest[end][place]);
+        each_lane(space, layout, block, |k, lane| {
+            let moving = [0.0, 0.0, speed(k)];
+            let more = frames.get(lane).sliding_at_rest(moving, [0.0; 3]);
+            sliding.along.0[lane] += more.along;
+            sliding.across.0[lane] += more.across;
+        });
+    }
+}
+
+/// [`slide_with`] at the speeds of the last evaluation.
+#[inline(never)] // once for all instruction sets
+pub(super) fn slide_as_evaluated(
+    (space, layout): (&SpaceModel, Layout),
+    b: &mut SpaceBlock,
+    [block, end]: [usize; 2],
+    work: &[SlidingWork],
+) {
+    slide_with(space, layout, b, [block, end], |k| work[k].speed);
+}
+
+/// [`slide_with`] at the speeds of a vector.
+#[inline(never)] // once for all instruction sets
+pub(super) fn slide_as_in(
+    (space, layout): (&SpaceModel, Layout),
+    b: &mut SpaceBlock,
+    [block, end]: [usize; 2],
+    y: &[f64],
+) {
+    let [_, housing] = layout.outer_ring_along_axis(y);
+    slide_with(space, layout, b, [block, end], |k| {
+        motion(layout, y, k)[1] - housing
+    });
+}
+
+/// Sets the speeds of the rings that slide to those of a vector.
+#[inline(never)] // once for all instruction sets
+pub(super) fn set_speeds(layout: Layout, s: &mut SpaceWorkspace, y: &[f64]) {
+    let [_, housing] = layout.outer_ring_along_axis(y);
+    for (k, work) in s.sliding.iter_mut().enumerate() {
+        work.speed = motion(layout, y, k)[1] - housing;
+    }
+}
+
+/// Sets the rates of the rings that slide and adds their reaction to those of the housing, and their
+/// heat.
+#[inline(never)] // once for all instruction sets
+pub(super) fn sliding_rates(
+    (model, space): (&Model, &SpaceModel),
+    s: &mut SpaceWorkspace,
+    y: &[f64],
+    dydt: &mut [f64],
+) {
+    let layout = model.layout;
+    for (k, ring) in space.sliding.iter().enumerate() {
+        let (force_n, speed) = (s.row_force_n(layout, ring.row), s.sliding[k].speed);
+        s.sliding[k].force_n = force_n;
+        let force = force_n + ring.spring_n - ring.damping * speed;
+        dydt[layout.sliding(SlidingCoordinate::Z, k)] = motion(layout, y, k)[1];
+        dydt[layout.sliding(SlidingCoordinate::Vz, k)] = force / ring.mass;
+        if layout.has_rotor() {
+            // The balls of the row push its ring, and the spring and the damper the housing.
+            dydt[layout.drop(DropCoordinate::OuterVz)] -= force * space.housing_inverse_mass;
+        }
+        dydt[layout.energy_term(EnergyTerm::Drag)] += ring.damping * speed * speed;
+    }
+}
+
+/// Adds to the state and the rates what the friction of the balls does to the rings that slide over the
+/// step.
+#[inline(never)] // once for all instruction sets
+pub(super) fn add_sliding_friction(
+    (model, space): (&Model, &SpaceModel),
+    s: &SpaceWorkspace,
+    h_s: f64,
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let layout = model.layout;
+    let mut add = |place: usize, rate: f64| {
+        dydt[place] += rate;
+        y[place] += h_s * rate;
+    };
+    for (k, (ring, work)) in space.sliding.iter().zip(&s.sliding).enumerate() {
+        let friction = s.row_force_n(layout, ring.row) - work.force_n;
+        add(
+            layout.sliding(SlidingCoordinate::Vz, k),
+            friction / ring.mass,
+        );
+        if layout.has_rotor() {
+            add(
+                layout.drop(DropCoordinate::OuterVz),
+                -friction * space.housing_inverse_mass,
+            );
+        }
+    }
+}
+
+/// Kinetic energy of the rings that slide, and what their springs store: less the further they are
+/// pushed, J.
+pub(super) fn sliding_energy_j(space: &SpaceModel, layout: Layout, y: &[f64]) -> f64 {
+    let [housing, _] = layout.outer_ring_along_axis(y);
+    let rings = space.sliding.iter().enumerate();
+    rings
+        .map(|(k, ring)| {
+            let [z, vz] = motion(layout, y, k);
+            0.5 * ring.mass * vz * vz - ring.spring_n * (z - housing)
+        })
+        .sum()
+}
+
+/// z of the outer ring of ball `k`.
+pub(super) fn outer_z_m(space: &SpaceModel, layout: Layout, y: &[f64], k: usize) -> f64 {
+    let own = space
+        .sliding
+        .iter()
+        .position(|ring| ring.row == k / layout.row);
+    match own {
+        Some(ring) => motion(layout, y, ring)[0],
+        None => layout.outer_ring_along_axis(y)[0],
+    }
+}
