@@ -6,6 +6,10 @@ use cageless_io::case_file::CaseFile;
 const RUN: &str = include_str!("../../../cases/conventional.toml");
 const DROP: &str = include_str!("../../../cases/touchdown-d.toml");
 
+/// Two rows, of which the second may have a spring.
+const ROWS: &str =
+    "\n[[row]]\naxial_position_mm = -10\n\n[[row]]\naxial_position_mm = 10\ncontact_sign = -1\n";
+
 /// Values, of which each key takes one.
 const VALUES: [&str; 6] = ["random", "0.5", "14", "20", "-10", "2e7"];
 
@@ -39,12 +43,13 @@ fn advice_names_keys_that_the_case_can_have() {
         Cause::ThroughBall(2),
         Cause::RotorThroughInnerRing,
         Cause::OffSupport,
+        Cause::OffSpring(1),
         flows,
         Cause::NotResolved,
     ];
     for (text, drop) in [(RUN, false), (DROP, true)] {
         for cause in &causes {
-            // Nothing but a drop has a rotor or a support that moves.
+            // Nothing but a drop has a rotor or a support that moves, only rows have springs.
             if !drop && matches!(cause, Cause::RotorThroughInnerRing | Cause::OffSupport) {
                 continue;
             }
@@ -55,6 +60,10 @@ fn advice_names_keys_that_the_case_can_have() {
                 cause: cause.clone(),
             };
             let advice = stop.advice();
+            let rows = match cause {
+                Cause::OffSpring(_) => ROWS,
+                _ => "",
+            };
             let found = keys(&advice);
             assert!(!found.is_empty(), "{advice}");
             for key in found {
@@ -62,7 +71,7 @@ fn advice_names_keys_that_the_case_can_have() {
                 let possible = VALUES.iter().any(|value| {
                     let mut sets = vec![format!("{key}={value}")];
                     sets.extend(rolling.then(|| "start.state=rolling".to_owned()));
-                    CaseFile::parse(text, "case.toml", &sets).is_ok()
+                    CaseFile::parse(&format!("{text}{rows}"), "case.toml", &sets).is_ok()
                 });
                 assert!(possible, "{key} in a case with drop = {drop}: {advice}");
             }

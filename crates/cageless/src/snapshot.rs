@@ -170,7 +170,7 @@ arrays! {
         outer_sliding_m_s: "m/s",
     }
     in space {
-        /// z of the ball; like the next five empty in the plane.
+        /// z of the ball; like the next six empty in the plane.
         z_m: "m",
         /// Velocity of the ball's centre.
         vz_m_s: "m/s",
@@ -183,6 +183,9 @@ arrays! {
         inner_contact_angle_rad: "rad",
         /// Angle of the force at the outer raceway; NaN without contact.
         outer_contact_angle_rad: "rad",
+        /// z of the outer ring of the ball's row, from where the case places it: of the housing, or of a ring
+        /// that slides under a preload spring.
+        outer_ring_z_m: "m",
     }
 }
 
@@ -270,11 +273,13 @@ impl Snapshot {
 
     /// Distance of ball `k` from the axis of the outer ring and its z from there, in space, m.
     pub fn place_in_outer_ring_m(&self, k: usize) -> [f64; 2] {
-        let housing = (self.rotor.as_ref()).map_or([0.0; 3], |rotor| {
-            [rotor.housing_x_m, rotor.housing_y_m, rotor.housing_z_m]
-        });
+        let housing =
+            (self.rotor.as_ref()).map_or([0.0; 2], |rotor| [rotor.housing_x_m, rotor.housing_y_m]);
         let place = [self.x_m[k] - housing[0], self.y_m[k] - housing[1]];
-        [place[0].hypot(place[1]), self.z_m[k] - housing[2]]
+        [
+            place[0].hypot(place[1]),
+            self.z_m[k] - self.outer_ring_z_m[k],
+        ]
     }
 
     /// Whether the balls move in space.

@@ -15,12 +15,15 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+use crate::case::Case;
 use crate::dynamics::Contacts;
-use crate::dynamics::coordinates::RingCoordinate;
+use crate::dynamics::coordinates::{RingCoordinate, SlidingCoordinate};
+use crate::dynamics::layout::Layout;
+use crate::dynamics::state::State;
 use crate::simulation::StepView;
 
 /// Numbers over the part of a run after its transient.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SpatialSummary {
     /// Mean of the ring's centre along the axis.
     pub ring_z_mean_m: f64,
@@ -33,6 +36,34 @@ pub struct SpatialSummary {
     pub outer_contact_angle_mean_rad: f64,
     /// Largest |α| + a/R to which a contact ellipse reaches: inner, outer groove.
     pub ellipse_edge_max_rad: [f64; 2],
+    /// Displacement of the outer ring of each row against its contact sign at the start of the run.
+    pub row_preload_start_m: Vec<f64>,
+    /// Mean of that.
+    pub row_preload_mean_m: Vec<f64>,
+    /// Mean axial force of the balls of each row on its outer ring, friction included.
+    pub row_axial_force_mean_n: Vec<f64>,
+}
+
+/// A row in a run.
+#[derive(Debug, Clone, Default)]
+struct RowTracker {
+    contact_sign: f64,
+    /// Index of its outer ring among those that slide.
+    sliding: Option<usize>,
+    /// Displacement against the contact sign at the start, m.
+    start_m: f64,
+    /// Integral of that displacement, m·s.
+    displaced_m_s: f64,
+    /// Sum of the axial forces on its outer ring, N.
+    force_n: f64,
+}
+
+impl RowTracker {
+    /// Displacement of the outer ring in the housing against the contact sign, m, of one that slides.
+    fn slid_m(&self, layout: Layout, y: &[f64]) -> Option<f64> {
+        let z = y[layout.sliding(SlidingCoordinate::Z, self.sliding?)];
+        Some(-self.contact_sign * (z - layout.outer_ring_along_axis(y)[0]))
+    }
 }
 
 /// Follows a run for its [`SpatialSummary`].
@@ -43,9 +74,35 @@ pub(crate) struct SpatialSummaryTracker {
     ring: [f64; 3],
     /// Sums of force along the radius and the axis: inner, outer.
     forces: [[f64; 2]; 2],
+    rows: Vec<RowTracker>,
+    looks: u32,
 }
 
 impl SpatialSummaryTracker {
+    /// Follows a run of this case from its state at the start.
+    pub fn new(case: &Case, start: &State) -> Self {
+        if !start.layout().is_in_space() {
+            return Self::default();
+        }
+        let sprung = case.sprung_rows();
+        let rows = case.all_rows().into_iter().enumerate().map(|(k, row)| {
+            let tracker = RowTracker {
+                contact_sign: row.contact_sign,
+                sliding: sprung.iter().position(|sprung| *sprung == k),
+                ..RowTracker::default()
+            };
+            let slid_m = tracker.slid_m(start.layout(), start.values());
+            RowTracker {
+                start_m: slid_m.unwrap_or(row.preload_m),
+                ..tracker
+            }
+        });
+        Self {
+            rows: rows.collect(),
+            ..Self::default()
+        }
+    }
+
     /// Takes a step of a run in space.
     pub fn step(&mut self, view: &StepView<'_, '_>) {
         let step_s = view.step.size_s();
@@ -58,11 +115,21 @@ impl SpatialSummaryTracker {
             let at = view.layout().ring(coordinate);
             *sum += 0.5 * step_s * (view.step.y0[at] + view.step.y1[at]);
         }
+        let (layout, step) = (view.layout(), view.step);
+        for row in &mut self.rows {
+            let [before, after] =
+                [&step.y0, &step.y1].map(|y| row.slid_m(layout, y).unwrap_or(row.start_m));
+            row.displaced_m_s += 0.5 * step_s * (before + after);
+        }
         self.time_s += step_s;
     }
 
     /// Takes the contacts at the end of a step, with the sign of each ball's row.
     pub fn look(&mut self, contacts: &Contacts<'_>, signs: &[f64]) {
+        for (k, row) in self.rows.iter_mut().enumerate() {
+            row.force_n += contacts.row_axial_force_n(k);
+        }
+        self.looks += 1;
         for (k, sign) in signs.iter().enumerate() {
             let Some(ball) = contacts.in_space(k) else {
                 return;
@@ -85,6 +152,13 @@ impl SpatialSummaryTracker {
             inner_contact_angle_mean_rad: inner,
             outer_contact_angle_mean_rad: outer,
             ellipse_edge_max_rad,
+            row_preload_start_m: self.of_rows(|row| row.start_m),
+            row_preload_mean_m: self.of_rows(|row| row.displaced_m_s / self.time_s),
+            row_axial_force_mean_n: self.of_rows(|row| row.force_n / f64::from(self.looks)),
         })
+    }
+
+    fn of_rows(&self, value: impl Fn(&RowTracker) -> f64) -> Vec<f64> {
+        self.rows.iter().map(value).collect()
     }
 }

@@ -26,7 +26,7 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::spatial_summary::{SpatialSummary, SpatialSummaryTracker};
 
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
     /// End of the discarded transient, s.
     pub settled_after_s: f64,
@@ -138,6 +138,7 @@ impl Observer for SummaryRecorder {
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
         self.peaks = Some(ContactPeakTracker::new(case, context.model));
+        self.space = SpatialSummaryTracker::new(case, context.start);
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
             .map(|k| rows[k / case.bearing.balls()].contact_sign)

@@ -133,7 +133,9 @@ fn company_changes_no_bit() {
         }
         let expected: Vec<_> = cases.iter().map(alone).collect();
         assert!(
-            expected.iter().any(|(_, s)| s.unwrap().collisions.all > 0)
+            expected
+                .iter()
+                .any(|(_, s)| s.as_ref().unwrap().collisions.all > 0)
                 || !cases[0].bearing.ball_radius_deviations_m().is_empty()
         );
         for isa in InstructionSet::ALL.into_iter().filter(|i| i.available()) {

@@ -8,7 +8,7 @@ use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Cause, Control, Ending, run_from};
-use cageless::{Case, IntegrationMethod, Motion};
+use cageless::{Case, IntegrationMethod, Motion, Row};
 
 /// A time in which nothing moves.
 const STEP_S: f64 = 1e-13;
@@ -149,6 +149,25 @@ fn a_thrown_ball_is_not_inside_a_ring_that_is_elsewhere() {
             }
         },
     );
+}
+
+/// An outer ring that slid further than the radius of a ball.
+#[test]
+fn a_sprung_ring_that_slides_off_is_seen() {
+    let mut case = conventional(dimensions());
+    let row = |axial_position_m, contact_sign, preload_n| Row {
+        axial_position_m,
+        contact_sign,
+        preload_n,
+        ..Row::default()
+    };
+    case.rows = vec![row(0.0, 1.0, 0.0), row(0.02, -1.0, 100.0)];
+    let at =
+        |share: f64| stopped(&case, 1.0, |state| state.set_sliding(0, share * 4.7625e-3)).unwrap();
+    assert_eq!(at(-1.001), Cause::OffSpring(1));
+    assert_eq!(at(1.001), Cause::OffSpring(1));
+    // Short of it a ball is on no groove any more.
+    assert!(!matches!(at(0.999), Cause::OffSpring(_)));
 }
 
 /// A housing beyond the radius of a ball.

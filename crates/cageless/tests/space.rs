@@ -777,6 +777,5 @@ fn impossible_springs_are_named() {
     let mut heavy = good.clone();
     heavy.rows[1].preload_n = 1e6;
     assert!(error(&heavy).contains("4200 MPa"));
-    let motion = good.check_motion().unwrap_err().to_string();
-    assert!(motion.contains("cageless static"), "{motion}");
+    assert!(good.check_motion().is_ok());
 }

@@ -6,7 +6,7 @@ use cageless::dynamics::coordinates::{
     BallCoordinate, DropCoordinate, RingCoordinate, SlidingCoordinate,
 };
 use cageless::dynamics::state::State;
-use cageless::dynamics::{Model, RightHandSide};
+use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::equilibrium::space::solve;
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::{Integrator, System, VelocityVerlet};
@@ -332,5 +332,32 @@ fn a_housing_lighter_than_its_sprung_rings_is_named() {
         case.rows[1].sliding_mass_kg = Some(mass);
         case.rows[1].sliding_damping_n_s_m = Some(damping);
         assert_eq!(case.check().unwrap_err().field, field);
+    }
+}
+
+/// Every instruction set leads to the same bits.
+#[test]
+fn a_sprung_ring_has_the_same_bits_with_all_instructions() {
+    for case in [loaded(1e-6), dropped(1e-6)] {
+        let model = Model::new(&case).unwrap();
+        let (start, _) = initial_state(&case).unwrap();
+        let end = |isa: InstructionSet| {
+            let mut rhs = RightHandSide::with_instruction_set(&model, isa);
+            let mut integrator = Integrator::new(VelocityVerlet::new(1e-6), start.values().len());
+            integrator.restart(&mut rhs, 0.0, start.values());
+            for _ in 0..300 {
+                integrator.advance(&mut rhs, 1.0).unwrap();
+            }
+            integrator.step().y1.to_vec()
+        };
+        let scalar = end(InstructionSet::Baseline);
+        let at = start.layout().sliding(SlidingCoordinate::Z, 0);
+        assert!(scalar[at] != start.values()[at]);
+        for isa in InstructionSet::ALL
+            .into_iter()
+            .filter(|isa| isa.available())
+        {
+            assert_eq!(scalar, end(isa), "{isa:?}");
+        }
     }
 }

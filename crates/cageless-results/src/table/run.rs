@@ -54,6 +54,9 @@ pub const RUN: &[Quantity] = &[
     means(FORCE_ANGLE, quantity("outer_contact_angle_mean_deg", "deg", "contact angle at the outer raceway, mean", Run(|r| of_space(r, |s| s.outer_contact_angle_mean_rad.to_degrees())))),
     means(ELLIPSE_EDGE, quantity("inner_ellipse_edge_max_deg", "deg", "edge of contact ellipses, inner raceway, largest angle", Run(|r| of_space(r, |s| s.ellipse_edge_max_rad[0].to_degrees())))),
     means(ELLIPSE_EDGE, quantity("outer_ellipse_edge_max_deg", "deg", "edge of contact ellipses, outer raceway, largest angle", Run(|r| of_space(r, |s| s.ellipse_edge_max_rad[1].to_degrees())))),
+    means("by which the outer ring of each row is displaced against its contact sign at the start, given or by its spring; in space", part(few("row_preload_start_um", "um", "preload of the rows by displacement, at the start", Run(|r| of_rows(r, |s| s.row_preload_start_m.iter().map(|m| m * 1e6).collect()))))),
+    means("the same of the run after its transient: a spring lets the ring follow its balls", part(few("row_preload_mean_um", "um", "preload of the rows by displacement, mean", Run(|r| of_rows(r, |s| s.row_preload_mean_m.iter().map(|m| m * 1e6).collect()))))),
+    means("of the balls of each row on its outer ring, along z, friction included; in space", part(few("row_axial_force_mean_n", "N", "axial force of the rows, mean", Run(|r| of_rows(r, |s| s.row_axial_force_mean_n.clone()))))),
     means(COLLISIONS, low(integer("collisions", "collisions between balls", Run(|r| of_contacts(r, |c| c.all))))),
     means(ABOVE_0_1, low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0]))))),
     means(ABOVE_0_5, low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1]))))),
@@ -124,6 +127,12 @@ fn of_tally(run: &Finished<'_>, value: fn(&PassageTally) -> f64) -> Cell {
 /// A number of a run in space.
 fn of_space(run: &Finished<'_>, value: fn(&SpatialSummary) -> f64) -> Cell {
     run.summary.and_then(|s| s.space.as_ref()).map(value).into()
+}
+
+/// A number of every row of a run in space.
+fn of_rows(run: &Finished<'_>, values: fn(&SpatialSummary) -> Vec<f64>) -> Cell {
+    let values = run.summary.and_then(|s| s.space.as_ref()).map(values);
+    values.map_or(Cell::Null, Cell::Numbers)
 }
 
 fn of_summary(run: &Finished<'_>, value: fn(&Summary) -> f64) -> Cell {

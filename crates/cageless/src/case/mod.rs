@@ -256,6 +256,13 @@ impl Case {
         }
     }
 
+    /// Indices of the rows whose outer rings slide under preload springs.
+    pub fn sprung_rows(&self) -> Vec<usize> {
+        let rows = self.rows.iter().enumerate();
+        let sprung = rows.filter(|(_, row)| row.preload_n > 0.0);
+        sprung.map(|(row, _)| row).collect()
+    }
+
     /// Temperatures of inner ring, balls and outer ring, °C: those of the fit, else that at which
     /// clearances are stated.
     pub fn parts_c(&self) -> [f64; PARTS] {

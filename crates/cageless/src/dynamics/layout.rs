@@ -63,10 +63,9 @@ impl Layout {
             (true, false) => &RING_IN_SPACE,
             (true, true) => &DROP_IN_SPACE,
         };
-        let sprung = case.rows.iter().filter(|row| row.preload_n > 0.0);
         Self {
             row: case.bearing.balls(),
-            sliding: sprung.count(),
+            sliding: case.sprung_rows().len(),
             ..Self::with_bodies(case.balls(), [of_ball, bodies], 1)
         }
     }

@@ -393,6 +393,10 @@ impl<'m> RightHandSide<'m> {
             omega_y_rad_s: in_space(&|k| at(BallCoordinate::OmegaY, k)),
             inner_contact_angle_rad: in_space(&|k| angle(k, BallContacts::inner_contact_angle_rad)),
             outer_contact_angle_rad: in_space(&|k| angle(k, BallContacts::outer_contact_angle_rad)),
+            outer_ring_z_m: in_space(&|k| {
+                let space = self.model().space.as_ref();
+                space.map_or(0.0, |s| space::outer_z_m(s, layout, state.values(), k))
+            }),
             rotor: self.rotor_snapshot(state),
             ring: RingSnapshot {
                 z_m: of_ring(RingCoordinate::Z),

@@ -3,6 +3,7 @@
 use crate::bearing::{Bearing, BeyondGroove};
 use crate::case::Case;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
+use crate::dynamics::coordinates::SlidingCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, Model};
@@ -32,6 +33,9 @@ pub enum Cause {
     RotorThroughInnerRing,
     /// The outer ring is further off its rest place than the radius of a ball.
     OffSupport,
+    /// The outer ring of a row (index from 0) slid further than that along the axis, against its preload
+    /// spring or behind it.
+    OffSpring(usize),
     /// Spurious energy gain.
     EnergyFromNowhere {
         /// Energy now − energy at the start − net work.
@@ -78,6 +82,11 @@ impl std::fmt::Display for Cause {
             Self::BeyondGroove(beyond) => write!(f, "the forces pressed {beyond}"),
             Self::RotorThroughInnerRing => f.write_str("the rotor went through the inner ring"),
             Self::OffSupport => f.write_str("the outer ring left its support"),
+            Self::OffSpring(row) => write!(
+                f,
+                "the outer ring of row {} slid off its seat: the spring alone held it along the axis",
+                row + 1
+            ),
             Self::EnergyFromNowhere {
                 residual_j,
                 flows_j,
@@ -150,6 +159,11 @@ impl Stop {
                 "{halve}; if it happens again at the same time, the support is too soft for the \
                  rotor (support.stiffness_n_m)"
             ),
+            Cause::OffSpring(row) => format!(
+                "raise row.{}.preload_n above the force along the axis that comes onto this row, or let a row \
+                 that is held bear it (contact_sign)",
+                row + 1
+            ),
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
                 "{halve}, or give the contacts some damping (contact.damping_n_s_m1_5, \
                  contact.ball_restitution)"
@@ -186,6 +200,8 @@ pub(super) struct Guard<'m> {
     bearing: &'m Bearing,
     rotor_deflection_max: f64,
     support_max: f64,
+    /// Rows whose outer rings slide, from 0.
+    sprung_rows: Vec<usize>,
 }
 
 impl<'m> Guard<'m> {
@@ -215,6 +231,7 @@ impl<'m> Guard<'m> {
                 DEFLECTION_FRACTION_MAX * bore.radius_m
             }),
             support_max: bearing.ball_radius_m(),
+            sprung_rows: case.sprung_rows(),
         }
     }
 
@@ -247,6 +264,12 @@ impl<'m> Guard<'m> {
                 displacement_m: x.hypot(y),
                 balls_that_hold: self.balls_that_hold,
             });
+        }
+        for (ring, row) in self.sprung_rows.iter().enumerate() {
+            let z = values[layout.sliding(SlidingCoordinate::Z, ring)];
+            if z.abs() > self.support_max {
+                return Err(Cause::OffSpring(*row));
+            }
         }
         let deep = contacts.any_deeper(self.deflection_max);
         for k in 0..if deep { layout.balls } else { 0 } {

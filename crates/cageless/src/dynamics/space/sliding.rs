@@ -41,9 +41,9 @@ pub(crate) struct SlidingWork {
 impl SlidingRing {
     /// Those of a case, row by row.
     pub fn of_case(case: &Case) -> Vec<Self> {
-        let rows = case.rows.iter().enumerate();
-        let sprung = rows.filter(|(_, row)| row.preload_n > 0.0);
+        let sprung = case.sprung_rows().into_iter();
         sprung
+            .map(|row| (row, &case.rows[row]))
             .map(|(k, row)| {
                 let [mass, damping] = row.sliding(&case.bearing);
                 Self {
@@ -211,8 +211,8 @@ pub(super) fn sliding_energy_j(space: &SpaceModel, layout: Layout, y: &[f64]) ->
         .sum()
 }
 
-/// z of the outer ring of ball `k`.
-pub(super) fn outer_z_m(space: &SpaceModel, layout: Layout, y: &[f64], k: usize) -> f64 {
+/// z of the outer ring of the row of ball `k`, from where the case places it, m.
+pub(crate) fn outer_z_m(space: &SpaceModel, layout: Layout, y: &[f64], k: usize) -> f64 {
     let own = space
         .sliding
         .iter()
