@@ -69,7 +69,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     // Rows hold each other's balls; those without preload may be too loose for an equilibrium.
     let mut in_space = match starts_at_rest && (preloaded || rows.len() > 1) {
         false => None,
-        true => match equilibrium::space::solve(&at_rest(case)) {
+        true => match unloaded_equilibrium(case) {
             Err(EquilibriumError::NotConverged { .. }) if !preloaded => None,
             found => Some(found?),
         },
@@ -101,7 +101,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     let row_preload_m = match &in_space {
         Some(e) => e.row_preload_m.clone(),
         // A rolling start finds outer rings where their springs held them at rest.
-        None if sprung => equilibrium::space::solve(&at_rest(case))?.row_preload_m,
+        None if sprung => unloaded_equilibrium(case)?.row_preload_m,
         None => rows.iter().map(|row| row.preload_m).collect(),
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
@@ -174,6 +174,14 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         }
     }
     Ok((state, angles))
+}
+
+/// Equilibrium of a bearing in space before a rotor falls or loads come: of rows that press each other.
+///
+/// # Errors
+/// Those of [`equilibrium::space::solve`].
+pub fn unloaded_equilibrium(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+    equilibrium::space::solve(&at_rest(case))
 }
 
 /// A bearing at rest before a rotor falls or loads come: nothing loads it, and it hardly turns, as what keeps an unloaded

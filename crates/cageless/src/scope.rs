@@ -4,7 +4,7 @@
 /// so that a reader of a result knows what it cannot say.
 pub const SCOPE: [&str; 6] = [
     "planar motion, but in `cageless run`, `compare`, `design`, `tolerance`, the studio and drops also in space: contact angles, several rows, axial load, in all but drops moments and tilt",
-    "preload in motion only by radial interference, a clearance below zero, or by displacement of the outer rings of rows: springs preload rows at rest only",
+    "preload by radial interference, a clearance below zero, by displacement of the outer rings of rows or by soft springs: an outer ring under a spring slides along the axis without tilt, dry friction in its seat or an end of its travel",
     "rings rigid except at the Hertz contacts; the outer ring is fixed (in a drop it may have an elastic support)",
     "speed and load prescribed, constant or as tables over time; a rotor that moves along its axis does so as a rigid body, and has no torsional motion",
     "dry friction laws: no lubricant film, no churning",

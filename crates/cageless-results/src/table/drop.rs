@@ -1,7 +1,7 @@
 //! Results of a drop.
 
 use cageless::Case;
-use cageless::equilibrium::space::forces_at_rest;
+use cageless::initial_conditions::unloaded_equilibrium;
 use cageless::touchdown::EndPower;
 
 use crate::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
@@ -103,7 +103,7 @@ pub const SUCCESSION: &[Quantity] = &[
     file_only(quantity("ball_start_c", "C", "balls at the start", Succession(|s| some(s.case.parts_c()[1])))),
     file_only(quantity("outer_ring_start_c", "C", "outer ring at the start", Succession(|s| some(s.case.parts_c()[2])))),
     part(means("at the start of the drop, with the expansion of rings and balls by the heat of the drops before", quantity("radial_internal_clearance_um", "um", "Gr", Succession(|s| some(1e6 * s.case.bearing.radial_internal_clearance_m()))))),
-    part(means("of the balls of each row on its outer ring, along z, at the start of the drop, without loads and speed, on plain raceways: the preload, of which that of held rings changes with the expansion and that of a spring does not; in space", few("row_axial_force_n", "N", "axial force of the rows", Succession(|s| preload_n(s.case))))),
+    part(means("of the balls of each row on its outer ring, along z, at the start of the drop, before anything loads the bearing: the preload, of which that of held rings changes with the expansion and that of a spring does not; in space", few("row_axial_force_n", "N", "axial force of the rows", Succession(|s| preload_n(s.case))))),
     part(means("at the start of the drop, radial, with the expansion of the inner ring", quantity("touchdown_clearance_um", "um", "touch-down clearance", Succession(|s| s.case.rotor.as_ref().map(|r| 1e6 * r.radial_clearance_m).into())))),
     part(low(quantity("dissipated_j", "J", "heat of all interfaces", Succession(|s| some(s.heat_j))))),
     part(means("time to standstill from the end of the simulated time, at the torques of its end: those of the contacts and `rotor.drive_torque_n_m`, once every inner ring has come up to speed", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down.map(|d| d.time_s).into())))),
@@ -126,8 +126,8 @@ pub(crate) fn milliseconds(time_s: f64) -> f64 {
 
 /// Axial forces of the rows of an unloaded bearing.
 fn preload_n(case: &Case) -> Cell {
-    let at_rest = || forces_at_rest(case).ok();
-    let found = case.moves_in_space().then(at_rest).flatten();
+    let unloaded = || unloaded_equilibrium(case).ok();
+    let found = case.moves_in_space().then(unloaded).flatten();
     found.map_or(Cell::Null, |e| Cell::Numbers(e.row_axial_force_n))
 }
 
