@@ -131,6 +131,38 @@ fn a_spring_gives_the_displacement_of_its_force() {
     assert!((numbers(&run, "row_preload_mean_um")[1] / displaced[1] - 1.0).abs() < 0.1);
 }
 
+/// Rings that are warmed by drops press held rows more, and those under a spring alike.
+#[test]
+fn a_spring_keeps_its_preload_as_drops_warm_the_rings() {
+    let case = repository_case("touchdown-pair.toml");
+    let quick = [
+        "solver.duration_s=0.15",
+        "rotor.speed_rpm=4000",
+        "rotor.drive_torque_n_m=-2",
+    ];
+    let spring = [
+        "row.1.preload_um=0",
+        "row.2.preload_um=0",
+        "row.2.preload_n=150",
+    ];
+    let forces = |sets: &[&str]| {
+        let answer = call_on("drop", &case, sets, &["--drops", "2", "--json"]);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+        let value: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+        let drops = value["succession"].as_array().unwrap();
+        [0, 1].map(|k| numbers(&drops[k], "row_axial_force_n"))
+    };
+    let [cold, warm] = forces(&quick);
+    assert!(
+        cold[0] > 100.0 && (cold[0] + cold[1]).abs() < 1e-6,
+        "{cold:?}"
+    );
+    assert!(warm[0] > 1.005 * cold[0], "{warm:?} {cold:?}");
+    for sprung in forces(&[&quick[..], &spring].concat()) {
+        assert!((sprung[0] - 150.0).abs() < 1e-3 && (sprung[1] + 150.0).abs() < 1e-3);
+    }
+}
+
 /// What each row carries along the axis, and by how much its spring displaces it, is in the tables.
 #[test]
 fn tables_show_what_each_row_carries() {

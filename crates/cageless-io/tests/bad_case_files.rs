@@ -127,6 +127,7 @@ const EDITS: &[Row] = &[
     ("inner_groove_curvature_radius_mm = 4.953", "inner_groove_curvature_radius_mm = 4.7", "bearing.inner_groove_curvature_radius_mm", &["= 4.7", "more than 4.7625 mm", "radius of the ball"]),
     ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 28.0", "bearing.outer_shoulder_radius_mm", &["= 28.0", "between 23.0025 mm and 27.765 mm"]),
     ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 20.0", "bearing.outer_shoulder_radius_mm", &["between 23.0025 mm and 27.765 mm"]),
+    ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 26.0\ninner_shoulder_radius_mm = 18.0", "bearing.inner_shoulder_radius_mm", &["= 18.0", "between 18.24 mm and 23.0025 mm"]),
     (SPAN, "axial_span_mm = 8.0", "raceway.axial_span_mm", &["= 8.0", "less than 7.4017", "mm", "Eq. (8)"]),
     (SPAN, "axial_span_mm = 0", "raceway.axial_span_mm", &["more than 0 mm"]),
     (THETA, "half_angle_deg = 60", "raceway.half_angle_deg", &["= 60", "Eq. (9)", "axial_span_mm = 5.1"]),

@@ -44,6 +44,14 @@ fn diameters_conformities_and_clearance_stand_for_radii() {
     );
     assert!((d.outer_shoulder_radius_m - (outer - 0.2 * 9.525e-3)).abs() < 1e-7);
     assert!((0.05..0.2).contains(&d.inner_ring_mass_kg));
+    // Higher shoulders are heavier.
+    let shoulder = format!("bearing.inner_shoulder_radius_mm={}", 1e3 * inner + 2.5);
+    let higher = parse(SHORT, &[&shoulder]);
+    let high = higher.case().bearing.dimensions();
+    assert!((high.inner_shoulder_radius_m.unwrap() - inner - 2.5e-3).abs() < 1e-9);
+    let area = |height_m: f64| (inner + height_m).powi(2) - (inner - 0.3 * 9.525e-3).powi(2);
+    let ratio = area(2.5e-3) / area(0.2 * 9.525e-3);
+    assert!((high.inner_ring_mass_kg / d.inner_ring_mass_kg / ratio - 1.0).abs() < 1e-4);
 }
 
 #[test]

@@ -437,8 +437,11 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         inner_contact_angle_mean_rad: next(&mut k),
         outer_contact_angle_mean_rad: next(&mut k),
         ellipse_edge_max_rad: [next(&mut k), next(&mut k)],
+        row_preload_start_m: vec![next(&mut k), next(&mut k)],
+        row_preload_mean_m: vec![next(&mut k), next(&mut k)],
+        row_axial_force_mean_n: vec![next(&mut k), next(&mut k)],
     });
-    let space = *space;
+    let space = space.clone();
     let m = s.means.unwrap();
     let finished = Finished {
         case: &case,
@@ -583,6 +586,27 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             Some(&Cell::Integer(count as i64)),
             "{name}"
         );
+    }
+    let scaled =
+        |values: &[f64], unit: f64| Cell::Numbers(values.iter().map(|v| v / unit).collect());
+    for (name, values, unit) in [
+        (
+            "row_preload_start_um",
+            &space.row_preload_start_m,
+            MICROMETRE,
+        ),
+        ("row_preload_mean_um", &space.row_preload_mean_m, MICROMETRE),
+        ("row_axial_force_mean_n", &space.row_axial_force_mean_n, 1.0),
+    ] {
+        let (Some(Cell::Numbers(found)), Cell::Numbers(expected)) =
+            (results.get(name), scaled(values, unit))
+        else {
+            panic!("{name}");
+        };
+        assert_eq!(found.len(), 2);
+        for (a, b) in found.iter().zip(&expected) {
+            assert!((a / b - 1.0).abs() < 1e-12, "{name}: {a} {b}");
+        }
     }
     // The time of a passage is about that of rolling through 2θ.
     let rolling_ms = 2e3 * 25.2 * DEGREE / m.orbit_speed_rad_s;

@@ -9,6 +9,7 @@
 //!     inner_groove_bottom_radius_m: 18.24e-3,
 //!     outer_groove_bottom_radius_m: 27.765e-3,
 //!     outer_shoulder_radius_m: 26e-3,
+//!     inner_shoulder_radius_m: None,
 //!     inner_groove_curvature_radius_m: 4.953e-3,
 //!     outer_groove_curvature_radius_m: 4.953e-3,
 //!     inner_ring_mass_kg: 0.2,
@@ -39,7 +40,7 @@ use crate::limits::{from_to, positive, require};
 use crate::material::Materials;
 
 use dimensions::ROUNDING_M;
-pub use dimensions::{BALLS_MAX, BALLS_MIN, BearingDimensions};
+pub use dimensions::{BALLS_MAX, BALLS_MIN, BearingDimensions, SHOULDER_HEIGHT};
 pub use shoulder::BeyondGroove;
 
 /// A bearing with every constant that follows from its dimensions.

@@ -16,16 +16,12 @@ use std::f64::consts::PI;
 
 use crate::bearing::Bearing;
 
-/// Height of the shoulders of the inner ring over the diameter of the ball; of the outer ring
-/// unless it is given.
-pub const SHOULDER_HEIGHT: f64 = 0.2;
-
 impl Bearing {
     /// Displacement of the inner ring from the centre of the outer one at which their shoulders
-    /// meet, m: Ros − Ri − hi, the shoulders of the inner ring hi = 0.2 Dw high.
+    /// meet, m: Ros − Ri − hi, the shoulders of the inner ring hi high.
     pub fn shoulder_clearance_m(&self) -> f64 {
         let d = self.dimensions();
-        let shoulder = SHOULDER_HEIGHT * 2.0 * d.ball_radius_m;
+        let shoulder = d.inner_shoulder_height_m();
         d.outer_shoulder_radius_m - d.inner_groove_bottom_radius_m - shoulder
     }
 

@@ -115,6 +115,7 @@ fn row(balls: usize, diameter_m: f64, pitch_m: f64, play_m: f64, ring_kg: f64) -
         inner_groove_bottom_radius_m: middle - half,
         outer_groove_bottom_radius_m: middle + half,
         outer_shoulder_radius_m: middle + half - 0.2 * diameter_m,
+        inner_shoulder_radius_m: None,
         inner_groove_curvature_radius_m: 0.52 * diameter_m,
         outer_groove_curvature_radius_m: 0.52 * diameter_m,
         inner_ring_mass_kg: ring_kg,

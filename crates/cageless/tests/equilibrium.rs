@@ -172,6 +172,7 @@ fn bunched_in_a_row() -> Case {
         inner_groove_bottom_radius_m: inner,
         outer_groove_bottom_radius_m: outer,
         outer_shoulder_radius_m: outer - 0.4 * ball,
+        inner_shoulder_radius_m: None,
         inner_groove_curvature_radius_m: 1.032 * ball,
         outer_groove_curvature_radius_m: 1.076 * ball,
         inner_ring_mass_kg: 0.01,

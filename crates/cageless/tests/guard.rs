@@ -258,16 +258,25 @@ fn energy_from_nowhere_has_its_limit() {
     }
 }
 
-/// A ball that bears on a groove, 1 µm deep, on either side of its shoulder; the ring has moved away
-/// from it.
+/// Shoulders of the inner ring are 0.2 Dw high, or as high as they are given.
 #[test]
 fn a_ball_over_a_shoulder() {
-    let d = dimensions();
-    let mut case = conventional(dimensions());
+    over_a_shoulder(&dimensions(), 0.4 * dimensions().ball_radius_m);
+    let higher = cageless::BearingDimensions {
+        inner_shoulder_radius_m: Some(20.74e-3),
+        ..dimensions()
+    };
+    over_a_shoulder(&higher, 2.5e-3);
+}
+
+/// A ball that bears on a groove, 1 µm deep, on either side of its shoulder; the ring has moved away
+/// from it.
+fn over_a_shoulder(d: &cageless::BearingDimensions, inner_height_m: f64) {
+    let mut case = conventional(d.clone());
     case.motion = Motion::Space;
     let rw = d.ball_radius_m;
     let grooves = [
-        (0.4 * rw, d.inner_groove_curvature_radius_m),
+        (inner_height_m, d.inner_groove_curvature_radius_m),
         (
             d.outer_groove_bottom_radius_m - d.outer_shoulder_radius_m,
             d.outer_groove_curvature_radius_m,

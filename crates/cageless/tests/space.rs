@@ -563,6 +563,41 @@ fn ring_and_balls_are_in_balance() {
     );
 }
 
+/// A thrust that the usual shoulders of the inner ring bear is too much for lower ones; the rings meet between
+/// shoulders.
+#[test]
+fn the_shoulders_of_the_inner_ring_are_as_high_as_given() {
+    let with = |inner_shoulder_radius_m: Option<f64>| {
+        let mut case = conventional(BearingDimensions {
+            outer_shoulder_radius_m: 25e-3,
+            inner_shoulder_radius_m,
+            ..dimensions()
+        });
+        case.operation.space.axial_load_n = 40_000.0;
+        case
+    };
+    let lower = solve(&with(Some(18.74e-3))).unwrap_err().to_string();
+    assert!(lower.contains("shoulder of the inner ring"), "{lower}");
+    assert!(solve(&with(None)).is_ok());
+    let higher = with(Some(21.24e-3));
+    let [inner, _] = higher.bearing.shoulder_angles_rad();
+    close(inner.cos(), 1.0 - 3.0 / 4.953, 1e-12);
+    close(
+        higher.bearing.shoulder_clearance_m(),
+        25e-3 - 21.24e-3,
+        1e-12,
+    );
+    for (radius_m, allowed) in [(18e-3, "0.0182"), (23.1e-3, "0.0230")] {
+        let d = BearingDimensions {
+            inner_shoulder_radius_m: Some(radius_m),
+            ..dimensions()
+        };
+        let error = Bearing::new(d, steel()).unwrap_err();
+        assert_eq!(error.field, "inner_shoulder_radius_m");
+        assert!(error.to_string().contains(allowed), "{error}");
+    }
+}
+
 #[test]
 fn what_cannot_be_is_named() {
     let mut case = conventional(dimensions());

@@ -55,6 +55,7 @@ fn random_case(random: &mut Random) -> Case {
             inner_groove_bottom_radius_m: pitch - rw,
             outer_groove_bottom_radius_m: pitch + rw + clearance,
             outer_shoulder_radius_m: pitch + clearance + 0.6 * rw,
+            inner_shoulder_radius_m: None,
             inner_groove_curvature_radius_m: rw * random.between(1.02, 1.1),
             outer_groove_curvature_radius_m: rw * random.between(1.02, 1.1),
             inner_ring_mass_kg: random.log_between(0.3, 3.0) * 5e4 * pitch * rw * rw,

@@ -32,6 +32,7 @@ fn full_6008(span_mm: f64, angle_deg: f64) -> Case {
         inner_groove_bottom_radius_m: 23.031e-3,
         outer_groove_bottom_radius_m: 30.974e-3,
         outer_shoulder_radius_m: 29e-3,
+        inner_shoulder_radius_m: None,
         inner_groove_curvature_radius_m: 4.128e-3,
         outer_groove_curvature_radius_m: 4.128e-3,
         inner_ring_mass_kg: 0.2,

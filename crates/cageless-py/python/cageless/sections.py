@@ -35,11 +35,12 @@ class Bearing(Section):
     radial_internal_clearance_um: Annotated[float | None, "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball"] = None
     contact_angle_deg: Annotated[float | None, "α0, free contact angle of an angular-contact bearing: grooves without clearance are opened about the pitch circle until unloaded balls touch them there; 0, a radial bearing, unless given"] = None
     outer_shoulder_radius_mm: Annotated[float | None, "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given"] = None
+    inner_shoulder_radius_mm: Annotated[float | None, "Ris, radius of the shoulders of the inner ring; Ri + 0.2 Dw unless given"] = None
     inner_groove_curvature_radius_mm: Annotated[float | None, "radius of the inner groove in the meridian plane"] = None
     outer_groove_curvature_radius_mm: Annotated[float | None, "Re, radius of the outer groove in the meridian plane"] = None
     inner_conformity: Annotated[float | None, "fi, radius of the inner groove over Dw, in place of that radius; 0.52 unless one is given"] = None
     outer_conformity: Annotated[float | None, "fo = Re/Dw, in place of that radius; 0.52 unless one is given"] = None
-    inner_ring_mass_kg: Annotated[float | None, "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given"] = None
+    inner_ring_mass_kg: Annotated[float | None, "mass of the inner ring and attached rotating parts; that of a steel ring with its shoulders, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given"] = None
     inner_ring_damping_n_s_m: Annotated[float | None, "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]"] = None
     inner_ring_polar_inertia_kg_m2: Annotated[float | None, "Ji of the inner ring with what turns with it, needed under a [rotor]"] = None
     inner_ring_bore_radius_mm: Annotated[float | None, "Rb, radius of the bore of the inner ring, needed under a [rotor]"] = None
@@ -83,7 +84,9 @@ class Row(Section):
     axial_position_mm: Annotated[float, "z of the middle of the row"]
     contact_sign: Annotated[float | None, "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem"] = None
     preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign; with [fit] that before fits and temperatures"] = None
-    preload_n: Annotated[float | None, "preload by a soft spring, in place of preload_um: force on its outer ring against the contact sign; only in `static`, which finds the displacement"] = None
+    preload_n: Annotated[float | None, "preload by a soft spring, in place of preload_um: force on its outer ring against the contact sign, whatever its displacement; the ring slides along the axis, the other rows are held"] = None
+    sliding_mass_kg: Annotated[float | None, "with preload_n: mass that slides with its outer ring in motion; that of a ring 0.3 Dw thick behind its groove and 1.6 Dw wide unless given"] = None
+    sliding_damping_n_s_m: Annotated[float | None, "with preload_n: viscous damping of its outer ring in the housing, without dry friction; that of a film of oil of 0.03 Pa s, 5 um thick, on the seat of such a ring unless given"] = None
     balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always"] = None
 
 

@@ -41,6 +41,7 @@ pub fn bearing() -> Bearing {
             inner_groove_bottom_radius_m: 18.24e-3,
             outer_groove_bottom_radius_m: 27.765e-3,
             outer_shoulder_radius_m: 26e-3,
+            inner_shoulder_radius_m: None,
             inner_groove_curvature_radius_m: 4.953e-3,
             outer_groove_curvature_radius_m: 4.953e-3,
             inner_ring_mass_kg: 0.2,

@@ -20,6 +20,8 @@ pub struct BearingDimensions {
     pub outer_groove_bottom_radius_m: f64,
     /// Ros, radius of the outer ring's shoulder.
     pub outer_shoulder_radius_m: f64,
+    /// Ris, radius of the shoulders of the inner ring; [`SHOULDER_HEIGHT`] above Ri if `None`.
+    pub inner_shoulder_radius_m: Option<f64>,
     /// Radius of curvature of the inner groove in the meridian plane.
     pub inner_groove_curvature_radius_m: f64,
     /// Re, radius of curvature of the outer groove in the meridian plane.
@@ -29,6 +31,9 @@ pub struct BearingDimensions {
     /// C of Zhao 2022, Eq. (14).
     pub inner_ring_damping_n_s_m: f64,
 }
+
+/// Height of the shoulders of either ring over the diameter of the ball unless it is given.
+pub const SHOULDER_HEIGHT: f64 = 0.2;
 
 /// Largest radius of a groove in the meridian plane over the diameter of the ball. Grooves of
 /// bearings have 0.51 to 0.58.
@@ -128,7 +133,24 @@ impl BearingDimensions {
         let bottom = d.outer_groove_bottom_radius_m;
         let why = "ball centre at the outer raceway and groove bottom";
         Allowed::Between(bottom - d.ball_radius_m, bottom, why)
-            .check("outer_shoulder_radius_m", d.outer_shoulder_radius_m)
+            .check("outer_shoulder_radius_m", d.outer_shoulder_radius_m)?;
+        let Some(shoulder) = d.inner_shoulder_radius_m else {
+            return Ok(());
+        };
+        let bottom = d.inner_groove_bottom_radius_m;
+        let why = "groove bottom and ball centre at the inner raceway";
+        Allowed::Between(bottom, bottom + d.ball_radius_m, why)
+            .check("inner_shoulder_radius_m", shoulder)?;
+        let why = "the shoulder of the outer ring";
+        Allowed::Below(d.outer_shoulder_radius_m, why).check("inner_shoulder_radius_m", shoulder)
+    }
+
+    /// Height of the shoulders of the inner ring, m.
+    pub fn inner_shoulder_height_m(&self) -> f64 {
+        match self.inner_shoulder_radius_m {
+            Some(radius_m) => radius_m - self.inner_groove_bottom_radius_m,
+            None => SHOULDER_HEIGHT * 2.0 * self.ball_radius_m,
+        }
     }
 
     /// A nominal ball against the plain raceways: inner, outer.

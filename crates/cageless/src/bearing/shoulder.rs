@@ -2,7 +2,6 @@
 
 use super::Bearing;
 use crate::error::degrees;
-use crate::ring_support::SHOULDER_HEIGHT;
 
 /// Names of the rings in the order in which pairs of them come.
 const RINGS: [&str; 2] = ["inner", "outer"];
@@ -26,15 +25,14 @@ pub struct BeyondGroove {
 }
 
 impl Bearing {
-    /// Contact angles at the shoulders of inner and outer ring. The inner shoulder, of which no
-    /// radius is given, has the usual height.
+    /// Contact angles at the shoulders of inner and outer ring.
     pub fn shoulder_angles_rad(&self) -> [f64; 2] {
         let d = &self.dimensions;
         let (ri, re) = (
             d.inner_groove_curvature_radius_m,
             d.outer_groove_curvature_radius_m,
         );
-        let inner_height = SHOULDER_HEIGHT * 2.0 * d.ball_radius_m;
+        let inner_height = d.inner_shoulder_height_m();
         let outer_height = d.outer_groove_bottom_radius_m - d.outer_shoulder_radius_m;
         [(inner_height, ri), (outer_height, re)]
             .map(|(height, radius)| (1.0 - height / radius).clamp(0.0, 1.0).acos())

@@ -144,11 +144,12 @@ impl Stop {
                     false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
                 };
                 let higher = match beyond.ring {
-                    0 => "the shoulders of the inner ring are 0.2 Dw high",
-                    _ => "or make the shoulder higher (bearing.outer_shoulder_radius_mm)",
+                    0 => "bearing.inner_shoulder_radius_mm",
+                    _ => "bearing.outer_shoulder_radius_mm",
                 };
                 format!(
-                    "press the balls less along the axis ({less}, preload_um of a row); {higher}"
+                    "press the balls less along the axis ({less}, preload_um of a row); or make the shoulder \
+                     higher ({higher})"
                 )
             }
             Cause::RotorThroughInnerRing => format!(

@@ -117,6 +117,7 @@ impl Converter<'_> {
             inner_groove_bottom_radius_m: inner,
             outer_groove_bottom_radius_m: outer,
             outer_shoulder_radius_m: 0.0,
+            inner_shoulder_radius_m: b.inner_shoulder_radius_m,
             inner_groove_curvature_radius_m: groove(
                 inner_curvature,
                 "bearing.inner_conformity",

@@ -1,8 +1,7 @@
 //! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
-use cageless::bearing::BALLS_MIN;
+use cageless::bearing::{BALLS_MIN, SHOULDER_HEIGHT};
 use cageless::rating::bore_radius_estimate_m;
-use cageless::ring_support::SHOULDER_HEIGHT;
 use cageless::{Assembly, Bearing, BearingDimensions};
 use serde::Serialize;
 
@@ -45,6 +44,8 @@ section! {
         outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre; Above(0.0),
             "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given",
             Shown("26.0", "Ros, shoulder bore radius of the outer ring (paper)");
+        inner_shoulder_radius_mm => inner_shoulder_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
+            "Ris, radius of the shoulders of the inner ring; Ri + 0.2 Dw unless given", Absent;
         inner_groove_curvature_radius_mm => inner_groove_curvature_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "radius of the inner groove in the meridian plane",
             Shown("4.953", "groove radius in the axial section, usually 1.02 to 1.08 Rw;\n\
@@ -57,7 +58,7 @@ section! {
         outer_conformity => outer_conformity: Option<f64> = Optional, Plain,
             "fo = Re/Dw, in place of that radius; 0.52 unless one is given", Absent;
         inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"); Above(0.0),
-            "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given",
+            "mass of the inner ring and attached rotating parts; that of a steel ring with its shoulders, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given",
             Shown("0.2", "inner ring and attached rotating parts");
         inner_ring_damping_n_s_m formerly inner_ring_drag_n_s_m => inner_ring_damping_n_s_m: Option<f64> = Derived, Si("N s/m"); AtLeast(0.0),
             "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]",
@@ -173,7 +174,7 @@ fn ring_mass_kg(d: &BearingDimensions, width_m: Option<f64>) -> f64 {
     let diameter = 2.0 * d.ball_radius_m;
     let bottom = d.inner_groove_bottom_radius_m;
     let bore = bore_radius_estimate_m(d);
-    let shoulder = bottom + SHOULDER_HEIGHT * diameter;
+    let shoulder = bottom + d.inner_shoulder_height_m();
     let width = width_m.unwrap_or(WIDTH * diameter);
     RING_DENSITY_KG_M3 * std::f64::consts::PI * (shoulder.powi(2) - bore.powi(2)) * width
 }

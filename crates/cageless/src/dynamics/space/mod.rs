@@ -21,6 +21,7 @@ mod ring;
 mod rotor;
 mod rotor_touch;
 mod sliding;
+mod sliding_ring;
 mod strips;
 mod workspace;
 

@@ -3,7 +3,7 @@
 use super::inner_groove::InnerGroove;
 use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
 use super::rotor_touch::RotorAlongAxis;
-use super::sliding::SlidingRing;
+use super::sliding_ring::SlidingRing;
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
 

@@ -1,4 +1,5 @@
-//! Outer rings that slide in their housing along the axis, each pushed by the preload spring of its row.
+//! The motion of outer rings that slide in their housing along the axis, each pushed by the preload spring of
+//! its row.
 //!
 //! With F of its balls, P of the spring and the place zh of the housing,
 //!
@@ -8,54 +9,13 @@
 
 use super::block::{INNER, SpaceBlock};
 use super::model::SpaceModel;
+use super::sliding_ring::SlidingWork;
 use super::workspace::SpaceWorkspace;
-use crate::case::Case;
 use crate::dynamics::coordinates::{DropCoordinate, SlidingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes};
-
-/// Constants of an outer ring that slides.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SlidingRing {
-    /// Its row, from 0.
-    pub row: usize,
-    /// m, kg.
-    pub mass: f64,
-    /// c, N·s/m.
-    pub damping: f64,
-    /// Force of the spring along +Z, −σP, N.
-    pub spring_n: f64,
-}
-
-/// What an outer ring that slides had at the last evaluation.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct SlidingWork {
-    /// Speed against the housing, m/s.
-    speed: f64,
-    /// Force of its balls along +Z, N.
-    force_n: f64,
-}
-
-impl SlidingRing {
-    /// Those of a case, row by row.
-    pub fn of_case(case: &Case) -> Vec<Self> {
-        let sprung = case.sprung_rows().into_iter();
-        sprung
-            .map(|row| (row, &case.rows[row]))
-            .map(|(k, row)| {
-                let [mass, damping] = row.sliding(&case.bearing);
-                Self {
-                    row: k,
-                    mass,
-                    damping,
-                    spring_n: -row.contact_sign * row.preload_n,
-                }
-            })
-            .collect()
-    }
-}
 
 /// z and speed along the axis of ring `k` that slides, in a vector.
 fn motion(layout: Layout, y: &[f64], k: usize) -> [f64; 2] {

@@ -4,7 +4,7 @@ use super::block::{INNER, PLACES, SpaceBlock};
 use super::model::SpaceModel;
 use super::ring::RingMotion;
 use super::rotor_touch::RotorTouch;
-use super::sliding::SlidingWork;
+use super::sliding_ring::SlidingWork;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
