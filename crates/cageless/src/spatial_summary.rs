@@ -52,7 +52,7 @@ struct RowTracker {
     sliding: Option<usize>,
     /// Displacement against the contact sign at the start, m.
     start_m: f64,
-    /// Integral of that displacement, m·s.
+    /// Integral of that displacement of a ring that slides, m·s.
     displaced_m_s: f64,
     /// Sum of the axial forces on its outer ring, N.
     force_n: f64,
@@ -117,9 +117,10 @@ impl SpatialSummaryTracker {
         }
         let (layout, step) = (view.layout(), view.step);
         for row in &mut self.rows {
-            let [before, after] =
-                [&step.y0, &step.y1].map(|y| row.slid_m(layout, y).unwrap_or(row.start_m));
-            row.displaced_m_s += 0.5 * step_s * (before + after);
+            let slid = [&step.y0, &step.y1].map(|y| row.slid_m(layout, y));
+            if let [Some(before), Some(after)] = slid {
+                row.displaced_m_s += 0.5 * step_s * (before + after);
+            }
         }
         self.time_s += step_s;
     }
@@ -153,7 +154,10 @@ impl SpatialSummaryTracker {
             outer_contact_angle_mean_rad: outer,
             ellipse_edge_max_rad,
             row_preload_start_m: self.of_rows(|row| row.start_m),
-            row_preload_mean_m: self.of_rows(|row| row.displaced_m_s / self.time_s),
+            row_preload_mean_m: self.of_rows(|row| match row.sliding {
+                Some(_) => row.displaced_m_s / self.time_s,
+                None => row.start_m,
+            }),
             row_axial_force_mean_n: self.of_rows(|row| row.force_n / f64::from(self.looks)),
         })
     }

@@ -11,6 +11,7 @@ use cageless::equilibrium::space::solve;
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::{Integrator, System, VelocityVerlet};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
+use cageless::step_limits::StepLimits;
 use cageless::{Bearing, Case, IntegrationMethod, Row, Tilt};
 
 use crate::common::{complete, drop_case, steel, structure};
@@ -130,6 +131,25 @@ fn axial_force_n(case: &Case, displacement_m: f64) -> f64 {
     14.0 * series * approach.powf(1.5) * angle.sin()
 }
 
+/// Displacement at which a row pushes back with the force of the spring.
+fn rest_m(case: &Case) -> f64 {
+    let (mut low, mut high) = (0.0, 1e-4);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        match axial_force_n(case, middle) < FORCE_N {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low
+}
+
+fn stiffness_n_m(case: &Case, displacement_m: f64) -> f64 {
+    let h = 1e-9;
+    let [more, less] = [h, -h].map(|by| axial_force_n(case, displacement_m + by));
+    (more - less) / (2.0 * h)
+}
+
 /// A ring that is pushed off its place oscillates on the axial stiffness of its row.
 #[test]
 fn a_sprung_ring_oscillates_on_the_stiffness_of_its_row() {
@@ -147,21 +167,8 @@ fn a_sprung_ring_oscillates_on_the_stiffness_of_its_row() {
     case.contact.damping_n_s_m1_5 = 0.0;
     case.contact.friction.coefficient = 0.0;
     case.solver.duration_s = 0.02;
-    let rest_m = {
-        let (mut low, mut high) = (0.0, 1e-4);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            match axial_force_n(&case, middle) < FORCE_N {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        low
-    };
-    let h = 1e-9;
-    let stiffness =
-        (axial_force_n(&case, rest_m + h) - axial_force_n(&case, rest_m - h)) / (2.0 * h);
-    let expected = (stiffness / 40.0).sqrt();
+    let rest_m = rest_m(&case);
+    let expected = (stiffness_n_m(&case, rest_m) / 40.0).sqrt();
     // Both rows are displaced alike by the spring: the ring by twice as much.
     let (start, _) = initial_state(&case).unwrap();
     let at_rest = sliding(&start, SlidingCoordinate::Z);
@@ -360,4 +367,86 @@ fn a_sprung_ring_has_the_same_bits_with_all_instructions() {
             assert_eq!(scalar, end(isa), "{isa:?}");
         }
     }
+}
+
+/// The rates of a ring under a spring: no slower than it oscillates on its row, as 1/m, and the decay by the
+/// damping in its seat.
+#[test]
+fn the_step_follows_a_light_sprung_ring() {
+    let rates = |mass_kg: f64, damping_n_s_m: f64| {
+        let mut case = running();
+        case.rows[1].sliding_mass_kg = Some(mass_kg);
+        case.rows[1].sliding_damping_n_s_m = Some(damping_n_s_m);
+        let limits = StepLimits::new(&case);
+        (limits.contact_rad_s.powi(2), limits.damping_1_s)
+    };
+    let (held, held_1_s) = rates(1e9, 0.0);
+    let [light, heavy] = [1e-3, 1e-1].map(|mass| rates(mass, 0.0).0 - held);
+    assert!(
+        (light / heavy / 100.0 - 1.0).abs() < 1e-3,
+        "{light} {heavy}"
+    );
+    let case = running();
+    let rest_m = rest_m(&case);
+    let ratio = light * 1e-3 / stiffness_n_m(&case, rest_m);
+    assert!((1.0..6.0).contains(&ratio), "{ratio}");
+    let (_, damped_1_s) = rates(1e9, 1e9);
+    assert!(
+        (damped_1_s - held_1_s - 1.0).abs() < 1e-6,
+        "{damped_1_s} {held_1_s}"
+    );
+    let automatic = |mass_kg: f64| {
+        let mut case = running();
+        case.rows[1].sliding_mass_kg = Some(mass_kg);
+        StepLimits::new(&case).automatic_s(case.solver.method)
+    };
+    assert!(automatic(1e-3) < 0.5 * automatic(0.1));
+}
+
+/// What moves with its row is at rest to it: contacts are damped and slide by the speed from the ring.
+#[test]
+fn a_row_that_moves_with_its_ring_is_pressed_as_at_rest() {
+    let case = loaded(1e-6);
+    let model = Model::new(&Case {
+        contact: cageless::Contact {
+            damping_n_s_m1_5: 2e5,
+            ..case.contact.clone()
+        },
+        ..case.clone()
+    })
+    .unwrap();
+    let (start, _) = initial_state(&case).unwrap();
+    let layout = start.layout();
+    let rates = |speed_m_s: f64| {
+        let mut y = start.values().to_vec();
+        for k in 14..28 {
+            y[layout.ball(BallCoordinate::Vz, k)] += speed_m_s;
+        }
+        y[layout.ring(RingCoordinate::Vz)] += speed_m_s;
+        y[layout.sliding(SlidingCoordinate::Vz, 0)] += speed_m_s;
+        let mut rates = vec![0.0; y.len()];
+        RightHandSide::new(&model).derivative(0.0, &y, &mut rates);
+        rates
+    };
+    let (still, moving) = (rates(0.0), rates(0.05));
+    for k in 14..28 {
+        for coordinate in [
+            BallCoordinate::Vx,
+            BallCoordinate::Vy,
+            BallCoordinate::Vz,
+            BallCoordinate::Spin,
+            BallCoordinate::OmegaX,
+            BallCoordinate::OmegaY,
+        ] {
+            let [a, b] = [&still, &moving].map(|rates| rates[layout.ball(coordinate, k)]);
+            assert!(
+                (a - b).abs() < 1e-6 * (a.abs() + 1.0),
+                "{coordinate:?} {k}: {a} {b}"
+            );
+        }
+    }
+    // The damping in the seat alone tells them apart.
+    let at = layout.sliding(SlidingCoordinate::Vz, 0);
+    let braked = (still[at] - moving[at]) * MASS_KG;
+    assert!((braked / (400.0 * 0.05) - 1.0).abs() < 1e-6, "{braked}");
 }

@@ -31,7 +31,7 @@ pub const RUN: &[Quantity] = &[
     quantity("power_loss_outer_friction_w", "W", "  friction at the outer raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::OuterFriction)))),
     quantity("power_loss_ball_friction_w", "W", "  friction between balls", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::BallFriction)))),
     quantity("power_loss_damping_w", "W", "  damping of the contacts (an assumed constant)", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Damping)))),
-    quantity("power_loss_inner_ring_damping_w", "W", "  drag on the inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Drag)))),
+    means("and damping in the seats of outer rings that slide under springs", quantity("power_loss_inner_ring_damping_w", "W", "  drag on the inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Drag))))),
     quantity("power_loss_rotor_friction_w", "W", "  friction between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorFriction)))),
     quantity("power_loss_rotor_damping_w", "W", "  damping between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorDamping)))),
     quantity("power_loss_support_damping_w", "W", "  damping of the support", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::SupportDamping)))),
