@@ -63,6 +63,7 @@ pub(crate) struct SpaceBlock {
     pub mass: [Lanes; 2],
     /// 1/R, 1/m.
     pub inverse_radius: Lanes,
+    /// Where a ring slides its axial place changes.
     pub outer_groove: OuterGrooveLanes,
     pub inner_groove: InnerGrooveLanes,
     /// a of a contact over √δ, m^½: outer, inner.
@@ -71,6 +72,9 @@ pub(crate) struct SpaceBlock {
     pub groove_curvature: Lanes,
     /// κ of a contact, 1/m: outer as of the last evaluation, inner.
     pub curvature: [Lanes; 2],
+
+    /// Speed of the outer ring of each ball in the housing, m/s.
+    pub sliding_speed: Lanes,
 
     // As of the last evaluation.
     pub outer: OuterTouchLanes,
@@ -138,6 +142,7 @@ impl SpaceBlock {
             }),
             groove_curvature: of_balls(&|k| space.balls[k].curvature[0], 0.0),
             curvature: of_rings(&|ring, k| space.balls[k].curvature[ring]),
+            sliding_speed: Lanes::ZERO,
             outer: OuterTouchLanes::ZERO,
             inner: InnerTouchLanes::ZERO,
             frames: [const { FrameLanes::ZERO }; PLACES],

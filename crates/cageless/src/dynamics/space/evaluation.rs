@@ -8,7 +8,7 @@ use super::model::SpaceModel;
 use super::normal_contacts::{PLACE, normal_contacts};
 use super::ring::RingMotion;
 use super::rotor::rates_with_rotor;
-use super::sliding::{set_speeds, sliding_rates};
+use super::sliding::{place_rings, sliding_rates};
 use super::workspace::SpaceWorkspace;
 use crate::contact::NormalForce;
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -56,7 +56,7 @@ pub(crate) fn evaluate(
     s.ring = ring;
     s.outer_ring_velocity = outer_ring_velocity(layout, y);
     if !space.sliding.is_empty() {
-        set_speeds(layout, s, y);
+        place_rings((model, space), s, y);
     }
     dydt.fill(0.0);
     let mut totals = Totals::default();

@@ -29,7 +29,7 @@ pub(super) fn add_explicit_friction(
         for end in 0..2 {
             set_at_rest(b, end, &s.ring, s.outer_ring_velocity);
             if !space.sliding.is_empty() {
-                slide_as_evaluated((space, model.layout), b, [block, end], &s.sliding);
+                slide_as_evaluated((model, space), b, [block, end], &s.sliding);
             }
         }
         slide(&p.friction, space, b, true);
@@ -67,13 +67,17 @@ pub(crate) fn add_implicit_friction(
     let start = rings_of(y0, &s.ring);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
-    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
+    for b in &mut s.blocks {
         set_at_rest(b, 0, &start.0, start.1);
         set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
-        if !space.sliding.is_empty() {
-            slide_as_in((space, layout), b, [block, 0], y0);
-            slide_as_evaluated((space, layout), b, [block, 1], &s.sliding);
+    }
+    if !space.sliding.is_empty() {
+        for (block, b) in s.blocks.iter_mut().enumerate() {
+            slide_as_in((model, space), b, [block, 0], y0);
+            slide_as_evaluated((model, space), b, [block, 1], &s.sliding);
         }
+    }
+    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);
         iterate(&p.friction, space, b, h_s);
@@ -111,7 +115,7 @@ pub(crate) fn add_implicit_friction(
         for (block, b) in s.blocks.iter_mut().enumerate() {
             end_with_rings(b, &ring, outer);
             if !space.sliding.is_empty() {
-                slide_as_in((space, layout), b, [block, 1], y);
+                slide_as_in((model, space), b, [block, 1], y);
             }
         }
     }

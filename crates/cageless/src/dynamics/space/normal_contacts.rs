@@ -6,7 +6,6 @@ use super::frame::{Frame, FrameLanes, of_lane};
 use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
 use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
 use super::ring::RingMotion;
-use super::sliding::see_from_rings;
 use crate::contact::{NormalForce, positive};
 use crate::dynamics::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::coordinates::BallCoordinate;
@@ -50,13 +49,9 @@ pub(super) fn normal_contacts(
         results.polar.put(lane, polar);
     }
     let [outer_z, outer_vz] = layout.outer_ring_along_axis(y);
-    let (mut height, mut rise) = (place[2], velocity[2]);
-    for lane in 0..LANES {
-        height.0[lane] -= outer_z;
-        rise.0[lane] -= outer_vz;
-    }
-    if !space.sliding.is_empty() {
-        see_from_rings((space, layout), y, block, [&mut height, &mut rise]);
+    let mut height = place[2];
+    for z in &mut height.0 {
+        *z -= outer_z;
     }
 
     let polar = &results.polar;
@@ -76,6 +71,10 @@ pub(super) fn normal_contacts(
     let both = b.outer.share_1.0.iter().any(|share| *share > 0.0);
     b.places = if both { &ALL_PLACES } else { &WITHOUT_SECOND };
 
+    let mut rise = velocity[2];
+    for lane in 0..LANES {
+        rise.0[lane] -= outer_vz + b.sliding_speed.0[lane];
+    }
     let mut outer = OuterForceLanes::ZERO;
     press_outer(balls, &b.outer, polar, &rise, &mut outer);
     let touch = &b.outer;

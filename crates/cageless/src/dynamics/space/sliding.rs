@@ -5,7 +5,9 @@
 //!
 //!   m z̈ = F − σP − c(ż − żh),
 //!
-//! the spring so soft that its force stays the same; the housing has the reaction.
+//! the spring so soft that its force stays the same; the housing has the reaction. The functions are compiled
+//! once for all instruction sets, and cold: runs without springs pass them by. They take the model by reference, as
+//! a layout whose address is taken slows the loops around them.
 
 use super::block::{INNER, SpaceBlock};
 use super::model::SpaceModel;
@@ -15,28 +17,11 @@ use crate::dynamics::coordinates::{DropCoordinate, SlidingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
-use crate::numerics::lanes::{LANES, Lanes};
+use crate::numerics::lanes::LANES;
 
 /// z and speed along the axis of ring `k` that slides, in a vector.
 fn motion(layout: Layout, y: &[f64], k: usize) -> [f64; 2] {
     [SlidingCoordinate::Z, SlidingCoordinate::Vz].map(|c| y[layout.sliding(c, k)])
-}
-
-/// Takes the displacements of these rings in the housing from the heights of the balls of a block, and
-/// their speeds from what those rise with.
-#[inline(never)] // once for all instruction sets
-pub(super) fn see_from_rings(
-    (space, layout): (&SpaceModel, Layout),
-    y: &[f64],
-    block: usize,
-    [height, rise]: [&mut Lanes; 2],
-) {
-    let [housing_z, housing_vz] = layout.outer_ring_along_axis(y);
-    each_lane(space, layout, block, |k, lane| {
-        let [z, vz] = motion(layout, y, k);
-        height.0[lane] -= z - housing_z;
-        rise.0[lane] -= vz - housing_vz;
-    });
 }
 
 /// Calls with every ring that slides, from 0, and each lane of a block that has a ball of its row.
@@ -71,42 +56,59 @@ fn slide_with(
 }
 
 /// [`slide_with`] at the speeds of the last evaluation.
-#[inline(never)] // once for all instruction sets
+#[cold]
+#[inline(never)]
 pub(super) fn slide_as_evaluated(
-    (space, layout): (&SpaceModel, Layout),
+    (model, space): (&Model, &SpaceModel),
     b: &mut SpaceBlock,
     [block, end]: [usize; 2],
     work: &[SlidingWork],
 ) {
-    slide_with(space, layout, b, [block, end], |k| work[k].speed);
+    slide_with(space, model.layout, b, [block, end], |k| work[k].speed);
 }
 
 /// [`slide_with`] at the speeds of a vector.
-#[inline(never)] // once for all instruction sets
+#[cold]
+#[inline(never)]
 pub(super) fn slide_as_in(
-    (space, layout): (&SpaceModel, Layout),
+    (model, space): (&Model, &SpaceModel),
     b: &mut SpaceBlock,
     [block, end]: [usize; 2],
     y: &[f64],
 ) {
+    let layout = model.layout;
     let [_, housing] = layout.outer_ring_along_axis(y);
     slide_with(space, layout, b, [block, end], |k| {
         motion(layout, y, k)[1] - housing
     });
 }
 
-/// Sets the speeds of the rings that slide to those of a vector.
-#[inline(never)] // once for all instruction sets
-pub(super) fn set_speeds(layout: Layout, s: &mut SpaceWorkspace, y: &[f64]) {
-    let [_, housing] = layout.outer_ring_along_axis(y);
+/// Puts the rings that slide, with their grooves, where they are in a vector, at their speeds there.
+#[cold]
+#[inline(never)]
+pub(super) fn place_rings(
+    (model, space): (&Model, &SpaceModel),
+    s: &mut SpaceWorkspace,
+    y: &[f64],
+) {
+    let layout = model.layout;
+    let [housing_z, housing_vz] = layout.outer_ring_along_axis(y);
     for (k, work) in s.sliding.iter_mut().enumerate() {
-        work.speed = motion(layout, y, k)[1] - housing;
+        work.speed = motion(layout, y, k)[1] - housing_vz;
+    }
+    for (block, b) in s.blocks.iter_mut().enumerate() {
+        each_lane(space, layout, block, |k, lane| {
+            let held = space.balls[block * LANES + lane].outer.axial;
+            b.outer_groove.axial.0[lane] = held + (motion(layout, y, k)[0] - housing_z);
+            b.sliding_speed.0[lane] = s.sliding[k].speed;
+        });
     }
 }
 
 /// Sets the rates of the rings that slide and adds their reaction to those of the housing, and their
 /// heat.
-#[inline(never)] // once for all instruction sets
+#[cold]
+#[inline(never)]
 pub(super) fn sliding_rates(
     (model, space): (&Model, &SpaceModel),
     s: &mut SpaceWorkspace,
@@ -130,7 +132,8 @@ pub(super) fn sliding_rates(
 
 /// Adds to the state and the rates what the friction of the balls does to the rings that slide over the
 /// step.
-#[inline(never)] // once for all instruction sets
+#[cold]
+#[inline(never)]
 pub(super) fn add_sliding_friction(
     (model, space): (&Model, &SpaceModel),
     s: &SpaceWorkspace,
