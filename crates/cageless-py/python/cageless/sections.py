@@ -86,7 +86,7 @@ class Row(Section):
     preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign; with [fit] that before fits and temperatures"] = None
     preload_n: Annotated[float | None, "preload by a soft spring, in place of preload_um: force on its outer ring against the contact sign, whatever its displacement; the ring slides along the axis, the other rows are held"] = None
     sliding_mass_kg: Annotated[float | None, "with preload_n: mass that slides with its outer ring in motion; that of a ring 0.3 Dw thick behind its groove and 1.6 Dw wide unless given"] = None
-    sliding_damping_n_s_m: Annotated[float | None, "with preload_n: viscous damping of its outer ring in the housing, without dry friction; that of a film of oil of 0.03 Pa s, 5 um thick, on the seat of such a ring unless given"] = None
+    sliding_damping_n_s_m: Annotated[float | None, "with preload_n: viscous damping of its outer ring in the housing, without dry friction; that of a film of oil of 0.03 Pa·s, 5 µm thick, on the seat of such a ring unless given"] = None
     balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always"] = None
 
 

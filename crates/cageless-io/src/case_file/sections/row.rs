@@ -16,7 +16,7 @@ section! {
         sliding_mass_kg => sliding_mass_kg: Option<f64> = Optional, Si("kg"); Above(0.0),
             "with preload_n: mass that slides with its outer ring in motion; that of a ring 0.3 Dw thick behind its groove and 1.6 Dw wide unless given", Absent;
         sliding_damping_n_s_m => sliding_damping_n_s_m: Option<f64> = Optional, Si("N s/m"); AtLeast(0.0),
-            "with preload_n: viscous damping of its outer ring in the housing, without dry friction; that of a film of oil of 0.03 Pa s, 5 um thick, on the seat of such a ring unless given", Absent;
+            "with preload_n: viscous damping of its outer ring in the housing, without dry friction; that of a film of oil of 0.03 Pa·s, 5 µm thick, on the seat of such a ring unless given", Absent;
         balls => balls: Option<usize> = Optional, Plain,
             "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given, and in motion always", Absent;
     }
