@@ -56,6 +56,9 @@ class RunAttributes:
     outer_contact_angle_mean_deg: float  # contact angle at the outer raceway, mean, deg
     inner_ellipse_edge_max_deg: float  # edge of contact ellipses, inner raceway, largest angle, deg
     outer_ellipse_edge_max_deg: float  # edge of contact ellipses, outer raceway, largest angle, deg
+    row_preload_start_um: Floats  # preload of the rows by displacement, at the start, um
+    row_preload_mean_um: Floats  # preload of the rows by displacement, mean, um
+    row_axial_force_mean_n: Floats  # axial force of the rows, mean, N
     collisions: int | None  # collisions between balls
     collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
     collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
