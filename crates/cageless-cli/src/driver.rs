@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::{Metadata, RunWriter, write_csv, write_together};
+use cageless_io::results::{Metadata, RunWriter, values_csv, write_csv, write_together};
 use cageless_io::rotor_file::RotorFile;
 use cageless_io::{io_error_message, on_terminal};
-use cageless_results::csv;
 use cageless_study::Progress;
 use cageless_study::run::Rows;
 use serde::Serialize;
@@ -91,7 +90,7 @@ impl Output {
             complete.extend(further.filter_map(|(name, text)| Some((*name, text.as_deref()?))));
             let as_csv = answer.name.replace(".json", ".csv");
             let values = (answer.csv || self.csv).then(|| serde_json::from_str(&answer.json));
-            let values = values.transpose()?.map(|values| csv(&values));
+            let values = values.transpose()?.map(|values| values_csv(&values));
             match &values {
                 Some(values) => complete.push((as_csv.as_str(), values.as_str())),
                 // Page data are no result.

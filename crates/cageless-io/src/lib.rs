@@ -21,6 +21,8 @@
 #[cfg(feature = "files")]
 pub mod cad;
 pub mod case_file;
+#[cfg(feature = "files")]
+pub mod declared;
 pub mod designation;
 pub mod estimate;
 #[cfg(feature = "files")]

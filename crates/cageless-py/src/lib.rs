@@ -30,7 +30,7 @@ mod _cageless {
         command,
         compute::{analyse, compare, design, drop, export, run, static_equilibrium, tolerance},
         documents::{File, designated, instruction_set, template},
-        result::{Computed, figures, quantities, write, write_folder},
+        result::{Computed, figures, quantities, units, write, write_folder},
         rotor::LinearRotor,
         sweep::{Collection, Sweep, merge},
         table::read_table,

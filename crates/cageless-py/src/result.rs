@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, OnceLock};
 
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::{is_unusable, write_atomically, write_together};
+use cageless_io::declared;
+use cageless_io::results::{is_unusable, values_csv, write_atomically, write_together};
 use cageless_report::figures::sweep;
 use cageless_report::figures::{
     DESIGN, Named, RUN, SEARCH, SWEEP, TOLERANCE, in_page, of_kind as figures_of_kind,
@@ -16,7 +17,7 @@ use cageless_report::{
     run_json, run_page, static_page, static_sheet, sweep_page,
 };
 use cageless_results::{
-    Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, csv, equilibrium_record, of_kind,
+    Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, equilibrium_record, of_kind,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -96,7 +97,7 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
         _ => ("design.csv", all.get("design.json").map_or("", |json| json)),
     };
     if !json.is_empty() {
-        let table = csv(&serde_json::from_str(json)?);
+        let table = values_csv(&serde_json::from_str(json)?);
         all.insert(name.to_owned(), table);
     }
     all.insert(PAGE.to_owned(), page);
@@ -123,6 +124,12 @@ pub struct Computed {
 pub fn quantities(kind: &str) -> Vec<(&str, &str, &str, bool)> {
     let row = |q: &'static Quantity| (q.name, q.unit, q.label, q.kind == Kind::Number);
     of_kind(kind).map(row).collect()
+}
+
+/// Unit of every name that is declared: of a result, or of a key of a case or rotor file.
+#[pyfunction]
+pub fn units() -> BTreeMap<&'static str, &'static str> {
+    declared::units().collect()
 }
 
 /// Names of the figures of a kind of result, with what they show.

@@ -16,6 +16,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from cageless.frames import filled
+from cageless.units import unit
 from conftest import ROOT, Command, falling, lively
 
 
@@ -357,9 +358,9 @@ def test_tables_go_to_matlab(kind: str, tmp_path: Path) -> None:
         for column in frame.select_dtypes(include=["float64"]).columns:
             stored = np.atleast_1d(read[name][column])
             assert np.array_equal(stored, frame[column].to_numpy(), equal_nan=True), column
-            unit = read["units"][name][column]
+            symbol = read["units"][name][column]
             # An empty text comes back as an empty array.
-            assert (unit if isinstance(unit, str) else "") == frame.attrs["units"][column]
+            assert (symbol if isinstance(symbol, str) else "") == frame.attrs["units"][column]
 
 
 def test_without_scipy_it_says_what_is_missing(

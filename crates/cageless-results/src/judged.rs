@@ -23,6 +23,7 @@ impl Named {
             "C" => "°C".to_owned(),
             "um" => "µm".to_owned(),
             "us" => "µs".to_owned(),
+            "m/s^2" => "m/s²".to_owned(),
             unit => unit.replace(' ', "·"),
         }
     }

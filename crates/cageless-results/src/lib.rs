@@ -5,7 +5,6 @@
 mod across;
 mod cell;
 mod computation;
-mod csv;
 mod declare;
 mod design_result;
 mod drop_judgement;
@@ -37,7 +36,6 @@ mod view;
 pub use across::Across;
 pub use cell::Cell;
 pub use computation::Computation;
-pub use csv::csv;
 pub use design_result::{Recommended, axial_record, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, WindowRow, end_state_text};

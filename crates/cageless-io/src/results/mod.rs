@@ -25,6 +25,7 @@ mod error;
 mod reader;
 mod run_tables;
 mod table;
+mod values_csv;
 
 use std::iter::{once, repeat_n};
 use std::path::{Path, PathBuf};
@@ -38,6 +39,7 @@ pub use error::{ResultError, is_unusable};
 pub use reader::TableReader;
 pub use run_tables::read_run_table;
 pub use table::{Column, ColumnKind, Row, TableWriter, VERSION};
+pub use values_csv::values_csv;
 
 use run_tables::GROUP_ROWS;
 

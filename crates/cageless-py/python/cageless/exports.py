@@ -64,7 +64,8 @@ class Export:
         """A row per file."""
         import pandas as pd
 
-        return with_units(pd.DataFrame(self.values).set_index("format"))
+        units = dict.fromkeys(("volume_mm3", "mesh_volume_mm3"), "mm^3")
+        return with_units(pd.DataFrame(self.values).set_index("format"), units)
 
     def _repr_html_(self) -> str:
         rows = [(each["file"], f"{each['deviation_um']:.6f} µm") for each in self.values]

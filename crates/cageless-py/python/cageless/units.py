@@ -1,46 +1,52 @@
-"""Units of columns, from their names."""
+"""Units of columns: those that are declared, else from the end of the name."""
 
 from __future__ import annotations
 
 import re
+from functools import cache
 from typing import TYPE_CHECKING
+
+from . import _cageless
 
 if TYPE_CHECKING:
     import pandas as pd
 
 __all__ = ["unit", "with_units"]
 
-#: Symbols as in the files of Cageless, the longest first.
-SYMBOLS = (
-    # words: every unit of a name.
-    "N s/m, rad/s, deg/s, m/s^2, kg/m^3, N/um, N s, m/s, %, rad, deg, GPa, MPa, rpm, mm, um, us, ms, Hz, "
-    "kg, mm^3, N, W, J, C, m, s"
-)
-#: What a name ends in: its unit in lower case.
-UNITS = {
-    "_" + re.sub("[ /]", "_", symbol).replace("^", "").replace("%", "percent").lower(): symbol
-    for symbol in SYMBOLS.split(", ")
-}
+STATISTIC = re.compile(r"_(min|max|mean|std|error|end)$")
 
-STATISTIC = re.compile(r"_(min|max|mean|std|error|end|relative)$")
+
+@cache
+def declared() -> dict[str, str]:
+    """Units of results, of keys of files and of columns of tables, by name."""
+    found: dict[str, str] = _cageless.units()
+    return found
+
+
+@cache
+def endings() -> dict[str, str]:
+    """Units by what a name with each ends in, the longest first."""
+    symbols = sorted({*declared().values()} - {""}, key=lambda symbol: (-len(symbol), symbol))
+    found: dict[str, str] = {}
+    for symbol in symbols:
+        name = re.sub(r"\W+", "_", symbol.replace("^", "")).strip("_").lower()
+        found.setdefault(f"_{name}", symbol)
+    return found
 
 
 def unit(column: str) -> str:
-    """Unit of a column; empty if its name has none.
+    """Unit of a column; empty if it has none.
 
     Examples
     --------
-    >>> unit("radial_load_n"), unit("critical_gap_deg_min"), unit("torque_n_m"), unit("passes")
-    ('N', 'deg', 'N m', '')
+    >>> unit("radial_load_n"), unit("critical_gap_deg_min"), unit("passes")
+    ('N', 'deg', '')
     """
-    if column.endswith("_relative"):
-        return ""
-    while (shorter := STATISTIC.sub("", column)) != column:
+    known = declared()
+    while column not in known and (shorter := STATISTIC.sub("", column)) != column:
         column = shorter
-    if column.endswith("_n_m"):
-        return "N/m" if "stiffness" in column else "N m"
-    found = [symbol for ending, symbol in UNITS.items() if column.endswith(ending)]
-    return found[0] if found else ""
+    guess = (symbol for ending, symbol in endings().items() if column.endswith(ending))
+    return known[column] if column in known else next(guess, "")
 
 
 def with_units(frame: pd.DataFrame, units: dict[str, str] | None = None) -> pd.DataFrame:

@@ -97,7 +97,7 @@ pub const RUN: &[Quantity] = &[
 /// Results that rings are compared by beyond those of a run.
 #[rustfmt::skip]
 pub const COMPARED: &[Quantity] = &[
-    part(low(quantity("vibration_rms_m_s2", "m/s²", "vibration of the housing, vertical, RMS", Vibration(|rms| some(*rms))))),
+    part(low(quantity("vibration_rms_m_s2", "m/s^2", "vibration of the housing, vertical, RMS", Vibration(|rms| some(*rms))))),
 ];
 
 fn of_means(run: &Finished<'_>, value: fn(&OrbitMeans) -> f64) -> Cell {

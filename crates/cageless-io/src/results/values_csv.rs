@@ -1,12 +1,13 @@
-//! Results as CSV.
+//! Values of a result as CSV.
 
+use cageless_results::quantities;
 use serde_json::Value;
 
-use crate::table::quantities;
+use crate::declared::units;
 
 /// Every value of a result, from its JSON, as CSV with the columns name, value, unit and label. Names of
 /// parts are joined by dots; elements of lists have their number, from 1, in brackets.
-pub fn csv(result: &Value) -> String {
+pub fn values_csv(result: &Value) -> String {
     let mut out = "name,value,unit,label\n".to_owned();
     lines("", result, &mut out);
     out
@@ -28,8 +29,9 @@ fn lines(name: &str, value: &Value, out: &mut String) {
         leaf => {
             let own = name.rsplit('.').next().unwrap_or(name);
             let own = own.split('[').next().unwrap_or(own);
-            let quantity = quantities().find(|q| q.name == own);
-            let (unit, label) = quantity.map_or(("", ""), |q| (q.unit, q.label.trim()));
+            let unit = units().find(|(name, _)| *name == own).map_or("", |u| u.1);
+            let label = quantities().find(|q| q.name == own);
+            let label = label.map_or("", |q| q.label.trim());
             let value = match leaf {
                 Value::Null => String::new(),
                 Value::String(text) => quoted(text),
@@ -51,21 +53,23 @@ fn quoted(text: &str) -> String {
 mod tests {
     use serde_json::json;
 
-    use super::csv;
+    use super::values_csv;
 
     #[test]
     fn parts_lists_and_quotes_are_lines() {
         let result = json!({
             "critical_gap_deg": 1.5, "beta0_deg": null, "reasons": ["5 \"%\", at most"],
             "raceways": [{ "passes": true, "axial_span_mm": 5.1 }], "inner_force_n": [0.25],
+            "case": { "material": { "youngs_modulus_gpa": 206.0 } },
         });
-        let text = csv(&result);
+        let text = values_csv(&result);
         let mut lines: Vec<&str> = text.lines().skip(1).collect();
         lines.sort_unstable();
         assert_eq!(
             lines,
             [
                 "beta0_deg,,deg,\"β0, Eq. (11)\"",
+                "case.material.youngs_modulus_gpa,206.0,GPa,",
                 "critical_gap_deg,1.5,deg,\"critical gap\"",
                 "inner_force_n[1],0.25,N,\"contact force, inner raceway\"",
                 "raceways[1].axial_span_mm,5.1,mm,\"axial span lC\"",
