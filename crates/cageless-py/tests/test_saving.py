@@ -403,6 +403,44 @@ def test_units_are_those_of_the_files(tmp_path: Path) -> None:
     assert result("sweep").data_variants().attrs["units"]["static_ring_y_um"] in ("um", "µm")
 
 
+def test_units_are_those_that_are_declared() -> None:
+    search, drop = result("search"), result("drop")
+    for frame in (search.data_structures(), search.data_front(), search.data_confirmation()):
+        assert frame.attrs["units"]["impulse_mn_s"] == "mN s"
+    assert search.data_confirmation().attrs["units"]["impulse_mn_s_error"] == "mN s"
+    counted = drop.data_drops().attrs["units"]
+    assert counted["collisions_above_0_1_m_s"] == counted["collisions"] == ""
+    # Keys of the case file, as run.
+    assert dict(drop.case.rotor.data_summary().unit.filter(like="contact_")) == {
+        "contact_damping_s_m": "s/m",
+        "contact_exponent": "",
+        "contact_stiffness_n_mp": "N/m^p",
+    }
+    assert drop.case.bearing.data_summary().unit["inner_ring_polar_inertia_kg_m2"] == "kg m^2"
+    assert drop.case.contact.data_summary().unit["damping_n_s_m1_5"] == "N s/m^1.5"
+    # In no table of declared names, but ending in the unit of one.
+    assert counted["support_damping_n_s_m"] == "N s/m"
+    assert [unit(name) for name in ("tilt_x_mrad", "a_torque_n_m", "step_s_end")] == ["mrad", "N m", "s"]
+
+
+def test_a_mean_and_its_error_are_two_columns() -> None:
+    [point] = result("search").values["own"]["points"]
+    frame = result("search").own.data_points()
+    for name in ("impulse_mn_s", "friction_w"):
+        assert frame[name][0] == point["motion"][name]
+        assert frame[f"{name}_error"][0] == point["errors"][name]
+
+
+@pytest.mark.parametrize("kind", MADE)
+def test_a_result_is_not_written_to(kind: str) -> None:
+    with pytest.raises(AttributeError, match=r"\.kind cannot be set: it is a result; replace\(\)"):
+        result(kind).kind = "other"
+    name = next(iter(result(kind).values))
+    with pytest.raises(AttributeError, match=f"{name} cannot be set"):
+        setattr(result(kind), name, 3)
+    assert getattr(result(kind), name) != 3
+
+
 @pytest.mark.parametrize("kind", MADE)
 def test_the_short_form_is_one_line(kind: str) -> None:
     text = repr(result(kind))

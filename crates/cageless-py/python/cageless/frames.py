@@ -30,13 +30,16 @@ def scalars(values: Row) -> Row:
 
 
 def flat(row: Row) -> Row:
-    """A row with the parts of its values as columns: an estimate with its error, texts in one."""
+    """A row with the parts of its values as columns: an estimate with its error, texts in one. A case,
+    whose sections share names, is none."""
     found: Row = {}
     for key, value in row.items():
         if isinstance(value, dict) and "mean" in value:
             found |= {key: value["mean"], f"{key}_error": value.get("standard_error")}
+        elif key == "errors":
+            found |= {f"{name}_error": error for name, error in (value or {}).items()}
         elif isinstance(value, dict):
-            found |= flat(value)
+            found |= flat(value) if key != "case" else {}
         elif isinstance(value, list) and value and isinstance(value[0], str):
             found[key] = ", ".join(value)
         elif not (isinstance(value, list) and value and isinstance(value[0], dict)):
@@ -189,9 +192,7 @@ def structures(values: Row, listed: Iterable[tuple[Row, Row]]) -> pd.DataFrame:
     for head, structure in listed:
         whole = {key: value for key, value in structure.items() if key != "points"}
         for point, numbers in zip(values["points"], structure["points"], strict=True):
-            errors = {f"{k}_error": v for k, v in (numbers.get("errors") or {}).items()}
-            own = {key: value for key, value in numbers.items() if key != "errors"}
-            rows.append(head | whole | point | own | errors)
+            rows.append(head | whole | point | numbers)
     return frame(rows)
 
 
