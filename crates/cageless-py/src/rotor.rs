@@ -1,5 +1,6 @@
 //! Rotors with linear lateral motion.
 
+use std::f64::consts::PI;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -125,9 +126,15 @@ impl LinearRotor {
     }
 
     /// Real and imaginary parts of the eigenvalues at a speed, 1/s.
-    fn eigenvalues(&self, speed_rad_s: f64) -> Vec<(f64, f64)> {
-        let values = self.rotor.eigenvalues(speed_rad_s).into_iter();
-        values.map(|value| (value.re, value.im)).collect()
+    fn eigenvalues(&self, speed_rpm: f64) -> Found<Vec<(f64, f64)>> {
+        let values = self.rotor.eigenvalues(speed_rpm * PI / 30.0);
+        let values = values.ok_or_else(|| {
+            input(format!(
+                "speed_rpm = {speed_rpm:?} is not possible: forces at this speed are beyond the range \
+                 of numbers"
+            ))
+        })?;
+        Ok(values.iter().map(|value| (value.re, value.im)).collect())
     }
 
     /// Writes the matrices for a rotor file.

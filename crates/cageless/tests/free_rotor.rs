@@ -75,7 +75,7 @@ fn eigenvalues_are_those_of_the_matrices() {
     let few = few.unwrap();
     assert!(few.coordinates() < matrices.mass.nrows());
     for value in found.iter().take(3) {
-        let near = few.eigenvalues(SPEED_RAD_S).into_iter();
+        let near = few.eigenvalues(SPEED_RAD_S).unwrap().into_iter();
         let miss = near.fold(f64::INFINITY, |least, e| least.min((e - value).norm()));
         assert!(miss < 1e-3 * value.norm(), "{value} {miss}");
     }
@@ -96,13 +96,32 @@ fn eigenvalues_are_those_of_the_matrices() {
         ..Reduction::default()
     });
     let fastest_growth = |speed: f64| {
-        let values = rotor.as_ref().unwrap().eigenvalues(speed).into_iter();
+        let values = rotor.as_ref().unwrap().eigenvalues(speed).unwrap();
+        let values = values.into_iter();
         values.fold(f64::NEG_INFINITY, |most, e| most.max(e.re))
     };
     let [forward, backward] = [SPEED_RAD_S, -SPEED_RAD_S].map(fastest_growth);
     assert!(
         (forward - backward).abs() > 0.01 * forward.abs(),
         "{forward} {backward}"
+    );
+}
+
+#[test]
+fn a_speed_beyond_all_numbers_has_no_eigenvalues() {
+    let rotor = shaft(2).reduce(&Reduction {
+        bearing_nodes: vec![0, 2],
+        ..Reduction::default()
+    });
+    let rotor = rotor.unwrap();
+    for speed_rad_s in [f64::NAN, f64::INFINITY, 1e200, 1e300] {
+        assert_eq!(rotor.eigenvalues(speed_rad_s), None, "{speed_rad_s}");
+    }
+    let found = rotor.eigenvalues(1e6).unwrap();
+    assert!(
+        found
+            .iter()
+            .all(|value| value.re.is_finite() && value.im.is_finite())
     );
 }
 
@@ -114,7 +133,7 @@ fn eigenvalues_of(matrices: &RotorMatrices) -> Vec<Complex<f64>> {
     };
     let rotor = matrices.reduce(&reduction).unwrap();
     assert_eq!(rotor.coordinates(), matrices.mass.nrows());
-    let mut found: Vec<Complex<f64>> = rotor.eigenvalues(SPEED_RAD_S);
+    let mut found: Vec<Complex<f64>> = rotor.eigenvalues(SPEED_RAD_S).unwrap();
     found.retain(|e| e.im > 100.0);
     found.sort_by(|a, b| a.im.total_cmp(&b.im));
     assert!(found.len() > 6);

@@ -155,6 +155,13 @@ fn check_rotor(args: &CaseArgs) -> Result<(), Failure> {
     let file = RotorFile::read(&args.case, &args.set)?;
     let (rotor, cases) = (file.rotor(), file.drop().cases());
     let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
+    let at_speed = at_speed.ok_or_else(|| {
+        let (path, rpm) = (args.case.display(), file.document().speed_rpm);
+        Failure::Input(format!(
+            "{path}: rotor.speed_rpm = {rpm:?} is not possible: forces at this speed are beyond the \
+             range of numbers"
+        ))
+    })?;
     let mut frequencies: Vec<f64> = (at_speed.iter())
         .map(|value| value.im / TAU)
         .filter(|frequency| *frequency > LEAST_FREQUENCY_HZ)

@@ -11,9 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless
-from .document import Document
+from .arguments import Fixed, number
+from .document import Document, dotted
 from .errors import InputError
 from .results import Drop
+from .section import table
 
 if TYPE_CHECKING:
     from .case import Case
@@ -26,7 +28,7 @@ LATERAL = {4: [0, 1, 2, 3], 6: [0, 1, 3, 4]}
 TORSION = 5
 
 
-class LinearRotor:
+class LinearRotor(Fixed):
     """A rotor with linear lateral motion: rigid in up to two bearings, or any by its matrices.
 
     The speed is common to the whole rotor; x, y and z are the frame of the cases, z along the axis.
@@ -45,8 +47,8 @@ class LinearRotor:
 
     def __init__(self, rotor: Any) -> None:
         self._rotor = rotor
-        numbers = rotor.numbers()
-        self.mass_kg, self.polar_inertia_kg_m2, self.mass_shares_kg, self.coordinates = numbers
+        names = ("mass_kg", "polar_inertia_kg_m2", "mass_shares_kg", "coordinates")
+        vars(self).update(zip(names, rotor.numbers(), strict=True))
 
     def __repr__(self) -> str:
         shares = ", ".join(f"{share:.3g}" for share in self.mass_shares_kg)
@@ -182,7 +184,7 @@ class LinearRotor:
     def eigenvalues(self, speed_rpm: float) -> npt.NDArray[np.complex128]:
         """Eigenvalues of the lateral motion without contact at a speed, 1/s, by rising imaginary
         part: real part the growth, imaginary part the angular frequency."""
-        pairs = self._rotor.eigenvalues(speed_rpm * np.pi / 30.0)
+        pairs = self._rotor.eigenvalues(number("speed_rpm", speed_rpm))
         values = np.array([complex(*pair) for pair in pairs])
         return values[np.argsort(values.imag, kind="stable")]
 
@@ -234,12 +236,17 @@ class RotorCase(Document):
         title: str = "",
     ) -> None:
         several = [case._file for case in cases]
-        head = (title, float(speed_rpm), float(drive_torque_n_m))
-        self._file = _cageless.File.of_rotor(rotor._rotor, several, *head)
+        speed, torque = number("speed_rpm", speed_rpm), number("drive_torque_n_m", drive_torque_n_m)
+        self._file = _cageless.File.of_rotor(rotor._rotor, several, title, speed, torque)
 
     def __repr__(self) -> str:
         count = len(self._file.cases())
         return f"<RotorCase {self.title!r}: {self.rotor.mass_kg:.4g} kg in {count} bearings>"
+
+    def _repr_html_(self) -> str:
+        keys = dotted(self._document).items()
+        rows = [(key, value) for key, value in keys if not key.startswith("rotor.matrices.")]
+        return table(rows, self.title or "Rotor")
 
     @property
     def rotor(self) -> LinearRotor:

@@ -17,7 +17,8 @@
 //! let shares = rotor.mass_shares_kg();
 //! assert!((shares[0] - 40.0 * 2.0 / 3.0).abs() < 1e-9);
 //! // A rigid rotor without contact: precession at Ω·Ip/It, and what rests stays at rest.
-//! let fastest = rotor.eigenvalues(3000.0).iter().fold(0.0, |most: f64, e| most.max(e.im));
+//! let values = rotor.eigenvalues(3000.0).unwrap();
+//! let fastest = values.iter().fold(0.0, |most: f64, e| most.max(e.im));
 //! assert!((fastest - 3000.0 * 0.04 / 0.6).abs() < 1e-6);
 //! # Ok::<(), cageless::linear_rotor::RotorError>(())
 //! ```
@@ -31,6 +32,7 @@ pub use nalgebra::{Complex, DMatrix, DVector};
 pub(crate) use rigid::ROUNDING;
 pub use rigid::RigidRotor;
 
+use nalgebra::Schur;
 use thiserror::Error;
 
 /// A rotor that cannot be.
@@ -230,8 +232,9 @@ impl LinearRotor {
     }
 
     /// Eigenvalues of the lateral motion at a constant speed, 1/s: real part the growth, imaginary
-    /// part the angular frequency.
-    pub fn eigenvalues(&self, speed_rad_s: f64) -> Vec<Complex<f64>> {
+    /// part the angular frequency. `None` where the speed is no number, or its forces are beyond the
+    /// range of numbers.
+    pub fn eigenvalues(&self, speed_rad_s: f64) -> Option<Vec<Complex<f64>>> {
         let n = self.coordinates();
         // In [ω·u, u̇], ω of each coordinate, rounding is relative to the frequencies rather than
         // to their squares.
@@ -242,9 +245,15 @@ impl LinearRotor {
         let stiffness = &self.stiffness * DMatrix::from_diagonal(&own.map(|w| 1.0 / w));
         state.view_mut((n, 0), (n, n)).copy_from(&-stiffness);
         state.view_mut((n, n), (n, n)).copy_from(&-rates);
-        state.complex_eigenvalues().iter().copied().collect()
+        let schur = Schur::try_new(state, f64::EPSILON, ITERATIONS_MAX * n)?;
+        let found: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();
+        let finite = |value: &Complex<f64>| value.re.is_finite() && value.im.is_finite();
+        found.iter().all(finite).then_some(found)
     }
 }
+
+/// Iterations of the QR algorithm for each coordinate, of which it takes a few.
+const ITERATIONS_MAX: usize = 200;
 
 /// Symmetric part of a matrix.
 fn symmetric(matrix: &DMatrix<f64>) -> DMatrix<f64> {
