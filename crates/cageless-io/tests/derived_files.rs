@@ -178,9 +178,19 @@ fn python_has_a_class_for_every_section() {
     let mut written: Vec<String> = vec![];
     let (mut classes, mut sections, mut arguments) = (String::new(), String::new(), String::new());
     for section in reference() {
-        // The head is arguments of `Case`; the ranges of a search are those of `Case.search`.
-        if ["", "search"].contains(&section.name) {
-            continue;
+        // Keys of the head are arguments of `Case`; the ranges of a search are those of `Case.search`.
+        match section.name {
+            "" => {
+                for key in section.keys {
+                    let _ = writeln!(arguments, "    {}: {}", key.name, annotation(key.kind));
+                }
+                continue;
+            }
+            "search" => {
+                arguments.push_str("    search: Keys | None\n");
+                continue;
+            }
+            _ => {}
         }
         let (class, name) = (class(&section), section.name);
         let _ = match name {
@@ -229,7 +239,7 @@ fn python_has_a_class_for_every_section() {
         "{PYTHON_HEAD}__all__ = [\"{all}\"]\n\nKeys = Mapping[str, Any]\n{classes}\n\nclass OfCase:\n    \
          \"\"\"Sections of a case, None where it has none.\"\"\"\n\n{sections}\n\n\
          class Arguments(TypedDict, total=False):\n    \
-         \"\"\"Keywords of a case: its sections, or mappings of their keys.\"\"\"\n\n{arguments}    title: str\n"
+         \"\"\"Keywords of a case: its sections, or mappings of their keys.\"\"\"\n\n{arguments}"
     );
     in_step("crates/cageless-py/python/cageless/sections.py", &text);
 }

@@ -7,7 +7,7 @@ use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use cageless_study::{Progress, THREADS_MAX, Workload, on_threads};
+use cageless_study::{Progress, Workload, on_threads};
 use pyo3::prelude::*;
 
 use crate::errors::{Found, input};
@@ -20,9 +20,15 @@ const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 /// Number of threads and progress callback, which gets the name of the task under way and the completed
 /// fraction of the whole.
 #[derive(FromPyObject)]
-pub struct Background(pub Option<i64>, pub Option<Py<PyAny>>);
+pub struct Background(pub Option<NonZeroUsize>, pub Option<Py<PyAny>>);
 
 impl Background {
+    /// The same on one thread if `alone`.
+    pub fn on_one(self, alone: bool) -> Self {
+        let Self(threads, callback) = self;
+        Self(alone.then_some(NonZeroUsize::MIN).or(threads), callback)
+    }
+
     /// Runs `work` with the interpreter unlocked, handling Ctrl-C and progress callbacks.
     pub fn run<T: Send>(
         self,
@@ -30,7 +36,6 @@ impl Background {
         work: impl FnOnce(&dyn Progress) -> T + Send,
     ) -> Found<T> {
         let Self(threads, callback) = self;
-        let threads = threads.map(count).transpose()?;
         let relay = ProgressRelay::default();
         let mut failed: Option<PyErr> = None;
         let done = py.detach(|| {
@@ -71,16 +76,6 @@ impl Background {
             (None, None) => Err(input("the work has ended without a result")),
         }
     }
-}
-
-/// A number of threads.
-pub fn count(threads: i64) -> Found<NonZeroUsize> {
-    let count = usize::try_from(threads).ok().and_then(NonZeroUsize::new);
-    count.ok_or_else(|| {
-        input(format!(
-            "threads = {threads} is not possible: 1 to {THREADS_MAX} are"
-        ))
-    })
 }
 
 /// Progress of the worker threads and the request to cancel them.

@@ -51,7 +51,8 @@ fn with_seed(
 pub fn run(py: Python<'_>, file: &File, verify: bool, background: Background) -> Found<Computed> {
     let file = file.case().clone();
     let mut tables = Tables::default();
-    let record = background.run(py, |progress| {
+    // Verification uses every core, a run alone needs one.
+    let record = background.on_one(!verify).run(py, |progress| {
         let options = Options {
             rows: Some(&mut tables),
             verify,
@@ -115,6 +116,7 @@ pub fn design(
     background: Background,
 ) -> Found<Computed> {
     let file = file.case().clone();
+    let background = background.on_one(!axial && !search);
     let (result, data, stopped) = background.run(py, |progress| {
         let paper = structures_of(&file.case().bearing)?;
         let asked = Asked {

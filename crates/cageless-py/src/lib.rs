@@ -40,6 +40,7 @@ mod _cageless {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         cageless_io::case_file::on_former_name(errors::warn);
+        module.add("THREADS_MAX", cageless_study::THREADS_MAX)?;
         module.add("__version__", cageless_io::results::VERSION)
     }
 }

@@ -1,5 +1,6 @@
 //! Sweeps.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
@@ -8,7 +9,7 @@ use cageless_study::sweep::{Job, Shard, write_part};
 use cageless_study::{StudyError, break_if};
 use pyo3::prelude::*;
 
-use crate::background::{Background, count};
+use crate::background::Background;
 use crate::documents::File;
 use crate::errors::{Error, Found, input, of_values, other};
 
@@ -52,12 +53,6 @@ impl Sweep {
 
     /// The case of a variant, or its rotor above several bearings.
     fn file(&self, index: u64) -> Found<File> {
-        if index >= self.sweep.variants() {
-            let last = self.sweep.variants() - 1;
-            return Err(input(format!(
-                "variant = {index} is not possible: it must be 0 to {last}"
-            )));
-        }
         self.sweep.file(index).map(File).map_err(of_values)
     }
 
@@ -67,15 +62,15 @@ impl Sweep {
         py: Python<'_>,
         result: PathBuf,
         shard: Option<(u64, u64)>,
-        threads: Option<i64>,
+        threads: Option<NonZeroUsize>,
         progress: Option<Py<PyAny>>,
     ) -> Found<()> {
         let job = Job {
             result,
             shard: shard.map(share).transpose()?,
-            threads: threads.map(count).transpose()?,
+            threads,
         };
-        Background(Some(1), progress).run(py, |progress| {
+        Background(Some(NonZeroUsize::MIN), progress).run(py, |progress| {
             cageless_study::sweep::run(&self.sweep, &job, |now| {
                 progress.show(&format!("{} {}", now.done, now.total), now.fraction());
                 break_if(progress.interrupted())
@@ -96,7 +91,7 @@ impl Sweep {
     /// Computes a range of variants into a file.
     fn write_part(&self, py: Python<'_>, start: u64, end: u64, path: PathBuf) -> Found<()> {
         let range = start..end.min(self.sweep.variants());
-        Background(Some(1), None).run(py, |progress| {
+        Background(Some(NonZeroUsize::MIN), None).run(py, |progress| {
             let stop = || break_if(progress.interrupted());
             write_part(&self.sweep, range, &path, &stop)
         })??;

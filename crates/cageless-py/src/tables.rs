@@ -178,7 +178,7 @@ impl Tables {
     pub fn snapshots(&self, (from, to): (f64, f64)) -> Found<Vec<Snapshot>> {
         let times = &self.0[1][0];
         let rows = times.partition_point(|t| *t < from)..times.partition_point(|t| *t <= to);
-        if rows.len() < 2 {
+        if rows.len() < 2 || from.is_nan() || to.is_nan() {
             return Err(input(format!(
                 "time_s = ({from}, {to}) is not possible: it must hold two of the output times or \
                  more, which are from {} to {} s",

@@ -234,6 +234,43 @@ def test_values_that_no_file_can_hold_are_refused() -> None:
         case.replace({"solver.seed": 2**70})
 
 
+def test_a_number_that_is_too_large_is_called_so() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    with pytest.raises(cageless.InputError, match=r"solver.seed = 9223372036854775808 .* 2\^63"):
+        case.replace({"solver.seed": 2**63})
+
+
+def test_a_case_is_made_anew_by_the_values_of_another() -> None:
+    for name in ("zhao-d", "touchdown-d"):
+        case = cageless.Case.from_file(ROOT / "cases" / f"{name}.toml")
+        assert cageless.Case(**case.to_dict()).to_dict() == case.to_dict()
+    searched = case.replace(search={"runs_max": 50}, seed=3)
+    assert cageless.Case(**searched.to_dict()).to_dict() == searched.to_dict()
+
+
+def test_a_case_is_changed_by_replace_alone() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    before = case.to_toml()
+    for name in ("operation", "raceway", "raceways", "title", "colour"):
+        with pytest.raises(AttributeError, match=rf"Case\.{name} cannot be set: replace\(\)"):
+            setattr(case, name, case.operation)
+    assert case.to_toml() == before
+    plan = cageless.Plan(case=case, compute="static", grid={"operation.radial_load_n": [1.0]})
+    with pytest.raises(AttributeError, match="Plan.seed cannot be set"):
+        plan.seed = 3
+
+
+def test_limits_on_results_are_sections_of_the_case() -> None:
+    case = cageless.Case.from_file(ROOT / "cases" / "touchdown-d.toml")
+    assert case.limits == ()
+    limits = [
+        cageless.Limit(result="rotor_force_max_n", value=2e4, source="maker"),
+        cageless.Limit(result="impacts", value=9.0, source="specification"),
+    ]
+    one, both = (cageless.Case(**case.to_dict(), limit=limits[:n]) for n in (1, 2))
+    assert (one.limits, both.limits) == (tuple(limits[:1]), tuple(limits))
+
+
 def test_defaults_and_the_case_as_run_are_those_of_check(command: Command, tmp_path: Path) -> None:
     path = tmp_path / "case.toml"
     path.write_text(cageless.template())

@@ -28,6 +28,8 @@ def test_balls_are_those_chosen(run: cageless.Run) -> None:
     expected = np.degrees(run.gap_rad[rows, 6])
     assert np.allclose(np.asarray(trace.y, float), expected, rtol=1e-3, atol=1e-6)
     assert set(shown(run.plot_sliding(balls=2))) == {"ball 2"}
+    assert run.plot_gaps(balls=np.array([3, 7]), time_s=np.array([0.0, 0.02])) == figure
+    assert run.plot_sliding(balls=np.int64(2)) == run.plot_sliding(balls=2)
     assert shown(run.plot_phase(ball=4)).keys() == {"ball 4"}
     assert run.plot_loads(ball=5) != run.plot_loads()
 
@@ -54,14 +56,20 @@ def test_every_figure_takes_a_title(run: cageless.Run) -> None:
 
 
 def test_impossible_choices_are_refused(run: cageless.Run) -> None:
-    with pytest.raises(cageless.InputError, match="balls = 15 is not possible: it must be 1 to 14"):
+    with pytest.raises(cageless.InputError, match="balls = 15 .* a whole number from 1 to 14"):
         run.plot_gaps(balls=[1, 15])
+    with pytest.raises(cageless.InputError, match="balls = '1' is not possible"):
+        run.plot_gaps(balls="1")
+    with pytest.raises(cageless.InputError, match="balls = 1.5 is not possible"):
+        run.plot_gaps(balls=1.5)
     with pytest.raises(cageless.InputError, match="balls = 0 "):
         run.plot_phase(ball=0)
     with pytest.raises(cageless.InputError, match=r"balls = \[\] is not possible"):
         run.plot_gaps(balls=[])
     with pytest.raises(cageless.InputError, match="time_s = .* two of the output times"):
         run.plot_sliding(time_s=(0.5, 0.6))
+    with pytest.raises(cageless.InputError, match="time_s = .NaN, 2. is not possible"):
+        run.plot_sliding(time_s=(float("nan"), 2.0))
 
 
 def test_loads_of_a_static_result_are_drawn_round_the_ring() -> None:

@@ -319,6 +319,45 @@ def test_what_no_command_could_ask_is_refused_too(tmp_path: Path) -> None:
         case.export(tmp_path / "file" / "x", "step")
 
 
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"samples": 2.5}, "samples = 2.5 is not possible: it must be a whole number"),
+        ({"samples": True}, "samples = True is not possible"),
+        ({"ball_grade": 2**33}, "ball_grade = 8589934592 is not possible"),
+        ({"friction": math.nan}, "friction = nan is not possible: it must be a finite number"),
+        ({"friction": math.inf}, "friction = inf is not possible"),
+        ({"friction": "0.002"}, "friction = '0.002' is not possible"),
+        ({"friction": [0.002]}, r"friction = \[0.002\] is not possible"),
+    ],
+)
+def test_tolerances_that_are_no_numbers_are_refused(given: dict[str, Any], said: str) -> None:
+    with pytest.raises(cageless.InputError, match=said) as error:
+        small().tolerance(**given)
+    assert error.value.key == next(iter(given))
+
+
+def test_tolerances_may_be_numbers_of_numpy() -> None:
+    asked: list[dict[str, Any]] = [
+        {"samples": np.int64(0), "ball_grade": np.int32(10), "friction": np.float64(0.5)},
+        {"samples": 0.0, "ball_grade": 10.0, "friction": np.float32(0.5)},
+    ]
+    for given in asked:
+        # Everything is read; the friction of the case is below.
+        with pytest.raises(cageless.InputError, match="friction = 0.5 is not possible: .* from 0 to"):
+            small().tolerance(**given)
+
+
+def test_threads_are_checked_where_one_is_enough() -> None:
+    case = small()
+    wrong: list[Any] = [0, -1, "2", True, 2.5, 100_000]
+    for threads in wrong:
+        for compute in (case.run, case.design):
+            said = f"threads = {threads!r} is not possible: it must be a whole number from 1 to 1024"
+            with pytest.raises(cageless.InputError, match=said):
+                compute(threads=threads)
+
+
 def test_raceways_are_replaced() -> None:
     case = small()
     one = cageless.Raceway(axial_span_mm=5.3, half_angle_deg=24.0)
@@ -327,3 +366,4 @@ def test_raceways_are_replaced() -> None:
     both = case.with_raceways(one, other)
     assert [r.centre_angle_deg for r in both.raceways] == [0.0, 180.0]
     assert both.with_raceways(*case.raceways) == case
+    assert case.with_raceways(one.values(), {"axial_span_mm": 5.3, "half_angle_deg": 24.0, "centre_angle_deg": 180.0}) == both

@@ -104,12 +104,22 @@ def test_impossible_plans_are_refused(plan: cageless.Plan) -> None:
     case = plan.case(0)
     with pytest.raises(cageless.InputError, match="did you mean"):
         cageless.Plan(case=case, compute=["static"], grid={"raceway.half_angel_deg": [1.0]})
-    with pytest.raises(cageless.InputError, match="variant = 240"):
-        plan.case(240)
+    for variant in (240, -1):
+        with pytest.raises(cageless.InputError, match=f"variant = {variant} .* from 0 to 239"):
+            plan.case(variant)
     with pytest.raises(cageless.InputError, match="half_angle_deg"):
         plan.case(200)
     assert pickle.loads(pickle.dumps(plan)).to_toml() == plan.to_toml()
     assert "variants" in plan._repr_html_()
+
+
+def test_a_name_stands_for_a_list_of_one() -> None:
+    case, name = cageless.Case.from_toml(cageless.template()), "static_ring_y_um"
+    grid = {"operation.radial_load_n": [500.0, 900.0]}
+    plan = cageless.Plan(case=case, compute="static", keep=name, grid=grid)
+    assert plan == cageless.Plan(case=case, compute=["static"], keep=[name], grid=grid)
+    result = cageless.sweep(plan)
+    assert result.report(high=name) == result.report(high=[name])
 
 
 @pytest.mark.parametrize("shared", [False, True])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from . import _cageless, sections
 from .computations import Computations
 from .section import Section, table
-from .sections import Raceway, Row
+from .sections import Limit, Raceway, Row
 from .toml import toml
 
 if TYPE_CHECKING:
@@ -82,8 +82,10 @@ class Case(Computations, sections.OfCase):
         for name, part in parts.items():
             if name not in sections.Arguments.__annotations__:
                 raise TypeError(f"Case() has no argument {name!r}")
-            if name == "title" or isinstance(part, (Section, Mapping)):
-                values[name] = part if name == "title" else keys_of(part)
+            if isinstance(part, (Section, Mapping)):
+                values[name] = keys_of(part)
+            elif isinstance(part, (str, int)):
+                values[name] = part
             elif part is not None:
                 values[name] = [keys_of(each) for each in part]
         self._file = _cageless.File.of_values(toml(values))
@@ -110,7 +112,7 @@ class Case(Computations, sections.OfCase):
         """
         return cls.from_toml(_cageless.designated(designation, full_complement), name=designation)
 
-    def with_raceways(self, *raceways: Raceway) -> Case:
+    def with_raceways(self, *raceways: Raceway | Mapping[str, Any]) -> Case:
         """The case with these discrete raceways in place of its own; none for a conventional
         ring.
 
@@ -122,7 +124,7 @@ class Case(Computations, sections.OfCase):
         """
         values = {key: section for key, section in self._document.items() if key != "raceway"}
         if raceways:
-            values["raceway"] = [each.values() for each in raceways]
+            values["raceway"] = [keys_of(each) for each in raceways]
         return Case._of(_cageless.File.of_values(toml(values)))
 
     def to_dict(self) -> dict[str, Any]:
@@ -138,14 +140,22 @@ class Case(Computations, sections.OfCase):
     @property
     def raceways(self) -> tuple[Raceway, ...]:
         """Discrete raceways."""
-        found = self._document.get("raceway", [])
-        several = found if isinstance(found, list) else [found]
-        return tuple(Raceway(**each) for each in several)
+        return tuple(Raceway(**each) for each in self._several("raceway"))
 
     @property
     def rows(self) -> tuple[Row, ...]:
         """Rows of balls on one inner ring; none for a single row."""
-        return tuple(Row(**each) for each in self._document.get("row", []))
+        return tuple(Row(**each) for each in self._several("row"))
+
+    @property
+    def limits(self) -> tuple[Limit, ...]:
+        """Limits on results of a drop."""
+        return tuple(Limit(**each) for each in self._several("limit"))
+
+    def _several(self, name: str) -> list[dict[str, Any]]:
+        """Sections of one name."""
+        found = self._document.get(name, [])
+        return found if isinstance(found, list) else [found]
 
     def __getattr__(self, name: str) -> Any:
         if name not in sections.OfCase.__annotations__:

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _cageless, frames, sections
-from .document import Document, Progress, whole
+from .arguments import background, names, number, whole
+from .document import Document, Progress
 from .errors import InputError
 from .exports import Export
 from .results import Design, RingComparison, Run, SearchResult, Static, ToleranceResult, complete
@@ -79,9 +80,7 @@ class Computations(Document):
             <Verification: 13 converged, 0 statistical, 0 step-biased>
         """
         refuse("run", unknown)
-        # Verification uses every core, a run alone needs one.
-        background = (threads if verify else 1, progress)
-        return complete(Run(_cageless.run(self._file, verify, background)))
+        return complete(Run(_cageless.run(self._file, verify, background(threads, progress))))
 
     def static(self) -> Static:
         """Static equilibrium: ring displacement, load of each ball, contact pressure.
@@ -109,8 +108,7 @@ class Computations(Document):
             axial: Simulate in space what axial load and tilt leave of the lag, see ``data_axial``;
                 takes a minute.
         """
-        background = (threads if axial else 1, progress)
-        return Design(_cageless.design(self._file, axial, False, None, background))
+        return Design(_cageless.design(self._file, axial, False, None, background(threads, progress)))
 
     def search(
         self,
@@ -142,10 +140,11 @@ class Computations(Document):
             Traceback (most recent call last):
             cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 32 or more with ...
         """
-        given = {f"search.{key}": value for key, value in asked.items() if value is not None}
-        file = (self.replace(given) if given else self)._file
+        changes = {f"search.{key}": value for key, value in asked.items() if value is not None}
+        file = (self.replace(changes) if changes else self)._file
         folder = None if out is None else os.fspath(out)
-        return complete(SearchResult(_cageless.design(file, False, True, folder, (threads, progress))))
+        found = _cageless.design(file, False, True, folder, background(threads, progress))
+        return complete(SearchResult(found))
 
     def measure(self, points: str | os.PathLike[str]) -> Measured:
         """Fits the raceways of a ring that has been measured, as ``cageless measure`` does.
@@ -183,7 +182,7 @@ class Computations(Document):
             True
         """
         other = None if reference is None else reference._file
-        asked = (other, whole("starts", starts), (threads, progress))
+        asked = (other, whole("starts", starts), background(threads, progress))
         return RingComparison(_cageless.compare(self._file, *asked))
 
     def tolerance(
@@ -232,9 +231,9 @@ class Computations(Document):
         request = locals()
         for name in ("self", "threads", "progress"):
             del request[name]
-        counts = {name: whole(name, request[name]) for name in ("samples", "ball_grade")}
-        given = {name: value for name, value in (request | counts).items() if value is not None}
-        found = _cageless.tolerance(self._file, json.dumps(given), (threads, progress))
+        checks = {"samples": whole, "ball_grade": whole}
+        asked = {k: checks.get(k, number)(k, v) for k, v in request.items() if v is not None}
+        found = _cageless.tolerance(self._file, json.dumps(asked), background(threads, progress))
         return ToleranceResult(found)
 
     def export(
@@ -282,19 +281,19 @@ class Computations(Document):
         named = FORMATS.get(ending)
         marked = os.fspath(out).endswith(("/", os.sep))
         is_file = bool(ending) and not marked and not path.is_dir()
-        several = [formats] if isinstance(formats, str) else formats
-        names = list(([named] if named else ["step", "stl", "csv"]) if several is None else several)
-        if not names:
+        usual = [named] if named else ["step", "stl", "csv"]
+        asked = usual if formats is None else names(formats)
+        if not asked:
             raise InputError("formats = [] is not possible: it must be of step, stl, csv")
         if is_file and named is None:
             raise InputError(
                 f"out = {path}: the name of a file ends in .step, .stp, .stl or .csv, that of a "
                 "folder has no ending, or a slash at its end"
             )
-        if is_file and names != [named]:
-            other = next((name for name in names if name != named), named)
+        if is_file and asked != [named]:
+            other = next((name for name in asked if name != named), named)
             raise InputError(f"out = {path}: is the name of a file of format {named}, not of {other}")
-        targets = [(name, path if is_file else path / f"outer_ring.{name}") for name in names]
+        targets = [(name, path if is_file else path / f"outer_ring.{name}") for name in asked]
         options = (blend_mm, tolerance_um, chord_um, spacing_mm)
         folder = None if is_file else path
         made = _cageless.export(self._file, folder, targets, list(options))

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _cageless
+from .arguments import Fixed, background, given, whole
 from .errors import InputError
 from .results import Drop, complete
 from .section import Section
@@ -38,19 +39,12 @@ def changed(values: Keys | None) -> list[str]:
     return [f"{key}={inline(value, key)}" for key, value in dotted(values or {}).items()]
 
 
-def whole(option: str, value: int | None) -> int | None:
-    """An option that counts something."""
-    if value is not None and value < 0:
-        raise InputError(f"{option} = {value} is not possible: it must be 0 or more", option)
-    return value
-
-
 def read(cls: Any, text: str) -> Any:
     """What the text of a file describes."""
     return cls.from_toml(text)
 
 
-class Written:
+class Written(Fixed):
     """What a file of TOML describes; equal if their texts are, and pickled as them."""
 
     _file: Any
@@ -80,6 +74,7 @@ class Document(Written):
     """A case, or a rotor with the cases of its bearings."""
 
     _name: ClassVar[str]
+    _instead = "replace() gives one with other values"
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str], changes: Keys | None = None) -> Self:
@@ -166,8 +161,8 @@ class Document(Written):
             InputError: If there is no rotor, or ``samples`` or ``drops`` is impossible.
             UnphysicalError: If the drop left the physical range; its ``result`` has what was computed.
         """
-        asked = (compare, whole("samples", samples), verify, whole("drops", drops))
-        return complete(Drop(_cageless.drop(self._file, *asked, (threads, progress))))
+        asked = (compare, given(whole, "samples", samples), verify, given(whole, "drops", drops))
+        return complete(Drop(_cageless.drop(self._file, *asked, background(threads, progress))))
 
     @cached_property
     def _document(self) -> dict[str, Any]:

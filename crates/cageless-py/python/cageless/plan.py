@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from . import _cageless
+from .arguments import names, whole
 from .case import Case
 from .document import Written
 from .errors import InputError
@@ -95,20 +96,20 @@ class Plan(Written):
         self,
         *,
         case: Case | RotorCase,
-        compute: Sequence[str],
+        compute: str | Sequence[str],
         grid: Mapping[str, Any] | None = None,
         samples: Mapping[str, Any] | None = None,
         scatter: Mapping[str, Any] | None = None,
-        keep: Sequence[str] | None = None,
+        keep: str | Sequence[str] | None = None,
         seed: int = 0,
         title: str = "",
         set: Mapping[str, Any] | None = None,  # noqa: A002
     ) -> None:
         if set:
             case = case.replace(set)
-        head: dict[str, Any] = {"title": title, "seed": seed, "compute": list(compute)}
+        head: dict[str, Any] = {"title": title, "seed": seed, "compute": names(compute)}
         if keep is not None:
-            head["keep"] = list(keep)
+            head["keep"] = names(keep)
         parts = {"grid": grid, "samples": samples, "scatter": scatter}
         head |= {name: nested(part) for name, part in parts.items() if part is not None}
         head["case"] = case._document
@@ -128,7 +129,7 @@ class Plan(Written):
     def case(self, variant: int) -> Any:
         """The :class:`Case` of a variant, counted from 0, or its :class:`RotorCase`; an ``InputError``
         if that is impossible."""
-        file = self._file.file(variant)
+        file = self._file.file(whole("variant", variant, most=len(self) - 1))
         return (RotorCase if file.rotor() else Case)._of(file)
 
     def cases(self) -> Iterator[Any]:

@@ -6,7 +6,7 @@ import difflib
 import json
 import os
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache, cached_property, partial
 from html import escape
 from pathlib import Path
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from . import _cageless, files, frames
+from .arguments import Fixed, plain, refused, whole
 from .errors import ColumnError, InputError
 from .figures import figure
 from .section import table
@@ -130,7 +131,7 @@ def same(tables: list[dict[str, Any]], others: list[dict[str, Any]]) -> bool:
     return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
 
 
-class Result:
+class Result(Fixed):
     """The result of a computation, as the command writes it in JSON.
 
     Every key of ``values`` is an attribute: numbers (NaN where there is none) and texts as they
@@ -140,6 +141,7 @@ class Result:
     """
 
     kind: ClassVar[str] = ""
+    _instead = "it is a result; replace() of the case gives another to compute"
     _parts: ClassVar[dict[str, type[Result]]] = {}
 
     def __init_subclass__(cls) -> None:
@@ -163,7 +165,7 @@ class Result:
 
         def made(values: dict[str, Any], *place: str | int) -> Result:
             inner = cls(self._core, (*self._place, *place))
-            inner.values = values
+            vars(inner)["values"] = values
             return inner
 
         if isinstance(found, dict):
@@ -264,21 +266,20 @@ class Result:
                 raise TypeError(f"plot_{name}() has no argument {option!r}: it takes {listed}")
         if "output" in known and "output" not in options:
             raise TypeError(f"plot_{name}() needs the name of an output")
-        balls = options.get("balls", options.get("ball"))
-        balls = [balls] if isinstance(balls, int) else balls
+        balls = plain(options.get("balls", options.get("ball")))
         if balls is not None:
             count = next(iter(self._arrays["balls"].values())).shape[1]
-            wrong = [ball for ball in balls if not 1 <= ball <= count]
-            if wrong or not balls:
-                given = wrong[0] if wrong else list(balls)
-                message = f"balls = {given} is not possible: it must be 1 to {count}"
-                raise InputError(message, "balls")
+            chosen = balls if isinstance(balls, Iterable) else [balls]
+            balls = [whole("balls", ball, 1, count) for ball in chosen]
+            if not balls:
+                raise refused("balls", balls, f"whole numbers from 1 to {count}")
         if balls == [1] and "ball" in options:
             balls = None
         if self._bearing is not None:
             name = f"{name}-bearing-{self._bearing + 1}"
         time_s, output = options.get("time_s"), options.get("output")
-        return figure(self._core.figure(name, balls, time_s, output), title)
+        window = None if time_s is None else tuple(plain(time_s))
+        return figure(self._core.figure(name, balls, window, output), title)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page of the command, which works offline.

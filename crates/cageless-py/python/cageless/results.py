@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _cageless, frames
 from . import attributes as of
+from .arguments import names
 from .errors import InputError, UnphysicalError
 from .result import KINDS, VALUES, Result
 from .sections import Raceway
@@ -189,6 +190,7 @@ class SweepResult(Result):
     """
 
     kind = "sweep"
+    path: Path
 
     def __init__(
         self,
@@ -198,7 +200,7 @@ class SweepResult(Result):
     ) -> None:
         super().__init__(None)
         path = Path(path)
-        self.path = path / NAME if path.is_dir() else path
+        vars(self)["path"] = path / NAME if path.is_dir() else path
         self._temporary = _temporary
 
     @cached_property
@@ -251,11 +253,11 @@ class SweepResult(Result):
         return frame[frame["reason"].notna()]
 
     def report(  # type: ignore[override]
-        self, low: Sequence[str] = (), high: Sequence[str] = ()
+        self, low: str | Sequence[str] = (), high: str | Sequence[str] = ()
     ) -> SweepReport:
         """Sensitivity and best variants; see :func:`cageless.report`."""
         path = os.fspath(self.path)
-        return SweepReport(_cageless.analyse(path, list(low), list(high)))
+        return SweepReport(_cageless.analyse(path, names(low), names(high)))
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Writes a copy of the file, ``sweep.parquet``. :func:`load` reads it."""

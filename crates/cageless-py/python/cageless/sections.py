@@ -306,6 +306,9 @@ class OfCase:
 class Arguments(TypedDict, total=False):
     """Keywords of a case: its sections, or mappings of their keys."""
 
+    schema: int
+    title: str
+    seed: int
     bearing: Required[Bearing | Keys]
     material: Material | Keys | None
     ball_material: Material | Keys | None
@@ -325,4 +328,4 @@ class Arguments(TypedDict, total=False):
     fit: Fit | Keys | None
     lubrication: Lubrication | Keys | None
     output: Output | Keys | None
-    title: str
+    search: Keys | None

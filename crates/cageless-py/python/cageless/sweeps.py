@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _cageless
+from .arguments import background
 from .plan import Plan, read
 from .results import NAME, SweepReport, SweepResult
 
@@ -73,7 +74,7 @@ def sweep(
         name = NAME if shard is None else "sweep.shard-{}-of-{}.parquet".format(*shard)
         path = folder / name
         tell = None if progress is None else lambda at, _: progress(*map(int, at.split()))
-        plan._file.run(os.fspath(path), shard, threads, tell)
+        plan._file.run(os.fspath(path), shard, *background(threads, tell))
     return SweepResult(path, _temporary=temporary)
 
 
@@ -95,8 +96,8 @@ def merge(
 def report(
     result: SweepResult | str | os.PathLike[str],
     *,
-    low: Sequence[str] = (),
-    high: Sequence[str] = (),
+    low: str | Sequence[str] = (),
+    high: str | Sequence[str] = (),
 ) -> SweepReport:
     """Analyses a finished sweep, as ``cageless report`` does.
 

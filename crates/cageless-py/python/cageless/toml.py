@@ -7,17 +7,19 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from .errors import InputError
+from .arguments import plain, refused
 
 __all__ = ["inline", "toml"]
 
 
 def inline(value: Any, key: str) -> str:
     """The value of a key on one line; arrays and numbers of NumPy as lists and numbers."""
-    value = value.tolist() if hasattr(value, "tolist") else value
+    value = plain(value)
     if isinstance(value, bool):
         return str(value).lower()
-    if isinstance(value, float) or (isinstance(value, int) and abs(value) < 2**63):
+    if isinstance(value, int) and abs(value) >= 2**63:
+        raise refused(key, value, "between -2^63 and 2^63")
+    if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
@@ -25,8 +27,7 @@ def inline(value: Any, key: str) -> str:
         return "{" + ", ".join(lines(value)) + "}"
     if isinstance(value, Iterable):
         return "[" + ", ".join(inline(each, key) for each in value) + "]"
-    known = "a number, a text, a list or a dictionary"
-    raise InputError(f"{key} = {value!r} is not possible: it must be {known}")
+    raise refused(key, value, "a number, a text, a list or a dictionary")
 
 
 def lines(values: Mapping[str, Any]) -> Iterable[str]:
