@@ -310,7 +310,12 @@ impl Computed {
             (_, kind) => {
                 let page = self.all(py)?.get(PAGE).map_or("", |page| page);
                 let found = in_page(page, kind, name).map(str::to_owned);
-                found.ok_or_else(nothing)
+                found.ok_or_else(|| match in_page(page, kind, &format!("{name}-bearing-1")) {
+                    Some(_) => input(format!(
+                        "{name} is shown of each bearing: bearings[0].plot_{name}()"
+                    )),
+                    None => nothing(),
+                })
             }
         }
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -116,6 +117,70 @@ def test_scattered_compared_and_verified_drops_are_those_of_the_command(
     assert alone.ensemble is None
     assert alone.data_drops().empty
     assert alone.data_verification().empty
+
+
+def test_a_bearing_has_its_own_results_and_columns() -> None:
+    drop = rigid().drop(cases(), speed_rpm=30000.0)
+    frame = drop.data_bearings()
+    assert list(frame.impacts) == [bearing.impacts for bearing in drop.bearings]
+    # Keys of the case are no columns: several sections have a friction coefficient.
+    assert not {"friction_coefficient", "mass_kg", "balls", "solver"} & set(frame.columns)
+    with pytest.raises(AttributeError, match=r"'impacts'; .*: bearings\[0\]\.impacts"):
+        _ = drop.impacts
+    with pytest.raises(cageless.InputError, match=r"orbit is shown of each .*\[0\]\.plot_orbit\(\)"):
+        drop.plot_orbit()
+    assert drop.bearings[0].plot_orbit().data
+    # Columns of sweeps alone.
+    for name in ("plane_margin_min_um", "rotor_energy_residual_relative"):
+        assert name not in cageless.Drop.__mro__[1].__annotations__
+    assert drop.rotor.energy_residual_relative == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("speed", [np.nan, np.inf, "9000", True])
+def test_a_speed_that_is_none_is_refused(speed: Any) -> None:
+    calls: list[Callable[[], object]] = [
+        lambda: rigid().eigenvalues(speed),
+        lambda: rigid().drop(cases(), speed_rpm=speed),
+    ]
+    for call in calls:
+        with pytest.raises(cageless.InputError, match="speed_rpm = .* is not possible"):
+            call()
+
+
+def test_a_speed_beyond_all_numbers_has_no_eigenvalues() -> None:
+    matrices, gyroscopic = two_nodes(), np.zeros((8, 8))
+    for place in (2, 6):
+        gyroscopic[place, place + 1], gyroscopic[place + 1, place] = 1e-3, -1e-3
+    rotor = cageless.LinearRotor.from_matrices(
+        matrices["M"], matrices["K"], G=gyroscopic, polar_inertia_kg_m2=2e-3, nodes=[0, 1]
+    )
+    assert np.isfinite(rotor.eigenvalues(1e9)).all()
+    with pytest.raises(cageless.InputError, match="speed_rpm = 1e300 is not possible"):
+        rotor.eigenvalues(1e300)
+
+
+def test_a_rotor_is_not_written_to(tmp_path: Path) -> None:
+    rotor = rigid()
+    with pytest.raises(AttributeError, match="LinearRotor.mass_kg cannot be set"):
+        rotor.mass_kg = 3.0
+    case = cageless.RotorCase(rotor, cases(), speed_rpm=30000.0)
+    with pytest.raises(AttributeError, match=r"RotorCase.speed_rpm cannot be set: replace\(\)"):
+        case.speed_rpm = 3.0  # type: ignore[misc]
+    assert (rotor.mass_kg, case.speed_rpm) == (40.0, 30000.0)
+    speed: Any = np.float32(9000.0)
+    assert rotor.eigenvalues(speed) == pytest.approx(rotor.eigenvalues(9000))
+
+
+def test_a_rotor_case_is_shown_with_its_keys() -> None:
+    case = cageless.RotorCase(rigid(), cases(), speed_rpm=30000.0)
+    shown = case._repr_html_()
+    for key in ("rotor.speed_rpm", "bearing.2.axial_mm", "bearing.1.case.contact.damping_n_s_m1_5"):
+        assert f">{key}</th>" in shown
+    matrices = two_nodes()
+    rotor = cageless.LinearRotor.from_matrices(
+        matrices["M"], matrices["K"], polar_inertia_kg_m2=2e-3, nodes=[0, 1]
+    )
+    assert "rotor.matrices" not in cageless.RotorCase(rotor, cases(), speed_rpm=9.0)._repr_html_()
 
 
 def test_the_precession_of_a_rigid_rotor() -> None:

@@ -46,6 +46,8 @@ fn annotation(quantity: &Quantity) -> &'static str {
         Kind::Number => "float",
         Kind::Integer => "int | None",
         Kind::Flag => "bool | None",
+        // What decided nothing has no criterion.
+        Kind::Text if quantity.name == "criterion" => "str | None",
         Kind::Text => "str",
         Kind::Numbers | Kind::Few | Kind::Range => "Floats",
     }

@@ -42,7 +42,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 41] = [
     (CURVE, "Design: curve of Eq. (11)", "Under `curve` of `cageless design --json` and `design.json`."),
     (RUN, "Run", "In `cageless run --json`, `summary.json`, its page and the columns `run_\u{2026}` of a sweep. Statistics are over the time after the transient, `settled_after_s`."),
     (DROP, "Rotor drop", "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`."),
-    (ROTOR_DROP, "Rotor drop: the rotor on several bearings", "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep."),
+    (ROTOR_DROP, "Rotor drop: the rotor on several bearings", "In the columns `drop_\u{2026}` of a sweep of a rotor file. `cageless drop --json` has the margin of each plane under `clearances`, and the energy balance error under `rotor`, as `energy_residual_relative`."),
     (PLANE, "Rotor drop: planes with a clearance", "Under `clearances` of `cageless drop --json` of a rotor file."),
     (SUCCESSION, "Rotor drop: drops in succession", "Under `succession` of `cageless drop --json` and `summary.json`, for each drop and bearing, with the list `reasons`."),
     (SEARCH, "Search", "Under `search` of `cageless design --search --json` and `design.json`, with the sentences `findings`."),

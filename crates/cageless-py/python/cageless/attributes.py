@@ -24,7 +24,7 @@ class RunAttributes:
     verdict: str  # verdict
     passes: bool | None  # passes
     headline: str  # verdict with its reason
-    criterion: str  # criterion that decides
+    criterion: str | None  # criterion that decides
     margin: float  # margin to the nearest limit
     friction_torque_n_m: float  # torque of gross sliding in the model, N m
     friction_torque_skf_n_m: float  # friction torque with lubricant and cage, SKF ½ μ P d, N m
@@ -171,8 +171,6 @@ class DropAttributes:
     outer_force_max_of_ball_n: Floats  # largest force of each ball at the outer raceway, N
     energy_residual_relative: float  # energy balance error (relative)
     simulated_s: float  # simulated, s
-    plane_margin_min_um: float  # smallest margin of the planes of the rotor to their clearances, um
-    rotor_energy_residual_relative: float  # energy balance error of the rotor alone (relative)
     plot_orbit: Callable[..., go.Figure]  # path of the journal in the bore of the inner ring
     plot_displacement: Callable[..., go.Figure]  # path of the journal from the centre of the stator, with its clearance
     plot_spin_up: Callable[..., go.Figure]  # speeds of rotor and inner ring over time
@@ -305,7 +303,7 @@ class DesignAttributes:
     verdict: str  # verdict
     passes: bool | None  # passes
     headline: str  # verdict with its reason
-    criterion: str  # criterion that decides
+    criterion: str | None  # criterion that decides
     margin: float  # margin to the nearest limit
     critical_gap_deg: float  # critical gap, deg
     pressure_at_rest_mpa: float  # peak contact pressure at rest, MPa

@@ -247,6 +247,8 @@ class Result(Fixed):
                 return columns[name]
         near = difflib.get_close_matches(name, dir(self), 1)
         hint = f"; did you mean {near[0]}?" if near else ""
+        if self.values.get("bearings") and name in dir(self.bearings[0]):
+            hint = f"; each of its bearings has: bearings[0].{name}"
         raise AttributeError(f"{type(self).__name__} has no {name!r}{hint}")
 
     def __dir__(self) -> list[str]:
