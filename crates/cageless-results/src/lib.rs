@@ -48,8 +48,9 @@ pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};
 pub use search_result::SEARCH_SHAPE;
 pub use source::{
-    AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, Judged, JudgedRaceway, Sampled,
-    Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop, Tolerated,
+    AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, FittedRaceway, Judged,
+    JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop,
+    Tolerated,
 };
 pub use static_result::{equilibrium_record, spatial_record, static_record};
 pub use successive_drop::succession_record;

@@ -121,6 +121,15 @@ pub struct SuccessiveDrop<'a> {
     pub judgement: DropJudgement,
 }
 
+/// A raceway that is fitted to points of its surface.
+#[derive(Debug, Clone, Copy)]
+pub struct FittedRaceway {
+    /// Distances of the points.
+    pub deviation: PointDeviation,
+    /// Depth error of the middle, along the normals, m.
+    pub depth_error_m: f64,
+}
+
 /// A bearing within tolerances.
 pub struct Tolerated<'a> {
     /// The case.
@@ -218,7 +227,7 @@ sources! {
     Design(Case, Case) "A case, by closed forms.",
     ContactAngle(Option<ContactAngleEstimate>, Option<ContactAngleEstimate>) "What a contact angle leaves of a raceway.",
     Profile(MeasuredFlanks, MeasuredFlanks) "The profile of a measured raceway.",
-    Points(PointDeviation, PointDeviation) "A raceway fitted to points of its surface.",
+    Points(FittedRaceway, FittedRaceway) "A raceway fitted to points of its surface.",
     Slot(MeasuredSlot, MeasuredSlot) "A slot fitted to points of its edges.",
     Axial([AxialLag], [AxialLag]) "Lags under axial load and tilt.",
     Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",

@@ -161,7 +161,12 @@ fn results_of_a_measured_raceway_are_deviations_from_its_fit() {
     };
     let points: Vec<[f64; 3]> = (0..21 * 8).map(point).collect();
     let groove = MeasuredGroove::fit(case, 0, &points).unwrap();
-    let results = Results::of(GROOVE, Subject::Points(&groove.deviation()));
+    let fitted = FittedRaceway {
+        deviation: groove.deviation(),
+        depth_error_m: 3.7 * MICROMETRE,
+    };
+    let results = Results::of(GROOVE, Subject::Points(&fitted));
+    assert!((results.number("measured_depth_error_um") - 3.7).abs() < 1e-12);
     assert_eq!(results.get("measured_points"), Some(&Cell::Integer(21 * 8)));
     assert!((results.number("measured_deviation_um") - 2.0).abs() < 0.1);
     assert!((results.number("measured_deviation_max_um") - 2.5).abs() < 0.5);
@@ -189,7 +194,6 @@ fn results_of_a_measured_slot_are_its_dimensions() {
         ("slot_width_mm", 1.97),
         ("half_angle_deg", 25.1),
         ("centre_angle_deg", 17.2),
-        ("measured_depth_error_um", 3.7),
         ("slot_depth_mm", 0.63),
     ];
     compare(
@@ -198,7 +202,11 @@ fn results_of_a_measured_slot_are_its_dimensions() {
         &[],
         1e-12,
     );
-    let of_points = Results::of(GROOVE, Subject::Points(&slot.deviation));
+    let fitted = FittedRaceway {
+        deviation: slot.deviation,
+        depth_error_m: slot.depth_error_m,
+    };
+    let of_points = Results::of(GROOVE, Subject::Points(&fitted));
     assert_eq!(of_points.get("measured_points"), Some(&Cell::Integer(701)));
     assert!((of_points.number("measured_deviation_um") - 1.1).abs() < 1e-12);
     assert!((of_points.number("measured_deviation_max_um") - 4.3).abs() < 1e-12);

@@ -6,7 +6,7 @@ use cageless::surface::{MeasuredGroove, MeasuredSlot};
 use cageless::{Case, InputError};
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::point_file::read_points;
-use cageless_results::{GROOVE, PROFILE, Part, Record, Results, SLOT, Subject};
+use cageless_results::{FittedRaceway, GROOVE, PROFILE, Part, Record, Results, SLOT, Subject};
 
 use crate::error::StudyError;
 
@@ -40,18 +40,26 @@ impl Fitted {
 
     fn enter(&self, document: &mut CaseDocument, index: usize) {
         match self {
-            Self::Groove(groove) => document.enter_profile(index, &groove.rows(INTERVALS)),
+            Self::Groove(groove) => {
+                document.enter_profile(index, &groove.rows(INTERVALS), groove.depth_error_m());
+            }
             Self::Slot(slot) => document.enter_slot(index, slot),
         }
     }
 
     fn results(&self) -> Results {
-        let of_points = |deviation| Results::of(GROOVE, Subject::Points(deviation));
+        let (deviation, depth_error_m) = match self {
+            Self::Groove(groove) => (groove.deviation(), groove.depth_error_m()),
+            Self::Slot(slot) => (slot.deviation, slot.depth_error_m),
+        };
+        let fitted = FittedRaceway {
+            deviation,
+            depth_error_m,
+        };
+        let results = Results::of(GROOVE, Subject::Points(&fitted));
         match self {
-            Self::Groove(groove) => of_points(&groove.deviation()),
-            Self::Slot(slot) => {
-                of_points(&slot.deviation).and(Results::of(SLOT, Subject::Slot(slot)))
-            }
+            Self::Groove(_) => results,
+            Self::Slot(slot) => results.and(Results::of(SLOT, Subject::Slot(slot))),
         }
     }
 }

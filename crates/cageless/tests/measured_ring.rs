@@ -73,6 +73,27 @@ fn points_of_the_surface_give_its_flank_angle() {
     }
 }
 
+/// A ring that is milled too deep has the flank angle and the depth error that it was made with, with errors of
+/// 1 µm to 0.1 µm.
+#[test]
+fn a_depth_error_is_no_flank_angle() {
+    for error_m in [-8e-6, 3e-6, 15e-6] {
+        for (sigma_m, close) in [(0.0, [1e-4, 1e-9]), (1e-6, [5e-3, 2e-7])] {
+            let case = structure(5.1, 25.2);
+            let raceway = case.raceways[0].clone().with_depth_error(error_m).unwrap();
+            let made = case.with_raceways(vec![raceway.clone()]);
+            let groove = MeasuredGroove::fit(&case, 0, &touched(&made, 100, sigma_m, 3)).unwrap();
+            let misses = [
+                groove.flank_angle_rad(0.0) - raceway.contact_angle_rad(0.0)[0],
+                groove.depth_error_m() - error_m,
+            ];
+            for (miss, close) in misses.into_iter().zip(close) {
+                assert!(miss.abs() < close, "{error_m:e} {sigma_m:e}: {misses:?}");
+            }
+        }
+    }
+}
+
 /// Errors of 1 µm at 4000 points leave the lag of a ball within 0.01° and show as the deviation.
 #[test]
 fn errors_of_the_machine_average_out() {
@@ -114,12 +135,19 @@ fn points_of_another_surface_are_refused() {
     let good = touched(&case, 40, 0.0, 0);
     let scaled = |factor: f64| good.iter().map(|p| p.map(|c| factor * c)).collect();
     let shifted = good.iter().map(|[x, y, z]| [*x, *y, z + 1e-3]).collect();
+    // A raceway 20° from where the case has it.
+    let (sin, cos) = 20f64.to_radians().sin_cos();
+    let turned = good
+        .iter()
+        .map(|[x, y, z]| [x * cos - y * sin, x * sin + y * cos, *z])
+        .collect();
     for points in [
         good[..40].to_vec(),
         vec![],
         scaled(1e3),
         scaled(1e-3),
         shifted,
+        turned,
     ] {
         let error = MeasuredGroove::fit(&case, 0, &points).unwrap_err();
         assert_eq!(error.field, "points");

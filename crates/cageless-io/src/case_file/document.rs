@@ -94,17 +94,15 @@ impl CaseDocument {
         }
     }
 
-    /// Enters rows of ψ and flank angle, rad, as the profile of a raceway in the place of what was designed.
-    pub fn enter_profile(&mut self, index: usize, rows: &[[f64; 2]]) {
+    /// Enters rows of ψ and flank angle, rad, as the profile of a raceway, and its depth error, in the place of what
+    /// was designed.
+    pub fn enter_profile(&mut self, index: usize, rows: &[[f64; 2]], depth_error_m: f64) {
         let section = nth("raceway", index, self.count("raceway"));
-        for designed in [
-            "axial_span_mm",
-            "half_angle_deg",
-            "blend_mm",
-            "depth_error_um",
-        ] {
+        for designed in ["axial_span_mm", "half_angle_deg", "blend_mm"] {
             self.remove(&join(&section, designed));
         }
+        let error_um = rounded(Unit::Micrometre, depth_error_m, 3);
+        self.set(&join(&section, "depth_error_um"), error_um);
         let rounded = |angle: f64| rounded(Unit::Degree, angle, 6);
         let rows = rows.iter().map(|row| row.map(rounded)).collect();
         self.set(&join(&section, "shape"), "measured");

@@ -56,9 +56,10 @@ pub const PROFILE: &[Quantity] = &[
 /// A raceway that is fitted to points of its surface.
 #[rustfmt::skip]
 pub const GROOVE: &[Quantity] = &[
-    means("within the half angle of a groove with flanks; on the rounded edges of a slot", part(integer("measured_points", "points of the raceway", Points(|p| count(p.points))))),
-    means("root mean square of their distances from the fitted surface", part(low(quantity("measured_deviation_um", "um", "deviation of the points from the fitted raceway", Points(|p| some(p.mean_m * 1e6)))))),
-    part(low(quantity("measured_deviation_max_um", "um", "largest deviation of a point", Points(|p| some(p.largest_m * 1e6))))),
+    means("within the half angle of a groove with flanks; on the rounded edges of a slot", part(integer("measured_points", "points of the raceway", Points(|p| count(p.deviation.points))))),
+    means("root mean square of their distances from the fitted surface", part(low(quantity("measured_deviation_um", "um", "deviation of the points from the fitted raceway", Points(|p| some(p.deviation.mean_m * 1e6)))))),
+    part(low(quantity("measured_deviation_max_um", "um", "largest deviation of a point", Points(|p| some(p.deviation.largest_m * 1e6))))),
+    means("how much farther out than on the plain raceway the middle lies than designed, along the normals of its flanks; of a slot how much farther out a ball on both edges sits, along the normals at its contacts", part(quantity("measured_depth_error_um", "um", "depth error", Points(|p| some(p.depth_error_m * 1e6))))),
 ];
 
 /// A slot that is fitted to points of its edges.
@@ -69,7 +70,6 @@ pub const SLOT: &[Quantity] = &[
     part(quantity("slot_width_mm", "mm", "width between the walls below the edges", Slot(|s| some(s.width_m * 1e3)))),
     part(quantity("half_angle_deg", "deg", "half angle θ", Slot(|s| degrees(s.half_angle_rad)))),
     part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Slot(|s| degrees(s.centre_angle_rad)))),
-    means("how much farther out a ball on both edges sits in the middle than on edges of these dimensions that run into the groove of the case, along the normals at its contacts", part(quantity("measured_depth_error_um", "um", "depth error of the edges", Slot(|s| some(s.depth_error_m * 1e6))))),
     means("median of the points of the floor below the bottom of the groove of the case; none with fewer than 10", part(quantity("slot_depth_mm", "mm", "depth of the floor", Slot(|s| s.slot_depth_m.map(|depth| depth * 1e3).into())))),
 ];
 

@@ -11,28 +11,34 @@ use crate::raceway::{Linearised, PowerAngle, fit_flanks};
 /// Fewest points of a raceway.
 const POINTS_MIN: usize = 50;
 /// Largest root-mean-square distance of the points, in parts of Re − Rw.
-const DEVIATION_MAX: f64 = 0.1;
+const DEVIATION_MAX: f64 = 0.03;
+/// Depth errors on both sides of the best one so far between which the next is found, m.
+const STEPS_M: [f64; 3] = [5e-6, 1e-6, 2e-7];
 
 /// Flanks fitted to points of the groove that a measuring machine has touched, in the frame of the
 /// bearing: the axis is Z, the middle of the plain groove of a radial bearing at Z = 0, ψ = 0 at −Y.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredGroove {
     flanks: PowerAngle,
+    depth_error_m: f64,
     deviation: PointDeviation,
 }
 
 /// A point as seen from the ball that rests in its section: ψ from the middle of the raceway, and
-/// place along the axis of the section and across it, towards the flank that it lies on.
+/// place along the axis of the section and across it, towards the flank that it lies on; with the share of the
+/// depth error there.
 struct Seen {
     local_rad: f64,
+    share: f64,
     along_m: f64,
     across_m: f64,
 }
 
 impl MeasuredGroove {
     /// Fit to the points within ±θ of a raceway of the case. In each section the flank is an arc of
-    /// radius Re whose centre is Re − Rw behind that of the ball, at the angle αc(ψ); the squares of
-    /// the distances from it are least.
+    /// radius Re whose centre is Re − Rw behind that of the ball, at the angle αc(ψ), less the depth error, by which
+    /// it lies farther out along its normal; the squares of the distances from it are least over αc and the depth
+    /// error.
     ///
     /// # Errors
     /// An [`InputError`] of `points` if there are fewer than 50 within ±θ, or they are not near a
@@ -45,11 +51,15 @@ impl MeasuredGroove {
         let frame = SectionFrame::of(case, raceway);
         let (sin, cos) = frame.axis_rad.sin_cos();
         let theta = raceway.half_angle_rad();
+        // Linear in the error, which runs out at the ends.
+        let unit_m = raceway.depth_error_max_m();
+        let wrong = raceway.clone().with_depth_error(unit_m)?;
         let seen = points_m.iter().map(|[x, y, z]| {
             let [radial, axial] = [x.hypot(*y) - frame.ball_m[0], z - frame.ball_m[1]];
             let angle_rad = x.atan2(-y);
             Seen {
                 local_rad: raceway.local_angle_rad(angle_rad),
+                share: wrong.depth_error_at_m(angle_rad) / unit_m,
                 along_m: radial * cos + axial * sin - raceway.depth_at_m(angle_rad)[0],
                 across_m: (axial * cos - radial * sin).abs(),
             }
@@ -63,33 +73,57 @@ impl MeasuredGroove {
         if count < POINTS_MIN {
             return refuse("50 or more within the half angle of the raceway, or nothing is fitted");
         }
-        let observed = |flanks: &PowerAngle| -> Linearised {
-            let row = |point: &Seen| {
-                let [angle, _] = flanks.at(point.local_rad);
-                let (sin, cos) = angle.sin_cos();
-                let along = point.along_m + frame.offset_m * cos;
-                let across = point.across_m + frame.offset_m * sin;
-                let distance = along.hypot(across);
-                let slope = frame.offset_m * (across * cos - along * sin) / distance;
-                let error = distance - frame.curvature_radius_m;
-                [point.local_rad, slope, slope * angle - error]
+        let fitted = |depth_error_m: f64| {
+            let observed = |flanks: &PowerAngle| -> Linearised {
+                let row = |point: &Seen| {
+                    let [angle, _] = flanks.at(point.local_rad);
+                    let (sin, cos) = angle.sin_cos();
+                    let offset = frame.offset_m - depth_error_m * point.share;
+                    let along = point.along_m + offset * cos;
+                    let across = point.across_m + offset * sin;
+                    let distance = along.hypot(across);
+                    let slope = offset * (across * cos - along * sin) / distance;
+                    let error = distance - frame.curvature_radius_m;
+                    [point.local_rad, slope, slope * angle - error]
+                };
+                seen.iter().map(row).collect()
             };
-            seen.iter().map(row).collect()
+            fit_flanks(theta, &observed)
         };
-        match fit_flanks(theta, &observed) {
-            Some((flanks, deviation_m)) if deviation_m[0] <= DEVIATION_MAX * frame.offset_m => {
-                let [mean_m, largest_m] = deviation_m;
+        let square = |depth_error_m: f64| Some(fitted(depth_error_m)?.1[0].powi(2));
+        // The squares are a parabola over the depth error but for the curvature of the flanks.
+        let best = STEPS_M.iter().try_fold(0.0, |at_m, step_m| {
+            let [low, middle, high] = [at_m - step_m, at_m, at_m + step_m].map(square);
+            let (low, middle, high) = (low?, middle?, high?);
+            let curvature = low - 2.0 * middle + high;
+            let way = 0.5 * (low - high) / curvature;
+            (curvature > 0.0).then_some(at_m + way * step_m)
+        });
+        let found = best.and_then(|depth_error_m| Some((depth_error_m, fitted(depth_error_m)?)));
+        match found {
+            Some((depth_error_m, (flanks, [mean_m, largest_m])))
+                if mean_m <= DEVIATION_MAX * frame.offset_m =>
+            {
                 let deviation = PointDeviation {
                     points: count,
                     mean_m,
                     largest_m,
                 };
-                Ok(Self { flanks, deviation })
+                Ok(Self {
+                    flanks,
+                    depth_error_m,
+                    deviation,
+                })
             }
-            _ => refuse(
-                "of the groove of this ring, in its frame, with flanks whose angle falls steadily \
-                 from the middle to 0 at the ends",
-            ),
+            other => {
+                let nearest = other.map_or_else(String::new, |(_, (_, [mean_m, _]))| {
+                    format!(", which the nearest misses by {:.1} um", mean_m * 1e6)
+                });
+                refuse(&format!(
+                    "of the groove of this ring, in its frame, with flanks whose angle falls steadily \
+                     from the middle to 0 at the ends{nearest}"
+                ))
+            }
         }
     }
 
@@ -107,6 +141,11 @@ impl MeasuredGroove {
             [local, self.flank_angle_rad(local)]
         };
         (0..=intervals).map(row).collect()
+    }
+
+    /// Depth error of the middle, along the normals of its flanks, m: above 0 too deep.
+    pub fn depth_error_m(&self) -> f64 {
+        self.depth_error_m
     }
 
     /// Distances of the points within ±θ from the fitted groove.
