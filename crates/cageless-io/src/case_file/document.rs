@@ -16,6 +16,9 @@ use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, nth, section
 use super::unit::Unit;
 use super::value::CaseValue;
 
+/// More than half of the last of nine decimals of a degree, rad.
+const ROUNDING_RAD: f64 = 1e-11;
+
 /// A case file as a tree. Serialised, it is the case in `summary.json`. One discrete raceway is
 /// written as a `[raceway]`, several as `[[raceway]]`.
 #[derive(Debug, Clone)]
@@ -113,7 +116,7 @@ impl CaseDocument {
     pub fn enter_slot(&mut self, index: usize, slot: &MeasuredSlot) {
         let section = nth("raceway", index, self.count("raceway"));
         // Rounding must not make the slot shorter than its ends.
-        let up = |degrees: f64| (degrees * 1e9 + 0.5).ceil() / 1e9;
+        let long_rad = slot.half_angle_rad + ROUNDING_RAD;
         let lengths = [
             ("axial_span_mm", Some(slot.axial_span_m)),
             ("edge_radius_mm", Some(slot.edge_radius_m)),
@@ -122,10 +125,7 @@ impl CaseDocument {
         let lengths = (lengths.into_iter())
             .filter_map(|(key, length)| Some((key, rounded(Unit::Millimetre, length?, 6))));
         let others = [
-            (
-                "half_angle_deg",
-                up(Unit::Degree.of_si(slot.half_angle_rad)),
-            ),
+            ("half_angle_deg", rounded(Unit::Degree, long_rad, 9)),
             (
                 "centre_angle_deg",
                 rounded(Unit::Degree, slot.centre_angle_rad, 6),

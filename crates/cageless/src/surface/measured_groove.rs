@@ -14,6 +14,9 @@ const POINTS_MIN: usize = 50;
 const DEVIATION_MAX: f64 = 0.03;
 /// Depth errors on both sides of the best one so far between which the next is found, m.
 const STEPS_M: [f64; 3] = [5e-6, 1e-6, 2e-7];
+/// Smallest depth error that is told from none, m, and by how many of its standard errors.
+const DEPTH_ERROR_MIN_M: f64 = 1e-7;
+const STANDARD_ERRORS: f64 = 4.0;
 
 /// Flanks fitted to points of the groove that a measuring machine has touched, in the frame of the
 /// bearing: the axis is Z, the middle of the plain groove of a radial bearing at Z = 0, ψ = 0 at −Y.
@@ -99,7 +102,16 @@ impl MeasuredGroove {
             let way = 0.5 * (low - high) / curvature;
             (curvature > 0.0).then_some(at_m + way * step_m)
         });
-        let found = best.and_then(|depth_error_m| Some((depth_error_m, fitted(depth_error_m)?)));
+        let best = best.and_then(|depth_error_m| Some((depth_error_m, fitted(depth_error_m)?)));
+        let none = fitted(0.0).map(|none| (0.0, none));
+        // One parameter more takes about 1/N of the squares by chance.
+        let told = |(depth_error_m, (_, [mean_m, _])): &(f64, (PowerAngle, [f64; 2]))| {
+            let less = none.is_none_or(|(_, (_, [none_m, _]))| {
+                (none_m / mean_m).powi(2) - 1.0 > STANDARD_ERRORS.powi(2) / count as f64
+            });
+            less && depth_error_m.abs() > DEPTH_ERROR_MIN_M
+        };
+        let found = best.filter(told).or(none);
         match found {
             Some((depth_error_m, (flanks, [mean_m, largest_m])))
                 if mean_m <= DEVIATION_MAX * frame.offset_m =>
@@ -117,7 +129,8 @@ impl MeasuredGroove {
             }
             other => {
                 let nearest = other.map_or_else(String::new, |(_, (_, [mean_m, _]))| {
-                    format!(", which the nearest misses by {:.1} um", mean_m * 1e6)
+                    let percent = 100.0 * mean_m / frame.offset_m;
+                    format!(", which the nearest misses by {percent:.0} % of Re − Rw in the mean")
                 });
                 refuse(&format!(
                     "of the groove of this ring, in its frame, with flanks whose angle falls steadily \

@@ -67,17 +67,13 @@ pub(crate) fn add_implicit_friction(
     let start = rings_of(y0, &s.ring);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
-    for b in &mut s.blocks {
+    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         set_at_rest(b, 0, &start.0, start.1);
         set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
-    }
-    if !space.sliding.is_empty() {
-        for (block, b) in s.blocks.iter_mut().enumerate() {
+        if !space.sliding.is_empty() {
             slide_as_in((model, space), b, [block, 0], y0);
             slide_as_evaluated((model, space), b, [block, 1], &s.sliding);
         }
-    }
-    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);
         iterate(&p.friction, space, b, h_s);

@@ -1,6 +1,6 @@
 //! The line on which the centres of the rounded edges of a slot lie, at one place.
 
-use super::edge::EdgePlace;
+use super::edge_place::EdgePlace;
 use super::recess_frame::RecessFrame;
 use crate::numerics::bspline::Vec3;
 use crate::surface::directions::vector;

@@ -1,31 +1,11 @@
 //! The rounded edge of a slot at one place along it.
 
 use super::centre_line::CentreLine;
+use super::edge_place::EdgePlace;
 use super::recess_frame::RecessFrame;
 use crate::numerics::bspline::Vec3;
 use crate::numerics::vector::{cross, dot, plus};
 use crate::surface::directions::vector;
-
-/// Place along the edge of a slot, which is closed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum EdgePlace {
-    /// On the end that is 1 or −1 along ψ: χ of its half circle, −90° at the lower straight stretch, 0 at
-    /// the tip and 90° at the upper one.
-    End(f64, f64),
-    /// On the straight stretch that is 1 or −1 towards +z: ψ from the middle of the slot.
-    Straight(f64, f64),
-}
-
-impl EdgePlace {
-    /// Another place on its stretch.
-    #[must_use]
-    pub fn moved(self, by_rad: f64) -> Self {
-        match self {
-            Self::End(end, turn) => Self::End(end, turn + by_rad),
-            Self::Straight(side, local) => Self::Straight(side, local + by_rad),
-        }
-    }
-}
 
 /// Section of the edge across its line of centres: an arc of radius re from the groove to the wall, and
 /// the wall from there to the floor, along the axis of the mill.

@@ -6,7 +6,8 @@
 //! decides. Points farther off than the rest weigh less, as Huber has it.
 
 use super::centre_line::CentreLine;
-use super::edge::{Edge, EdgePlace};
+use super::edge::Edge;
+use super::edge_place::EdgePlace;
 use super::recess_frame::RecessFrame;
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::bspline::Vec3;

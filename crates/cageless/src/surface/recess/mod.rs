@@ -9,6 +9,7 @@
 mod centre_line;
 mod edge;
 mod edge_fit;
+mod edge_place;
 mod measured_slot;
 mod recess_frame;
 mod strip;
@@ -16,7 +17,8 @@ mod volume;
 
 use std::f64::consts::FRAC_PI_2;
 
-pub use edge::{Edge, EdgePlace};
+pub use edge::Edge;
+pub use edge_place::EdgePlace;
 pub use measured_slot::MeasuredSlot;
 
 use super::patch::{Patch, PatchError};

@@ -1,6 +1,7 @@
 //! The rounded edge and the wall of a slot along one of its stretches, as sheets.
 
-use super::edge::{Edge, EdgePlace};
+use super::edge::Edge;
+use super::edge_place::EdgePlace;
 use super::recess_frame::RecessFrame;
 use crate::numerics::bspline::Vec3;
 use crate::numerics::vector::{dot, plus};

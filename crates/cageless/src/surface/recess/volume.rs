@@ -6,7 +6,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::edge::EdgePlace;
+use super::edge_place::EdgePlace;
 use super::recess_frame::RecessFrame;
 use super::strip::{Part, Strip};
 use crate::numerics::bspline::Vec3;
