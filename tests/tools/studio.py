@@ -128,7 +128,7 @@ def verdict(s):
     said = s.text("verdict")
     s.check("the simulated verdict replaces it", "PASS" in said or "FAIL" in said, said)
     rows = s.js("document.querySelectorAll('[data-part=terms] tbody tr').length")
-    s.check("with its margins", rows == 3, rows)
+    s.check("with its margins", rows == 4, rows)
     terms = s.text("terms")
     s.check("each with its limit and unit", all(part in terms for part in ("Simulated", "≤ 5", "≥ 80", "≤ 25", "%")), terms)
 

@@ -172,7 +172,7 @@ fn slots_are_measured() {
     assert_eq!(checked.code, Some(0), "{checked:?}");
 
     let answer = measure(&case, &points, &[]);
-    for line in ["radius of the rounded edges", "depth error of the edges"] {
+    for line in ["radius of the rounded edges", "depth error"] {
         assert!(answer.stdout.contains(line), "{answer:?}");
     }
     let plain = self::points(&repository_case("conventional.toml"), dir.path());

@@ -42,6 +42,7 @@ fn summary_and_tables_are_views_of_one_table() {
     let elsewhere = [
         "rotor",
         "support",
+        "row_",
         "ring_z",
         "tilt",
         "contact_angle",

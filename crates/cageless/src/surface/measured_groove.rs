@@ -12,8 +12,10 @@ use crate::raceway::{Linearised, PowerAngle, fit_flanks};
 const POINTS_MIN: usize = 50;
 /// Largest root-mean-square distance of the points, in parts of Re − Rw.
 const DEVIATION_MAX: f64 = 0.03;
+/// Depth errors, in parts of the largest, of which the best is the first guess.
+const GUESSES: [f64; 7] = [-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9];
 /// Depth errors on both sides of the best one so far between which the next is found, m.
-const STEPS_M: [f64; 3] = [5e-6, 1e-6, 2e-7];
+const STEPS_M: [f64; 3] = [2e-6, 5e-7, 1e-7];
 /// Smallest depth error that is told from none, m, and by how many of its standard errors.
 const DEPTH_ERROR_MIN_M: f64 = 1e-7;
 const STANDARD_ERRORS: f64 = 4.0;
@@ -95,7 +97,11 @@ impl MeasuredGroove {
         };
         let square = |depth_error_m: f64| Some(fitted(depth_error_m)?.1[0].powi(2));
         // The squares are a parabola over the depth error but for the curvature of the flanks.
-        let best = STEPS_M.iter().try_fold(0.0, |at_m, step_m| {
+        let guesses = GUESSES.map(|part| part * unit_m).into_iter();
+        let guesses = guesses.filter_map(|guess_m| Some((square(guess_m)?, guess_m)));
+        let guess = guesses.min_by(|a, b| a.0.total_cmp(&b.0));
+        let first_m = guess.map_or(0.0, |(_, guess_m)| guess_m);
+        let best = STEPS_M.iter().try_fold(first_m, |at_m, step_m| {
             let [low, middle, high] = [at_m - step_m, at_m, at_m + step_m].map(square);
             let (low, middle, high) = (low?, middle?, high?);
             let curvature = low - 2.0 * middle + high;
