@@ -23,7 +23,7 @@ const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 pub struct Background(pub Option<NonZeroUsize>, pub Option<Py<PyAny>>);
 
 impl Background {
-    /// The same on one thread if `alone`.
+    /// One thread if `alone`, else the number of threads as given, with the same callback.
     pub fn on_one(self, alone: bool) -> Self {
         let Self(threads, callback) = self;
         Self(alone.then_some(NonZeroUsize::MIN).or(threads), callback)

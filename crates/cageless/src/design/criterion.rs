@@ -141,13 +141,10 @@ pub fn percent_beside(value: f64, limit: f64) -> String {
 impl std::fmt::Display for Criterion {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (value, limit) = (self.value(), self.limit());
-        if let Self::Pressure(_) = self {
-            return overload(f, [value, limit]);
-        }
         let shown = percent_beside(value, limit);
         let bound = 100.0 * limit;
         match self {
-            Self::Pressure(_) => Ok(()),
+            Self::Pressure(_) => return write_pressure(f, [value, limit]),
             Self::Separation(_) if value < 0.0 => write!(
                 f,
                 "sliding does not lower the critical gap (limit {bound:.0} % of β0"
@@ -179,8 +176,8 @@ impl std::fmt::Display for Criterion {
     }
 }
 
-/// A pressure over its limit in MPa.
-fn overload(f: &mut std::fmt::Formatter<'_>, fractions: [f64; 2]) -> std::fmt::Result {
+/// Writes a pressure, its limit and the margin, all in MPa.
+fn write_pressure(f: &mut std::fmt::Formatter<'_>, fractions: [f64; 2]) -> std::fmt::Result {
     let [value, limit] = fractions.map(|fraction| 1e-6 * STRESS_LIMIT_PA * fraction);
     let digits = decimals(value, limit, 0);
     let (word, margin) = match value <= limit {

@@ -157,8 +157,8 @@ pub fn judge_watched(
         false => Some(steady_gap_rad(&case.bearing, &case.raceways)),
         true => measured_steady_gap_rad(case, &statistics),
     };
-    let pass = statistics.iter().any(Option::is_some);
-    let pressure = pass.then(|| pressure_at_rest_pa(case)).transpose()?;
+    let any_passed = statistics.iter().any(Option::is_some);
+    let pressure = any_passed.then(|| pressure_at_rest_pa(case)).transpose()?;
     let pressure_pa = pressure.map(|[inner, outer]| inner.max(outer));
     let judged = criticals
         .into_iter()

@@ -16,7 +16,7 @@ const DEVIATION_MAX: f64 = 0.03;
 const GUESSES: [f64; 7] = [-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9];
 /// Depth errors on both sides of the best one so far between which the next is found, m.
 const STEPS_M: [f64; 3] = [2e-6, 5e-7, 1e-7];
-/// Smallest depth error that is told from none, m, and by how many of its standard errors.
+/// Smallest depth error that is significant, m and in standard errors of the fit.
 const DEPTH_ERROR_MIN_M: f64 = 1e-7;
 const STANDARD_ERRORS: f64 = 4.0;
 
@@ -93,49 +93,45 @@ impl MeasuredGroove {
                 };
                 seen.iter().map(row).collect()
             };
-            fit_flanks(theta, &observed)
+            let (flanks, [mean_m, largest_m]) = fit_flanks(theta, &observed)?;
+            let deviation = PointDeviation {
+                points: count,
+                mean_m,
+                largest_m,
+            };
+            Some(Self {
+                flanks,
+                depth_error_m,
+                deviation,
+            })
         };
-        let square = |depth_error_m: f64| Some(fitted(depth_error_m)?.1[0].powi(2));
-        // The squares are a parabola over the depth error but for the curvature of the flanks.
+        let square = |depth_error_m: f64| Some(fitted(depth_error_m)?.deviation.mean_m.powi(2));
         let guesses = GUESSES.map(|part| part * unit_m).into_iter();
         let guesses = guesses.filter_map(|guess_m| Some((square(guess_m)?, guess_m)));
         let guess = guesses.min_by(|a, b| a.0.total_cmp(&b.0));
         let first_m = guess.map_or(0.0, |(_, guess_m)| guess_m);
-        let best = STEPS_M.iter().try_fold(first_m, |at_m, step_m| {
+        // The squares are a parabola over the depth error but for the curvature of the flanks.
+        let best_m = STEPS_M.iter().try_fold(first_m, |at_m, step_m| {
             let [low, middle, high] = [at_m - step_m, at_m, at_m + step_m].map(square);
             let (low, middle, high) = (low?, middle?, high?);
             let curvature = low - 2.0 * middle + high;
             let way = 0.5 * (low - high) / curvature;
             (curvature > 0.0).then_some(at_m + way * step_m)
         });
-        let best = best.and_then(|depth_error_m| Some((depth_error_m, fitted(depth_error_m)?)));
-        let none = fitted(0.0).map(|none| (0.0, none));
+        let none = fitted(0.0);
         // One parameter more takes about 1/N of the squares by chance.
-        let told = |(depth_error_m, (_, [mean_m, _])): &(f64, (PowerAngle, [f64; 2]))| {
-            let less = none.is_none_or(|(_, (_, [none_m, _]))| {
-                (none_m / mean_m).powi(2) - 1.0 > STANDARD_ERRORS.powi(2) / count as f64
+        let significant = |deep: &Self| {
+            let less = none.as_ref().is_none_or(|none| {
+                let ratio = none.deviation.mean_m / deep.deviation.mean_m;
+                ratio.powi(2) - 1.0 > STANDARD_ERRORS.powi(2) / count as f64
             });
-            less && depth_error_m.abs() > DEPTH_ERROR_MIN_M
+            less && deep.depth_error_m.abs() > DEPTH_ERROR_MIN_M
         };
-        let found = best.filter(told).or(none);
-        match found {
-            Some((depth_error_m, (flanks, [mean_m, largest_m])))
-                if mean_m <= DEVIATION_MAX * frame.offset_m =>
-            {
-                let deviation = PointDeviation {
-                    points: count,
-                    mean_m,
-                    largest_m,
-                };
-                Ok(Self {
-                    flanks,
-                    depth_error_m,
-                    deviation,
-                })
-            }
+        match best_m.and_then(fitted).filter(significant).or(none) {
+            Some(found) if found.deviation.mean_m <= DEVIATION_MAX * frame.offset_m => Ok(found),
             other => {
-                let nearest = other.map_or_else(String::new, |(_, (_, [mean_m, _]))| {
-                    let percent = 100.0 * mean_m / frame.offset_m;
+                let nearest = other.map_or_else(String::new, |found| {
+                    let percent = 100.0 * found.deviation.mean_m / frame.offset_m;
                     format!(", which the nearest misses by {percent:.0} % of Re − Rw in the mean")
                 });
                 refuse(&format!(

@@ -12,7 +12,7 @@ pub struct PointDeviation {
 }
 
 impl PointDeviation {
-    /// Of distances with any sign; NaN without points.
+    /// Deviation of points at these signed distances, m; the mean is NaN without points.
     pub(super) fn of(errors_m: impl Iterator<Item = f64>) -> Self {
         let (mut points, mut squares, mut largest_m) = (0, 0.0, 0.0f64);
         for error in errors_m {
