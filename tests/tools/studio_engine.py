@@ -83,7 +83,7 @@ def agreement(s):
     paper = own.replace('formulation = "physical"', 'formulation = "paper"')
     s.check("the case can be that of the paper", paper != own)
     cb74 = (Path(__file__).parents[2] / "cases/cb74.toml").read_text(encoding="utf-8")
-    for name, toml in ((s.name, own), ("profile paper", paper), ("CB74", cb74)):
+    for name, toml in ((s.name, own), ("formulation paper", paper), ("CB74", cb74)):
         for what, request, of in (
             ("geometry and closed forms", "{ op: 'geometry' }", "((answer) => answer)"),
             ("static equilibrium", "{ op: 'static' }", "((answer) => answer)"),

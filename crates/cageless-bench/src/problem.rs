@@ -5,7 +5,7 @@ use cageless::dynamics::coordinates::{BALL, BallCoordinate, DROP, RingCoordinate
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
-use cageless::{Case, FrictionLaw, IntegrationMethod, Profile};
+use cageless::{Case, Formulation, FrictionLaw, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 
 const CB74: &str = include_str!("../../../cases/cb74.toml");
@@ -67,8 +67,9 @@ impl Problem {
 fn read(text: &str, changes: &[String]) -> Result<Case> {
     let case = CaseFile::parse(text, "the case", changes)?.case().clone();
     ensure!(
-        case.profile == Profile::Physical && case.contact.friction_law == FrictionLaw::Smooth,
-        "the textbook has the physical profile with smooth friction only"
+        case.formulation == Formulation::Physical
+            && case.contact.friction_law == FrictionLaw::Smooth,
+        "the textbook has the physical formulation with smooth friction only"
     );
     Ok(case)
 }

@@ -1,5 +1,5 @@
 //! The equations of motion as one writes them down first: scalar, ball by ball, contact by contact,
-//! in the order of Zhao 2022, Eq. (12) to (22), `physical` profile and smooth friction; of a drop
+//! in the order of Zhao 2022, Eq. (12) to (22), `physical` formulation and smooth friction; of a drop
 //! with the bodies of [`DROP`](cageless::dynamics::coordinates::DROP).
 //!
 //! Not slowed down on purpose: contacts that carry nothing are skipped, each pair of neighbours is
@@ -49,7 +49,7 @@ const NEWTON_MAX: u32 = 20;
 type Contact = (f64, f64, f64);
 
 impl Textbook {
-    /// Of a case in the `physical` profile with the smooth law of friction.
+    /// Of a case in the `physical` formulation with the smooth law of friction.
     pub fn new(case: &Case) -> Self {
         let (bearing, contact) = (&case.bearing, &case.contact);
         let d = bearing.dimensions();

@@ -38,7 +38,7 @@ fn table_2() {
     });
 }
 
-/// In the physical profile balls slip earlier; the theory is the same.
+/// In the physical formulation balls slip earlier; the theory is the same.
 #[test]
 fn the_chosen_structure_is_smooth_in_the_physical_profile() {
     let answer = call_on("design", &repository_case("zhao-d.toml"), &[], &["--json"]);

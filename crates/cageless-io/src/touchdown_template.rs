@@ -62,7 +62,7 @@ friction_coefficient = 0.1                     # (assumed) balls: dry steel 0.1 
 
 # The rotor that drops when the active magnetic bearing (AMB) loses power.
 [rotor]
-mass_kg = {rotor_kg:<36} # (assumed) share of this bearing: 1 % of C0r
+mass_kg = {rotor_kg:<36} # (assumed) share of this bearing: a little below 1 % of C0r of a row
 polar_inertia_kg_m2 = {rotor_inertia:<24e} # (assumed) about its axis, m·d²
 speed_rpm = {speed_rpm:<34} # (assumed) at the start; surface speed {surface_m_s:.0} m/s
 radial_clearance_um = 200.0                             # (assumed) radial touch-down clearance: half the gap of

@@ -79,7 +79,7 @@ const EDITS: &[Row] = &[
     (START, "[search]\nruns_max = 0.5 #", "search.runs_max", &["a whole number, 1 or more"]),
     (START, "[search]\ncritical_gap_min_fraction = 1.0 #", "search.critical_gap_min_fraction", &["less than 1"]),
     (START, "[search]\naxial_load_max_n = -1.0 #", "search.axial_load_max_n", &["at least 0 N"]),
-    ("formulation = \"physical\"", "formulation = \"paper\"\n[search]\naxial_load_max_n = 100.0 #", "search.axial_load_max_n", &["100", "0 in the profile \"paper\""]),
+    ("formulation = \"physical\"", "formulation = \"paper\"\n[search]\naxial_load_max_n = 100.0 #", "search.axial_load_max_n", &["100", "0 in the formulation \"paper\""]),
     (START, "[search]\ninitial_states = 0 #", "search.initial_states", &["from 1 to 64"]),
     (START, "[search]\nruns_max = 1 #", "search.runs_max", &["32 or more with search.initial_states = 2"]),
     (START, "[search]\nmap_speed_rpm = [0] #", "search.map_speed_rpm", &["more than 0 rpm"]),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::common::edited;
-use cageless::{FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
+use cageless::{Formulation, FrictionLaw, Gaps, IntegrationMethod, Start};
 use cageless_io::case_file::{CaseFile, CaseValue, Source, template, unit};
 use proptest::prelude::*;
 
@@ -59,7 +59,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
         (FrictionLaw::Smooth, 2e5)
     );
     assert_eq!((c.ball_restitution, c.inner_stiffness_n_m1_5), (0.95, None));
-    assert_eq!(case.profile, Profile::Physical);
+    assert_eq!(case.formulation, Formulation::Physical);
     assert_eq!(
         case.start,
         Start::Settled {
@@ -335,8 +335,8 @@ fn overrides_win_over_the_file_and_the_last_over_the_first() {
     assert_eq!(file.value("operation.inner_speed_rpm"), Some(3000.0.into()));
     assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.2e-3);
     assert_eq!(
-        (case.profile, case.contact.friction_law),
-        (Profile::Paper, FrictionLaw::Coulomb)
+        (case.formulation, case.contact.friction_law),
+        (Formulation::Paper, FrictionLaw::Coulomb)
     );
     assert_eq!((case.title.as_str(), case.seed), ("as a test", 16));
     assert_eq!(case.contact.outer_stiffness_n_m1_5, Some(1.3e10));

@@ -2,25 +2,25 @@
 //! stand in `cases/`.
 //!
 //! ```
-//! use cageless::{FrictionLaw, Profile};
+//! use cageless::{FrictionLaw, Formulation};
 //! use cageless_paper::structure;
 //!
-//! let reading = (Profile::Physical, FrictionLaw::Smooth);
+//! let reading = (Formulation::Physical, FrictionLaw::Smooth);
 //! let case = structure(3, reading, &[])?; // structure (d)
 //! assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.1e-3);
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 
-use cageless::{Bearing, Case, FrictionLaw, Profile};
+use cageless::{Bearing, Case, Formulation, FrictionLaw};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
 use cageless_study::RacewayLabel;
 
 /// The two sets of equations, each with the friction law that goes with it: as published,
 /// and physically consistent.
-pub(crate) const READINGS: [(Profile, FrictionLaw); 2] = [
-    (Profile::Paper, FrictionLaw::Coulomb),
-    (Profile::Physical, FrictionLaw::Smooth),
+pub(crate) const READINGS: [(Formulation, FrictionLaw); 2] = [
+    (Formulation::Paper, FrictionLaw::Coulomb),
+    (Formulation::Physical, FrictionLaw::Smooth),
 ];
 
 /// A row of Table 2 with the judgement of Section 4.3.
@@ -141,7 +141,7 @@ pub fn experiment() -> Result<[Case; 2], CaseError> {
 /// An override is wrong.
 pub fn structure(
     k: usize,
-    reading: (Profile, FrictionLaw),
+    reading: (Formulation, FrictionLaw),
     overrides: &[String],
 ) -> Result<Case, CaseError> {
     Ok(structure_file(k, reading, overrides)?.case().clone())
@@ -150,7 +150,7 @@ pub fn structure(
 /// The case file of [`structure`].
 pub(crate) fn structure_file(
     k: usize,
-    reading: (Profile, FrictionLaw),
+    reading: (Formulation, FrictionLaw),
     overrides: &[String],
 ) -> Result<CaseFile, CaseError> {
     let Published {
@@ -170,9 +170,9 @@ pub(crate) fn structure_file(
     paper_case(false, &title, &all)
 }
 
-fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
+fn reading_overrides((formulation, law): (Formulation, FrictionLaw)) -> [String; 2] {
     [
-        format!("model.formulation=\"{}\"", profile.name()),
+        format!("model.formulation=\"{}\"", formulation.name()),
         format!("contact.friction_law=\"{}\"", law.name()),
     ]
 }
@@ -198,7 +198,7 @@ pub fn structures_of(bearing: &Bearing) -> Result<Vec<RacewayLabel>, CaseError> 
             d.outer_shoulder_radius_m,
         )
     };
-    let reading = (Profile::Physical, FrictionLaw::Smooth);
+    let reading = (Formulation::Physical, FrictionLaw::Smooth);
     let mut here = vec![];
     for k in 0..PUBLISHED.len() {
         let case = structure(k, reading, &[])?;

@@ -2,7 +2,7 @@
 
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::{StartingPoint, starting_point};
-use cageless::{FrictionLaw, Profile};
+use cageless::{Formulation, FrictionLaw};
 use cageless_study::{StudyError, Work};
 
 use crate::cases::{self, READINGS};
@@ -24,7 +24,7 @@ pub struct Extra {
 
 /// Computes them.
 pub fn compute(progress: &Work<'_>) -> Result<Extra, StudyError> {
-    let usable = |reading: (Profile, FrictionLaw)| {
+    let usable = |reading: (Formulation, FrictionLaw)| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {
             Ok(found) => found,

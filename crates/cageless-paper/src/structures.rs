@@ -10,7 +10,7 @@ use cageless::numerics::angle::wrap_angle_rad;
 use cageless::numerics::moments::Moments;
 use cageless::recorder::{Recorder, keeping};
 use cageless::snapshot::Snapshot;
-use cageless::{Case, FrictionLaw, Profile, RacewayForm};
+use cageless::{Case, Formulation, FrictionLaw, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
@@ -155,7 +155,7 @@ pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], StudyError> {
 }
 
 fn one(
-    reading: (Profile, FrictionLaw),
+    reading: (Formulation, FrictionLaw),
     k: usize,
     progress: &Work<'_>,
     share: f64,
@@ -226,7 +226,7 @@ fn last_passage(snapshots: &[Snapshot]) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, StudyError> {
+fn gather(ones: Vec<One>, reading: (Formulation, FrictionLaw)) -> Result<Ten, StudyError> {
     let provenance = shared_provenance(&cases::structure(0, reading, &[])?);
     let (found, portraits, passages) = ones.into_iter().collect();
     Ok(Ten {

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use cageless::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
-use cageless::{Case, FlankModel, FrictionLaw, Profile};
+use cageless::{Case, FlankModel, Formulation, FrictionLaw};
 use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 
@@ -13,13 +13,22 @@ use crate::cases::{self, ODD_ROW, PUBLISHED, label};
 use cageless_study::{StudyError, Work};
 
 /// Columns: what the paper can be read as, and the flanks of metal.
-const VARIANTS: [((Profile, FrictionLaw), FlankModel); 5] = [
-    ((Profile::Paper, FrictionLaw::Coulomb), FlankModel::Rigid),
-    ((Profile::Paper, FrictionLaw::Smooth), FlankModel::Rigid),
-    ((Profile::Physical, FrictionLaw::Coulomb), FlankModel::Rigid),
-    ((Profile::Physical, FrictionLaw::Smooth), FlankModel::Rigid),
+const VARIANTS: [((Formulation, FrictionLaw), FlankModel); 5] = [
     (
-        (Profile::Physical, FrictionLaw::Smooth),
+        (Formulation::Paper, FrictionLaw::Coulomb),
+        FlankModel::Rigid,
+    ),
+    ((Formulation::Paper, FrictionLaw::Smooth), FlankModel::Rigid),
+    (
+        (Formulation::Physical, FrictionLaw::Coulomb),
+        FlankModel::Rigid,
+    ),
+    (
+        (Formulation::Physical, FrictionLaw::Smooth),
+        FlankModel::Rigid,
+    ),
+    (
+        (Formulation::Physical, FrictionLaw::Smooth),
         FlankModel::Elastic,
     ),
 ];
@@ -206,11 +215,11 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, StudyError> {
     }
     let mut spreads = vec![];
     for column in SPREAD_OF {
-        let ((profile, law), _) = VARIANTS[column];
+        let ((formulation, law), _) = VARIANTS[column];
         for change in &changes {
             spreads.push(Spread {
                 cause: change.cause.to_owned(),
-                variant: format!("{}, {}", profile.name(), law.name()),
+                variant: format!("{}, {}", formulation.name(), law.name()),
                 change_deg: (0..10)
                     .map(|row| {
                         let before = find(column, row, &base)?;
@@ -225,9 +234,9 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, StudyError> {
         table: Table2 {
             variants: VARIANTS
                 .iter()
-                .map(|&((profile, law), flanks)| Variant {
-                    profile: match flanks {
-                        FlankModel::Rigid => profile.name().to_owned(),
+                .map(|&((formulation, law), flanks)| Variant {
+                    formulation: match flanks {
+                        FlankModel::Rigid => formulation.name().to_owned(),
                         FlankModel::Elastic => Variant::ELASTIC.to_owned(),
                     },
                     friction_law: law.name().to_owned(),
@@ -241,7 +250,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, StudyError> {
                      raceway",
                     case.operation.radial_load_n
                 ),
-                profile: Some("as in the column heads".to_owned()),
+                formulation: Some("as in the column heads".to_owned()),
                 friction_law: Some("as in the column heads".to_owned()),
                 method: Some("ABM4".to_owned()),
                 step_us: Some(STEP_US),
@@ -278,8 +287,8 @@ impl Computed {
 
     /// Largest |change| of a spread over the rows, degrees.
     pub fn spread_deg(&self, cause: &str, column: usize) -> f64 {
-        let ((profile, law), _) = VARIANTS[column];
-        let variant = format!("{}, {}", profile.name(), law.name());
+        let ((formulation, law), _) = VARIANTS[column];
+        let variant = format!("{}, {}", formulation.name(), law.name());
         self.table
             .spreads
             .iter()

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless::{Case, FrictionLaw, Profile};
+use cageless::{Case, Formulation, FrictionLaw};
 use cageless_io::case_file::CaseFile;
 use cageless_paper::{experiment, structure, structures_of};
 fn case_of_file(name: &str) -> Case {
@@ -13,7 +13,7 @@ fn case_of_file(name: &str) -> Case {
 
 #[test]
 fn structures_are_those_of_the_case_files() {
-    let reading = (Profile::Physical, FrictionLaw::Smooth);
+    let reading = (Formulation::Physical, FrictionLaw::Smooth);
     for (k, letter) in ('a'..='j').enumerate() {
         let case = structure(k, reading, &[]).unwrap();
         assert_eq!(case, case_of_file(&format!("zhao-{letter}")));
@@ -32,7 +32,7 @@ fn the_experiment_is_that_of_the_case_files() {
 
 #[test]
 fn the_structures_of_the_paper_are_those_of_its_bearing() {
-    let reading = (Profile::Physical, FrictionLaw::Smooth);
+    let reading = (Formulation::Physical, FrictionLaw::Smooth);
     let case = structure(3, reading, &[]).unwrap();
     let own = structures_of(&case.bearing).unwrap();
     assert_eq!(own.len(), 10);

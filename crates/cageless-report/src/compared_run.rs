@@ -25,7 +25,7 @@ pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
     let step_us = all().next().and_then(|from| from.step_us);
     Provenance {
         case: cases.collect::<Vec<_>>().join("; "),
-        profile: joined(|from| from.profile.clone()),
+        formulation: joined(|from| from.formulation.clone()),
         friction_law: joined(|from| from.friction_law.clone()),
         method: joined(|from| from.method.clone()),
         step_us: step_us.filter(|_| all().all(|from| from.step_us == step_us)),

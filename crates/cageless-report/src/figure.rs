@@ -9,7 +9,7 @@ use crate::text::{escape, rich, script_json, slug};
 /// A numbered figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// `Figure 6, paper profile`; its slug is the anchor and the name of saved files.
+    /// `Figure 6, paper formulation`; its slug is the anchor and the name of saved files.
     pub label: String,
     /// Caption: what the figure shows.
     pub caption: String,
@@ -30,15 +30,15 @@ impl Figure {
         }
     }
 
-    /// A figure of the paper, labelled with the profile too.
+    /// A figure of the paper, labelled with the formulation too.
     pub fn of_paper(label: &str, caption: &str, provenance: &Provenance, plot: Plot) -> Self {
-        Self::new(label, caption, provenance, plot).with_profile()
+        Self::new(label, caption, provenance, plot).with_formulation()
     }
 
-    /// The profile behind a comma of the label, if there is one.
-    pub fn with_profile(mut self) -> Self {
-        if let Some(profile) = &self.provenance.profile {
-            self.label = format!("{}, profile {profile}", self.label);
+    /// The formulation behind a comma of the label, if there is one.
+    pub fn with_formulation(mut self) -> Self {
+        if let Some(formulation) = &self.provenance.formulation {
+            self.label = format!("{}, formulation {formulation}", self.label);
         }
         self
     }

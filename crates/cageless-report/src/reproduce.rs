@@ -66,7 +66,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     if !data.vibrations.is_empty() {
         page.section("Vibration");
         for vibration in &data.vibrations {
-            page.figure(&vibration::vibration("Figure 12", vibration).with_profile());
+            page.figure(&vibration::vibration("Figure 12", vibration).with_formulation());
         }
     }
     if let Some(rings) = &data.ring_comparison {
@@ -137,7 +137,7 @@ fn head(data: &ReproduceData) -> Head {
 }
 
 const STUDIO: &str = "Structure (d) of Table 2, the raceway of the experiment, with the equations of \
-    the profile `physical`. Everything above stays as it was computed.";
+    the formulation `physical`. Everything above stays as it was computed.";
 
 const SOURCE: &str = "Zhao, Y.; Zhou, G.; Wang, Q. Discrete Dynamics of Balls in Cageless Ball \
     Bearings. Symmetry 2022, 14, 2242, doi 10.3390/sym14112242 (CC BY). Numbers of figures, tables \

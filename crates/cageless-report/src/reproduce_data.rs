@@ -10,7 +10,7 @@ use crate::geometry::{ContactTrack, RacewaySurface};
 
 /// All that the reproduction of the paper shows.
 ///
-/// Figures that exist once per profile are vectors, one figure per entry. What is
+/// Figures that exist once per formulation are vectors, one figure per entry. What is
 /// left empty is left out of the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct ReproduceData {
@@ -65,18 +65,18 @@ pub struct Table2 {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Variant {
     /// `paper`, `physical`, or [`Self::ELASTIC`]: physical on elastic flanks.
-    pub profile: String,
+    pub formulation: String,
     /// `coulomb` or `smooth`.
     pub friction_law: String,
 }
 
 impl Variant {
-    /// The profile of the column with the flanks of metal, which the paper does not have.
+    /// The formulation of the column with the flanks of metal, which the paper does not have.
     pub const ELASTIC: &str = "elastic";
 
     /// Whether the paper can be read as this.
     pub fn is_of_the_paper(&self) -> bool {
-        self.profile != Self::ELASTIC
+        self.formulation != Self::ELASTIC
     }
 }
 

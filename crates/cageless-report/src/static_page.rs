@@ -39,7 +39,7 @@ fn provenance(file: &CaseFile) -> Provenance {
     Provenance {
         case: file.case().title.clone(),
         method: Some("static equilibrium".to_owned()),
-        profile: Some(file.case().profile.name().to_owned()),
+        formulation: Some(file.case().formulation.name().to_owned()),
         ..Provenance::default()
     }
 }

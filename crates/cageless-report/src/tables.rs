@@ -79,7 +79,7 @@ pub fn table2(table: &Table2) -> Table {
     for variant in &table.variants {
         let compared = variant.is_of_the_paper();
         groups.push((
-            format!("{}, {} (°)", variant.profile, variant.friction_law),
+            format!("{}, {} (°)", variant.formulation, variant.friction_law),
             1 + usize::from(compared),
         ));
         columns.push(number("gap"));

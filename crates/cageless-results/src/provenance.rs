@@ -13,7 +13,7 @@ pub struct Provenance {
     /// The case: bearing, structure, speed, load.
     pub case: String,
     /// `paper` or `physical`; `None` where nothing was simulated.
-    pub profile: Option<String>,
+    pub formulation: Option<String>,
     /// Friction law with its scale, for example `smooth, 0.02 m/s`.
     pub friction_law: Option<String>,
     /// Integration method.
@@ -25,10 +25,14 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// One line: case, profile, friction law, method and step, what was discarded.
+    /// One line: case, formulation, friction law, method and step, what was discarded.
     pub fn line(&self) -> String {
         let mut parts = vec![self.case.clone()];
-        parts.extend(self.profile.as_ref().map(|p| format!("profile {p}")));
+        parts.extend(
+            self.formulation
+                .as_ref()
+                .map(|p| format!("formulation {p}")),
+        );
         parts.extend(self.friction_law.as_ref().map(|f| format!("friction {f}")));
         match (&self.method, self.step_us) {
             (Some(method), Some(step)) => parts.push(format!("{method}, step {} µs", short(step))),
@@ -36,7 +40,7 @@ impl Provenance {
             (None, Some(step)) => parts.push(format!("step {} µs", short(step))),
             (None, None) => {}
         }
-        if self.profile.is_none() {
+        if self.formulation.is_none() {
             parts.push("geometry alone, nothing simulated".to_owned());
         } else if self.discarded.is_empty() {
             parts.push("nothing discarded".to_owned());
@@ -58,7 +62,7 @@ pub fn software() -> String {
 pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: case.title.clone(),
-        profile: Some(case.profile.name().to_owned()),
+        formulation: Some(case.formulation.name().to_owned()),
         friction_law: Some(case.contact.friction_law.describe(&case.contact.friction)),
         method: Some(case.solver.method.properties().label.to_owned()),
         step_us: Some(microseconds(case.solver.step_s)),

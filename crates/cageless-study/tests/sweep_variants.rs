@@ -61,18 +61,18 @@ fn the_grid_is_a_product_whose_last_axis_varies_fastest() {
     let rows = rows(&sweep);
     let balls = numbers(&sweep, &rows, "bearing_balls");
     let loads = numbers(&sweep, &rows, "operation_radial_load_n");
-    let profiles = column(&sweep, &rows, "model_formulation");
+    let formulations = column(&sweep, &rows, "model_formulation");
     let friction = numbers(&sweep, &rows, "contact_friction_coefficient");
     let mass = numbers(&sweep, &rows, "bearing_inner_ring_mass_kg");
     assert!(mass[0] != mass[1] && mass.iter().all(|m| (m - 0.2).abs() <= 0.05));
     for (k, row) in rows.iter().enumerate() {
         assert_eq!(row[0], Cell::Integer(k as i64));
         assert_eq!(row.len(), sweep.columns().len());
-        // In the order of a case file: balls, load, profile; then points, then repeats.
+        // In the order of a case file: balls, load, formulation; then points, then repeats.
         assert_eq!(balls[k], [12.0, 13.0, 14.0][k / 32]);
         assert_eq!(loads[k], [500.0, 1000.0][k / 16 % 2]);
         assert_eq!(
-            profiles[k],
+            formulations[k],
             Cell::Text(["physical", "paper"][k / 8 % 2].to_owned())
         );
         // The same points and the same deviations at every node.

@@ -19,17 +19,17 @@ use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::space::SpatialEquilibrium;
 use crate::equilibrium::{self, EquilibriumError, effective_radius_m, start_angles_rad};
+use crate::formulation::Formulation;
 use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
-use crate::profile::Profile;
 use crate::step_limits;
 
 /// State at t = 0 and ψ of every ball.
 ///
 /// `Rolling`: balls on Rm, or with interference where both rings press them alike, with Ω(r) and the spin of Zhao 2022, Eq. (1) to (3), each with
 /// its own r. `Settled`: the same speeds at the distances of the static equilibrium. In the
-/// `physical` profile no contact slides then; in `paper` the inner one by some mm/s, as
+/// `physical` formulation no contact slides then; in `paper` the inner one by some mm/s, as
 /// its Eq. (2) and (3) agree only on Rm. `AtRest`: balls there and both rings at the centre, all
 /// at rest, and the rotor, if there is one, where the magnetic bearing held it.
 ///
@@ -126,9 +126,9 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             }
         });
         let (r, orbit) = (rest.effective_radius_m, rest.orbit_speed_rad_s);
-        let (speed, spin) = match case.profile {
-            Profile::Physical => (orbit * pitch, rolling_rotation_rad_s(bearing, orbit, r)),
-            Profile::Paper => (
+        let (speed, spin) = match case.formulation {
+            Formulation::Physical => (orbit * pitch, rolling_rotation_rad_s(bearing, orbit, r)),
+            Formulation::Paper => (
                 orbit * distance,
                 rolling_relative_rotation_rad_s(bearing, orbit, r),
             ),

@@ -5,7 +5,7 @@
 //! The model is that of Zhao, Zhou, Wang, *Discrete Dynamics of Balls in
 //! Cageless Ball Bearings*, Symmetry 2022, 14, 2242 ("Zhao 2022" below), with a
 //! switch between the equations as published and a physically consistent set
-//! ([`Profile`]).
+//! ([`Formulation`]).
 //!
 //! # Frame
 //! Origin at the centre of the fixed outer ring; +Y up, gravity and radial load
@@ -29,6 +29,7 @@ pub mod equilibrium;
 pub mod error;
 pub mod fit;
 mod flank_model;
+mod formulation;
 pub mod gap;
 mod gap_scatter;
 pub mod initial_conditions;
@@ -44,7 +45,6 @@ pub mod numerics;
 pub mod orbit_means;
 pub mod outer_contact_geometry;
 pub mod passage;
-mod profile;
 pub mod raceway;
 pub mod raceway_contact;
 pub mod rating;
@@ -76,10 +76,10 @@ pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
 pub use error::InputError;
 pub use fit::{Fit, OperatingClearance};
 pub use flank_model::FlankModel;
+pub use formulation::Formulation;
 pub use integrator::IntegrationMethod;
 pub use lubrication::{Lubricant, Lubrication, SkfSeries};
 pub use material::{Material, Materials};
-pub use profile::Profile;
 pub use raceway::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 pub use rotor::{Rotor, Shaft, Support, SupportStop};
 pub use scope::SCOPE;

@@ -71,7 +71,7 @@ impl OrbitMeans {
     }
 
     /// Part of [`Self::power_loss_w`] that does not become heat in the interval, W: the rise of the
-    /// stored energy less the work of loads and weights (in the `paper` profile also of the
+    /// stored energy less the work of loads and weights (in the `paper` formulation also of the
     /// forces that the published equations add). It vanishes in the mean of a steady motion.
     pub fn stored_w(&self) -> f64 {
         self.power_loss_w() - self.heat_w()

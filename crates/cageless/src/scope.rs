@@ -8,5 +8,5 @@ pub const SCOPE: [&str; 6] = [
     "rings rigid except at the Hertz contacts; the outer ring is fixed (in a drop it may have an elastic support)",
     "speed and load prescribed, constant or as tables over time; a rotor that moves along its axis does so as a rigid body, and has no torsional motion",
     "dry friction laws: no lubricant film, no churning",
-    "no temperatures: frictional heat is summed, but dimensions, friction and material stay constant",
+    "frictional heat is summed; temperatures follow from it after a drop alone, and change the clearance of the next: within a run or a drop dimensions, friction and material stay constant",
 ];

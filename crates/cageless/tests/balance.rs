@@ -9,7 +9,7 @@ use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Cause, Control, Ending, run};
-use cageless::{Case, FrictionLaw, Gaps, Profile, Start};
+use cageless::{Case, Formulation, FrictionLaw, Gaps, Start};
 
 fn rough_start(case: &mut Case) {
     // One pair close together, so that there are collisions.
@@ -27,22 +27,22 @@ fn rough_start(case: &mut Case) {
 
 /// drive + radial load + weight = friction + damping + drag + change of energy.
 #[test]
-fn the_ledger_closes_in_both_profiles_and_laws() {
-    for profile in [Profile::Physical, Profile::Paper] {
+fn the_ledger_closes_in_both_formulations_and_laws() {
+    for formulation in [Formulation::Physical, Formulation::Paper] {
         for law in [FrictionLaw::Smooth, FrictionLaw::Coulomb] {
             let mut case = structure(5.1, 25.2);
-            case.profile = profile;
+            case.formulation = formulation;
             case.contact.friction_law = law;
             rough_start(&mut case);
             let outcome = complete(&case);
             let residual = outcome.energy_residual_relative.abs();
-            assert!(residual < 1e-4, "{profile:?} {law:?}: {residual:e}");
+            assert!(residual < 1e-4, "{formulation:?} {law:?}: {residual:e}");
             let work = |w| outcome.state.energy_term_j(w);
             assert!(work(EnergyTerm::Drive) > 0.0);
             for &loss in EnergyTerm::without_rotor().iter().filter(|w| w.is_loss()) {
                 assert!(
                     work(loss) > 0.0,
-                    "{profile:?}: {} {}",
+                    "{formulation:?}: {} {}",
                     loss.name(),
                     work(loss)
                 );
@@ -53,9 +53,9 @@ fn the_ledger_closes_in_both_profiles_and_laws() {
                 EnergyTerm::RelativeSpin,
             ]
             .map(work);
-            match profile {
-                Profile::Physical => assert_eq!(extra, [0.0; 3]),
-                Profile::Paper => assert!(extra.iter().all(|w| *w != 0.0), "{extra:?}"),
+            match formulation {
+                Formulation::Physical => assert_eq!(extra, [0.0; 3]),
+                Formulation::Paper => assert!(extra.iter().all(|w| *w != 0.0), "{extra:?}"),
             }
         }
     }
@@ -82,10 +82,10 @@ fn a_lossless_bearing_keeps_its_energy() {
 /// start and the raceway turns the motion.
 #[test]
 fn turning_the_bearing_turns_the_motion() {
-    for profile in [Profile::Physical, Profile::Paper] {
+    for formulation in [Formulation::Physical, Formulation::Paper] {
         let states = [0.0f64, 77.0].map(|turn| {
             let mut case = undamped(structure(5.4, 18.167));
-            case.profile = profile;
+            case.formulation = formulation;
             case.operation.radial_load_n = 0.0;
             case.operation.gravity_m_s2 = 0.0;
             let raceway = raceway(&case.bearing, 5.4, 18.167, turn);
@@ -105,7 +105,7 @@ fn turning_the_bearing_turns_the_motion() {
             let (x, y) = (plain.x_m()[k], plain.y_m()[k]);
             assert!(
                 (turned.x_m()[k] - (x * cos - y * sin)).abs() < 1e-12,
-                "{profile:?} {k}"
+                "{formulation:?} {k}"
             );
             let (vx, vy) = (plain.vx_m_s()[k], plain.vy_m_s()[k]);
             assert!((turned.vy_m_s()[k] - (vx * sin + vy * cos)).abs() < 1e-8);
@@ -141,14 +141,14 @@ fn pure_rolling_stays_pure_rolling() {
 #[test]
 fn instruction_sets_agree_to_the_bit() {
     for balls in [3, 8, 14] {
-        for profile in [Profile::Physical, Profile::Paper] {
+        for formulation in [Formulation::Physical, Formulation::Paper] {
             for law in [FrictionLaw::Smooth, FrictionLaw::Coulomb] {
                 let mut d = dimensions();
                 d.balls = balls;
                 let mut case = conventional(d);
                 let raceway = raceway(&case.bearing, 5.1, 25.2, 10.0);
                 case = case.with_raceways(vec![raceway]);
-                case.profile = profile;
+                case.formulation = formulation;
                 case.contact.friction_law = law;
                 rough_start(&mut case);
                 // Three balls carry more each, and friction holds them harder.

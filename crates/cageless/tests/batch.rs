@@ -9,7 +9,7 @@ use cageless::integrator::System;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
-use cageless::{Case, FlankModel, FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
+use cageless::{Case, FlankModel, Formulation, FrictionLaw, Gaps, IntegrationMethod, Start};
 
 /// Cases that differ in everything that may differ side by side.
 fn mixed(count: usize) -> Vec<Case> {
@@ -84,13 +84,13 @@ fn same(one: &[(Vec<f64>, Option<Summary>)], other: &[(Vec<f64>, Option<Summary>
     assert_eq!(one.len(), other.len());
 }
 
-/// A bearing has the same bits alone and beside any others, in either profile, with equal and
+/// A bearing has the same bits alone and beside any others, in either formulation, with equal and
 /// unequal balls, lubricated and dry, on every instruction set.
 #[test]
 fn company_changes_no_bit() {
     let kinds: [fn(&mut Case); 6] = [
         |_| {},
-        |case| case.profile = Profile::Paper,
+        |case| case.formulation = Formulation::Paper,
         |case| {
             let n = case.bearing.balls();
             let deviations = (0..n).map(|k| 1e-7 * (k % 5) as f64).collect();
@@ -187,7 +187,7 @@ fn batches_hold_every_case_once() {
     cases[2].solver.method = IntegrationMethod::Abm4;
     cases[3].solver.duration_s = 0.002;
     for case in &mut cases[20..25] {
-        case.profile = Profile::Paper;
+        case.formulation = Formulation::Paper;
     }
     let batches = batches(&cases);
     let mut all: Vec<usize> = batches.iter().flatten().copied().collect();
@@ -196,7 +196,7 @@ fn batches_hold_every_case_once() {
     for batch in &batches {
         let kind = |k: usize| {
             (
-                cases[k].profile,
+                cases[k].formulation,
                 cases[k].solver.duration_s,
                 cases[k].solver.method,
             )

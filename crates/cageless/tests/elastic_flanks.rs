@@ -17,8 +17,8 @@ use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, RunOutcome, run, run_batch};
 use cageless::{
-    Case, FlankModel, FrictionLaw, Gaps, InputError, IntegrationMethod, Motion, Profile, Snapshot,
-    Start,
+    Case, FlankModel, Formulation, FrictionLaw, Gaps, InputError, IntegrationMethod, Motion,
+    Snapshot, Start,
 };
 
 fn elastic(mut case: Case) -> Case {
@@ -456,7 +456,7 @@ fn what_has_no_elastic_flanks_is_refused() {
         change(&mut case);
         case.check().unwrap_err()
     };
-    let paper = refused(|case| case.profile = Profile::Paper);
+    let paper = refused(|case| case.formulation = Formulation::Paper);
     assert_eq!(paper.field, "flanks");
     assert!(paper.to_string().contains("published equations"), "{paper}");
     let coulomb = refused(|case| case.contact.friction_law = FrictionLaw::Coulomb);

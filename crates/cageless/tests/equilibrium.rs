@@ -4,7 +4,7 @@ use crate::common::{conventional, dimensions, steel, structure};
 use cageless::equilibrium::{Equilibrium, EquilibriumError, overload, solve};
 use cageless::initial_conditions::initial_state;
 use cageless::raceway_contact::{RacewayContact, RacewayPoint};
-use cageless::{Bearing, BearingDimensions, Case, Gaps, Profile, Start};
+use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Start};
 
 /// Forces on every ball and on the ring, put together again from the result alone.
 fn check_balance(case: &Case, e: &Equilibrium) {
@@ -37,7 +37,7 @@ fn check_balance(case: &Case, e: &Equilibrium) {
         let mass = bearing.ball_mass_kg();
         let mut push =
             mass * speed * speed / e.ball_distance_m[k] + mass * case.operation.gravity_m_s2 * cos;
-        if case.profile == Profile::Paper {
+        if case.formulation == Formulation::Paper {
             push += mass * speed * speed / bearing.pitch_radius_m();
         }
         let cosine = (dx * sin - dy * cos) / distance;
@@ -58,7 +58,7 @@ fn check_balance(case: &Case, e: &Equilibrium) {
 
 #[test]
 fn every_part_is_in_balance() {
-    for profile in [Profile::Physical, Profile::Paper] {
+    for formulation in [Formulation::Physical, Formulation::Paper] {
         for (lead, clearance) in [(0.0, 0.0), (0.1, 0.0), (0.0, 6e-6), (0.2, 20e-6)] {
             let mut case = structure(5.1, 25.2);
             if clearance > 0.0 {
@@ -66,7 +66,7 @@ fn every_part_is_in_balance() {
                 d.outer_groove_bottom_radius_m += clearance;
                 case = conventional(d);
             }
-            case.profile = profile;
+            case.formulation = formulation;
             if let Start::Settled {
                 lead_ball_angle_rad,
                 ..

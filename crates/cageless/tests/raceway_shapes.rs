@@ -10,7 +10,7 @@ use cageless::simulation::{Control, run};
 use cageless::snapshot::Snapshot;
 use cageless::surface::{OuterRing, OuterRingDimensions};
 use cageless::{
-    Bearing, Case, FlankModel, Gaps, IntegrationMethod, Motion, Profile, Raceway,
+    Bearing, Case, FlankModel, Formulation, Gaps, IntegrationMethod, Motion, Raceway,
     RacewayDimensions, RacewayForm, RacewayShape, Start,
 };
 
@@ -432,7 +432,7 @@ fn forms_that_cannot_be_are_refused() {
         let error = Raceway::formed(wide, form, &bearing).unwrap_err();
         assert_eq!(error.field, "axial_span_m");
     }
-    // Only the physical profile has them.
+    // Only the physical formulation has them.
     for (form, field) in [
         (form(RacewayShape::Quartic, 0.5e-3), "blend_m"),
         (form(RacewayShape::Ellipse, 0.0), "shape"),
@@ -441,11 +441,11 @@ fn forms_that_cannot_be_are_refused() {
     ] {
         let mut case = case_of(form);
         case.check().unwrap();
-        case.profile = Profile::Paper;
+        case.formulation = Formulation::Paper;
         assert_eq!(case.check().unwrap_err().field, field);
     }
     let mut case = structure(5.1, 25.2);
-    case.profile = Profile::Paper;
+    case.formulation = Formulation::Paper;
     case.check().unwrap();
 }
 
@@ -696,6 +696,6 @@ fn a_depth_runs_out_at_the_ends() {
         assert_eq!(refused.field, "depth_m");
     }
     let mut paper = case.with_raceways(vec![deep]);
-    paper.profile = Profile::Paper;
+    paper.formulation = Formulation::Paper;
     assert_eq!(paper.check().unwrap_err().field, "depth_m");
 }

@@ -8,7 +8,7 @@ use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::touchdown::DropRecorder;
 use cageless::{
-    Case, IntegrationMethod, Profile, Raceway, RacewayDimensions, RacewayForm, RacewayShape,
+    Case, Formulation, IntegrationMethod, Raceway, RacewayDimensions, RacewayForm, RacewayShape,
 };
 
 use crate::common::{complete, drop_case, slotted};
@@ -282,7 +282,7 @@ fn slots_that_cannot_be() {
     };
     assert_eq!(refused(short, form), "half_angle_rad");
     let mut paper = case.clone();
-    paper.profile = Profile::Paper;
+    paper.formulation = Formulation::Paper;
     assert_eq!(paper.check().unwrap_err().field, "shape");
     assert_eq!(case.check_planar().unwrap_err().field, "edge_radius_m");
     assert!(equilibrium::solve(&case).is_err());

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::common::{conventional, dimensions, steel};
 use cageless::equilibrium::{Equilibrium, EquilibriumError, solve};
-use cageless::{Bearing, BearingDimensions, Case, Gaps, Operation, Profile, Start};
+use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Operation, Start};
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
 struct Random(u64);
@@ -78,7 +78,7 @@ fn random_case(random: &mut Random) -> Case {
             ..case.operation
         };
         if random.next() < 0.2 {
-            case.profile = Profile::Paper;
+            case.formulation = Formulation::Paper;
         }
         case.solver.step_s = 1e-10;
         let case = at_lead(case, random.between(0.0, TAU));
@@ -169,7 +169,7 @@ impl AllTogether {
         // Pure rolling: half the speed of the inner raceway.
         let speed = 0.5 * o.inner_speed_rad_s * d.inner_groove_bottom_radius_m;
         let turning = mass * speed * speed;
-        let doubled = if case.profile == Profile::Paper {
+        let doubled = if case.formulation == Formulation::Paper {
             turning / pitch
         } else {
             0.0

@@ -396,7 +396,7 @@ fn impossible_drops_are_named() {
     );
     assert_eq!(field(&|c| c.rotor = None), "inner_speed_rad_s");
     assert_eq!(
-        field(&|c| c.profile = cageless::Profile::Paper),
+        field(&|c| c.formulation = cageless::Formulation::Paper),
         "formulation"
     );
     assert_eq!(

@@ -5,7 +5,7 @@ use cageless::simulation::Control;
 use cageless::verification::{
     Convergence, LARGE_PERTURBATIONS, Loss, Quantity, Record, Verification, replicas,
 };
-use cageless::{Case, Gaps, Profile, Start};
+use cageless::{Case, Formulation, Gaps, Start};
 
 /// Runs all replicas, on two threads or one.
 fn certify(case: &Case, threads: usize) -> Verification {
@@ -63,13 +63,13 @@ fn points(c: &Verification) -> Vec<Convergence> {
 /// Damping holds neighbouring runs together: nothing is left to chance.
 #[test]
 fn a_damped_run_converges() {
-    for profile in [Profile::Physical, Profile::Paper] {
+    for formulation in [Formulation::Physical, Formulation::Paper] {
         let mut case = structure(5.1, 25.2);
-        case.profile = profile;
+        case.formulation = formulation;
         case.solver.duration_s = 0.05;
         let c = certify(&case, 2);
         for j in &c.judgements {
-            assert_eq!(j.verdict, Convergence::Converged, "{profile:?} {j:?}");
+            assert_eq!(j.verdict, Convergence::Converged, "{formulation:?} {j:?}");
         }
         assert_eq!(points(&c), [Convergence::Converged; 3]);
         let d = &c.divergence;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use cageless::{Case, FlankModel, Material, Profile, SCOPE};
+use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument};
 use cageless_io::rotor_file::RotorFile;
@@ -126,9 +126,9 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
 /// Where the balls of a run move, and whether the plane suffices.
 fn motion_text(case: &Case) -> &'static str {
     let elastic = case.flanks == FlankModel::Elastic;
-    match (case.moves_in_space(), case.profile) {
+    match (case.moves_in_space(), case.formulation) {
         (true, _) => "in space, which takes many times as long as the plane",
-        (false, Profile::Paper) => "in the plane, as published",
+        (false, Formulation::Paper) => "in the plane, as published",
         (false, _) if elastic || case.raceways.is_empty() => {
             "in the plane, which suffices: no axial load, tilt or contact angle"
         }

@@ -41,7 +41,7 @@ fn table_2(data: &ReproduceData) -> String {
         table
             .variants
             .iter()
-            .map(|v| format!("{}/{}", v.profile, v.friction_law)),
+            .map(|v| format!("{}/{}", v.formulation, v.friction_law)),
     );
     let mut rows = vec![head];
     for row in &table.rows {

@@ -11,7 +11,7 @@ use crate::case_file::{CaseError, CaseFile};
 use crate::results::{PartialFile, ResultError};
 use cageless::error::Allowed;
 use cageless::surface::OuterRing;
-use cageless::{Case, InputError, Profile, Raceway};
+use cageless::{Case, Formulation, InputError, Raceway};
 
 /// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
 const BLEND_MM: f64 = 0.5;
@@ -220,11 +220,11 @@ pub fn blend_not_simulated(case: &Case) -> Option<String> {
 fn not_simulated(case: &Case, blend_mm: f64) -> Option<String> {
     let added = blend_mm > 0.0 && kinked(case).next().is_some();
     let mm = plain(blend_mm);
-    added.then(|| match case.profile {
-        Profile::Physical => format!(
+    added.then(|| match case.formulation {
+        Formulation::Physical => format!(
             "not simulated: raceway.blend_mm = {mm} simulates the raceway as `export` blends it"
         ),
-        Profile::Paper => {
+        Formulation::Paper => {
             format!(
                 "not simulated: `export` blends the raceway over {mm} mm, the paper has no blend"
             )

@@ -56,7 +56,7 @@ impl Converter<'_> {
             raceways,
             operation: self.operation()?,
             contact: s.contact.clone(),
-            profile: s.model.formulation,
+            formulation: s.model.formulation,
             motion: s.model.motion,
             flanks: s.model.flanks,
             start,
@@ -258,7 +258,7 @@ impl Converter<'_> {
                 }
                 None => self.refused(error, None),
             },
-            // What the profile does not have.
+            // What the formulation does not have.
             "shape" | "blend_m" => {
                 let formed = |r: &Raceway| r.form() != RacewayForm::default();
                 self.refused(error, case.raceways.iter().position(formed))

@@ -1,8 +1,8 @@
 //! Choices that a case file or a plan makes by name.
 
 use cageless::{
-    Assembly, FlankModel, FrictionLaw, IntegrationMethod, Lubricant, Motion, Profile, RacewayShape,
-    Shaft, SkfSeries,
+    Assembly, FlankModel, Formulation, FrictionLaw, IntegrationMethod, Lubricant, Motion,
+    RacewayShape, Shaft, SkfSeries,
 };
 use cageless_results::Computation;
 
@@ -96,7 +96,7 @@ named!(
     IntegrationMethod,
     Lubricant,
     Motion,
-    Profile,
+    Formulation,
     RacewayShape,
     SearchedShapes,
     Shaft,

@@ -95,7 +95,7 @@ pub fn table2(table: &Table2) -> Figure {
     for (k, variant) in table.variants.iter().enumerate() {
         let gap = |r: &Table2Row| r.critical_gap_deg.get(k).copied().flatten();
         let gaps = column(&|r| gap(r).unwrap_or(f64::NAN));
-        let name = format!("{}, {}", variant.profile, variant.friction_law);
+        let name = format!("{}, {}", variant.formulation, variant.friction_law);
         let marker = json!({ "symbol": symbols[k % symbols.len()], "size": 8 });
         let gaps = line(&name, &theta, &gaps, colours[k % colours.len()]);
         plot = plot.trace(gaps.with(json!({ "mode": "lines+markers", "marker": marker })));

@@ -74,13 +74,13 @@ pub fn raceway(k: usize) -> Raceway {
     Raceway::new(dimensions, &bearing()).expect("the paper's raceway")
 }
 
-fn source(k: usize, profile: &str) -> Provenance {
+fn source(k: usize, formulation: &str) -> Provenance {
     Provenance {
         case: format!(
             "Zhao 2022, structure {}, 12 000 rpm, 1500 N",
             structure(k).label()
         ),
-        profile: Some(profile.into()),
+        formulation: Some(formulation.into()),
         friction_law: Some("smooth, 0.02 m/s".into()),
         method: Some("ABM4".into()),
         step_us: Some(1.0),
@@ -138,7 +138,7 @@ pub fn gaps(angle: &[Vec<f64>], epsilon: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn motion(title: &str, raceways: &[Raceway], wobble: f64, profile: &str) -> Motion {
+fn motion(title: &str, raceways: &[Raceway], wobble: f64, formulation: &str) -> Motion {
     let run = rolling(raceways.first(), 0.21, wobble);
     let thin = |v: &Vec<f64>| v.iter().step_by(5).copied().collect::<Vec<f64>>();
     Motion {
@@ -148,7 +148,7 @@ fn motion(title: &str, raceways: &[Raceway], wobble: f64, profile: &str) -> Moti
         time_s: thin(&run.time),
         angle_deg: run.angle.iter().map(thin).collect(),
         gap_deg: vec![],
-        provenance: source(3, profile),
+        provenance: source(3, formulation),
         ..Motion::default()
     }
 }
@@ -220,7 +220,7 @@ pub fn reproduce() -> ReproduceData {
     let gap = gaps(&run.angle, outline.ball_angle_deg);
     let turn = 20_000..20_640;
     let stage = |k: usize| run.time[turn.start] + 0.0128 * k as f64 / 4.0;
-    let history = |profile: &str| GapHistory {
+    let history = |formulation: &str| GapHistory {
         structure: structure(0),
         ball: 1,
         time_s: run.time.clone(),
@@ -236,7 +236,7 @@ pub fn reproduce() -> ReproduceData {
             event("e", stage(4), "end of the turn"),
         ],
         uniform_gap_deg: uniform,
-        provenance: source(0, profile),
+        provenance: source(0, formulation),
     };
     let window = 20_000..20_400;
     let cut = |v: &Vec<f64>| v[window.clone()].to_vec();
@@ -436,7 +436,7 @@ fn table2() -> Table2 {
         })
         .collect();
     let variant = |p: &str, f: &str| Variant {
-        profile: p.into(),
+        formulation: p.into(),
         friction_law: f.into(),
     };
     let spread = |cause: &str, size: f64| Spread {

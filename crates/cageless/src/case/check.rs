@@ -4,8 +4,8 @@ use super::{Case, DURATION_MIN_S, Gaps, INTERVAL_MIN_S, Operation, STEPS_MAX, St
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
+use crate::formulation::Formulation;
 use crate::limits::{not_negative, positive, require};
-use crate::profile::Profile;
 use crate::raceway::{Raceway, RacewayShape};
 use crate::time_table::TimeTable;
 
@@ -54,7 +54,7 @@ impl Case {
         self.check_space()?;
         self.check_rotor()?;
         self.check_flanks()?;
-        if self.profile == Profile::Paper {
+        if self.formulation == Formulation::Paper {
             self.check_published_form(
                 "the published equations have friction along the quartic contact path",
             )?;
@@ -120,8 +120,10 @@ impl Case {
 
     /// Refuses elastic flanks where the equations have none.
     fn check_flanks(&self) -> Result<(), InputError> {
-        let why = match (self.flanks, self.profile) {
-            (FlankModel::Elastic, Profile::Paper) => "the published equations have rigid flanks",
+        let why = match (self.flanks, self.formulation) {
+            (FlankModel::Elastic, Formulation::Paper) => {
+                "the published equations have rigid flanks"
+            }
             (FlankModel::Elastic, _) if self.contact.friction_law.sticks() => {
                 "flanks that slide in two directions and spin need a law with a \
                  regularisation speed"
@@ -173,7 +175,7 @@ impl Case {
             let rule = "left out: with a rotor the outer ring moves on its support";
             return Err(InputError::rule("mass_kg", housing.mass_kg, rule));
         }
-        let physical = self.profile == Profile::Physical;
+        let physical = self.formulation == Formulation::Physical;
         let rule = "\"physical\": the published equations have no rotor";
         require("formulation", f64::NAN, physical, rule)?;
         let at_rest = matches!(self.start, Start::AtRest { .. });

@@ -20,11 +20,11 @@ use std::f64::consts::TAU;
 use crate::bearing::Bearing;
 use crate::fit::{OperatingClearance, REFERENCE_TEMPERATURE_C};
 use crate::flank_model::FlankModel;
+use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::lubrication::Lubrication;
 use crate::numerics::root;
-use crate::profile::Profile;
 use crate::raceway::{Raceway, RacewayForm};
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
@@ -197,7 +197,7 @@ pub struct Case {
     /// Contact and friction.
     pub contact: Contact,
     /// Equations.
-    pub profile: Profile,
+    pub formulation: Formulation,
     /// Space in which the bearing moves.
     pub motion: Motion,
     /// Flanks of the discrete raceways in the plane.

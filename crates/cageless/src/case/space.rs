@@ -4,9 +4,9 @@ use super::{Case, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionLaw;
 use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
+use crate::formulation::Formulation;
 use crate::limits::{finite, from_to, not_negative, positive, require};
 use crate::linear_rotor::ROUNDING;
-use crate::profile::Profile;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Shaft};
 
@@ -139,7 +139,7 @@ impl Case {
                 format!("{most}, or left out: in motion every row has the balls of [bearing]");
             return Err(InputError::rule("row_balls", balls as f64, rule));
         }
-        let physical = self.profile != Profile::Paper;
+        let physical = self.formulation != Formulation::Paper;
         let rule = "physical: the published equations are planar";
         require("formulation", 0.0, physical, rule)?;
         let of_rotor = self.rotor.as_ref().map(|rotor| rotor.friction_law);

@@ -1,5 +1,5 @@
 //! What the published equations of motion, Zhao 2022, Eq. (12) to (22), have beside consistent mechanics:
-//! the profile `paper`.
+//! the formulation `paper`.
 //!
 //! - The centrifugal force Fw = m·vt²/Rm of Eq. (15) acts in Eq. (12), though the frame does not turn.
 //! - ω of Eq. (13) is the spin relative to the orbit of the ball, with which Eq. (1) and Eq. (2) give the

@@ -205,6 +205,6 @@ mod tests {
         assert!(of(|c| c.raceways.clear()).contains("axial_span_m"));
         assert!(of(|c| c.operation.radial_load_n = 0.0).contains("radial_load_n"));
         assert!(of(|c| c.operation.space.axial_load_n = 1.0).contains("axial_load_n"));
-        assert!(of(|c| c.profile = crate::Profile::Paper).contains("formulation"));
+        assert!(of(|c| c.formulation = crate::Formulation::Paper).contains("formulation"));
     }
 }

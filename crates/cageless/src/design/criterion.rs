@@ -4,15 +4,15 @@ use super::raceway_verdict::RacewayVerdict;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 
 /// A raceway slips when the critical gap falls this fraction short of β0 (Eq. (11)). In the
-/// `paper` profile those of the paper's ten structures that it calls slipping lose 9 %
-/// and more, the others 3 % at most; the `physical` profile, where balls slip earlier,
+/// `paper` formulation those of the paper's ten structures that it calls slipping lose 9 %
+/// and more, the others 3 % at most; the `physical` formulation, where balls slip earlier,
 /// adds (f).
 pub const SLIP_SHORTFALL: f64 = 0.05;
 /// A raceway slips as well when the balls reach less of the theoretical drop of orbital speed
 /// than this: they slide over it. A critical gap measured on sliding balls means nothing.
 pub const SPEED_DROP_FRACTION: f64 = 0.8;
 /// A raceway collides twice per passage when this fraction of the passages does. In the
-/// `paper` profile those of the paper's ten structures that it calls so lie well above,
+/// `paper` formulation those of the paper's ten structures that it calls so lie well above,
 /// the others well below; in `physical`, (c) falls below.
 pub const DOUBLE_COLLISION_FRACTION: f64 = 0.25;
 /// Share of its lag that a raceway must keep on elastic flanks, of the lag of rolling on rigid ones without a

@@ -39,7 +39,7 @@ pub struct Estimate {
 }
 
 /// Largest friction demand of an estimate. Balls may slide for a moment: of the ten structures of
-/// Zhao 2022, in the `physical` profile, those that pass stay below 1.40 and those that slip
+/// Zhao 2022, in the `physical` formulation, those that pass stay below 1.40 and those that slip
 /// begin at 1.51.
 const FRICTION_DEMAND_MAX: f64 = 1.45;
 /// Largest 2θ of an estimate over the angle of three evenly spaced balls. Of the same structures

@@ -343,12 +343,18 @@ fn decide(
             )
         }
         false => format!(
-            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (lowered by sliding, at most {:.0} % allowed)",
+            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}°{}",
             critical.to_degrees(),
             100.0 * shortfall.abs(),
             if shortfall < 0.0 { "above" } else { "below" },
             beta0.to_degrees(),
-            100.0 * SLIP_SHORTFALL
+            match shortfall > 0.0 {
+                true => format!(
+                    " (lowered by sliding, at most {:.0} % allowed)",
+                    100.0 * SLIP_SHORTFALL
+                ),
+                false => String::new(),
+            },
         ),
     };
     let mut reasons = vec![

@@ -57,7 +57,7 @@ lane_struct! {
         /// ẏ, m/s.
         vy,
         /// ω, rad/s, clockwise positive: the state of Zhao 2022, Eq. (13), absolute in the
-        /// `physical` profile and relative to the orbit in `paper`.
+        /// `physical` formulation and relative to the orbit in `paper`.
         spin,
     }
 }

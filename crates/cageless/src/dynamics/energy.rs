@@ -28,12 +28,12 @@ crate::named_enum! {
         Damping = "damping",
         /// Heat of the viscous damping of the inner ring and of outer rings that slide in their housing.
         Drag = "drag",
-        /// `paper` profile: work of the centrifugal force added to Zhao 2022, Eq. (12).
+        /// `paper` formulation: work of the centrifugal force added to Zhao 2022, Eq. (12).
         Centrifugal = "centrifugal_force",
-        /// `paper` profile: work of outer friction along the contact path that friction along the
+        /// `paper` formulation: work of outer friction along the contact path that friction along the
         /// sliding velocity would not do.
         FrictionDirection = "friction_direction",
-        /// `paper` profile: work of the relative spin of Eq. (13) in place of the absolute one.
+        /// `paper` formulation: work of the relative spin of Eq. (13) in place of the absolute one.
         RelativeSpin = "relative_spin",
         /// Heat of friction between rotor and inner ring.
         RotorFriction = "rotor_friction",

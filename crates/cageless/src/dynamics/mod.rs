@@ -1,4 +1,4 @@
-//! The equations of motion, Zhao 2022, Eq. (12) to (22), in both profiles: bodies, state,
+//! The equations of motion, Zhao 2022, Eq. (12) to (22), in both formulations: bodies, state,
 //! energy, and the right-hand side over them.
 //!
 //! ```

@@ -16,9 +16,9 @@ use crate::contact::{
 };
 use crate::error::InputError;
 use crate::flank_model::FlankModel;
+use crate::formulation::Formulation;
 use crate::numerics::chebyshev::Polynomial;
 use crate::outer_contact_geometry::{flank_section, outer_contact_geometry};
-use crate::profile::Profile;
 use crate::raceway::{ContactPath, Piece, Raceway};
 use crate::step_limits::{self, StepLimits};
 use crate::time_table::TimeTable;
@@ -31,7 +31,7 @@ pub(crate) struct RacewayModel {
     pub radius: Vec<f64>,
     /// Coefficients of dr/du over u.
     pub radius_slope: Vec<f64>,
-    /// Coefficients of 1/√(1 + y′² + z′²) over u; none but in the `paper` profile.
+    /// Coefficients of 1/√(1 + y′² + z′²) over u; none but in the `paper` formulation.
     pub direction: Vec<f64>,
     /// 4a and 2b of dy/dx = x(4a x² + 2b), Zhao 2022, Eq. (5).
     pub path_slope: [f64; 2],
@@ -43,7 +43,7 @@ pub(crate) struct RacewayModel {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     pub(crate) layout: Layout,
-    pub(crate) profile: Profile,
+    pub(crate) formulation: Formulation,
     pub(crate) law: FrictionLaw,
     pub(crate) balls: Vec<Ball>,
     /// J of each ball, kg·m².
@@ -127,7 +127,7 @@ impl Model {
             layout: Layout::of_case(case),
             rotor: RotorBody::new(case),
             outer_ring: OuterRing::new(case.support.as_ref()),
-            profile: case.profile,
+            formulation: case.formulation,
             law: c.friction_law,
             inertia: (0..case.balls())
                 .map(|k| bearing.ball(in_row(k)).inertia_kg_m2)
@@ -196,9 +196,9 @@ impl Model {
         self.layout
     }
 
-    /// Profile of the equations.
-    pub fn profile(&self) -> Profile {
-        self.profile
+    /// Formulation of the equations.
+    pub fn formulation(&self) -> Formulation {
+        self.formulation
     }
 
     /// N.
@@ -215,7 +215,7 @@ impl Model {
     pub fn kind(&self) -> impl PartialEq + use<> {
         (
             self.balls(),
-            self.profile,
+            self.formulation,
             self.law,
             self.unequal,
             self.flanks,
@@ -277,7 +277,7 @@ const ELLIPSE_TOLERANCE: f64 = 1e-12;
 impl RacewayModel {
     fn new(raceway: &Raceway, piece: &Piece, case: &Case) -> Self {
         let path = raceway.contact_path();
-        let path = path.filter(|_| case.profile == Profile::Paper);
+        let path = path.filter(|_| case.formulation == Formulation::Paper);
         let [a, b, _] = path.map_or([0.0; 3], ContactPath::coefficients);
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
         let radius = piece.radius();

@@ -9,12 +9,12 @@ use super::rotor::JournalCompliance;
 use super::space::{self, BallContacts, Drive, SpaceWorkspace};
 use super::state::State;
 use crate::contact::JournalContact;
+use crate::formulation::Formulation;
 use crate::integrator::{
     Integrator, Method, PlanarVelocities, SecondOrderBlock, System, UnresolvedStep,
 };
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
-use crate::profile::Profile;
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 use crate::time_table::TimeTable;
@@ -86,7 +86,7 @@ impl<'m> RightHandSide<'m> {
     }
 
     /// [`BATCH_WIDTH`] bearings side by side, each in its own lanes of every block, with the same number
-    /// of balls, profile and friction law, and all with equal balls or none. Each gets the
+    /// of balls, formulation and friction law, and all with equal balls or none. Each gets the
     /// bits that it gets alone.
     ///
     /// # Panics
@@ -103,7 +103,7 @@ impl<'m> RightHandSide<'m> {
     fn build(models: Vec<&'m Model>, layout: Layout, isa: InstructionSet) -> Self {
         let parameters = Parameters::new(&models, layout);
         Self {
-            work: Workspace::new(&parameters, models[0].profile),
+            work: Workspace::new(&parameters, models[0].formulation),
             space: models[0]
                 .space
                 .as_ref()
@@ -182,7 +182,7 @@ impl<'m> RightHandSide<'m> {
                 space::evaluate(b, (w, s), y, dydt, raceway_friction)
             );
         }
-        if self.models[0].profile == Profile::Paper {
+        if self.models[0].formulation == Formulation::Paper {
             return with_instructions!(
                 self.isa,
                 [](p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
@@ -456,7 +456,7 @@ impl System for RightHandSide<'_> {
                 space::add_implicit_friction(b, (w, s), h_s, y0, y, dydt)
             );
         }
-        if self.models[0].profile == Profile::Paper {
+        if self.models[0].formulation == Formulation::Paper {
             return with_instructions!(
                 self.isa,
                 [](p: &Parameters, w: &mut Workspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
@@ -471,7 +471,7 @@ impl System for RightHandSide<'_> {
     }
 
     /// Damped contacts and that of a rotor, whose force starts with infinite slope and ends with a kink where
-    /// it is clamped at zero, in the `paper` profile the raceway's ends, where the
+    /// it is clamped at zero, in the `paper` formulation the raceway's ends, where the
     /// direction of friction jumps, and the corners of what is given over time.
     #[inline(always)] // into callers compiled for wider vectors
     fn mode(&self) -> u64 {

@@ -101,7 +101,7 @@ impl State {
     }
 
     /// Spin state of every ball, rad/s, clockwise positive: absolute in the `physical`
-    /// profile, relative to the orbit in `paper` (Zhao 2022, Eq. (13)).
+    /// formulation, relative to the orbit in `paper` (Zhao 2022, Eq. (13)).
     pub fn spin_state_rad_s(&self) -> &[f64] {
         self.array(BallCoordinate::Spin)
     }

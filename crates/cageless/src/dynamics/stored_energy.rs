@@ -11,7 +11,7 @@ fn kinetic_j(mass: f64, vx: f64, vy: f64) -> f64 {
 }
 
 impl Model {
-    /// Kinetic and elastic energy, J. In the `paper` profile the spin is that of
+    /// Kinetic and elastic energy, J. In the `paper` formulation the spin is that of
     /// Eq. (13), relative to the orbit.
     pub fn energy_j(&self, state: &State) -> f64 {
         if let Some(space) = &self.space {

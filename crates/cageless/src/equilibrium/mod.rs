@@ -1,7 +1,7 @@
 //! Static equilibrium at speed: where the ring settles and how the balls share the load.
 //!
 //! Each ball stays at its ψ and takes its weight, the centrifugal force m·vt²/|rb| of
-//! rolling (in the `paper` profile Fw of Zhao 2022, Eq. (15), on top) and the normal
+//! rolling (in the `paper` formulation Fw of Zhao 2022, Eq. (15), on top) and the normal
 //! forces of both raceways; friction is left out. The ring takes load, weight and the
 //! reactions.
 //!
@@ -32,9 +32,9 @@ use crate::contact::FlankSection;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
 use crate::flank_model::FlankModel;
+use crate::formulation::Formulation;
 use crate::kinematics::orbit_speed_of_rad_s;
 use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
-use crate::profile::Profile;
 use crate::raceway_contact::{RacewayContact, RacewayPoint};
 pub use error::EquilibriumError;
 use lowest_minimum::lowest_minimum;
@@ -333,9 +333,9 @@ fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
             let (ball, outer_geometry) = (bearing.ball(k), ball_outer_geometry(case, k, angle));
             let r = outer_geometry.effective_radius_m;
             let speed = rolling_speed_m_s(case, k, r, inner_speed_rad_s);
-            let doubled = match case.profile {
-                Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
-                Profile::Physical => 0.0,
+            let doubled = match case.formulation {
+                Formulation::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
+                Formulation::Physical => 0.0,
             };
             let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.ball_stiffness_n_m1_5(k);
             let outer_orbit_radius = outer_geometry.outer_orbit_radius_m;

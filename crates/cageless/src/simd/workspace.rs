@@ -11,9 +11,9 @@ use crate::contact::{
 };
 use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::dynamics::rotor::RotorContact;
+use crate::formulation::Formulation;
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
-use crate::profile::Profile;
 
 /// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
 /// knows that they do not overlap.
@@ -136,7 +136,7 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    pub fn new(p: &Parameters, profile: Profile) -> Self {
+    pub fn new(p: &Parameters, formulation: Formulation) -> Self {
         let blocks = p.layout.stride / LANES;
         let zero = || vec![Lanes::ZERO; blocks];
         Self {
@@ -155,9 +155,9 @@ impl Workspace {
             pair_deflection_max: [0.0; BATCH_WIDTH],
             pairs_loaded: false,
             slip_max: Lanes::ZERO,
-            friction_directions: match profile {
-                Profile::Physical => vec![],
-                Profile::Paper => vec![FrictionDirectionLanes::ZERO; blocks],
+            friction_directions: match formulation {
+                Formulation::Physical => vec![],
+                Formulation::Paper => vec![FrictionDirectionLanes::ZERO; blocks],
             },
         }
     }

@@ -9,9 +9,9 @@ use crate::contact::FrictionLaw;
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
+use crate::formulation::Formulation;
 use crate::initial_conditions::initial_state;
 use crate::numerics::lanes::BATCH_WIDTH;
-use crate::profile::Profile;
 use crate::step_limits::{self, StepLimits};
 
 /// Properties that all cases of a batch share. Methods with a memory or a step of
@@ -19,7 +19,7 @@ use crate::step_limits::{self, StepLimits};
 #[derive(PartialEq)]
 struct Kind {
     balls: usize,
-    profile: Profile,
+    formulation: Formulation,
     law: FrictionLaw,
     implicit_friction: bool,
     has_nominal_geometry: bool,
@@ -32,7 +32,7 @@ impl Kind {
         let alone = !case.solver.method.properties().side_by_side || case.moves_in_space();
         (!alone).then(|| Self {
             balls: case.bearing.balls(),
-            profile: case.profile,
+            formulation: case.formulation,
             law: case.contact.friction_law,
             implicit_friction: StepLimits::friction_is_stiff(case),
             has_nominal_geometry: case.has_nominal_geometry(),

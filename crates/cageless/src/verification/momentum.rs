@@ -5,13 +5,13 @@ use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
+use crate::formulation::Formulation;
 use crate::integrator::System;
-use crate::profile::Profile;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Compares the linear momentum of balls and inner ring with the impulses of the external
 /// forces: the outer ring, the loads, the weights, the drag on the inner ring and, in
-/// the `paper` profile, the centrifugal force of Zhao 2022, Eq. (15). The forces that balls
+/// the `paper` formulation, the centrifugal force of Zhao 2022, Eq. (15). The forces that balls
 /// and inner ring exert on each other must cancel. With a rotor its momentum and weight count,
 /// too, and with a support that of the outer ring, which the support then pushes.
 ///
@@ -104,7 +104,7 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> (
         + ring.radial_load
         + axial_load.abs()
         + weight;
-    if model.profile == Profile::Paper {
+    if model.formulation == Formulation::Paper {
         for (k, ball) in model.balls.iter().enumerate() {
             let polar = layout
                 .ball_motion(values, k)

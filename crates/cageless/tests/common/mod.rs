@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
-    Bearing, BearingDimensions, Case, Contact, FlankModel, FrictionLaw, FrictionParameters, Gaps,
-    InnerRingBore, IntegrationMethod, Material, Motion, Operation, Output, Profile, Raceway,
-    RacewayDimensions, RacewayForm, RacewayShape, Rotor, Shaft, Solver, SpatialLoad, Start,
-    Support,
+    Bearing, BearingDimensions, Case, Contact, FlankModel, Formulation, FrictionLaw,
+    FrictionParameters, Gaps, InnerRingBore, IntegrationMethod, Material, Motion, Operation,
+    Output, Raceway, RacewayDimensions, RacewayForm, RacewayShape, Rotor, Shaft, Solver,
+    SpatialLoad, Start, Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -93,7 +93,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             outer_stiffness_n_m1_5: None,
             ball_stiffness_n_m1_5: None,
         },
-        profile: Profile::Physical,
+        formulation: Formulation::Physical,
         motion: Motion::BySymmetry,
         flanks: FlankModel::Rigid,
         start: Start::Settled {

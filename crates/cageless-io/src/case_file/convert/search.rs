@@ -1,7 +1,7 @@
 //! Request of a search.
 
 use cageless::design::search::{OperatingPoint, Request, placements};
-use cageless::{Case, Profile, RacewayShape};
+use cageless::{Case, Formulation, RacewayShape};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
@@ -69,8 +69,8 @@ impl Converter<'_> {
             .unwrap_or([request.placements[0][0]; 2]);
         request.placements = placements(centres, search.raceways_max);
         if search.shapes == SearchedShapes::All {
-            if case.profile == Profile::Paper {
-                return Err(self.refuse("search.shapes", "\"own\" in the profile \"paper\""));
+            if case.formulation == Formulation::Paper {
+                return Err(self.refuse("search.shapes", "\"own\" in the formulation \"paper\""));
             }
             let own = case.raceway_form();
             let slot = search.edge_radius_m.map(|_| RacewayShape::Slot);
@@ -80,8 +80,8 @@ impl Converter<'_> {
             let others = others.map(|shape| own.reshaped(shape, edge_radius_m));
             request.forms.extend(others);
         }
-        if search.axial_load_max_n > 0.0 && case.profile == Profile::Paper {
-            return Err(self.refuse("search.axial_load_max_n", "0 in the profile \"paper\""));
+        if search.axial_load_max_n > 0.0 && case.formulation == Formulation::Paper {
+            return Err(self.refuse("search.axial_load_max_n", "0 in the formulation \"paper\""));
         }
         if search.axial_load_max_n > 0.0 && in_space {
             return Err(self.refuse(

@@ -1,13 +1,13 @@
 //! `[model]`.
 
-use cageless::{FlankModel, Motion, Profile};
+use cageless::{FlankModel, Formulation, Motion};
 
 use crate::case_file::declaration::prelude::*;
 
 section! {
     /// `[model]`: the set of equations.
     struct ModelSection {
-        formulation formerly profile => formulation: Profile = default(Profile::Physical.name()), Plain,
+        formulation formerly profile => formulation: Formulation = default(Formulation::Physical.name()), Plain,
             "formulation of the equations of motion",
             Shown("\"physical\"", "\"physical\": consistent mechanics;\n\
                 \"paper\": the equations as published");

@@ -115,7 +115,7 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
         plan: parameters(&identity.plan),
         provenance: Provenance {
             case: title.unwrap_or_else(|| path.display().to_string()),
-            profile: Some(match table.column("model_formulation") {
+            formulation: Some(match table.column("model_formulation") {
                 Some(_) => "varies".to_owned(),
                 None => (setting("case.model.formulation"))
                     .or_else(|| setting("case.bearing.1.case.model.formulation"))

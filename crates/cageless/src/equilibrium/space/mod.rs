@@ -32,9 +32,9 @@ use crate::equilibrium::{
     ball_outer_geometry, start_angles_rad,
 };
 use crate::error::InputError;
+use crate::formulation::Formulation;
 use crate::kinematics::orbit_speed_in_space_rad_s;
 use crate::numerics::cholesky::solve as solve_equations;
-use crate::profile::Profile;
 use crate::raceway::Slot;
 use ball::{Ring, SpatialBall};
 pub use groove_point::{GroovePoint, inner_point, outer_points};
@@ -149,9 +149,9 @@ fn balance(case: &Case) -> LoadBalance {
                     [geometry.effective_radius_m, ball.radius_m],
                     0.0,
                 );
-            let doubled = match case.profile {
-                Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
-                Profile::Physical => 0.0,
+            let doubled = match case.formulation {
+                Formulation::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
+                Formulation::Physical => 0.0,
             };
             let [inner_stiffness_n_m1_5, mut outer_stiffness_n_m1_5, _] =
                 case.ball_stiffness_n_m1_5(k);

@@ -3,7 +3,7 @@
 crate::named_enum! {
     /// Set of equations that is integrated.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Profile {
+    pub enum Formulation {
         /// Consistent mechanics: inertial frame, absolute spin, friction along the
         /// sliding velocity.
         Physical = "physical",
