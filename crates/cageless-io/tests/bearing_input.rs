@@ -176,7 +176,7 @@ fn materials_have_a_name_or_three_numbers() {
 
 #[test]
 fn balls_start_in_one_group_or_anywhere_by_seed() {
-    let gaps = |sets: &[&str]| match parse(SHORT, sets).case().start.gaps().clone() {
+    let gaps = |sets: &[&str]| match parse(SHORT, sets).case().start.gaps.clone() {
         Gaps::List(gaps) => gaps,
         Gaps::Uniform => panic!("uniform"),
     };

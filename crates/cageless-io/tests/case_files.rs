@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::common::edited;
-use cageless::{Formulation, FrictionLaw, Gaps, IntegrationMethod, Start};
+use cageless::{Formulation, FrictionLaw, Gaps, IntegrationMethod, Start, StartState};
 use cageless_io::case_file::{CaseFile, CaseValue, Source, template, unit};
 use proptest::prelude::*;
 
@@ -62,10 +62,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     assert_eq!(case.formulation, Formulation::Physical);
     assert_eq!(
         case.start,
-        Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: 0.0
-        }
+        Start::new(StartState::Settled, Gaps::Uniform, 0.0)
     );
     assert_eq!(
         (case.solver.method, case.solver.step_s),
@@ -342,8 +339,8 @@ fn overrides_win_over_the_file_and_the_last_over_the_first() {
     assert_eq!(case.contact.outer_stiffness_n_m1_5, Some(1.3e10));
     assert!(
         matches!(
-            case.start,
-            Start::Rolling {
+            case.start.state,
+            StartState::Rolling {
                 ring_y_m: -1e-5,
                 ..
             }

@@ -11,7 +11,7 @@ use cageless::recorder::keeping;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, batches, run_batch};
 use cageless::tolerance::{ball_grade, ball_lot_m};
 use cageless::vibration::VibrationRecorder;
-use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start, StartState};
 use cageless_report::run_report::filter_note;
 use cageless_report::{
     ComparisonCell, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison, RingNumbers,
@@ -198,10 +198,11 @@ impl Plan {
             let lot = ball_lot_m(grade, case.bearing.balls(), SEED, start);
             case.bearing = case.bearing.with_ball_radius_deviations(lot)?;
         }
-        case.start = Start::Settled {
-            gaps: Gaps::List(bunched_gaps_rad(&case, start)),
-            lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
-        };
+        case.start = Start::new(
+            StartState::Settled,
+            Gaps::List(bunched_gaps_rad(&case, start)),
+            case.start.lead_ball_angle_rad,
+        );
         cageless::step_limits::check(&case)?;
         Ok(case)
     }

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use cageless::collision::Collision;
 use cageless::equilibrium::solve;
 use cageless::numerics::angle::wrap_angle_rad;
-use cageless::{Case, Gaps, Start};
+use cageless::{Case, Gaps, Start, StartState};
 use cageless_study::StudyError;
 
 /// Names of the parts of |ψ| that the transition of Section 4.3, which the paper does not bound,
@@ -45,10 +45,11 @@ pub fn load_zone_rad(case: &Case) -> Result<f64, StudyError> {
     let mut end = 0.0;
     for turned in 0..ARRANGEMENTS {
         let mut case = case.clone();
-        case.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: spacing * f64::from(turned) / f64::from(ARRANGEMENTS),
-        };
+        case.start = Start::new(
+            StartState::Settled,
+            Gaps::Uniform,
+            spacing * f64::from(turned) / f64::from(ARRANGEMENTS),
+        );
         let found = solve(&case)?;
         let balls = found.ball_angle_rad.iter().zip(&found.inner_force_n);
         let loaded = balls.filter(|(_, force_n)| **force_n > 0.0);

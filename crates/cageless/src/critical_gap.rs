@@ -19,7 +19,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::case::{Case, Gaps, Start};
+use crate::case::{Case, Gaps, Start, StartState};
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
 use crate::simulation::{
@@ -163,25 +163,6 @@ impl Observer for PairWatch {
     }
 }
 
-/// Start of a passage. Without clearance the balls start on Rm and the ring where it settles:
-/// nothing is pressed in further than by the deflection. With clearance balls on Rm would be
-/// pressed into a settled ring by half of it, and with interference they are pressed into both
-/// rings, so they start settled, too, as in space.
-fn pair_start(ring_y_m: Option<f64>, gaps: Gaps, lead_ball_angle_rad: f64) -> Start {
-    match ring_y_m {
-        None => Start::Settled {
-            gaps,
-            lead_ball_angle_rad,
-        },
-        Some(ring_y_m) => Start::Rolling {
-            gaps,
-            lead_ball_angle_rad,
-            ring_x_m: 0.0,
-            ring_y_m,
-        },
-    }
-}
-
 /// One passage of the pair with gap `start_gap` at the start; `control` is called with the fraction
 /// of the passage that is done.
 fn pass(
@@ -213,8 +194,19 @@ fn pass(
     let trailing = test
         .trailing_start_rad
         .min(-(half_angle + bearing.ball_angle_rad() + start_gap) - 5f64.to_radians());
+    // Without clearance the balls start on Rm and the ring where it settles: nothing is pressed in
+    // further than by the deflection. With clearance balls on Rm would be pressed into a settled ring
+    // by half of it, and with interference they are pressed into both rings, so they start settled,
+    // too, as in space.
+    let state = match ring_y {
+        None => StartState::Settled,
+        Some(ring_y_m) => StartState::Rolling {
+            ring_x_m: 0.0,
+            ring_y_m,
+        },
+    };
     let mut case = Case {
-        start: pair_start(ring_y, Gaps::List(gaps), centre + trailing),
+        start: Start::new(state, Gaps::List(gaps), centre + trailing),
         ..case.clone()
     };
     if case.contact.friction_law.sticks() {

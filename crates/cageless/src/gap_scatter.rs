@@ -5,16 +5,14 @@
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
 //! use cageless::simulation::{Control, run};
 //! use cageless::summary::SummaryRecorder;
-//! use cageless::{Gaps, Start};
+//! use cageless::{Gaps, Start, StartState};
 //!
 //! // Zhao 2022, Table 2, structure (d), every second gap 1° wider than the others.
 //! let mut case = common::structure(5.1, 25.2);
 //! let gap = case.bearing.nominal_gap_rad();
 //! let wider = |k| gap + 0.5f64.to_radians() * if k % 2 == 0 { 1.0 } else { -1.0 };
-//! case.start = Start::Settled {
-//!     gaps: Gaps::List((0..14).map(wider).collect()),
-//!     lead_ball_angle_rad: 0.0,
-//! };
+//! let gaps = Gaps::List((0..14).map(wider).collect());
+//! case.start = Start::new(StartState::Settled, gaps, 0.0);
 //! // Before the raceway has changed them.
 //! case.solver.duration_s = 2e-5;
 //! let mut recorder = SummaryRecorder::new();

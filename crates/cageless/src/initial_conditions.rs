@@ -12,7 +12,7 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-use crate::case::{Case, Start, Tilt};
+use crate::case::{Case, StartState, Tilt};
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
@@ -54,7 +54,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     }
     // Every row alike.
     let angles = start_angles_rad(case).repeat(rows.len());
-    let starts_at_rest = matches!(case.start, Start::AtRest { .. });
+    let starts_at_rest = case.start.state == StartState::AtRest;
     let inner_speed = match starts_at_rest {
         true => 0.0,
         false => case.operation.inner_speed_rad_s,
@@ -74,18 +74,18 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             found => Some(found?),
         },
     };
-    let (distances, ring) = match case.start {
-        Start::Rolling {
-            ring_x_m, ring_y_m, ..
-        } => (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m]),
-        Start::AtRest { .. } => match &in_space {
+    let (distances, ring) = match case.start.state {
+        StartState::Rolling { ring_x_m, ring_y_m } => {
+            (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m])
+        }
+        StartState::AtRest => match &in_space {
             Some(e) => (
                 e.rest.ball_distance_m.clone(),
                 [e.rest.ring_x_m, e.rest.ring_y_m],
             ),
             None => (between([0.0; 2]), [0.0; 2]),
         },
-        Start::Settled { .. } => {
+        StartState::Settled => {
             let e = if state.layout().is_in_space() {
                 in_space
                     .insert(equilibrium::space::solve(case)?)

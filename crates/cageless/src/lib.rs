@@ -69,7 +69,7 @@ pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
     Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS, Solver,
-    SpatialLoad, Start, Tilt,
+    SpatialLoad, Start, StartState, Tilt,
 };
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};

@@ -11,7 +11,7 @@
 //! assert!(limits.automatic_s(IntegrationMethod::Abm4) <= limits.largest_s(IntegrationMethod::Abm4));
 //! ```
 
-use crate::case::{Case, Gaps, Start, Tilt, series_stiffness_n_m1_5};
+use crate::case::{Case, Gaps, StartState, Tilt, series_stiffness_n_m1_5};
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
 use crate::dynamics::rotor::{RotorBody, RotorContact};
@@ -100,12 +100,10 @@ fn squeezed_n(case: &Case) -> f64 {
             .max(force(inner, off + depth))
             .max(force(outer, depth + shallow))
     };
-    match case.start {
-        Start::Settled { .. } => squeezed,
-        Start::Rolling {
-            ring_x_m, ring_y_m, ..
-        } => pressed(ring_x_m.hypot(ring_y_m)),
-        Start::AtRest { .. } => pressed(0.0),
+    match case.start.state {
+        StartState::Settled => squeezed,
+        StartState::Rolling { ring_x_m, ring_y_m } => pressed(ring_x_m.hypot(ring_y_m)),
+        StartState::AtRest => pressed(0.0),
     }
 }
 
@@ -156,7 +154,7 @@ const WEDGE_RAD: f64 = std::f64::consts::FRAC_PI_3;
 /// the largest force that the guard of a run admits. Centrifugal force and friction are left out.
 fn wedged_n(case: &Case, down: f64) -> f64 {
     let bearing = &case.bearing;
-    let gaps = match case.start.gaps() {
+    let gaps = match &case.start.gaps {
         Gaps::Uniform => &vec![bearing.mean_gap_rad(); bearing.balls()],
         Gaps::List(gaps) => gaps,
     };
@@ -407,8 +405,8 @@ impl StepLimits {
         .sqrt();
         let contact = &case.contact;
         let wedge = wedged_n(case, down);
-        let touching = match (case.start.gaps(), &case.start) {
-            (Gaps::List(_), Start::AtRest { .. }) => case.rotor.is_some(),
+        let touching = match (&case.start.gaps, case.start.state) {
+            (Gaps::List(_), StartState::AtRest) => case.rotor.is_some(),
             (Gaps::List(gaps), _) => gaps.contains(&0.0),
             (Gaps::Uniform, _) => false,
         };

@@ -7,7 +7,8 @@ use crate::touchdown_reference::{difference, scaled, td1, td1_reference};
 use cageless::contact::FrictionTable;
 use cageless::simulation::RunOutcome;
 use cageless::{
-    Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start, SupportStop,
+    Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start, StartState,
+    SupportStop,
 };
 
 /// Through a clearance, without damping, unbalanced, a Hertzian journal; some balls close together.
@@ -82,10 +83,11 @@ fn close_together(case: &Case, lead_deg: f64) -> Start {
         .sum();
     let last = 360.0 - pairs - gaps.iter().sum::<f64>();
     let gaps = gaps.iter().chain([&last]).map(|g: &f64| g.to_radians());
-    Start::AtRest {
-        gaps: Gaps::List(gaps.collect()),
-        lead_ball_angle_rad: lead_deg.to_radians(),
-    }
+    Start::new(
+        StartState::AtRest,
+        Gaps::List(gaps.collect()),
+        lead_deg.to_radians(),
+    )
 }
 
 fn tolerated(case: &Case, tolerance: f64) -> RunOutcome {

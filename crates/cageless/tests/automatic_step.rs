@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 
 use crate::common::{complete, conventional, dimensions, steel, structure, undamped};
 use cageless::step_limits::StepLimits;
-use cageless::{Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start};
+use cageless::{
+    Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start, StartState,
+};
 
 fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.operation.radial_load_n = load_n;
@@ -50,12 +52,14 @@ fn a_raceway_not_milled_deep_enough_preloads_too() {
 fn overlap_of_a_rolling_start_shortens_the_step() {
     let mut case = conventional(dimensions());
     let settled = automatic(case.clone(), 0.0, 100.0, 0.01).solver.step_s;
-    case.start = Start::Rolling {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-        ring_x_m: 0.0,
-        ring_y_m: -30e-6,
-    };
+    case.start = Start::new(
+        StartState::Rolling {
+            ring_x_m: 0.0,
+            ring_y_m: -30e-6,
+        },
+        Gaps::Uniform,
+        0.0,
+    );
     let overlapping = automatic(case, 0.0, 100.0, 0.01).solver.step_s;
     assert!(overlapping < 0.8 * settled, "{overlapping:e} {settled:e}");
 }
@@ -124,10 +128,7 @@ fn row(balls: usize, diameter_m: f64, pitch_m: f64, play_m: f64, ring_kg: f64) -
     case.bearing = Bearing::new(dimensions, steel()).unwrap();
     let mut gaps = vec![0.0; balls];
     gaps[balls - 1] = balls as f64 * case.bearing.mean_gap_rad();
-    case.start = Start::Settled {
-        gaps: Gaps::List(gaps),
-        lead_ball_angle_rad: 0.15,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::List(gaps), 0.15);
     case
 }
 
@@ -144,10 +145,7 @@ fn a_ring_wedged_between_the_ends_of_a_row_keeps_its_energy_balance() {
         case.solver.step_s
     );
     let mut even = wedged;
-    even.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.15,
-    };
+    even.start = Start::new(StartState::Settled, Gaps::Uniform, 0.15);
     let even = automatic(even, 170.0, 6500.0, 0.0035).solver.step_s;
     assert!(
         case.solver.step_s < 0.5 * even,
@@ -162,10 +160,7 @@ fn a_ring_wedged_between_the_ends_of_a_row_keeps_its_energy_balance() {
 fn a_ring_that_whirls_with_its_balls_keeps_its_energy_balance() {
     let bunched = row(9, 2e-3, 7.087e-3, 40e-6, 5e-4);
     let mut four = row(4, 2.21e-3, 5.435e-3, 37e-6, 5e-4);
-    four.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 5.1,
-    };
+    four.start = Start::new(StartState::Settled, Gaps::Uniform, 5.1);
     for (mut case, rpm) in [(bunched, 16_000.0), (four, 80_000.0)] {
         case.contact.friction_law = FrictionLaw::Stribeck;
         case.contact.friction.coefficient = 0.04;

@@ -9,7 +9,7 @@ use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Cause, Control, Ending, run};
-use cageless::{Case, Formulation, FrictionLaw, Gaps, Start};
+use cageless::{Case, Formulation, FrictionLaw, Gaps, Start, StartState};
 
 fn rough_start(case: &mut Case) {
     // One pair close together, so that there are collisions.
@@ -17,12 +17,14 @@ fn rough_start(case: &mut Case) {
     let room = n as f64 * case.bearing.nominal_gap_rad();
     let mut gaps = vec![(room - 0.002) / (n - 1) as f64; n];
     gaps[2] = 0.002;
-    case.start = Start::Rolling {
-        gaps: Gaps::List(gaps),
-        lead_ball_angle_rad: 0.3,
-        ring_x_m: 1e-6,
-        ring_y_m: -15e-6,
-    };
+    case.start = Start::new(
+        StartState::Rolling {
+            ring_x_m: 1e-6,
+            ring_y_m: -15e-6,
+        },
+        Gaps::List(gaps),
+        0.3,
+    );
 }
 
 /// drive + radial load + weight = friction + damping + drag + change of energy.
@@ -90,12 +92,14 @@ fn turning_the_bearing_turns_the_motion() {
             case.operation.gravity_m_s2 = 0.0;
             let raceway = raceway(&case.bearing, 5.4, 18.167, turn);
             case = case.with_raceways(vec![raceway]);
-            case.start = Start::Rolling {
-                gaps: Gaps::Uniform,
-                lead_ball_angle_rad: 0.2 + turn.to_radians(),
-                ring_x_m: 0.0,
-                ring_y_m: 0.0,
-            };
+            case.start = Start::new(
+                StartState::Rolling {
+                    ring_x_m: 0.0,
+                    ring_y_m: 0.0,
+                },
+                Gaps::Uniform,
+                0.2 + turn.to_radians(),
+            );
             case.solver.duration_s = 0.001;
             (complete(&case).state, turn.to_radians())
         });
@@ -262,7 +266,7 @@ fn a_run_that_explodes_is_stopped() {
 fn parts_pressed_through_each_other_stop_the_run() {
     let mut case = structure(5.1, 25.2);
     rough_start(&mut case);
-    if let Start::Rolling { ring_y_m, .. } = &mut case.start {
+    if let StartState::Rolling { ring_y_m, .. } = &mut case.start.state {
         *ring_y_m = -0.45e-3;
     }
     // The overlap counts among the forces that limit the step.

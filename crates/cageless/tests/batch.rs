@@ -9,7 +9,9 @@ use cageless::integrator::System;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
-use cageless::{Case, FlankModel, Formulation, FrictionLaw, Gaps, IntegrationMethod, Start};
+use cageless::{
+    Case, FlankModel, Formulation, FrictionLaw, Gaps, IntegrationMethod, Start, StartState,
+};
 
 /// Cases that differ in everything that may differ side by side.
 fn mixed(count: usize) -> Vec<Case> {
@@ -42,10 +44,7 @@ fn mixed_of(balls: usize, count: usize) -> Vec<Case> {
             let room = n as f64 * case.bearing.nominal_gap_rad();
             let mut gaps = vec![(room - 0.002) / (n - 1) as f64; n];
             gaps[k % n] = 0.002;
-            case.start = Start::Settled {
-                gaps: Gaps::List(gaps),
-                lead_ball_angle_rad: 0.1 * k as f64,
-            };
+            case.start = Start::new(StartState::Settled, Gaps::List(gaps), 0.1 * k as f64);
             case.solver.method = IntegrationMethod::VelocityVerlet;
             case.solver.step_s = 1e-6;
             case.solver.duration_s = 0.003;
@@ -97,10 +96,11 @@ fn company_changes_no_bit() {
             let bearing = case.bearing.clone();
             case.bearing = bearing.with_ball_radius_deviations(deviations).unwrap();
             // Their angles take more of the turn.
-            case.start = Start::Settled {
-                gaps: Gaps::Uniform,
-                lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
-            };
+            case.start = Start::new(
+                StartState::Settled,
+                Gaps::Uniform,
+                case.start.lead_ball_angle_rad,
+            );
         },
         // Friction that is implicit.
         |case| case.contact.friction.coefficient = 1e-4 * case.operation.radial_load_n,
@@ -160,13 +160,15 @@ fn one_bearing_does_not_take_the_others_along() {
     }
     let expected: Vec<_> = cases.iter().map(alone).collect();
     cases[1].contact.friction.coefficient = f64::NAN;
-    cases[3].start = Start::Rolling {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-        ring_x_m: 0.0,
+    cases[3].start = Start::new(
         // Deep in the balls: they are pressed through a raceway at once.
-        ring_y_m: -400e-6,
-    };
+        StartState::Rolling {
+            ring_x_m: 0.0,
+            ring_y_m: -400e-6,
+        },
+        Gaps::Uniform,
+        0.0,
+    );
     let all: Vec<&Case> = cases.iter().collect();
     let mut observers: Vec<Vec<&mut dyn Observer>> = all.iter().map(|_| vec![]).collect();
     let outcomes = run_batch(&all, &mut observers, &mut |_| Control::Continue(()));

@@ -18,7 +18,7 @@ use cageless::recorder::Recorder;
 use cageless::simulation::{Control, RunOutcome, run, run_batch};
 use cageless::{
     Case, FlankModel, Formulation, FrictionLaw, Gaps, InputError, IntegrationMethod, Motion,
-    Snapshot, Start,
+    Snapshot, Start, StartState,
 };
 
 fn elastic(mut case: Case) -> Case {
@@ -173,12 +173,14 @@ fn rough(mut case: Case) -> Case {
     let room = n as f64 * case.bearing.mean_gap_rad();
     let mut gaps = vec![(room - 0.02) / (n - 1) as f64; n];
     gaps[2] = 0.02;
-    case.start = Start::Rolling {
-        gaps: Gaps::List(gaps),
-        lead_ball_angle_rad: 0.3,
-        ring_x_m: 1e-6,
-        ring_y_m: -15e-6,
-    };
+    case.start = Start::new(
+        StartState::Rolling {
+            ring_x_m: 1e-6,
+            ring_y_m: -15e-6,
+        },
+        Gaps::List(gaps),
+        0.3,
+    );
     case
 }
 
@@ -356,10 +358,7 @@ fn static_equilibrium_is_that_in_space() {
         (uneven(structure(5.1, 25.2)), 0.05),
     ] {
         let mut case = elastic(case);
-        case.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: lead,
-        };
+        case.start = Start::new(StartState::Settled, Gaps::Uniform, lead);
         let plane = equilibrium::solve(&case).unwrap();
         let space = space::solve(&case).unwrap();
         close(plane.ring_y_m, space.rest.ring_y_m, 1e-9);

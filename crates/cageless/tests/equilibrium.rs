@@ -4,7 +4,7 @@ use crate::common::{conventional, dimensions, steel, structure};
 use cageless::equilibrium::{Equilibrium, EquilibriumError, overload, solve};
 use cageless::initial_conditions::initial_state;
 use cageless::raceway_contact::{RacewayContact, RacewayPoint};
-use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Start};
+use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Start, StartState};
 
 /// Forces on every ball and on the ring, put together again from the result alone.
 fn check_balance(case: &Case, e: &Equilibrium) {
@@ -67,13 +67,7 @@ fn every_part_is_in_balance() {
                 case = conventional(d);
             }
             case.formulation = formulation;
-            if let Start::Settled {
-                lead_ball_angle_rad,
-                ..
-            } = &mut case.start
-            {
-                *lead_ball_angle_rad = lead;
-            }
+            case.start.lead_ball_angle_rad = lead;
             check_balance(&case, &solve(&case).unwrap());
         }
     }
@@ -185,10 +179,7 @@ fn bunched_in_a_row() -> Case {
     case.operation.radial_load_n = 660.0;
     let mut gaps = vec![0.0; 5];
     gaps[4] = 5.0 * case.bearing.mean_gap_rad();
-    case.start = Start::Settled {
-        gaps: Gaps::List(gaps),
-        lead_ball_angle_rad: 0.37,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::List(gaps), 0.37);
     case
 }
 
@@ -212,11 +203,7 @@ fn settled_balls_that_overlap_are_refused_with_the_gap_that_they_need() {
         "{message}"
     );
     // With that gap, and a little more, these two no longer do.
-    let Start::Settled {
-        gaps: Gaps::List(gaps),
-        ..
-    } = &mut case.start
-    else {
+    let Gaps::List(gaps) = &mut case.start.gaps else {
         unreachable!()
     };
     gaps[ball] = gap_rad + 1e-3;
@@ -232,13 +219,7 @@ fn a_ring_that_settles_beyond_the_shoulders_has_fallen() {
     let mut case = bunched_in_a_row();
     case.operation.radial_load_n = 0.1;
     for lead in 0..36 {
-        if let Start::Settled {
-            lead_ball_angle_rad,
-            ..
-        } = &mut case.start
-        {
-            *lead_ball_angle_rad = f64::from(lead) * 10f64.to_radians();
-        }
+        case.start.lead_ball_angle_rad = f64::from(lead) * 10f64.to_radians();
         if let Ok(rest) = solve(&case) {
             let off = rest.ring_x_m.hypot(rest.ring_y_m);
             assert!(

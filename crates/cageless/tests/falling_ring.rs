@@ -2,7 +2,7 @@
 
 use crate::common::{conventional, dimensions, drop_case, steel, structure};
 use cageless::simulation::{Cause, Control, Ending, Stop, run};
-use cageless::{Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Start};
+use cageless::{Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Start, StartState};
 
 /// The paper's bearing with `balls` of its fourteen balls in one row, the first at `lead_deg`.
 fn bunched(mut case: Case, balls: usize, lead_deg: f64) -> Case {
@@ -19,16 +19,15 @@ fn bunched(mut case: Case, balls: usize, lead_deg: f64) -> Case {
         None => bearing,
     };
     case.start = match case.rotor {
-        Some(_) => Start::AtRest {
+        Some(_) => Start::new(StartState::AtRest, gaps, lead_ball_angle_rad),
+        None => Start::new(
+            StartState::Rolling {
+                ring_x_m: 0.0,
+                ring_y_m: 0.0,
+            },
             gaps,
             lead_ball_angle_rad,
-        },
-        None => Start::Rolling {
-            gaps,
-            lead_ball_angle_rad,
-            ring_x_m: 0.0,
-            ring_y_m: 0.0,
-        },
+        ),
     };
     case.set_method(IntegrationMethod::VelocityVerlet);
     case.solver.duration_s = 0.05;

@@ -4,7 +4,7 @@ use crate::common::{complete, structure};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::simulation::{Control, RunOutcome};
-use cageless::{IntegrationMethod, Start, TimeTable};
+use cageless::{IntegrationMethod, Start, StartState, TimeTable};
 
 fn table(times_s: &[f64], values: &[f64]) -> Option<TimeTable> {
     Some(TimeTable::new("inner_speed_rad_s", times_s.to_vec(), values.to_vec()).unwrap())
@@ -96,9 +96,6 @@ fn impossible_tables_are_named() {
             .contains("a verdict needs that")
     );
     case.operation.inner_speed_table = None;
-    case.start = Start::AtRest {
-        gaps: cageless::Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-    };
+    case.start = Start::new(StartState::AtRest, cageless::Gaps::Uniform, 0.0);
     assert!(case.check().is_ok());
 }

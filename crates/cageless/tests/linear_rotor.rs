@@ -13,7 +13,7 @@ use cageless::simulation::{
 use cageless::snapshot::Snapshot;
 use cageless::touchdown::Scatter;
 use cageless::verification::Role;
-use cageless::{Case, FrictionLaw, IntegrationMethod, Start};
+use cageless::{Case, FrictionLaw, IntegrationMethod};
 
 pub const SPEED_RAD_S: f64 = 3141.6;
 
@@ -179,13 +179,7 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
     assert!(scattered != scatter.draw(&drop, 8).0);
     assert_eq!(scattered, scatter.draw(&drop, 7).0);
 
-    let turned = |case: &Case| match case.start {
-        Start::AtRest {
-            lead_ball_angle_rad,
-            ..
-        } => lead_ball_angle_rad,
-        _ => panic!("balls at rest"),
-    };
+    let turned = |case: &Case| case.start.lead_ball_angle_rad;
     for role in Role::all(case.seed, 2) {
         let replica = drop.replica(role);
         for (a, b) in replica.cases().iter().zip(drop.cases()) {

@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions};
 use cageless::equilibrium::solve;
 use cageless::rating::rigid_ring_forces_n;
-use cageless::{BearingDimensions, Gaps, Start};
+use cageless::{BearingDimensions, Gaps, Start, StartState};
 
 /// Harris, *Rolling Bearing Analysis*: the 209 bearing, nine balls of 12.7 mm, grooves of 6.6 mm,
 /// 52.291 and 77.706 mm in diameter, under 8900 N carries 4527, 2840 and 61 N at 0, 40 and 80° from
@@ -64,10 +64,7 @@ fn rigid_ring_forces_are_in_balance() {
         let mut d = dimensions();
         d.outer_groove_bottom_radius_m += play_m;
         let mut case = conventional(d);
-        case.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: lead,
-        };
+        case.start = Start::new(StartState::Settled, Gaps::Uniform, lead);
         case.operation.radial_load_n = load_n;
         case.bearing = case
             .bearing

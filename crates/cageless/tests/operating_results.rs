@@ -132,10 +132,11 @@ fn peak_pressures_are_those_of_the_largest_forces() {
     // Pairs that are closer than the critical gap touch in the raceway.
     let even = case.bearing.nominal_gap_rad();
     let gaps = (0..case.bearing.balls()).map(|k| even * [0.2, 1.8][k % 2]);
-    case.start = cageless::Start::Settled {
-        gaps: cageless::Gaps::List(gaps.collect()),
-        lead_ball_angle_rad: 0.1,
-    };
+    case.start = cageless::Start::new(
+        cageless::StartState::Settled,
+        cageless::Gaps::List(gaps.collect()),
+        0.1,
+    );
     let mut steps = EveryStep {
         after_s: cageless::summary::transient_s(&case),
         ..EveryStep::default()

@@ -3,7 +3,7 @@
 use cageless::numerics::angle::wrap_angle_rad;
 use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
-use cageless::{Case, Gaps, IntegrationMethod, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Start, StartState};
 
 fn passages(case: &Case) -> Vec<Passage> {
     let mut found = vec![];
@@ -26,10 +26,7 @@ fn ends_are_located_within_the_step() {
     case = case
         .clone()
         .with_raceways(vec![crate::common::raceway(&case.bearing, 5.1, 25.2, 30.0)]);
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.1,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, 0.1);
     let mut at = |step_s: f64| {
         case.solver.step_s = step_s;
         passages(&case)

@@ -10,7 +10,7 @@ use cageless::design::search::{
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::simulation::{Control, Observer, ObserverError, StepView};
-use cageless::{Case, Gaps, Start};
+use cageless::{Case, Gaps, Start, StartState};
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())
@@ -63,10 +63,11 @@ fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
         .unwrap();
 
     let mut same = case.clone();
-    same.start = Start::Settled {
-        gaps: Gaps::List(uneven_gaps_rad(&case, 11, 3)),
-        lead_ball_angle_rad: 0.0,
-    };
+    same.start = Start::new(
+        StartState::Settled,
+        Gaps::List(uneven_gaps_rad(&case, 11, 3)),
+        0.0,
+    );
     // Ω = ωi·Ri/(2Rm) of rolling balls.
     let speed = case.operation.inner_speed_rad_s * 18.24 / (18.24 + 27.765);
     same.solver.duration_s = case.rolling_orbit_s() * 32.0;
@@ -175,10 +176,11 @@ fn stress_is_the_largest_while_the_balls_go_by() {
     let mut largest = [0.0f64; 2];
     for k in 0..40 {
         let mut at = case.clone();
-        at.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: TAU / 14.0 * f64::from(k) / 40.0,
-        };
+        at.start = Start::new(
+            StartState::Settled,
+            Gaps::Uniform,
+            TAU / 14.0 * f64::from(k) / 40.0,
+        );
         let e = cageless::equilibrium::solve(&at).unwrap();
         largest[0] = largest[0].max(e.inner_pressure_max_pa);
         largest[1] = largest[1].max(e.outer_pressure_max_pa);

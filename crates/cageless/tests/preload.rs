@@ -8,7 +8,9 @@ use cageless::equilibrium::solve;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run};
 use cageless::step_limits::StepLimits;
-use cageless::{Bearing, BearingDimensions, Case, Gaps, InputError, IntegrationMethod, Start};
+use cageless::{
+    Bearing, BearingDimensions, Case, Gaps, InputError, IntegrationMethod, Start, StartState,
+};
 
 /// K at both raceways, N·m^(−3/2).
 const STIFFNESS: f64 = 2.8e10;
@@ -192,16 +194,15 @@ fn forces(mut case: Case, duration_s: f64) -> Forces {
 fn no_ball_of_a_lightly_loaded_preloaded_bearing_is_ever_unloaded() {
     let (gaps, lead_ball_angle_rad) = (Gaps::Uniform, 0.1);
     let starts = [
-        Start::Settled {
-            gaps: gaps.clone(),
-            lead_ball_angle_rad,
-        },
-        Start::Rolling {
+        Start::new(StartState::Settled, gaps.clone(), lead_ball_angle_rad),
+        Start::new(
+            StartState::Rolling {
+                ring_x_m: 0.0,
+                ring_y_m: 0.0,
+            },
             gaps,
             lead_ball_angle_rad,
-            ring_x_m: 0.0,
-            ring_y_m: 0.0,
-        },
+        ),
     ];
     for start in starts {
         let mut case = undamped(preloaded(3000.0));

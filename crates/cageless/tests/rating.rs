@@ -12,7 +12,7 @@ use cageless::rating::{
 use cageless::recorder::Recorder;
 use cageless::simulation::run;
 use cageless::{
-    Assembly, Bearing, BearingDimensions, Case, InnerRingBore, Raceway, RacewayDimensions, Start,
+    Assembly, Bearing, BearingDimensions, Case, InnerRingBore, Raceway, RacewayDimensions,
 };
 
 /// γ = Dw/Dpw and fc of ISO 281, single-row deep groove ball bearings.
@@ -90,13 +90,7 @@ fn at_rest(mut case: Case) -> Case {
 }
 
 fn turned(mut case: Case, angle_rad: f64) -> Case {
-    if let Start::Settled {
-        lead_ball_angle_rad,
-        ..
-    } = &mut case.start
-    {
-        *lead_ball_angle_rad += angle_rad;
-    }
+    case.start.lead_ball_angle_rad += angle_rad;
     case
 }
 

@@ -6,7 +6,7 @@ use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::equilibrium::space::{SpatialEquilibrium, solve};
 use cageless::equilibrium::{self, EquilibriumError};
 use cageless::numerics::taylor::Taylor;
-use cageless::{Bearing, BearingDimensions, Case, Gaps, Material, Row, Start, Tilt};
+use cageless::{Bearing, BearingDimensions, Case, Gaps, Material, Row, Start, StartState, Tilt};
 
 /// A bearing that hardly turns, without weight.
 fn still(dimensions: BearingDimensions, material: Material) -> Case {
@@ -53,10 +53,7 @@ fn bearing_of_masta(clearance_m: f64) -> Case {
 }
 
 fn at_lead(mut case: Case, lead_ball_angle_rad: f64) -> Case {
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, lead_ball_angle_rad);
     case
 }
 

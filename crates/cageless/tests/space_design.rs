@@ -11,7 +11,7 @@ use cageless::design::{
 };
 use cageless::simulation::Control;
 use cageless::tolerance::{Influence, Outcome, Tolerances, assess, trials};
-use cageless::{Bearing, Case, Gaps, IntegrationMethod, Motion, Raceway, Row, Start};
+use cageless::{Bearing, Case, Gaps, IntegrationMethod, Motion, Raceway, Row, Start, StartState};
 
 use crate::common::{dimensions, raceway, steel, structure};
 
@@ -314,10 +314,7 @@ fn a_turned_section_beats_a_straight_one() {
 fn slopes_of_tolerances_are_differences_of_designs() {
     let plain = angular_contact();
     let mut case = plain.with_raceways(vec![turned(&plain.bearing, 15.0)]);
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, 0.0);
     let [span_m, section_rad] = [20e-6, 0.5 * DEGREE];
     let tolerances = Tolerances {
         groove_depth_m: 0.0,

@@ -9,7 +9,9 @@ use cageless::initial_conditions::initial_state;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Ending, run, run_from};
 use cageless::summary::SummaryRecorder;
-use cageless::{Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Motion, Start, Tilt};
+use cageless::{
+    Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Motion, Start, StartState, Tilt,
+};
 
 use crate::common::{complete, conventional, dimensions, raceway, steel, structure};
 
@@ -40,12 +42,14 @@ fn a_plain_ring_moves_in_space_as_in_the_plane() {
         planar.solver.method = method;
         planar.solver.duration_s = 2e-3;
         // Balls bounce, and damping counts.
-        planar.start = Start::Rolling {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: 0.0,
-            ring_x_m: 0.0,
-            ring_y_m: -15e-6,
-        };
+        planar.start = Start::new(
+            StartState::Rolling {
+                ring_x_m: 0.0,
+                ring_y_m: -15e-6,
+            },
+            Gaps::Uniform,
+            0.0,
+        );
         let (flat, spatial) = (complete(&planar), complete(&in_space(planar.clone())));
         for k in 0..planar.bearing.balls() {
             let (a, b) = (flat.state.ball_motion(k), spatial.state.ball_motion(k));
@@ -174,10 +178,7 @@ fn a_turned_ring_moves_as_before() {
         case.operation.gravity_m_s2 = 0.0;
         case.operation.space.axial_load_n = 800.0;
         case.raceways = vec![raceway(&case.bearing, 5.1, 25.2, angle.to_degrees())];
-        case.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: angle,
-        };
+        case.start = Start::new(StartState::Settled, Gaps::Uniform, angle);
         case.solver.duration_s = 2e-3;
         complete(&case).state
     };
@@ -308,12 +309,14 @@ fn a_free_ring_is_a_symmetric_top() {
     };
     let [transverse, polar] = [3e-5, 5.5e-5];
     case.operation.space.inertias_kg_m2 = Some([transverse, polar]);
-    case.start = Start::Rolling {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-        ring_x_m: 0.0,
-        ring_y_m: 0.0,
-    };
+    case.start = Start::new(
+        StartState::Rolling {
+            ring_x_m: 0.0,
+            ring_y_m: 0.0,
+        },
+        Gaps::Uniform,
+        0.0,
+    );
     case.solver.method = IntegrationMethod::Adaptive;
     case.solver.tolerance = 1e-11;
     let (mut state, angles) = initial_state(&case).unwrap();

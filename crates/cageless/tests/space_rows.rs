@@ -7,7 +7,7 @@ use cageless::initial_conditions::initial_state;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Ending, run};
 use cageless::summary::{Summary, SummaryRecorder};
-use cageless::{Bearing, Case, Gaps, IntegrationMethod, Row, Start, Tilt};
+use cageless::{Bearing, Case, Gaps, IntegrationMethod, Row, Start, StartState, Tilt};
 
 use crate::common::{complete, raceway, steel, structure};
 
@@ -127,10 +127,7 @@ fn two_rows_in_one_plane_are_one_row_twice() {
             1e-3
         }
     });
-    one.start = Start::Settled {
-        gaps: Gaps::List(gaps.collect()),
-        lead_ball_angle_rad: 0.0,
-    };
+    one.start = Start::new(StartState::Settled, Gaps::List(gaps.collect()), 0.0);
     one.solver.duration_s = 0.03;
     let mut two = one.clone();
     let mut d = two.bearing.dimensions().clone();

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::common::{conventional, dimensions, steel};
 use cageless::equilibrium::{Equilibrium, EquilibriumError, solve};
-use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Operation, Start};
+use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Operation, Start, StartState};
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
 struct Random(u64);
@@ -29,10 +29,7 @@ impl Random {
 }
 
 fn at_lead(mut case: Case, lead_rad: f64) -> Case {
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: lead_rad,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, lead_rad);
     case
 }
 
@@ -177,7 +174,7 @@ impl AllTogether {
         let n = d.balls;
         let balls = (0..n)
             .map(|k| {
-                let angle = case.start.lead_ball_angle_rad() + TAU * k as f64 / n as f64;
+                let angle = case.start.lead_ball_angle_rad + TAU * k as f64 / n as f64;
                 [
                     angle,
                     d.outer_groove_bottom_radius_m - rw,
@@ -370,10 +367,7 @@ fn a_ring_that_no_ball_carries_is_refused_with_the_reason() {
         Bearing::new(d, steel()).unwrap()
     };
     let room = 3.0 * case.bearing.nominal_gap_rad();
-    case.start = Start::Settled {
-        gaps: Gaps::List(vec![0.0, 0.0, room]),
-        lead_ball_angle_rad: PI,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::List(vec![0.0, 0.0, room]), PI);
     let error = solve(&case).unwrap_err();
     assert_eq!(error, EquilibriumError::Unsupported);
     assert!(error.to_string().contains("start.gaps"), "{error}");

@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions, drop_case, raceway, structure, undamped};
 use cageless::contact::FrictionTable;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start, SupportStop, Tilt};
+use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start, StartState, SupportStop, Tilt};
 
 const METHODS: [IntegrationMethod; 3] = [
     IntegrationMethod::Abm4,
@@ -257,12 +257,14 @@ fn parts_that_press_each_other_set_the_step() {
         1e-9,
     );
     let rolling = |case: &Case| Case {
-        start: Start::Rolling {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: 0.0,
-            ring_x_m: 6e-6,
-            ring_y_m: -8e-6,
-        },
+        start: Start::new(
+            StartState::Rolling {
+                ring_x_m: 6e-6,
+                ring_y_m: -8e-6,
+            },
+            Gaps::Uniform,
+            0.0,
+        ),
         ..case.clone()
     };
     compare("overlap", &rolling(&case), inner * 1e-5_f64.powf(1.5), 1e-9);

@@ -8,7 +8,7 @@ use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run, run_batch};
-use cageless::{Case, FrictionLaw, IntegrationMethod, Start, SupportStop};
+use cageless::{Case, FrictionLaw, IntegrationMethod, Start, StartState, SupportStop};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
 fn near_contact(mut case: Case) -> Case {
@@ -400,10 +400,7 @@ fn impossible_drops_are_named() {
         "formulation"
     );
     assert_eq!(
-        field(&|c| c.start = Start::Settled {
-            gaps: cageless::Gaps::Uniform,
-            lead_ball_angle_rad: 0.0
-        }),
+        field(&|c| c.start = Start::new(StartState::Settled, cageless::Gaps::Uniform, 0.0)),
         "start_state"
     );
     let without_bore = |c: &mut Case| {

@@ -6,7 +6,7 @@ use crate::common::{complete, drop_case, raceway};
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::state::State;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, Gaps, IntegrationMethod, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Start, StartState};
 
 /// The case of `reference/td1_2ms.csv`.
 pub fn td1() -> Case {
@@ -34,10 +34,11 @@ pub fn td1() -> Case {
         2.0,
         2.125_096_075_410_7,
     ];
-    case.start = Start::AtRest {
-        gaps: Gaps::List(gaps.map(f64::to_radians).to_vec()),
-        lead_ball_angle_rad: (-12.0_f64).to_radians(),
-    };
+    case.start = Start::new(
+        StartState::AtRest,
+        Gaps::List(gaps.map(f64::to_radians).to_vec()),
+        (-12.0_f64).to_radians(),
+    );
     case.solver.duration_s = 2e-3;
     case
 }

@@ -6,7 +6,7 @@ use cageless::simulation::{
     Control, Observer, ObserverError, RotorDrop, RunOutcome, StepView, run,
 };
 use cageless::touchdown::{DropRecorder, DropSummary, EndState, Scatter};
-use cageless::{Case, Gaps, Start};
+use cageless::{Case, Gaps, Start, StartState};
 
 use crate::common::{drop_case, raceway};
 
@@ -207,10 +207,7 @@ fn every_number_of_a_drop_follows_from_its_steps() {
     let mut case = near(0.02);
     let mut gaps = vec![0.0; 14];
     gaps[13] = 14.0 * case.bearing.mean_gap_rad();
-    case.start = Start::AtRest {
-        gaps: Gaps::List(gaps),
-        lead_ball_angle_rad: 0.4,
-    };
+    case.start = Start::new(StartState::AtRest, Gaps::List(gaps), 0.4);
     let rotor = case.rotor.as_mut().unwrap();
     (rotor.vy_m_s, rotor.vx_m_s) = (-0.1, 0.05);
     let mut steps = Loads::of(&case);

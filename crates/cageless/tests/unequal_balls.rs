@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions, structure, undamped};
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, run};
-use cageless::{Case, Gaps, IntegrationMethod, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Start, StartState};
 
 fn scattered(mut case: Case, deviation: impl Fn(usize) -> f64) -> Case {
     let deviations = (0..case.bearing.balls()).map(deviation).collect();
@@ -13,10 +13,7 @@ fn scattered(mut case: Case, deviation: impl Fn(usize) -> f64) -> Case {
 }
 
 fn settled(mut case: Case) -> Case {
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.2,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, 0.2);
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = 0.5e-6;
     case.solver.duration_s = 0.002;
@@ -111,10 +108,7 @@ fn padding_is_not_felt() {
 #[test]
 fn a_large_ball_carries_more() {
     let mut case = conventional(dimensions());
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, 0.0);
     let equal = equilibrium::solve(&case).unwrap();
     let unequal = scattered(case, |k| if k == 0 { 2e-6 } else { 0.0 });
     let e = equilibrium::solve(&unequal).unwrap();

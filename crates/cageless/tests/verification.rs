@@ -5,7 +5,7 @@ use cageless::simulation::Control;
 use cageless::verification::{
     Convergence, LARGE_PERTURBATIONS, Loss, Quantity, Record, Verification, replicas,
 };
-use cageless::{Case, Formulation, Gaps, Start};
+use cageless::{Case, Formulation, Gaps, Start, StartState};
 
 /// Runs all replicas, on two threads or one.
 fn certify(case: &Case, threads: usize) -> Verification {
@@ -41,12 +41,14 @@ fn cb74(step_s: f64, duration_s: f64) -> Case {
     case.contact.inner_stiffness_n_m1_5 = Some(1.2e10);
     case.contact.outer_stiffness_n_m1_5 = Some(1.3e10);
     case.contact.ball_stiffness_n_m1_5 = Some(7.4e9);
-    case.start = Start::Rolling {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-        ring_x_m: 0.0,
-        ring_y_m: -10e-6,
-    };
+    case.start = Start::new(
+        StartState::Rolling {
+            ring_x_m: 0.0,
+            ring_y_m: -10e-6,
+        },
+        Gaps::Uniform,
+        0.0,
+    );
     case.solver.step_s = step_s;
     case.solver.duration_s = duration_s;
     case

@@ -3,7 +3,7 @@
 use crate::common::structure;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::vibration::{AFTER_CONTACT_S, VibrationRecorder};
-use cageless::{Case, Gaps, Housing, Start};
+use cageless::{Case, Gaps, Housing, Start, StartState};
 
 /// Ends of the steps, force on the outer ring there, and whether balls touch.
 #[derive(Default)]
@@ -22,10 +22,7 @@ fn case() -> Case {
     let mut case = structure(5.1, 25.2);
     let even = case.bearing.nominal_gap_rad();
     let gaps = (0..14).map(|k| even * [0.2, 1.8][k % 2]).collect();
-    case.start = Start::Settled {
-        gaps: Gaps::List(gaps),
-        lead_ball_angle_rad: 0.1,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::List(gaps), 0.1);
     case.solver.duration_s = 0.012;
     case
 }

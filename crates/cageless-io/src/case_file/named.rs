@@ -65,9 +65,9 @@ pub(super) fn quoted(names: &[&str]) -> String {
 }
 
 cageless::named_enum! {
-    /// Kind of initial state; [`cageless::Start`] has the details.
+    /// Kind of initial state; [`cageless::StartState`] has the details.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub(crate) enum StartState {
+    pub(crate) enum StartKind {
         /// Static equilibrium at speed.
         Settled = "settled",
         /// Pure rolling, ring where put.
@@ -101,5 +101,5 @@ named!(
     SearchedShapes,
     Shaft,
     SkfSeries,
-    StartState
+    StartKind
 );

@@ -53,10 +53,7 @@ fn without_contacts_all_is_at_passing() {
     plan.case.operation.inner_speed_rad_s *= 4.0;
     plan.case.solver.duration_s = 0.2;
     let mut case = plan.start(0).unwrap();
-    case.start = Start::Settled {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-    };
+    case.start = Start::new(StartState::Settled, Gaps::Uniform, 0.0);
     let silent: &dyn Progress = &Silent;
     let progress = silent.begin("comparison", 1.0);
     let one = side_by_side(&[&case], &plan, &progress, 0.0).unwrap();
@@ -79,7 +76,7 @@ fn starts_are_bunches_that_fill_the_room() {
                     .iter()
                     .any(|d| *d != 0.0)
             );
-            let Gaps::List(gaps) = case.start.gaps().clone() else {
+            let Gaps::List(gaps) = case.start.gaps.clone() else {
                 panic!("a list of gaps");
             };
             gaps

@@ -203,7 +203,7 @@ fn shifted(centres: &[f64], list: Vec<f64>) -> Vec<f64> {
 /// The gaps of a case, in degrees.
 fn gaps_deg(file: &CaseFile) -> Vec<f64> {
     let bearing = &file.case().bearing;
-    match file.case().start.gaps() {
+    match &file.case().start.gaps {
         Gaps::Uniform => vec![bearing.mean_gap_rad().to_degrees(); bearing.balls()],
         Gaps::List(list) => list.iter().map(|gap| gap.to_degrees()).collect(),
     }

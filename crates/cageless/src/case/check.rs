@@ -1,6 +1,6 @@
 //! What a case may be.
 
-use super::{Case, DURATION_MIN_S, Gaps, INTERVAL_MIN_S, Operation, STEPS_MAX, Start};
+use super::{Case, DURATION_MIN_S, Gaps, INTERVAL_MIN_S, Operation, STEPS_MAX, StartState};
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
@@ -178,7 +178,7 @@ impl Case {
         let physical = self.formulation == Formulation::Physical;
         let rule = "\"physical\": the published equations have no rotor";
         require("formulation", f64::NAN, physical, rule)?;
-        let at_rest = matches!(self.start, Start::AtRest { .. });
+        let at_rest = self.start.state == StartState::AtRest;
         let rule = "\"at-rest\": the rotor falls onto a bearing at rest";
         require("start_state", f64::NAN, at_rest, rule)
     }
@@ -202,13 +202,10 @@ impl Case {
 
     fn check_start(&self) -> Result<(), InputError> {
         let start = &self.start;
-        let lead_rad = start.lead_ball_angle_rad();
+        let lead_rad = start.lead_ball_angle_rad;
         let rule = "a finite angle";
         require("lead_ball_angle_rad", lead_rad, lead_rad.is_finite(), rule)?;
-        if let &Start::Rolling {
-            ring_x_m, ring_y_m, ..
-        } = start
-        {
+        if let StartState::Rolling { ring_x_m, ring_y_m } = start.state {
             // A ball pressed in by a tenth of its radius is far past any elastic contact.
             let most = 0.5 * self.bearing.radial_internal_clearance_m()
                 + 0.1 * self.bearing.ball_radius_m();
@@ -217,7 +214,7 @@ impl Case {
                 require(field, value, value.abs() <= most, rule)?;
             }
         }
-        if let Gaps::List(gaps) = start.gaps() {
+        if let Gaps::List(gaps) = &start.gaps {
             let n = self.bearing.balls();
             let rule = format!("a list of {n} gaps, one per ball");
             require("gaps", gaps.len() as f64, gaps.len() == n, rule)?;

@@ -90,61 +90,40 @@ pub enum Gaps {
     List(Vec<f64>),
 }
 
-/// Initial state.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Start {
+/// Initial state of rings and balls, but for where the balls are along the raceways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StartState {
     /// Static equilibrium at speed, balls rolling.
-    Settled {
-        /// Gaps at the start.
-        gaps: Gaps,
-        /// ψ of ball 1.
-        lead_ball_angle_rad: f64,
-    },
+    Settled,
     /// Every ball on Rm in pure rolling, the ring at rest where it is put.
     Rolling {
-        /// Gaps at the start.
-        gaps: Gaps,
-        /// ψ of ball 1.
-        lead_ball_angle_rad: f64,
         /// Centre of the inner ring.
         ring_x_m: f64,
         /// Centre of the inner ring.
         ring_y_m: f64,
     },
     /// Everything at rest in the middle: balls on Rm, both rings at the centre.
-    AtRest {
-        /// Gaps at the start.
-        gaps: Gaps,
-        /// ψ of ball 1.
-        lead_ball_angle_rad: f64,
-    },
+    AtRest,
+}
+
+/// Initial state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// State of rings and balls.
+    pub state: StartState,
+    /// Gaps at the start.
+    pub gaps: Gaps,
+    /// ψ of ball 1.
+    pub lead_ball_angle_rad: f64,
 }
 
 impl Start {
-    /// Gaps at the start.
-    pub fn gaps(&self) -> &Gaps {
-        match self {
-            Self::Settled { gaps, .. } | Self::Rolling { gaps, .. } | Self::AtRest { gaps, .. } => {
-                gaps
-            }
-        }
-    }
-
-    /// ψ of ball 1.
-    pub fn lead_ball_angle_rad(&self) -> f64 {
-        match *self {
-            Self::Settled {
-                lead_ball_angle_rad,
-                ..
-            }
-            | Self::Rolling {
-                lead_ball_angle_rad,
-                ..
-            }
-            | Self::AtRest {
-                lead_ball_angle_rad,
-                ..
-            } => lead_ball_angle_rad,
+    /// The start with these gaps, ball 1 at `lead_ball_angle_rad`.
+    pub fn new(state: StartState, gaps: Gaps, lead_ball_angle_rad: f64) -> Self {
+        Self {
+            state,
+            gaps,
+            lead_ball_angle_rad,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::case::{Case, Gaps, Start};
+use crate::case::{Case, Gaps, Start, StartState};
 use crate::equilibrium::{self, EquilibriumError};
 
 /// Places within one spacing of the balls at which the load is looked at.
@@ -18,10 +18,11 @@ pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
     let mut case = case.clone();
     let mut peak = [0.0f64; 2];
     for k in 0..POSITIONS {
-        case.start = Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: pitch * k as f64 / POSITIONS as f64,
-        };
+        case.start = Start::new(
+            StartState::Settled,
+            Gaps::Uniform,
+            pitch * k as f64 / POSITIONS as f64,
+        );
         let e = match case.moves_in_space() {
             true => equilibrium::space::solve(&case)?.rest,
             false => equilibrium::solve(&case)?,

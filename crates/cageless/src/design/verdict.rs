@@ -7,7 +7,7 @@ use super::pressure_at_rest::pressure_at_rest_pa;
 use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
 use super::{Eq11, gap_of_delay_rad, steady_gap_rad, theoretical_gap_rad};
-use crate::case::{Case, Gaps, Start};
+use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::equilibrium::EquilibriumError;
@@ -415,10 +415,11 @@ fn decide(
 /// The case that [`judge`] runs: evenly spaced, settled, for 32 orbits of the balls.
 pub fn steady_case(case: &Case) -> Case {
     let mut steady = Case {
-        start: Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
-        },
+        start: Start::new(
+            StartState::Settled,
+            Gaps::Uniform,
+            case.start.lead_ball_angle_rad,
+        ),
         ..case.clone()
     };
     steady.solver.duration_s = (TURNS[0] + TURNS[1]) * case.rolling_orbit_s();

@@ -161,12 +161,12 @@ pub fn overload(case: &Case) -> Option<String> {
 pub fn start_angles_rad(case: &Case) -> Vec<f64> {
     let bearing = &case.bearing;
     let n = bearing.balls();
-    let mut angle = case.start.lead_ball_angle_rad();
+    let mut angle = case.start.lead_ball_angle_rad;
     (0..n)
         .map(|k| {
             let here = angle;
             angle += bearing.pair_angle_rad(k)
-                + match case.start.gaps() {
+                + match &case.start.gaps {
                     Gaps::Uniform => bearing.mean_gap_rad(),
                     Gaps::List(gaps) => gaps[k],
                 };

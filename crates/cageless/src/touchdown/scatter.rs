@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::case::{Case, Gaps, Start};
+use crate::case::{Case, Gaps, Start, StartState};
 use crate::design::search::uneven_gaps_rad;
 use crate::numerics::random::{GOLDEN_GAMMA, RandomStream, mix};
 use crate::simulation::RotorDrop;
@@ -157,10 +157,11 @@ impl Scatter {
             let Streams { seed, index } = streams;
             let gaps_rad = uneven_gaps_rad(case, seed, index);
             let lead_ball_angle_rad = streams.between(Dimension::FirstBall, 0.0, TAU) - TAU / 2.0;
-            drop.start = Start::AtRest {
-                gaps: Gaps::List(gaps_rad.clone()),
+            drop.start = Start::new(
+                StartState::AtRest,
+                Gaps::List(gaps_rad.clone()),
                 lead_ball_angle_rad,
-            };
+            );
             drawn.arrangement_rad = Some((gaps_rad, lead_ball_angle_rad));
         }
         (drop, drawn)

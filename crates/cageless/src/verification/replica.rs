@@ -4,7 +4,7 @@ use super::momentum::MomentumBalance;
 use super::motion::MotionRecorder;
 use super::quantity::Quantity;
 use super::trajectory::{TrajectoryRecorder, sample_times_s};
-use crate::case::{Case, Start};
+use crate::case::Case;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::random::{GOLDEN_GAMMA, mix};
 use crate::simulation::{
@@ -141,20 +141,7 @@ impl Role {
     /// it.
     pub fn case(&self, case: &Case) -> Case {
         let mut replica = case.clone();
-        match &mut replica.start {
-            Start::Settled {
-                lead_ball_angle_rad,
-                ..
-            }
-            | Start::Rolling {
-                lead_ball_angle_rad,
-                ..
-            }
-            | Start::AtRest {
-                lead_ball_angle_rad,
-                ..
-            } => *lead_ball_angle_rad += self.perturbation_rad,
-        }
+        replica.start.lead_ball_angle_rad += self.perturbation_rad;
         if self.half_step {
             replica.solver.step_s *= 0.5;
         }

@@ -7,7 +7,7 @@ use cageless::{
     Bearing, BearingDimensions, Case, Contact, FlankModel, Formulation, FrictionLaw,
     FrictionParameters, Gaps, InnerRingBore, IntegrationMethod, Material, Motion, Operation,
     Output, Raceway, RacewayDimensions, RacewayForm, RacewayShape, Rotor, Shaft, Solver,
-    SpatialLoad, Start, Support,
+    SpatialLoad, Start, StartState, Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -96,10 +96,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         formulation: Formulation::Physical,
         motion: Motion::BySymmetry,
         flanks: FlankModel::Rigid,
-        start: Start::Settled {
-            gaps: Gaps::Uniform,
-            lead_ball_angle_rad: 0.0,
-        },
+        start: Start::new(StartState::Settled, Gaps::Uniform, 0.0),
         solver: Solver {
             method: IntegrationMethod::Abm4,
             step_s: 1e-6,
@@ -160,10 +157,7 @@ pub fn drop_case() -> Case {
     case.operation.inner_speed_rad_s = 0.0;
     case.operation.radial_load_n = 0.0;
     case.contact.friction.coefficient = 0.1;
-    case.start = Start::AtRest {
-        gaps: Gaps::Uniform,
-        lead_ball_angle_rad: 0.0,
-    };
+    case.start = Start::new(StartState::AtRest, Gaps::Uniform, 0.0);
     case.rotor = Some(Rotor {
         mass_kg: 20.0,
         polar_inertia_kg_m2: 0.02,

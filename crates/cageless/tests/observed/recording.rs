@@ -13,7 +13,7 @@ use cageless::simulation::{
 };
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::verification::{Record, replicas};
-use cageless::{Case, Gaps, Start};
+use cageless::{Case, Gaps, Start, StartState};
 
 /// One ball at the end of a step; its pair is the one with the ball ahead.
 #[derive(Clone, Copy, Default)]
@@ -136,10 +136,11 @@ fn case() -> Case {
     let mut case = case.with_raceways(raceways.to_vec());
     let mean = case.bearing.mean_gap_rad();
     let uneven = |k: usize| mean * [0.1, 1.5, 0.3, 2.1, 0.2, 1.0, 1.8][k % 7];
-    case.start = Start::Settled {
-        gaps: Gaps::List((0..14).map(uneven).collect()),
-        lead_ball_angle_rad: 0.1,
-    };
+    case.start = Start::new(
+        StartState::Settled,
+        Gaps::List((0..14).map(uneven).collect()),
+        0.1,
+    );
     case.solver.step_s = 2e-6;
     case.solver.duration_s = 0.05;
     case

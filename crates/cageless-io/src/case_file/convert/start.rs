@@ -1,12 +1,12 @@
 //! Initial state of a case.
 
 use cageless::numerics::random::RandomStream;
-use cageless::{Bearing, Gaps, Start};
+use cageless::{Bearing, Gaps, Start, StartState};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
 use crate::case_file::fields::GivenGaps;
-use crate::case_file::named::StartState;
+use crate::case_file::named::StartKind;
 
 impl Converter<'_> {
     pub(in crate::case_file) fn start(&self, bearing: &Bearing) -> Result<Start, CaseError> {
@@ -17,8 +17,7 @@ impl Converter<'_> {
             GivenGaps::Random => Gaps::List(random(bearing, self.sections.solver.seed)),
             GivenGaps::List(list) => Gaps::List(list.clone()),
         };
-        let lead_ball_angle_rad = s.lead_ball_angle_rad;
-        if s.state != StartState::Rolling {
+        if s.state != StartKind::Rolling {
             for key in ["start.ring_x_um", "start.ring_y_um"] {
                 if self.document.has(key) {
                     let allowed = "left out unless start.state = \"rolling\": other starts \
@@ -27,22 +26,15 @@ impl Converter<'_> {
                 }
             }
         }
-        Ok(match s.state {
-            StartState::Settled => Start::Settled {
-                gaps,
-                lead_ball_angle_rad,
-            },
-            StartState::AtRest => Start::AtRest {
-                gaps,
-                lead_ball_angle_rad,
-            },
-            StartState::Rolling => Start::Rolling {
-                gaps,
-                lead_ball_angle_rad,
+        let state = match s.state {
+            StartKind::Settled => StartState::Settled,
+            StartKind::AtRest => StartState::AtRest,
+            StartKind::Rolling => StartState::Rolling {
                 ring_x_m: s.ring_x_m.unwrap_or(0.0),
                 ring_y_m: s.ring_y_m.unwrap_or(0.0),
             },
-        })
+        };
+        Ok(Start::new(state, gaps, s.lead_ball_angle_rad))
     }
 }
 

@@ -2,12 +2,12 @@
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::fields::GivenGaps;
-use crate::case_file::named::StartState;
+use crate::case_file::named::StartKind;
 
 section! {
     /// `[start]`: the initial state.
     struct StartSection {
-        state => state: StartState = default(StartState::Settled.name()), Plain,
+        state => state: StartKind = default(StartKind::Settled.name()), Plain,
             "kind of initial state; \"at-rest\" with a [rotor] unless given",
             Commented("\"settled\"", "static equilibrium at speed, balls rolling; or\n\
                 \"rolling\": balls on the pitch circle, ring where put");

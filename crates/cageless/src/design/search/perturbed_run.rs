@@ -4,7 +4,7 @@
 //! and twice the mean, and scaled to the room that there is; the raceway has to sort the
 //! balls, at the price of collisions, and then to let them be.
 
-use crate::case::{Case, Gaps, Start};
+use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact_tracker::ContactTracker;
 use crate::design::raceway_tallies::RacewayTallies;
 use crate::design::raceway_tallies::speed_drop_fraction;
@@ -179,10 +179,11 @@ pub fn perturbed_runs(
 /// `case` with uneven start number `start`, as long as so many orbits of the balls.
 pub fn from_uneven_start(case: &Case, start: u64, orbits: f64) -> Case {
     let mut case = Case {
-        start: Start::Settled {
-            gaps: Gaps::List(uneven_gaps_rad(case, case.seed, start)),
-            lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
-        },
+        start: Start::new(
+            StartState::Settled,
+            Gaps::List(uneven_gaps_rad(case, case.seed, start)),
+            case.start.lead_ball_angle_rad,
+        ),
         ..case.clone()
     };
     case.solver.duration_s = orbits * case.rolling_orbit_s();

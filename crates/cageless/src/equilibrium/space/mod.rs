@@ -124,7 +124,7 @@ fn row_angles_rad(case: &Case, row: &Row) -> Vec<f64> {
     match row.balls.filter(|n| *n != case.bearing.balls()) {
         None => start_angles_rad(case),
         Some(n) => {
-            let lead = case.start.lead_ball_angle_rad();
+            let lead = case.start.lead_ball_angle_rad;
             let pitch = std::f64::consts::TAU / n as f64;
             (0..n).map(|k| lead + k as f64 * pitch).collect()
         }
