@@ -124,17 +124,8 @@ pub fn half_angle_for_gap_rad(
     let least = (1.0 + 1e-9) * form.half_angle_min_rad(bearing, axial_span_m);
     let (mut low, mut high) = (least.max(1e-3), FRAC_PI_2 * 0.999);
     if gap(high).is_err() {
-        let (mut good, mut bad) = (low, high);
-        gap(good).ok()?;
-        while bad - good > 1e-9 {
-            let middle = 0.5 * (good + bad);
-            if gap(middle).is_ok() {
-                good = middle
-            } else {
-                bad = middle
-            }
-        }
-        high = good;
+        gap(low).ok()?;
+        high = root::last_where(low, high, 1e-9, |theta| gap(theta).is_ok());
     }
     if gap(low).ok()? > gap_rad {
         low = least.max(1e-6);

@@ -94,19 +94,13 @@ fn on_curve(case: &Case, axial_span_m: f64) -> Option<Raceway> {
 fn span_for_angle(case: &Case, half_angle: f64) -> Option<f64> {
     let limit = axial_span_limit_m(&case.bearing) * (1.0 - 1e-9);
     // The curve begins at the narrowest span that any angle serves.
-    let (mut none, mut some) = (0.0, limit);
     on_curve(case, limit)?;
-    while some - none > 1e-4 * limit {
-        let middle = 0.5 * (none + some);
-        if on_curve(case, middle).is_some() {
-            some = middle
-        } else {
-            none = middle
-        }
-    }
+    let narrowest = root::last_where(limit, 0.0, 1e-4 * limit, |span| {
+        on_curve(case, span).is_some()
+    });
     let difference =
         |span: f64| on_curve(case, span).map_or(f64::NAN, |r| r.half_angle_rad() - half_angle);
-    root::brent(difference, some, limit, 1e-9)
+    root::brent(difference, narrowest, limit, 1e-9)
 }
 
 /// Fraction of β0 that slip takes from the critical gap.

@@ -8,6 +8,19 @@ pub fn brent(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) -> O
     try_brent(|x| Ok::<_, std::convert::Infallible>(f(x)), a, b, tolerance).unwrap_or(None)
 }
 
+/// The last place on the way from `good`, where `holds`, to `bad`, where it does not, by bisection to
+/// `tolerance`.
+pub fn last_where(mut good: f64, mut bad: f64, tolerance: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    while (bad - good).abs() > tolerance {
+        let middle = 0.5 * (good + bad);
+        match holds(middle) {
+            true => good = middle,
+            false => bad = middle,
+        }
+    }
+    good
+}
+
 /// [`brent`] for a function that can fail; the first failure ends the search.
 ///
 /// # Errors
@@ -155,12 +168,20 @@ pub fn try_rise<E>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Rise, brent, try_rise};
+    use super::{Rise, brent, last_where, try_rise};
 
     #[test]
     fn finds_the_root_of_a_cubic() {
         let root = brent(|x| x * x * x - 2.0, 0.0, 2.0, 1e-15).unwrap();
         assert!((root - 2f64.cbrt()).abs() < 1e-14);
+    }
+
+    #[test]
+    fn what_holds_ends_at_its_edge_from_either_side() {
+        let up = last_where(1.0, 2.0, 1e-12, |x| x * x < 2.0);
+        let down = last_where(2.0, 1.0, 1e-12, |x| x * x > 2.0);
+        assert!(up * up < 2.0 && 2.0 < down * down);
+        assert!((0.0..2e-12).contains(&(down - up)));
     }
 
     #[test]

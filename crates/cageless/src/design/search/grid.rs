@@ -12,6 +12,7 @@ use super::rejection::Cause;
 use super::request::{BUDGET, Request, Stage};
 use crate::bearing::Bearing;
 use crate::design::SLIP_SHORTFALL;
+use crate::numerics::root;
 use crate::raceway::{RacewayForm, RacewayShape, axial_span_limit_m};
 
 /// Cells of the maps along lC and θ, and the fewest of them.
@@ -107,9 +108,9 @@ pub fn map_fraction(request: &Request) -> f64 {
 
 /// Largest θ at which a path of the span is possible; it grows with the span. Nothing binds that of a slot.
 fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> f64 {
-    let (mut low, mut high) = (1e-2, FRAC_PI_2 * 0.999);
+    let widest = FRAC_PI_2 * 0.999;
     if form.shape == RacewayShape::Slot {
-        return high;
+        return widest;
     }
     let possible = |half_angle_rad: f64| {
         let structure = RacewayLayout {
@@ -121,15 +122,7 @@ fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> 
         };
         structure.raceways(bearing).is_ok()
     };
-    while high - low > 1e-3 {
-        let middle = 0.5 * (low + high);
-        if possible(middle) {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    low
+    root::last_where(1e-2, widest, 1e-3, possible)
 }
 
 /// The maps at the operating points and at the further speeds.
