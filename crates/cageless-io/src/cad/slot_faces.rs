@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use cageless::numerics::vector::cross;
 use cageless::surface::{Edge, EdgePlace, PatchError, Recess, Side};
 
 use super::brep::{Curve, Solid, Surface, Use, along, back, circle, radial, row};
@@ -172,10 +173,9 @@ impl Solid {
 
 /// The arc of an edge, downwards.
 fn across(edge: &Edge) -> Curve {
-    let ([a, b, c], [d, e, f]) = (edge.groove, edge.inside);
     Curve::Circle {
         centre: edge.centre_m,
-        axis: [b * f - c * e, c * d - a * f, a * e - b * d],
+        axis: cross(edge.groove, edge.inside),
         reference: edge.groove,
         radius_m: edge.radius_m,
     }

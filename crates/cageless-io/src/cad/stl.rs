@@ -1,6 +1,7 @@
 //! STL: the ring as triangles, binary, millimetres in single precision.
 
 use cageless::InputError;
+use cageless::numerics::vector::{cross, dot};
 use cageless::surface::{Mesh, OuterRing};
 
 use super::numbers::{Counts, RingFile};
@@ -47,11 +48,7 @@ fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
         [b[0] - a[0], b[1] - a[1], b[2] - a[2]],
         [c[0] - a[0], c[1] - a[1], c[2] - a[2]],
     );
-    let n = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
-    let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let n = cross(u, v);
+    let length = dot(n, n).sqrt();
     n.map(|x| (x / length) as f32)
 }

@@ -24,4 +24,4 @@ pub mod random;
 pub(crate) mod root;
 pub mod student;
 pub mod taylor;
-pub(crate) mod vector;
+pub mod vector;

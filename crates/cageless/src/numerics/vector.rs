@@ -1,12 +1,22 @@
 //! Vectors of three numbers in loops over lanes, where every operation must be inlined.
+//!
+//! ```
+//! use cageless::numerics::vector::{cross, dot};
+//!
+//! let normal = cross([1.0, 2.0, 0.0], [0.0, 1.0, 3.0]);
+//! assert_eq!(normal, [6.0, -3.0, 1.0]);
+//! assert_eq!(dot(normal, [1.0, 2.0, 0.0]), 0.0);
+//! ```
 
+/// **a** · **b**.
 #[inline(always)]
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 
+/// **a** × **b**.
 #[inline(always)]
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -10,6 +10,7 @@ use super::{OuterRing, Recess};
 use crate::error::InputError;
 use crate::limits::from_to;
 use crate::numerics::bspline::Vec3;
+use crate::numerics::vector::{cross, dot};
 
 /// Triangles that share their corners. Seen from outside the ring's material, corners go
 /// counter-clockwise.
@@ -150,9 +151,7 @@ impl Mesh {
         let six: f64 = (self.triangles.iter())
             .map(|t| {
                 let [a, b, c] = t.map(|k| self.vertices_m[k as usize]);
-                a[0] * (b[1] * c[2] - b[2] * c[1])
-                    + a[1] * (b[2] * c[0] - b[0] * c[2])
-                    + a[2] * (b[0] * c[1] - b[1] * c[0])
+                dot(a, cross(b, c))
             })
             .sum();
         six / 6.0
