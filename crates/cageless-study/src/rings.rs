@@ -6,7 +6,6 @@ use cageless::Case;
 use cageless::collision::CollisionDetector;
 use cageless::design::pressure_at_rest_pa;
 use cageless::design::search::from_uneven_start;
-use cageless::dynamics::energy::EnergyTerm;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::{Ending, Observer, run};
 use cageless::snapshot::Snapshot;
@@ -114,19 +113,11 @@ fn motion(case: &Case, control: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Optio
     let gaps: Vec<f64> = snapshots.iter().flat_map(|s| s.gap_rad.clone()).collect();
     let (gap_mean, gap_deviation) = moments(&gaps);
     let over = |of: fn(&Snapshot) -> f64| moments(&snapshots.iter().map(of).collect::<Vec<_>>()).1;
-    let friction: f64 = [
-        EnergyTerm::InnerFriction,
-        EnergyTerm::OuterFriction,
-        EnergyTerm::BallFriction,
-    ]
-    .iter()
-    .map(|&term| outcome.state.energy_term_j(term))
-    .sum();
     Some(Motion {
         contacts: f64::from(contacts) / (case.bearing.balls() as f64 * ORBITS / 2.0),
         gap_min: gaps.iter().copied().fold(f64::INFINITY, f64::min),
         scatter: gap_deviation / gap_mean,
-        friction: friction / case.solver.duration_s,
+        friction: outcome.state.friction_j() / case.solver.duration_s,
         ring: over(|s| s.ring.x_m).hypot(over(|s| s.ring.y_m)),
     })
 }

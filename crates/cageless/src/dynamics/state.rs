@@ -219,4 +219,16 @@ impl State {
             0.0
         }
     }
+
+    /// Work of the friction of balls at the raceways and against each other, J.
+    pub fn friction_j(&self) -> f64 {
+        [
+            EnergyTerm::InnerFriction,
+            EnergyTerm::OuterFriction,
+            EnergyTerm::BallFriction,
+        ]
+        .map(|term| self.energy_term_j(term))
+        .iter()
+        .sum()
+    }
 }

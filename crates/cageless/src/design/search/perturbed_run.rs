@@ -8,7 +8,6 @@ use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact_tracker::ContactTracker;
 use crate::design::raceway_tallies::RacewayTallies;
 use crate::design::raceway_tallies::speed_drop_fraction;
-use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;
 use crate::numerics::random::{GOLDEN_GAMMA, mix};
@@ -217,14 +216,6 @@ fn motion(
     let variance = arrivals.iter().map(square).sum::<f64>() / count;
     let mut tally = PassageTally::new();
     late.iter().for_each(|passage| tally.add(passage));
-    let friction: f64 = [
-        EnergyTerm::InnerFriction,
-        EnergyTerm::OuterFriction,
-        EnergyTerm::BallFriction,
-    ]
-    .iter()
-    .map(|&work| outcome.state.energy_term_j(work))
-    .sum();
     let mut tallies = RacewayTallies::new(case);
     late.iter().for_each(|passage| tallies.add(passage));
     let raceways = 0..case.raceways.len();
@@ -246,7 +237,7 @@ fn motion(
         }),
         lag_fraction: least(&|k| tallies.lag_fraction(case, k)),
         force_deviation_n: contacts.force_deviation_n(),
-        friction_w: friction / case.solver.duration_s,
+        friction_w: outcome.state.friction_j() / case.solver.duration_s,
     })
 }
 
