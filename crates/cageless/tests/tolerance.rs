@@ -2,7 +2,7 @@
 
 use crate::common::structure;
 use cageless::Case;
-use cageless::design::RacewayVerdict;
+use cageless::design::{PassageStatistics, RacewayVerdict};
 use cageless::tolerance::{Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials};
 
 fn tolerances() -> Tolerances {
@@ -163,10 +163,12 @@ fn outcome(verdict: RacewayVerdict, number: f64) -> Outcome {
     Outcome {
         verdict,
         critical_gap_rad: Some(number),
-        lag_fraction: Some(5.0 * number),
-        double_collision_fraction: Some(10.0 * number),
-        collisions_mean: Some(20.0 * number),
-        sliding_mean_m_s: Some(30.0 * number),
+        passages: Some(PassageStatistics {
+            lag_fraction: 5.0 * number,
+            double_collision_fraction: 10.0 * number,
+            sliding_mean_m_s: 30.0 * number,
+            ..PassageStatistics::default()
+        }),
         reason: None,
         headline: format!("headline {number}"),
     }

@@ -22,9 +22,9 @@ pub const TOLERANCE: &[Quantity] = &[
     part(high(flag("nominal_passes", "nominal bearing passes", Tolerance(|t| flagged(Some(t.assessment.nominal.passes())))))),
     part(in_tables(means(VERDICT_NAMES, text("nominal_verdict", "verdict on the nominal bearing", Tolerance(|t| Cell::Text(t.assessment.nominal.verdict.name().to_owned())))))),
     part(means(CRITICAL_GAP, quantity("nominal_critical_gap_deg", "deg", "critical gap, nominal", Tolerance(|t| t.assessment.nominal.critical_gap_rad.map(f64::to_degrees).into())))),
-    part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, fraction of that of rolling, nominal", Tolerance(|t| t.assessment.nominal.lag_fraction.into()))))),
-    part(low(means(DOUBLE_COLLISIONS, quantity("nominal_double_collision_fraction", "", "double collisions, fraction of the passages, nominal", Tolerance(|t| t.assessment.nominal.double_collision_fraction.into()))))),
-    part(low(quantity("nominal_sliding_m_s", "m/s", "largest sliding speed in a passage, mean, nominal", Tolerance(|t| t.assessment.nominal.sliding_mean_m_s.into())))),
+    part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, fraction of that of rolling, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.lag_fraction).into()))))),
+    part(low(means(DOUBLE_COLLISIONS, quantity("nominal_double_collision_fraction", "", "double collisions, fraction of the passages, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.double_collision_fraction).into()))))),
+    part(low(quantity("nominal_sliding_m_s", "m/s", "largest sliding speed in a passage, mean, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.sliding_mean_m_s).into())))),
     part(quantity("uniform_gap_deg", "deg", "nominal gap", Tolerance(|t| degrees(t.case.bearing.nominal_gap_rad())))),
 ];
 

@@ -1,4 +1,4 @@
-use cageless::design::RacewayVerdict;
+use cageless::design::{PassageStatistics, RacewayVerdict};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_results::TOLERANCE_SHAPE;
 
@@ -127,10 +127,12 @@ fn results_are_in_the_units_of_the_drawing() {
     let outcome = |number: f64, verdict| Outcome {
         verdict,
         critical_gap_rad: Some(1e-3 * number),
-        lag_fraction: Some(1e-4 * number),
-        double_collision_fraction: Some(1e-2 * number),
-        collisions_mean: Some(2.0),
-        sliding_mean_m_s: Some(1e-1 * number),
+        passages: Some(PassageStatistics {
+            lag_fraction: 1e-4 * number,
+            double_collision_fraction: 1e-2 * number,
+            sliding_mean_m_s: 1e-1 * number,
+            ..PassageStatistics::default()
+        }),
         reason: (verdict == RacewayVerdict::Infeasible).then(|| format!("reason {number}")),
         headline: String::new(),
     };

@@ -1,7 +1,7 @@
 //! Tolerance table and probability of passing from judged trials.
 
 use super::deviation::{Influence, Trial};
-use crate::design::{Judgement, RacewayVerdict};
+use crate::design::{Judgement, PassageStatistics, RacewayVerdict};
 use crate::numerics::proportion::wilson_interval;
 use crate::numerics::quantile::quantile;
 
@@ -12,14 +12,8 @@ pub struct Outcome {
     pub verdict: RacewayVerdict,
     /// Critical gap, if there is one.
     pub critical_gap_rad: Option<f64>,
-    /// Lag over that of rolling on rigid flanks without a contact angle, of the row with the least.
-    pub lag_fraction: Option<f64>,
-    /// Fraction of passages hit by both neighbours.
-    pub double_collision_fraction: Option<f64>,
-    /// Contacts with neighbours per passage.
-    pub collisions_mean: Option<f64>,
-    /// Largest slip per passage, mean.
-    pub sliding_mean_m_s: Option<f64>,
+    /// Passages of the most critical raceway; `None` without any.
+    pub passages: Option<PassageStatistics>,
     /// Reason if infeasible.
     pub reason: Option<String>,
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
@@ -34,14 +28,10 @@ impl Outcome {
 
     /// Outcome of a bearing that was judged.
     pub fn judged(judgement: &Judgement) -> Self {
-        let passages = judgement.passages.as_ref();
         Self {
             verdict: judgement.verdict,
             critical_gap_rad: judgement.critical_gap_rad,
-            lag_fraction: passages.map(|p| p.lag_fraction),
-            double_collision_fraction: passages.map(|p| p.double_collision_fraction),
-            collisions_mean: passages.map(|p| p.collisions_mean),
-            sliding_mean_m_s: passages.map(|p| p.sliding_mean_m_s),
+            passages: judgement.passages,
             reason: (judgement.verdict == RacewayVerdict::Infeasible)
                 .then(|| judgement.reasons.join("; ")),
             headline: judgement.headline(),
@@ -53,10 +43,7 @@ impl Outcome {
         Self {
             verdict: RacewayVerdict::Infeasible,
             critical_gap_rad: None,
-            lag_fraction: None,
-            double_collision_fraction: None,
-            collisions_mean: None,
-            sliding_mean_m_s: None,
+            passages: None,
             headline: format!("FAIL: {}; {reason}", RacewayVerdict::Infeasible.label()),
             reason: Some(reason),
         }
@@ -190,15 +177,18 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
     verdicts.sort();
     verdicts.dedup();
     let all = || of.iter().copied().chain([nominal]);
+    let over = |of: fn(&PassageStatistics) -> f64| {
+        interval(all().filter_map(|o| o.passages.as_ref().map(of)))
+    };
     InfluenceResult {
         influence,
         trials: of.len(),
         passed: of.iter().filter(|o| o.passes()).count(),
         verdicts,
         critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
-        lag_fraction: interval(all().filter_map(|o| o.lag_fraction)),
-        double_collision_fraction: interval(all().filter_map(|o| o.double_collision_fraction)),
-        sliding_mean_m_s: interval(all().filter_map(|o| o.sliding_mean_m_s)),
+        lag_fraction: over(|p| p.lag_fraction),
+        double_collision_fraction: over(|p| p.double_collision_fraction),
+        sliding_mean_m_s: over(|p| p.sliding_mean_m_s),
     }
 }
 
