@@ -32,17 +32,8 @@ pub(crate) const fn list(name: Text, unit: Text, label: Text, of: Source) -> Qua
 }
 
 /// A number for each of a few things, which tables show.
-pub(crate) const fn few(
-    name: &'static str,
-    unit: &'static str,
-    label: &'static str,
-    of: Source,
-) -> Quantity {
-    let kind = Kind::Few;
-    Quantity {
-        kind,
-        ..quantity(name, unit, label, of)
-    }
+pub(crate) const fn few(name: Text, unit: Text, label: Text, of: Source) -> Quantity {
+    kind(Kind::Few, quantity(name, unit, label, of))
 }
 
 /// Two ends or several quantiles.
