@@ -119,13 +119,7 @@ pub fn judge_watched(
         return Ok(Judgement {
             verdict: RacewayVerdict::NotJudged,
             reasons: vec!["the outer ring has no discrete raceway".to_owned()],
-            deciding: None,
-            critical_gap_rad: None,
-            pressure_at_rest_pa: None,
-            steady_gap_rad: None,
-            passages: None,
-            raceways: vec![],
-            stopped: None,
+            ..summary(vec![], None)
         });
     }
     let gap_orbits = GAP_ORBITS * case.raceways.len() as f64;
