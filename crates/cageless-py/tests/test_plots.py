@@ -70,6 +70,9 @@ def test_impossible_choices_are_refused(run: cageless.Run) -> None:
         run.plot_sliding(time_s=(0.5, 0.6))
     with pytest.raises(cageless.InputError, match="time_s = .NaN, 2. is not possible"):
         run.plot_sliding(time_s=(float("nan"), 2.0))
+    for one in (3, "ab", (0.1,), (0.1, True), (0.1, "0.2")):
+        with pytest.raises(cageless.InputError, match=r"time_s = .* two numbers, from and to"):
+            run.plot_sliding(time_s=one)
 
 
 def test_loads_of_a_static_result_are_drawn_round_the_ring() -> None:

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from . import _cageless
 from .errors import InputError
 
-__all__ = ["Fixed", "background", "given", "names", "number", "plain", "refused", "whole"]
+__all__ = ["Fixed", "background", "given", "names", "number", "plain", "refused", "span", "whole"]
 
 
 def plain(value: Any) -> Any:
@@ -39,6 +39,16 @@ def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1) -> int:
     if isinstance(found, bool) or not isinstance(found, int) or not least <= found <= most:
         raise refused(name, found, f"a whole number from {least} to {most}")
     return found
+
+
+def span(name: str, value: Any) -> tuple[float, float]:
+    """Two numbers, from and to."""
+    ends = plain(value)
+    if isinstance(ends, (list, tuple)) and len(ends) == 2:
+        start, end = map(plain, ends)
+        if all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in (start, end)):
+            return (start, end)
+    raise refused(name, ends, "two numbers, from and to")
 
 
 def given(check: Callable[[str, Any], Any], name: str, value: Any) -> Any:

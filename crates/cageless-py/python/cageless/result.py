@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from . import _cageless, files, frames
-from .arguments import Fixed, plain, refused, whole
+from .arguments import Fixed, given, plain, refused, span, whole
 from .errors import ColumnError, InputError
 from .figures import figure
 from .section import table
@@ -279,9 +279,8 @@ class Result(Fixed):
             balls = None
         if self._bearing is not None:
             name = f"{name}-bearing-{self._bearing + 1}"
-        time_s, output = options.get("time_s"), options.get("output")
-        window = None if time_s is None else tuple(plain(time_s))
-        return figure(self._core.figure(name, balls, window, output), title)
+        window = given(span, "time_s", options.get("time_s"))
+        return figure(self._core.figure(name, balls, window, options.get("output")), title)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page of the command, which works offline.
