@@ -9,7 +9,7 @@ use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::sampling::range;
-use crate::table::{Cell, Table};
+use crate::table::{Column, Row, Table};
 use crate::text::short;
 
 /// The page of `compare`.
@@ -81,21 +81,13 @@ fn table<'r>(
 ) -> Table {
     let headings = comparison.headings();
     let last = headings.len() - 1;
-    let numeric = |k: usize| k == 1 || (k > 1 && k < last && (k - 2) % 3 < 2);
-    let cell = |(k, text)| match (numeric(k), k > 1 && (k - 2) % 3 == 1) {
-        (true, true) => Cell::dim(text),
-        (true, false) => Cell::number(text),
-        _ => Cell::text(text),
+    // Of each run but the first its values, their differences and a judgement.
+    let kind = |k: usize| match k {
+        1 => Column::Number,
+        2.. if k < last => [Column::Number, Column::Dim, Column::Text][(k - 2) % 3],
+        _ => Column::Text,
     };
     let rows = comparison.rows(results).into_iter();
-    let rows = rows.map(|row| {
-        row.into_iter()
-            .enumerate()
-            .map(cell)
-            .collect::<Vec<_>>()
-            .into()
-    });
-    let rows = rows.collect();
     let columns = headings.into_iter().enumerate();
     Table {
         label: label.to_owned(),
@@ -105,8 +97,8 @@ fn table<'r>(
              significant.",
             comparison.runs[0]
         ),
-        columns: columns.map(|(k, name)| (name, numeric(k))).collect(),
-        rows,
+        columns: columns.map(|(k, name)| (name, kind(k))).collect(),
+        rows: rows.map(Row::from).collect(),
         provenance: Some(provenance(runs)),
         ..Table::default()
     }

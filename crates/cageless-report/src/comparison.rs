@@ -5,7 +5,7 @@ use cageless_io::estimate::Estimate;
 use serde::Serialize;
 
 use crate::data::{Provenance, RacewayLabel};
-use crate::table::{Cell, Row, Table};
+use crate::table::Table;
 
 /// Rings, lots of balls and speeds, each combination from several starts.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -104,106 +104,97 @@ impl RingComparison {
 
     /// For each speed a table of the vibration and one of gaps and contacts.
     pub fn tables(&self) -> Vec<Table> {
-        self.speeds_rpm()
-            .into_iter()
-            .flat_map(|speed_rpm| [self.vibration(speed_rpm), self.contacts(speed_rpm)])
-            .collect()
-    }
-
-    fn vibration(&self, speed_rpm: f64) -> Table {
-        let columns = [
-            "all",
-            "at passing",
-            "between",
-            "contacts cut out",
-            "contacts alone",
-        ];
-        self.table(
-            format!("Housing at {speed_rpm} rpm"),
-            "RMS of the vertical acceleration of the housing, its part at the multiples of the \
-             orbital frequency and the part between them; the same under a force without the \
-             contacts between balls, and under the contacts alone.",
-            &[("RMS acceleration (m/s²)", 5)],
-            &columns,
-            ComparisonCell::vibration,
-            speed_rpm,
-        )
-    }
-
-    fn contacts(&self, speed_rpm: f64) -> Table {
-        let columns = [
-            "SD at the end (°)",
-            "per second",
-            "approach (mm/s)",
-            "impulse (mN·s)",
-            "impulses per second (N)",
-        ];
-        self.table(
-            format!("Gaps and contacts at {speed_rpm} rpm"),
-            "Standard deviation (SD) of the gaps at the end; contacts between balls, their mean \
-             approach speed and impulse, and the sum of the impulses per second.",
-            &[("Gaps", 1), ("Contacts between balls", 4)],
-            &columns,
-            ComparisonCell::contacts,
-            speed_rpm,
-        )
+        let of_speed = |speed_rpm| {
+            [
+                self.table(
+                    &format!("Housing at {speed_rpm} rpm"),
+                    "RMS of the vertical acceleration of the housing, its part at the multiples of the \
+                     orbital frequency and the part between them; the same under a force without the \
+                     contacts between balls, and under the contacts alone.",
+                    &[("RMS acceleration (m/s²)", 5)],
+                    &VIBRATION,
+                    speed_rpm,
+                ),
+                self.table(
+                    &format!("Gaps and contacts at {speed_rpm} rpm"),
+                    "Standard deviation (SD) of the gaps at the end; contacts between balls, their mean \
+                     approach speed and impulse, and the sum of the impulses per second.",
+                    &[("Gaps", 1), ("Contacts between balls", 4)],
+                    &CONTACTS,
+                    speed_rpm,
+                ),
+            ]
+        };
+        self.speeds_rpm().into_iter().flat_map(of_speed).collect()
     }
 
     fn table(
         &self,
-        label: String,
+        label: &str,
         caption: &str,
         groups: &[(&str, usize)],
-        columns: &[&str],
-        numbers: impl Fn(&ComparisonCell) -> Vec<Cell>,
+        columns: &[Column],
         speed_rpm: f64,
     ) -> Table {
-        let names = [
-            ("Balls".to_owned(), false),
-            ("Outer ring".to_owned(), false),
-        ];
-        let mut last = String::new();
-        let rows = self
-            .at_speed(speed_rpm)
-            .map(|c| {
-                let lot = if c.lot == last {
-                    String::new()
-                } else {
-                    last.clone_from(&c.lot);
-                    c.lot.clone()
-                };
-                let mut cells = vec![Cell::text(lot), Cell::text(c.ring_text())];
-                cells.extend(numbers(c));
-                Row::from(cells)
-            })
-            .collect();
-        let groups = groups
-            .iter()
-            .map(|(text, count)| ((*text).to_owned(), *count));
+        let head = ["Balls", "Outer ring"].into_iter();
+        let head = head.chain(columns.iter().map(|(name, ..)| *name));
+        let mut rows = vec![head.map(str::to_owned).collect()];
+        let mut last = "";
+        for cell in self.at_speed(speed_rpm) {
+            let lot = if cell.lot == last { "" } else { &cell.lot };
+            last = &cell.lot;
+            let numbers = columns.iter().map(|(_, by, of)| scaled(of(cell), *by));
+            let first = [lot.to_owned(), cell.ring_text()];
+            rows.push(first.into_iter().chain(numbers).collect());
+        }
+        let caption = format!("{caption} Means over the starts ± their standard error.");
+        let groups = [("", 2)].iter().chain(groups);
         Table {
-            label,
-            caption: format!("{caption} Means over the starts ± their standard error."),
-            groups: std::iter::once((String::new(), 2)).chain(groups).collect(),
-            columns: names
-                .into_iter()
-                .chain(columns.iter().map(|name| ((*name).to_owned(), true)))
+            groups: groups
+                .map(|(text, count)| ((*text).to_owned(), *count))
                 .collect(),
-            rows,
-            provenance: Some(self.provenance.clone()),
+            ..Table::of(label, &caption, rows, Some(self.provenance.clone()))
         }
     }
 }
 
+/// A column of a table: heading, factor of its unit, number.
+type Column = (&'static str, f64, fn(&ComparisonCell) -> Option<Estimate>);
+
+const VIBRATION: [Column; 5] = [
+    ("all", 1.0, |c| Some(c.numbers.rms_m_s2)),
+    ("at passing", 1.0, |c| Some(c.numbers.rms_at_passing_m_s2)),
+    ("between", 1.0, |c| Some(c.numbers.rms_between_m_s2)),
+    ("contacts cut out", 1.0, |c| {
+        Some(c.numbers.rms_without_contacts_m_s2)
+    }),
+    ("contacts alone", 1.0, |c| {
+        Some(c.numbers.rms_from_contacts_m_s2)
+    }),
+];
+
+const CONTACTS: [Column; 5] = [
+    ("SD at the end (°)", 1.0, |c| {
+        Some(c.numbers.gap_deviation_deg)
+    }),
+    ("per second", 1.0, |c| Some(c.numbers.contacts_per_s)),
+    ("approach (mm/s)", 1e3, |c| c.approach_speed_m_s),
+    ("impulse (mN·s)", 1e3, |c| c.impulse_n_s),
+    ("impulses per second (N)", 1.0, |c| {
+        Some(c.numbers.impulse_rate_n)
+    }),
+];
+
 /// An estimate in a unit `by` times as large, with its standard error; a dash for none.
-fn scaled(value: Option<Estimate>, by: f64) -> Cell {
-    Cell::number(value.map_or("–".to_owned(), |e| {
+fn scaled(value: Option<Estimate>, by: f64) -> String {
+    value.map_or("–".to_owned(), |e| {
         Estimate {
             mean: e.mean * by,
             standard_error: e.standard_error * by,
             ..e
         }
         .text()
-    }))
+    })
 }
 
 impl ComparisonCell {
@@ -216,30 +207,5 @@ impl ComparisonCell {
             ),
             None => self.ring.clone(),
         }
-    }
-
-    /// Cells of the table of vibration.
-    fn vibration(&self) -> Vec<Cell> {
-        let numbers = &self.numbers;
-        [
-            numbers.rms_m_s2,
-            numbers.rms_at_passing_m_s2,
-            numbers.rms_between_m_s2,
-            numbers.rms_without_contacts_m_s2,
-            numbers.rms_from_contacts_m_s2,
-        ]
-        .map(|e| scaled(Some(e), 1.0))
-        .to_vec()
-    }
-
-    /// Cells of the table of gaps and contacts.
-    fn contacts(&self) -> Vec<Cell> {
-        vec![
-            scaled(Some(self.numbers.gap_deviation_deg), 1.0),
-            scaled(Some(self.numbers.contacts_per_s), 1.0),
-            scaled(self.approach_speed_m_s, 1e3),
-            scaled(self.impulse_n_s, 1e3),
-            scaled(Some(self.numbers.impulse_rate_n), 1.0),
-        ]
     }
 }

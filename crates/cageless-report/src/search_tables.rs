@@ -8,7 +8,7 @@ use cageless_results::{
 };
 use cageless_study::search::{point_label, structure_label};
 
-use crate::table::{Cell, Row, Table};
+use crate::table::{Column, Row, Table};
 
 /// Rows of the front that are printed.
 const FRONT_ROWS: usize = 24;
@@ -53,10 +53,10 @@ pub fn comparison(search: &Record) -> Table {
             .into_iter()
             .filter_map(|(role, part)| Some((role, search.part(part)?)))
             .collect();
-    let mut columns = vec![(String::new(), false)];
+    let mut columns = vec![(String::new(), Column::Text)];
     let mut groups = vec![(String::new(), 1)];
     for (role, structure) in &structures {
-        columns.extend(points.iter().map(|p| (point_label(p), true)));
+        columns.extend(points.iter().map(|p| (point_label(p), Column::Number)));
         let name = format!("{role}: {}", structure_label(structure));
         groups.push((name, points.len()));
     }
@@ -67,10 +67,10 @@ pub fn comparison(search: &Record) -> Table {
         "centre_angles_deg",
     ];
     let rows = quantities().filter(|q| !size.contains(&q.name)).map(|q| {
-        let mut cells = vec![Cell::text(heading(q))];
+        let mut cells = vec![heading(q)];
         for (_, structure) in &structures {
             let at = structure.parts("points").iter();
-            cells.extend(at.map(|point| Cell::number(shown(structure, point, q))));
+            cells.extend(at.map(|point| shown(structure, point, q)));
         }
         Row::from(cells)
     });

@@ -11,7 +11,7 @@ use crate::figures::sweep;
 use crate::head::Head;
 use crate::names;
 use crate::page::{Note, Page};
-use crate::table::{Cell, Row, Table};
+use crate::table::{Column, Table};
 use crate::text::short;
 
 /// Tables of best variants that are shown at once.
@@ -135,20 +135,19 @@ fn best_table(data: &SweepData, best: &BestVariants) -> Table {
     // Conditions first: the best are sought at each of them.
     let mut order: Vec<usize> = (0..data.inputs.len()).collect();
     order.sort_by_key(|k| !data.inputs[*k].is_condition());
-    let mut columns: Vec<(String, bool)> = order
-        .iter()
-        .map(|k| (names::label(&data.inputs[*k]), true))
-        .collect();
-    columns.push((names::label(&best.quantity), true));
-    columns.push(("Variant".to_owned(), true));
+    let inputs = order.iter().map(|k| names::label(&data.inputs[*k]));
+    let numbers = inputs.chain([names::label(&best.quantity)]);
+    let mut columns: Vec<_> = numbers.map(|name| (name, Column::Number)).collect();
+    columns.push(("Variant".to_owned(), Column::Dim));
     let row = |variant: &BestVariant| {
-        let mut cells: Vec<Cell> = order
+        let input = |k: &usize| variant.inputs.get(*k).cloned().unwrap_or_default();
+        let own = [short(variant.value), variant.variant.to_string()];
+        order
             .iter()
-            .map(|k| Cell::number(variant.inputs.get(*k).map_or("", String::as_str)))
-            .collect();
-        cells.push(Cell::number(short(variant.value)));
-        cells.push(Cell::dim(variant.variant.to_string()));
-        Row::from(cells)
+            .map(input)
+            .chain(own)
+            .collect::<Vec<_>>()
+            .into()
     };
     let name = names::name(&best.quantity);
     Table {

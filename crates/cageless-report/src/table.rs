@@ -7,58 +7,30 @@ use crate::text::{escape, rich, slug};
 /// Bytes of a number from which on it is a list that needs several lines.
 const LONG: usize = 60;
 
-/// A cell.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Cell {
-    /// Text as printed.
-    pub text: String,
-    /// Whether it is a number, to be aligned right.
-    pub numeric: bool,
-    /// Whether it recedes: a difference beside its value.
-    pub dim: bool,
-    /// Columns it takes up; 0 counts as 1.
-    pub columns: usize,
-}
-
-impl Cell {
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
     /// Text, aligned left.
-    pub fn text(text: impl Into<String>) -> Self {
-        Self {
-            text: text.into(),
-            ..Self::default()
-        }
-    }
-
-    /// A number, aligned right.
-    pub fn number(text: impl Into<String>) -> Self {
-        Self {
-            numeric: true,
-            ..Self::text(text)
-        }
-    }
-
-    /// A number that recedes.
-    pub fn dim(text: impl Into<String>) -> Self {
-        Self {
-            dim: true,
-            ..Self::number(text)
-        }
-    }
+    Text,
+    /// Numbers, aligned right.
+    Number,
+    /// Numbers that recede: differences beside their values.
+    Dim,
 }
 
 /// A row.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
-    /// Cells from left to right.
-    pub cells: Vec<Cell>,
+    /// Texts from left to right.
+    pub cells: Vec<String>,
     /// Whether the row is called out.
     pub marked: bool,
-    /// Whether it is a summary under a rule.
-    pub summary: bool,
+    /// Of a summary under a rule, the columns that its first cell takes up.
+    pub summary: Option<usize>,
 }
 
-impl From<Vec<Cell>> for Row {
-    fn from(cells: Vec<Cell>) -> Self {
+impl From<Vec<String>> for Row {
+    fn from(cells: Vec<String>) -> Self {
         Self {
             cells,
             ..Self::default()
@@ -75,8 +47,8 @@ pub struct Table {
     pub caption: String,
     /// Headings over several columns, as `(text, columns)`; may be empty.
     pub groups: Vec<(String, usize)>,
-    /// Headings with units, and whether the column holds numbers.
-    pub columns: Vec<(String, bool)>,
+    /// Headings with units, and what the columns hold.
+    pub columns: Vec<(String, Column)>,
     /// Rows.
     pub rows: Vec<Row>,
     /// Provenance; `None` where the rows carry their own.
@@ -106,22 +78,17 @@ impl Table {
         let mut rows = rows.into_iter();
         let head = rows.next().unwrap_or_default();
         let rows: Vec<Vec<String>> = rows.collect();
-        let numeric: Vec<bool> = (0..head.len())
-            .map(|k| !rows.is_empty() && numeric(rows.iter().filter_map(|row| row.get(k))))
-            .collect();
-        let cell = |(text, numeric): (String, &bool)| match numeric {
-            true => Cell::number(text),
-            false => Cell::text(text),
-        };
-        let row = |row: Vec<String>| -> Row {
-            let cells: Vec<Cell> = row.into_iter().zip(&numeric).map(cell).collect();
-            cells.into()
-        };
+        let kind =
+            |k: usize| match !rows.is_empty() && numeric(rows.iter().filter_map(|r| r.get(k))) {
+                true => Column::Number,
+                false => Column::Text,
+            };
+        let columns = head.into_iter().zip((0..).map(kind)).collect();
         Self {
             label: label.to_owned(),
             caption: caption.to_owned(),
-            rows: rows.into_iter().map(row).collect(),
-            columns: head.into_iter().zip(numeric.iter().copied()).collect(),
+            columns,
+            rows: rows.into_iter().map(Row::from).collect(),
             provenance,
             ..Self::default()
         }
@@ -150,8 +117,11 @@ impl Table {
             out.push_str("</tr>");
         }
         out.push_str("<tr>");
-        for (text, numeric) in &self.columns {
-            let class = if *numeric { " class=\"num\"" } else { "" };
+        for (text, kind) in &self.columns {
+            let class = match kind {
+                Column::Text => "",
+                Column::Number | Column::Dim => " class=\"num\"",
+            };
             if text.is_empty() {
                 out.push_str("<td></td>");
             } else {
@@ -162,23 +132,22 @@ impl Table {
         for row in &self.rows {
             let class = match (row.marked, row.summary) {
                 (true, _) => " class=\"marked\"",
-                (_, true) => " class=\"summary\"",
+                (_, Some(_)) => " class=\"summary\"",
                 _ => "",
             };
             out.push_str(&format!("<tr{class}>"));
-            for cell in &row.cells {
-                let class = match (cell.numeric, cell.dim) {
+            let skipped = row.summary.map_or(0, |columns| columns - 1);
+            let columns = self.columns.iter().skip(skipped);
+            for (k, (text, (_, kind))) in row.cells.iter().zip(columns).enumerate() {
+                let class = match (row.summary, kind) {
+                    (Some(columns), _) if k == 0 => &format!(" colspan=\"{columns}\""),
+                    (_, Column::Text) => "",
                     // A list of numbers breaks.
-                    (true, _) if cell.text.len() > LONG => " class=\"list\"",
-                    (_, true) => " class=\"num dim\"",
-                    (true, _) => " class=\"num\"",
-                    _ => "",
+                    (_, Column::Number) if text.len() > LONG => " class=\"list\"",
+                    (None, Column::Dim) => " class=\"num dim\"",
+                    _ => " class=\"num\"",
                 };
-                let span = match cell.columns {
-                    0 | 1 => String::new(),
-                    columns => format!(" colspan=\"{columns}\""),
-                };
-                out.push_str(&format!("<td{class}{span}>{}</td>", rich(&cell.text)));
+                out.push_str(&format!("<td{class}>{}</td>", rich(text)));
             }
             out.push_str("</tr>\n");
         }

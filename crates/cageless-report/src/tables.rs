@@ -2,7 +2,7 @@
 
 use crate::data::{Parameter, Provenance};
 use crate::reproduce_data::{Table2, Table2Row};
-use crate::table::{Cell, Row, Table};
+use crate::table::{Column, Row, Table};
 use crate::text::{fixed, signed};
 
 /// Table 1 and what the paper leaves out.
@@ -24,36 +24,33 @@ pub fn parameter_table(
 ) -> Table {
     let symbols = parameters.iter().any(|p| !p.symbol.is_empty());
     let sources = parameters.iter().any(|p| !p.source.is_empty());
-    let mut columns = vec![("Parameter".to_owned(), false)];
-    if symbols {
-        columns.push(("Symbol".to_owned(), false));
-    }
-    columns.extend([("Value".to_owned(), true), ("Unit".to_owned(), false)]);
-    if sources {
-        columns.push(("Source".to_owned(), false));
-    }
-    let rows = parameters
-        .iter()
-        .map(|p| {
-            let mut cells = vec![Cell::text(&p.name)];
-            if symbols {
-                cells.push(Cell::text(&p.symbol));
-            }
-            cells.extend([Cell::number(&p.value), Cell::text(&p.unit)]);
-            if sources {
-                cells.push(Cell::text(&p.source));
-            }
-            Row::from(cells)
-        })
-        .collect();
+    let shown = [true, symbols, true, true, sources];
+    let columns = [
+        ("Parameter", Column::Text),
+        ("Symbol", Column::Text),
+        ("Value", Column::Number),
+        ("Unit", Column::Text),
+        ("Source", Column::Text),
+    ];
+    let row = |p: &Parameter| -> Row {
+        let texts = chosen([&p.name, &p.symbol, &p.value, &p.unit, &p.source], shown);
+        texts.cloned().collect::<Vec<_>>().into()
+    };
     Table {
         label: label.to_owned(),
         caption: caption.to_owned(),
-        columns,
-        rows,
+        columns: chosen(columns, shown)
+            .map(|(name, kind)| (name.to_owned(), kind))
+            .collect(),
+        rows: parameters.iter().map(row).collect(),
         provenance,
         ..Table::default()
     }
+}
+
+fn chosen<T>(all: [T; 5], shown: [bool; 5]) -> impl Iterator<Item = T> {
+    let all = all.into_iter().zip(shown);
+    all.filter(|(_, shown)| *shown).map(|(one, _)| one)
 }
 
 /// Table 2: theory and critical gap, computed beside the paper's.
@@ -65,7 +62,8 @@ pub fn table2(table: &Table2) -> Table {
         ("Theory β0, Eq. (11) (°)".to_owned(), 2 + usize::from(polar)),
         ("Paper, simulated (°)".to_owned(), 2),
     ];
-    let number = |text: &str| (text.to_owned(), true);
+    let number = |text: &str| (text.to_owned(), Column::Number);
+    let less = |text: &str| (text.to_owned(), Column::Dim);
     let mut columns = vec![
         number("lC (mm)"),
         number("θ (°)"),
@@ -75,7 +73,7 @@ pub fn table2(table: &Table2) -> Table {
     if polar {
         columns.push(number("own ψ"));
     }
-    columns.extend([number("gap"), number("less theory")]);
+    columns.extend([number("gap"), less("less theory")]);
     for variant in &table.variants {
         let compared = variant.is_of_the_paper();
         groups.push((
@@ -83,7 +81,7 @@ pub fn table2(table: &Table2) -> Table {
             1 + usize::from(compared),
         ));
         columns.push(number("gap"));
-        columns.extend(compared.then(|| number("Δ paper")));
+        columns.extend(compared.then(|| less("Δ paper")));
     }
     let mut rows: Vec<Row> = table
         .rows
@@ -117,22 +115,21 @@ pub fn table2(table: &Table2) -> Table {
 }
 
 fn table2_row(table: &Table2, row: &Table2Row, polar: bool) -> Row {
-    let number = |value: Option<f64>, decimals| Cell::number(fixed(value, decimals));
-    let less = |difference: Option<f64>| Cell::dim(signed(difference, 4));
+    let less = |difference: Option<f64>| signed(difference, 4);
     let mut cells = vec![
-        number(Some(row.structure.axial_span_mm), 2),
-        number(Some(row.structure.half_angle_deg), 3),
-        number(Some(row.theory_deg), 4),
-        number(Some(row.paper_theory_deg), 4),
+        fixed(Some(row.structure.axial_span_mm), 2),
+        fixed(Some(row.structure.half_angle_deg), 3),
+        fixed(Some(row.theory_deg), 4),
+        fixed(Some(row.paper_theory_deg), 4),
     ];
     if polar {
-        cells.push(number(row.theory_polar_deg, 4));
+        cells.push(fixed(row.theory_polar_deg, 4));
     }
-    cells.push(number(Some(row.paper_simulated_deg), 4));
+    cells.push(fixed(Some(row.paper_simulated_deg), 4));
     cells.push(less(Some(row.paper_simulated_deg - row.paper_theory_deg)));
     for (k, variant) in table.variants.iter().enumerate() {
         let gap = row.critical_gap_deg.get(k).copied().flatten();
-        cells.push(number(gap, 4));
+        cells.push(fixed(gap, 4));
         let difference = gap.map(|g| g - row.paper_simulated_deg);
         let compared = variant.is_of_the_paper();
         cells.extend(compared.then(|| less(difference)));
@@ -140,18 +137,15 @@ fn table2_row(table: &Table2, row: &Table2Row, polar: bool) -> Row {
     Row {
         cells,
         marked: !row.remark.is_empty(),
-        summary: false,
+        summary: None,
     }
 }
 
 /// Largest difference to the paper per variant, over the rows that `counts`.
 fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) -> bool) -> Row {
-    let mut cells = vec![Cell {
-        columns: 6 + usize::from(polar),
-        ..Cell::text(name)
-    }];
+    let mut cells = vec![name.to_owned()];
     for (k, variant) in table.variants.iter().enumerate() {
-        cells.push(Cell::default());
+        cells.push(String::new());
         if !variant.is_of_the_paper() {
             continue;
         }
@@ -161,12 +155,12 @@ fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) 
         };
         let counted = table.rows.iter().filter(|row| counts(row));
         let most = counted.filter_map(difference).reduce(f64::max);
-        cells.push(Cell::number(fixed(most, 4)));
+        cells.push(fixed(most, 4));
     }
     Row {
         cells,
         marked: false,
-        summary: true,
+        summary: Some(6 + usize::from(polar)),
     }
 }
 

@@ -43,7 +43,7 @@ impl VerificationTable {
         let mut table = Table::of(label, caption, self.rows.clone(), Some(source.clone()));
         for row in &mut table.rows {
             let biased = Convergence::StepBiased.name();
-            row.marked = row.cells.iter().any(|cell| cell.text == biased);
+            row.marked = row.cells.iter().any(|text| text == biased);
         }
         page.table(&table);
     }
