@@ -80,9 +80,10 @@ pub fn design_page(data: &DesignData) -> String {
     page.notes(Note::Warning, &data.warnings);
     if let Some(shown) = &data.shown {
         drawing_section(&mut page, shown);
-    } else if let Some(track) = &data.contact_track {
+    } else {
         page.section("The raceway of the case: shape");
-        shape_figures(&mut page, "", Some(track), data.surface.as_ref());
+        let (track, surface) = (data.contact_track.as_ref(), data.surface.as_ref());
+        shape_figures(&mut page, "", track, surface);
     }
     if data.rings.len() > 1 {
         page.section("Outer rings side by side");
@@ -91,9 +92,7 @@ pub fn design_page(data: &DesignData) -> String {
     if let Some(search) = &data.search {
         search_sections(&mut page, search);
     }
-    if data.recommendation.is_empty() && data.curve.is_some() {
-        page.section("The curve of Eq. (11)");
-    }
+    page.section("The curve of Eq. (11)");
     if !data.recommendation.is_empty() {
         page.section("A raceway near the curve of Eq. (11)");
         // Beside the result of a search it is no recommendation of its own.
@@ -104,11 +103,8 @@ pub fn design_page(data: &DesignData) -> String {
             page.verdict(data.recommendation_passes, &data.recommendation);
         }
     }
-    if let Some(curve) = &data.curve {
-        let mut figure = design::curve(curve);
-        figure.label = "Axial span and half angle".to_owned();
-        page.figure(&figure);
-    }
+    let curve = data.curve.as_ref().map(design::curve);
+    page.figures(curve.map(|figure| figure.labelled("Axial span and half angle")));
     if !data.results.is_empty() {
         page.section("The raceway of the case");
         page.verdict(data.passes, &data.headline);
@@ -118,18 +114,16 @@ pub fn design_page(data: &DesignData) -> String {
         let caption = "Verdict on the initial design and its geometry.";
         page.parameters("Verdict", caption, &data.results, Some(&data.provenance));
         page.notes(Note::Remark, &data.reasons);
-        if data.shown.is_some() && data.contact_track.is_some() {
-            page.fold("Contact track and surface of the initial design");
-            let track = data.contact_track.as_ref();
-            shape_figures(&mut page, ", initial design", track, data.surface.as_ref());
-            page.end_fold();
+        if data.shown.is_some() {
+            let (track, surface) = (data.contact_track.as_ref(), data.surface.as_ref());
+            page.fold("Contact track and surface of the initial design", |page| {
+                shape_figures(page, ", initial design", track, surface);
+            });
         }
     }
-    if let Some(axial) = &data.axial {
-        page.section("Axial load");
-        page.figure(&axial_load(axial));
-        page.figure(&axial_gap(axial));
-    }
+    page.section("Axial load");
+    let axial = data.axial.iter();
+    page.figures(axial.flat_map(|axial| [axial_load(axial), axial_gap(axial)]));
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");
         let caption = "The last orbits of the run in which the initial design was judged, to scale. \
@@ -180,16 +174,10 @@ fn shape_figures(
     track: Option<&ContactTrack>,
     surface: Option<&RacewaySurface>,
 ) {
-    if let Some(track) = track {
-        let mut figure = shape::contact_track(track);
-        figure.label = format!("Contact track{whose}");
-        page.figure(&figure);
-    }
-    if let Some(surface) = surface {
-        let mut figure = shape::surface(surface);
-        figure.label = format!("Surface{whose}");
-        page.figure(&figure);
-    }
+    let track = track.map(shape::contact_track);
+    page.figures(track.map(|figure| figure.labelled(&format!("Contact track{whose}"))));
+    let surface = surface.map(shape::surface);
+    page.figures(surface.map(|figure| figure.labelled(&format!("Surface{whose}"))));
 }
 
 /// A row of the table of rings: name, decimals, quantity.
@@ -267,8 +255,8 @@ fn search_sections(page: &mut Page, search: &Record) {
     if search.parts("placements").len() > 1 {
         page.table(&tables::placements(search));
     }
+    page.section("Trade-offs");
     if !search.parts("front").is_empty() {
-        page.section("Trade-offs");
         page.figure(&figures::trade_offs(search));
         page.table(&tables::front(search));
     }

@@ -43,6 +43,12 @@ impl Figure {
         self
     }
 
+    /// The figure under another label.
+    pub fn labelled(mut self, label: &str) -> Self {
+        label.clone_into(&mut self.label);
+        self
+    }
+
     /// A figure of the numbers of `record`.
     pub fn of_record(label: &str, caption: &str, record: &Record, plot: Plot) -> Self {
         let provenance = record.provenance.clone().unwrap_or_default();

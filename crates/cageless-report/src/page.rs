@@ -23,6 +23,8 @@ pub struct Page {
     body: String,
     contents: Vec<(String, String)>,
     ids: HashSet<String>,
+    /// Title of a section that has begun, until something is added to it.
+    begun: Option<String>,
     section_open: bool,
     plots: bool,
     motion: bool,
@@ -60,18 +62,24 @@ impl Page {
     }
 
     fn add(&mut self, html: &str) {
+        if let Some(title) = self.begun.take() {
+            let id = self.unique(&format!("section-{}", slug(&title)));
+            let end = if self.section_open {
+                "</section>\n"
+            } else {
+                ""
+            };
+            let heading = rich(&title);
+            self.body += &format!("{end}<section id=\"{id}\"><h2>{heading}</h2>\n");
+            self.section_open = true;
+            self.contents.push((id, title));
+        }
         self.body.push_str(html);
     }
 
-    /// Starts a section; it appears in the table of contents.
+    /// Starts a section, which appears in the page and its table of contents once something is added to it.
     pub fn section(&mut self, title: &str) {
-        let id = self.unique(&format!("section-{}", slug(title)));
-        if self.section_open {
-            self.add("</section>\n");
-        }
-        self.section_open = true;
-        self.add(&format!("<section id=\"{id}\"><h2>{}</h2>\n", rich(title)));
-        self.contents.push((id, title.to_owned()));
+        self.begun = Some(title.to_owned());
     }
 
     /// Adds a paragraph.
@@ -120,14 +128,18 @@ impl Page {
         ));
     }
 
-    /// Starts a part that is folded away until it is asked for.
-    pub fn fold(&mut self, summary: &str) {
-        self.add(&format!("<details><summary>{}</summary>\n", rich(summary)));
-    }
-
-    /// Ends such a part.
-    pub fn end_fold(&mut self) {
-        self.add("</details>\n");
+    /// Adds what `add` adds, if anything, folded away until it is asked for.
+    pub fn fold(&mut self, summary: &str, add: impl FnOnce(&mut Self)) {
+        let (before, begun) = (std::mem::take(&mut self.body), self.begun.take());
+        add(self);
+        let folded = std::mem::replace(&mut self.body, before);
+        self.begun = begun;
+        if !folded.is_empty() {
+            let summary = rich(summary);
+            self.add(&format!(
+                "<details><summary>{summary}</summary>\n{folded}</details>\n"
+            ));
+        }
     }
 
     /// Adds a figure.
@@ -142,7 +154,7 @@ impl Page {
         figures.into_iter().for_each(|figure| self.figure(&figure));
     }
 
-    /// Adds a table of parameters or results.
+    /// Adds a table of parameters or results if there are any.
     pub fn parameters(
         &mut self,
         label: &str,
@@ -150,8 +162,14 @@ impl Page {
         parameters: &[Parameter],
         source: Option<&Provenance>,
     ) {
-        let table = parameter_table(label, caption, parameters, source.cloned());
-        self.table(&table);
+        if !parameters.is_empty() {
+            self.table(&parameter_table(
+                label,
+                caption,
+                parameters,
+                source.cloned(),
+            ));
+        }
     }
 
     /// Adds a table.
@@ -173,16 +191,18 @@ impl Page {
         self.add(&studio::place(toml, opening));
     }
 
-    /// Adds claims with their criteria and statuses.
+    /// Adds claims, if there are any, with their criteria and statuses.
     pub fn claims(&mut self, claims: &[Claim]) {
-        self.paragraph(claim::RULE);
+        if !claims.is_empty() {
+            self.paragraph(claim::RULE);
+        }
         claims.iter().for_each(|c| self.add(&c.html()));
     }
 
     /// The page.
     pub fn html(mut self) -> String {
         if self.section_open {
-            self.add("</section>\n");
+            self.body.push_str("</section>\n");
         }
         let link = |(id, title): &(String, String)| {
             format!("<li><a href=\"#{id}\">{}</a></li>", rich(title))

@@ -25,50 +25,35 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     );
     page.head(&head(data));
     page.note(Note::Remark, SOURCE);
-    if !data.claims.is_empty() {
-        page.section("Claims of the paper and what was found");
-        page.claims(&data.claims);
-    }
+    page.section("Claims of the paper and what was found");
+    page.claims(&data.claims);
+    page.section("Parameters");
     if !data.table1.is_empty() {
-        page.section("Parameters");
         page.table(&tables::table1(&data.table1));
     }
-    if data.contact_track.is_some() || data.surface.is_some() {
-        page.section("The discrete raceway");
-        page.figures(data.contact_track.iter().map(shape::contact_track));
-        page.figures(data.surface.iter().map(shape::surface));
-    }
-    if let Some(curve) = &data.design_curve {
-        page.section("Axial span and half angle");
-        page.figure(&design::curve(curve));
-    }
-    if !data.gap_histories.is_empty() || !data.neighbours.is_empty() {
-        page.section("Spacing of the balls");
-        page.figures(data.gap_histories.iter().map(spacing::gap_history));
-        page.figures(data.neighbours.iter().map(spacing::neighbours));
-    }
+    page.section("The discrete raceway");
+    page.figures(data.contact_track.iter().map(shape::contact_track));
+    page.figures(data.surface.iter().map(shape::surface));
+    page.section("Axial span and half angle");
+    page.figures(data.design_curve.iter().map(design::curve));
+    page.section("Spacing of the balls");
+    page.figures(data.gap_histories.iter().map(spacing::gap_history));
+    page.figures(data.neighbours.iter().map(spacing::neighbours));
+    page.section("Ten structures: theory and simulation");
     if let Some(table) = &data.table2 {
-        page.section("Ten structures: theory and simulation");
         page.table(&tables::table2(table));
         tables::spread(table).iter().for_each(|t| page.table(t));
         page.figure(&design::table2(table));
     }
-    if !data.phase_portraits.is_empty() {
-        page.section("Phase portraits of ball 1");
-        for portraits in &data.phase_portraits {
-            page.figures([phase::velocities(portraits), phase::positions(portraits)]);
-        }
+    page.section("Phase portraits of ball 1");
+    for portraits in &data.phase_portraits {
+        page.figures([phase::velocities(portraits), phase::positions(portraits)]);
     }
-    if !data.orbit_speeds.is_empty() {
-        page.section("Orbital speed in the discrete raceway");
-        page.figures(data.orbit_speeds.iter().map(orbit::speeds));
-    }
-    if !data.vibrations.is_empty() {
-        page.section("Vibration");
-        for vibration in &data.vibrations {
-            page.figure(&vibration::vibration("Figure 12", vibration).with_formulation());
-        }
-    }
+    page.section("Orbital speed in the discrete raceway");
+    page.figures(data.orbit_speeds.iter().map(orbit::speeds));
+    page.section("Vibration");
+    let vibrations = data.vibrations.iter();
+    page.figures(vibrations.map(|v| vibration::vibration("Figure 12", v).with_formulation()));
     if let Some(rings) = &data.ring_comparison {
         page.section("Rings compared with equal and unequal balls");
         page.paragraph(&format!(

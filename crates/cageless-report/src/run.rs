@@ -16,24 +16,23 @@ pub fn run_page(data: &RunData) -> String {
     page.head(&Head::new(data.passes, &data.headline).facts(data.facts.clone()));
     page.notes(Note::Warning, &data.warnings);
     for (title, figures) in RUN {
-        let figures = figures.iter().filter_map(|figure| (figure.draw)(data));
-        let mut figures = figures.peekable();
-        if figures.peek().is_some() {
-            page.section(title);
-        }
-        page.figures(figures);
+        page.section(title);
+        page.figures(figures.iter().filter_map(|figure| (figure.draw)(data)));
         if title == SPACING {
             motion(&mut page, data);
         }
     }
-    if !data.results.is_empty() {
-        page.section("Results");
-        let source = Some(&data.provenance);
-        page.parameters("Results", "Summary of results.", &data.results, source);
-    }
+    let source = &data.provenance;
+    page.section("Results");
+    page.parameters(
+        "Results",
+        "Summary of results.",
+        &data.results,
+        Some(source),
+    );
+    page.section("Numerical verification");
     if let Some(verification) = &data.verification {
-        page.section("Numerical verification");
-        verification.show(&mut page, "Numerical verification", &data.provenance);
+        verification.show(&mut page, "Numerical verification", source);
     }
     let title = "The case as run";
     case_sections(&mut page, title, &data.parameters, &data.case_toml);

@@ -25,9 +25,7 @@ pub(crate) fn studio_section(page: &mut Page, toml: &str, about: &str) {
 
 /// The last sections of a report: every key of its case, and the case to be changed.
 pub(crate) fn case_sections(page: &mut Page, title: &str, keys: &[Parameter], toml: &str) {
-    if !keys.is_empty() {
-        page.section(title);
-        page.parameters("Case", "Every key of the case.", keys, None);
-    }
+    page.section(title);
+    page.parameters("Case", "Every key of the case.", keys, None);
     studio_section(page, toml, "");
 }

@@ -34,59 +34,46 @@ pub fn sweep_page(data: &SweepData) -> String {
         );
         page.note(Note::Warning, &message);
     }
-    if !data.best.is_empty() {
-        page.section("Best variants");
-        let tables = |page: &mut Page, best: &[BestVariants]| {
-            best.iter().for_each(|b| page.table(&best_table(data, b)));
-        };
-        let (first, others) = data.best.split_at(TABLES_SHOWN.min(data.best.len()));
-        tables(&mut page, first);
-        if !others.is_empty() {
-            page.fold(&format!("Best variants by {} more outputs", others.len()));
-            tables(&mut page, others);
-            page.end_fold();
-        }
-    }
+    page.section("Best variants");
+    let tables = |page: &mut Page, best: &[BestVariants]| {
+        best.iter().for_each(|b| page.table(&best_table(data, b)));
+    };
+    let (first, others) = data.best.split_at(TABLES_SHOWN.min(data.best.len()));
+    tables(&mut page, first);
+    let summary = format!("Best variants by {} more outputs", others.len());
+    page.fold(&summary, |page| tables(page, others));
     if !data.outputs.is_empty() && !data.inputs.is_empty() {
         page.section("Sensitivity (main effects)");
         page.figure(&sweep::shares(data));
-        let shown = data.outputs.iter().enumerate();
-        let (first, others): (Vec<_>, Vec<_>) = shown.partition(|(k, _)| *k < shown_outputs(data));
-        for (_, output) in first {
-            output_figures(&mut page, output, data);
-        }
-        if !others.is_empty() {
-            page.fold(&format!("Effects on {} more outputs", others.len()));
-            for (_, output) in others {
-                output_figures(&mut page, output, data);
-            }
-            page.end_fold();
-        }
+        let figures = |page: &mut Page, outputs: &[SweepOutput]| {
+            outputs.iter().for_each(|o| output_figures(page, o, data));
+        };
+        let shown = data.chosen.min(OUTPUTS_SHOWN).min(data.outputs.len());
+        let (first, others) = data.outputs.split_at(shown);
+        figures(&mut page, first);
+        let summary = format!("Effects on {} more outputs", others.len());
+        page.fold(&summary, |page| figures(page, others));
     }
+    page.section("Failed variants");
     if !data.failures.is_empty() {
-        page.section("Failed variants");
         page.table(&failure_table(data));
     }
-    if !data.constants.is_empty() || !data.plan.is_empty() {
-        page.section("Plan and constants");
-    }
-    if !data.constants.is_empty() {
-        page.fold("Outputs that do not depend on any input");
-        let caption = "Outputs that do not depend on any input.";
-        page.parameters("Constants", caption, &data.constants, None);
-        page.end_fold();
-    }
-    if !data.plan.is_empty() {
-        page.fold("Every key of the plan and of its case");
-        let caption = "Every key of the plan and of its case.";
-        page.parameters("Plan", caption, &data.plan, None);
-        page.end_fold();
-    }
+    page.section("Plan and constants");
+    let folded = |page: &mut Page, label, summary, lines| {
+        let caption = format!("{summary}.");
+        page.fold(summary, |page| {
+            page.parameters(label, &caption, lines, None)
+        });
+    };
+    let constants = "Outputs that do not depend on any input";
+    folded(&mut page, "Constants", constants, &data.constants);
+    folded(
+        &mut page,
+        "Plan",
+        "Every key of the plan and of its case",
+        &data.plan,
+    );
     page.html()
-}
-
-fn shown_outputs(data: &SweepData) -> usize {
-    data.chosen.min(OUTPUTS_SHOWN)
 }
 
 /// Effects of the inputs on one output, and its map.

@@ -124,13 +124,11 @@ pub(super) fn keys(
             parts.next().is_some_and(|first| sections.contains(&first))
         };
         let lines: Vec<Parameter> = parameters(case).into_iter().filter(of_section).collect();
-        if !lines.is_empty() {
-            let listed = sections.join(", ");
-            page.fold(&bearing.label(&format!("Keys of {listed}")));
+        let listed = sections.join(", ");
+        page.fold(&bearing.label(&format!("Keys of {listed}")), |page| {
             let name = bearing.label(&format!("Keys: {listed}"));
             page.parameters(&name, "", &lines, None);
-            page.end_fold();
-        }
+        });
     }
 }
 
