@@ -183,6 +183,16 @@ impl Plot {
         )
     }
 
+    /// Draws a vertical line at `at` with a label above it.
+    pub fn marked(self, [x, y]: [&str; 2], at: f64, label: &str, dash: &str) -> Self {
+        self.vertical(x, y, at, dash).text(
+            label,
+            (at, 1.0),
+            (x, &domain(y)),
+            json!({ "yanchor": "bottom", "font": { "size": 11, "color": "#555" } }),
+        )
+    }
+
     /// Draws a horizontal line at `at` over the whole width of the axis `x`.
     pub fn horizontal(self, x: &str, y: &str, at: f64, dash: &str) -> Self {
         let at = number(at);

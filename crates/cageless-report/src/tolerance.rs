@@ -64,7 +64,7 @@ pub fn influence_figure(record: &Record) -> Figure {
             width.push(high - low);
         }
     }
-    let mut plot = Plot::new(90 + 34 * names.len().max(2) as u32)
+    let plot = Plot::new(90 + 34 * names.len().max(2) as u32)
         .margin([150, 24, 44, 58])
         .x("Critical gap (°)", json!({}))
         .y("", json!({ "type": "category" }))
@@ -73,20 +73,16 @@ pub fn influence_figure(record: &Record) -> Figure {
             "base": numbers(&base), "marker": { "color": PALETTE[0] }, "width": 0.6,
             "hovertemplate": "%{y}: %{base:.4f} … %{x:.4f}°<extra></extra>",
         }));
-    if let Some(nominal) = record.value("nominal_critical_gap_deg") {
-        plot = mark(plot, nominal, "nominal", 1.0, "solid");
-    }
     let caption = "Critical gap at the ends of each range and nominal value (line).";
-    Figure::of_record("Figure 1", caption, record, plot)
+    Figure::of_record("Figure 1", caption, record, with_nominal(plot, record))
 }
 
-fn mark(plot: Plot, at: f64, text: &str, y: f64, dash: &str) -> Plot {
-    plot.vertical("x", "y", at, dash).text(
-        text,
-        (at, y),
-        ("x", "y domain"),
-        json!({ "yanchor": "bottom", "font": { "size": 11, "color": "#555" } }),
-    )
+/// The plot with the critical gap of the nominal bearing, if it has one.
+fn with_nominal(plot: Plot, record: &Record) -> Plot {
+    match record.value("nominal_critical_gap_deg") {
+        Some(gap_deg) => plot.marked(["x", "y"], gap_deg, "nominal", "solid"),
+        None => plot,
+    }
 }
 
 fn verdict_table(record: &Record, samples: &Record) -> Table {
@@ -133,12 +129,9 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
             "marker": { "color": if k == 3 { GREY } else { PALETTE[[2, 4, 1][k]] } },
         }));
     }
-    if let Some(nominal) = record.value("nominal_critical_gap_deg") {
-        plot = mark(plot, nominal, "nominal", 1.0, "solid");
-    }
     let caption = format!(
         "Critical gap of the bearings by verdict. Evenly spaced balls have a gap of {:.4}°.",
         record.number("uniform_gap_deg")
     );
-    Figure::of_record("Figure 2", &caption, record, plot)
+    Figure::of_record("Figure 2", &caption, record, with_nominal(plot, record))
 }

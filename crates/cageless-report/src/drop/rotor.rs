@@ -5,11 +5,11 @@ use std::f64::consts::TAU;
 use cageless::{Case, RotorSnapshot, Shaft, Snapshot};
 use cageless_results::WindowRow;
 use cageless_study::drop::BearingRecord;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::bearing::Bearing;
 use crate::figure::Figure;
-use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers};
+use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
 use crate::sampling::history;
 use crate::text::short;
 
@@ -69,19 +69,34 @@ fn circle(name: &str, radius_um: f64, colour: &str) -> Trace {
     line(name, &of(f64::cos), &of(f64::sin), colour).dash("dot")
 }
 
-/// Path of the journal from the centre of the stator, with the circle of its clearance.
-fn displacement(bearing: &Bearing<'_>) -> Figure {
-    let mut plot = square("x of the journal in the stator (µm)");
-    let limit_m = (bearing.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
-    if let Some(limit_m) = limit_m {
-        plot = plot.trace(circle("clearance to the stator", 1e6 * limit_m, PALETTE[3]));
-    }
-    let plot = both(
+/// Path of the journal, with the circle of a clearance, on equal scales of x and y.
+fn path(bearing: &Bearing<'_>, x: &str, in_ring: bool, clearance: Option<Trace>) -> Plot {
+    let plot = Plot::new(560)
+        .legend()
+        .x(x, json!({ "constrain": "domain" }))
+        .y(
+            "y (µm)",
+            json!({ "scaleanchor": "x", "scaleratio": 1, "constrain": "domain" }),
+        );
+    let plot = clearance.into_iter().fold(plot, Plot::trace);
+    both(
         bearing,
         plot,
         "centre of the journal",
         PALETTE[0],
-        |record| path_um(bearing.case, &record.snapshots, false),
+        |record| path_um(bearing.case, &record.snapshots, in_ring),
+    )
+}
+
+/// Path of the journal from the centre of the stator, with the circle of its clearance.
+fn displacement(bearing: &Bearing<'_>) -> Figure {
+    let limit_m = (bearing.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
+    let clearance = limit_m.map(|m| circle("clearance to the stator", 1e6 * m, PALETTE[3]));
+    let plot = path(
+        bearing,
+        "x of the journal in the stator (µm)",
+        false,
+        clearance,
     );
     let caption = "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
          fails where it crosses the dotted circle, the clearance that the case gives \
@@ -89,36 +104,21 @@ fn displacement(bearing: &Bearing<'_>) -> Figure {
     bearing.figure("Displacement", caption, plot)
 }
 
-/// A plot with equal scales of x and y.
-fn square(x: &str) -> Plot {
-    Plot::new(560)
-        .legend()
-        .x(x, json!({ "constrain": "domain" }))
-        .y(
-            "y (µm)",
-            json!({ "scaleanchor": "x", "scaleratio": 1, "constrain": "domain" }),
-        )
-}
-
 /// Path of the journal in the bore, with the circle of the touch-down clearance.
 fn orbit(bearing: &Bearing<'_>) -> Figure {
-    let case = bearing.case;
-    let Some(rotor) = &case.rotor else {
-        return bearing.figure("Orbit", "", Plot::new(200));
-    };
-    let (x, y) = path_um(case, &bearing.record.snapshots, true);
-    let plot = square("x of the journal in the bore (µm)").trace(circle(
-        "touch-down clearance",
-        1e6 * rotor.radial_clearance_m,
-        GREY,
-    ));
-    let mut plot = both(
+    let clearance_m = bearing
+        .case
+        .rotor
+        .as_ref()
+        .map(|rotor| rotor.radial_clearance_m);
+    let clearance = clearance_m.map(|m| circle("touch-down clearance", 1e6 * m, GREY));
+    let mut plot = path(
         bearing,
-        plot,
-        "centre of the journal",
-        PALETTE[0],
-        |record| path_um(case, &record.snapshots, true),
+        "x of the journal in the bore (µm)",
+        true,
+        clearance,
     );
+    let (x, y) = path_um(bearing.case, &bearing.record.snapshots, true);
     if let (Some(x), Some(y)) = (x.last(), y.last()) {
         plot = plot.trace(markers("end", &[*x], &[*y], PALETTE[1]));
     }
@@ -132,6 +132,15 @@ fn over_time(height: u32, title: &str) -> Plot {
     Plot::new(height)
         .legend()
         .axes("Time since the start of the drop (ms)", title)
+}
+
+/// Two panels over time, titled `above` and `below`, with further keys of the lower axis.
+fn two_over_time(height: u32, above: &str, below: &str, more: Value) -> Plot {
+    let along = json!({ "anchor": "y2" });
+    Plot::new(height)
+        .x("Time since the start of the drop (ms)", along)
+        .y(above, json!({ "domain": [0.42, 1.0] }))
+        .axis("yaxis2", below, with(json!({ "domain": [0.0, 0.3] }), more))
 }
 
 /// Time in ms and a value of the snapshots that have it, thinned.
@@ -198,14 +207,8 @@ fn along_axis(bearing: &Bearing<'_>) -> Figure {
         thinned(bearing.record, |s| Some(of(&s.rotor?, s)))
     };
     let force = over_time(|r, _| r.shoulder_force_n);
-    let plot = Plot::new(440)
+    let plot = two_over_time(440, "z (µm)", "Force (N)", json!({}))
         .legend()
-        .x(
-            "Time since the start of the drop (ms)",
-            json!({ "anchor": "y2" }),
-        )
-        .y("z (µm)", json!({ "domain": [0.42, 1.0] }))
-        .axis("yaxis2", "Force (N)", json!({ "domain": [0.0, 0.3] }))
         .trace(line_of("rotor", over_time(|r, _| 1e6 * r.z_m), PALETTE[1]))
         .trace(line_of(
             "inner ring",
@@ -232,18 +235,9 @@ fn whirl(bearing: &Bearing<'_>) -> Figure {
     };
     let contact = over_windows(bearing.record, |w| 100.0 * w.contact_fraction);
     let contact = line_of("contact", contact, PALETTE[2]);
-    let plot = Plot::new(420)
+    let percent = json!({ "range": [0, 105] });
+    let plot = two_over_time(420, "Whirl frequency (Hz)", "Contact (%)", percent)
         .set("showlegend", json!(bearing.conventional.is_some()))
-        .x(
-            "Time since the start of the drop (ms)",
-            json!({ "anchor": "y2" }),
-        )
-        .y("Whirl frequency (Hz)", json!({ "domain": [0.42, 1.0] }))
-        .axis(
-            "yaxis2",
-            "Contact (%)",
-            json!({ "domain": [0.0, 0.3], "range": [0, 105] }),
-        )
         .horizontal("x", "y", 0.0, "dot");
     let plot = both(bearing, plot, "whirl frequency", PALETTE[3], |record| {
         over_windows(record, |w| w.whirl_frequency_hz)

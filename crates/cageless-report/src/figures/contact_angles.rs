@@ -25,16 +25,12 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
     let names = ["outer", "inner"];
     for ((panel, name), shoulder) in panels.iter().zip(names).zip([shoulders[1], shoulders[0]]) {
         let [x, y] = panel.axes();
-        let below = if panel.lowest {
-            "ψ, 0 at the bottom (°)"
-        } else {
-            ""
-        };
+        let up = format!("Contact angle,<br>{name} raceway (°)");
         let edge = 1.08 * shoulder;
         plot = plot
             .panel(
                 panel,
-                [below, &format!("Contact angle,<br>{name} raceway (°)")],
+                panel.at_edges(["ψ, 0 at the bottom (°)", &up]),
                 [
                     json!({ "range": [-180, 180], "dtick": 45, "showticklabels": panel.lowest }),
                     json!({ "range": [-edge, edge] }),

@@ -35,14 +35,7 @@ pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
         };
         let across = with(axis(panel.lowest, "x"), json!({ "nticks": 5 }));
         let up = with(axis(panel.leftmost, "y"), json!({ "tickformat": ",.0f" }));
-        let titles = [
-            if panel.lowest { "ψ (°)" } else { "" },
-            if panel.leftmost {
-                "Orbital speed (°/s)"
-            } else {
-                ""
-            },
-        ];
+        let titles = panel.at_edges(["ψ (°)", "Orbital speed (°/s)"]);
         let title = panel_title(&passage.structure, &passage.verdict);
         plot = plot
             .panel(panel, titles, [across, up])

@@ -52,6 +52,12 @@ impl Panel {
         (0..count).map(panel).collect()
     }
 
+    /// These titles of a column and a row of panels, where it stands at their edges.
+    pub fn at_edges<'t>(&self, [x, y]: [&'t str; 2]) -> [&'t str; 2] {
+        let x = if self.lowest { x } else { "" };
+        [x, if self.leftmost { y } else { "" }]
+    }
+
     /// Names of its axes, for traces and marks.
     pub fn axes(&self) -> [&str; 2] {
         [&self.x, &self.y]

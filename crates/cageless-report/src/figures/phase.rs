@@ -54,7 +54,7 @@ pub fn positions(portraits: &PhasePortraits) -> Figure {
 
 fn multiples(
     portraits: &PhasePortraits,
-    [x_title, y_title]: [&str; 2],
+    titles: [&str; 2],
     y_more: serde_json::Value,
     equal: bool,
     of: impl Fn(&PhasePortrait) -> (&Vec<f64>, &Vec<f64>),
@@ -76,17 +76,13 @@ fn multiples(
         };
         let matches = json!({ "matches": (!panel.first && !equal).then_some("y") });
         let up = with(y_more.clone(), matches);
-        let titles = [
-            if panel.lowest { x_title } else { "" },
-            if panel.leftmost { y_title } else { "" },
-        ];
         let (xs, ys) = of(portrait);
         let (name, drawn) = (portrait.structure.label(), curve(xs, ys, PORTRAIT_POINTS));
         let title = panel_title(&portrait.structure, &portrait.verdict);
         plot = plot
             .panel(
                 panel,
-                titles,
+                panel.at_edges(titles),
                 [axis(panel.lowest, x_more), axis(panel.leftmost, up)],
             )
             .trace(line_of(&name, drawn, PALETTE[0]).width(1.0).on([x, y]))

@@ -121,29 +121,20 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
     let space = [0.06, 0.28 / rows.max(1) as f64 + 0.06];
     let mut plot = Plot::new(ROW_PX * rows as u32 + 20).margin([72, 24, 16, 58]);
     let panels = Panel::grid(count, count.min(ACROSS), space);
+    let title = broken(&capital(&names::label(&output.quantity)));
     for (panel, effect) in panels.iter().zip(drawn) {
         let mut along = json!({});
         if matches!(effect.levels, Levels::Names(_)) {
             along["type"] = "category".into();
         }
         // The first row is the uppermost; all panels have one scale.
-        let title = match panel.leftmost {
-            true => names::label(&output.quantity),
-            false => String::new(),
-        };
         let mut upwards = json!({ "showticklabels": panel.leftmost });
         if !panel.first {
             upwards["matches"] = "y".into();
         }
-        let titles = [
-            capital(&names::label(&effect.input)),
-            broken(&capital(&title)),
-        ];
-        plot = plot.panel(
-            panel,
-            titles.each_ref().map(String::as_str),
-            [along, upwards],
-        );
+        let [_, up] = panel.at_edges(["", &title]);
+        let across = capital(&names::label(&effect.input));
+        plot = plot.panel(panel, [&across, up], [along, upwards]);
         for trace in effect_traces(effect) {
             plot = plot.trace(Trace::from(trace).on(panel.axes()));
         }

@@ -75,12 +75,7 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
         plot = plot.trace(drawn.width(1.1).on([x, y]));
     }
     for mark in &vibration.marks {
-        plot = plot.vertical(x, y, mark.frequency_hz, "dot").text(
-            &plain(&mark.label),
-            (mark.frequency_hz, 1.0),
-            (x, &format!("{y} domain")),
-            json!({ "yanchor": "bottom", "font": { "size": 11, "color": "#555" } }),
-        );
+        plot = plot.marked([x, y], mark.frequency_hz, &plain(&mark.label), "dot");
     }
     let caption = format!(
         "Acceleration of the outer ring over time, on one scale, and below its single-sided \

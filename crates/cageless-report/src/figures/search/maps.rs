@@ -104,14 +104,7 @@ fn dress(plot: Plot, panel: &Panel, search: &Record, map: &Record) -> Plot {
     let [narrowest, widest] = edges("axial_span_mm");
     let spans = numbers(&[narrowest.max(shown_from_mm(search)), widest]);
     let angles = numbers(&edges("half_angle_deg"));
-    let titles = [
-        "Axial span lC (mm)",
-        if panel.leftmost {
-            "Half angle θ (°)"
-        } else {
-            ""
-        },
-    ];
+    let [_, half_angle] = panel.at_edges(["", "Half angle θ (°)"]);
     let more = [
         json!({ "range": spans, "showgrid": false }),
         json!({ "range": angles, "showgrid": false, "showticklabels": panel.leftmost }),
@@ -124,7 +117,7 @@ fn dress(plot: Plot, panel: &Panel, search: &Record, map: &Record) -> Plot {
         "#000000",
     );
     let mut plot = plot
-        .panel(panel, titles, more)
+        .panel(panel, ["Axial span lC (mm)", half_angle], more)
         .title_above(panel, &plain(&point), json!({ "size": 13 }))
         .trace(
             eq_11
