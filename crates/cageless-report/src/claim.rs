@@ -15,7 +15,7 @@
 //! assert_eq!(claim(f64::NAN).status(), ClaimStatus::NotTested);
 //! ```
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::text::{escape, rich, significant};
 
@@ -50,48 +50,64 @@ pub enum Holds {
     Unknown,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Bound {
-    AtMost(f64),
-    AtLeast(f64),
-    AllOf(usize),
-}
-
 /// A quantity of a claim with its computed value and its limit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Requirement {
     quantity: String,
     value: f64,
-    bound: Bound,
     unit: &'static str,
+    /// In words: `at most 0.033°`.
+    limit: String,
+    holds: Holds,
+    /// The value with its unit.
+    #[serde(skip)]
+    shown: String,
+    /// If it is met and if it is missed.
+    #[serde(skip)]
     sentences: [String; 2],
 }
 
 impl Requirement {
-    fn new(quantity: &str, value: f64, bound: Bound, unit: &'static str) -> Self {
+    fn new(quantity: &str, value: f64, unit: &'static str, limit: String, met: bool) -> Self {
         Self {
             quantity: quantity.to_owned(),
             value,
-            bound,
-            unit,
+            unit: unit.trim(),
+            limit,
+            holds: match met {
+                _ if value.is_nan() => Holds::Unknown,
+                true => Holds::Met,
+                false => Holds::Missed,
+            },
+            shown: with_unit(value, unit),
             sentences: Default::default(),
         }
     }
 
     /// `value` of `quantity` must be `limit` or less; the unit follows the numbers: `"°"`, `" N"`.
     pub fn at_most(quantity: &str, value: f64, limit: f64, unit: &'static str) -> Self {
-        Self::new(quantity, value, Bound::AtMost(limit), unit)
+        let words = format!("at most {}", with_unit(limit, unit));
+        Self::new(quantity, value, unit, words, value <= limit)
     }
 
     /// `value` of `quantity` must be `limit` or more.
     pub fn at_least(quantity: &str, value: f64, limit: f64, unit: &'static str) -> Self {
-        Self::new(quantity, value, Bound::AtLeast(limit), unit)
+        let words = format!("at least {}", with_unit(limit, unit));
+        Self::new(quantity, value, unit, words, value >= limit)
     }
 
     /// Something must hold in all of `cases`; it holds in `value` of them.
     pub fn in_all(quantity: &str, value: usize, cases: usize) -> Self {
-        let value = if cases == 0 { f64::NAN } else { value as f64 };
-        Self::new(quantity, value, Bound::AllOf(cases), "")
+        let number = if cases == 0 { f64::NAN } else { value as f64 };
+        let words = format!("all of {cases}");
+        let found = Self::new(quantity, number, "", words, value >= cases);
+        match (1..cases).contains(&value) {
+            true => Self {
+                holds: Holds::InPart,
+                ..found
+            },
+            false => found,
+        }
     }
 
     /// Sentence of the finding. Of words in brackets, `[all|not all]`, the first are said if the
@@ -117,44 +133,17 @@ impl Requirement {
         self
     }
 
-    /// How far the value keeps its limit.
-    pub fn holds(&self) -> Holds {
-        let met = match self.bound {
-            _ if self.value.is_nan() => return Holds::Unknown,
-            Bound::AllOf(cases) if self.value > 0.0 && self.value < cases as f64 => {
-                return Holds::InPart;
-            }
-            Bound::AtMost(limit) => self.value <= limit,
-            Bound::AtLeast(limit) => self.value >= limit,
-            Bound::AllOf(cases) => self.value >= cases as f64,
-        };
-        if met { Holds::Met } else { Holds::Missed }
-    }
-
     fn sentence(&self) -> &str {
-        match self.holds() {
+        match self.holds {
             Holds::Met => &self.sentences[0],
             Holds::InPart | Holds::Missed => &self.sentences[1],
             Holds::Unknown => "",
         }
     }
 
-    fn number(&self, value: f64) -> String {
-        format!("{}{}", significant(value, 4), self.unit)
-    }
-
-    /// Limit in words: `at most 0.033°`.
-    pub fn limit(&self) -> String {
-        match self.bound {
-            Bound::AtMost(limit) => format!("at most {}", self.number(limit)),
-            Bound::AtLeast(limit) => format!("at least {}", self.number(limit)),
-            Bound::AllOf(cases) => format!("all of {cases}"),
-        }
-    }
-
     /// `<li>` of a page: mark, quantity, value, limit.
     fn html(&self) -> String {
-        let (mark, word) = match self.holds() {
+        let (mark, word) = match self.holds {
             Holds::Met => ("✓", "met"),
             Holds::InPart => ("~", "met in part"),
             Holds::Missed => ("✗", "missed"),
@@ -163,31 +152,15 @@ impl Requirement {
         format!(
             "<li><span role=\"img\" aria-label=\"{word}\">{mark}</span> {}: <b>{}</b> ({})</li>",
             rich(&self.quantity),
-            escape(&self.number(self.value)),
-            escape(&self.limit())
+            escape(&self.shown),
+            escape(&self.limit)
         )
     }
 }
 
-impl Serialize for Requirement {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Row<'a> {
-            quantity: &'a str,
-            value: f64,
-            unit: &'a str,
-            limit: String,
-            holds: Holds,
-        }
-        let row = Row {
-            quantity: &self.quantity,
-            value: self.value,
-            unit: self.unit.trim(),
-            limit: self.limit(),
-            holds: self.holds(),
-        };
-        row.serialize(serializer)
-    }
+/// Four digits and the unit that follows them.
+fn with_unit(value: f64, unit: &str) -> String {
+    format!("{}{unit}", significant(value, 4))
 }
 
 /// A claim of the paper with what was found.
@@ -223,13 +196,12 @@ impl Claim {
 
     /// A claim on how the bearing moves, which the model tests.
     pub fn of_the_model(place: &str, claim: &str, criterion: Vec<Requirement>) -> Self {
-        let holds: Vec<Holds> = criterion.iter().map(Requirement::holds).collect();
-        let all = |one: fn(&Holds) -> bool| holds.iter().all(one);
-        let status = if all(|h| *h == Holds::Unknown) {
+        let all = |of: &[Holds]| criterion.iter().all(|one| of.contains(&one.holds));
+        let status = if all(&[Holds::Unknown]) {
             ClaimStatus::NotTested
-        } else if all(|h| *h == Holds::Met) {
+        } else if all(&[Holds::Met]) {
             ClaimStatus::Confirmed
-        } else if all(|h| matches!(h, Holds::Missed | Holds::Unknown)) {
+        } else if all(&[Holds::Missed, Holds::Unknown]) {
             ClaimStatus::NotConfirmed
         } else {
             ClaimStatus::Partly
