@@ -59,13 +59,9 @@ impl MotionFigure {
         } else {
             ""
         };
-        let mut moments = String::new();
-        for moment in &self.moments_s {
-            let _ = write!(
-                moments,
-                "<button type=\"button\" data-moment=\"{moment}\">{moment} s</button>"
-            );
-        }
+        let button =
+            |s: &f64| format!("<button type=\"button\" data-moment=\"{s}\">{s} s</button>");
+        let moments: String = self.moments_s.iter().map(button).collect();
         let mut sources: Vec<&Provenance> = self.bearings.iter().map(|b| &b.provenance).collect();
         sources.dedup();
         format!(
@@ -95,44 +91,36 @@ impl MotionFigure {
         if self.stretches.is_empty() {
             return String::new();
         }
-        let mut options = "<option value=\"\">the whole animation</option>".to_owned();
-        for (name, [from, to]) in &self.stretches {
-            let _ = write!(
-                options,
-                "<option value=\"{from},{to}\">{}</option>",
-                escape(name)
-            );
-        }
-        format!("<label>Show <select data-part>{options}</select></label>")
+        let option = |(name, [from, to]): &(String, [f64; 2])| {
+            format!("<option value=\"{from},{to}\">{}</option>", escape(name))
+        };
+        let options: String = self.stretches.iter().map(option).collect();
+        format!(
+            "<label>Show <select data-part><option value=\"\">the whole animation</option>{options}\
+             </select></label>"
+        )
     }
 
     /// Samples in whole steps, each but the first as a difference to the one before.
     fn data(&self) -> Value {
-        let coded = |rows: &[Vec<f64>], count: usize, scale: f64| -> Vec<Vec<i64>> {
-            rows.iter()
-                .map(|row| differences(&row[..count.min(row.len())], scale))
-                .collect()
-        };
-        let bearings: Vec<Value> = self
-            .bearings
-            .iter()
+        let bearings: Vec<Value> = (self.bearings.iter())
             .map(|motion| {
                 let count = samples(motion);
-                let time = differences(&motion.time_s[..count], STEPS_PER_S);
+                let coded =
+                    |values: &[f64], scale| differences(&values[..count.min(values.len())], scale);
+                let angles = |values: &Vec<f64>| coded(values, STEPS_PER_DEG);
+                let rows = |rows: &[Vec<f64>]| -> Value { rows.iter().map(angles).collect() };
                 let rotor = motion.rotor.as_ref().map(|rotor| {
-                    let coded = |values: &[f64]| {
-                        differences(&values[..count.min(values.len())], STEPS_PER_DEG)
-                    };
                     json!({
-                        "x": coded(&rotor.x_mm), "y": coded(&rotor.y_mm),
-                        "a": coded(&rotor.angle_deg), "ring": coded(&rotor.ring_angle_deg),
+                        "x": angles(&rotor.x_mm), "y": angles(&rotor.y_mm),
+                        "a": angles(&rotor.angle_deg), "ring": angles(&rotor.ring_angle_deg),
                     })
                 });
                 json!({
                     "rotor": rotor,
-                    "t": time,
-                    "a": coded(&motion.angle_deg, count, STEPS_PER_DEG),
-                    "g": coded(&motion.gap_deg, count, STEPS_PER_DEG),
+                    "t": coded(&motion.time_s, STEPS_PER_S),
+                    "a": rows(&motion.angle_deg),
+                    "g": rows(&motion.gap_deg),
                     "before": motion.balls_before,
                     "eps": motion.outline.ball_angle_deg,
                     "pitch": motion.outline.pitch_radius_mm,
