@@ -1,132 +1,57 @@
-//! A listener with a limited number of open connections; further ones wait. A connection that does
-//! not begin with a request in good time is closed, so that silent ones lock nobody out.
+//! A limited number of open connections; further ones wait. A connection on which no request begins in good
+//! time is closed, so that silent ones lock nobody out.
 
-use std::io;
-use std::net::SocketAddr;
-use std::pin::Pin;
+use std::pin::pin;
 use std::sync::Arc;
-use std::task::{Context, Poll};
 use std::time::Duration;
 
+use axum::Router;
 use axum::serve::Listener;
-use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
-use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
-use tokio::time::{Sleep, sleep};
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::server::graceful::GracefulShutdown;
+use hyper_util::service::TowerToHyperService;
+use tokio::net::TcpListener;
+use tokio::sync::Semaphore;
+use tokio::time::timeout;
 
 /// Connections that are open at once.
 const CONNECTIONS_MAX: usize = 64;
 
-/// The listener.
-pub struct Limited {
-    listener: TcpListener,
-    free: Arc<Semaphore>,
+/// Time that open answers get once the server ends.
+pub const FAREWELL: Duration = Duration::from_secs(1);
+
+/// Serves `app` until `ended`; the head of a request arrives within `arrival_max`.
+pub async fn serve(
+    mut listener: TcpListener,
+    app: Router,
     arrival_max: Duration,
-}
-
-impl Limited {
-    /// Limits `listener`; the head of the first request of a connection arrives within
-    /// `arrival_max`.
-    pub fn new(listener: TcpListener, arrival_max: Duration) -> Self {
-        Self {
-            listener,
-            arrival_max,
-            free: Arc::new(Semaphore::new(CONNECTIONS_MAX)),
-        }
-    }
-}
-
-impl Listener for Limited {
-    type Io = Connection;
-    type Addr = SocketAddr;
-
-    async fn accept(&mut self) -> (Self::Io, Self::Addr) {
-        // The semaphore is never closed.
-        let permit = Arc::clone(&self.free).acquire_owned().await.ok();
-        let (stream, address) = Listener::accept(&mut self.listener).await;
-        let connection = Connection {
-            stream,
-            head: Some(Head::new(self.arrival_max)),
-            _permit: permit,
+    ended: impl Future<Output = ()>,
+) {
+    let free = Arc::new(Semaphore::new(CONNECTIONS_MAX));
+    let open = GracefulShutdown::new();
+    let mut http = http1::Builder::new();
+    http.timer(TokioTimer::new())
+        .header_read_timeout(arrival_max);
+    let mut ended = pin!(ended);
+    loop {
+        let accepted = async {
+            // The semaphore is never closed.
+            let permit = Arc::clone(&free).acquire_owned().await.ok();
+            (Listener::accept(&mut listener).await, permit)
         };
-        (connection, address)
+        let ((stream, _), permit) = tokio::select! {
+            accepted = accepted => accepted,
+            () = &mut ended => break,
+        };
+        let app = TowerToHyperService::new(app.clone());
+        let connection = open.watch(http.serve_connection(TokioIo::new(stream), app));
+        tokio::spawn(async move {
+            let _permit = permit;
+            // What breaks a connection concerns nobody else.
+            let _ = connection.await;
+        });
     }
-
-    fn local_addr(&self) -> io::Result<Self::Addr> {
-        self.listener.local_addr()
-    }
-}
-
-/// The head of the first request of a connection, on its way.
-struct Head {
-    deadline: Pin<Box<Sleep>>,
-    begun: bool,
-    line_ends: u32,
-}
-
-impl Head {
-    fn new(arrival_max: Duration) -> Self {
-        Self {
-            deadline: Box::pin(sleep(arrival_max)),
-            begun: false,
-            line_ends: 0,
-        }
-    }
-
-    /// Whether these bytes complete it: an empty line after the first line.
-    fn completed_by(&mut self, bytes: &[u8]) -> bool {
-        bytes.iter().any(|byte| {
-            match byte {
-                b'\n' if self.begun => self.line_ends += 1,
-                b'\n' | b'\r' => {}
-                _ => (self.begun, self.line_ends) = (true, 0),
-            }
-            self.line_ends == 2
-        })
-    }
-}
-
-/// A connection that counts until it is closed.
-pub struct Connection {
-    stream: TcpStream,
-    /// `None` once it has arrived.
-    head: Option<Head>,
-    _permit: Option<OwnedSemaphorePermit>,
-}
-
-impl AsyncRead for Connection {
-    fn poll_read(
-        mut self: Pin<&mut Self>,
-        cx: &mut Context<'_>,
-        buffer: &mut ReadBuf<'_>,
-    ) -> Poll<io::Result<()>> {
-        let before = buffer.filled().len();
-        let read = Pin::new(&mut self.stream).poll_read(cx, buffer);
-        if let Some(head) = &mut self.head {
-            if head.completed_by(&buffer.filled()[before..]) {
-                self.head = None;
-            } else if head.deadline.as_mut().poll(cx).is_ready() {
-                return Poll::Ready(Err(io::ErrorKind::TimedOut.into()));
-            }
-        }
-        read
-    }
-}
-
-impl AsyncWrite for Connection {
-    fn poll_write(
-        mut self: Pin<&mut Self>,
-        cx: &mut Context<'_>,
-        bytes: &[u8],
-    ) -> Poll<io::Result<usize>> {
-        Pin::new(&mut self.stream).poll_write(cx, bytes)
-    }
-
-    fn poll_flush(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        Pin::new(&mut self.stream).poll_flush(cx)
-    }
-
-    fn poll_shutdown(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        Pin::new(&mut self.stream).poll_shutdown(cx)
-    }
+    // A connection that says nothing does not keep the server alive.
+    let _ = timeout(FAREWELL, open.shutdown()).await;
 }

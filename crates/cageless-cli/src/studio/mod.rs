@@ -25,14 +25,12 @@ use tokio_stream::wrappers::ReceiverStream;
 use crate::failure::Failure;
 use crate::progress::StopFlag;
 use client::{Client, Lines};
-use connections::Limited;
+use connections::{FAREWELL, serve};
 
 /// Requests that are computed at once; further ones are refused.
 const COMPUTING_MAX: usize = 8;
 /// Longest time that a request may take to arrive.
 const ARRIVAL_MAX: Duration = Duration::from_secs(10);
-/// Time that open answers get once the server ends.
-const FAREWELL: Duration = Duration::from_secs(1);
 /// Header that carries the token.
 const TOKEN_HEADER: &str = "x-cageless-token";
 /// The page runs its own inline scripts and the engine, and speaks with this server only.
@@ -118,25 +116,18 @@ impl Server {
             .route("/request", post(request))
             .layer(middleware::from_fn_with_state(Arc::clone(&shared), guard))
             .with_state(shared);
-        let ended = || {
-            let stop = Arc::clone(&stop);
-            async move {
-                while !stop.load(Ordering::Relaxed) {
-                    tokio::time::sleep(Duration::from_millis(50)).await;
-                }
+        let ended = async move {
+            while !stop.load(Ordering::Relaxed) {
+                tokio::time::sleep(Duration::from_millis(50)).await;
             }
         };
-        let result = runtime.block_on(async {
-            let listener = Limited::new(TcpListener::from_std(listener)?, ARRIVAL_MAX);
-            let server = axum::serve(listener, app).with_graceful_shutdown(ended());
-            tokio::select! {
-                result = server => result,
-                // A connection that says nothing does not keep the server alive.
-                () = async { ended().await; tokio::time::sleep(FAREWELL).await } => Ok(()),
-            }
+        let served = runtime.block_on(async {
+            let listener = TcpListener::from_std(listener)?;
+            serve(listener, app, ARRIVAL_MAX, ended).await;
+            Ok(())
         });
         runtime.shutdown_timeout(FAREWELL);
-        result.map_err(failed)
+        served.map_err(failed)
     }
 }
 
