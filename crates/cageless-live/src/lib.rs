@@ -24,4 +24,5 @@ mod request;
 mod verdict;
 
 pub use cageless::simulation::Control;
+pub use refusal::{Refusal, answered, parsed};
 pub use request::{REQUEST_BYTES_MAX, answer};

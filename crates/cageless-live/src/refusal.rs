@@ -4,10 +4,12 @@ use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
 use cageless_io::case_file::{CaseError, CaseFile};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
 
 /// A request that cannot be answered: what the command prints for the same mistake.
 #[derive(Debug, Serialize)]
-pub(crate) struct Refusal {
+pub struct Refusal {
     /// The message.
     message: String,
     /// Line of the case, from 1.
@@ -20,7 +22,7 @@ pub(crate) struct Refusal {
 
 impl Refusal {
     /// A message about the request as a whole.
-    pub(crate) fn new(message: impl Into<String>) -> Self {
+    pub fn new(message: impl Into<String>) -> Self {
         Self {
             message: message.into(),
             line: None,
@@ -55,6 +57,24 @@ impl From<CriticalGapError> for Refusal {
     fn from(error: CriticalGapError) -> Self {
         Self::new(error.to_string())
     }
+}
+
+/// The answer to a request: `{"ok": …}` or `{"error": {"message", "line", "key"}}`.
+pub fn answered(result: Result<Value, Refusal>) -> String {
+    match result {
+        Ok(value) => json!({ "ok": value }),
+        Err(refusal) => json!({ "error": refusal }),
+    }
+    .to_string()
+}
+
+/// Reads a request.
+///
+/// # Errors
+/// The text is not JSON, or not of such a request.
+pub fn parsed<R: DeserializeOwned>(request: &str) -> Result<R, Refusal> {
+    let refused = |error| Refusal::new(format!("the request cannot be read: {error}"));
+    serde_json::from_str(request).map_err(refused)
 }
 
 /// Reads the case of a request; its messages name the case file `case`.

@@ -2,9 +2,9 @@
 
 use cageless::simulation::Control;
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
 
-use crate::refusal::{Refusal, read};
+use crate::refusal::{Refusal, answered, parsed, read};
 use crate::{compare, geometry, keys, map, motion, ranges, verdict};
 
 /// Largest request that is read, bytes.
@@ -52,9 +52,7 @@ fn result(request: &str, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
             request.len()
         )));
     }
-    let request = serde_json::from_str(request)
-        .map_err(|error| Refusal::new(format!("the request cannot be read: {error}")))?;
-    match request {
+    match parsed(request)? {
         Request::About => Ok(keys::about()),
         Request::Geometry(OfCase { case }) => geometry::geometry(&read(&case)?),
         Request::Ranges { case, controls } => ranges::ranges(&case, &controls, control),
@@ -69,9 +67,5 @@ fn result(request: &str, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
 /// Answers one request: `{"ok": …}` or `{"error": {"message", "line", "key"}}`. `control` is
 /// called with the fraction of the work that is done, 0 to 1, and can end it.
 pub fn answer(request: &str, control: &mut dyn FnMut(f64) -> Control) -> String {
-    match result(request, control) {
-        Ok(value) => json!({ "ok": value }),
-        Err(refusal) => json!({ "error": refusal }),
-    }
-    .to_string()
+    answered(result(request, control))
 }

@@ -17,7 +17,7 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
-use cageless_live::REQUEST_BYTES_MAX;
+use cageless_live::{REQUEST_BYTES_MAX, Refusal, answered};
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
@@ -239,9 +239,8 @@ async fn request(State(shared): State<Arc<Shared>>, request: Request) -> Respons
             let _permit = permit;
             compute(&text, &progress, &stop)
         });
-        let answer = work.await.unwrap_or_else(|_| {
-            r#"{"error":{"message":"the engine failed on this request"}}"#.to_owned()
-        });
+        let failed = |_| failure("the engine failed on this request");
+        let answer = work.await.unwrap_or_else(failed);
         let _ = lines.send(Ok((answer + "\n").into())).await;
     });
     let kind = [(header::CONTENT_TYPE, "application/x-ndjson")];
@@ -253,15 +252,21 @@ fn compute(text: &str, lines: &Lines, stop: &StopFlag) -> String {
     let seconds = requests::seconds_max(text);
     let client = Client::new(lines, stop, Duration::from_secs(seconds));
     let answer = requests::answer(text, &client);
-    if stop.load(Ordering::Relaxed) && !answer.starts_with("{\"ok\"") {
-        return r#"{"error":{"message":"the server of cageless studio has ended"}}"#.to_owned();
+    if answer.starts_with("{\"ok\"") {
+        return answer;
     }
-    if client.late() && !answer.starts_with("{\"ok\"") {
-        let message = format!(
+    if stop.load(Ordering::Relaxed) {
+        return failure("the server of cageless studio has ended");
+    }
+    if client.late() {
+        return failure(&format!(
             "ended after {seconds} s, the longest that this server computes one request: use the \
              command of the same name"
-        );
-        return serde_json::json!({ "error": { "message": message } }).to_string();
+        ));
     }
     answer
+}
+
+fn failure(message: &str) -> String {
+    answered(Err(Refusal::new(message)))
 }

@@ -4,8 +4,8 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use cageless_io::cad::{ExportError, ExportOptions, Format, export};
-use cageless_io::case_file::{CaseError, CaseFile};
-use cageless_live::{REQUEST_BYTES_MAX, answer as engine_answer};
+use cageless_io::case_file::CaseFile;
+use cageless_live::{REQUEST_BYTES_MAX, Refusal, answer as engine_answer, answered, parsed};
 use cageless_study::tolerance::{Request as Tolerances, tolerance};
 use cageless_study::{StudyError, search};
 use serde::Deserialize;
@@ -42,33 +42,16 @@ struct Operation {
     op: String,
 }
 
-/// A request that cannot be answered, in the form of the engine.
-struct Refusal(Value);
-
-impl Refusal {
-    fn new(message: impl Into<String>) -> Self {
-        Self(json!({ "message": message.into() }))
-    }
-}
-
-impl From<CaseError> for Refusal {
-    fn from(error: CaseError) -> Self {
-        let (line, key) = (error.line(), error.key());
-        Self(json!({ "message": error.to_string(), "line": line, "key": key }))
-    }
-}
-
-impl From<StudyError> for Refusal {
-    fn from(error: StudyError) -> Self {
-        match error {
-            StudyError::File(error) => error.into(),
-            StudyError::Interrupted => Self::new("cancelled"),
-            StudyError::Option(error) => Self::new(format!(
-                "{} {}: {}",
-                error.option, error.value, error.problem
-            )),
-            error => Self::new(error.to_string()),
-        }
+/// The refusal of a study that has failed.
+fn refused(error: StudyError) -> Refusal {
+    match error {
+        StudyError::File(error) => error.into(),
+        StudyError::Interrupted => Refusal::new("cancelled"),
+        StudyError::Option(error) => Refusal::new(format!(
+            "{} {}: {}",
+            error.option, error.value, error.problem
+        )),
+        error => Refusal::new(error.to_string()),
     }
 }
 
@@ -79,11 +62,7 @@ pub fn answer(text: &str, client: &Client<'_>) -> String {
         _ => String::new(),
     };
     if OPERATIONS.contains(&operation.as_str()) {
-        return match result(text, client) {
-            Ok(value) => json!({ "ok": value }),
-            Err(Refusal(error)) => json!({ "error": error }),
-        }
-        .to_string();
+        return answered(result(text, client));
     }
     let answer = engine_answer(text, &mut |fraction| client.control(fraction));
     if operation == "about" {
@@ -103,9 +82,7 @@ fn with_operations(answer: &str) -> Option<String> {
 }
 
 fn result(text: &str, client: &Client<'_>) -> Result<Value, Refusal> {
-    let request = serde_json::from_str(text)
-        .map_err(|error| Refusal::new(format!("the request cannot be read: {error}")))?;
-    match request {
+    match parsed(text)? {
         Request::Search { case, budget } => {
             let set = budget.map(|budget| format!("search.runs_max={budget}"));
             let set: Vec<String> = set.into_iter().collect();
@@ -113,7 +90,8 @@ fn result(text: &str, client: &Client<'_>) -> Result<Value, Refusal> {
         }
         Request::Tolerance { case, tolerances } => {
             let file = CaseFile::parse(&case, "case", &[])?;
-            Ok(json!(tolerance(file.case(), "case", &tolerances, client)?))
+            let judged = tolerance(file.case(), "case", &tolerances, client);
+            Ok(json!(judged.map_err(refused)?))
         }
         Request::Export { case, format } => exported(&CaseFile::parse(&case, "case", &[])?, format),
     }
@@ -121,7 +99,7 @@ fn result(text: &str, client: &Client<'_>) -> Result<Value, Refusal> {
 
 /// The Pareto front of a search and what it recommends.
 fn searched(file: &CaseFile, client: &Client<'_>) -> Result<Value, Refusal> {
-    let (found, record) = search::run(file, None, &[], client)?;
+    let (found, record) = search::run(file, None, &[], client).map_err(refused)?;
     let mut data = json!(record);
     data["verdicts"] = data["recommended_verdicts"].take();
     let names = [
