@@ -109,14 +109,13 @@ pub(crate) fn possible(base: &CaseDocument, span: &Span) -> Vec<[f64; 2]> {
     };
     let tried: Vec<f64> = if span.whole {
         let count = (span.high - span.low).min(1000.0) as usize;
-        (0..=count)
-            .map(|k| span.low.round() + k as f64)
-            .take_while(|&v| v <= span.high)
-            .collect()
+        let values = (0..=count).map(|k| span.low.round() + k as f64);
+        values.take_while(|&v| v <= span.high).collect()
     } else {
         let at = |k: usize| span.low + (span.high - span.low) * k as f64 / (TRIED - 1) as f64;
         (0..TRIED).map(at).collect()
     };
+    let tried: Vec<(f64, bool)> = tried.into_iter().map(|v| (v, allowed(v))).collect();
     // The end of a range between a possible and an impossible value.
     let edge = |mut good: f64, mut bad: f64| {
         if !span.whole {
@@ -132,25 +131,15 @@ pub(crate) fn possible(base: &CaseDocument, span: &Span) -> Vec<[f64; 2]> {
         good
     };
     let mut ranges: Vec<[f64; 2]> = vec![];
-    let mut before: Option<(f64, bool)> = None;
-    for &value in &tried {
-        let good = allowed(value);
-        match (before, good) {
-            (None, true) => ranges.push([value, value]),
-            (Some((last, false)), true) => ranges.push([edge(value, last), value]),
-            (Some((last, true)), false) => {
-                if let Some(range) = ranges.last_mut() {
-                    range[1] = edge(last, value);
-                }
-            }
-            (Some((_, true)), true) => {
-                if let Some(range) = ranges.last_mut() {
-                    range[1] = value;
-                }
-            }
-            (_, false) => {}
+    let mut before = None;
+    for stretch in tried.chunk_by(|a, b| a.1 == b.1) {
+        let ((first, good), (last, _)) = (stretch[0], stretch[stretch.len() - 1]);
+        if good {
+            ranges.push([before.map_or(first, |bad| edge(first, bad)), last]);
+        } else if let Some(range) = ranges.last_mut() {
+            range[1] = edge(range[1], first);
         }
-        before = Some((value, good));
+        before = Some(last);
     }
     ranges
 }
