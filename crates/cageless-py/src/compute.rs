@@ -7,7 +7,7 @@ use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
 use cageless_paper::structures_of;
 use cageless_report::compare::compare_page;
-use cageless_report::compared_run::ComparedRun;
+use cageless_report::compared_run::compared_runs;
 use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
@@ -176,12 +176,7 @@ pub fn compare(
     let work = |progress: &dyn Progress| comparison::compare(&rings, starts, progress);
     let (compared, comparison) = background.run(py, work)??;
     with_seed(py, "comparison", pretty(&comparison)?, vec![], move || {
-        let runs = compared.iter().zip(&comparison.runs);
-        let runs = runs.map(|(ring, name)| ComparedRun {
-            name: name.clone(),
-            data: run_data(&ring.file, &ring.record),
-        });
-        let page = compare_page(&runs.collect::<Vec<_>>(), &comparison);
+        let page = compare_page(&compared_runs(&compared, &comparison), &comparison);
         Ok(files([(PAGE, page)]))
     })
 }

@@ -1,7 +1,10 @@
 //! Data of the page of a comparison.
 
+use cageless_study::comparison::{ComparedRing, RingComparison};
+
 use crate::data::Provenance;
 use crate::run_data::RunData;
+use crate::run_report::run_data;
 
 /// One of the runs of a comparison.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +13,16 @@ pub struct ComparedRun {
     pub name: String,
     /// Data of its page.
     pub data: RunData,
+}
+
+/// The runs of a comparison from the same starts.
+pub fn compared_runs(rings: &[ComparedRing], comparison: &RingComparison) -> Vec<ComparedRun> {
+    let runs = rings.iter().zip(&comparison.runs);
+    runs.map(|(ring, name)| ComparedRun {
+        name: name.clone(),
+        data: run_data(&ring.file, &ring.record),
+    })
+    .collect()
 }
 
 /// Provenance of what shows all runs; settings in which they differ stand side by side.

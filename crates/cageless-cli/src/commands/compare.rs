@@ -4,12 +4,10 @@ use std::path::PathBuf;
 
 use cageless_io::case_file::CaseFile;
 use cageless_report::compare::compare_page;
-use cageless_report::compared_run::ComparedRun;
+use cageless_report::compared_run::{ComparedRun, compared_runs};
 use cageless_report::run_report::run_data;
 use cageless_study::Progress;
-use cageless_study::comparison::{
-    ComparedRing, RingComparison, RingResults, STARTS, Starts, compare as study,
-};
+use cageless_study::comparison::{RingComparison, RingResults, STARTS, Starts, compare as study};
 use cageless_study::run::{Options, run};
 
 use crate::args::CompareArgs;
@@ -31,7 +29,10 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
     let cases: Option<Vec<_>> = cases.collect();
     args.output.drive(&[NUMBERS, PAGE], |bars| {
         let (runs, comparison) = match cases {
-            Some(cases) => from_starts(&cases, args.starts.unwrap_or(STARTS), bars)?,
+            Some(cases) => {
+                let (rings, comparison) = study(&cases, args.starts.unwrap_or(STARTS), bars)?;
+                (compared_runs(&rings, &comparison), comparison)
+            }
             None => finished(sides, bars)?,
         };
         Ok(Answer {
@@ -101,21 +102,6 @@ fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
 }
 
 type Compared = (Vec<ComparedRun>, RingComparison);
-
-/// Runs every case from the same starts.
-fn from_starts(
-    cases: &[(&'static str, CaseFile)],
-    count: u64,
-    bars: &dyn Progress,
-) -> Result<Compared, Failure> {
-    let (rings, comparison) = study(cases, count, bars)?;
-    let run = |(ring, (name, _)): (&ComparedRing, &(&'static str, CaseFile))| ComparedRun {
-        name: (*name).to_owned(),
-        data: run_data(&ring.file, &ring.record),
-    };
-    let runs = rings.iter().zip(cases).map(run).collect();
-    Ok((runs, comparison))
-}
 
 /// Takes finished runs, and runs the cases beside them once.
 fn finished(sides: Vec<(&'static str, Side)>, bars: &dyn Progress) -> Result<Compared, Failure> {
