@@ -7,7 +7,7 @@ use cageless::{Case, IntegrationMethod};
 use clap::Args;
 use ode_solvers::{DVector, Dopri5, OutputType, System};
 
-use crate::problem::{Problem, complete, motion, rms_difference, scales, start};
+use crate::problem::{Problem, complete, rms_difference, scaled, scales, start};
 use crate::textbook::Textbook;
 
 /// Options of `run` and `drop`.
@@ -88,10 +88,7 @@ impl Solver {
         if let Self::Dopri5(tolerance) = self {
             return dopri5(case, tolerance);
         }
-        let state = complete(case)?.state;
-        let motion = motion(&state, state.values());
-        let scales = scales(state.layout().balls, motion.len());
-        Ok(motion.iter().zip(scales).map(|(v, s)| v / s).collect())
+        Ok(scaled(&complete(case)?.state))
     }
 }
 

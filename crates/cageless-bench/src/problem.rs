@@ -131,9 +131,13 @@ pub fn scales(balls: usize, len: usize) -> Vec<f64> {
     of_balls.chain(bodies).take(len).collect()
 }
 
-fn scaled(state: &State) -> Vec<f64> {
-    let motion = motion(state, state.values());
-    let scales = scales(state.layout().balls, motion.len());
+/// Motion of a state in the scales of its entries.
+pub fn scaled(state: &State) -> Vec<f64> {
+    over_scales(&motion(state, state.values()), state.layout().balls)
+}
+
+fn over_scales(motion: &[f64], balls: usize) -> Vec<f64> {
+    let scales = scales(balls, motion.len());
     motion
         .iter()
         .zip(scales)
@@ -153,12 +157,7 @@ fn quadruple_precision() -> Result<Vec<f64>> {
         .flat_map(|group| balls.iter().map(move |row| row[group]))
         .chain(ring.iter().copied())
         .collect();
-    let scales = scales(balls.len(), motion.len());
-    Ok(motion
-        .iter()
-        .zip(scales)
-        .map(|(v, scale)| v / scale)
-        .collect())
+    Ok(over_scales(&motion, balls.len()))
 }
 
 /// RMS over the states of the difference of two scaled states.
