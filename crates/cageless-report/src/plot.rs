@@ -3,7 +3,9 @@
 use serde_json::{Map, Value, json};
 
 use crate::description;
-pub use crate::trace::{Trace, line, line_of, markers, number, numbers, plain, with};
+pub use crate::trace::{
+    Trace, line, line_in_space, line_of, markers, number, numbers, plain, with,
+};
 
 /// Colours that stay apart for colour-blind readers (Okabe and Ito).
 pub const PALETTE: [&str; 7] = [

@@ -25,6 +25,15 @@ pub fn line_of(name: &str, (x, y): (Vec<f64>, Vec<f64>), colour: &str) -> Trace 
     line(name, &x, &y, colour)
 }
 
+/// A line through points in space, without labels on hover.
+pub fn line_in_space(name: &str, points: &[[f64; 3]], colour: &str, width: u32) -> Trace {
+    let of = |k: usize| numbers(&points.iter().map(|p| p[k]).collect::<Vec<f64>>());
+    Trace(json!({
+        "type": "scatter3d", "mode": "lines", "name": name, "hoverinfo": "skip",
+        "x": of(0), "y": of(1), "z": of(2), "line": { "color": colour, "width": width },
+    }))
+}
+
 /// Markers at (`x`, `y`).
 pub fn markers(name: &str, x: &[f64], y: &[f64], colour: &str) -> Trace {
     Trace(json!({

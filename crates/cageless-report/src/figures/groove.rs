@@ -10,7 +10,7 @@ use crate::data::RacewayLabel;
 use crate::figure::Figure;
 use crate::geometry::RacewaySurface;
 use crate::groove_contacts::GrooveContacts;
-use crate::plot::{PALETTE, numbers};
+use crate::plot::{PALETTE, line_in_space, numbers};
 use crate::run_data::RunData;
 
 /// Points of the outline of an ellipse, and of the ball around and from pole to pole.
@@ -82,7 +82,8 @@ pub fn groove(run: &RunData) -> Option<Figure> {
         });
         for (name, points, width) in [("track", track, 3), ("ellipse", outline.collect(), 4)] {
             if points.iter().any(|p| p[0].is_finite()) {
-                plot = plot.trace(line(name, &points, colour, width));
+                let points_mm: Vec<_> = points.iter().map(|p| p.map(|v| v * 1e3)).collect();
+                plot = plot.trace(line_in_space(name, &points_mm, colour, width));
             }
         }
     }
@@ -112,14 +113,6 @@ pub fn groove(run: &RunData) -> Option<Figure> {
 
 fn mm(lengths_m: impl Iterator<Item = f64>) -> Value {
     numbers(&lengths_m.map(|v| v * 1e3).collect::<Vec<f64>>())
-}
-
-fn line(name: &str, points: &[[f64; 3]], colour: &str, width: u32) -> Value {
-    let of = |k: usize| mm(points.iter().map(|p| p[k]));
-    json!({
-        "type": "scatter3d", "mode": "lines", "name": name, "hoverinfo": "skip",
-        "x": of(0), "y": of(1), "z": of(2), "line": { "color": colour, "width": width },
-    })
 }
 
 /// A ball that can be seen through, by its points over the angle from a pole and around it.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, Trace, line_of, number};
+use crate::plot::{PALETTE, Plot, line_of, number};
 use crate::run_data::{BallHistory, RunData};
 use crate::sampling::{history, range};
 use crate::text::short;
@@ -74,45 +74,24 @@ pub fn orbit_speed(run: &RunData) -> Option<Figure> {
 
 /// ΔVi and ΔVo over time.
 pub fn slip(run: &RunData) -> Option<Figure> {
-    let mut plot = with_time(run, Plot::new(620), "y2")
-        .legend()
-        .set("legend", ball_legend());
-    let kinds: [(History, &str, &str, [f64; 2]); 2] = [
-        (
-            |b| &b.inner_sliding_m_s,
-            "y",
-            "Sliding speed, inner<br>raceway ΔVi (m/s)",
-            [0.54, 1.0],
-        ),
-        (
-            |b| &b.outer_sliding_m_s,
-            "y2",
-            "Sliding speed, outer<br>raceway ΔVo (m/s)",
-            [0.0, 0.46],
-        ),
-    ];
-    let mut any = false;
-    for (of, y, title, domain) in kinds {
-        let axis = y.replace('y', "yaxis");
-        plot = plot.axis(&axis, title, json!({ "domain": domain, "anchor": "x" }));
-        for (k, ball) in run.balls.iter().enumerate().rev() {
-            if of(ball).is_empty() {
-                continue;
-            }
-            any = true;
-            let trace = ball_trace(run, k, of, 2 * run.balls.len(), 1);
-            plot = plot.trace(trace.with(json!({ "showlegend": y == "y" })).on(["x", y]));
-        }
-    }
-    any.then(|| {
-        let caption = format!(
-            "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a \
-                 ball in the legend to add it. Positive ΔVi speeds orbit and spin up, positive ΔVo \
-                 slows the orbit and speeds the spin up.{}",
-            stretches(run)
-        );
-        figure(run, "Slip", &caption, plot)
-    })
+    let plot = with_time(run, Plot::new(620), "y2");
+    let inner = "Sliding speed, inner<br>raceway ΔVi (m/s)";
+    let plot = plot.y(inner, json!({ "domain": [0.54, 1.0], "anchor": "x" }));
+    let outer = "Sliding speed, outer<br>raceway ΔVo (m/s)";
+    let plot = plot.axis(
+        "yaxis2",
+        outer,
+        json!({ "domain": [0.0, 0.46], "anchor": "x" }),
+    );
+    let kinds: [History; 2] = [|b| &b.inner_sliding_m_s, |b| &b.outer_sliding_m_s];
+    let plot = of_balls(run, plot, &kinds, 1)?;
+    let caption = format!(
+        "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a \
+             ball in the legend to add it. Positive ΔVi speeds orbit and spin up, positive ΔVo \
+             slows the orbit and speeds the spin up.{}",
+        stretches(run)
+    );
+    Some(figure(run, "Slip", &caption, plot))
 }
 
 pub(super) fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
@@ -168,69 +147,52 @@ pub(super) fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
     plot.discarded("x", "paper", begin, run.settled_after_s.min(end))
 }
 
-/// One entry per ball, at the right.
-fn ball_legend() -> Value {
-    json!({
-        "orientation": "v", "x": 1.01, "y": 1, "font": { "size": 11 }, "traceorder": "reversed",
-    })
-}
-
-/// A panel over time with one trace per ball, ball 1 drawn last and strong; the first `shown`
-/// balls are shown at once, the others when asked for.
-fn per_ball(
-    run: &RunData,
-    title: &str,
-    shown: usize,
-    of: impl Fn(&BallHistory) -> &Vec<f64>,
-) -> Option<Plot> {
+/// A panel over time with one trace per ball.
+fn per_ball(run: &RunData, title: &str, shown: usize, of: History) -> Option<Plot> {
     let format = if title.contains("°/s") { ",.0f" } else { "" };
-    let mut plot = with_time(run, Plot::new(470), "y")
-        .legend()
+    let plot = with_time(run, Plot::new(470), "y")
         .margin([72, 24, 30, 58])
-        .set("legend", ball_legend())
         .y(title, json!({ "tickformat": format }));
-    let mut any = false;
-    for (k, ball) in run.balls.iter().enumerate().rev() {
-        if !of(ball).is_empty() {
-            any = true;
-            plot = plot.trace(ball_trace(run, k, &of, run.balls.len(), shown));
-        }
-    }
-    any.then_some(plot)
+    of_balls(run, plot, &[of], shown)
 }
 
-fn ball_trace(
-    run: &RunData,
-    k: usize,
-    of: impl Fn(&BallHistory) -> &Vec<f64>,
-    traces: usize,
-    shown: usize,
-) -> Trace {
-    let history = run_history(run, k, of, traces);
-    let colour = PALETTE[k % PALETTE.len()];
-    let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
+/// Adds a trace per ball to each panel, which has one of the `kinds` of histories; ball 1 is drawn last and
+/// strong, the first `shown` balls are shown at once, the others when asked for. `None` without histories.
+fn of_balls(run: &RunData, mut plot: Plot, kinds: &[History], shown: usize) -> Option<Plot> {
     // Of selected balls all are shown alike.
     let selected = run.balls.iter().any(|ball| ball.angle_deg.is_empty());
-    let strong = k == 0 || selected;
-    let width = if strong { 1.8 } else { 1.0 };
-    let visible = if strong || k < shown {
-        Value::Bool(true)
-    } else {
-        "legendonly".into()
-    };
-    line_of(&format!("ball {}", k + 1), history, colour)
-        .width(width)
-        .dash(dash)
-        .with(json!({ "visible": visible, "legendgroup": k + 1 }))
+    let mut any = false;
+    for (of, y) in kinds.iter().zip(["y", "y2"]) {
+        let balls = run.balls.iter().enumerate().rev();
+        for (k, _) in balls.filter(|(_, ball)| !of(ball).is_empty()) {
+            any = true;
+            let history = run_history(run, k, *of, kinds.len() * run.balls.len());
+            let strong = k == 0 || selected;
+            let visible = match strong || k < shown {
+                true => Value::Bool(true),
+                false => "legendonly".into(),
+            };
+            let trace = line_of(
+                &format!("ball {}", k + 1),
+                history,
+                PALETTE[k % PALETTE.len()],
+            )
+            .width(if strong { 1.8 } else { 1.0 })
+            .dash(["solid", "dash", "dot"][k / PALETTE.len() % 3])
+            .with(json!({ "visible": visible }))
+            .in_group(&(k + 1).to_string(), y == "y");
+            plot = plot.trace(trace.on(["x", y]));
+        }
+    }
+    // One entry per ball, at the right.
+    let legend = json!({
+        "orientation": "v", "x": 1.01, "y": 1, "font": { "size": 11 }, "traceorder": "reversed",
+    });
+    any.then(|| plot.legend().set("legend", legend))
 }
 
 /// History of ball `k`: every row of the stretch that is shown first, few points before it.
-fn run_history(
-    run: &RunData,
-    k: usize,
-    of: impl Fn(&BallHistory) -> &Vec<f64>,
-    traces: usize,
-) -> (Vec<f64>, Vec<f64>) {
+fn run_history(run: &RunData, k: usize, of: History, traces: usize) -> (Vec<f64>, Vec<f64>) {
     let all = run.balls.get(k).map_or(&[][..], |ball| of(ball).as_slice());
     let most = if k == 0 {
         4000

@@ -5,7 +5,9 @@ use serde_json::{Value, json};
 use super::panels::Panel;
 use crate::figure::Figure;
 use crate::geometry::{ContactTrack, RacewaySurface};
-use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, plain};
+use crate::plot::{
+    GREY, PALETTE, Plot, SECTOR, Trace, line, line_in_space, number, numbers, plain,
+};
 use crate::sampling::range;
 use crate::text::fixed;
 
@@ -121,13 +123,13 @@ pub(super) fn groove_plot(surface: &RacewaySurface, [x, y, z]: [f64; 3]) -> Plot
 }
 
 /// A line a little above the surface.
-fn line_above(name: &str, points: impl Iterator<Item = [f64; 3]>, width: u32) -> Value {
-    let points: Vec<[f64; 3]> = points.map(lift).collect();
-    let of = |k: usize| numbers(&points.iter().map(|p| p[k]).collect::<Vec<f64>>());
-    json!({
-        "type": "scatter3d", "mode": "lines", "name": name, "hoverinfo": "skip",
-        "x": of(0), "y": of(1), "z": of(2), "line": { "color": "#111111", "width": width },
-    })
+fn line_above(name: &str, points: impl Iterator<Item = [f64; 3]>, width: u32) -> Trace {
+    line_in_space(
+        name,
+        &points.map(lift).collect::<Vec<_>>(),
+        "#111111",
+        width,
+    )
 }
 
 /// What the drawn lines of a slot are, with its dimensions; empty of other raceways.
