@@ -9,7 +9,7 @@ use cageless::collision::{Collision, CollisionDetector};
 use cageless::design::search::uneven_gaps_rad;
 use cageless::recorder::keeping;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, batches, run_batch};
-use cageless::tolerance::{ball_grade, ball_lot_m};
+use cageless::tolerance::{BallGrade, ball_grade, ball_lot_m};
 use cageless::vibration::VibrationRecorder;
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start, StartState};
 use cageless_report::run_report::filter_note;
@@ -84,8 +84,8 @@ const LEFT_OUT: [&str; 4] = [
 struct Plan {
     case: Case,
     rpm: f64,
-    lot: String,
-    lot_variation_m: f64,
+    /// Of the balls; `None` if they are equal.
+    grade: Option<BallGrade>,
     ring: &'static str,
 }
 
@@ -144,13 +144,8 @@ fn plans(grades: &[u32]) -> Result<Vec<Plan>, StudyError> {
             (STRUCTURE_D, &discrete),
             (FOUND, &found),
         ];
-        let mut lots = vec![("equal balls".to_owned(), None)];
-        lots.extend(
-            grades
-                .iter()
-                .map(|&number| (format!("G{number}"), ball_grade(number))),
-        );
-        for (lot, grade) in lots {
+        let graded = grades.iter().filter_map(|&number| ball_grade(number));
+        for grade in std::iter::once(None).chain(graded.map(Some)) {
             for (ring, case) in rings {
                 let mut case = case.clone();
                 case.operation.inner_speed_rad_s = speed.rpm * TAU / 60.0;
@@ -159,8 +154,7 @@ fn plans(grades: &[u32]) -> Result<Vec<Plan>, StudyError> {
                 plans.push(Plan {
                     case,
                     rpm: speed.rpm,
-                    lot: lot.clone(),
-                    lot_variation_m: grade.map_or(0.0, |g| g.lot_variation_m),
+                    grade,
                     ring,
                 });
             }
@@ -190,11 +184,7 @@ impl Plan {
     /// The case of start `start`, with its own lot of balls.
     fn start(&self, start: u64) -> Result<Case, StudyError> {
         let mut case = self.case.clone();
-        let grade = GRADES
-            .into_iter()
-            .filter_map(ball_grade)
-            .find(|g| g.lot_variation_m == self.lot_variation_m);
-        if let Some(grade) = grade {
+        if let Some(grade) = self.grade {
             let lot = ball_lot_m(grade, case.bearing.balls(), SEED, start);
             case.bearing = case.bearing.with_ball_radius_deviations(lot)?;
         }
@@ -284,30 +274,21 @@ fn side_by_side(
 ) -> Result<Vec<Outcome>, StudyError> {
     let (duration_s, after_s) = (plan.case.solver.duration_s, plan.settled_after_s());
     let housing = housing(&plan.case)?;
-    let mut vibrations: Vec<VibrationRecorder> = cases
-        .iter()
-        .map(|_| VibrationRecorder::new(housing, SAMPLING_HZ, 0.0))
-        .collect();
-    let mut quiet: Vec<VibrationRecorder> = cases
-        .iter()
-        .map(|_| VibrationRecorder::without_contacts(housing, SAMPLING_HZ, after_s))
-        .collect();
-    let mut orbits: Vec<OrbitMeter> = cases
-        .iter()
-        .map(|_| OrbitMeter::new(after_s, duration_s))
-        .collect();
+    let recorders = |_: &&Case| {
+        let vibration = VibrationRecorder::new(housing, SAMPLING_HZ, 0.0);
+        let quiet = VibrationRecorder::without_contacts(housing, SAMPLING_HZ, after_s);
+        (vibration, quiet, OrbitMeter::new(after_s, duration_s))
+    };
+    let mut recorders: Vec<_> = cases.iter().map(recorders).collect();
     let mut contacts: Vec<Vec<Collision>> = vec![vec![]; cases.len()];
     let ended = {
         let mut detectors: Vec<_> = contacts
             .iter_mut()
             .map(|contacts| CollisionDetector::new(keeping(contacts, |_| true)))
             .collect();
-        let mut observers: Vec<Vec<&mut dyn Observer>> = vibrations
-            .iter_mut()
-            .zip(&mut quiet)
-            .zip(&mut orbits)
+        let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
             .zip(&mut detectors)
-            .map(|(((v, q), o), d)| vec![v as &mut dyn Observer, q, o, d])
+            .map(|((v, q, o), d)| vec![v as &mut dyn Observer, q, o, d])
             .collect();
         let ended = run_batch(
             cases,
@@ -322,13 +303,13 @@ fn side_by_side(
     };
     let load_zone_rad = load_zone_rad(&plan.case)?;
     let mut outcomes = vec![];
-    for (k, ended) in ended.into_iter().enumerate() {
+    for (k, (ended, (vibration, quiet, orbits))) in ended.into_iter().zip(&recorders).enumerate() {
         let ended = ended?;
         StudyError::unless_complete(&ended.ending)?;
-        let Some(orbit_hz) = orbits[k].orbit_hz() else {
+        let Some(orbit_hz) = orbits.orbit_hz() else {
             return crate::error::not_computed();
         };
-        let vertical = [vibrations[k].measurements(), quiet[k].measurements()].map(|m| &m[1]);
+        let vertical = [vibration, quiet].map(|recorder| &recorder.measurements()[1]);
         outcomes.push(outcome(
             cases[k],
             &ended,
@@ -390,8 +371,8 @@ fn cell(
     let raceway = plan.case.raceways.first();
     Ok(ComparisonCell {
         speed_rpm: plan.rpm,
-        lot: plan.lot.clone(),
-        lot_diameter_variation_um: plan.lot_variation_m * 1e6,
+        lot: (plan.grade).map_or("equal balls".to_owned(), |g| format!("G{}", g.number)),
+        lot_diameter_variation_um: plan.grade.map_or(0.0, |g| g.lot_variation_m) * 1e6,
         ring: plan.ring.to_owned(),
         raceway: raceway.map(|one| RacewayLabel::new("", Some(one))),
         numbers: numbers(|of| estimate(outcomes, of))?,
