@@ -174,13 +174,7 @@
   function picture(copy, width, height) {
     copy.setAttribute("width", width);
     copy.setAttribute("height", height);
-    const blob = new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" });
-    return new Promise(function (resolve, reject) {
-      const image = new Image();
-      image.onload = function () { URL.revokeObjectURL(image.src); resolve(image); };
-      image.onerror = reject;
-      image.src = URL.createObjectURL(blob);
-    });
+    return window.cagelessPicture(new XMLSerializer().serializeToString(copy));
   }
 
   // The film as a file, unless it is given up; the page stays alive meanwhile.

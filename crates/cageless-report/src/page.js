@@ -227,6 +227,13 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   };
 
+  // An SVG as an image.
+  window.cagelessPicture = function (svg) {
+    const image = new Image();
+    image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
+    return image.decode().then(function () { URL.revokeObjectURL(image.src); return image; });
+  };
+
   function save(el, button) {
     const { save: format, figure } = button.dataset;
     window.cagelessImage(el, format).then((url) => fetch(url)).then((answer) => answer.blob())

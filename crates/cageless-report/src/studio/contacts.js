@@ -15,9 +15,8 @@ function drawContacts(canvas, g, frame, track) {
     const py = (a) => (top + bottom) / 2 - a / (1.08 * shoulder) * (bottom - top) / 2;
     const line = (points, colour, wide, dash) => {
       // It breaks where ψ jumps back and where there is no contact.
-      c.beginPath();
-      points.forEach((p, i) => { if (p) c[i && points[i - 1] && Math.abs(p[0] - points[i - 1][0]) < (right - left) * 0.6 ? "lineTo" : "moveTo"](...p); });
-      c.strokeStyle = colour; c.lineWidth = wide; c.setLineDash(dash || []); c.stroke(); c.setLineDash([]);
+      const jumps = (p, before) => p && before && Math.abs(p[0] - before[0]) > (right - left) * 0.6;
+      lineThrough(c, points.flatMap((p, i) => (jumps(p, points[i - 1]) ? [null, p] : [p])), colour, wide, dash);
     };
     for (const edge of [shoulder, -shoulder]) line([left, (left + right) / 2, right].map((x) => [x, py(edge)]), k.soft, 1);
     if (!inner) {

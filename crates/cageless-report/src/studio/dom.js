@@ -27,6 +27,6 @@ const shown = (value, count = 4) => (value === null || value === undefined || !i
 // A table of rows whose cells after the first are numbers or texts.
 function dataTable(caption, heads, rows) {
   return element("table", {}, element("caption", {}, caption),
-    element("thead", {}, element("tr", {}, ...heads.map((head, k) => element("th", { scope: "col", class: k ? "num" : "" }, head)))),
+    element("thead", {}, element("tr", {}, ...heads.map((head, k) => (head ? element("th", { scope: "col", class: k ? "num" : "" }, head) : element("td"))))),
     element("tbody", {}, ...rows));
 }

@@ -67,6 +67,20 @@ function deviations(r) {
 }
 
 const RAD = Math.PI / 180;
+// A disc, filled or outlined or both.
+function disc(c, x, y, r, fill, stroke, wide = 1) {
+  c.beginPath(); c.arc(x, y, r, 0, 2 * Math.PI);
+  if (fill) { c.fillStyle = fill; c.fill(); }
+  if (stroke) { c.strokeStyle = stroke; c.lineWidth = wide; c.stroke(); }
+}
+
+// A line through points, which breaks where one is null.
+function lineThrough(c, points, colour, wide = 1, dash = []) {
+  c.beginPath();
+  points.forEach((p, i) => { if (p) c[points[i - 1] ? "lineTo" : "moveTo"](...p); });
+  c.strokeStyle = colour; c.lineWidth = wide; c.setLineDash(dash); c.stroke(); c.setLineDash([]);
+}
+
 // ψ = 0 at the bottom, counter-clockwise; the canvas has y downwards.
 const at = (r, psi, x, y) => [x + r * Math.sin(psi), y + r * Math.cos(psi)];
 
@@ -84,21 +98,17 @@ function drawRow(c, k, g, frame, title, row, [width, height]) {
   const wall = 0.18 * b.outer_radius_mm, edge = b.outer_radius_mm + wall;
   const scale = (Math.min(width, height) - 8) / (2 * edge * 1.02);
   const x = (row + 0.5) * width, y = height / 2;
-  const circle = (r, fill, stroke) => {
-    c.beginPath(); c.arc(x, y, r * scale, 0, 2 * Math.PI);
-    if (fill) { c.fillStyle = fill; c.fill(); }
-    if (stroke) { c.strokeStyle = stroke; c.lineWidth = 1; c.stroke(); }
-  };
+  const circle = (r, fill) => disc(c, x, y, r * scale, fill, k.soft);
   c.globalAlpha = 1;
-  circle(edge, k.ring, k.soft);
+  circle(edge, k.ring);
   for (const r of g.raceways) {
     const [from, to] = [r.centre_angle_deg - r.half_angle_deg, r.centre_angle_deg + r.half_angle_deg].map((a) => Math.PI / 2 - a * RAD);
     c.beginPath(); c.arc(x, y, edge * scale, from, to, true); c.arc(x, y, b.outer_radius_mm * scale, to, from, false);
     c.closePath(); c.fillStyle = k.sector; c.globalAlpha = 0.6; c.fill(); c.globalAlpha = 1;
   }
-  circle(b.outer_radius_mm, k.paper, k.soft);
-  circle(b.inner_radius_mm, k.ring, k.soft);
-  circle(Math.max(b.inner_radius_mm - wall, 0.3 * b.inner_radius_mm), k.paper, k.soft);
+  circle(b.outer_radius_mm, k.paper);
+  circle(b.inner_radius_mm, k.ring);
+  circle(Math.max(b.inner_radius_mm - wall, 0.3 * b.inner_radius_mm), k.paper);
   // At rest a row may have fewer balls than the others.
   const ofRow = (values, rows) => (values || []).filter((_, i) => (rows ? rows[i] === row + 1 : Math.floor(i / b.balls) === row));
   const angles = frame ? ofRow(frame.angle_deg) : ofRow(g.static.ball_angle_deg, g.static.row);
@@ -109,18 +119,15 @@ function drawRow(c, k, g, frame, title, row, [width, height]) {
   angles.forEach((a, i) => {
     const [bx, by] = at(b.pitch_radius_mm * scale, a * RAD, x, y);
     const hit = gaps.length && (gaps[i] <= 0 || gaps[(i + n - 1) % n] <= 0);
-    c.beginPath(); c.arc(bx, by, b.ball_radius_mm * scale - 1, 0, 2 * Math.PI);
-    c.fillStyle = i === 0 ? k.first : i === 1 ? k.second : k.ball; c.fill();
-    c.strokeStyle = hit ? k.hit : k.soft; c.lineWidth = hit ? 3 : 1; c.stroke();
+    disc(c, bx, by, b.ball_radius_mm * scale - 1, i === 0 ? k.first : i === 1 ? k.second : k.ball, hit ? k.hit : k.soft, hit ? 3 : 1);
     const force = forces[i] || 0;
     if (force > 0.01 * most) {
-      const [fx, fy] = at((b.inner_radius_mm - 0.9 * wall * force / most) * scale, a * RAD, x, y);
-      const [ox, oy] = at(b.inner_radius_mm * scale, a * RAD, x, y);
-      c.beginPath(); c.moveTo(fx, fy); c.lineTo(ox, oy); c.strokeStyle = k.first; c.lineWidth = 3; c.stroke();
+      const far = [b.inner_radius_mm - 0.9 * wall * force / most, b.inner_radius_mm];
+      lineThrough(c, far.map((r) => at(r * scale, a * RAD, x, y)), k.first, 3);
     }
     if (gaps.length && gaps[i] <= 0) {
       const [tx, ty] = at(b.pitch_radius_mm * scale, (a + (gaps[i] + g.numbers.epsilon_deg) / 2) * RAD, x, y);
-      c.beginPath(); c.arc(tx, ty, 4, 0, 2 * Math.PI); c.fillStyle = k.hit; c.fill();
+      disc(c, tx, ty, 4, k.hit);
     }
   });
   c.fillStyle = k.ink; c.textAlign = "center";
@@ -148,9 +155,9 @@ function drawGaps(canvas, g, frame) {
     c.fillRect(left + i * step + 1, bottom - high, Math.max(1, step - 2), high);
     if (step > 14) { c.fillStyle = k.soft; c.textAlign = "center"; c.fillText(String(i + 1), left + (i + 0.5) * step, height - 5); }
   });
-  c.strokeStyle = k.ink; c.lineWidth = 1; c.setLineDash([4, 3]);
-  c.beginPath(); c.moveTo(left, bottom - even * scale); c.lineTo(width - 6, bottom - even * scale); c.stroke();
-  c.setLineDash([]); c.beginPath(); c.moveTo(left, bottom); c.lineTo(width - 6, bottom); c.stroke();
+  const across = (y, dash) => lineThrough(c, [[left, y], [width - 6, y]], k.ink, 1, dash);
+  across(bottom - even * scale, [4, 3]);
+  across(bottom);
 }
 
 // What is said in place of a groove that is not drawn.
@@ -177,12 +184,7 @@ function drawDepth(canvas, g) {
       c.fillRect(px(r.angle_deg[i]), Math.min(y0, y1), px(r.angle_deg[i + 1]) - px(r.angle_deg[i]) + 0.6, Math.abs(y1 - y0) + 0.6);
     }
   }
-  c.strokeStyle = k.ink; c.lineWidth = 2;
-  for (const track of r.track_mm) {
-    c.beginPath();
-    r.angle_deg.forEach((a, i) => c[i ? "lineTo" : "moveTo"](px(a), py(track[i])));
-    c.stroke();
-  }
+  for (const track of r.track_mm) lineThrough(c, r.angle_deg.map((a, i) => [px(a), py(track[i])]), k.ink, 2);
   c.fillStyle = k.soft; c.textAlign = "left";
   c.fillText(text, left, 12);
   c.textAlign = "right"; c.fillText(high.toFixed(1), left - 4, top + 10); c.fillText("z mm", left - 4, (top + bottom) / 2 + 4);
@@ -210,35 +212,31 @@ function drawSection(canvas, g, frame) {
   const k = colours(canvas), b = g.bearing, r = g.raceways[0];
   const scale = 0.37 * height / b.ball_radius_mm, x = width / 2, y = 0.48 * height;
   const middle = r ? (r.angle_deg.length - 1) / 2 : 0, flanks = r ? r.flank_deg.map((f) => f[middle]) : [0, 0];
-  c.beginPath(); c.arc(x, y, b.ball_radius_mm * scale, 0, 2 * Math.PI); c.fillStyle = k.ball; c.fill();
-  c.strokeStyle = k.soft; c.lineWidth = 1; c.stroke();
+  disc(c, x, y, b.ball_radius_mm * scale, k.ball, k.soft);
   // Plain groove below the ball, which rests in it at the contact angle of the section.
   const seat = r ? (flanks[0] + flanks[1]) / 2 * RAD : 0, back = (b.outer_curvature_mm - b.ball_radius_mm) * scale;
   const re = b.outer_curvature_mm * scale, [cx, cy] = [x - back * Math.sin(seat), y - back * Math.cos(seat)];
   const most = Math.acos(Math.max(-1, Math.min(1, 1 - (b.outer_radius_mm - b.shoulder_radius_mm) / b.outer_curvature_mm)));
   c.beginPath(); c.arc(cx, cy, re, Math.PI / 2 - most, Math.PI / 2 + most); c.setLineDash([5, 4]); c.stroke(); c.setLineDash([]);
   if (r) {
-    c.strokeStyle = "#b2182b"; c.lineWidth = 2; c.beginPath();
-    r.across_mm[middle].forEach((z, j) => {
+    lineThrough(c, r.across_mm[middle].map((z, j) => {
       const far = re + r.depth_um[middle][j] / 1000 * scale, side = (z - r.centre_mm) * scale;
-      c[j ? "lineTo" : "moveTo"](cx + side, cy + Math.sqrt(Math.max(0, far * far - side * side)));
-    });
-    c.stroke();
+      return [cx + side, cy + Math.sqrt(Math.max(0, far * far - side * side))];
+    }), "#b2182b", 2);
   }
   const contacts = frame && frame.space && g.space ? contactsOf(frame.space, nearestBall(g, frame)) : [];
   if (contacts.length) {
     contacts.forEach(([angle, reach, inner], n) => {
       if (!reach) return;
       const side = inner ? -1 : 1, [dx, dy] = [side * Math.sin(angle * RAD), side * Math.cos(angle * RAD)], far = b.ball_radius_mm * scale;
-      c.strokeStyle = contactColours(k)[n]; c.lineWidth = 1;
-      c.beginPath(); c.moveTo(x, y); c.lineTo(x + far * dx, y + far * dy); c.stroke();
+      lineThrough(c, [[x, y], [x + far * dx, y + far * dy]], contactColours(k)[n]);
       const at = Math.atan2(dy, dx);
       c.lineWidth = 5; c.beginPath(); c.arc(x, y, far, at - reach * RAD, at + reach * RAD); c.stroke();
     });
   } else if (r) {
     for (const flank of flanks) {
       const [fx, fy] = at(b.ball_radius_mm * scale, flank * RAD, x, y);
-      c.beginPath(); c.arc(fx, fy, 4, 0, 2 * Math.PI); c.fillStyle = k.first; c.fill();
+      disc(c, fx, fy, 4, k.first);
     }
   }
   c.fillStyle = k.soft; c.textAlign = "left";

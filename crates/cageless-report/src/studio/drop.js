@@ -30,31 +30,22 @@ function drawRotor(canvas, g, frame, trail) {
   const bore = rotor.bore_radius_mm, journal = Math.max(bore - DRAWN_GAP_MM, 0.3 * bore);
   const gap = bore - journal, enlarged = gap / rotor.radial_clearance_um;
   const scale = (Math.min(width, height) / 2 - 22) / g.bearing.inner_radius_mm, x = width / 2, y = height / 2;
-  const disc = (px, py, radius, fill, stroke) => {
-    c.beginPath(); c.arc(px, py, radius * scale, 0, 2 * Math.PI);
-    if (fill) { c.fillStyle = fill; c.fill(); }
-    c.strokeStyle = stroke; c.lineWidth = 1; c.stroke();
-  };
-  const line = (ax, ay, bx, by, colour, wide) => { c.beginPath(); c.moveTo(ax, ay); c.lineTo(bx, by); c.strokeStyle = colour; c.lineWidth = wide; c.stroke(); };
-  disc(x, y, g.bearing.inner_radius_mm, k.ring, k.soft);
-  disc(x, y, bore, k.paper, k.soft);
+  disc(c, x, y, g.bearing.inner_radius_mm * scale, k.ring, k.soft);
+  disc(c, x, y, bore * scale, k.paper, k.soft);
   // Marks that turn with ring and rotor; angles from +X, counter-clockwise.
-  const mark = (angle, from, to, px, py, colour) => line(px + from * scale * Math.cos(angle), py - from * scale * Math.sin(angle), px + to * scale * Math.cos(angle), py - to * scale * Math.sin(angle), colour, 2);
-  mark(frame.ring_rad, bore, g.bearing.inner_radius_mm, x, y, k.first);
+  const mark = (angle, ends, px, py, colour, wide = 2) => lineThrough(c, ends.map((r) => [px + r * scale * Math.cos(angle), py - r * scale * Math.sin(angle)]), colour, wide);
+  mark(frame.ring_rad, [bore, g.bearing.inner_radius_mm], x, y, k.first);
   const place = (um) => [x + um[0] * enlarged * scale, y - um[1] * enlarged * scale];
   const [jx, jy] = place(r.journal_um);
-  c.globalAlpha = 0.85; disc(jx, jy, journal, "#f3e3d3", "#946200"); c.globalAlpha = 1;
-  mark(r.angle_deg[0] * RAD, 0.55 * journal, journal, jx, jy, "#946200");
+  c.globalAlpha = 0.85; disc(c, jx, jy, journal * scale, "#f3e3d3", "#946200"); c.globalAlpha = 1;
+  mark(r.angle_deg[0] * RAD, [0.55 * journal, journal], jx, jy, "#946200");
   // The clearance circle, which the centre of the journal leaves only into the ring, and its path.
-  c.setLineDash([4, 3]); disc(x, y, gap, null, k.soft); c.setLineDash([]);
-  c.beginPath();
-  trail.forEach((um, i) => c[i ? "lineTo" : "moveTo"](...place(um)));
-  c.strokeStyle = k.hit; c.lineWidth = 1.2; c.stroke();
-  c.beginPath(); c.arc(jx, jy, 3, 0, 2 * Math.PI); c.fillStyle = k.hit; c.fill();
+  c.setLineDash([4, 3]); disc(c, x, y, gap * scale, null, k.soft); c.setLineDash([]);
+  lineThrough(c, trail.map(place), k.hit, 1.2);
+  disc(c, jx, jy, 3, k.hit);
   if (r.force_n[0] > 0) {
-    const angle = Math.atan2(r.journal_um[1], r.journal_um[0]), far = bore * scale;
     const long = 10 + 22 * Math.min(1, r.force_n[0] / (30 * rotor.weight_n));
-    line(x + far * Math.cos(angle), y - far * Math.sin(angle), x + (far + long) * Math.cos(angle), y - (far + long) * Math.sin(angle), k.hit, 4);
+    mark(Math.atan2(r.journal_um[1], r.journal_um[0]), [bore, bore + long / scale], x, y, k.hit, 4);
   }
   c.fillStyle = k.soft; c.textAlign = "left";
   c.fillText("touch-down clearance " + rotor.radial_clearance_um.toFixed(0) + " µm, enlarged " + (enlarged * 1000).toFixed(0) + " ×", 4, 12);
@@ -74,11 +65,9 @@ function drawDrop(canvas, g, history, now) {
     for (const tick of ticks(0, most, 4)) { c.fillText(String(tick), left - 4, py(tick) + 4); c.fillRect(left, py(tick), 4, 1); }
     c.textAlign = "center";
     for (const tick of ticks(0, 1000 * last, 5)) { c.fillRect(px(tick / 1000), bottom - 4, 1, 4); c.fillText(String(tick), px(tick / 1000), bottom + 13); }
-    for (const [colour, of] of curves) {
-      c.beginPath(); history.forEach((h, i) => c[i ? "lineTo" : "moveTo"](px(h.t), py(of(h)))); c.strokeStyle = colour; c.lineWidth = 1.5; c.stroke();
-    }
+    for (const [colour, of] of curves) lineThrough(c, history.map((h) => [px(h.t), py(of(h))]), colour, 1.5);
     c.strokeStyle = k.rule; c.lineWidth = 1; c.strokeRect(left, top, right - left, bottom - top);
-    c.beginPath(); c.moveTo(px(now), top); c.lineTo(px(now), bottom); c.strokeStyle = k.ink; c.stroke();
+    lineThrough(c, [top, bottom].map((y) => [px(now), y]), k.ink);
   };
   const middle = height / 2;
   const fastest = Math.max(1, ...history.map((h) => Math.max(h.rotor, h.ring)));
@@ -102,7 +91,7 @@ function drawLoads(canvas, g, frame, peak) {
     });
     if (step > 14) { c.fillStyle = k.soft; c.textAlign = "center"; c.fillText(String(i + 1), left + (i + 0.5) * step, height - 4); }
   }
-  c.strokeStyle = k.ink; c.lineWidth = 1; c.beginPath(); c.moveTo(left, bottom); c.lineTo(width - 8, bottom); c.stroke();
+  lineThrough(c, [left, width - 8].map((x) => [x, bottom]), k.ink);
 }
 
 class RotorDrop {

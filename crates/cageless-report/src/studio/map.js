@@ -348,8 +348,8 @@ class RacewayMap {
     }
     c.drawImage(saved ? this.regions(wide, high, true) : this.picture, left, top, wide, high);
     this.contours(c, k, px, py);
-    c.strokeStyle = k.soft; c.lineWidth = 1; c.fillStyle = k.soft;
-    c.beginPath(); c.moveTo(left, top); c.lineTo(left, top + high); c.lineTo(left + wide, top + high); c.stroke();
+    lineThrough(c, [[left, top], [left, top + high], [left + wide, top + high]], k.soft);
+    c.fillStyle = k.soft;
     // Degrees stand at the numbers, other units at the name.
     const [across, up] = this.axes.map((axis) => (axis.unit === "°" ? [axisName(axis), "°"] : [axisName(axis) + ", " + axis.unit, ""]));
     c.textAlign = "center";
@@ -363,7 +363,7 @@ class RacewayMap {
     if (!own) return;
     const [x, y] = [px(own[0]), py(own[1])];
     if (!saved) { this.point.style.left = x + "px"; this.point.style.top = y + "px"; return; }
-    c.beginPath(); c.arc(x, y, 6, 0, 2 * Math.PI); c.fillStyle = k.first; c.fill(); c.strokeStyle = k.paper; c.stroke();
+    disc(c, x, y, 6, k.first, k.paper);
   }
 
   // The legend of a drawing that is saved, one line below the other.

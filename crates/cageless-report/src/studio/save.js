@@ -8,10 +8,7 @@ const FILM_HUNDREDTHS = 4;
 const asCsv = (heads, rows) => [heads, ...rows].map((row) => row.map((v) => (v === null || v === undefined ? "" : typeof v === "number" ? String(v) : /[",\n]/.test(v) ? '"' + v.replace(/"/g, '""') + '"' : v)).join(",")).join("\n") + "\n";
 
 async function asPng(svg) {
-  const image = new Image();
-  image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
-  await image.decode();
-  URL.revokeObjectURL(image.src);
+  const image = await window.cagelessPicture(svg);
   const canvas = element("canvas", { width: 2 * image.width, height: 2 * image.height });
   canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
   return new Promise((done) => canvas.toBlob(done, "image/png"));

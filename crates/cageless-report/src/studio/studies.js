@@ -131,7 +131,8 @@ class Studies {
       return element("tr", {}, element("td", {}, take), ...numbers.map((v) => element("td", { class: "num" }, v)));
     });
     const heads = ["", "lC, mm", "θ, °", "ψ, °", "shape", "margin of the gap, °", "contacts per ball and orbit", "double collisions, %", "sliding speed, m/s", "contact pressure, MPa"];
-    this.table("Pareto front, nearest to the best in everything first; the worst of all speeds and loads", heads, rows);
+    const caption = "Pareto front, nearest to the best in everything first; the worst of all speeds and loads";
+    this.result.replaceChildren(dataTable(caption, heads, rows));
     const verdict = found.verdicts.map((v) => v.headline).join("; ");
     this.say(found.none || (found.looked_at + " structures evaluated, " + found.front.length + " on the Pareto front. Verdict on the recommended one: " + verdict));
   }
@@ -141,7 +142,8 @@ class Studies {
     const rows = judged.influences.map((row) => element("tr", { class: row.passed < row.trials ? "missed" : "met" }, element("td", {}, row.name),
       ...[range([row.low, row.high], 3) + " " + row.unit, range(row.critical_gap_deg, 3), range(row.sliding_mean_m_s, 2), row.passed + " of " + row.trials].map((v) => element("td", { class: "num" }, v)),
       element("td", {}, row.verdicts.join(", "))));
-    this.table("One deviation at a time", ["deviates", "range", "critical gap, °", "sliding speed, m/s", "pass", "verdicts"], rows);
+    const heads = ["deviates", "range", "critical gap, °", "sliding speed, m/s", "pass", "verdicts"];
+    this.result.replaceChildren(dataTable("One deviation at a time", heads, rows));
     this.say(judged.headline);
     this.said.dataset.passes = judged.passes;
   }
@@ -151,10 +153,5 @@ class Studies {
     const blob = new Blob([bytes], { type: "application/octet-stream" });
     window.cagelessSave(blob, name);
     this.say(name + " saved, " + blob.size + " bytes");
-  }
-
-  table(caption, heads, rows) {
-    this.result.replaceChildren(element("table", {}, element("caption", {}, caption),
-      element("thead", {}, element("tr", {}, ...heads.map((head) => (head ? element("th", { scope: "col" }, head) : element("td"))))), element("tbody", {}, ...rows)));
   }
 }

@@ -79,22 +79,17 @@ function drawSurface(target, g, turn, tilt, frames) {
   };
   const inside = (f, ball) => { const psi = turned(f.angle_deg[ball] - r.centre_angle_deg); return psi > ends[0] && psi < ends[1] ? psi : null; };
   [0, 1].forEach((flank) => {
-    c.strokeStyle = contactColours(k)[flank]; c.lineWidth = 1.5; c.beginPath();
-    let before = false;
-    for (const f of frames) {
-      const psi = inside(f, 0), [, reach, z] = f.space.outer[flank], on = psi !== null && reach[0] > 0;
-      if (on) c[before ? "lineTo" : "moveTo"](...onSurface(psi, z[0]));
-      before = on;
-    }
-    c.stroke();
+    const colour = contactColours(k)[flank];
+    lineThrough(c, frames.map((f) => {
+      const psi = inside(f, 0), [, reach, z] = f.space.outer[flank];
+      return psi !== null && reach[0] > 0 ? onSurface(psi, z[0]) : null;
+    }), colour, 1.5);
     const f = frames.at(-1);
     if (f) for (let ball = 0; ball < g.bearing.balls; ball++) {
       const psi = inside(f, ball), [angle, reach, z] = f.space.outer[flank];
       if (psi === null || !reach[ball]) continue;
       const half = g.bearing.ball_radius_mm * reach[ball] * RAD * Math.cos(angle[ball] * RAD);
-      c.lineWidth = 6; c.beginPath();
-      for (const end of [-1, -0.5, 0, 0.5, 1]) c[end > -1 ? "lineTo" : "moveTo"](...onSurface(psi, z[ball] + end * half));
-      c.stroke();
+      lineThrough(c, [-1, -0.5, 0, 0.5, 1].map((end) => onSurface(psi, z[ball] + end * half)), colour, 6);
     }
   });
   // Names stand beside the lower ends of their axes.
