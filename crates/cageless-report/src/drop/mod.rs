@@ -13,7 +13,7 @@ use cageless_io::plan_file::VariantFile;
 use cageless_io::results::VERSION;
 use cageless_results::{DropResult, Record, plane_records, table_of};
 use cageless_study::drop::DropStudy;
-use cageless_study::{Provenance, parameter};
+use cageless_study::{Provenance, lines, parameter};
 
 use crate::head::Head;
 use crate::page::{Note, Page};
@@ -129,9 +129,9 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
         .map_or(0.0, |r| r.results.number("simulated_s"));
     let judgement = study.record.judgement();
     let facts = [
-        parameter("Mass of the rotor", short(rotor.mass_kg()), "kg"),
+        parameter("mass of the rotor", short(rotor.mass_kg()), "kg"),
         parameter(
-            "Moment of inertia about the axis",
+            "moment of inertia about the axis",
             short(rotor.polar_inertia_kg_m2()),
             "kg m²",
         ),
@@ -139,7 +139,7 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
     let carried = (1..).zip(rotor.mass_shares_kg());
     let carried = carried.map(|(k, share)| {
         parameter(
-            &format!("Share of the mass at bearing {k}"),
+            &format!("share of the mass at bearing {k}"),
             short(share),
             "kg",
         )
@@ -150,46 +150,38 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
         .facts(facts.into_iter().chain(carried))
 }
 
+/// Results at the head of the page.
+const FACTS: [&str; 8] = [
+    "first_contact_ms",
+    "rotor_force_max_n",
+    "rotor_force_max_over_weight",
+    "rotor_displacement_max_um",
+    "spin_up_ms",
+    "collisions",
+    "collisions_above_0_5_m_s",
+    "dissipated_j",
+];
+
 fn head(drop: &DropResult) -> Head {
-    let fact = |name: &str, result: &str, unit: &str| {
-        let value = drop.results.value(result)?;
-        Some(parameter(name, short(value), unit))
-    };
     let limit_mpa = report::pressure_limit_mpa();
     let pressure_mpa = (report::PRESSURES.iter())
         .filter_map(|name| drop.results.value(name))
         .fold(0.0, f64::max);
+    let pressure = parameter(
+        &format!("largest contact pressure (limit {limit_mpa:.0} MPa, ISO 76)"),
+        format!("{pressure_mpa:.0}"),
+        "MPa",
+    );
     let state = format!(
         "State after {} s: {}.",
         short(drop.results.number("simulated_s")),
         drop.end_state_text()
     );
-    let facts = [
-        fact("First contact", "first_contact_ms", "ms"),
-        fact("Largest force on the rotor", "rotor_force_max_n", "N"),
-        fact(
-            "Largest force / rotor weight",
-            "rotor_force_max_over_weight",
-            "",
-        ),
-        fact(
-            "Largest displacement from the stator centre",
-            "rotor_displacement_max_um",
-            "µm",
-        ),
-        fact("Spin-up of the inner ring", "spin_up_ms", "ms"),
-        Some(parameter(
-            &format!("Largest contact pressure (limit {limit_mpa:.0} MPa, ISO 76)"),
-            format!("{pressure_mpa:.0}"),
-            "MPa",
-        )),
-        fact("Collisions between balls", "collisions", ""),
-        fact("Collisions above 0.5 m/s", "collisions_above_0_5_m_s", ""),
-        fact("Heat of all interfaces", "dissipated_j", "J"),
-    ];
+    let facts = FACTS.iter().filter_map(|name| drop.results.row(name));
     Head::new(drop.judgement.passes(), &drop.judgement.headline())
         .verdict(None, &state)
-        .facts(facts.into_iter().flatten())
+        .facts(lines(facts))
+        .facts([pressure])
 }
 
 /// Table of the results of all bearings, one column each.
