@@ -66,15 +66,16 @@ DIFFERENCE = """
   return a === b ? 0 : Infinity;
 })
 """
-# Numbers of the end of a stretch, all digits.
+# Numbers of the end of a stretch, all digits: time, state, angles of the balls.
 NUMBERS = """
-((answer) => answer.resume.{}.match(/.{{16}}/g).map((hex) => {{
+((answer) => answer.resume.match(/.{{16}}/g).{}.map((hex) => {{
   const bits = new DataView(new ArrayBuffer(8));
   bits.setBigUint64(0, BigInt("0x" + hex));
   return bits.getFloat64(0);
 }}))
 """
-STATE = NUMBERS.format("state")
+STATE = NUMBERS.format("slice(1)")
+ANGLES = NUMBERS.format("slice(-answer.frames[0].angle_deg.length)")
 
 
 def agreement(s):
@@ -87,7 +88,7 @@ def agreement(s):
         for what, request, of in (
             ("geometry and closed forms", "{ op: 'geometry' }", "((answer) => answer)"),
             ("static equilibrium", "{ op: 'static' }", "((answer) => answer)"),
-            ("angles after 2 ms of motion", "{ op: 'motion', duration_s: 2e-3, frames: 10 }", NUMBERS.format("angle_rad")),
+            ("angles after 2 ms of motion", "{ op: 'motion', duration_s: 2e-3, frames: 10 }", ANGLES),
         ):
             off = s.js(
                 f"(async () => {{ const [a, b] = await Promise.all([{S}.engine.page, {S}.engine.server].map((e) =>"

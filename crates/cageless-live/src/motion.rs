@@ -26,16 +26,7 @@ pub(crate) struct Stretch {
     frames: usize,
     /// `resume` of the answer before.
     #[serde(default)]
-    resume: Option<Resume>,
-}
-
-/// End of a stretch: the bits of its numbers in hexadecimal, so that nothing is rounded.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Resume {
-    time_s: String,
-    state: String,
-    angle_rad: String,
+    resume: Option<String>,
 }
 
 /// Frames of one stretch at most.
@@ -43,6 +34,7 @@ const FRAMES_MAX: usize = 4000;
 /// Steps of one stretch at most: some ten seconds of computing.
 const STEPS_MAX: f64 = 2e6;
 
+/// End of a stretch as `resume`: the bits of its numbers in hexadecimal, so that nothing is rounded.
 fn hex(values: &[f64]) -> String {
     values
         .iter()
@@ -50,22 +42,15 @@ fn hex(values: &[f64]) -> String {
         .collect()
 }
 
-fn unhex(name: &str, text: &str, count: usize) -> Result<Vec<f64>, Refusal> {
-    let wrong = || {
-        Refusal::new(format!(
-            "resume.{name} is not what the last stretch returned"
-        ))
+fn unhex(text: &str, count: usize) -> Result<Vec<f64>, Refusal> {
+    let number = |k: usize| {
+        let bits = u64::from_str_radix(text.get(16 * k..16 * (k + 1))?, 16).ok()?;
+        Some(f64::from_bits(bits)).filter(|v| v.is_finite())
     };
-    if text.len() != 16 * count || !text.is_ascii() {
-        return Err(wrong());
-    }
-    let values: Option<Vec<f64>> = (0..count)
-        .map(|k| {
-            let bits = u64::from_str_radix(&text[16 * k..16 * (k + 1)], 16).ok()?;
-            Some(f64::from_bits(bits)).filter(|v| v.is_finite())
-        })
-        .collect();
-    values.ok_or_else(wrong)
+    let values = (0..count).map(number).collect::<Option<_>>();
+    values
+        .filter(|_| text.len() == 16 * count)
+        .ok_or_else(|| Refusal::new("resume is not what the last stretch returned"))
 }
 
 /// Runs a stretch and returns its frames, its collisions so far and what the next needs.
@@ -101,16 +86,13 @@ pub(crate) fn motion(
             (0.0, state, angles)
         }
         Some(resume) => {
+            // Time, state, ψ of the balls.
             let mut state = State::zero(Layout::of_case(case));
-            let count = state.values().len();
-            state
-                .values_mut()
-                .copy_from_slice(&unhex("state", &resume.state, count)?);
-            (
-                unhex("time_s", &resume.time_s, 1)?[0],
-                state,
-                unhex("angle_rad", &resume.angle_rad, balls)?,
-            )
+            let length = state.values().len();
+            let values = unhex(resume, 1 + length + balls)?;
+            let (own, angles) = values[1..].split_at(length);
+            state.values_mut().copy_from_slice(own);
+            (values[0], state, angles.to_vec())
         }
     };
     let mut part = case.clone();
@@ -145,11 +127,12 @@ pub(crate) fn motion(
         Ending::Complete => None,
     };
     let resume = match (&stopped, frames.last()) {
-        (None, Some(last)) => Some(json!({
-            "time_s": hex(&[from_s + outcome.end_s]),
-            "state": hex(outcome.state.values()),
-            "angle_rad": hex(&last.angle_rad),
-        })),
+        (None, Some(last)) => {
+            let time_s = [from_s + outcome.end_s];
+            Some(hex(
+                &[&time_s, outcome.state.values(), &last.angle_rad].concat()
+            ))
+        }
         _ => None,
     };
     // The first frame of a later stretch is the last of the one before.
