@@ -83,8 +83,9 @@ impl Plot {
         self
     }
 
-    /// Shows the first of its views.
-    pub fn first_view(mut self) -> Self {
+    /// Shows the last of its views first.
+    pub fn last_view_first(mut self) -> Self {
+        self.views.reverse();
         let first = self.views.first().map(|(_, range)| numbers(range));
         if let (Some(range), Some(axis)) = (first, self.layout.get_mut("xaxis")) {
             axis["range"] = range;

@@ -61,8 +61,6 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
         "marker": { "size": numbers(&size), "opacity": 0.55, "line": { "width": 0.5, "color": "#7a3500" } },
         "text": text, "hovertemplate": "%{text}<br>t %{x} s, ψ %{y}°<extra></extra>",
     })));
-    plot.views.reverse();
-    let plot = plot.first_view();
     let drawn = if total > COLLISIONS {
         format!(" The {COLLISIONS} strongest are drawn.")
     } else {
@@ -83,5 +81,5 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
          being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
         short(most)
     );
-    Some(figure(run, "Collisions", &caption, plot))
+    Some(figure(run, "Collisions", &caption, plot.last_view_first()))
 }

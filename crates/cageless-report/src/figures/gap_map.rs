@@ -49,7 +49,7 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
     let middles: Vec<f64> = (0..columns)
         .map(|k| begin + (k as f64 + 0.5) * width)
         .collect();
-    let mut plot = with_time(run, Plot::new(130 + 22 * count.clamp(8, 30) as u32), "y")
+    let plot = with_time(run, Plot::new(130 + 22 * count.clamp(8, 30) as u32), "y")
         .margin([72, 24, 24, 58])
         .y(
             "Pair of balls (numbers)",
@@ -61,10 +61,9 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
             "colorbar": { "title": { "text": "Gap (°)", "side": "right" }, "thickness": 14 },
             "hovertemplate": "balls %{y}<br>t %{x:.4f} s<br>smallest gap %{z:.4f}°<extra></extra>",
         }))
-        .finding(&smallest_gap(run));
-    // The whole run is what this figure is for.
-    plot.views.reverse();
-    let plot = plot.first_view();
+        .finding(&smallest_gap(run))
+        // The whole run is what this figure is for.
+        .last_view_first();
     let caption = "Smallest gap of each pair in each of many stretches of the run: red is contact, white the \
          nominal gap, blue twice that and more.";
     Some(figure(run, "Gaps of all pairs", caption, plot))
