@@ -212,19 +212,10 @@ impl CaseArgs {
         &self,
         check: fn(&cageless::Case) -> Result<(), cageless::InputError>,
     ) -> Result<CaseFile, Failure> {
-        read_checked(&self.case, &self.set, check)
+        let file = read_case(&self.case, &self.set)?;
+        file.checked(check)?;
+        Ok(file)
     }
-}
-
-/// Reads the case of a command that takes those which pass a check.
-pub fn read_checked(
-    path: &Path,
-    set: &[String],
-    check: fn(&cageless::Case) -> Result<(), cageless::InputError>,
-) -> Result<CaseFile, Failure> {
-    let file = read_case(path, set)?;
-    file.checked(check)?;
-    Ok(file)
 }
 
 /// Reads the case of a command.

@@ -11,7 +11,7 @@ use cageless_study::comparison::{RingComparison, RingResults, STARTS, Starts, co
 use cageless_study::run::{Options, run};
 
 use crate::args::CompareArgs;
-use crate::driver::{Answer, PAGE, pretty, read_checked};
+use crate::driver::{Answer, PAGE, pretty, read_case};
 use crate::failure::Failure;
 use crate::finished_run::{FinishedRun, SUMMARY};
 use crate::format::{columns, pairs};
@@ -86,7 +86,8 @@ fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
         let side = if path.is_dir() {
             Side::Run(Box::new(FinishedRun::read(path)?))
         } else {
-            let file = read_checked(path, &args.set, cageless::Case::check_motion)?;
+            let file = read_case(path, &args.set)?;
+            file.checked(cageless::Case::check_motion)?;
             Side::Case(Box::new(file))
         };
         sides.push((name, side));
@@ -101,10 +102,11 @@ fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
     Ok(sides)
 }
 
-type Compared = (Vec<ComparedRun>, RingComparison);
-
 /// Takes finished runs, and runs the cases beside them once.
-fn finished(sides: Vec<(&'static str, Side)>, bars: &dyn Progress) -> Result<Compared, Failure> {
+fn finished(
+    sides: Vec<(&'static str, Side)>,
+    bars: &dyn Progress,
+) -> Result<(Vec<ComparedRun>, RingComparison), Failure> {
     let (mut runs, mut results) = (vec![], vec![]);
     for (name, side) in sides {
         let FinishedRun { data, summary } = match side {
