@@ -17,15 +17,15 @@ use pyo3::types::PyDict;
 
 use crate::errors::{Found, input, other};
 
-/// Names and columns of the tables. Arrays of the balls are over times and balls, so that they need
-/// neither column.
-fn specified() -> [(&'static str, &'static [Column]); 4] {
+/// Names and columns of the tables, and how many of these have no arrays: those of the balls are over times
+/// and balls, so that they need neither column.
+fn specified() -> [(&'static str, &'static [Column], usize); 4] {
     let [balls, ring, rotor] = run_columns(true);
     [
-        ("balls", &balls[2..]),
-        ("ring", ring),
-        ("collisions", COLLISIONS),
-        ("rotor", rotor),
+        ("balls", balls, 2),
+        ("ring", ring, 0),
+        ("collisions", COLLISIONS, 0),
+        ("rotor", rotor, 0),
     ]
 }
 
@@ -33,10 +33,9 @@ fn specified() -> [(&'static str, &'static [Column]); 4] {
 #[pyfunction]
 pub fn table_units(py: Python<'_>) -> Found<Bound<'_, PyDict>> {
     let tables = PyDict::new(py);
-    for (name, columns) in specified() {
+    for (name, columns, _) in specified() {
         let units = PyDict::new(py);
-        let first = run_columns(true)[0][..2].iter().filter(|_| name == "balls");
-        for column in first.chain(columns) {
+        for column in columns {
             units.set_item(&column.name, &column.unit)?;
         }
         tables.set_item(name, units)?;
@@ -101,17 +100,11 @@ impl Tables {
     /// Reads the tables of a folder.
     pub fn read(dir: &Path) -> Found<Self> {
         let mut tables = Self::default();
-        for (table, (name, columns)) in tables.0.iter_mut().zip(specified()) {
+        for (table, (name, columns, skipped)) in tables.0.iter_mut().zip(specified()) {
             let path = dir.join(name).with_extension("parquet");
-            let of_balls = name == "balls";
             if name != "rotor" || path.is_file() {
-                let columns = if of_balls {
-                    run_columns(true)[0]
-                } else {
-                    columns
-                };
                 let found = read_run_table(&path, columns)?.into_iter();
-                *table = found.skip(if of_balls { 2 } else { 0 }).collect();
+                *table = found.skip(skipped).collect();
             }
         }
         Ok(tables)
@@ -123,7 +116,8 @@ impl Tables {
     pub fn into_arrays(self, py: Python<'_>) -> Found<Py<PyDict>> {
         let times = self.0[1].first().map_or(0, Vec::len);
         let tables = PyDict::new(py);
-        for ((name, columns), mut values) in specified().into_iter().zip(self.0) {
+        for ((name, columns, skipped), mut values) in specified().into_iter().zip(self.0) {
+            let columns = &columns[skipped..];
             if name == "rotor" && values.is_empty() {
                 continue;
             }
@@ -152,7 +146,7 @@ impl Tables {
     /// Copies what [`Self::into_arrays`] made.
     pub fn of_arrays(arrays: &Bound<'_, PyDict>) -> Found<Self> {
         let mut tables = Self::default();
-        for (table, (name, columns)) in tables.0.iter_mut().zip(specified()) {
+        for (table, (name, columns, skipped)) in tables.0.iter_mut().zip(specified()) {
             let Some(arrays) = arrays.get_item(name)? else {
                 continue;
             };
@@ -166,7 +160,7 @@ impl Tables {
                 Ok(array.as_array().iter().copied().collect())
             };
             // Those of space come last, and are not there in the plane.
-            let given = columns
+            let given = columns[skipped..]
                 .iter()
                 .filter(|c| arrays.contains(&*c.name).unwrap_or(false));
             *table = given.map(column).collect::<Found<_>>()?;
