@@ -81,13 +81,18 @@ fn a_depth_error_is_no_flank_angle() {
         for (sigma_m, close) in [(0.0, [1e-4, 1e-8]), (1e-6, [5e-3, 2e-7])] {
             let case = structure(5.1, 25.2);
             let raceway = case.raceways[0].clone().with_depth_error(error_m).unwrap();
-            // Each flank lies farther out along the normal at the ball.
+            let d = case.bearing.dimensions();
+            let offset_m = d.outer_groove_curvature_radius_m - d.ball_radius_m;
+            let ball_m = d.outer_groove_bottom_radius_m - d.ball_radius_m;
+            // Flanks of radius Re + e about the same centres, Re − Rw behind that of the ball, as in a run.
             let deeper = |[x, y, z]: [f64; 3]| {
                 let psi = x.atan2(-y);
                 let (sin, cos) = raceway.contact_angle_rad(psi)[0].sin_cos();
-                let by = raceway.depth_error_at_m(psi);
-                let outward = 1.0 + by * cos / x.hypot(y);
-                [outward * x, outward * y, z + by * sin * z.signum()]
+                let along = x.hypot(y) - (ball_m - offset_m * cos);
+                let across = z + offset_m * sin * z.signum();
+                let by = raceway.depth_error_at_m(psi) / along.hypot(across);
+                let outward = 1.0 + by * along / x.hypot(y);
+                [outward * x, outward * y, z + by * across]
             };
             let points: Vec<_> = touched(&case, 100, sigma_m, 3)
                 .into_iter()

@@ -41,9 +41,8 @@ struct Seen {
 
 impl MeasuredGroove {
     /// Fit to the points within ±θ of a raceway of the case. In each section the flank is an arc of
-    /// radius Re whose centre is Re − Rw behind that of the ball, at the angle αc(ψ), less the depth error, by which
-    /// it lies farther out along its normal; the squares of the distances from it are least over αc and the depth
-    /// error.
+    /// radius Re, larger by the depth error, whose centre is Re − Rw behind that of the ball, at the angle αc(ψ); the
+    /// squares of the distances from it are least over αc and the depth error.
     ///
     /// # Errors
     /// An [`InputError`] of `points` if there are fewer than 50 within ±θ, or they are not near a
@@ -83,12 +82,12 @@ impl MeasuredGroove {
                 let row = |point: &Seen| {
                     let [angle, _] = flanks.at(point.local_rad);
                     let (sin, cos) = angle.sin_cos();
-                    let offset = frame.offset_m - depth_error_m * point.share;
-                    let along = point.along_m + offset * cos;
-                    let across = point.across_m + offset * sin;
+                    let along = point.along_m + frame.offset_m * cos;
+                    let across = point.across_m + frame.offset_m * sin;
                     let distance = along.hypot(across);
-                    let slope = offset * (across * cos - along * sin) / distance;
-                    let error = distance - frame.curvature_radius_m;
+                    let slope = frame.offset_m * (across * cos - along * sin) / distance;
+                    let radius = frame.curvature_radius_m + depth_error_m * point.share;
+                    let error = distance - radius;
                     [point.local_rad, slope, slope * angle - error]
                 };
                 seen.iter().map(row).collect()
