@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::CaseFile;
+use cageless_io::plan_file::VariantFile;
 use cageless_io::results::{Metadata, RunWriter, values_csv, write_csv, write_together};
-use cageless_io::rotor_file::RotorFile;
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::Progress;
 use cageless_study::run::Rows;
@@ -220,16 +220,14 @@ impl CaseArgs {
 
 /// Reads the case of a command.
 pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    CaseFile::read(path, set).map_err(|error| {
-        if !RotorFile::is_at(path) {
-            return error.into();
-        }
-        Failure::Input(format!(
+    match VariantFile::read(path, set)? {
+        VariantFile::Case(file) => Ok(*file),
+        VariantFile::Rotor(_) => Err(Failure::Input(format!(
             "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \
              check` and the plans of `cageless sweep` take; each of its bearings is a case of its own",
             path.display()
-        ))
-    })
+        ))),
+    }
 }
 
 /// Prints text to stdout, without control sequences. A closed pipe (`cageless new | head`) is not an error.

@@ -1,5 +1,7 @@
 //! What every command prints where, and the exit codes of success.
 
+use std::path::Path;
+
 use crate::common::*;
 
 #[test]
@@ -251,6 +253,28 @@ fn a_closed_pipe_is_no_failure() {
         .args(["-c", &script])
         .status();
     assert_eq!(status.unwrap().code(), Some(0));
+}
+
+/// A file may be a pipe, which can be read once.
+#[test]
+fn a_case_may_come_through_a_pipe() {
+    let piped = |case: &Path, more: &str| -> Answer {
+        let script = format!("cat {case:?} | {:?} {more}", env!("CARGO_BIN_EXE_cageless"));
+        let mut command = std::process::Command::new("bash");
+        command.args(["-c", &script]).output().unwrap().into()
+    };
+    let conventional = repository_case("touchdown-conventional.toml");
+    for (case, more) in [
+        (repository_case("zhao-d.toml"), "check /dev/stdin"),
+        (repository_case("zhao-d.toml"), "static /dev/stdin"),
+        (
+            conventional,
+            "drop /dev/stdin --set solver.duration_s=0.001 --json",
+        ),
+    ] {
+        let answer = piped(&case, more);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+    }
 }
 
 /// 2 s in steps of 1 µs; twice 4 µs of interference; seven balls of 23.9° leave 216.6° open.

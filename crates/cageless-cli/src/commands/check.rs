@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument};
+use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::RotorFile;
 use cageless_results::number_text::significant;
 use cageless_study::drop::unloaded;
@@ -13,7 +14,7 @@ use serde::Serialize;
 use super::drop::listed;
 use super::steps::{check_warnings, steps_text};
 use crate::args::CaseArgs;
-use crate::driver::{Answer, pretty, read_case};
+use crate::driver::{Answer, pretty};
 use crate::failure::Failure;
 use crate::format::{fixed, pairs, warnings};
 
@@ -21,10 +22,10 @@ const NUMBERS: &str = "check.json";
 
 /// Checks a case, or the file of a rotor above several bearings.
 pub fn check(args: &CaseArgs) -> Result<(), Failure> {
-    if RotorFile::is_at(&args.case) {
-        return check_rotor(args);
-    }
-    let file = read_case(&args.case, &args.set)?;
+    let file = match VariantFile::read(&args.case, &args.set)? {
+        VariantFile::Case(file) => file,
+        VariantFile::Rotor(file) => return check_rotor(args, &file),
+    };
     let bearing = &file.case().bearing;
     let d = bearing.dimensions();
     let mm = |pair: [f64; 2]| {
@@ -140,7 +141,7 @@ fn motion_text(case: &Case) -> &'static str {
 }
 
 /// Checks a rotor file.
-fn check_rotor(args: &CaseArgs) -> Result<(), Failure> {
+fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
     /// `check.json`.
     #[derive(Serialize)]
     struct Checked {
@@ -152,7 +153,6 @@ fn check_rotor(args: &CaseArgs) -> Result<(), Failure> {
         natural_frequencies_hz: Vec<f64>,
         warnings: Vec<String>,
     }
-    let file = RotorFile::read(&args.case, &args.set)?;
     let (rotor, cases) = (file.rotor(), file.drop().cases());
     let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
     let at_speed = at_speed.ok_or_else(|| {

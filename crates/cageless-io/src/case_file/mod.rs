@@ -48,7 +48,7 @@ pub use overrides::Change;
 pub use reference::{RangeEnd, reference};
 pub use sections::bearing::Assumption;
 pub use sections::material::MaterialPreset;
-pub(crate) use source::{read_named, read_text};
+pub(crate) use source::read_named;
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 

@@ -36,7 +36,7 @@ pub(crate) fn read_named(path: &Path, what: &str) -> Result<(String, String), Ca
 }
 
 /// The text of a file; `what` it should be, for messages.
-pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, String> {
+fn read_text(path: &Path, what: &str) -> Result<String, String> {
     // Opening a directory succeeds on Unix; the message of the read that fails
     // later does not help.
     if path.is_dir() {

@@ -7,7 +7,7 @@ use cageless::Case;
 use cageless::simulation::RotorDrop;
 use toml::Value;
 
-use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue, Change};
+use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue, Change, read_named};
 use crate::rotor_file::{RotorBase, RotorFile};
 
 /// A case or a rotor file whose values are replaced before it is read.
@@ -29,6 +29,18 @@ pub enum VariantFile {
 }
 
 impl PlanBase {
+    /// Reads the text of a case file or of a rotor file, once: it may be a pipe.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if a file cannot be read or is not TOML, or a bearing has no case.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let (name, text) = read_named(path, "case file")?;
+        match RotorBase::is_text(&text) {
+            false => CaseDocument::parse(&text, &name).map(Self::Case),
+            true => RotorBase::parse(&text, &name, folder(path)).map(Self::Rotor),
+        }
+    }
+
     /// Replaces values for good.
     ///
     /// # Errors
@@ -53,6 +65,11 @@ impl PlanBase {
     }
 }
 
+/// The folder of a file, from which paths in it count.
+fn folder(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
 impl From<CaseFile> for VariantFile {
     fn from(file: CaseFile) -> Self {
         Self::Case(Box::new(file))
@@ -75,14 +92,15 @@ impl VariantFile {
         cases.try_for_each(|file| file.checked(Case::check_motion))
     }
 
-    /// Reads a case file, or a rotor file with the files that it names.
+    /// Reads a case file, once, or a rotor file with the files that it names.
     ///
     /// # Errors
     /// Those of [`CaseFile::read`] and [`RotorFile::read`].
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        Ok(match RotorFile::is_at(path) {
-            false => CaseFile::read(path, overrides)?.into(),
-            true => RotorFile::read(path, overrides)?.into(),
+        let (name, text) = read_named(path, "case file")?;
+        Ok(match RotorBase::is_text(&text) {
+            false => CaseFile::parse(&text, &name, overrides)?.into(),
+            true => RotorFile::parse(&text, &name, folder(path), overrides)?.into(),
         })
     }
 

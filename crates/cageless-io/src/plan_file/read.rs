@@ -13,9 +13,9 @@ use crate::case_file::spanned_toml::{self, Node, Tree, Value};
 use crate::case_file::{
     CaseDocument, CaseError, CaseValue, Change, former, keys, nearest, read_named,
 };
+use crate::rotor_file::RotorBase;
 use crate::rotor_file::address::{address, is_number};
 use crate::rotor_file::keys::ROTOR_FILE;
-use crate::rotor_file::{RotorBase, RotorFile};
 
 impl PlanFile {
     /// Reads a plan and its base case, whose path counts from the folder of the plan.
@@ -132,14 +132,8 @@ fn base(tree: &Tree, folder: &Path) -> Result<PlanBase, CaseError> {
             let base = CaseDocument::from_sections(root.clone(), &tree.name);
             Ok(PlanBase::Case(base))
         }
-        Value::Text(path) => {
-            let path = folder.join(path);
-            let base = match RotorFile::is_at(&path) {
-                true => RotorBase::read(&path).map(PlanBase::Rotor),
-                false => CaseDocument::read(&path).map(PlanBase::Case),
-            };
-            base.map_err(|error| node.error_of_its_file(&tree.name, "case", error))
-        }
+        Value::Text(path) => PlanBase::read(&folder.join(path))
+            .map_err(|error| node.error_of_its_file(&tree.name, "case", error)),
         _ => Err(node.refusal(&tree.name, "case", "a path")),
     }
 }

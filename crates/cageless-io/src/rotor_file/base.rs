@@ -12,7 +12,7 @@ use super::{RotorFile, RotorFileDocument, read_matrices};
 use crate::case_file::former;
 use crate::case_file::overrides::Replacement;
 use crate::case_file::spanned_toml::{self, Node, Section, Tree, Value};
-use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, read_named, read_text};
+use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, read_named};
 
 /// The texts of a rotor file and of its cases, parsed but not yet read.
 #[derive(Debug, Clone)]
@@ -35,10 +35,15 @@ impl RotorBase {
         Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")))
     }
 
-    fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
+    pub(crate) fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
         let mut root = spanned_toml::parse(text, name)?;
         former::rename(&mut root, name)?;
         Self::from_sections(root, name, folder)
+    }
+
+    /// Whether this text is a rotor file rather than a case.
+    pub(crate) fn is_text(text: &str) -> bool {
+        spanned_toml::parse(text, "").is_ok_and(|root| Self::is_in(&root))
     }
 
     /// Whether these sections are of a rotor file rather than of a case: they list bearings.
@@ -190,12 +195,6 @@ impl RotorBase {
 }
 
 impl RotorFile {
-    /// Whether the file at `path` is a rotor file rather than a case: it lists bearings.
-    pub fn is_at(path: &Path) -> bool {
-        let text = read_text(path, "case file").unwrap_or_default();
-        spanned_toml::parse(&text, "").is_ok_and(|root| RotorBase::is_in(&root))
-    }
-
     /// Reads a rotor file and the files that it names, whose paths count from its folder.
     /// `overrides` are the texts of `--set`: of keys of the rotor file, `section.key=value` of the
     /// cases of all bearings, `bearing.2.section.key=value` of one.
