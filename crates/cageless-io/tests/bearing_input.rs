@@ -100,6 +100,38 @@ fn what_says_the_same_twice_is_refused_and_a_later_one_replaces_it() {
             least - 0.5
         )],
     );
+    // What else a radius, a pitch diameter or a clearance needs is that of the file; two of --set must not be at odds.
+    let bottoms_mm = |text: &str, set: &str| {
+        let case = parse(text, &[set]).case().clone();
+        let d = case.bearing.dimensions();
+        [
+            d.inner_groove_bottom_radius_m,
+            d.outer_groove_bottom_radius_m,
+        ]
+        .map(|m| 1e3 * m)
+    };
+    let (inner, pitch) = (
+        "bearing.inner_groove_bottom_radius_mm=18.23",
+        "bearing.pitch_diameter_mm=47",
+    );
+    let by_radii = SHORT.replace(
+        "pitch_diameter_mm = 46.005\nradial_internal_clearance_um = 12",
+        "inner_groove_bottom_radius_mm = 18.24\nouter_groove_bottom_radius_mm = 27.765",
+    );
+    // 46.005/2 + 4.7625 + 0.003, and 47/2 ∓ 4.7625 as without clearance.
+    for (text, set, expected) in [
+        (SHORT, inner, [18.23, 27.768]),
+        (&by_radii, pitch, [18.7375, 28.2625]),
+    ] {
+        let found = bottoms_mm(text, set);
+        let near = (0..2).all(|k| (found[k] - expected[k]).abs() < 1e-8);
+        assert!(near, "{set}: {found:?} {expected:?}");
+    }
+    let clearance = "bearing.radial_internal_clearance_um=20";
+    for sets in [[inner, clearance], [clearance, inner], [pitch, inner]] {
+        let error = refused(SHORT, &sets).to_string();
+        assert!(error.contains("another --set gives "), "{sets:?}: {error}");
+    }
     let error = refused(&SHORT.replace("radial_internal", "# "), &[]);
     assert_eq!(error.key(), Some("bearing.radial_internal_clearance_um"));
     // A value that follows from others names them.

@@ -134,12 +134,29 @@ fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     let (section, key) = section_at(root, path, &node.place)?;
     let name = if path.len() > 1 { path[0] } else { "" };
     let derived = sections::derived_of(name, key, section, &node);
-    for other in sections::alternatives_of(name, key) {
+    let others = sections::alternatives_of(name, key);
+    if let [_, _] = others
+        && let Some(other) = others
+            .iter()
+            .find(|other| is_override(section.get(**other)))
+        && is_override(Some(&node))
+    {
+        // One of two would be lost.
+        return Err(format!(
+            "another --set gives {other}: groove radii, and pitch diameter with clearance, both say the \
+             same, give one of them"
+        ));
+    }
+    for other in others {
         section.remove(*other);
     }
     section.extend(derived);
     section.insert(key.to_owned(), node);
     Ok(())
+}
+
+fn is_override(node: Option<&Node>) -> bool {
+    node.is_some_and(|node| matches!(node.place.origin, Origin::Override(_)))
 }
 
 fn is_bare(part: &str) -> bool {

@@ -1,10 +1,10 @@
 //! Keys that stand in several places of a plan.
 
-use super::key::covers;
+use super::key::{covers, say_the_same};
 use super::{Axis, PlanBase, PlanFile};
 use crate::case_file::{CaseError, Change};
 
-/// Refuses two axes of one key, scattered keys of which one is part of another or of an axis, and
+/// Refuses two axes of one key or quantity, scattered keys of which one is part of another or of an axis, and
 /// changes to `case` in `[set]` that an axis undoes.
 pub(super) fn check(
     plan: &PlanFile,
@@ -37,10 +37,16 @@ pub(super) fn check(
     }
     for change in changes {
         let mut axes = axes.iter();
-        let varied = axes.find(|axis| covers(&axis.key, change.key));
+        // A clearance takes the pitch diameter of groove radii.
+        let undoes = |axis: &str| say_the_same(axis, change.key) && !axis.ends_with("clearance_um");
+        let varied = axes.find(|axis| covers(&axis.key, change.key) || undoes(&axis.key));
         if let Some(axis) = varied.filter(|_| is_possible_without(case, changes, change.key)) {
+            let what = match covers(&axis.key, change.key) {
+                true => "varies".to_owned(),
+                false => format!("is given by {}, which varies", axis.key),
+            };
             let message = format!(
-                "{} varies on line {}: its value in [set] has no effect, leave it out",
+                "{} {what} on line {}: its value in [set] has no effect, leave it out",
                 change.key, axis.line
             );
             return Err(plan.error(change.place.1, change.key, message));
@@ -67,11 +73,17 @@ fn is_possible_without(case: &PlanBase, changes: &[Change<'_>], key: &str) -> bo
 
 /// Whether two keys replace the same value.
 fn meet(one: &str, other: &str) -> bool {
-    covers(one, other) || covers(other, one)
+    covers(one, other) || covers(other, one) || say_the_same(one, other)
 }
 
 /// The message of a key that meets another on `line`.
 fn overlap(key: &str, other: &str, line: usize) -> String {
+    if say_the_same(key, other) {
+        return format!("{key} and {other} on line {line} both say the same: vary one of them");
+    }
+    if covers(key, other) && covers(other, key) {
+        return format!("{key} and {other} on line {line} are one key: vary one of them");
+    }
     format!(
         "{key} is a part of {other} on line {line}, or the other way round: vary the key of all \
          bearings, or that of each"

@@ -3,6 +3,7 @@
 
 use crate::case_file::key::{Key, Kind};
 use crate::case_file::keys;
+use crate::case_file::sections::alternatives_of;
 use crate::rotor_file::address::is_number;
 use crate::rotor_file::keys::ROTOR_FILE;
 
@@ -59,6 +60,16 @@ pub(super) fn order(key: &str) -> (bool, Option<usize>, String) {
 /// Whether a change of `one` replaces all that a change of `other` does.
 pub(super) fn covers(one: &str, other: &str) -> bool {
     plain(one) == plain(other) || !of_one_bearing(one) && plain(one) == plain(key_in_case(other))
+}
+
+/// Whether two keys give the same quantity in different terms, of which a case takes one.
+pub(super) fn say_the_same(one: &str, other: &str) -> bool {
+    let scope = |key: &str| key[..key.len() - key_in_case(key).len()].to_owned();
+    let (scopes, (section, name)) = ([scope(one), scope(other)], split(one));
+    // The key of all bearings is that of each.
+    (scopes[0] == scopes[1] || scopes.iter().any(String::is_empty))
+        && split(other).0 == section
+        && alternatives_of(section, name).contains(&split(other).1)
 }
 
 /// Whether a key belongs to the case of one of several bearings.

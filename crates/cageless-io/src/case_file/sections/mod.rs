@@ -75,15 +75,19 @@ section! {
     }
 }
 
-/// A key that `key` needs next to it, by those that give way to it: a clearance takes the pitch
-/// diameter of the groove radii.
+/// A key that `key` needs next to it, by those that give way to it: a clearance takes the pitch diameter of the
+/// groove radii and the other way round, one of these radii the other one of pitch diameter and clearance.
 pub(super) fn derived_of(
     name: &str,
     key: &str,
     section: &Section,
     node: &Node,
 ) -> Option<(String, Node)> {
-    if (name, key) != ("bearing", "radial_internal_clearance_um") {
+    const INNER: &str = "inner_groove_bottom_radius_mm";
+    const OUTER: &str = "outer_groove_bottom_radius_mm";
+    const PITCH: &str = "pitch_diameter_mm";
+    const CLEARANCE: &str = "radial_internal_clearance_um";
+    if name != "bearing" {
         return None;
     }
     let number = |key: &str| match section.get(key)?.value {
@@ -91,19 +95,30 @@ pub(super) fn derived_of(
         Value::Integer(value) => Some(value as f64),
         _ => None,
     };
-    let inner = number("inner_groove_bottom_radius_mm")?;
-    let sum = inner + number("outer_groove_bottom_radius_mm")?;
-    // Millimetres of a drawing do not add up exactly.
-    let value = Value::Number((sum * 1e9).round() / 1e9);
+    let ball = || {
+        let radius = number("ball_radius_mm").map(|radius| 2.0 * radius);
+        radius.or_else(|| number("ball_diameter_mm"))
+    };
+    // Ri + Ro = Dpw and 2 (Ro − Ri − Dw) = Gr.
+    let half = || Some(0.5 * ball()? + 0.25e-3 * number(CLEARANCE)?);
+    let (needed, value) = match key {
+        CLEARANCE => (PITCH, number(INNER)? + number(OUTER)?),
+        PITCH => (CLEARANCE, 2e3 * (number(OUTER)? - number(INNER)? - ball()?)),
+        INNER => (OUTER, 0.5 * number(PITCH)? + half()?),
+        OUTER => (INNER, 0.5 * number(PITCH)? - half()?),
+        _ => return None,
+    };
+    // Millimetres of a drawing do not add up exactly; not −0.
+    let value = Value::Number((value * 1e9).round() / 1e9 + 0.0);
     let node = Node {
         value,
         ..node.clone()
     };
-    Some(("pitch_diameter_mm".to_owned(), node))
+    Some((needed.to_owned(), node))
 }
 
 /// Keys of a section that say the same as `key`, and give way to it.
-pub(super) fn alternatives_of(section: &str, key: &str) -> &'static [&'static str] {
+pub(crate) fn alternatives_of(section: &str, key: &str) -> &'static [&'static str] {
     match section {
         "bearing" => {
             let found = bearing::ALTERNATIVES.iter().find_map(|(one, other)| {
