@@ -15,6 +15,7 @@ pub fn tolerance_page(record: &Record) -> String {
     let mut page = Page::new(record.text("title"), "", record.text("software"));
     let head = Head::new(record.flag("passes"), record.text("headline"));
     page.head(&head.facts(lines(record.rows())));
+    page.notes(Note::Warning, record.sentences("warnings"));
     page.section("One at a time");
     page.table(&influence_table(record));
     page.figure(&influence_figure(record));

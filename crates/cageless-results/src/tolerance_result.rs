@@ -12,6 +12,7 @@ use crate::{
 
 /// What a tolerance analysis holds.
 pub const TOLERANCE_SHAPE: Shape = Shape {
+    sentences: &["warnings"],
     parts: &[
         (
             "influences",

@@ -60,11 +60,12 @@ impl Default for Request {
     }
 }
 
-/// Tolerance analysis of a case. `name` is the name of the case in messages.
+/// Tolerance analysis of a case. `name` is the name of the case in messages. If the progress ends the work, it is
+/// that of the bearings judged until then, and says so in `warnings`.
 ///
 /// # Errors
 /// A tolerance is impossible, there is no raceway, a run did not converge, or the progress ended
-/// the work.
+/// the work before the nominal bearing was judged.
 pub fn tolerance(
     case: &Case,
     name: &str,
@@ -75,13 +76,19 @@ pub fn tolerance(
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
     let outcomes = judge_all(case, &trials, progress)?;
+    let count = trials.len();
+    let judged = trials.into_iter().zip(outcomes);
+    let judged = judged.filter_map(|(trial, outcome)| Some((trial, outcome?)));
+    let (trials, outcomes): (Vec<_>, Vec<_>) = judged.unzip();
+    let warning = (trials.len() < count).then(|| {
+        format!(
+            "interrupted: these are {} of {count} bearings",
+            trials.len()
+        )
+    });
     let assessment = assess(&trials, &outcomes);
-    Ok(tolerance_record(
-        case,
-        request.ball_grade,
-        &tolerances,
-        &assessment,
-    ))
+    let record = tolerance_record(case, request.ball_grade, &tolerances, &assessment);
+    Ok(record.with_sentences("warnings", warning.into_iter().collect()))
 }
 
 impl Request {
@@ -177,30 +184,35 @@ impl Request {
     }
 }
 
+/// Outcomes of the trials; `None` of those that the progress ended, of which the first, nominal, is none.
 fn judge_all(
     case: &Case,
     trials: &[Trial],
     progress: &dyn Progress,
-) -> Result<Vec<Outcome>, StudyError> {
+) -> Result<Vec<Option<Outcome>>, StudyError> {
     let task = progress.begin("tolerance", trials.len() as f64);
-    let outcomes: Result<Vec<Outcome>, StudyError> = trials
+    let outcomes: Result<Vec<Option<Outcome>>, StudyError> = trials
         .par_iter()
         .map(|trial| match trial.deviation.apply(case) {
             Err(error) => {
                 let _ = task.add(1.0);
-                Ok(Outcome::impossible(error.to_string()))
+                Ok(Some(Outcome::impossible(error.to_string())))
             }
             Ok(varied) => match judge(&varied, &mut task.run_control(1.0, 1.0)) {
-                Ok(judgement) => Ok(Outcome::judged(&judgement)),
-                Err(CriticalGapError::Case(error)) => Ok(Outcome::impossible(error.to_string())),
+                Ok(judgement) => Ok(Some(Outcome::judged(&judgement))),
+                Err(CriticalGapError::Case(error)) => {
+                    Ok(Some(Outcome::impossible(error.to_string())))
+                }
+                Err(CriticalGapError::Interrupted) => Ok(None),
                 Err(error) => Err(error.into()),
             },
         })
         .collect();
-    if progress.interrupted() {
-        return Err(StudyError::Interrupted);
+    let outcomes = outcomes?;
+    match outcomes[0] {
+        Some(_) => Ok(outcomes),
+        None => Err(StudyError::Interrupted),
     }
-    outcomes
 }
 
 #[cfg(test)]

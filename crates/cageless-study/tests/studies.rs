@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::sync::Mutex;
 
 use cageless_io::case_file::{CaseFile, template};
+use cageless_results::Record;
 use cageless_study::run::{Options, run};
 use cageless_study::tolerance::{Request, tolerance};
 use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Workload, on_threads, search};
@@ -14,11 +15,16 @@ struct Listener {
     workload: Mutex<Workload>,
     told: Mutex<Vec<(String, f64)>>,
     enough: Option<usize>,
+    /// Fraction of the work after which it ends.
+    until: Option<f64>,
 }
 
 impl Progress for Listener {
     fn interrupted(&self) -> bool {
-        (self.enough).is_some_and(|enough| self.told.lock().unwrap().len() > enough)
+        let told = self.told.lock().unwrap();
+        let done = told.last().map_or(0.0, |(_, fraction)| *fraction);
+        self.enough.is_some_and(|enough| told.len() > enough)
+            || self.until.is_some_and(|until| done > until)
     }
 
     fn workload(&self) -> Option<&Mutex<Workload>> {
@@ -83,6 +89,31 @@ fn what_is_told_to_end_has_no_result() {
     // Nothing more was begun.
     let told = listener.told.into_inner().unwrap();
     assert!(told.iter().all(|(task, _)| *task == told[0].0), "{told:?}");
+}
+
+/// What was judged until tolerances are ended is kept, and says that it is a part.
+#[test]
+fn tolerances_that_are_ended_keep_what_was_judged() {
+    let file = case(&[]);
+    let listener = Listener {
+        until: Some(0.6),
+        ..Listener::default()
+    };
+    let request = Request {
+        samples: 6,
+        ..REQUEST
+    };
+    let judged = |progress: &dyn Progress| tolerance(file.case(), "case", &request, progress);
+    let part = on_threads(NonZeroUsize::new(1), || judged(&listener)).unwrap();
+    let (part, whole) = (part.unwrap(), judged(&Silent).unwrap());
+    let count = |record: &Record| record.part("samples").unwrap().number("count") as usize;
+    assert_eq!(count(&whole), 6);
+    assert!((1..6).contains(&count(&part)), "{}", count(&part));
+    assert_eq!(part.parts("influences"), whole.parts("influences"));
+    // The nominal bearing and both ends of the depth come first.
+    let said = format!("interrupted: these are {} of 9 bearings", 3 + count(&part));
+    assert_eq!(part.sentences("warnings"), [said]);
+    assert!(whole.sentences("warnings").is_empty());
 }
 
 #[test]

@@ -33,8 +33,11 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     output.drive(&[PAGE, NUMBERS], |bars| {
         let data = study(file.case(), &name, &request, bars)?;
+        let interrupted = data.sentences("warnings").first();
+        let interrupted = interrupted.map(|warning| Failure::Interrupted(warning.clone()));
         Ok(Answer {
             files: output.files(|| Ok(vec![(PAGE, Some(tolerance_page(&data)))]))?,
+            ending: interrupted.map_or(Ok(()), Err),
             ..Answer::new(NUMBERS, to_json(&data)? + "\n", text(&data))
         })
     })
