@@ -146,6 +146,24 @@ fn threads_and_shards_do_not_change_a_byte() {
     assert_eq!(answer.code, Some(0), "{answer:?}");
     assert!(result(&merged) == one);
 
+    // The report of a shard is one of a part, and never replaces that of the whole.
+    let report = |more: &[&str]| {
+        let one = shard(1);
+        call(&[&["report", one.to_str().unwrap(), "--json"][..], more].concat())
+    };
+    let answer = report(&[]);
+    let said = answer.json()["warnings"][0].to_string();
+    assert!(said.contains("200 of 600 variants, shard 1/3"), "{said}");
+    assert_eq!(merge(&[1, 2, 3], &out).code, Some(0));
+    let answer = report(&[]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert!(answer.stderr.contains("is a shard of "), "{answer:?}");
+    let elsewhere = dir.path().join("part");
+    assert_eq!(
+        report(&["--out", elsewhere.to_str().unwrap()]).code,
+        Some(0)
+    );
+
     let answer = merge(&[1, 3], &dir.path().join("lacking"));
     assert_eq!(answer.code, Some(2));
     let message = "200 of 600 variants are missing: 200 to 399";
@@ -281,6 +299,28 @@ fn titles_are_shown_as_they_are_meant() {
     whole(&plan, &out, &[]);
     let report = call(&["report", out.to_str().unwrap(), "--json"]);
     assert_eq!(report.json()["title"], "Ring \"A\" \\ θ", "{report:?}");
+}
+
+/// Rotors that are too heavy for their bearing stop each drop.
+#[test]
+fn a_sweep_of_failures_is_none() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("touchdown-conventional.toml");
+    let plan = dir.path().join("plan.toml");
+    let text =
+        format!("case = {case:?}\ncompute = [\"drop\"]\n[grid]\nrotor.mass_kg = [20000, 30000]\n");
+    std::fs::write(&plan, text).unwrap();
+    let out = dir.path().join("out");
+    let answer = call_sweep(&plan, &out, &["--json"]);
+    assert_eq!(answer.code, Some(3), "{answer:?}");
+    assert_eq!(answer.json()["failed"], 2);
+    assert!(
+        answer.stderr.contains("all 2 variants failed; the first: "),
+        "{answer:?}"
+    );
+    let report = call(&["report", out.to_str().unwrap(), "--json"]);
+    let said = report.json()["warnings"][0].to_string();
+    assert!(said.contains("All variants failed: "), "{said}");
 }
 
 /// What varies by the rounding of its computation alone is constant.

@@ -27,6 +27,9 @@ pub fn sweep_page(data: &SweepData) -> String {
     }
     let mut page = Page::new(&data.title, &lead, &data.software);
     page.head(&head(data));
+    for warning in &data.warnings {
+        page.note(Note::Warning, warning);
+    }
     if data.failed > 0 {
         let message = format!(
             "{} of {} variants failed; they are left out of all means.",
@@ -42,7 +45,8 @@ pub fn sweep_page(data: &SweepData) -> String {
     tables(&mut page, first);
     let summary = format!("Best variants by {} more outputs", others.len());
     page.fold(&summary, |page| tables(page, others));
-    if !data.outputs.is_empty() && !data.inputs.is_empty() {
+    let given = |output: &SweepOutput| output.shares.iter().any(Option::is_some);
+    if data.outputs.iter().any(given) {
         page.section("Sensitivity (main effects)");
         page.figure(&sweep::shares(data));
         let figures = |page: &mut Page, outputs: &[SweepOutput]| {

@@ -206,6 +206,42 @@ fn shares_of_a_sum_are_those_of_its_terms() {
     assert_eq!(output("design_beta0_deg").shares, [Some(0.0), Some(1.0)]);
 }
 
+/// Of points that are drawn, many tell the inputs apart, and few say nothing, however many nodes of a grid they are at.
+#[test]
+fn points_that_are_drawn_are_no_levels() {
+    let plan = |count: usize| {
+        format!(
+            "compute = [\"design\"]\n[grid]\nbearing.balls = [13, 14]\n[samples]\nmethod = \"sobol\"\n\
+             count = {count}\nraceway.half_angle_deg = {{ from = 20.0, to = 26.0 }}\n\
+             operation.inner_speed_rpm = {{ from = 9000, to = 12000 }}\n"
+        )
+    };
+    let found = |count: usize| {
+        let (_, _, data) = analysed(&plan(count), &[]);
+        let mut outputs = data.outputs.iter();
+        let beta0 = outputs.find(|o| o.quantity.name == "design_beta0_deg");
+        let beta0 = beta0.unwrap();
+        let strongest = beta0
+            .strongest(&data.inputs)
+            .map(|(input, _)| input.name.clone());
+        (beta0.shares.clone(), strongest, data.warnings.clone())
+    };
+    let (shares, strongest, warnings) = found(64);
+    // β0 of a raceway is that of its half angle, but for eight ranges of it.
+    let [Some(balls), Some(angle), Some(speed)] = shares[..] else {
+        panic!("{shares:?}")
+    };
+    assert!(
+        balls < 1e-9 && speed == 0.0 && (0.95..0.999).contains(&angle),
+        "{shares:?}"
+    );
+    assert_eq!(strongest.as_deref(), Some("raceway_half_angle_deg"));
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let (shares, strongest, warnings) = found(12);
+    assert_eq!((&shares[1..], strongest), (&[None, None][..], None));
+    assert!(warnings[0].contains("it takes 16 or more"), "{warnings:?}");
+}
+
 #[test]
 fn the_best_are_the_best_rows_at_each_condition() {
     let plan = "compute = [\"design\"]\n[grid]\noperation.radial_load_n = [500, 1500]\n\

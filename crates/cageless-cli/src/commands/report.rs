@@ -6,10 +6,11 @@ use cageless_report::{SweepData, sweep_page, to_json};
 use cageless_results::Aim;
 use cageless_study::sweep::analysis::{Goal, analyse};
 
+use super::sweep::file_name;
 use crate::args::{Output, ReportArgs};
 use crate::driver::{Answer, PAGE, PAGE_DATA};
 use crate::failure::Failure;
-use crate::format::{columns, pairs};
+use crate::format::{columns, pairs, warnings};
 
 /// Analyses a finished sweep.
 pub fn report(args: &ReportArgs) -> Result<(), Failure> {
@@ -19,6 +20,15 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
         None if path.is_dir() => path,
         None => path.parent().unwrap_or(Path::new("")),
     };
+    let merged = folder.join(file_name(None));
+    if args.out.is_none() && is_shard(path) && merged.exists() {
+        return Err(Failure::Input(format!(
+            "{}: is a shard of {}, whose report has all variants; --out writes one of the shard to \
+             another folder",
+            path.display(),
+            merged.display()
+        )));
+    }
     let goals = |names: &[String], aim| {
         let goal = |column: &String| Goal {
             column: column.clone(),
@@ -37,6 +47,12 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
     })
 }
 
+/// Whether a file has the name of a shard, as `sweep` gives it.
+fn is_shard(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    name.starts_with("sweep.shard-")
+}
+
 fn text(data: &SweepData) -> String {
     let mut text = pairs(&[
         ("variants", data.variants.to_string()),
@@ -48,16 +64,12 @@ fn text(data: &SweepData) -> String {
             .to_vec(),
     ];
     for output in &data.outputs {
-        let mut shares: Vec<_> = data.inputs.iter().zip(&output.shares).collect();
-        shares.sort_by(|a, b| b.1.unwrap_or(-1.0).total_cmp(&a.1.unwrap_or(-1.0)));
-        if let Some((input, Some(share))) = shares.first() {
-            rows.push(vec![
-                output.quantity.label(),
-                input.name.clone(),
-                format!("{:.0}", 100.0 * share),
-            ]);
-        }
+        let (input, share) = match output.strongest(&data.inputs) {
+            Some((input, share)) => (input.name.clone(), format!("{:.0}", 100.0 * share)),
+            None => ("–".to_owned(), "–".to_owned()),
+        };
+        rows.push(vec![output.quantity.label(), input, share]);
     }
     text += "\n";
-    text + &columns(&rows)
+    text + &columns(&rows) + &warnings(&data.warnings)
 }

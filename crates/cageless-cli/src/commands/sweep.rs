@@ -57,7 +57,13 @@ pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
             progress.done, progress.total
         )));
     }
-    deliver(&args.output, job.result, progress.total, Some(&progress))
+    deliver(
+        &args.output,
+        job.result,
+        progress.total,
+        Some(&progress),
+        args.shard,
+    )
 }
 
 /// `sweep merge`.
@@ -70,7 +76,7 @@ fn join(args: &MergeArgs) -> Result<(), Failure> {
     printable(&args.output, &result)?;
     make_folder(&folder)?;
     let variants = merge(&args.shards, &result)?;
-    deliver(&args.output, result, variants, None)
+    deliver(&args.output, result, variants, None, None)
 }
 
 /// Refuses a path that cannot stand in the answer, before anything is computed.
@@ -90,7 +96,8 @@ fn folder(output: &SweepOutput, plan: &Path) -> PathBuf {
     output.out.clone().unwrap_or_else(stem)
 }
 
-fn file_name(shard: Option<Shard>) -> String {
+/// Name of the result, or of that of a shard.
+pub(super) fn file_name(shard: Option<Shard>) -> String {
     match shard {
         Some(shard) => format!(
             "sweep.shard-{}-of-{}.parquet",
@@ -106,6 +113,7 @@ fn deliver(
     result: PathBuf,
     variants: u64,
     progress: Option<&sweep::Progress>,
+    shard: Option<Shard>,
 ) -> Result<(), Failure> {
     let Failures { count, first } = failures(&result)?;
     let computed = progress.filter(|p| p.done_now > 0);
@@ -119,9 +127,16 @@ fn deliver(
         wall_s: progress.map_or(0.0, |p| p.elapsed.as_secs_f64()),
     };
     if output.json {
-        print(&(serde_json::to_string_pretty(&result)? + "\n"))
+        print(&(serde_json::to_string_pretty(&result)? + "\n"))?;
     } else {
-        tell(&text(&result))
+        tell(&text(&result))?;
+    }
+    // A shard may be a part of the plan in which no case is possible.
+    match result.first_reason {
+        Some(reason) if result.failed == variants && shard.is_none() => Err(Failure::Unphysical(
+            format!("all {variants} variants failed; the first: {reason}"),
+        )),
+        _ => Ok(()),
     }
 }
 

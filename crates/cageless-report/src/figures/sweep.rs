@@ -83,8 +83,9 @@ pub fn shares(data: &SweepData) -> Figure {
     };
     let caption = format!(
         "Fraction of the variance of each output, in percent, that each input explains \
-             alone (correlation ratio η²).{conditions} The remainder to 100 in a row is \
-             interaction of the inputs and scatter; with few variants at a level, scatter \
+             alone: η² of an axis of the grid, ε² of what is drawn by [samples] or [scatter], 0 within \
+             chance.{conditions} The remainder to 100 in a row is \
+             interaction of the inputs and scatter; with few variants at a level of the grid, scatter \
              alone gives a few percent."
     );
     Figure::new(
@@ -98,10 +99,7 @@ pub fn shares(data: &SweepData) -> Figure {
 /// The input that explains most of each of the first outputs, in sentences.
 fn strongest(data: &SweepData, shown: usize) -> String {
     let said = data.outputs.iter().take(shown.min(3)).filter_map(|output| {
-        let shares = data.inputs.iter().zip(&output.shares);
-        let (input, share) = shares
-            .filter_map(|(input, share)| Some((input, (*share)?)))
-            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (input, share) = output.strongest(&data.inputs)?;
         Some(format!(
             "{}: {:.0} % by {}.",
             names::name(&output.quantity),

@@ -218,7 +218,7 @@ fn setting(axis: &Axis, value: CaseValue) -> Setting<'_> {
 }
 
 /// The name of an input: its key with underscores, and the unit if the key has none.
-fn column_name(key: &str) -> String {
+pub(super) fn column_name(key: &str) -> String {
     let name = key.replace('.', "_");
     match key_in_case(key) {
         GAPS => name + "_deg",

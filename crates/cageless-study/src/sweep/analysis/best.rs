@@ -57,12 +57,22 @@ pub(super) fn goals<'q>(
             let numbers = quantities.outputs.iter().filter(|o| o.is_name.is_none());
             let names: Vec<_> = numbers.map(|o| o.quantity.name.as_str()).collect();
             return Err(StudyError::Input(format!(
-                "{}: {} is not an output that varies; these are {}",
+                "{}: {} is not a number among the outputs that varies; these are {}",
                 table.reader.path().display(),
                 goal.column,
                 names.join(", ")
             )));
         };
+        if goals
+            .iter()
+            .any(|(other, _): &(&Output, Aim)| other.column == output.column)
+        {
+            return Err(StudyError::Input(format!(
+                "{}: {} is named twice: of an output either less or more is better",
+                table.reader.path().display(),
+                goal.column
+            )));
+        }
         goals.push((output, goal.aim));
     }
     Ok(goals)

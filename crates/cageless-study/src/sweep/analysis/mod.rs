@@ -7,6 +7,7 @@ mod effects;
 mod failed;
 mod quantities;
 mod result;
+mod sampling;
 mod table;
 
 use std::path::Path;
@@ -24,7 +25,8 @@ use crate::{Parameter, Provenance, StudyError};
 use crate::sweep::footer::Identity;
 use cageless_results::Aim;
 
-use quantities::{Output, Quantities};
+use quantities::{Input, Output, POINTS_MIN, Quantities};
+use sampling::Sampling;
 use table::Table;
 
 /// Result of a sweep in its folder.
@@ -32,7 +34,7 @@ const RESULT: &str = "sweep.parquet";
 
 /// Numbers that other commands leave in their folder, and the command.
 const OTHERS: [(&str, &str); 6] = [
-    ("summary.json", "run"),
+    ("summary.json", "run` or `drop"),
     ("design.json", "design"),
     ("tolerance.json", "tolerance"),
     ("static.json", "static"),
@@ -74,10 +76,12 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
         StudyError::Input(format!("{} is not the result of a sweep", path.display()))
     })?;
     let isa = reader.footer("isa").unwrap_or_default().to_owned();
+    let shard = reader.footer("shard").map(str::to_owned);
     let table = Table::new(reader)?;
-    let quantities = Quantities::scan(&table)?;
+    let sampling = Sampling::of(&identity.plan);
+    let quantities = Quantities::scan(&table, &sampling)?;
     let goals = best::goals(&table, &quantities, goals)?;
-    let effects = effects::gather(&table, &quantities)?;
+    let effects = effects::gather(&table, &quantities, &sampling)?;
     let maps = effects::maps(&table, &quantities, &effects)?;
     let outputs: Vec<SweepOutput> = effects
         .into_iter()
@@ -103,6 +107,14 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
             identity.version, identity.seed
         ),
         lead: lead(rows, &identity, &inputs),
+        warnings: warnings(
+            rows,
+            &identity,
+            shard.as_deref(),
+            &quantities,
+            &sampling,
+            &failures,
+        ),
         variants: rows,
         failed,
         inputs,
@@ -195,6 +207,44 @@ fn lead(rows: u64, identity: &Identity, inputs: &[SweepQuantity]) -> String {
     };
     let names: Vec<_> = inputs.iter().map(|i| i.name.as_str()).collect();
     format!("{rows}{part} variants. What varies: {}.", names.join(", "))
+}
+
+/// What the reader of a page must know of its numbers.
+fn warnings(
+    rows: u64,
+    identity: &Identity,
+    shard: Option<&str>,
+    quantities: &Quantities,
+    sampling: &Sampling,
+    failures: &[FailureGroup],
+) -> Vec<String> {
+    let mut warnings = vec![];
+    if let Some(shard) = shard {
+        warnings.push(format!(
+            "These are {rows} of {} variants, shard {shard}: `cageless sweep merge` joins the shards to \
+             {RESULT}, whose report has all.",
+            identity.variants
+        ));
+    }
+    let failed: u64 = failures.iter().map(|group| group.count).sum();
+    if let Some(first) = failures.first().filter(|_| failed == rows) {
+        warnings.push(format!("All variants failed: {}", first.reason));
+    }
+    let few = |input: &&Input| {
+        let points = input.drawn.map(|drawn| sampling.points(drawn, rows));
+        points.is_some_and(|points| points < POINTS_MIN * POINTS_MIN)
+    };
+    let few: Vec<_> = (quantities.inputs.iter().filter(few))
+        .map(|input| input.quantity.name.as_str())
+        .collect();
+    if !few.is_empty() {
+        warnings.push(format!(
+            "What {} explain is not said: of [samples], or draws of [scatter], it takes {} or more.",
+            few.join(", "),
+            POINTS_MIN * POINTS_MIN
+        ));
+    }
+    warnings
 }
 
 /// Bytes of the longest value that a page shows in full: not the matrices of a rotor.

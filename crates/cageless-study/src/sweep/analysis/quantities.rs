@@ -6,12 +6,15 @@ use cageless_io::results::Column;
 use cageless_results::Cell;
 use cageless_results::number_text::short;
 
+use super::sampling::{Drawn, POINTS_MAX, Sampling};
 use super::table::Table;
 
 /// Values that an input may have to be shown one by one.
 const LEVELS_MAX: usize = 24;
-/// Stretches into which others are divided.
+/// Stretches into which others are divided, at most.
 const STRETCHES: usize = 12;
+/// Fewest points for each level of what is drawn; its square is the fewest points of all.
+pub(super) const POINTS_MIN: u64 = 4;
 /// Names of a text output that are followed.
 const NAMES_MAX: usize = 8;
 
@@ -46,10 +49,12 @@ pub(super) struct Quantities {
 pub(super) struct Input {
     pub quantity: SweepQuantity,
     pub column: usize,
+    /// What draws its values; `None` of an axis of the grid.
+    pub drawn: Option<Drawn>,
     /// Its levels, for figures.
     pub levels: Levels,
-    /// Ends of the values of which the levels are the middles of equal stretches.
-    stretches: Option<[f64; 2]>,
+    /// Values between the levels, where these stand for stretches of values.
+    edges: Option<Vec<f64>>,
 }
 
 /// An output, or the share of one of its names.
@@ -80,16 +85,16 @@ impl Input {
 
     /// Level of a value; `None` if there is none.
     pub(super) fn level(&self, cell: &Cell) -> Option<usize> {
-        match (&self.levels, cell, self.stretches) {
+        match (&self.levels, cell, &self.edges) {
             (Levels::Names(names), Cell::Text(name), _) => names.iter().position(|n| n == name),
             (Levels::Names(_), ..) => None,
             (Levels::Numbers(values), cell, None) => {
                 let value = cell.number()?;
                 values.iter().position(|v| *v == value)
             }
-            (_, cell, Some([from, to])) => {
-                let share = (cell.number()? - from) / (to - from);
-                Some(((share * STRETCHES as f64) as usize).min(STRETCHES - 1))
+            (_, cell, Some(edges)) => {
+                let value = cell.number()?;
+                Some(edges.partition_point(|edge| *edge <= value))
             }
         }
     }
@@ -113,6 +118,8 @@ struct Seen {
     values: Vec<f64>,
     many: bool,
     range: Option<[f64; 2]>,
+    /// Values of some rows, drawn.
+    drawn: Vec<f64>,
 }
 
 impl Seen {
@@ -136,32 +143,66 @@ impl Seen {
         }
     }
 
-    /// Levels of an input, and the ends of its values if the levels are stretches of these.
-    fn levels(mut self) -> Option<(Levels, Option<[f64; 2]>)> {
+    /// Levels of an input, of which `points` are drawn, and what lies between these if they stand for stretches.
+    fn levels(mut self, points: Option<u64>) -> Option<(Levels, Option<Vec<f64>>)> {
         if !self.names.is_empty() {
             return (self.names.len() > 1).then_some((Levels::Names(self.names), None));
         }
         let [from, to] = self.range.filter(|[from, to]| from < to)?;
-        if self.many {
-            let middle = |k: usize| from + (to - from) * (k as f64 + 0.5) / STRETCHES as f64;
-            let middles = (0..STRETCHES).map(middle).collect();
-            return Some((Levels::Numbers(middles), Some([from, to])));
+        match points {
+            Some(points) if self.many || POINTS_MIN * self.values.len() as u64 > points => {
+                let (middles, edges) = stretches_of_equal_count(self.drawn, points);
+                return Some((Levels::Numbers(middles), Some(edges)));
+            }
+            None if self.many => {
+                let at = |k: f64| from + (to - from) * k / STRETCHES as f64;
+                let middles = (0..STRETCHES).map(|k| at(k as f64 + 0.5)).collect();
+                let edges = (1..STRETCHES).map(|k| at(k as f64)).collect();
+                return Some((Levels::Numbers(middles), Some(edges)));
+            }
+            _ => {}
         }
         self.values.sort_unstable_by(f64::total_cmp);
         Some((Levels::Numbers(self.values), None))
     }
 }
 
+/// Means of and values between stretches that hold equal numbers of `values`, as many as there are points in
+/// each of `points`.
+pub(super) fn stretches_of_equal_count(mut values: Vec<f64>, points: u64) -> (Vec<f64>, Vec<f64>) {
+    values.sort_unstable_by(f64::total_cmp);
+    let count = (points.isqrt() as usize).clamp(1, STRETCHES);
+    let at = |k: usize| values.get(k * values.len() / count).copied();
+    let mut edges: Vec<f64> = (1..count).filter_map(at).collect();
+    edges.dedup();
+    edges.retain(|edge| values.first().is_some_and(|least| edge > least));
+    let mut sums = vec![[0.0; 2]; edges.len() + 1];
+    for value in values {
+        let [sum, count] = &mut sums[edges.partition_point(|edge| *edge <= value)];
+        *sum += value;
+        *count += 1.0;
+    }
+    (sums.iter().map(|[sum, count]| sum / count).collect(), edges)
+}
+
 impl Quantities {
     /// Looks at every value once.
-    pub(super) fn scan(table: &Table) -> Result<Self, StudyError> {
+    pub(super) fn scan(table: &Table, sampling: &Sampling) -> Result<Self, StudyError> {
         let (inputs, outputs) = (table.inputs(), table.outputs());
         let wanted: Vec<usize> = inputs.iter().chain(&outputs).copied().collect();
         let mut seen: Vec<Seen> = wanted.iter().map(|_| Seen::default()).collect();
+        let rows = table.reader.rows();
+        let (mut number, most) = (0_u64, (u64::MAX / rows.max(1)).saturating_mul(POINTS_MAX));
         table.each(&wanted, |row| {
             row.iter()
                 .zip(&mut seen)
                 .for_each(|(cell, seen)| seen.see(cell));
+            // Rows from anywhere, about POINTS_MAX of them: their numbers times the golden ratio.
+            if number.wrapping_mul(0x9E37_79B9_7F4A_7C15) <= most {
+                let cells = row.iter().zip(&mut seen).take(inputs.len());
+                cells.for_each(|(cell, seen)| seen.drawn.extend(cell.number()));
+            }
+            number += 1;
         })?;
         let mut quantities = Self {
             inputs: Vec::new(),
@@ -171,22 +212,23 @@ impl Quantities {
         for (k, (column, seen)) in wanted.into_iter().zip(seen).enumerate() {
             let spec = &table.columns()[column];
             if k < inputs.len() {
-                quantities.input(spec, column, seen);
+                let drawn = sampling.drawn(&spec.name);
+                let points = drawn.map(|drawn| sampling.points(drawn, rows));
+                let levels = seen.levels(points);
+                quantities
+                    .inputs
+                    .extend(levels.map(|(levels, edges)| Input {
+                        quantity: quantity(spec),
+                        column,
+                        drawn,
+                        levels,
+                        edges,
+                    }));
             } else {
                 quantities.output(spec, column, seen);
             }
         }
         Ok(quantities)
-    }
-
-    fn input(&mut self, spec: &Column, column: usize, seen: Seen) {
-        let levels = seen.levels();
-        self.inputs.extend(levels.map(|(levels, stretches)| Input {
-            quantity: quantity(spec),
-            column,
-            levels,
-            stretches,
-        }));
     }
 
     fn output(&mut self, spec: &Column, column: usize, mut seen: Seen) {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::effects::SHARE_MIN;
 use crate::{Parameter, Provenance};
 use cageless_results::bearing_in_column;
 
@@ -14,6 +15,9 @@ pub struct SweepData {
     pub software: String,
     /// First paragraph: what was computed.
     pub lead: String,
+    /// What must be known of the numbers.
+    #[serde(default)]
+    pub warnings: Vec<String>,
     /// Number of variants.
     pub variants: u64,
     /// Those that failed.
@@ -92,12 +96,23 @@ pub struct SweepOutput {
     pub count: u64,
     /// Mean of its values.
     pub mean: f64,
-    /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1.
+    /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1: η² of an axis of the
+    /// grid; ε² of what is drawn, 0 within chance, `None` of fewer than 16 points.
     pub shares: Vec<Option<f64>>,
     /// Effects of the inputs that explain most, largest first.
     pub effects: Vec<MainEffect>,
     /// Its mean over the two inputs that explain most.
     pub map: Option<HeatMap>,
+}
+
+impl SweepOutput {
+    /// The input of `inputs` that explains most, and its share; `None` if none explains anything.
+    pub fn strongest<'i>(&self, inputs: &'i [SweepQuantity]) -> Option<(&'i SweepQuantity, f64)> {
+        let shares = inputs.iter().zip(&self.shares);
+        let shares = shares.filter_map(|(input, share)| Some((input, (*share)?)));
+        let most = shares.reduce(|a, b| if b.1 > a.1 { b } else { a });
+        most.filter(|(_, share)| *share >= SHARE_MIN)
+    }
 }
 
 /// An output over one input.
