@@ -222,6 +222,16 @@ fn what_is_no_raceway_is_refused() {
         (&case, file("short.txt", "1, 2\n"), "short.txt:1: \"1, 2\""),
         (
             &case,
+            file("commas.csv", "x_mm,y_mm,z_mm\n1,5,-21,3,0,25\n"),
+            "commas.csv:2: \"1,5,-21,3,0,25\" is not possible: it must be x, y and z in mm; a decimal sign is a point",
+        ),
+        (
+            &case,
+            file("tabs.txt", "1,5\t-21,3\t0,25\n"),
+            "a decimal sign is a point, or a comma between semicolons",
+        ),
+        (
+            &case,
             file("turned.csv", &turned),
             "they must be of the groove of this ring",
         ),

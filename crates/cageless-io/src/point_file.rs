@@ -22,7 +22,7 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
     let text = std::fs::read_to_string(path)
         .map_err(|error| format!("{name}: {}", io_error_message(&error)))?;
     let mut columns = [0, 1, 2];
-    let mut points = vec![];
+    let (mut points, mut head) = (vec![], 0);
     let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
     let lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
     for (nth, (index, line)) in lines.enumerate() {
@@ -41,6 +41,7 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
                     )
                 })?;
             }
+            head = cells.len();
             continue;
         }
         let number = |column: usize| {
@@ -51,10 +52,16 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
                 .filter(|v: &f64| v.is_finite())
         };
         let point = columns.map(number);
-        let [Some(x), Some(y), Some(z)] = point else {
+        // Twice as many cells as the head: each second comma is a decimal sign.
+        let decimal_commas = cells.len() == 2 * head;
+        let ([Some(x), Some(y), Some(z)], false) = (point, decimal_commas) else {
             return Err(format!(
-                "{name}:{}: {line:?} is not possible: it must be x, y and z in mm",
-                index + 1
+                "{name}:{}: {line:?} is not possible: it must be x, y and z in mm{}",
+                index + 1,
+                match line.contains(',') {
+                    true => "; a decimal sign is a point, or a comma between semicolons",
+                    false => "",
+                }
             ));
         };
         points.push([x, y, z].map(|mm| Unit::Millimetre.to_si(mm)));

@@ -423,6 +423,13 @@ fn files_that_cannot_be_read_are_named() {
         error.to_string().contains("prose.toml:1: is not TOML"),
         "{error}"
     );
+    let error = CaseFile::parse("[bearing]\nball_radius_mm = 4,7625\n", "comma", &[]).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("`ball_radius_mm = 4,7625`; a decimal sign is a point"),
+        "{error}"
+    );
 }
 
 #[test]

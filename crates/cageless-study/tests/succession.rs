@@ -177,9 +177,7 @@ fn drops_that_are_no_longer_possible_say_so() {
     let heavy = "rotor.polar_inertia_kg_m2=2000";
     let (said, standstill_c) = stopped(&[heavy, "rotor.drive_torque_n_m=0"]);
     assert!(
-        said.contains(
-            "drop 2 is not possible with the fit [fit] of the temperatures after drop 1: [fit]"
-        ),
+        said.contains("drop 2 is not possible at the temperatures after drop 1: [fit]"),
         "{said}"
     );
     let hottest = format!("would be at {:.0} °C", standstill_c.unwrap());

@@ -43,6 +43,17 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     {
         write_atomically(&dir.join("export.json"), json.as_bytes())?;
     }
+    if file
+        .case()
+        .raceways
+        .iter()
+        .any(|r| r.depth_error_m() != 0.0)
+    {
+        message(
+            "note: the ring is written as designed, without raceway.depth_error_um, an error of \
+             machining; raceway.depth_um is the depth of the drawing",
+        );
+    }
     match (path, args.json) {
         (_, true) => print(&json),
         (Some(_), false) => tell(&text(&numbers)),

@@ -370,12 +370,23 @@ fn syntax_error(text: &str, name: &str, error: &toml::de::Error) -> CaseError {
     };
     let line = Lines::new(text).at(span.start);
     let source = text.lines().nth(line - 1).unwrap_or("").trim();
+    let hint = match has_decimal_comma(source) {
+        true => "; a decimal sign is a point",
+        false => "",
+    };
     let message = format!(
-        "is not TOML: {}: `{}`",
+        "is not TOML: {}: `{}`{hint}",
         error.message(),
         excerpt(source, 0..source.len())
     );
     CaseError::on_line(name, line, key_on_line(text, line), message)
+}
+
+/// Whether the value on a line is a number with a comma: `key = 4,7625`.
+fn has_decimal_comma(line: &str) -> bool {
+    let value = line.split_once('=').map_or("", |(_, value)| value);
+    let value = value.split('#').next().unwrap_or_default().trim();
+    value.matches(',').count() == 1 && value.replace(',', ".").parse::<f64>().is_ok()
 }
 
 /// The dotted key that a line seems to set. A file that is not TOML has no tree

@@ -84,7 +84,7 @@ impl Succession {
                 Ok(warm) => warm,
                 Err(error) => {
                     done.cut_short = Some(format!(
-                        "drop {number} is not possible with the fit [fit] of the temperatures after drop {}: {}",
+                        "drop {number} is not possible at the temperatures after drop {}: {}",
                         number - 1,
                         error.message()
                     ));
