@@ -97,7 +97,8 @@ fn the_folder_of_a_run_is_no_sweep_and_report_says_so() {
     std::fs::create_dir(&design).unwrap();
     std::fs::write(design.join("design.json"), "{}").unwrap();
     let summary = run.join("summary.json");
-    for (path, command) in [(&run, "run"), (&summary, "run"), (&design, "design")] {
+    let motion = "run` or `drop";
+    for (path, command) in [(&run, motion), (&summary, motion), (&design, "design")] {
         let answer = call(&["report", path.to_str().unwrap()]);
         assert_eq!(answer.code, Some(2), "{answer:?}");
         let said = format!(

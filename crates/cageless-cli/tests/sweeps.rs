@@ -301,6 +301,29 @@ fn titles_are_shown_as_they_are_meant() {
     assert_eq!(report.json()["title"], "Ring \"A\" \\ θ", "{report:?}");
 }
 
+#[test]
+fn a_damaged_part_names_its_remedy() {
+    let dir = tempfile::tempdir().unwrap();
+    let plan = write_plan(dir.path(), GRID);
+    let out = dir.path().join("out");
+    let parts = out.join("sweep.parquet.parts");
+    std::fs::create_dir_all(&parts).unwrap();
+    let part = parts.join("rows-0000000000.parquet");
+    std::fs::write(&part, "PAR1 and no more").unwrap();
+    let answer = call_sweep(&plan, &out, &[]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    let remedy = "rows-0000000000.parquet";
+    assert!(answer.stderr.contains(remedy), "{answer:?}");
+    assert!(
+        answer
+            .stderr
+            .contains("Remove it, and its variants are computed again"),
+        "{answer:?}"
+    );
+    std::fs::remove_file(&part).unwrap();
+    whole(&plan, &out, &[]);
+}
+
 /// Rotors that are too heavy for their bearing stop each drop.
 #[test]
 fn a_sweep_of_failures_is_none() {

@@ -66,7 +66,7 @@ fn in_bearing(name: String, bearing: Option<usize>) -> String {
 
 /// `name (unit)`.
 pub fn label(quantity: &SweepQuantity) -> String {
-    match quantity.sign() {
+    match quantity.sign().as_str() {
         "" => name(quantity),
         unit => format!("{} ({unit})", name(quantity)),
     }
@@ -90,6 +90,19 @@ mod tests {
             let alone = result.computation() == Computation::Drop || names.insert(name);
             assert!(alone, "{}", quantity.name);
         }
+    }
+
+    #[test]
+    fn units_have_their_symbols() {
+        let of = |unit: &str| {
+            label(&SweepQuantity {
+                name: "seal".to_owned(),
+                unit: unit.to_owned(),
+            })
+        };
+        let units = ["um", "C", "N m", "deg", ""].map(of);
+        let expected = ["seal (µm)", "seal (°C)", "seal (N·m)", "seal (°)", "seal"];
+        assert_eq!(units, expected);
     }
 
     #[test]

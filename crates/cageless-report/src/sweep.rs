@@ -116,7 +116,7 @@ fn head(data: &SweepData) -> Head {
         };
         if let Some(value) = best.variants.iter().map(|v| v.value).reduce(better) {
             let name = format!("{which} {}", names::name(&best.quantity));
-            facts.push(parameter(&name, short(value), best.quantity.sign()));
+            facts.push(parameter(&name, short(value), &best.quantity.sign()));
         }
     }
     head.facts(facts)

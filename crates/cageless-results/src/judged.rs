@@ -18,14 +18,19 @@ pub struct Named {
 impl Named {
     /// The unit with its symbols.
     pub fn unit_text(&self) -> String {
-        match self.unit {
-            "deg" => "°".to_owned(),
-            "C" => "°C".to_owned(),
-            "um" => "µm".to_owned(),
-            "us" => "µs".to_owned(),
-            "m/s^2" => "m/s²".to_owned(),
-            unit => unit.replace(' ', "·"),
-        }
+        unit_text(self.unit)
+    }
+}
+
+/// A unit with its symbols.
+pub fn unit_text(unit: &str) -> String {
+    match unit {
+        "deg" => "°".to_owned(),
+        "C" => "°C".to_owned(),
+        "um" => "µm".to_owned(),
+        "us" => "µs".to_owned(),
+        "m/s^2" => "m/s²".to_owned(),
+        unit => unit.replace(' ', "·"),
     }
 }
 

@@ -40,7 +40,7 @@ pub use design_result::{Recommended, axial_record, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
-pub use judged::{JudgedResult, Named, VerifiedDrop};
+pub use judged::{JudgedResult, Named, VerifiedDrop, unit_text};
 pub use kind::Kind;
 pub use provenance::{Provenance, provenance, software};
 pub use quantity::{Aim, Quantity, bearing_in_column};

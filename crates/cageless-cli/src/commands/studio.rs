@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cageless_io::case_file::template;
 use cageless_io::io_error_message;
-use cageless_io::results::write_atomically;
+use cageless_io::results::{ResultError, write_atomically};
 use cageless_report::{engine, studio_page};
 use cageless_results::software;
 
@@ -30,7 +30,14 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
                  build with --release again, or use `cageless studio` without --page"
             )));
         }
-        write_atomically(path, page.as_bytes())?;
+        write_atomically(path, page.as_bytes()).map_err(|error| match error {
+            ResultError::Out { path, source } => Failure::Input(format!(
+                "--page {}: cannot be written to: {}",
+                path.display(),
+                io_error_message(&source)
+            )),
+            other => other.into(),
+        })?;
         return print(&format!("{}\n", path.display()));
     }
     let stop = catch_interrupt();

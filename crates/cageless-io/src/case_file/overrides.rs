@@ -135,16 +135,14 @@ fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     let name = if path.len() > 1 { path[0] } else { "" };
     let derived = sections::derived_of(name, key, section, &node);
     let others = sections::alternatives_of(name, key);
-    if let [_, _] = others
-        && let Some(other) = others
-            .iter()
-            .find(|other| is_override(section.get(**other)))
+    if let [one, another] = others
         && is_override(Some(&node))
+        && others.iter().any(|other| is_override(section.get(*other)))
     {
         // One of two would be lost.
         return Err(format!(
-            "another --set gives {other}: groove radii, and pitch diameter with clearance, both say the \
-             same, give one of them"
+            "another --set gives {one} or {another}: groove radii, and pitch diameter with clearance, \
+             both say the same, give one of them"
         ));
     }
     for other in others {

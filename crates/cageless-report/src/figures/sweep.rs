@@ -190,7 +190,7 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
         .trace(json!({
             "type": "heatmap", "x": names(&map.x), "y": names(&map.y), "z": z,
             "colorscale": "Viridis",
-            "colorbar": { "title": { "text": plain(colour_title(output)), "side": "right" }, "thickness": 14 },
+            "colorbar": { "title": { "text": plain(&colour_title(output)), "side": "right" }, "thickness": 14 },
         }));
     let caption = format!(
         "Mean of {} over the two inputs that explain most of it.",
@@ -205,9 +205,9 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
 }
 
 /// Title of the scale of colours: the unit; `mean` for an output without one.
-fn colour_title(output: &SweepOutput) -> &str {
+fn colour_title(output: &SweepOutput) -> String {
     match output.quantity.sign() {
-        "" => "mean",
+        unit if unit.is_empty() => "mean".to_owned(),
         unit => unit,
     }
 }

@@ -36,6 +36,8 @@ pub(crate) struct Stock {
 
 const LOCK: &str = "lock";
 const PLAN: &str = "plan.toml";
+/// Remedy of a table that is no part of the sweep.
+const AGAIN: &str = "Remove it, and its variants are computed again";
 
 impl Checkpoint {
     /// Opens or makes the work folder of `result`.
@@ -87,8 +89,9 @@ impl Checkpoint {
             match path.extension().and_then(|e| e.to_str()) {
                 Some("partial") => std::fs::remove_file(&path).map_err(fail)?,
                 Some("parquet") => {
-                    let table = TableReader::open(&path)?;
-                    identity.must_own(&table, "Remove it, and its variants are computed again")?;
+                    let table = TableReader::open(&path)
+                        .map_err(|e| StudyError::Input(format!("{e}. {AGAIN}")))?;
+                    identity.must_own(&table, AGAIN)?;
                     stock.add(&table, "in another table as well; remove this one")?;
                 }
                 _ => {}

@@ -239,7 +239,7 @@ fn warnings(
         .collect();
     if !few.is_empty() {
         warnings.push(format!(
-            "What {} explain is not said: of [samples], or draws of [scatter], it takes {} or more.",
+            "No share is given for {}: it takes {} or more points of [samples] or draws of [scatter].",
             few.join(", "),
             POINTS_MIN * POINTS_MIN
         ));

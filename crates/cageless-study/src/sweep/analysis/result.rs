@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::effects::SHARE_MIN;
 use crate::{Parameter, Provenance};
-use cageless_results::bearing_in_column;
+use cageless_results::{bearing_in_column, unit_text};
 
 /// Data of the page of a sweep. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -55,7 +55,7 @@ pub struct SweepQuantity {
 impl SweepQuantity {
     /// `name (unit)`.
     pub fn label(&self) -> String {
-        match self.sign() {
+        match self.sign().as_str() {
             "" => self.name.clone(),
             unit => format!("{} ({unit})", self.name),
         }
@@ -77,13 +77,8 @@ impl SweepQuantity {
     }
 
     /// The unit as people write it.
-    pub fn sign(&self) -> &str {
-        match self.unit.as_str() {
-            "um" => "µm",
-            "us" => "µs",
-            "deg" => "°",
-            unit => unit,
-        }
+    pub fn sign(&self) -> String {
+        unit_text(&self.unit)
     }
 }
 
@@ -106,12 +101,17 @@ pub struct SweepOutput {
 }
 
 impl SweepOutput {
-    /// The input of `inputs` that explains most, and its share; `None` if none explains anything.
+    /// The input of `inputs` that explains most, and its share; `None` if none explains anything, or one whose
+    /// share is not given may explain more.
     pub fn strongest<'i>(&self, inputs: &'i [SweepQuantity]) -> Option<(&'i SweepQuantity, f64)> {
         let shares = inputs.iter().zip(&self.shares);
         let shares = shares.filter_map(|(input, share)| Some((input, (*share)?)));
         let most = shares.reduce(|a, b| if b.1 > a.1 { b } else { a });
-        most.filter(|(_, share)| *share >= SHARE_MIN)
+        let rest = match self.shares.contains(&None) {
+            true => 1.0 - self.shares.iter().flatten().sum::<f64>(),
+            false => 0.0,
+        };
+        most.filter(|(_, share)| *share >= SHARE_MIN.max(rest))
     }
 }
 
