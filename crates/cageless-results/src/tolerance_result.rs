@@ -39,6 +39,7 @@ pub fn tolerance_record(
     ball_grade: u32,
     tolerances: &Tolerances,
     assessment: &Assessment,
+    warnings: Vec<String>,
 ) -> Record {
     let influences = assessment.influences.iter().map(|result| {
         let deviation = Deviation {
@@ -73,6 +74,7 @@ pub fn tolerance_record(
         assessment,
     };
     Record::of(TOLERANCE, Subject::Tolerance(&tolerated))
+        .with_sentences("warnings", warnings)
         .with_part("influences", Part::Many(influences.collect()))
         .with_part("samples", samples)
         .with_provenance(Provenance {

@@ -87,8 +87,13 @@ pub fn tolerance(
         )
     });
     let assessment = assess(&trials, &outcomes);
-    let record = tolerance_record(case, request.ball_grade, &tolerances, &assessment);
-    Ok(record.with_sentences("warnings", warning.into_iter().collect()))
+    Ok(tolerance_record(
+        case,
+        request.ball_grade,
+        &tolerances,
+        &assessment,
+        warning.into_iter().collect(),
+    ))
 }
 
 impl Request {

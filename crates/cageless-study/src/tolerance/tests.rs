@@ -144,7 +144,7 @@ fn results_are_in_the_units_of_the_drawing() {
     let outcomes: Vec<Outcome> = (0..all.len())
         .map(|k| outcome((k + 1) as f64, verdict(k)))
         .collect();
-    let found = tolerance_record(&case, 20, &tolerances, &assess(&all, &outcomes));
+    let found = tolerance_record(&case, 20, &tolerances, &assess(&all, &outcomes), vec![]);
     let near = |found: f64, expected: f64| {
         assert!(
             (found - expected).abs() < 1e-9 * (1e-3 + expected.abs()),
