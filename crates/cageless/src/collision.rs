@@ -173,15 +173,25 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
     }
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        self.steps_apart = match view.contacts.balls_touch() {
+            true => 0,
+            false => self.steps_apart + 1,
+        };
+        if self.steps_apart < 3 {
+            self.follow(view)?;
+        }
+        self.earlier_step_s = view.step.size_s();
+        Ok(Control::Continue(()))
+    }
+}
+
+impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
+    /// Follows the contacts of all pairs through a step.
+    #[inline(never)] // most steps have none
+    fn follow(&mut self, view: &StepView<'_, '_>) -> Result<(), ObserverError> {
         let c = &view.contacts;
         let (from, to) = (view.step.t0_s, view.step.t1_s);
-        self.steps_apart = if c.balls_touch() {
-            0
-        } else {
-            self.steps_apart + 1
-        };
-        let pairs = if self.steps_apart < 3 { c.balls() } else { 0 };
-        for k in 0..pairs {
+        for k in 0..c.balls() {
             let (before, after) = (self.deflections[k], c.pair_deflection_m(k));
             let (force_before, force) = (self.forces[k], c.pair_force_n(k));
             (self.deflections[k], self.forces[k]) = (after, force);
@@ -213,8 +223,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 }
             }
         }
-        self.earlier_step_s = to - from;
-        Ok(Control::Continue(()))
+        Ok(())
     }
 }
 

@@ -41,15 +41,15 @@ impl State {
 
     /// The state of one bearing in a vector that an integrator has advanced.
     pub fn from_vector(layout: Layout, values: &[f64]) -> Self {
-        let values = &values[..layout.start() + layout.len()];
-        let mut state = Self::zero(layout);
         if layout.width() == 1 {
-            state.values.copy_from_slice(&values[layout.start()..]);
-            state.layout.spread_padding(&mut state.values);
-        } else {
-            for (own, place) in state.layout.pairs(layout) {
-                state.values[own] = values[place];
-            }
+            let mut values = values[layout.start()..][..layout.len()].to_vec();
+            let layout = layout.alone();
+            layout.spread_padding(&mut values);
+            return Self { layout, values };
+        }
+        let mut state = Self::zero(layout);
+        for (own, place) in state.layout.pairs(layout) {
+            state.values[own] = values[place];
         }
         state
     }

@@ -50,6 +50,7 @@ impl StepState {
     }
 
     /// Length of the step, s.
+    #[inline]
     pub fn size_s(&self) -> f64 {
         self.t1_s - self.t0_s
     }
