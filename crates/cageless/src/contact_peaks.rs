@@ -16,11 +16,13 @@
 
 use crate::case::Case;
 use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
-use crate::dynamics::{Contacts, Model};
+use crate::dynamics::Contacts;
+use crate::dynamics::ball::BallLanes;
 use crate::ellipse_edges::EllipseEdges;
 use crate::kinematics::rolling_rotation_rad_s;
 use crate::raceway::Raceway;
 use crate::raceway_contact::{RacewayContact, RacewayPoint};
+use crate::simd::BlockResults;
 
 /// Peak loads of one kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -63,6 +65,22 @@ struct Largest<P> {
     sliding: Option<Sample<P>>,
 }
 
+/// Fraction of a rank that rounding may take from it.
+const ROUNDING: f64 = 1e-12;
+
+/// Whether a contact under a force may exceed [`Largest::bounds`] if `[over, under]` is the part of the force
+/// that its most loaded point bears.
+#[inline(always)]
+fn exceeds(
+    [force, load, sliding]: [f64; 3],
+    [force_n, over, under]: [f64; 3],
+    sliding_m_s: f64,
+) -> bool {
+    let (rank, speed) = (force_n * over, sliding_m_s.abs());
+    let least = under * (1.0 - ROUNDING);
+    (force_n > force) | (rank > load * least) | (rank * speed * speed * speed > sliding * least)
+}
+
 impl<P: Copy> Largest<P> {
     /// The state before the first contact.
     fn none() -> Self {
@@ -91,6 +109,12 @@ impl<P: Copy> Largest<P> {
                 });
             }
         }
+    }
+
+    /// Force of a ball and ranks by load and sliding so far.
+    fn bounds(&self) -> [f64; 3] {
+        let rank = |sample: Option<Sample<P>>| sample.map_or(0.0, |sample| sample.rank);
+        [self.force_n, rank(self.load), rank(self.sliding)]
     }
 
     /// Peaks with pressure and semi-axis in the direction of rolling of a point, and surfaces of
@@ -142,8 +166,6 @@ impl ContactPeak {
 /// Follows the contacts of a run for [`ContactPeaks`].
 #[derive(Debug, Clone)]
 pub(crate) struct ContactPeakTracker {
-    /// R of every ball, m.
-    radii_m: Vec<f64>,
     inner: Largest<RacewayPoint>,
     /// Without and with a contact angle.
     outer: [Largest<RacewayPoint>; 2],
@@ -155,10 +177,9 @@ pub(crate) struct ContactPeakTracker {
 }
 
 impl ContactPeakTracker {
-    pub fn new(case: &Case, model: &Model) -> Self {
+    pub fn new(case: &Case) -> Self {
         let slots = case.raceways.iter().filter(|r| r.slot().is_some());
         Self {
-            radii_m: model.ball_radii_m(),
             inner: Largest::none(),
             outer: [Largest::none(); 2],
             edges: slots.map(|r| (r.clone(), Largest::none())).collect(),
@@ -169,28 +190,48 @@ impl ContactPeakTracker {
 
     /// Takes the contacts of the balls with the raceways.
     pub fn look(&mut self, contacts: &Contacts<'_>) {
-        for k in 0..contacts.balls() {
-            if let Some(ball) = contacts.in_space(k) {
-                self.ellipse_edges.look(self.radii_m[k], &ball);
-            }
-            let force_n = contacts.inner_force_n(k);
-            if force_n > 0.0 {
-                let point = contacts.inner_point(k);
-                let sliding_m_s = contacts.inner_sliding_m_s(k);
-                self.inner.add(force_n, (point, point.force_n), sliding_m_s);
-            }
-            let force_n = contacts.outer_force_n(k);
-            if force_n > 0.0 {
-                let point = contacts.outer_point(k, self.radii_m[k]);
-                let sliding_m_s = contacts.outer_sliding_m_s(k);
-                if self.add_edge(contacts, k, point.force_n) {
-                    continue;
-                }
-                self.outer[usize::from(point.cosine < 1.0)].add(
-                    force_n,
-                    (point, point.force_n),
-                    sliding_m_s,
-                );
+        let every = contacts.in_space(0).is_some() || !self.edges.is_empty();
+        let (inner, outer) = (
+            self.inner.bounds(),
+            self.outer.map(|largest| largest.bounds()),
+        );
+        let may_exceed = move |balls: &BallLanes, results: &BlockResults, lane: usize| {
+            let (radius, effective) = (
+                balls.radius.0[lane],
+                results.geometry.effective_radius.0[lane],
+            );
+            let (bounds, twice) = match effective < radius {
+                true => (outer[1], 2.0 * effective),
+                false => (outer[0], radius),
+            };
+            let (i, o) = (&results.inner, &results.outer);
+            every
+                | exceeds(inner, [i.force.0[lane], 1.0, 1.0], i.slip.0[lane])
+                | exceeds(bounds, [o.force.0[lane], radius, twice], o.slip.0[lane])
+        };
+        for k in contacts.balls_where(may_exceed) {
+            self.look_at(contacts, k);
+        }
+    }
+
+    /// Takes the contacts of a ball with the raceways.
+    fn look_at(&mut self, contacts: &Contacts<'_>, k: usize) {
+        if let Some(ball) = contacts.in_space(k) {
+            self.ellipse_edges.look(contacts.radius_m(k), &ball);
+        }
+        let force_n = contacts.inner_force_n(k);
+        if force_n > 0.0 {
+            let point = contacts.inner_point(k);
+            let sliding_m_s = contacts.inner_sliding_m_s(k);
+            self.inner.add(force_n, (point, point.force_n), sliding_m_s);
+        }
+        let force_n = contacts.outer_force_n(k);
+        if force_n > 0.0 {
+            let point = contacts.outer_point(k);
+            let sliding_m_s = contacts.outer_sliding_m_s(k);
+            if !self.add_edge(contacts, k, point.force_n) {
+                let largest = &mut self.outer[usize::from(point.cosine < 1.0)];
+                largest.add(force_n, (point, point.force_n), sliding_m_s);
             }
         }
     }

@@ -59,13 +59,15 @@ impl ContactCounter {
         }
     }
 
-    /// Contacts that began in the step of `view`.
-    pub fn step(&mut self, view: &StepView<'_, '_>) -> ContactCounts {
+    /// Contacts that began in the step of `view`; `None` if none did.
+    #[inline]
+    pub fn step(&mut self, view: &StepView<'_, '_>) -> Option<ContactCounts> {
         self.tracker.update(&view.contacts);
+        self.tracker.any_started.then(|| self.counts(view))
+    }
+
+    fn counts(&self, view: &StepView<'_, '_>) -> ContactCounts {
         let mut counts = ContactCounts::default();
-        if self.tracker.count() == 0 {
-            return counts;
-        }
         for (k, distance_m) in self.distances_m.iter().enumerate() {
             if self.tracker.started(k) {
                 let speed_m_s = Pair::new(view, k, *distance_m).touch().approach_speed_m_s;
@@ -104,9 +106,12 @@ impl ContactTracker {
     pub fn update(&mut self, contacts: &Contacts<'_>) {
         let touch = contacts.balls_touch();
         // Most steps have no contact, and none before.
-        if !touch && !self.any_closed && !self.any_started {
-            return;
+        if touch || self.any_closed || self.any_started {
+            self.update_pairs(contacts, touch);
         }
+    }
+
+    fn update_pairs(&mut self, contacts: &Contacts<'_>, touch: bool) {
         self.any_started = false;
         for (k, (closed, started)) in self.closed.iter_mut().zip(&mut self.started).enumerate() {
             let now = touch && contacts.pair_deflection_m(k) > 0.0;

@@ -23,10 +23,13 @@ use std::f64::consts::TAU;
 
 use crate::dynamics::Model;
 use crate::dynamics::layout::Balls;
+use crate::numerics::lane_set::LaneSet;
+use crate::numerics::lanes::{LANES, Lanes};
+use crate::simd::{InstructionSet, with_instructions};
 
 /// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
 /// compared without angle functions.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Direction {
     sine: f64,
     cosine: f64,
@@ -68,47 +71,143 @@ impl Direction {
 #[derive(Debug, Clone, Default)]
 pub struct GapRange {
     pair_angles: Vec<f64>,
-    /// Smallest and largest angle of each pair; empty before the first look.
-    range: Vec<[Direction; 2]>,
+    blocks: Vec<RangeBlock>,
+}
+
+/// Smallest and largest angles of the pairs of a block; sines and cosines are 0 before the first look.
+#[derive(Debug, Clone)]
+struct RangeBlock {
+    /// Pairs whose ball ahead does not have the next index.
+    apart: LaneSet,
+    /// Sines and cosines of smallest and largest.
+    range: [[Lanes; 2]; 2],
+}
+
+impl RangeBlock {
+    fn get(&self, end: usize, lane: usize) -> Direction {
+        let [sine, cosine] = self.range[end].each_ref().map(|part| part.0[lane]);
+        Direction { sine, cosine }
+    }
+
+    fn take(&mut self, now: Direction, lane: usize) {
+        let [least, most] = [0, 1].map(|end| self.get(end, lane));
+        let first = most == Direction::default();
+        for (end, taken) in [now.below(least), most.below(now)].into_iter().enumerate() {
+            if taken || first {
+                let [sine, cosine] = &mut self.range[end];
+                (sine.0[lane], cosine.0[lane]) = (now.sine, now.cosine);
+            }
+        }
+    }
+
+    /// Pairs that may be outside their range: all but those of angles below half a turn, in between.
+    #[inline(always)]
+    fn outside(
+        &self,
+        [x, next_x]: [&[f64; LANES]; 2],
+        [y, next_y]: [&[f64; LANES]; 2],
+        [centre_x, centre_y]: [f64; 2],
+    ) -> LaneSet {
+        let [least, most] = &self.range;
+        LaneSet::of(|lane| {
+            let [x, y] = [x[lane] - centre_x, y[lane] - centre_y];
+            let [ahead_x, ahead_y] = [next_x[lane] - centre_x, next_y[lane] - centre_y];
+            let (sine, cosine) = (x * ahead_y - y * ahead_x, x * ahead_x + y * ahead_y);
+            let within = (sine > 0.0)
+                & (most[0].0[lane] > 0.0)
+                & (least[0].0[lane] * cosine <= least[1].0[lane] * sine)
+                & (sine * most[1].0[lane] <= cosine * most[0].0[lane]);
+            !within
+        })
+    }
 }
 
 impl GapRange {
     /// Gap range of the balls of a model.
     pub fn new(model: &Model) -> Self {
+        let (balls, layout) = (model.balls(), model.layout());
+        let block = |first: usize| RangeBlock {
+            apart: LaneSet::of(|lane| layout.next(first + lane) != first + lane + 1),
+            range: [[Lanes::ZERO; 2]; 2],
+        };
         Self {
-            pair_angles: (0..model.balls())
-                .map(|k| model.pair_angle_rad(k))
-                .collect(),
-            range: vec![],
+            pair_angles: (0..balls).map(|k| model.pair_angle_rad(k)).collect(),
+            blocks: (0..balls).step_by(LANES).map(block).collect(),
         }
     }
 
     /// Takes the positions of the balls and of the centre of the outer ring.
     pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
-        let at = |k| Direction::to_next(x_m, y_m, centre_m, k);
-        if self.range.is_empty() {
-            self.range = (0..self.pair_angles.len()).map(|k| [at(k); 2]).collect();
-        }
-        for (k, [least, most]) in self.range.iter_mut().enumerate() {
-            let now = at(k);
-            if now.below(*least) {
-                *least = now;
-            }
-            if most.below(now) {
-                *most = now;
+        let isa = InstructionSet::chosen();
+        for (first, block) in (0..).step_by(LANES).zip(&mut self.blocks) {
+            let pairs = match (x_m.blocks_at(first), y_m.blocks_at(first)) {
+                (Some(x), Some(y)) => with_instructions!(
+                    isa,
+                    [](block: &RangeBlock, x: [&[f64; LANES]; 2], y: [&[f64; LANES]; 2], centre_m: [f64; 2]) -> LaneSet,
+                    block.outside(x, y, centre_m)
+                )
+                .or(block.apart),
+                _ => LaneSet::ALL,
+            };
+            for lane in pairs.of_bearing(0, true, self.pair_angles.len() - first) {
+                block.take(Direction::to_next(x_m, y_m, centre_m, first + lane), lane);
             }
         }
     }
 
     /// Smallest and largest gap of all, rad; infinite before the first look.
     pub fn range_rad(&self) -> [f64; 2] {
-        let pairs = self.range.iter().zip(&self.pair_angles);
-        pairs.fold(
-            [f64::INFINITY, f64::NEG_INFINITY],
-            |[low, high], (range, &pair)| {
-                let [least, most] = range.map(|d| d.gap_rad(pair));
-                [low.min(least), high.max(most)]
-            },
-        )
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for (k, &pair) in self.pair_angles.iter().enumerate() {
+            let (block, lane) = (&self.blocks[k / LANES], k % LANES);
+            let [least, most] = [0, 1].map(|end| block.get(end, lane));
+            if most != Direction::default() {
+                range[0] = range[0].min(least.gap_rad(pair));
+                range[1] = range[1].max(most.gap_rad(pair));
+            }
+        }
+        range
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::coordinates::BallCoordinate;
+    use crate::dynamics::layout::Layout;
+
+    /// The pair across the end of a row is looked at by itself: in vectors its ball ahead is whatever comes next.
+    #[test]
+    fn the_last_ball_is_behind_the_first() {
+        let layout = Layout::new(3);
+        let mut values = vec![0.0; layout.len()];
+        let mut range = GapRange {
+            pair_angles: vec![0.0; 3],
+            blocks: vec![RangeBlock {
+                apart: LaneSet::of(|lane| layout.next(lane) != lane + 1),
+                range: [[Lanes::ZERO; 2]; 2],
+            }],
+        };
+        let mut gaps = |angles_rad: [f64; 4]| {
+            for (k, (sin, cos)) in angles_rad.map(f64::sin_cos).into_iter().enumerate() {
+                values[layout.array(BallCoordinate::X) + k] = cos;
+                values[layout.array(BallCoordinate::Y) + k] = sin;
+            }
+            let [x, y] =
+                [BallCoordinate::X, BallCoordinate::Y].map(|c| layout.balls_of(&values, c));
+            range.look(x, y, [0.0; 2]);
+            range.range_rad()
+        };
+        // What comes after the third ball is always 2.1 rad ahead.
+        for (first_rad, seen) in [
+            (0.0, [2.0, TAU - 4.1]),
+            (-0.2, [TAU - 4.3, 2.2]),
+            (0.5, [1.5, TAU - 3.6]),
+        ] {
+            let found = gaps([first_rad, 2.0, 4.1, 6.2]);
+            for (found, seen) in found.into_iter().zip(seen) {
+                assert!((found - seen).abs() < 1e-12, "{found} {seen}");
+            }
+        }
     }
 }

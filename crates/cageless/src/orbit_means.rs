@@ -134,19 +134,11 @@ pub(crate) struct OrbitMeansTracker {
 
 impl OrbitMeansTracker {
     /// Takes a step after the transient; `sampled` steps add to the rotational speed.
+    #[inline]
     pub fn step(&mut self, view: &StepView<'_, '_>, sampled: bool) {
-        let [x, y] = view.positions();
-        let [x, y] = [x[0], y[0]];
+        let [x, y] = view.ball_m(0);
         if sampled {
-            let balls = view.contacts.balls();
-            let sums = (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
-                let [of_ball, more] = rotations_rad_s(view, k);
-                [absolute + of_ball, beyond + more]
-            });
-            for (total, sum) in self.rotation_sum.iter_mut().zip(sums) {
-                *total += sum / balls as f64;
-            }
-            self.rotation_samples += 1;
+            self.add_rotations(view);
         }
         if self.begin.is_none() {
             self.begin = Some(self.mark(Mark::default(), view));
@@ -165,7 +157,22 @@ impl OrbitMeansTracker {
         self.last_cross = cross;
     }
 
+    /// Adds the rotational speeds at the end of a step.
+    #[inline(never)]
+    fn add_rotations(&mut self, view: &StepView<'_, '_>) {
+        let balls = view.contacts.balls();
+        let sums = (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
+            let [of_ball, more] = rotations_rad_s(view, k);
+            [absolute + of_ball, beyond + more]
+        });
+        for (total, sum) in self.rotation_sum.iter_mut().zip(sums) {
+            *total += sum / balls as f64;
+        }
+        self.rotation_samples += 1;
+    }
+
     /// Mark of the end of a step; `before` lends its memory.
+    #[cold]
     fn mark(&self, before: Mark, view: &StepView<'_, '_>) -> Mark {
         let layout = view.layout();
         let mut angles = before.angles;

@@ -194,7 +194,8 @@ impl RacewaySector {
     }
 
     /// |rb|·(cos(ψ − centre) − cos θ): above zero inside, with ψ from −Y.
-    fn inside_by(&self, x: f64, y: f64) -> f64 {
+    #[inline]
+    fn inside_by(&self, [x, y]: [f64; 2]) -> f64 {
         x * self.sin_centre - y * self.cos_centre - self.cos_half * (x * x + y * y).sqrt()
     }
 
@@ -205,7 +206,8 @@ impl RacewaySector {
     }
 
     /// Lower bound of the distance of a ball from the nearest end, m.
-    fn distance_to_end_m(&self, x: f64, y: f64) -> f64 {
+    #[inline]
+    fn distance_to_end_m(&self, [x, y]: [f64; 2]) -> f64 {
         self.ends.iter().fold(f64::INFINITY, |least, [ex, ey]| {
             let (along, across) = (x * ex + y * ey, (x * ey - y * ex).abs());
             least.min(larger(across, -along))
@@ -281,7 +283,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let inside_by = |time_s: f64| {
             let at = |coordinate| view.step.interpolate(layout.ball(coordinate, k), time_s);
             let [x, y] = view.outer_ring_at_m(time_s);
-            sector.inside_by(at(BallCoordinate::X) - x, at(BallCoordinate::Y) - y)
+            sector.inside_by([at(BallCoordinate::X) - x, at(BallCoordinate::Y) - y])
         };
         let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
         let state = view.state(time_s);
@@ -296,18 +298,16 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
 
     /// Looks at all balls and keeps in mind which are near an end.
     fn look(&mut self, view: &StepView<'_, '_>) -> Result<(), ObserverError> {
-        let [x, y] = view.positions();
         let [vx, vy] = [BallCoordinate::Vx, BallCoordinate::Vy].map(|c| view.after(c));
-        let centre = view.outer_ring_m();
         // The look comes at the end of a step.
         let until_s = LOOK_EVERY_S + view.step.size_s();
         self.look_s = view.step.t1_s + LOOK_EVERY_S;
         self.near.clear();
         for r in 0..self.sectors.len() {
-            for k in 0..x.len() {
-                self.cross(view, [r, k])?;
-                let distance_to_end_m =
-                    self.sectors[r].distance_to_end_m(x[k] - centre[0], y[k] - centre[1]);
+            for k in 0..vx.len() {
+                let place_m = view.about_outer_ring_m(k);
+                self.look_at(view, [r, k], place_m)?;
+                let distance_to_end_m = self.sectors[r].distance_to_end_m(place_m);
                 let speed_m_s = 2.0 * (vx[k].abs() + vy[k].abs()) + GAIN_M_S;
                 if distance_to_end_m < speed_m_s * until_s {
                     self.near.push([r, k]);
@@ -317,25 +317,40 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         Ok(())
     }
 
-    /// Begins or ends a passage if ball `k` has crossed an end of raceway `r`.
+    /// Begins or ends a passage if ball `k`, now at a place about the centre of the outer ring, has crossed an
+    /// end of raceway `r`.
+    #[inline]
+    fn look_at(
+        &mut self,
+        view: &StepView<'_, '_>,
+        [r, k]: [usize; 2],
+        place_m: [f64; 2],
+    ) -> Result<(), ObserverError> {
+        let inside = self.sectors[r].inside_by(place_m) > 0.0;
+        let place = self.places[r * self.pair_angles.len() + k];
+        match inside == (place != Place::Outside) {
+            true => Ok(()),
+            false => self.cross(view, [r, k]),
+        }
+    }
+
+    /// Begins or ends a passage of ball `k`, which has crossed an end of raceway `r`.
+    #[cold]
     fn cross(&mut self, view: &StepView<'_, '_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
-        let ([x, y], centre) = (view.positions(), view.outer_ring_m());
-        let inside = self.sectors[r].inside_by(x[k] - centre[0], y[k] - centre[1]) > 0.0;
-        let slot = r * x.len() + k;
-        match (self.places[slot], inside) {
-            (Place::StartedInside, false) => self.places[slot] = Place::Outside,
-            (Place::Outside, true) => {
-                self.places[slot] = Place::Inside;
+        let slot = r * self.pair_angles.len() + k;
+        self.places[slot] = match self.places[slot] {
+            Place::StartedInside => Place::Outside,
+            Place::Outside => {
                 let passage = self.enter(view, k, r);
                 self.under_way.push(passage);
+                Place::Inside
             }
-            (Place::Inside, false) => {
-                self.places[slot] = Place::Outside;
+            Place::Inside => {
                 let passage = self.leave(view, k, r);
                 (self.sink)(passage)?;
+                Place::Outside
             }
-            _ => {}
-        }
+        };
         Ok(())
     }
 
@@ -404,7 +419,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
             self.look(view)?;
         } else {
             for at in 0..self.near.len() {
-                self.cross(view, self.near[at])?;
+                let [r, k] = self.near[at];
+                self.look_at(view, [r, k], view.about_outer_ring_m(k))?;
             }
         }
         let c = &view.contacts;
@@ -422,12 +438,14 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 passage.collisions_ahead += started(k);
                 passage.collisions_behind += started(x.previous(k));
             }
-            passage.sliding_max_m_s = passage.sliding_max_m_s.max(c.loaded_sliding_m_s(k));
-            if !c.is_loaded(k) {
+            let ball = c.rolling(k);
+            passage.sliding_max_m_s = larger(passage.sliding_max_m_s, ball.loaded_sliding_m_s);
+            if !ball.is_loaded {
                 passage.unloaded_s += view.step.size_s();
             }
-            let (orbit, [low, high]) = (c.orbit_speed_rad_s(k), passage.orbit_speed_range_rad_s);
-            passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
+            let ([low, high], orbit) = (passage.orbit_speed_range_rad_s, ball.orbit_speed_rad_s);
+            let low = if orbit < low { orbit } else { low };
+            passage.orbit_speed_range_rad_s = [low, larger(high, orbit)];
         }
         Ok(Control::Continue(()))
     }

@@ -20,6 +20,7 @@ use crate::contact_tracker::{ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
 use crate::gap_scatter::GapScatter;
+use crate::numerics::lanes::larger;
 use crate::numerics::moments::Moments;
 use crate::orbit_means::{OrbitMeans, OrbitMeansTracker};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
@@ -137,7 +138,7 @@ impl Observer for SummaryRecorder {
         self.contact_counter = Some(ContactCounter::new(context.model));
         let end_s = case.solver.duration_s;
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
-        self.peaks = Some(ContactPeakTracker::new(case, context.model));
+        self.peaks = Some(ContactPeakTracker::new(case));
         self.space = SpatialSummaryTracker::new(case, context.start);
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
@@ -150,11 +151,14 @@ impl Observer for SummaryRecorder {
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let counted = view.step.t1_s > self.settled_after_s;
-        let begun = (self.contact_counter.as_mut()).map(|counter| counter.step(view));
+        let counter = self.contact_counter.as_mut();
+        let begun = counter.and_then(|counter| counter.step(view));
         if !counted {
             return Ok(Control::Continue(()));
         }
-        self.collisions += begun.unwrap_or_default();
+        if let Some(begun) = begun {
+            self.collisions += begun;
+        }
         let layout = view.layout();
         let h = view.step.t1_s - view.step.t0_s;
         for (k, coordinate) in [RingCoordinate::X, RingCoordinate::Y]
@@ -168,7 +172,7 @@ impl Observer for SummaryRecorder {
         if layout.is_in_space() {
             self.space.step(view);
         }
-        self.slip_max = self.slip_max.max(contacts.sliding_max_m_s());
+        self.slip_max = larger(self.slip_max, contacts.sliding_max_m_s());
         let loaded = self.steps.is_multiple_of(LOADS_EVERY);
         if loaded {
             self.space.look(contacts, &self.contact_signs);

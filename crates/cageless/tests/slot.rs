@@ -196,7 +196,7 @@ impl Observer for OnEdge {
         let ([x, y], centre) = (view.positions(), view.outer_ring_m());
         let angle = (x[0] - centre[0]).atan2(centre[1] - y[0]);
         let slot = case.raceways[0].slot().unwrap();
-        let point = view.contacts.outer_point(0, case.bearing.ball_radius_m());
+        let point = view.contacts.outer_point(0);
         let pressure = slot
             .contact(angle, &case.bearing)
             .peak_pressure_pa(point.force_n);

@@ -1,18 +1,32 @@
 //! The contacts of one bearing as of the last evaluation of the right-hand side.
 
-use super::layout::Layout;
+use super::ball::BallLanes;
 use super::rotor::RotorContact;
 use super::space::{BallContacts, FaceContact, SpaceWorkspace};
-use crate::numerics::lanes::{Lanes, lane_maxima};
+use crate::contact::published::FrictionDirectionLanes;
+use crate::numerics::lane_set::LaneSet;
+use crate::numerics::lanes::{LANES, Lanes, lane_maxima, larger};
 use crate::raceway_contact::RacewayPoint;
-use crate::simd::Workspace;
+use crate::simd::{BlockResults, InstructionSet, Parameters, Workspace, with_instructions};
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
 #[derive(Clone, Copy)]
 pub struct Contacts<'a> {
+    pub(super) parameters: &'a Parameters,
     pub(super) work: &'a Workspace,
     pub(super) space: Option<&'a SpaceWorkspace>,
-    pub(super) layout: Layout,
+    pub(super) isa: InstructionSet,
+    pub(super) bearing: usize,
+}
+
+/// A ball on the raceways.
+pub(crate) struct Rolling {
+    /// Larger of |ΔVi| and |ΔVo| at contacts that carry load, m/s: one without may slide as it likes.
+    pub loaded_sliding_m_s: f64,
+    /// Whether the inner raceway presses on the ball.
+    pub is_loaded: bool,
+    /// Orbital speed, rad/s.
+    pub orbit_speed_rad_s: f64,
 }
 
 /// Declares a view of one quantity of ball `k`.
@@ -21,7 +35,7 @@ macro_rules! per_ball {
         $($(#[$meta])*
         #[inline]
         pub fn $name(&self, k: usize) -> f64 {
-            let (block, lane) = self.layout.place(k);
+            let (block, lane) = self.place(k);
             let lanes: &Lanes = &self.work.blocks[block].$($field).+;
             lanes.0[lane]
         })*
@@ -32,7 +46,35 @@ impl Contacts<'_> {
     /// N.
     #[inline]
     pub fn balls(&self) -> usize {
-        self.layout.balls
+        self.parameters.layout.balls
+    }
+
+    /// Block and lane of ball `k`.
+    #[inline]
+    fn place(&self, k: usize) -> (usize, usize) {
+        let entry = k * self.parameters.layout.width() + self.bearing;
+        (entry / LANES, entry % LANES)
+    }
+
+    /// Balls of this bearing for which a test of their constants and results in a lane holds.
+    #[inline]
+    pub(crate) fn balls_where<T>(&self, test: T) -> impl Iterator<Item = usize>
+    where
+        T: Fn(&BallLanes, &BlockResults, usize) -> bool,
+    {
+        let (p, bearing, isa) = (self.parameters, self.bearing, self.isa);
+        let (width, entries) = (p.layout.width(), p.layout.entries());
+        let blocks = self.work.blocks.iter().enumerate();
+        blocks.flat_map(move |(block, results)| {
+            let (test, balls, first) = (&test, p.balls(block), block * LANES);
+            let lanes = with_instructions!(
+                isa,
+                [T: Fn(&BallLanes, &BlockResults, usize) -> bool](test: &T, balls: &BallLanes, results: &BlockResults) -> LaneSet,
+                LaneSet::of(|lane| test(balls, results, lane))
+            );
+            let own = lanes.of_bearing(bearing, width == 1, entries - first);
+            own.map(move |lane| (first + lane) / width)
+        })
     }
 
     per_ball! {
@@ -73,7 +115,7 @@ impl Contacts<'_> {
 
     /// ψ of ball `k`.
     pub(crate) fn angle_rad(&self, k: usize) -> f64 {
-        let (block, lane) = self.layout.place(k);
+        let (block, lane) = self.place(k);
         let polar = &self.work.blocks[block].polar;
         polar.ex.0[lane].atan2(-polar.ey.0[lane])
     }
@@ -81,47 +123,44 @@ impl Contacts<'_> {
     /// Whether any two balls touch.
     #[inline]
     pub fn balls_touch(&self) -> bool {
-        self.work.pair_deflection_max[self.layout.bearing()] > 0.0
+        self.work.pair_deflection_max[self.bearing] > 0.0
     }
 
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
-    #[inline]
+    #[inline(always)]
     pub fn sliding_max_m_s(&self) -> f64 {
-        lane_maxima(&self.work.slip_max, self.layout.width() == 1)[self.layout.bearing()]
+        match self.parameters.layout.width() {
+            1 => lane_maxima(&self.work.slip_max, true)[0],
+            _ => lane_maxima(&self.work.slip_max, false)[self.bearing],
+        }
     }
 
-    /// Larger of |ΔVi| and |ΔVo| of ball `k` at contacts that carry load, m/s: one without may slide as
-    /// it likes.
+    /// Ball `k` on the raceways.
     #[inline]
-    pub(crate) fn loaded_sliding_m_s(&self, k: usize) -> f64 {
-        let (block, lane) = self.layout.place(k);
-        let (inner, outer) = (
-            &self.work.blocks[block].inner,
-            &self.work.blocks[block].outer,
-        );
-        let loaded = |slip: &Lanes, force: &Lanes| match force.0[lane] > 0.0 {
+    pub(crate) fn rolling(&self, k: usize) -> Rolling {
+        let (block, lane) = self.place(k);
+        let results = &self.work.blocks[block];
+        let [inner_n, outer_n] = [results.inner.force.0[lane], results.outer.force.0[lane]];
+        let loaded = |slip: &Lanes, force_n: f64| match force_n > 0.0 {
             true => slip.0[lane].abs(),
             false => 0.0,
         };
-        loaded(&inner.slip, &inner.force).max(loaded(&outer.slip, &outer.force))
+        let outer_m_s = loaded(&results.outer.slip, outer_n);
+        Rolling {
+            loaded_sliding_m_s: larger(loaded(&results.inner.slip, inner_n), outer_m_s),
+            is_loaded: inner_n > 0.0,
+            orbit_speed_rad_s: results.polar.orbit.0[lane],
+        }
     }
 
-    /// Whether the inner raceway presses on ball `k`.
-    #[inline]
-    pub(crate) fn is_loaded(&self, k: usize) -> bool {
-        let (block, lane) = self.layout.place(k);
-        self.work.blocks[block].inner.force.0[lane] > 0.0
-    }
-
-    /// Whether any ball is pressed deeper than this into a raceway or the ball ahead.
-    pub(crate) fn any_deeper(&self, limit_m: f64) -> bool {
-        (0..self.balls()).fold(false, |any, k| {
-            let (block, lane) = self.layout.place(k);
-            let results = &self.work.blocks[block];
-            let [outer, inner] = [&results.outer.deflection, &results.inner.deflection];
+    /// A ball pressed deeper than this into a raceway or the ball ahead.
+    pub(crate) fn deeper(&self, limit_m: f64) -> Option<usize> {
+        let mut balls = self.balls_where(|_, results, lane| {
+            let (outer, inner) = (&results.outer.deflection, &results.inner.deflection);
             let deep = |deflection: &Lanes| deflection.0[lane] > limit_m;
-            any | deep(outer) | deep(inner) | deep(&results.pair.deflection)
-        })
+            deep(outer) | deep(inner) | deep(&results.pair.deflection)
+        });
+        balls.next()
     }
 
     /// Where ball `k` bears on the inner raceway.
@@ -135,13 +174,19 @@ impl Contacts<'_> {
         }
     }
 
-    /// Where ball `k`, of this radius, bears on the outer raceway; on a discrete raceway the more
-    /// loaded of two points.
-    pub fn outer_point(&self, k: usize, radius_m: f64) -> RacewayPoint {
+    /// R of ball `k`, m.
+    #[inline]
+    pub(crate) fn radius_m(&self, k: usize) -> f64 {
+        let (block, lane) = self.place(k);
+        self.parameters.balls(block).radius.0[lane]
+    }
+
+    /// Where ball `k` bears on the outer raceway; on a discrete raceway the more loaded of two points.
+    pub fn outer_point(&self, k: usize) -> RacewayPoint {
         match self.in_space(k) {
             Some(ball) => ball.outer_point(),
             None => {
-                let cosine = self.effective_radius_m(k) / radius_m;
+                let cosine = self.effective_radius_m(k) / self.radius_m(k);
                 RacewayPoint::of_outer(cosine, self.outer_force_n(k))
             }
         }
@@ -154,20 +199,19 @@ impl Contacts<'_> {
 
     /// Contact of the rotor with the inner ring, if there is a rotor.
     pub fn rotor(&self) -> Option<RotorContact> {
-        self.layout
-            .has_rotor()
-            .then(|| self.work.rotors[self.layout.bearing()])
+        let rotor = &self.work.rotors[self.bearing];
+        self.parameters.layout.has_rotor().then_some(*rotor)
     }
 
     /// Contact of a shoulder of the rotor with the inner ring, if there is a rotor in space.
     pub fn face(&self) -> Option<FaceContact> {
-        let space = self.space.filter(|_| self.layout.has_rotor());
+        let space = self.space.filter(|_| self.parameters.layout.has_rotor());
         space.map(|space| space.rotor.face)
     }
 
     /// Force of the inner ring on the rotor, friction included, N, if there is a rotor in space.
     pub(crate) fn rotor_force_n(&self) -> Option<[f64; 3]> {
-        let space = self.space.filter(|_| self.layout.has_rotor());
+        let space = self.space.filter(|_| self.parameters.layout.has_rotor());
         space.map(|space| space.rotor.loads.fixed_rows::<3>(0).into())
     }
 
@@ -180,7 +224,7 @@ impl Contacts<'_> {
     /// Axial force of the balls of a row, from 0, on its outer ring, friction included, N.
     pub fn row_axial_force_n(&self, row: usize) -> f64 {
         self.space
-            .map_or(0.0, |space| space.row_force_n(self.layout, row))
+            .map_or(0.0, |space| space.row_force_n(self.parameters.layout, row))
     }
 
     /// Force of the balls on the outer ring along X and Y, friction included, N.
@@ -189,23 +233,58 @@ impl Contacts<'_> {
             let [x, y, _] = space.outer_ring_force_n();
             return [x, y];
         }
-        (0..self.balls()).fold([0.0; 2], |[x, y], k| {
-            let (block, lane) = self.layout.place(k);
-            let results = &self.work.blocks[block];
-            let (polar, outer) = (results.polar.get(lane), results.outer.get(lane));
-            let slope_force = results.slope_force.0[lane];
-            let along_path = self.work.friction_directions.get(block);
-            let [dx, dy] = along_path.map_or([-polar.ey, polar.ex], |d| [d.x.0[lane], d.y.0[lane]]);
-            let friction = results.outer_friction.0[lane];
-            // Along the radius friction at flanks adds to the normal force.
-            let normal = match results.on_flanks.has(lane) {
-                true => outer.force + results.across_friction.0[lane],
-                false => outer.force,
+        let p = self.parameters;
+        let rising = p.unequal || p.elastic;
+        let mut force = [0.0; 2];
+        for (block, results) in self.work.blocks.iter().enumerate() {
+            let direction = self.work.friction_directions.get(block);
+            let parts = with_instructions!(
+                self.isa,
+                [](results: &BlockResults, direction: Option<&FrictionDirectionLanes>) -> [[Lanes; 3]; 2],
+                outer_forces(results, direction)
+            );
+            let add = |lane: usize| {
+                for (sum, [normal, slope, friction]) in force.iter_mut().zip(&parts) {
+                    *sum += normal.0[lane];
+                    if rising {
+                        *sum += slope.0[lane];
+                    }
+                    *sum += friction.0[lane];
+                }
             };
-            [
-                x + normal * polar.ex + slope_force * polar.ey + friction * dx,
-                y + normal * polar.ey - slope_force * polar.ex + friction * dy,
-            ]
-        })
+            match p.layout.width() {
+                // Padding adds nothing.
+                1 => (0..LANES).for_each(add),
+                width => (self.bearing..LANES).step_by(width).for_each(add),
+            }
+        }
+        force
     }
+}
+
+/// Forces of the balls of a block on the outer ring along X and Y: normal force, that along ψ where the
+/// contact rises, and friction, along the circumference unless in a given direction, N.
+#[inline(always)]
+fn outer_forces(
+    results: &BlockResults,
+    direction: Option<&FrictionDirectionLanes>,
+) -> [[Lanes; 3]; 2] {
+    let (ex, ey) = (&results.polar.ex.0, &results.polar.ey.0);
+    // Along the radius friction at flanks adds to the normal force.
+    let mut normal = results.outer.force;
+    for lane in results.on_flanks {
+        normal.0[lane] += results.across_friction.0[lane];
+    }
+    let (slope, friction) = (&results.slope_force.0, &results.outer_friction.0);
+    let mut parts = [[Lanes::ZERO; 3]; 2];
+    for lane in 0..LANES {
+        let [dx, dy] = direction.map_or([-ey[lane], ex[lane]], |d| [d.x.0[lane], d.y.0[lane]]);
+        parts[0][0].0[lane] = normal.0[lane] * ex[lane];
+        parts[0][1].0[lane] = slope[lane] * ey[lane];
+        parts[0][2].0[lane] = friction[lane] * dx;
+        parts[1][0].0[lane] = normal.0[lane] * ey[lane];
+        parts[1][1].0[lane] = -(slope[lane] * ex[lane]);
+        parts[1][2].0[lane] = friction[lane] * dy;
+    }
+    parts
 }

@@ -50,6 +50,8 @@ pub struct Layout {
     bearing: usize,
     /// First place, in a vector that holds more than these bearings.
     start: usize,
+    /// Places from there to the coordinates of the bodies and to the energy ledger.
+    parts: [usize; 2],
 }
 
 impl Layout {
@@ -63,51 +65,51 @@ impl Layout {
             (true, false) => &RING_IN_SPACE,
             (true, true) => &DROP_IN_SPACE,
         };
-        Self {
-            row: case.bearing.balls(),
-            sliding: case.sprung_rows().len(),
-            ..Self::with_bodies(case.balls(), [of_ball, bodies], 1)
-        }
+        let of_row = case.bearing.balls();
+        let sliding = case.sprung_rows().len();
+        Self::with_bodies([case.balls(), of_row], [of_ball, bodies], sliding, 1)
     }
 
     /// Layout for one bearing of `balls` balls.
     pub fn new(balls: usize) -> Self {
-        Self::with_bodies(balls, [&BALL, &RING], 1)
+        Self::with_bodies([balls; 2], [&BALL, &RING], 0, 1)
     }
 
     /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
     pub fn side_by_side(self) -> Self {
-        Self {
-            row: self.row,
-            sliding: self.sliding,
-            ..Self::with_bodies(self.balls, [self.of_ball, self.bodies], BATCH_WIDTH)
-        }
+        self.of_width(BATCH_WIDTH)
     }
 
     /// Layout for one such bearing alone.
     pub fn alone(self) -> Self {
-        Self {
-            row: self.row,
-            sliding: self.sliding,
-            ..Self::with_bodies(self.balls, [self.of_ball, self.bodies], 1)
-        }
+        self.of_width(1)
+    }
+
+    fn of_width(self, width: usize) -> Self {
+        let tables = [self.of_ball, self.bodies];
+        Self::with_bodies([self.balls, self.row], tables, self.sliding, width)
     }
 
     fn with_bodies(
-        balls: usize,
+        [balls, row]: [usize; 2],
         [of_ball, bodies]: [&'static [Coordinate]; 2],
+        sliding: usize,
         width: usize,
     ) -> Self {
+        let stride = (balls * width).next_multiple_of(LANES);
+        let of_balls = of_ball.len() * stride;
+        let of_bodies = (bodies.len() + SLIDING.len() * sliding) * width;
         Self {
             balls,
-            row: balls,
-            stride: (balls * width).next_multiple_of(LANES),
+            row,
+            stride,
             of_ball,
             bodies,
-            sliding: 0,
+            sliding,
             width,
             bearing: 0,
             start: 0,
+            parts: [of_balls, of_balls + of_bodies],
         }
     }
 
@@ -164,18 +166,12 @@ impl Layout {
     /// Length of the vector, or of this part of it.
     #[allow(clippy::len_without_is_empty)] // never empty
     pub fn len(&self) -> usize {
-        self.of_ball.len() * self.stride
-            + (self.body_coordinates() + self.energy_terms().len()) * self.width
+        self.motion_len() + self.energy_terms().len() * self.width
     }
 
     /// Length of the motion of one bearing alone, which precedes its energy ledger.
     pub(crate) fn motion_len(&self) -> usize {
-        self.of_ball.len() * self.stride + self.body_coordinates() * self.width
-    }
-
-    #[inline]
-    fn bodies_start(&self) -> usize {
-        self.start + self.of_ball.len() * self.stride
+        self.parts[1]
     }
 
     /// Entries of an array over the balls that are not padding.
@@ -187,12 +183,6 @@ impl Layout {
     #[inline]
     pub(crate) fn entry(&self, k: usize) -> usize {
         k * self.width + self.bearing
-    }
-
-    /// Block and lane of ball `k`.
-    #[inline]
-    pub(crate) fn place(&self, k: usize) -> (usize, usize) {
-        (self.entry(k) / LANES, self.entry(k) % LANES)
     }
 
     /// Start of the array of one coordinate of all balls and bearings.
@@ -235,11 +225,10 @@ impl Layout {
     /// Place of a coordinate of the bodies by its index in their table.
     #[inline]
     fn body(&self, index: usize) -> usize {
-        self.bodies_start() + index * self.width + self.bearing
+        self.start + self.parts[0] + index * self.width + self.bearing
     }
 
     /// Coordinates of the bodies, those of outer rings that slide included.
-    #[inline]
     fn body_coordinates(&self) -> usize {
         self.bodies.len() + SLIDING.len() * self.sliding
     }
@@ -254,7 +243,7 @@ impl Layout {
     /// Place of a term of the energy ledger.
     #[inline]
     pub fn energy_term(&self, term: EnergyTerm) -> usize {
-        self.body(self.body_coordinates() + term as usize)
+        self.start + self.parts[1] + term as usize * self.width + self.bearing
     }
 
     /// Gives the balls of the padding distinct positions away from the centre.
@@ -368,7 +357,7 @@ impl Layout {
         let bodies = second_order_runs(self.bodies).into_iter();
         balls
             .map(|run| block(run, self.start, self.stride))
-            .chain(bodies.map(|run| block(run, self.bodies_start(), self.width)))
+            .chain(bodies.map(|run| block(run, self.start + self.parts[0], self.width)))
             .chain((self.sliding > 0).then(|| SecondOrderBlock {
                 positions: self.sliding(SlidingCoordinate::Z, 0) - self.bearing,
                 rates: self.sliding(SlidingCoordinate::Vz, 0) - self.bearing,
@@ -437,10 +426,12 @@ pub struct Balls<'a> {
 /// The ball ahead of ball `k`, which for the last of a row is its first.
 #[inline]
 fn next_in_row(k: usize, row: usize) -> usize {
-    match (k + 1).is_multiple_of(row) {
-        true => k + 1 - row,
-        false => k + 1,
+    // Rows are few: sooner counted than divided by.
+    let mut end = row;
+    while end <= k {
+        end += row;
     }
+    if k + 1 == end { end - row } else { k + 1 }
 }
 
 impl<'a> Balls<'a> {
@@ -464,6 +455,14 @@ impl<'a> Balls<'a> {
             true => k + self.row - 1,
             false => k - 1,
         }
+    }
+
+    /// A block of values from ball `k` on, and one from the next on; `None` if other bearings are in between.
+    #[inline]
+    pub(crate) fn blocks_at(&self, k: usize) -> Option<[&'a [f64; LANES]; 2]> {
+        let (own, next) = (self.values.get(k..)?, self.values.get(k + 1..)?);
+        let blocks = [own.first_chunk()?, next.first_chunk()?];
+        (self.step == 1).then_some(blocks)
     }
 
     /// Ball by ball.

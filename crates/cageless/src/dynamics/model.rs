@@ -206,11 +206,6 @@ impl Model {
         self.layout.balls
     }
 
-    /// R of every ball, m.
-    pub(crate) fn ball_radii_m(&self) -> Vec<f64> {
-        self.balls.iter().map(|ball| ball.radius).collect()
-    }
-
     /// Properties that bearings side by side must have in common.
     pub fn kind(&self) -> impl PartialEq + use<> {
         (

@@ -15,7 +15,7 @@ use crate::integrator::{
 };
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
-use crate::simd::{self, InstructionSet, Parameters, Workspace};
+use crate::simd::{self, InstructionSet, Parameters, Workspace, with_instructions};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 use crate::time_table::TimeTable;
 
@@ -37,40 +37,6 @@ pub struct RightHandSide<'m> {
     /// Whether speed or load are given over time.
     over_time: bool,
     second_order_blocks: Vec<SecondOrderBlock>,
-}
-
-/// Evaluates a call compiled for the instructions of a set; its arguments are named as where it stands.
-/// Builds without optimisation and unit tests have the baseline alone, which compiles in a third of the time
-/// and has the same bits.
-macro_rules! with_instructions {
-    ($isa:expr, [$($generics:tt)*]($($argument:ident: $type:ty),*) $(-> $output:ty)?, $call:expr) => {{
-        #[inline(always)]
-        fn baseline<$($generics)*>($($argument: $type),*) $(-> $output)? {
-            $call
-        }
-        #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
-        #[target_feature(enable = "avx2")]
-        fn avx2<$($generics)*>($($argument: $type),*) $(-> $output)? {
-            $call
-        }
-        #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
-        #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-        fn avx512<$($generics)*>($($argument: $type),*) $(-> $output)? {
-            $call
-        }
-        match $isa {
-            #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
-            InstructionSet::Baseline => baseline($($argument),*),
-            // SAFETY: `RightHandSide::build` admits only what the processor has.
-            #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
-            InstructionSet::Avx2 => unsafe { avx2($($argument),*) },
-            // SAFETY: `RightHandSide::build` admits only what the processor has.
-            #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
-            InstructionSet::Avx512 => unsafe { avx512($($argument),*) },
-            #[cfg(any(not(target_arch = "x86_64"), test, debug_assertions))]
-            _ => baseline($($argument),*),
-        }
-    }};
 }
 
 impl<'m> RightHandSide<'m> {
@@ -148,9 +114,11 @@ impl<'m> RightHandSide<'m> {
     /// Contacts of one of the bearings as of the last evaluation.
     pub fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         Contacts {
+            parameters: &self.parameters,
             work: &self.work,
             space: self.space.as_ref(),
-            layout: self.parameters.layout.of_bearing(bearing),
+            isa: self.isa,
+            bearing,
         }
     }
 
@@ -172,10 +140,9 @@ impl<'m> RightHandSide<'m> {
         if self.parameters.layout.has_rotor() {
             self.parameters.set_ring_speed(y);
         }
-        let drive = self.drive();
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let b = (p, self.models[0], space, drive);
+            let b = (p, self.models[0], space, drive(p));
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
@@ -194,15 +161,6 @@ impl<'m> RightHandSide<'m> {
             [](p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
             simd::evaluate(p, w, y, dydt, raceway_friction)
         );
-    }
-
-    /// Speed and load of the first bearing as of the last evaluation.
-    fn drive(&self) -> Drive {
-        let inner = self.parameters.inner.get(0);
-        Drive {
-            inner_speed: inner.surface_speed / inner.radius,
-            radial_load: self.parameters.ring.radial_load.0[0],
-        }
     }
 
     /// Sets how the guided journal answers to loads from here on.
@@ -416,6 +374,14 @@ impl<'m> RightHandSide<'m> {
     }
 }
 
+/// Speed and load of the first bearing as of the last evaluation.
+fn drive(p: &Parameters) -> Drive {
+    Drive {
+        inner_speed: p.inner.surface_speed.0[0] / p.inner.radius.0[0],
+        radial_load: p.ring.radial_load.0[0],
+    }
+}
+
 /// Lanes whose phases make one word of the fingerprint, eight bits each.
 const MODE_LANES: usize = 8;
 
@@ -446,10 +412,9 @@ impl System for RightHandSide<'_> {
 
     #[inline(always)] // into callers compiled for wider vectors
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
-        let drive = self.drive();
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let b = (p, self.models[0], space, drive);
+            let b = (p, self.models[0], space, drive(p));
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),

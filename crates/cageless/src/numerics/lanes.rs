@@ -73,10 +73,12 @@ pub(crate) fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
     for lane in 0..LANES {
         maxima[lane % BATCH_WIDTH] = larger(maxima[lane % BATCH_WIDTH], lanes.0[lane]);
     }
-    if alone {
-        for k in 1..BATCH_WIDTH {
-            maxima[0] = larger(maxima[0], maxima[k]);
+    let mut half = BATCH_WIDTH / 2;
+    while alone && half > 0 {
+        for k in 0..half {
+            maxima[k] = larger(maxima[k], maxima[k + half]);
         }
+        half /= 2;
     }
     maxima
 }

@@ -3,7 +3,6 @@
 
 use super::beginning::Beginning;
 use super::motions::{CentreLanes, Motions, outer_centre};
-use super::on_flanks::OnFlanks;
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum};
 use super::workspace::{BlockResults, ImplicitFriction};
@@ -12,6 +11,7 @@ use crate::contact::{
     SlipProblem, end_weights, flank_contact, further_step, outer_load, slope_force, with_law,
 };
 use crate::dynamics::ball::{BallLanes, BallMotion};
+use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes};
 
 /// Puts the outer contacts of balls on flanks and their loads in place of those of rigid ones; without
@@ -25,7 +25,7 @@ pub(super) fn outer_contacts(
     addends: &mut Addends,
     with_friction: bool,
 ) {
-    results.on_flanks = OnFlanks::NONE;
+    results.on_flanks = LaneSet::NONE;
     if !p.unequal {
         results.slope_force = Lanes::ZERO;
     }
@@ -33,13 +33,11 @@ pub(super) fn outer_contacts(
         (results.across_friction, results.spin_moment) = (Lanes::ZERO, Lanes::ZERO);
     }
     for raceway in &p.raceways {
-        let mut inside = [false; LANES];
-        for lane in 0..LANES {
+        let here = LaneSet::of(|lane| {
             let constants = raceway.constants.get(lane);
-            inside[lane] = RacewayPosition::new(&constants, &results.polar.get(lane)).inside();
-        }
-        let here = OnFlanks::of(&inside);
-        results.on_flanks.add(here);
+            RacewayPosition::new(&constants, &results.polar.get(lane)).inside()
+        });
+        results.on_flanks = results.on_flanks.or(here);
         for lane in here {
             contact(p, balls, raceway, results, motions, lane);
         }

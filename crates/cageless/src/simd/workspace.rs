@@ -1,7 +1,6 @@
 //! Work arrays of an evaluation of the right-hand side, and its results.
 
 use super::motions::CentreLanes;
-use super::on_flanks::OnFlanks;
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use crate::contact::published::FrictionDirectionLanes;
@@ -12,6 +11,7 @@ use crate::contact::{
 use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::dynamics::rotor::RotorContact;
 use crate::formulation::Formulation;
+use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
@@ -31,7 +31,7 @@ pub(crate) struct BlockResults {
     /// Contacts with elastic flanks.
     pub flanks: FlankContactLanes,
     /// Which lanes have them.
-    pub on_flanks: OnFlanks,
+    pub on_flanks: LaneSet,
     /// Friction along the groove at both flanks, against dρ/dt, N; over the last step where it is
     /// implicit.
     pub across_friction: Lanes,
@@ -57,7 +57,7 @@ impl BlockResults {
         outer_friction: Lanes::ZERO,
         slope_force: Lanes::ZERO,
         flanks: FlankContactLanes::ZERO,
-        on_flanks: OnFlanks::NONE,
+        on_flanks: LaneSet::NONE,
         across_friction: Lanes::ZERO,
         spin_moment: Lanes::ZERO,
         inner_polar: PolarMotionLanes::ZERO,
@@ -77,7 +77,7 @@ pub(super) struct ImplicitFriction {
     /// Weights of the end of the step at outer and inner contacts, under a rotor.
     pub weights: [Lanes; 2],
     /// The balls on elastic flanks in the last step.
-    pub on_flanks: OnFlanks,
+    pub on_flanks: LaneSet,
     /// Their slips before those of rigid flanks took their place.
     pub kept: SlipsLanes,
     /// Their sliding.
@@ -91,7 +91,7 @@ impl ImplicitFriction {
         problem: SlipProblemLanes::ZERO,
         slips: SlipsLanes::ZERO,
         weights: [Lanes::ZERO; 2],
-        on_flanks: OnFlanks::NONE,
+        on_flanks: LaneSet::NONE,
         kept: SlipsLanes::ZERO,
         sliding: FlankSlidingLanes::ZERO,
         drags: [Lanes::ZERO; 2],

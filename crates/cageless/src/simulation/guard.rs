@@ -272,17 +272,14 @@ impl<'m> Guard<'m> {
                 return Err(Cause::OffSpring(*row));
             }
         }
-        let deep = contacts.any_deeper(self.deflection_max);
-        for k in 0..if deep { layout.balls } else { 0 } {
-            if contacts.outer_deflection_m(k) > self.deflection_max {
-                return Err(Cause::ThroughOuterRing(k));
-            }
-            if contacts.inner_deflection_m(k) > self.deflection_max {
-                return Err(Cause::ThroughInnerRing(k));
-            }
-            if contacts.pair_deflection_m(k) > self.deflection_max {
-                return Err(Cause::ThroughBall(k));
-            }
+        if let Some(k) = contacts.deeper(self.deflection_max) {
+            return Err(if contacts.outer_deflection_m(k) > self.deflection_max {
+                Cause::ThroughOuterRing(k)
+            } else if contacts.inner_deflection_m(k) > self.deflection_max {
+                Cause::ThroughInnerRing(k)
+            } else {
+                Cause::ThroughBall(k)
+            });
         }
         if layout.is_in_space() {
             self.on_grooves(contacts)?;

@@ -42,14 +42,14 @@ pub struct StepView<'a, 'm> {
     pub(super) interpolator: &'a RefCell<RightHandSide<'m>>,
     /// Continuous ψ of each ball less than half a turn ago.
     pub(super) recent_angle_rad: &'a [f64],
-    pub(super) layout: Layout,
+    pub(super) layout: &'a Layout,
 }
 
 impl StepView<'_, '_> {
     /// Places of this bearing in the vectors of the step.
     #[inline]
     pub fn layout(&self) -> Layout {
-        self.layout
+        *self.layout
     }
 
     /// One coordinate of the balls at the end of the step.
@@ -86,8 +86,20 @@ impl StepView<'_, '_> {
     /// Continuous ψ of ball `k` at the end of the step, to be worked out when it is wanted.
     #[inline]
     pub(crate) fn ball_angle(&self, k: usize) -> BallAngle {
-        let ([x, y], centre) = (self.positions(), self.outer_ring_m());
-        self.angle_at([x[k] - centre[0], y[k] - centre[1]], k)
+        self.angle_at(self.about_outer_ring_m(k), k)
+    }
+
+    /// Place of ball `k` about the centre of the outer ring at the end of the step.
+    #[inline]
+    pub(crate) fn about_outer_ring_m(&self, k: usize) -> [f64; 2] {
+        let ([x, y], centre) = (self.ball_m(k), self.outer_ring_m());
+        [x - centre[0], y - centre[1]]
+    }
+
+    /// x and y of ball `k` at the end of the step.
+    #[inline]
+    pub(crate) fn ball_m(&self, k: usize) -> [f64; 2] {
+        [BallCoordinate::X, BallCoordinate::Y].map(|c| self.step.y1[self.layout.ball(c, k)])
     }
 
     /// Continuous ψ of ball `k` at a place about the centre of the outer ring.
@@ -119,7 +131,7 @@ impl StepView<'_, '_> {
 
     /// State at `time_s` within the step, by interpolation.
     pub fn state(&self, time_s: f64) -> State {
-        State::from_vector(self.layout, &self.step.interpolate_all(time_s))
+        State::from_vector(*self.layout, &self.step.interpolate_all(time_s))
     }
 
     /// Snapshot at `time_s` within the step, by interpolation.

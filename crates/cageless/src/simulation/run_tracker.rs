@@ -141,7 +141,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
             contacts,
             interpolator: &self.interpolator,
             recent_angle_rad: &self.recent_angle,
-            layout: self.layout,
+            layout: &self.layout,
         };
         let mut ending = at_end.then_some(Ending::Complete);
         for observer in self.observers.iter_mut() {

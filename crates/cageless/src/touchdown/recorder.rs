@@ -305,7 +305,7 @@ impl Dropped {
         whirl: &mut WhirlTracker,
     ) {
         let contacts = &view.contacts;
-        let begun = self.collisions.step(view);
+        let begun = self.collisions.step(view).unwrap_or_default();
         found.collisions += begun;
         whirl.collide(begun);
         found.ball_sliding_max_m_s = found.ball_sliding_max_m_s.max(contacts.sliding_max_m_s());
@@ -352,7 +352,7 @@ impl Observer for DropRecorder {
         self.dropped = Some(Dropped {
             case: case.clone(),
             rotor: rotor.clone(),
-            peaks: ContactPeakTracker::new(case, context.model),
+            peaks: ContactPeakTracker::new(case),
             collisions: ContactCounter::new(context.model),
             outer_ring: (case.support.as_ref()).map(|support| OuterRing::new(Some(support))),
             axial_origin_m: match layout.is_in_space() {
