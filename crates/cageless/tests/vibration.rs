@@ -157,3 +157,40 @@ fn a_measurement_is_the_motion_of_the_housing_under_the_force() {
         assert!(without.rms() < with.rms());
     }
 }
+
+/// The balls of unequal size also push the outer ring along the circumference where their contacts rise.
+#[test]
+fn the_force_on_the_outer_ring_is_the_sum_over_its_contacts() {
+    let mut case = structure(5.1, 25.2);
+    let deviations = (0..14).map(|k| -1e-6 * f64::from(k % 3)).collect();
+    case.bearing = (case.bearing)
+        .with_ball_radius_deviations(deviations)
+        .unwrap();
+    case.solver.duration_s = 2e-4;
+    let mut rising_n: f64 = 0.0;
+    struct Sum<'a>(&'a mut f64);
+    impl Observer for Sum<'_> {
+        fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+            let (c, [x, y]) = (&view.contacts, view.positions());
+            let mut sum = [0.0; 2];
+            for k in 0..c.balls() {
+                let [ex, ey] = [x[k], y[k]].map(|part| part / x[k].hypot(y[k]));
+                let along = c.outer_friction_n(k) - c.outer_slope_force_n(k);
+                sum[0] += c.outer_force_n(k) * ex - along * ey;
+                sum[1] += c.outer_force_n(k) * ey + along * ex;
+                *self.0 = self.0.max(c.outer_slope_force_n(k).abs());
+            }
+            for (found, expected) in c.outer_ring_force_n().into_iter().zip(sum) {
+                assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+            }
+            Ok(Control::Continue(()))
+        }
+    }
+    let ended = run(&case, &mut [&mut Sum(&mut rising_n)], &mut |_| {
+        Control::Continue(())
+    });
+    assert!(
+        ended.unwrap().end_s > 1.9e-4 && rising_n > 1e-3,
+        "{rising_n}"
+    );
+}
