@@ -193,6 +193,7 @@ const EDITS: &[Row] = &[
     // Run.
     ("# step_us = \"auto\"", "step_us = 0", "solver.step_us", &["= 0 ", "more than 0 us"]),
     ("# step_us = \"auto\"", "step_us = -1.0", "solver.step_us", &["= -1.0", "more than 0 us"]),
+    ("duration_s = 0.5", "duration_s = 0.5\n[[limit]]\nresult = \"rotor_force_max_n\"\nvalue = 1.0\nsource = \" \"", "limit.source", &["whose limit it is"]),
     ("duration_s = 0.5", "duration_s = 2e8", "solver.duration_s", &["= 2e8", "1e12 steps are the limit"]),
     ("duration_s = 0.5", "duration_s = 1e-300", "solver.duration_s", &["at least", "nothing moves in less"]),
     ("duration_s = 0.5", "duration_s = -0.5", "solver.duration_s", &["more than 0 s"]),

@@ -202,6 +202,10 @@ impl Converter<'_> {
             numbers.map(|quantity| quantity.name)
         };
         for (index, limit) in limits.iter().enumerate() {
+            if limit.source.trim().is_empty() {
+                let path = join(&nth("limit", index, limits.len()), "source");
+                return Err(self.refuse(&path, "whose limit it is, which the verdict names"));
+            }
             if names().any(|name| name == limit.result) {
                 continue;
             }

@@ -15,6 +15,11 @@ pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     let json: Map<String, Json> = serde_json::from_str(text).map_err(|e| {
         CaseError::on_line(name, e.line().max(1), None, format!("is not JSON: {e}"))
     })?;
+    if json.get("bearings").is_some_and(Json::is_array) {
+        let why = "has the results of a rotor on several bearings and their cases, not the rotor itself: \
+                   give the rotor file, with the same --set";
+        return Err(CaseError::of_file(name, why.to_owned()));
+    }
     let case = match json.get("case") {
         Some(Json::Object(case)) => case,
         _ => &json,
