@@ -132,7 +132,8 @@ fn a_drop_that_stops_names_its_bearing() {
     let text = std::fs::read_to_string(out.join("summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert!(summary["bearings"][0]["stopped"].is_null());
-    assert!(summary["bearings"][1]["stopped"].is_string());
+    let cause = &summary["bearings"][1]["stopped"]["cause"];
+    assert_eq!(cause, "the outer ring left its support");
     assert!(summary.get("ensemble").is_none());
 }
 

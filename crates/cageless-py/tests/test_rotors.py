@@ -105,7 +105,7 @@ def test_scattered_compared_and_verified_drops_are_those_of_the_command(
     assert (drop.ensemble.backward_whirl_probability, drop.warnings) == (0.0, [])
     assert tuple(drop.ensemble.backward_whirl_interval) == pytest.approx((0.0, 0.658), abs=1e-3)
     drops = drop.data_drops()
-    assert list(zip(drops["index"], drops.bearing, strict=True)) == [(0, 1), (0, 2), (1, 1), (1, 2)]
+    assert list(zip(drops["drop"], drops.bearing, strict=True)) == [(1, 1), (1, 2), (2, 1), (2, 2)]
     assert drops.unbalance_turn_deg[0] == drops.unbalance_turn_deg[1] != drops.unbalance_turn_deg[2]
     assert drops.rotor_friction.nunique() == 4
     assert set(drops.end_state) == {"falling"}

@@ -21,6 +21,7 @@ pub(crate) const fn quantity(name: Text, unit: Text, label: Text, of: Source) ->
         aim: None,
         across: None,
         awaited: false,
+        occurs: false,
         in_sweeps: true,
         in_tables: true,
         of,
@@ -102,6 +103,12 @@ pub(crate) const fn means(meaning: Text, mut quantity: Quantity) -> Quantity {
 /// A time from the start that has no value where its event has not come by the end.
 pub(crate) const fn awaited(mut quantity: Quantity) -> Quantity {
     quantity.awaited = true;
+    quantity
+}
+
+/// A result of something that has no value where it does not occur.
+pub(crate) const fn occurs(mut quantity: Quantity) -> Quantity {
+    quantity.occurs = true;
     quantity
 }
 

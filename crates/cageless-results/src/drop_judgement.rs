@@ -2,10 +2,11 @@
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::rating::BasicRatings;
-use cageless::simulation::{Ending, RotorOutcome, RunOutcome};
+use cageless::simulation::{RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropSummary, EndState};
 use cageless::{Case, Support};
 
+use crate::Stopped;
 use crate::cell::Cell;
 use crate::kind::Kind;
 use crate::number_text::short;
@@ -20,7 +21,8 @@ pub struct DropJudgement {
     touched: bool,
     /// Every limit that is exceeded.
     failed: Vec<String>,
-    /// Limits on results that have no value, by the name of the result.
+    /// What leaves the drop without a verdict unless a limit is exceeded: a limit on a result without a
+    /// value, by the name of the result, or that the drop was interrupted, with no name.
     unjudged: Vec<(String, String)>,
     /// What the verdict of a drop that passes rests on.
     kept: Vec<String>,
@@ -80,8 +82,15 @@ impl DropJudgement {
     pub fn of_drop(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
         let mut failed = vec![];
         let mut kept = vec![];
-        if let Ending::Stopped(stop) = &outcome.ending {
-            failed.push(format!("stopped {}", stop.reason()));
+        let mut unjudged = vec![];
+        match Stopped::of(case, outcome) {
+            Some(stopped) if stopped.is_interrupted() => {
+                let [time_s, of_s] = [stopped.time_s, case.solver.duration_s].map(short);
+                let text = format!("interrupted after {time_s} s of {of_s} s");
+                unjudged.push((String::new(), text));
+            }
+            Some(stopped) => failed.push(format!("stopped {stopped}")),
+            None => {}
         }
         let pressures = [
             ("at the inner raceway", summary.inner_pressure_max_pa),
@@ -116,7 +125,7 @@ impl DropJudgement {
         if summary.end_state == EndState::BackwardWhirl {
             failed.push(format!(
                 "backward whirl at the end ({} Hz)",
-                short(summary.backward_whirl_max_hz)
+                short(summary.end_whirl_hz.abs())
             ));
         }
         failed.extend(unbalanced("", outcome.energy_residual_relative));
@@ -124,7 +133,7 @@ impl DropJudgement {
             touched: summary.end_state != EndState::Falling,
             failed,
             kept,
-            unjudged: vec![],
+            unjudged,
         }
     }
 
@@ -144,6 +153,26 @@ impl DropJudgement {
     /// Forgets that a result had no value.
     pub(crate) fn judge_again(&mut self, result: &str) {
         self.unjudged.retain(|(name, _)| name != result);
+    }
+
+    /// Verdict on drops one after the other by that on the first and those on the `later` ones, of which
+    /// the first that does not pass counts; `missing` is why there are fewer than were asked for.
+    pub fn with_later(mut self, later: &[Self], missing: Option<&String>) -> Self {
+        let first = |passes: Option<bool>| {
+            let mut numbered = (2..).zip(later);
+            let (number, drop) = numbered.find(|(_, drop)| drop.passes() == passes)?;
+            Some(format!("drop {number}: {}", drop.reasons().join("; ")))
+        };
+        self.failed.extend(first(Some(false)));
+        let unjudged = first(None).into_iter().chain(missing.cloned());
+        self.unjudged
+            .extend(unjudged.map(|text| (String::new(), text)));
+        if !later.is_empty() {
+            let drops = 1 + later.len();
+            self.kept
+                .push(format!("all {drops} drops within these limits"));
+        }
+        self
     }
 
     /// Verdict on a drop by the verdicts on its bearings: that of the only one of a case, that of all

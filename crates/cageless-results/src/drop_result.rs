@@ -1,14 +1,14 @@
 //! Results of one bearing of a drop.
 
 use cageless::Case;
-use cageless::simulation::{Ending, RunOutcome};
+use cageless::simulation::RunOutcome;
 use cageless::touchdown::{DropSummary, EndState, Limit, WhirlWindow};
 use serde::{Serialize, Serializer};
 
 use crate::kind::Kind;
 use crate::limited::{limited, limited_in_succession};
 use crate::table::DROP;
-use crate::{Cell, DropJudgement, FinishedDrop, Results, Subject, value_text};
+use crate::{Cell, DropJudgement, FinishedDrop, Results, Stopped, Subject, value_text};
 
 /// Results of one bearing of a drop.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -19,8 +19,8 @@ pub struct DropResult {
     /// Every limit that is exceeded, or why the drop was not judged.
     #[serde(rename = "reasons", serialize_with = "reasons")]
     pub judgement: DropJudgement,
-    /// Why the run stopped before its end, if it did.
-    pub stopped: Option<String>,
+    /// Why it ended early, if it did.
+    pub stopped: Option<Stopped>,
     /// Motion of the rotor and collisions between balls over time.
     pub windows: Vec<WindowRow>,
 }
@@ -75,14 +75,10 @@ impl DropResult {
             let results = Results::of(DROP, Subject::Drop(&finished));
             finished.judgement = limited(finished.judgement, &case.limits, &results);
         }
-        let stopped = match &outcome.ending {
-            Ending::Stopped(stop) => Some(stop.reason()),
-            _ => None,
-        };
         Self {
             results: Results::of(DROP, Subject::Drop(&finished)),
             judgement: finished.judgement,
-            stopped,
+            stopped: Stopped::of(case, outcome),
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
         }
     }
@@ -90,7 +86,12 @@ impl DropResult {
     /// Judges the drop by the limits on results of a succession, of which it is one drop, as well.
     pub(crate) fn judge_in_succession(&mut self, limits: &[Limit], succession: &Results) {
         let judgement = std::mem::take(&mut self.judgement);
-        self.judgement = limited_in_succession(judgement, limits, succession);
+        self.judge(limited_in_succession(judgement, limits, succession));
+    }
+
+    /// Gives the drop another verdict.
+    pub fn judge(&mut self, judgement: DropJudgement) {
+        self.judgement = judgement;
         let [verdict, passes] = [Kind::Text, Kind::Flag].map(|kind| self.judgement.cell(kind));
         let headline = Cell::Text(self.judgement.headline());
         self.results = std::mem::take(&mut self.results).with(&[

@@ -19,23 +19,29 @@ pub struct DropRun {
 
 impl DropRun {
     /// Results of `drop`, which ended as `outcome`, with the recorder of each bearing.
-    pub fn new(drop: &RotorDrop, recorders: Vec<DropRecorder>, outcome: RotorDropOutcome) -> Self {
+    pub fn new(drop: &RotorDrop, recorders: Vec<DropRecorder>, outcome: &RotorDropOutcome) -> Self {
         let ended = drop.cases().iter().zip(recorders).zip(&outcome.bearings);
-        let bearings: Vec<DropResult> = ended
+        let mut bearings: Vec<DropResult> = ended
             .map(|((case, recorder), ended)| {
                 DropResult::new(case, &recorder.summary(&ended.state), ended)
             })
             .collect();
         let stopped = outcome.stopped_bearing().map(|k| {
-            let reason = bearings[k].stopped.clone().unwrap_or_default();
+            let reason = bearings[k].stopped.as_ref().map(ToString::to_string);
+            let reason = reason.unwrap_or_default();
             match outcome.rotor {
                 None => reason,
                 Some(_) => format!("in bearing {} {reason}", k + 1),
             }
         });
+        // One that stops interrupts the others, and the stop is its own.
+        if let Some(k) = outcome.stopped_bearing() {
+            let others = bearings.iter_mut().enumerate().filter(|(j, _)| *j != k);
+            others.for_each(|(_, bearing)| bearing.stopped = None);
+        }
         Self {
             bearings,
-            rotor: outcome.rotor,
+            rotor: outcome.rotor.clone(),
             stopped,
         }
     }

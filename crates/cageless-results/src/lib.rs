@@ -25,6 +25,7 @@ mod results;
 mod search_result;
 mod source;
 mod static_result;
+mod stopped;
 mod successive_drop;
 mod table;
 #[cfg(test)]
@@ -53,6 +54,7 @@ pub use source::{
     Tolerated,
 };
 pub use static_result::{equilibrium_record, spatial_record, static_record};
+pub use stopped::Stopped;
 pub use successive_drop::succession_record;
 pub use table::{
     AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE, LUBRICATION, MAP, MOTION,

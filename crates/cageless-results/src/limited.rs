@@ -55,6 +55,10 @@ fn add(judgement: &mut DropJudgement, limit: &Limit, quantity: &Quantity, result
         judgement.limit(exceeded, format!("{label} {}, {allowed}", text(value)));
         return;
     }
+    if quantity.occurs && !least {
+        judgement.limit(false, format!("{label} none, {allowed}"));
+        return;
+    }
     let end_ms = results.value("simulated_s").map(milliseconds);
     let missing = match end_ms.filter(|_| quantity.awaited) {
         Some(end_ms) => {

@@ -29,6 +29,8 @@ pub struct Quantity {
     pub across: Option<Across>,
     /// Whether it is a time from the start that has no value where its event has not come by the end.
     pub awaited: bool,
+    /// Whether it has no value where what it is of does not occur, which keeps a limit from above.
+    pub occurs: bool,
     /// Whether the columns of sweeps have it.
     pub in_sweeps: bool,
     /// Whether tables for readers have it.

@@ -38,5 +38,5 @@ pub use parameter::{Parameter, lines, parameter, parameters};
 pub use passages::Passages;
 pub use progress::{KNOWN, Progress, Silent, Work, Workload, break_if, time_left};
 pub use structure::RacewayLabel;
-pub use summary::{RunSummary, Stopped};
+pub use summary::RunSummary;
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};

@@ -2,14 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use cageless::Case;
-use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::results::{SCHEMA, VERSION};
 use serde::Serialize;
 
 use crate::warnings::warnings;
-use cageless_results::{Finished, RUN, Record, Results, Subject};
+use cageless_results::{Finished, RUN, Record, Results, Stopped, Subject};
 
 /// The summary of a run. A number that is not finite becomes `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -39,41 +37,6 @@ pub struct RunSummary {
     pub stopped: Option<Stopped>,
 }
 
-/// Reason of an early stop of a run.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Stopped {
-    /// Simulated time reached.
-    pub time_s: f64,
-    /// Cause of the stop; [`Stopped::INTERRUPTED`] if the user ended the run.
-    pub cause: String,
-    /// Advice on what to change.
-    pub advice: String,
-}
-
-impl Stopped {
-    /// Cause of a run that the user ended: nothing is wrong with what it has.
-    pub const INTERRUPTED: &str = "interrupted";
-}
-
-fn stopped(case: &Case, outcome: &RunOutcome) -> Option<Stopped> {
-    match &outcome.ending {
-        Ending::Stopped(stop) => Some(Stopped {
-            time_s: stop.time_s,
-            cause: stop.cause.to_string(),
-            advice: stop.advice(),
-        }),
-        Ending::Interrupted => Some(Stopped {
-            time_s: outcome.end_s,
-            cause: Stopped::INTERRUPTED.to_owned(),
-            advice: format!(
-                "let it run to its end at {} s, or set solver.duration_s to less",
-                case.solver.duration_s
-            ),
-        }),
-        Ending::Complete | Ending::ObserverFailed(_) => None,
-    }
-}
-
 impl RunSummary {
     /// Summary of a run of `file`.
     pub fn new(file: &CaseFile, run: &Finished<'_>) -> Self {
@@ -99,7 +62,7 @@ impl RunSummary {
             energy,
             warnings: warnings(run),
             verification: None,
-            stopped: stopped(file.case(), outcome),
+            stopped: Stopped::of(file.case(), outcome),
         }
     }
 

@@ -11,7 +11,7 @@ use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod, Raceway};
 
 use cageless_results::number_text::short;
-use cageless_results::{DropResult, Finished, RESIDUAL_FRACTION};
+use cageless_results::{DropResult, Finished, RESIDUAL_FRACTION, Stopped};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
@@ -33,12 +33,12 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
 /// Warnings of a drop onto a bearing.
 pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
     let pressure =
-        |(name, place)| over_pressure(place, 1e6 * drop.results.value(name).unwrap_or(0.0));
+        |(name, place)| over_pressure_mpa(place, drop.results.value(name).unwrap_or(0.0));
     let truncated = |(ring, name): (usize, &str)| truncated(case, ring, drop.results.value(name));
     let mut warnings = of_case(case);
     warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
     warnings.extend(DROP_EDGES.into_iter().enumerate().filter_map(truncated));
-    if drop.stopped.is_none() {
+    if drop.stopped.as_ref().is_none_or(Stopped::is_interrupted) {
         let residual = drop
             .results
             .value("energy_residual_relative")
@@ -56,23 +56,27 @@ pub(crate) fn of_scattered<'d>(
     let worst = |name: &str| {
         let size = |drop: &DropResult| drop.results.value(name).unwrap_or(0.0).abs();
         let complete = drops.clone().filter(|(_, drop)| drop.stopped.is_none());
-        let (index, drop) = complete.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
-        Some((index, drop.results.value(name)?))
+        let (number, drop) = complete.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+        Some((number, drop.results.value(name)?))
     };
     let mut found: Vec<(u64, Option<String>)> = vec![];
     for (name, place) in DROP_PRESSURES {
-        let pressure = worst(name).map(|(index, mpa)| (index, over_pressure(place, 1e6 * mpa)));
+        let pressure = worst(name).map(|(number, mpa)| (number, over_pressure_mpa(place, mpa)));
         found.extend(pressure);
     }
     for (ring, name) in DROP_EDGES.into_iter().enumerate() {
-        found.extend(worst(name).map(|(index, edge)| (index, truncated(case, ring, Some(edge)))));
+        found.extend(worst(name).map(|(number, edge)| (number, truncated(case, ring, Some(edge)))));
     }
     let residual = worst("energy_residual_relative");
-    found.extend(residual.map(|(index, residual)| (index, unbalanced(residual, case))));
-    let texts = found.into_iter().filter_map(|(index, text)| {
-        text.map(|text| format!("in scattered drop {index}, the worst: {text}"))
+    found.extend(residual.map(|(number, residual)| (number, unbalanced(residual, case))));
+    let texts = found.into_iter().filter_map(|(number, text)| {
+        text.map(|text| format!("in scattered drop {number}, the worst: {text}"))
     });
     texts.collect()
+}
+
+fn over_pressure_mpa(place: &str, mpa: f64) -> Option<String> {
+    over_pressure(place, 1e6 * mpa)
 }
 
 /// Largest pressures among the results of a drop, and where they act.

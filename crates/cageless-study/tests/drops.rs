@@ -256,16 +256,23 @@ fn a_scattered_drop_can_be_repeated() {
         ..DropRequest::default()
     };
     // The automatic step is that of the case before it is scattered.
-    let short = ["solver.duration_s=0.0075", "solver.step_us=0.5"];
+    let short = [
+        "solver.duration_s=0.0075",
+        "solver.step_us=0.5",
+        "rotor.eccentricity_um=5",
+    ];
     let ensemble = studied(&drop(&short), request).ensemble.unwrap();
     let row = serde_json::to_value(&ensemble.drops[1]).unwrap();
     let of = |name: &str| row[name].clone();
+    assert_eq!(of("drop"), 2);
     let changes = [
         ("rotor.friction_coefficient", of("rotor_friction")),
         ("contact.friction_coefficient", of("ball_friction")),
         ("rotor.radial_clearance_um", of("radial_clearance_um")),
         ("support.damping_n_s_m", of("support_damping_n_s_m")),
         ("rotor.eccentricity_phase_deg", of("eccentricity_phase_deg")),
+        ("rotor.x_um", of("x_um")),
+        ("rotor.y_um", of("y_um")),
         ("start.lead_ball_angle_deg", of("lead_ball_angle_deg")),
         ("start.gaps", of("gaps_deg")),
     ];
@@ -310,7 +317,7 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
         "{:?}",
         found.warnings
     );
-    // The worst of the scattered drops, by its index.
+    // The worst of the scattered drops, by its number.
     let rows = &found.ensemble.as_ref().unwrap().drops;
     let of = |k: usize| {
         rows[k].bearings[0]
@@ -318,13 +325,13 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
             .results
             .number("ball_pressure_max_mpa")
     };
-    let (index, worst) = if of(0) > of(1) {
-        (0, of(0))
+    let (number, worst) = if of(0) > of(1) {
+        (1, of(0))
     } else {
-        (1, of(1))
+        (2, of(1))
     };
     let text = format!(
-        "in scattered drop {index}, the worst: the contact pressure between balls reaches {:.0} MPa",
+        "in scattered drop {number}, the worst: the contact pressure between balls reaches {:.0} MPa",
         worst
     );
     assert!(

@@ -9,6 +9,7 @@ use cageless::IntegrationMethod;
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::CaseFile;
+use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::{
     RotorBody, RotorClearance, RotorDescription, RotorFile, RotorPlace, RotorUnbalance,
 };
@@ -58,6 +59,7 @@ fn unbalance_deg(rotor: &RotorRow) -> f64 {
     match rotor {
         RotorRow::Case {
             eccentricity_phase_deg,
+            ..
         } => eccentricity_phase_deg.unwrap(),
         RotorRow::Linear {
             unbalance_turn_deg, ..
@@ -181,6 +183,84 @@ fn cancelled_drops_leave_the_drop_itself() {
     let alone = RotorDrop::of_case(case.case()).unwrap();
     let done = ensemble(&alone, 50, &Scatter::default(), &Cancelled::default());
     assert!(matches!(done, Err(StudyError::Interrupted)));
+}
+
+/// Cancels at once.
+struct Ended;
+
+impl Progress for Ended {
+    fn interrupted(&self) -> bool {
+        true
+    }
+}
+
+/// A drop that was interrupted says so, and passes no verdict by the part that it has.
+#[test]
+fn an_interrupted_drop_is_not_judged() {
+    let near = ["rotor.y_um=-199", "rotor.vy_m_s=-0.06"];
+    let file: VariantFile = bearing("touchdown-d.toml", &near).into();
+    for (file, cases) in [(file, 1), (two_bearings(&near).into(), 2)] {
+        let drop = file.drop().unwrap();
+        let rows = drop.cases().iter().map(|_| None).collect();
+        let found = study(&file, drop, DropRequest::default(), rows, &Ended).unwrap();
+        let json: serde_json::Value = serde_json::from_str(&found.to_json(&file).unwrap()).unwrap();
+        let bearings = match cases {
+            1 => vec![&json],
+            _ => json["bearings"].as_array().unwrap().iter().collect(),
+        };
+        assert_eq!(bearings.len(), cases);
+        for bearing in bearings {
+            assert!(bearing["impacts"].as_u64() > Some(0), "{bearing}");
+            let stopped = &bearing["stopped"];
+            assert_eq!(stopped["cause"], "interrupted", "{bearing}");
+            assert_eq!(stopped["time_s"], bearing["simulated_s"]);
+            assert!(stopped["advice"].as_str().unwrap().contains("its end at"));
+            assert_eq!(bearing["verdict"], "not-judged");
+        }
+        assert_eq!(
+            (&json["verdict"], &json["passes"]),
+            (&"not-judged".into(), &serde_json::Value::Null)
+        );
+        let headline = json["headline"].as_str().unwrap();
+        assert!(headline.contains("interrupted after"), "{headline}");
+    }
+}
+
+/// The shoulder that meets its face first carries all of a vertical rotor, and one that does as the
+/// support yields; a free bearing carries nothing.
+#[test]
+fn a_free_bearing_has_no_weight_of_a_vertical_rotor() {
+    let path = Path::new(CASES).join("rotors/vertical.toml");
+    let file = RotorFile::read(&path, &["solver.duration_s=0.0001".to_owned()]).unwrap();
+    let weight_n = file.rotor().mass_kg() * file.drop().cases()[0].operation.gravity_m_s2;
+    assert_eq!(file.drop().carried_n(), [Some(weight_n), None]);
+    // 392 N on 2e7 N/m: 19.6 µm.
+    let clearance = |um: f64| {
+        let set = format!("bearing.2.rotor.axial_clearance_um={um:?}");
+        let own = ["bearing.1.rotor.axial_clearance_um=400".to_owned(), set];
+        RotorFile::read(&path, &own).unwrap().drop().carried_n()
+    };
+    assert_eq!(clearance(419.0), [Some(weight_n), Some(weight_n)]);
+    assert_eq!(clearance(420.0), [Some(weight_n), None]);
+    assert_eq!(clearance(300.0), [None, Some(weight_n)]);
+    let found = studied(&file, DropRequest::default());
+    let weights = |k: usize| {
+        let results = &found.record.bearings[k].result.results;
+        results.value("rotor_force_max_over_weight")
+    };
+    assert!(weights(0).is_some() && weights(1).is_none());
+    assert_eq!(found.warnings, Vec::<String>::new());
+}
+
+/// The results of a rotor on several bearings are no case, and say what to give.
+#[test]
+fn results_of_a_rotor_are_no_case() {
+    let file = two_bearings(&["solver.duration_s=0.0001"]);
+    let found = studied(&file, DropRequest::default());
+    let json = found.to_json(&file.into()).unwrap();
+    let error = CaseFile::parse(&json, "summary.json", &[]).unwrap_err();
+    let message = error.to_string();
+    assert!(message.contains("give the rotor file"), "{message}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::VariantFile;
 use cageless_results::Record;
 use cageless_study::Silent;
@@ -163,6 +164,73 @@ fn a_rotor_in_two_bearings_heats_both() {
         heat_j * (1.0 - elsewhere_w / power_w),
         "heat of both bearings",
     );
+}
+
+/// A rotor that stands and a slow one drop again: nothing brakes them, and the heat of the spin-down is
+/// their rotational energy.
+#[test]
+fn a_slow_rotor_has_no_torque_and_drops_again() {
+    for speed_rpm in [0.0, 10.0] {
+        let speed = format!("rotor.speed_rpm={speed_rpm}");
+        let sets = ["solver.duration_s=0.02", &speed];
+        let done = dropped(&file("touchdown-conventional.toml", &sets), 2);
+        let rows = &done.succession.records;
+        assert_eq!(rows.len(), 2, "{:?}", done.warnings);
+        let results = &done.record.bearings[0].result.results;
+        assert_eq!(results.value("braking_torque_n_m"), None);
+        assert!(results.number("end_power_w") > 0.0);
+        assert_eq!(number(&rows[0], "spin_down_s"), 0.0);
+        let speed_rad_s = results.number("rotor_speed_rpm") * std::f64::consts::PI / 30.0;
+        let energy_j = 0.5 * 0.02 * speed_rad_s * speed_rad_s;
+        close(number(&rows[0], "spin_down_heat_j"), energy_j, "heat");
+        let first_contact = results.value("first_contact_ms");
+        if speed_rpm == 0.0 {
+            assert_eq!(results.value("spin_up_ms"), first_contact, "nothing slides");
+        }
+    }
+}
+
+/// The verdict is that on all drops that were asked for.
+#[test]
+fn a_later_drop_beyond_a_limit_fails() {
+    let limit = |path: &str, most_c: f64| {
+        let text = std::fs::read_to_string(path).unwrap();
+        let limit = "\n[[limit]]\nresult = \"ball_standstill_c\"\nsource = \"the plant\"\nvalue = ";
+        let text = format!("{text}{limit}{most_c:?}\n");
+        let sets = [&BRAKED[..], &["rotor.speed_rpm=600"]].concat();
+        let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+        VariantFile::from(CaseFile::parse(&text, "case.toml", &sets).unwrap())
+    };
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
+    let free = dropped(&limit(path, 1e3), 3);
+    let of = |k: usize| number(&free.succession.records[k], "ball_standstill_c");
+    assert_eq!(free.judgement.passes(), Some(true));
+    let headline = free.judgement.headline();
+    assert!(
+        headline.ends_with("all 3 drops within these limits"),
+        "{headline}"
+    );
+    let limited = limit(path, 0.5 * (of(0) + of(1)));
+    let found = dropped(&limited, 3);
+    let json: serde_json::Value = serde_json::from_str(&found.to_json(&limited).unwrap()).unwrap();
+    assert_eq!(
+        (&json["verdict"], &json["passes"]),
+        (&"fail".into(), &false.into())
+    );
+    let reasons = json["reasons"].as_array().unwrap();
+    assert_eq!(reasons.len(), 1, "{json}");
+    let reason = reasons[0].as_str().unwrap();
+    assert!(
+        reason.starts_with("drop 2: balls at standstill"),
+        "{reason}"
+    );
+    assert_eq!(found.succession.records[0].text("verdict"), "pass");
+    assert_eq!(dropped(&limited, 1).judgement.passes(), Some(true));
+    // A rotor that is driven on never drops again.
+    let driven = ["rotor.speed_rpm=600", "rotor.drive_torque_n_m=4"];
+    let sets = [&BRAKED[..], &driven].concat();
+    let judgement = dropped(&file("touchdown-d.toml", &sets), 2).judgement;
+    assert_eq!(judgement.passes(), None, "{judgement:?}");
 }
 
 /// Where the heat leaves no clearance the drops end with what there is and say why.

@@ -107,6 +107,11 @@ pub struct SupportStop {
 pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 
 impl Rotor {
+    /// Whether the rotor turns, or a drive turns it.
+    pub fn turns(&self) -> bool {
+        self.speed_rad_s != 0.0 || self.drive_torque_n_m != 0.0
+    }
+
     /// Centre of the journal at the start: zg − ε·e^(iφ).
     pub fn journal_start_m(&self) -> [f64; 2] {
         self.journal_m([self.x_m, self.y_m], 0.0)

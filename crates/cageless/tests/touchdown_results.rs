@@ -251,6 +251,14 @@ fn every_number_of_a_drop_follows_from_its_steps() {
             "{name}: {found} {expected}"
         );
     }
+    // The windows of the last fifth, whole.
+    let from_s = outcome.end_s - 0.2 * contact_s;
+    let last = || summary.whirl.iter().filter(|w| w.end_s > from_s);
+    let turned_rad: f64 = last().map(|w| w.turned_rad).sum();
+    let time_s: f64 = last().map(|w| w.end_s - w.start_s).sum();
+    let whirl_hz = turned_rad / (2.0 * std::f64::consts::PI * time_s);
+    assert!((summary.end_whirl_hz - whirl_hz).abs() < 1e-9 * whirl_hz.abs());
+    assert!(last().count() < summary.whirl.len() && whirl_hz != 0.0);
     assert_eq!(summary.inner_force_max_n, steps.balls_n[0]);
     assert_eq!(summary.outer_force_max_n, steps.balls_n[1]);
     assert_eq!(summary.impacts, steps.begun_s.len() as u64);

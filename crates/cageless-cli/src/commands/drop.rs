@@ -65,7 +65,7 @@ pub(super) fn listed(values: &[f64]) -> String {
 }
 
 fn text(study: &DropStudy) -> String {
-    let mut text = verdict(&study.record.judgement()) + &rotor_text(study);
+    let mut text = verdict(&study.judgement) + &rotor_text(study);
     text += &columns(&DropResult::side_by_side(
         &study.results("value", "conventional"),
     ));

@@ -134,7 +134,8 @@ class DropAttributes:
     ring_speed_rpm: float  # inner ring at the end, rpm
     rotor_speed_rpm: float  # rotor at the end, rpm
     backward_whirl_max_hz: float  # largest backward speed of the journal (whirl or swing), Hz
-    backward_whirl_hz: float  # backward whirl round the bore, Hz
+    backward_whirl_hz: float  # backward whirl round the bore, largest, Hz
+    backward_whirl_end_hz: float  # backward whirl at the end, Hz
     inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
     outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     ball_pressure_max_mpa: float  # peak contact pressure, ball on ball, MPa

@@ -142,13 +142,15 @@ def of_balls(values: Row) -> pd.DataFrame:
 def scattered(values: Row) -> pd.DataFrame:
     """Scattered drops, a row for each, with several bearings for each drop and bearing: what was
     drawn, and the scalar results."""
+    from .result import early_stop
+
     rows = []
     for drop in (values.get("ensemble") or {}).get("drops", []):
         whole = {key: value for key, value in drop.items() if key not in ("bearings", "result")}
         for number, bearing in enumerate(drop.get("bearings", [drop]), 1):
             which = {"bearing": number} if "bearings" in drop else {}
             # The stop of one bearing ends the drop: the reason of the drop is given.
-            results = {"stopped": None} | scalars(bearing["result"])
+            results = scalars(bearing["result"]) | {"stopped": early_stop(bearing["result"])}
             rows.append(which | scalars(bearing) | results | scalars(whole))
     return frame(rows)
 

@@ -102,9 +102,9 @@ def early_stop(values: dict[str, Any]) -> str | None:
         # By the user.
         return None if cause == "interrupted" else f"at t = {at:.6f} s {cause}. To change: {advice}."
     for number, bearing in enumerate(values.get("bearings", []), 1):
-        if reason := bearing.get("stopped"):
+        if reason := early_stop(bearing):
             return f"bearing {number}: {reason}"
-    return stop if isinstance(stop, str) else None
+    return None
 
 
 class Number:

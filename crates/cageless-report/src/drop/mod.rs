@@ -127,7 +127,7 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
     let end = results()
         .nth(last)
         .map_or(0.0, |r| r.results.number("simulated_s"));
-    let judgement = study.record.judgement();
+    let judgement = &study.judgement;
     let facts = [
         parameter("mass of the rotor", short(rotor.mass_kg()), "kg"),
         parameter(

@@ -26,7 +26,11 @@ const FAILURE_MODES: [(&str, &[&str]); 6] = [
     ("Indentation of raceways and balls", &PRESSURES),
     (
         "Backward whirl",
-        &["backward_whirl_hz", "backward_whirl_max_hz"],
+        &[
+            "backward_whirl_end_hz",
+            "backward_whirl_hz",
+            "backward_whirl_max_hz",
+        ],
     ),
     (
         "Contact of rotor and stator",
@@ -233,9 +237,10 @@ fn value(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
 
 /// The value of a result with a limit, or why there is none.
 fn limited(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
-    let without = || match quantity.awaited {
-        true => "not reached".to_owned(),
-        false => "no value: not judged".to_owned(),
+    let without = || match (quantity.awaited, quantity.occurs) {
+        (true, _) => "not reached".to_owned(),
+        (_, true) => "none".to_owned(),
+        _ => "no value: not judged".to_owned(),
     };
     match value(bearing, quantity).as_str() {
         "–" => (bearing.record.result.instead(quantity.name)).unwrap_or_else(without),

@@ -2,7 +2,7 @@
 
 use cageless::Case;
 use cageless::initial_conditions::unloaded_equilibrium;
-use cageless::touchdown::EndPower;
+use cageless::touchdown::{EndPower, EndState};
 
 use crate::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
 use crate::FinishedDrop;
@@ -35,11 +35,12 @@ pub const DROP: &[Quantity] = &[
     means("`rotor.clearance_limit_um` less the largest displacement", across(Smallest, high(quantity("clearance_margin_um", "um", "margin of the journal to its clearance", Drop(clearance_margin))))),
     across(Largest, quantity("housing_displacement_max_um", "um", "largest displacement of the outer ring", Drop(|d| some(1e6 * d.summary.housing_displacement_max_m)))),
     across(Largest, quantity("rotor_sliding_max_m_s", "m/s", "largest sliding speed of the rotor", Drop(|d| some(d.summary.rotor_sliding_max_m_s)))),
-    means("time from the start of the drop until the sliding between journal and inner ring falls below 1 % of that at the first contact", awaited(across(LargestOfAll, low(quantity("spin_up_ms", "ms", "spin-up of the inner ring", Drop(|d| d.summary.spin_up_s.map(milliseconds).into())))))),
+    means("time from the start of the drop until the sliding between journal and inner ring falls below 1 % of that at the first contact; that of the first contact with a rotor that does not turn", awaited(across(LargestOfAll, low(quantity("spin_up_ms", "ms", "spin-up of the inner ring", Drop(|d| d.summary.spin_up_s.map(milliseconds).into())))))),
     quantity("ring_speed_rpm", "rpm", "inner ring at the end", Drop(|d| some(rpm(d.summary.ring_speed_rad_s)))),
     across(Same, quantity("rotor_speed_rpm", "rpm", "rotor at the end", Drop(|d| some(rpm(d.summary.rotor_speed_rad_s))))),
     across(Largest, low(quantity("backward_whirl_max_hz", "Hz", "largest backward speed of the journal (whirl or swing)", Drop(|d| some(d.summary.backward_whirl_max_hz))))),
-    across(Largest, low(quantity("backward_whirl_hz", "Hz", "backward whirl round the bore", Drop(|d| d.summary.backward_whirl_hz.into())))),
+    means("largest mean over 5 ms, of a journal that runs round the bore in contact", occurs(across(Largest, low(quantity("backward_whirl_hz", "Hz", "backward whirl round the bore, largest", Drop(|d| d.summary.backward_whirl_hz.into())))))),
+    means("mean over the last fifth of the time after the first contact, of a rotor that ends in backward whirl", occurs(across(Largest, low(quantity("backward_whirl_end_hz", "Hz", "backward whirl at the end", Drop(backward_whirl_end)))))),
     means(HERTZ_PRESSURE, across(Largest, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-6 * d.summary.inner_pressure_max_pa)))))),
     means(HERTZ_PRESSURE, across(Largest, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-6 * d.summary.outer_pressure_max_pa)))))),
     means(HERTZ_PRESSURE, across(Largest, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-6 * d.summary.ball_pressure_max_pa)))))),
@@ -64,7 +65,7 @@ pub const DROP: &[Quantity] = &[
     across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j)))),
     across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j)))),
     across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j)))),
-    means("power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact; while an inner ring still comes up to speed, the torque that accelerates it brakes the rotor as well", across(Sum, quantity("braking_torque_n_m", "N m", "torque of the losses that brakes the rotor, at the end", Drop(|d| end(d, |p| p.torque_n_m))))),
+    means("power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact; while an inner ring still comes up to speed, the torque that accelerates it brakes the rotor as well; none of a slow rotor, whose rotational energy is less than a hundred times its largest other kinetic energy", across(Sum, quantity("braking_torque_n_m", "N m", "torque of the losses that brakes the rotor, at the end", Drop(|d| d.summary.end_power.as_ref().and_then(|p| p.torque_n_m).into())))),
     means("mean over the last fifth of the time after the first contact", across(Sum, quantity("end_power_w", "W", "heat of all interfaces per second, at the end", Drop(|d| end(d, |p| p.total_w))))),
     means(INTO_PART, across(Sum, quantity("inner_ring_power_w", "W", "  into the inner ring", Drop(|d| end(d, |p| p.parts_w[0]))))),
     means(INTO_PART, across(Sum, quantity("ball_power_w", "W", "  into the balls", Drop(|d| end(d, |p| p.parts_w[1]))))),
@@ -106,7 +107,7 @@ pub const SUCCESSION: &[Quantity] = &[
     file_only(means("of the balls of each row on its outer ring, along z, at the start of the drop, before anything loads the bearing: the preload, of which that of held rings changes with the expansion and that of a spring does not; in space", few("row_axial_force_n", "N", "axial force of the rows", Succession(|s| preload_n(s.case))))),
     part(means("at the start of the drop, radial, with the expansion of the inner ring", quantity("touchdown_clearance_um", "um", "touch-down clearance", Succession(|s| s.case.rotor.as_ref().map(|r| 1e6 * r.radial_clearance_m).into())))),
     part(low(quantity("dissipated_j", "J", "heat of all interfaces", Succession(|s| some(s.heat_j))))),
-    part(means("time to standstill from the end of the simulated time, at the torques of its end: those of the contacts and `rotor.drive_torque_n_m`, once every inner ring has come up to speed", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down.map(|d| d.time_s).into())))),
+    part(means("time to standstill from the end of the simulated time, at the torques of its end: those of the contacts and `rotor.drive_torque_n_m`, once every inner ring has come up to speed; 0 of a slow rotor, with the heat of all its rotational energy", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down.map(|d| d.time_s).into())))),
     part(means("of all bearings of the rotor", low(quantity("spin_down_heat_j", "J", "heat of the spin-down", Succession(|s| s.spin_down.map(|d| d.heat_j).into()))))),
     part(means(STANDSTILL, low(quantity("inner_ring_standstill_c", "C", "inner ring at standstill", Succession(|s| s.standstill_c.map(|c| c[0]).into()))))),
     part(means(STANDSTILL, low(quantity("ball_standstill_c", "C", "balls at standstill", Succession(|s| s.standstill_c.map(|c| c[1]).into()))))),
@@ -129,6 +130,12 @@ fn preload_n(case: &Case) -> Cell {
     let unloaded = || unloaded_equilibrium(case).ok();
     let found = case.moves_in_space().then(unloaded).flatten();
     found.map_or(Cell::Null, |e| Cell::Numbers(e.row_axial_force_n))
+}
+
+fn backward_whirl_end(drop: &FinishedDrop<'_>) -> Cell {
+    let s = drop.summary;
+    let whirls = s.end_state == EndState::BackwardWhirl;
+    whirls.then_some(s.end_whirl_hz.abs()).into()
 }
 
 fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {

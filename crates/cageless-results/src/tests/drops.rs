@@ -7,6 +7,7 @@ use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit, SpinDown};
 
 use super::*;
+use crate::number_text::short;
 
 const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
 
@@ -58,6 +59,7 @@ fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
         &mut s.ball_force_max_n,
         &mut s.ball_sliding_max_m_s,
         &mut s.backward_whirl_max_hz,
+        &mut s.end_whirl_hz,
         &mut s.heat.rotor_friction_j,
         &mut s.heat.rotor_damping_j,
         &mut s.heat.inner_friction_j,
@@ -72,8 +74,9 @@ fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
     s.end_power = Some(EndPower {
         total_w: next(counter),
         parts_w: [next(counter), next(counter), next(counter)],
-        torque_n_m: next(counter),
+        torque_n_m: Some(next(counter)),
     });
+    s.end_state = EndState::BackwardWhirl;
     s.ellipse_edge_max_rad = Some([next(counter), next(counter)]);
     s.impacts = 11;
     (s.collisions.all, s.collisions.above) = (101, [53, 29, 17]);
@@ -137,6 +140,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ),
         ("backward_whirl_max_hz", s.backward_whirl_max_hz),
         ("backward_whirl_hz", s.backward_whirl_hz.unwrap()),
+        ("backward_whirl_end_hz", s.end_whirl_hz),
         ("inner_pressure_max_mpa", s.inner_pressure_max_pa / MPA),
         ("outer_pressure_max_mpa", s.outer_pressure_max_pa / MPA),
         ("inner_ellipse_edge_max_deg", edges[0] / DEGREE),
@@ -164,7 +168,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("ball_friction_j", heat.ball_friction_j),
         ("contact_damping_j", heat.contact_damping_j),
         ("support_damping_j", heat.support_damping_j),
-        ("braking_torque_n_m", end.torque_n_m),
+        ("braking_torque_n_m", end.torque_n_m.unwrap()),
         ("end_power_w", end.total_w),
         ("inner_ring_power_w", end.parts_w[0]),
         ("ball_power_w", end.parts_w[1]),
@@ -181,6 +185,9 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         outcome: &outcome,
         judgement: DropJudgement::of_drop(&case, &s, &outcome),
     };
+    let whirl = format!("backward whirl at the end ({} Hz)", short(s.end_whirl_hz));
+    let reasons = finished.judgement.reasons();
+    assert!(reasons.contains(&whirl), "{reasons:?}");
     let results = Results::of(DROP, Subject::Drop(&finished));
     compare(&results, &expected, &[], 1e-12);
     for (name, count) in [
@@ -366,7 +373,7 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
     }
 }
 
-/// A limit on a result without a value never passes: it fails where the event has not come by the limit,
+/// A limit on a result without a value does not pass, except one from above on what does not occur: it fails where the event has not come by the limit,
 /// and cannot be judged where that is open or where nothing computes the result.
 #[test]
 fn a_limit_on_a_result_without_a_value_does_not_pass() {
@@ -376,6 +383,7 @@ fn a_limit_on_a_result_without_a_value_does_not_pass() {
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
     (s.spin_up_s, outcome.end_s) = (None, 0.1);
+    s.backward_whirl_hz = None;
     if let Some(rotor) = &mut case.rotor {
         rotor.clearance_limit_m = None;
     }
@@ -400,6 +408,12 @@ fn a_limit_on_a_result_without_a_value_does_not_pass() {
             "cannot be judged: at least",
         ),
         ("inner_ring_standstill_c", 1e9, "not-judged", "drop --drops"),
+        (
+            "backward_whirl_hz",
+            0.0,
+            "pass",
+            "none, at most 0 Hz (the plant)",
+        ),
     ] {
         case.limits = vec![Limit {
             result: name.to_owned(),

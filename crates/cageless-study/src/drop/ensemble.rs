@@ -28,15 +28,15 @@ pub struct Ensemble {
     /// What each bearing went through in the completed drops.
     #[serde(flatten)]
     pub bearings: Bearings<Distribution>,
-    /// The drops, in the order of their indices.
+    /// The drops, in the order of their numbers.
     pub drops: Vec<DropRow>,
 }
 
 /// One drop of an ensemble.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DropRow {
-    /// Index of the draw.
-    pub index: u64,
+    /// Number of the drop, from 1.
+    pub drop: u64,
     /// The rotor.
     #[serde(flatten)]
     pub rotor: RotorRow,
@@ -53,6 +53,10 @@ pub enum RotorRow {
     Case {
         /// Direction of the unbalance at the start, degrees.
         eccentricity_phase_deg: Option<f64>,
+        /// Mass centre at the start, µm.
+        x_um: Option<f64>,
+        /// Mass centre at the start, µm.
+        y_um: Option<f64>,
     },
     /// A linear rotor.
     Linear {
@@ -99,22 +103,25 @@ fn together(
     let rows = indices.iter().zip(&drawn).zip(runs);
     rows.map(|((index, drawn), run)| {
         let run = run.map_err(|error| StudyError::Input(error.to_string()))?;
-        Ok(DropRow::new(*index, drop, drawn, run))
+        Ok(DropRow::new(*index + 1, drop, drawn, run))
     })
     .collect()
 }
 
 impl DropRow {
-    fn new(index: u64, drop: &RotorDrop, drawn: &Drawn, run: DropRun) -> Self {
+    fn new(number: u64, drop: &RotorDrop, drawn: &Drawn, run: DropRun) -> Self {
         let unbalance_deg = drawn.unbalance_rad.map(f64::to_degrees);
+        let centre_um = drawn.centre_m.map(|centre| centre.map(|m| 1e6 * m));
         let bearings = drawn.bearings.iter().zip(run.bearings);
         let bearings = bearings.map(|(drawn, result)| BearingRow::new(drawn, result));
         Self {
-            index,
+            drop: number,
             bearings: Bearings::new(drop, bearings),
             rotor: match run.rotor {
                 None => RotorRow::Case {
                     eccentricity_phase_deg: unbalance_deg,
+                    x_um: centre_um.map(|[x, _]| x),
+                    y_um: centre_um.map(|[_, y]| y),
                 },
                 Some(rotor) => RotorRow::Linear {
                     unbalance_turn_deg: unbalance_deg,
@@ -126,10 +133,13 @@ impl DropRow {
     }
 
     /// Reason why the drop stopped early, if it did.
-    fn stopped(&self) -> Option<&String> {
+    fn stopped(&self) -> Option<String> {
         match &self.rotor {
-            RotorRow::Case { .. } => self.bearings[0].result.stopped.as_ref(),
-            RotorRow::Linear { stopped, .. } => stopped.as_ref(),
+            RotorRow::Case { .. } => {
+                let stopped = self.bearings[0].result.stopped.as_ref();
+                stopped.map(ToString::to_string)
+            }
+            RotorRow::Linear { stopped, .. } => stopped.clone(),
         }
     }
 
@@ -151,7 +161,7 @@ fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
     Ensemble {
         seed: drop.cases()[0].seed,
         completed: complete.len(),
-        stopped: drops.iter().filter_map(|d| d.stopped().cloned()).collect(),
+        stopped: drops.iter().filter_map(DropRow::stopped).collect(),
         in_any_bearing: drop.rotor().map(|_| whirl()),
         bearings: Bearings::new(drop, (0..drop.cases().len()).map(of_bearing)),
         drops,
@@ -189,7 +199,7 @@ mod tests {
 
     fn row(bearings: Vec<BearingRow>, stopped: Option<&str>) -> DropRow {
         DropRow {
-            index: 0,
+            drop: 1,
             rotor: RotorRow::Linear {
                 unbalance_turn_deg: None,
                 rotor_energy_residual_relative: 0.0,

@@ -6,7 +6,7 @@ use cageless::collision::{Collision, CollisionDetector};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, RotorDrop, RotorOutcome, RunOutcome};
 use cageless::snapshot::Snapshot;
-use cageless_results::{DropJudgement, DropResult};
+use cageless_results::{DropJudgement, DropResult, DropRun};
 
 use super::side_by_side::recorders;
 use crate::StudyError;
@@ -101,11 +101,12 @@ impl DropRecord {
             }
             outcome
         };
-        let records = cases.iter().zip(drops).zip(outcome.bearings).zip(kept);
-        let bearings = records.map(|(((case, drop), outcome), kept)| {
+        let results = DropRun::new(drop, drops, &outcome).bearings;
+        let records = results.into_iter().zip(outcome.bearings).zip(kept);
+        let bearings = records.map(|((result, outcome), kept)| {
             let kept = kept.into_inner();
             BearingRecord {
-                result: DropResult::new(case, &drop.summary(&outcome.state), &outcome),
+                result,
                 outcome,
                 snapshots: kept.snapshots,
                 collisions: kept.collisions,

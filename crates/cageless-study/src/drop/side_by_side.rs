@@ -49,7 +49,7 @@ pub(crate) fn run_drops<'c>(
                 bearings: vec![outcome],
                 rotor: None,
             };
-            DropRun::new(drop, vec![recorder], outcome)
+            DropRun::new(drop, vec![recorder], &outcome)
         })),
         Some(_) => run_alone(drop, &mut *control(1)),
     };
@@ -74,6 +74,6 @@ fn run_alone(
     // One that stops interrupts the others.
     match outcome.stopped_bearing() {
         None if interrupted => None,
-        _ => Some(Ok(DropRun::new(drop, recorders, outcome))),
+        _ => Some(Ok(DropRun::new(drop, recorders, &outcome))),
     }
 }

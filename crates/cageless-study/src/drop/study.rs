@@ -6,7 +6,7 @@ use cageless::touchdown::Scatter;
 use cageless_io::case_file::missing_rotor;
 use cageless_io::plan_file::VariantFile;
 use cageless_results::number_text::short;
-use cageless_results::{DropResult, Record};
+use cageless_results::{DropJudgement, DropResult, Record};
 
 use super::verification::verify;
 use super::{BearingRecord, DropRecord, Ensemble, Succession, check_drops, ensemble};
@@ -55,6 +55,8 @@ pub struct DropStudy {
     pub drop: RotorDrop,
     /// Its record.
     pub record: DropRecord,
+    /// The verdict on it and the drops after it.
+    pub judgement: DropJudgement,
     /// The record of the drop of the same rotor onto conventional outer rings.
     pub conventional: Option<DropRecord>,
     /// Scattered drops.
@@ -90,6 +92,7 @@ pub fn study<'r>(
     }
     let drops = request.drops.unwrap_or(1);
     study.succession = Succession::new(file, &study.drop, &mut study.record, drops, progress)?;
+    study.judge();
     study.interrupted = study.succession.interrupted;
     study.warnings.extend(study.succession.overheated());
     study.warnings.extend(study.succession.cut_short.clone());
@@ -125,6 +128,7 @@ impl DropStudy {
         }
         Self {
             interrupted: matches!(record.ending(), Ending::Interrupted),
+            judgement: record.judgement(),
             drop,
             record,
             conventional: None,
@@ -132,6 +136,18 @@ impl DropStudy {
             succession: Succession::default(),
             verification: None,
             warnings,
+        }
+    }
+
+    /// Judges the drop with those after it.
+    fn judge(&mut self) {
+        let Succession {
+            later, cut_short, ..
+        } = &self.succession;
+        let first = self.record.judgement();
+        self.judgement = first.with_later(later, cut_short.as_ref());
+        if self.drop.rotor().is_none() {
+            self.record.bearings[0].result.judge(self.judgement.clone());
         }
     }
 
@@ -177,7 +193,7 @@ impl DropStudy {
 fn scattered_warnings(drop: &RotorDrop, ensemble: &Ensemble) -> Vec<String> {
     let of_bearing = |(k, case): (usize, &Case)| {
         let drops = ensemble.drops.iter();
-        let drops = drops.map(|row| (row.index, &row.bearings[k].result));
+        let drops = drops.map(|row| (row.drop, &row.bearings[k].result));
         let own = of_scattered(case, drops).into_iter();
         own.map(|text| in_bearing(drop, k, &text))
             .collect::<Vec<_>>()
@@ -197,9 +213,9 @@ fn in_bearing(drop: &RotorDrop, k: usize, text: &str) -> String {
     }
 }
 
-/// Warnings of bearings that carry nothing of a linear rotor at rest, or hold it down.
+/// Warnings of bearings that carry nothing of a horizontal linear rotor at rest, or hold it down.
 pub fn unloaded(drop: &RotorDrop) -> Vec<String> {
-    let Some(rotor) = drop.rotor() else {
+    let Some(rotor) = drop.rotor().filter(|_| !drop.is_vertical()) else {
         return vec![];
     };
     let shares = rotor.mass_shares_kg().into_iter();

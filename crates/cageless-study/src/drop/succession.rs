@@ -15,6 +15,8 @@ use crate::progress::Progress;
 pub struct Succession {
     /// The records.
     pub records: Vec<Record>,
+    /// Verdicts on the drops after the first, on one that did not complete as well.
+    pub later: Vec<DropJudgement>,
     /// Why there are fewer drops than were asked for.
     pub cut_short: Option<String>,
     /// Whether the progress cancelled it.
@@ -58,8 +60,8 @@ impl Succession {
         let mut warm_c = done.add(drop, first);
         let mut spun_up = has_spun_up(first);
         for number in 2..=count {
-            let warm = match warm_c {
-                Some(warm_c) => warmed(file, drop, &warm_c),
+            let warm = match &warm_c {
+                Some(warm_c) => warmed(file, drop, warm_c),
                 None => {
                     let reason = match spun_up {
                         false => {
@@ -94,18 +96,21 @@ impl Succession {
             let Some(drop) = warm.drop() else { break };
             let none = drop.cases().iter().map(|_| None).collect();
             let mut record = DropRecord::of(&drop, none, progress)?;
+            if matches!(record.ending(), Ending::Complete) {
+                warm_c = done.add(&drop, &mut record);
+                spun_up = has_spun_up(&record);
+            }
+            done.later.push(record.judgement());
             match record.ending() {
-                Ending::Complete => {
-                    warm_c = done.add(&drop, &mut record);
-                    spun_up = has_spun_up(&record);
-                }
+                Ending::Complete => {}
                 Ending::Interrupted => {
                     done.interrupted = true;
                     break;
                 }
                 _ => {
-                    let stopped = record.bearings[record.last_index()].result.stopped.clone();
-                    let reason = stopped.unwrap_or_default();
+                    let stopped = &record.bearings[record.last_index()].result.stopped;
+                    let reason = stopped.as_ref().map(ToString::to_string);
+                    let reason = reason.unwrap_or_default();
                     done.cut_short = Some(format!("drop {number} stopped {reason}"));
                     break;
                 }
@@ -191,23 +196,29 @@ fn has_spun_up(record: &DropRecord) -> bool {
 }
 
 /// Spin-down of the rotor after a drop; `None` where it does not come to rest, or where an inner ring
-/// still slides on it at the end of the drop.
+/// still slides on it at the end of the drop. A slow one stands at once.
 fn spin_down(drop: &RotorDrop, record: &DropRecord) -> Option<SpinDown> {
-    if !has_spun_up(record) {
-        return None;
-    }
-    let bearings = record.bearings.iter();
-    let torques = bearings.map(|bearing| bearing.result.results.value("braking_torque_n_m"));
-    let contacts_n_m = torques.sum::<Option<f64>>()?;
+    let all = |name: &str| -> Option<Vec<f64>> {
+        let bearings = record.bearings.iter();
+        bearings.map(|b| b.result.results.value(name)).collect()
+    };
     let rotor = drop.cases()[0].rotor.as_ref()?;
-    let speed_rad_s = record.bearings[0].outcome.state.rotor_motion()?.speed;
-    let drive_n_m = -rotor.drive_torque_n_m * speed_rad_s.signum();
-    SpinDown::new(
+    let (inertia_kg_m2, speed_rad_s) = (
         rotor.polar_inertia_kg_m2,
-        speed_rad_s,
-        contacts_n_m,
-        drive_n_m,
-    )
+        record.bearings[0].outcome.state.rotor_motion()?.speed,
+    );
+    let drive_n_m = -rotor.drive_torque_n_m * speed_rad_s.signum();
+    all("end_power_w")?;
+    let Some(torques_n_m) = all("braking_torque_n_m") else {
+        return (drive_n_m >= 0.0).then_some(SpinDown {
+            time_s: 0.0,
+            heat_j: 0.5 * inertia_kg_m2 * speed_rad_s * speed_rad_s,
+        });
+    };
+    let contacts_n_m = torques_n_m.iter().sum();
+    has_spun_up(record)
+        .then(|| SpinDown::new(inertia_kg_m2, speed_rad_s, contacts_n_m, drive_n_m))
+        .flatten()
 }
 
 /// The file with the temperatures at which its bearings are after the pause, and what they make of the

@@ -41,7 +41,7 @@ impl DropStudy {
     fn rotor<'a>(&'a self, file: &'a VariantFile) -> Option<Rotor<'a>> {
         let rotor = self.drop.rotor()?;
         let outcome = self.record.rotor.as_ref()?;
-        let judgement = self.record.judgement();
+        let judgement = &self.judgement;
         Some(Rotor {
             title: file.title(),
             rotor: RotorNumbers {

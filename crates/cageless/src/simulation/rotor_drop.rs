@@ -149,21 +149,50 @@ impl RotorDrop {
         })
     }
 
-    /// Weight of the rotor that each bearing carries, N; `None` where it carries none of it, or
-    /// the rotor pulls it upwards.
+    /// Weight of the rotor that each bearing carries, N, all of it at a shoulder of a vertical rotor;
+    /// `None` where it carries none of it, or the rotor pulls it upwards.
     pub fn carried_n(&self) -> Vec<Option<f64>> {
         let gravity = self.cases[0].operation.gravity_m_s2;
         let Some(rotor) = &self.rotor else {
             return vec![Some(self.of_rotor(|rotor| rotor.mass_kg) * gravity)];
         };
         if self.is_vertical() {
-            return vec![Some(rotor.mass_kg() * gravity); self.cases.len()];
+            return self.shouldered_n(rotor.mass_kg() * gravity);
         }
         let least = LEAST_SHARE * rotor.mass_kg() / self.cases.len() as f64;
         let shares = rotor.mass_shares_kg().into_iter();
         shares
             .map(|share| (share > least).then_some(share * gravity))
             .collect()
+    }
+
+    /// [`Self::carried_n`] of a vertical rotor of this weight: of it that of the shoulder which meets its
+    /// face first, and of those that do before the support of that one has yielded.
+    fn shouldered_n(&self, weight_n: f64) -> Vec<Option<f64>> {
+        let rotors = || self.cases.iter().filter_map(|case| case.rotor.as_ref());
+        let thrust_n: f64 = rotors().map(|own| own.axial_load_n).sum();
+        let down = (weight_n - thrust_n).signum();
+        let gap_m = |case: &Case| {
+            let own = case.rotor.as_ref()?;
+            Some(own.axial_clearance_m? + down * own.z_m)
+        };
+        let reach_m = |case: &Case| {
+            let support = case.support.as_ref();
+            let sag_m = support.map_or(0.0, |own| weight_n / own.stiffness_n_m);
+            Some(gap_m(case)? + sag_m)
+        };
+        let first = self.cases.iter().min_by(|a, b| {
+            let of = |case| gap_m(case).unwrap_or(f64::INFINITY);
+            of(a).total_cmp(&of(b))
+        });
+        let reach_m = first.and_then(reach_m);
+        let meets = |case: &Case| {
+            gap_m(case)
+                .zip(reach_m)
+                .is_some_and(|(gap, reach)| gap <= reach)
+        };
+        let carried = |case: &Case| meets(case).then_some(weight_n);
+        self.cases.iter().map(carried).collect()
     }
 
     /// The linear rotor; `None` where the rotor is that of the only case.
@@ -176,7 +205,8 @@ impl RotorDrop {
         self.of_rotor(|rotor| rotor.speed_rad_s)
     }
 
-    fn is_vertical(&self) -> bool {
+    /// Whether the axis of the rotor is vertical.
+    pub fn is_vertical(&self) -> bool {
         self.cases[0].upward() == 2
     }
 

@@ -1,7 +1,9 @@
 //! Heat of the interfaces of a drop.
 
 use super::thermal::PARTS;
+use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::energy::EnergyTerm;
+use crate::rotor::Rotor;
 use crate::simulation::StepView;
 
 /// Heat of each interface since the magnets let go, J.
@@ -74,14 +76,21 @@ pub struct EndPower {
     pub total_w: f64,
     /// Power into inner ring, balls and outer ring, W.
     pub parts_w: [f64; PARTS],
-    /// Torque by which the interfaces brake the rotor: their power over its mean speed, N m.
-    pub torque_n_m: f64,
+    /// Torque by which the interfaces brake the rotor: their power over its mean speed, N m. `None` of
+    /// a slow rotor: it is its fall that makes heat.
+    pub torque_n_m: Option<f64>,
 }
+
+/// Rotational energy below which a rotor is slow, in its largest other kinetic energy: what bouncing still
+/// loses must be little next to it.
+const SLOW: f64 = 100.0;
 
 /// Heat and speed of the rotor now and then.
 #[derive(Debug, Clone)]
 pub(super) struct HeatHistory {
     interval_s: f64,
+    /// Largest kinetic energy of the rotor without that of its rotation, J.
+    fall_j: f64,
     /// The last one is that of the end of the last step.
     marks: Vec<Mark>,
 }
@@ -96,18 +105,28 @@ struct Mark {
 
 impl HeatHistory {
     pub(super) fn new(interval_s: f64) -> Self {
-        let marks = vec![];
-        Self { interval_s, marks }
+        Self {
+            interval_s,
+            fall_j: 0.0,
+            marks: vec![],
+        }
     }
 
-    pub(super) fn step(&mut self, view: &StepView<'_, '_>) {
+    pub(super) fn step(&mut self, view: &StepView<'_, '_>, rotor: &Rotor) {
         let (layout, y) = (view.layout(), &view.step.y1);
+        let Some(motion) = layout.rotor_motion(y) else {
+            return;
+        };
+        let vz = match layout.is_in_space() {
+            true => y[layout.drop(DropCoordinate::RotorVz)],
+            false => 0.0,
+        };
+        let squared = motion.vx * motion.vx + motion.vy * motion.vy + vz * vz;
+        self.fall_j = self.fall_j.max(0.5 * rotor.mass_kg * squared);
         let mark = Mark {
             time_s: view.step.t1_s,
             heat: InterfaceHeat::of(|term| y[layout.energy_term(term)]),
-            speed: layout
-                .rotor_motion(y)
-                .map_or(0.0, |rotor| rotor.speed.abs()),
+            speed: motion.speed.abs(),
         };
         // The last mark moves on until it is far enough from the one before.
         if let [.., before, last] = &mut self.marks[..]
@@ -119,8 +138,8 @@ impl HeatHistory {
         }
     }
 
-    /// Heating from the last mark before `from_s` to the end; `None` in no time, or of a rotor at rest.
-    pub(super) fn since(&self, from_s: f64) -> Option<EndPower> {
+    /// Heating from the last mark before `from_s` to the end; `None` in no time.
+    pub(super) fn since(&self, from_s: f64, rotor: &Rotor) -> Option<EndPower> {
         let last = self.marks.last()?;
         let after = self.marks.partition_point(|mark| mark.time_s <= from_s);
         let first = &self.marks[after.saturating_sub(1)];
@@ -128,11 +147,12 @@ impl HeatHistory {
         let power =
             |of: &dyn Fn(&InterfaceHeat) -> f64| (of(&last.heat) - of(&first.heat)) / time_s;
         let total_w = power(&InterfaceHeat::total_j);
-        let torque_n_m = total_w / (0.5 * (first.speed + last.speed));
-        torque_n_m.is_finite().then(|| EndPower {
+        let speed = 0.5 * (first.speed + last.speed);
+        let turning_j = 0.5 * rotor.polar_inertia_kg_m2 * speed * speed;
+        (time_s > 0.0).then(|| EndPower {
             total_w,
             parts_w: std::array::from_fn(|k| power(&|heat| heat.of_parts_j()[k])),
-            torque_n_m,
+            torque_n_m: (turning_j > SLOW * self.fall_j).then(|| total_w / speed),
         })
     }
 }

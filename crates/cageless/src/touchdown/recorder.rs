@@ -2,7 +2,7 @@
 
 use super::end_state::EndState;
 use super::heat::{EndPower, HeatHistory, InterfaceHeat};
-use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz};
+use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz, mean_frequency_hz};
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
@@ -17,6 +17,9 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 pub struct DropSummary {
     /// What the rotor does at the end.
     pub end_state: EndState,
+    /// Mean whirl frequency over the last fifth of the time after the first contact, Hz,
+    /// counter-clockwise positive; 0 before that.
+    pub end_whirl_hz: f64,
     /// First contact of the rotor with the inner ring, s.
     pub first_contact_s: Option<f64>,
     /// Contacts of the rotor, its journal or a shoulder, with the inner ring that began.
@@ -41,7 +44,8 @@ pub struct DropSummary {
     /// Largest sliding speed between rotor and inner ring in contact, m/s.
     pub rotor_sliding_max_m_s: f64,
     /// Time from the start of the drop at which the sliding in contact first falls below 1 % of
-    /// that at the first contact, s; `None` if it does not.
+    /// that at the first contact, s; `None` if it does not. That of the first contact with a rotor
+    /// that does not turn.
     pub spin_up_s: Option<f64>,
     /// Speed of the inner ring at the end, rad/s.
     pub ring_speed_rad_s: f64,
@@ -74,8 +78,8 @@ pub struct DropSummary {
     /// Largest mean frequency of the journal against the direction of rotation over a window, Hz,
     /// of a whirl or of a swing at the bottom.
     pub backward_whirl_max_hz: f64,
-    /// Largest frequency of backward whirl, Hz: of a journal that runs round the bore in contact;
-    /// `None` if it never does.
+    /// Largest frequency of backward whirl over a window, Hz: of a journal that runs round the bore in
+    /// contact; `None` if it never does.
     pub backward_whirl_hz: Option<f64>,
     /// Heat of each interface.
     pub heat: InterfaceHeat,
@@ -195,6 +199,7 @@ impl DropRecorder {
         let in_space = state.layout().is_in_space();
         DropSummary {
             end_state,
+            end_whirl_hz: last.map_or(0.0, mean_frequency_hz),
             contact_fraction: if contact_time > 0.0 {
                 (found.contact_s / contact_time).min(1.0)
             } else {
@@ -219,7 +224,7 @@ impl DropRecorder {
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
             backward_whirl_hz: backward_whirl_hz(&whirl, rotation),
             heat: InterfaceHeat::of(|term| state.energy_term_j(term)),
-            end_power: last_from_s.and_then(|from_s| self.heat.since(from_s)),
+            end_power: last_from_s.and_then(|from_s| self.heat.since(from_s, rotor)),
             whirl,
             ..found.summary
         }
@@ -261,7 +266,8 @@ impl Dropped {
                 most.first_contact_s = Some(time_s);
                 found.first_sliding_m_s = slip;
             }
-            if most.spin_up_s.is_none() && slip < SPUN_UP * found.first_sliding_m_s {
+            let rolls = slip < SPUN_UP * found.first_sliding_m_s || !self.rotor.turns();
+            if most.spin_up_s.is_none() && rolls {
                 most.spin_up_s = Some(time_s);
             }
             found.contact_s += h;
@@ -370,8 +376,8 @@ impl Observer for DropRecorder {
             dropped.ball_contacts(view, &mut found.summary, &mut self.whirl);
             dropped.rotor_contact(view, found, &mut self.whirl);
             dropped.support_force(view, found);
+            self.heat.step(view, &dropped.rotor);
         }
-        self.heat.step(view);
         Ok(Control::Continue(()))
     }
 }

@@ -61,6 +61,9 @@ pub struct Drawn {
     /// Direction of the unbalance of a case at the start; angle by which all unbalances of a linear
     /// rotor are turned, rad. `None` if it is not drawn.
     pub unbalance_rad: Option<f64>,
+    /// Mass centre of the rotor of a case at the start, m: the magnets held the journal, wherever the
+    /// unbalance is.
+    pub centre_m: Option<[f64; 2]>,
 }
 
 /// Purpose of the random streams of drops.
@@ -123,9 +126,12 @@ impl Scatter {
         if let Some(angle_rad) = unbalance_rad {
             scattered.turn_unbalances(angle_rad);
         }
+        let of_case = scattered.rotor().is_none();
+        let rotor = scattered.cases()[0].rotor.as_ref().filter(|_| of_case);
         let drawn = Drawn {
             bearings,
             unbalance_rad,
+            centre_m: rotor.map(|rotor| [rotor.x_m, rotor.y_m]),
         };
         (scattered, drawn)
     }

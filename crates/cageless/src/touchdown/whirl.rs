@@ -62,6 +62,12 @@ pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Optio
         .reduce(f64::max)
 }
 
+/// Mean whirl frequency over windows, Hz, counter-clockwise positive.
+pub(super) fn mean_frequency_hz(windows: &[WhirlWindow]) -> f64 {
+    let sum = |of: fn(&WhirlWindow) -> f64| windows.iter().map(of).sum::<f64>();
+    sum(|w| w.turned_rad) / TAU / sum(|w| w.end_s - w.start_s)
+}
+
 /// Divides the motion of the journal into windows of equal length.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WhirlTracker {
