@@ -1,6 +1,6 @@
 //! Effects of the inputs on the outputs.
 
-use super::result::{HeatMap, MainEffect, SweepOutput};
+use super::result::{HeatMap, MainEffect, SHARE_MIN, SweepOutput};
 use cageless_io::results::Row;
 use cageless_results::Cell;
 
@@ -9,10 +9,8 @@ use super::sampling::{Drawn, Sampling};
 use super::table::Table;
 use crate::StudyError;
 
-/// Inputs that an output is drawn over, at most …
+/// Inputs that an output is drawn over, at most.
 const DRAWN: usize = 6;
-/// … and the share that they must explain.
-pub(super) const SHARE_MIN: f64 = 0.01;
 /// Standard deviations by which the share of what is drawn must exceed that of chance.
 const DEVIATIONS: f64 = 2.0;
 

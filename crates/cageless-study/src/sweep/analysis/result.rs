@@ -2,9 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::effects::SHARE_MIN;
 use crate::{Parameter, Provenance};
 use cageless_results::{bearing_in_column, unit_text};
+
+/// Smallest share of the variance by which an input explains an output.
+pub(super) const SHARE_MIN: f64 = 0.01;
 
 /// Data of the page of a sweep. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
