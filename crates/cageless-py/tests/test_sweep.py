@@ -176,7 +176,7 @@ def test_a_plan_of_keywords_has_no_lines() -> None:
 
 def test_a_run_is_not_a_sweep(tmp_path: Path) -> None:
     (tmp_path / "summary.json").write_text("{}")
-    with pytest.raises(cageless.InputError, match="the result of `cageless run`, not of a sweep"):
+    with pytest.raises(cageless.InputError, match="the result of `cageless run` or `drop`, not of a sweep"):
         cageless.report(tmp_path)
 
 

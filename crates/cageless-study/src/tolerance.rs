@@ -196,23 +196,25 @@ fn judge_all(
     progress: &dyn Progress,
 ) -> Result<Vec<Option<Outcome>>, StudyError> {
     let task = progress.begin("tolerance", trials.len() as f64);
-    let outcomes: Result<Vec<Option<Outcome>>, StudyError> = trials
-        .par_iter()
-        .map(|trial| match trial.deviation.apply(case) {
+    let outcome = |trial: &Trial| {
+        if progress.interrupted() {
+            return Ok(None);
+        }
+        let judged = match trial.deviation.apply(case) {
             Err(error) => {
                 let _ = task.add(1.0);
-                Ok(Some(Outcome::impossible(error.to_string())))
+                return Ok(Some(Outcome::impossible(error.to_string())));
             }
-            Ok(varied) => match judge(&varied, &mut task.run_control(1.0, 1.0)) {
-                Ok(judgement) => Ok(Some(Outcome::judged(&judgement))),
-                Err(CriticalGapError::Case(error)) => {
-                    Ok(Some(Outcome::impossible(error.to_string())))
-                }
-                Err(CriticalGapError::Interrupted) => Ok(None),
-                Err(error) => Err(error.into()),
-            },
-        })
-        .collect();
+            Ok(varied) => judge(&varied, &mut task.run_control(1.0, 1.0)),
+        };
+        match judged {
+            Ok(judgement) => Ok(Some(Outcome::judged(&judgement))),
+            Err(CriticalGapError::Case(error)) => Ok(Some(Outcome::impossible(error.to_string()))),
+            Err(CriticalGapError::Interrupted) => Ok(None),
+            Err(error) => Err(StudyError::from(error)),
+        }
+    };
+    let outcomes: Result<Vec<_>, _> = trials.par_iter().map(outcome).collect();
     let outcomes = outcomes?;
     match outcomes[0] {
         Some(_) => Ok(outcomes),
