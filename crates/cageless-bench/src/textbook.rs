@@ -49,7 +49,7 @@ const NEWTON_MAX: u32 = 20;
 type Contact = (f64, f64, f64);
 
 impl Textbook {
-    /// Of a case in the `physical` formulation with the smooth law of friction.
+    /// The system of a case in the `physical` formulation with the smooth law of friction.
     pub fn new(case: &Case) -> Self {
         let (bearing, contact) = (&case.bearing, &case.contact);
         let d = bearing.dimensions();

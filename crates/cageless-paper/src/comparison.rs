@@ -84,7 +84,7 @@ const LEFT_OUT: [&str; 4] = [
 struct Plan {
     case: Case,
     rpm: f64,
-    /// Of the balls; `None` if they are equal.
+    /// Grade of the balls; `None` if they are equal.
     grade: Option<BallGrade>,
     ring: &'static str,
 }

@@ -25,7 +25,7 @@ pub struct Row {
     pub cells: Vec<String>,
     /// Whether the row is called out.
     pub marked: bool,
-    /// Of a summary under a rule, the columns that its first cell takes up.
+    /// Number of columns that the first cell takes up, in a summary row under a rule.
     pub summary: Option<usize>,
 }
 

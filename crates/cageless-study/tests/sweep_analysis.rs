@@ -206,7 +206,7 @@ fn shares_of_a_sum_are_those_of_its_terms() {
     assert_eq!(output("design_beta0_deg").shares, [Some(0.0), Some(1.0)]);
 }
 
-/// Of points that are drawn, many tell the inputs apart, and few say nothing, however many nodes of a grid they are at.
+/// Shares of sampled inputs take many points: few give none, however many nodes of a grid they are at.
 #[test]
 fn points_that_are_drawn_are_no_levels() {
     let plan = |count: usize| {

@@ -6,7 +6,7 @@ use cageless_report::{SweepData, sweep_page, to_json};
 use cageless_results::Aim;
 use cageless_study::sweep::analysis::{Goal, analyse};
 
-use super::sweep::file_name;
+use super::sweep::{SHARD, file_name};
 use crate::args::{Output, ReportArgs};
 use crate::driver::{Answer, PAGE, PAGE_DATA};
 use crate::failure::Failure;
@@ -50,7 +50,7 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
 /// Whether a file has the name of a shard, as `sweep` gives it.
 fn is_shard(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    name.starts_with("sweep.shard-")
+    name.starts_with(SHARD)
 }
 
 fn text(data: &SweepData) -> String {

@@ -96,14 +96,13 @@ fn folder(output: &SweepOutput, plan: &Path) -> PathBuf {
     output.out.clone().unwrap_or_else(stem)
 }
 
+/// Beginning of the name of the result of a shard.
+pub(super) const SHARD: &str = "sweep.shard-";
+
 /// Name of the result, or of that of a shard.
 pub(super) fn file_name(shard: Option<Shard>) -> String {
     match shard {
-        Some(shard) => format!(
-            "sweep.shard-{}-of-{}.parquet",
-            shard.number(),
-            shard.total()
-        ),
+        Some(shard) => format!("{SHARD}{}-of-{}.parquet", shard.number(), shard.total()),
         None => "sweep.parquet".to_owned(),
     }
 }
