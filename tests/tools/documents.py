@@ -52,6 +52,8 @@ HOLDS = re.compile(r"<!-- holds (.*?) -->", re.DOTALL)
 # Where another machine computes, a sample may differ from a result by this fraction, or lie as far
 # outside the drops of its row as these are apart.
 ELSEWHERE = 0.05
+# What symmetry makes 0 is rounding below this, in the unit of its column.
+ROUNDING = 1e-12
 
 
 # --- numbers as text ---
@@ -338,7 +340,7 @@ def agree(found, stored, same_machine):
     if not isinstance(stored, list):
         if same_machine or not isinstance(found, (int, float)):
             return found == stored
-        return abs(found - stored) <= ELSEWHERE * abs(stored)
+        return abs(found - stored) <= max(ELSEWHERE * abs(stored), ROUNDING)
     if same_machine or found == stored[: len(found)]:
         return found == stored[: len(found)]
     new, old = ([v for v in values if isinstance(v, (int, float))] for values in (found, stored))

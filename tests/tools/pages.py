@@ -243,8 +243,9 @@ def axe(tab):
     tab.js(source + "; true")
     return tab.js(
         # Inside of a drawing, which has a role and a name, the marks mean nothing to a reader of
-        # screens, and there are thousands: they are put aside meanwhile. FAINT judges the contrast of its text.
-        "(() => { const drawings = [...document.querySelectorAll('.plot .main-svg')]"
+        # screens, and there are thousands: they are put aside meanwhile, as are scripts, which are megabytes. FAINT
+        # judges the contrast of its text.
+        "(() => { const drawings = [...document.querySelectorAll('.plot .main-svg, script')]"
         ".map((el) => [el, el.parentNode, el.nextSibling]);"
         " drawings.forEach(([el]) => el.remove());"
         " return axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'best-practice'], resultTypes: ['violations']})"
