@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::common::{conventional, dimensions, steel};
-use cageless::equilibrium::{Equilibrium, EquilibriumError, solve};
+use cageless::equilibrium::{Equilibrium, EquilibriumError, solve, space};
 use cageless::{Bearing, BearingDimensions, Case, Formulation, Gaps, Operation, Start, StartState};
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
@@ -370,5 +370,6 @@ fn a_ring_that_no_ball_carries_is_refused_with_the_reason() {
     case.start = Start::new(StartState::Settled, Gaps::List(vec![0.0, 0.0, room]), PI);
     let error = solve(&case).unwrap_err();
     assert_eq!(error, EquilibriumError::Unsupported);
+    assert_eq!(space::solve(&case).unwrap_err(), error);
     assert!(error.to_string().contains("start.gaps"), "{error}");
 }

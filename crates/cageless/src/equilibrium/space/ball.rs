@@ -8,21 +8,28 @@
 //! S and C/ρ the steady and the centrifugal push outwards. In the frame of the inner ring, at **R**
 //! with the axis **a**, the ball is at ζi = (**c** − **R**)·**a**, ρi = |**c** − **R** − ζi **a**|:
 //! from there δi is that of a groove as well. U is convex in (u, ζ) up to the geometric part
-//! of the inner contact.
+//! of the inner contact. In the plane ζ stays 0, and so do Z and the tilt of the ring.
 
 use super::outer_section::OuterSection;
 use crate::equilibrium::minimum::{Local, minimum};
+use crate::numerics::cholesky::solve;
 use crate::numerics::taylor::Taylor;
 
 /// One ball at its angle in a row.
 #[derive(Debug, Clone)]
-pub(super) struct SpatialBall {
+pub(in crate::equilibrium) struct SpatialBall {
+    /// Whether it moves along the radius alone.
+    pub planar: bool,
     /// Number of the row.
     pub row: usize,
+    /// Its number in the row.
+    pub number: usize,
     pub angle_rad: f64,
+    /// sin ψ and cos ψ.
+    pub sin_cos: (f64, f64),
     pub radius_m: f64,
     pub mass_kg: f64,
-    /// T, distance from the axis at which it touches the plain outer groove.
+    /// T, distance from the axis at which it touches the plain outer groove, in the plane rigid flanks.
     pub orbit_radius_m: f64,
     pub outer: OuterSection,
     /// z of the row.
@@ -42,16 +49,16 @@ pub(super) struct SpatialBall {
 }
 
 /// Coordinates of the ring: **R**, p, q.
-pub(super) type Ring = [f64; 5];
+pub(in crate::equilibrium) type Ring = [f64; 5];
 
 /// One ball where its energy is least.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rest {
+pub(in crate::equilibrium) struct Rest {
     /// u and ζ.
     pub place: [f64; 2],
-    /// Energy over u, ζ and the coordinates of the ring.
-    pub energy: Taylor<7>,
-    pub magnitude: f64,
+    /// Energy over the coordinates of the ring, which the ball follows: the Hessian is
+    /// Uxx − Uxu Uuu⁻¹ Uux.
+    pub local: Local<5>,
 }
 
 /// ⅖ K δ^(5/2).
@@ -61,14 +68,31 @@ fn elastic<const N: usize>(stiffness: f64, approach: Taylor<N>) -> Taylor<N> {
     approach.map([0.4 * force * depth, force, 1.5 * stiffness * root])
 }
 
+/// u, ζ and the coordinates of the ring, of which `free` vary.
+fn coordinates<const N: usize>(values: [f64; 7], free: [usize; N]) -> [Taylor<N>; 7] {
+    let mut all = values.map(Taylor::constant);
+    for (k, variable) in free
+        .into_iter()
+        .zip(Taylor::variables(free.map(|k| values[k])))
+    {
+        all[k] = variable;
+    }
+    all
+}
+
 impl SpatialBall {
+    /// ρ.
+    pub fn distance_m(&self, [beyond, _]: [f64; 2]) -> f64 {
+        self.orbit_radius_m + beyond
+    }
+
     /// d from the inner groove's centre in the meridian plane of the ring through the ball.
     fn relative_to_inner_centre<const N: usize>(
         &self,
         [beyond, axial]: [Taylor<N>; 2],
         [x, y, z, p, q]: [Taylor<N>; 5],
     ) -> [Taylor<N>; 2] {
-        let (sin, cos) = self.angle_rad.sin_cos();
+        let (sin, cos) = self.sin_cos;
         let distance = beyond + self.orbit_radius_m;
         let c = [
             distance * sin - x,
@@ -78,10 +102,13 @@ impl SpatialBall {
         let square = p * p + q * q;
         let a = [p, q, (square * -1.0 + 1.0).sqrt()];
         let along = c[0] * a[0] + c[1] * a[1] + c[2] * a[2];
-        let [w0, w1, w2] = std::array::from_fn(|k| c[k] - along * a[k]);
-        let radial = (w0 * w0 + w1 * w1 + w2 * w2).sqrt();
+        // |**c** − along **a**|² − Pi², without the cancellation of a difference of lengths.
+        let centre = self.inner_centre_m;
+        let more = (beyond + (self.orbit_radius_m - centre)) * (distance + centre)
+            - distance * (x * sin - y * cos) * 2.0
+            + (x * x + y * y + (c[2] - along) * (c[2] + along));
         [
-            radial + -self.inner_centre_m,
+            more * ((more + centre * centre).sqrt() + centre).recip(),
             along + -(self.axial_m + self.inner_axial_m),
         ]
     }
@@ -93,28 +120,29 @@ impl SpatialBall {
         ring: [Taylor<N>; 5],
     ) -> Option<Taylor<N>> {
         let [radial, axial] = self.relative_to_inner_centre(place, ring);
-        (radial.value.hypot(axial.value) > self.inner_gap_m)
-            .then(|| radial.hypot(axial) + -self.inner_gap_m)
+        let depth = radial.hypot(axial) + -self.inner_gap_m;
+        // Only the inner half of the circle is groove.
+        (radial.value < 0.0 && depth.value > 0.0).then_some(depth)
     }
 
-    /// U and the sum of its absolute terms.
-    fn energy<const N: usize>(
-        &self,
-        place: [Taylor<N>; 2],
-        ring: [Taylor<N>; 5],
-    ) -> (Taylor<N>, f64) {
+    /// U over u, ζ and the coordinates of the ring, and the sum of its absolute terms.
+    fn energy<const N: usize>(&self, all: [Taylor<N>; 7]) -> (Taylor<N>, f64) {
+        let [beyond, axial, ring @ ..] = all;
+        let place = [beyond, axial];
         let flank = self.outer.flanks.map_or(0.0, |f| f.angle_rad);
-        let mut terms = vec![
-            place[0] * -self.steady_n,
-            (place[0] * (1.0 / self.orbit_radius_m)).ln_1p() * -self.turning_n_m,
-        ];
         let outer = self.outer.approach(place, Taylor::constant(flank));
-        terms.extend(outer.map(|d| elastic(self.outer_stiffness_n_m1_5, d)));
         let inner = self.inner_approach(place, ring);
-        terms.extend(inner.map(|d| elastic(self.inner_stiffness_n_m1_5, d)));
-        let magnitude = terms.iter().map(|t| t.value.abs()).sum();
-        let sum = terms.into_iter().reduce(|a, b| a + b);
-        (sum.unwrap_or(Taylor::constant(0.0)), magnitude)
+        let terms = [
+            Some(beyond * -self.steady_n),
+            Some((beyond * (1.0 / self.orbit_radius_m)).ln_1p() * -self.turning_n_m),
+            outer.map(|d| elastic(self.outer_stiffness_n_m1_5, d)),
+            inner.map(|d| elastic(self.inner_stiffness_n_m1_5, d)),
+        ];
+        let mut sum = (Taylor::constant(0.0), 0.0);
+        for term in terms.into_iter().flatten() {
+            sum = (sum.0 + term, sum.1 + term.value.abs());
+        }
+        sum
     }
 
     /// Force and contact angle at the inner raceway; the angle is positive where the ball presses
@@ -168,9 +196,27 @@ impl SpatialBall {
 
     /// Where the energy is least for a place of the ring.
     pub fn rest(&self, ring: Ring) -> Rest {
-        let held = ring.map(Taylor::constant);
-        let at = |place: [f64; 2]| {
-            let (energy, magnitude) = self.energy(Taylor::variables(place), held);
+        match self.planar {
+            true => self.rest_over([0], [0, 2, 3], ring),
+            false => self.rest_over([0, 1], [0, 1, 2, 3, 4, 5, 6], ring),
+        }
+    }
+
+    /// Where it is least over the coordinates `own` of u, ζ and those of the ring; `free`, which begin
+    /// with them, are those that vary.
+    fn rest_over<const B: usize, const N: usize>(
+        &self,
+        own: [usize; B],
+        free: [usize; N],
+        ring: Ring,
+    ) -> Rest {
+        let [beyond, axial] = self.guess(ring);
+        let [x, y, z, p, q] = ring;
+        let mut all = [beyond, axial, x, y, z, p, q];
+        let at = |place: [f64; B]| {
+            let mut all = all;
+            (0..B).for_each(|k| all[own[k]] = place[k]);
+            let (energy, magnitude) = self.energy(coordinates(all, own));
             Local {
                 place,
                 energy: energy.value,
@@ -180,15 +226,30 @@ impl SpatialBall {
             }
         };
         let longest = 0.5 * self.outer.gap_m.min(self.inner_gap_m);
-        let place = minimum(at, self.guess(ring), longest).place;
-        let [x, y, z, p, q] = ring;
-        let all = Taylor::variables([place[0], place[1], x, y, z, p, q]);
-        let (energy, magnitude) =
-            self.energy([all[0], all[1]], std::array::from_fn(|k| all[k + 2]));
-        Rest {
-            place,
-            energy,
+        let place = minimum(at, own.map(|k| all[k]), longest).place;
+        (0..B).for_each(|k| all[own[k]] = place[k]);
+        let (energy, magnitude) = self.energy(coordinates(all, free));
+        let mut local = Local {
+            energy: energy.value,
             magnitude,
+            ..Local::nothing(ring)
+        };
+        let h = &energy.hessian;
+        let held: [[f64; B]; B] = std::array::from_fn(|i| std::array::from_fn(|j| h[i][j]));
+        for i in B..N {
+            local.gradient[free[i] - 2] = energy.gradient[i];
+            let pull = std::array::from_fn(|k| h[k][i]);
+            let follows = solve(&held, 0.0, pull).unwrap_or([0.0; B]);
+            for j in i..N {
+                let eased: f64 = (0..B).map(|k| h[j][k] * follows[k]).sum();
+                let (row, column) = (free[i] - 2, free[j] - 2);
+                local.hessian[row][column] = h[i][j] - eased;
+                local.hessian[column][row] = local.hessian[row][column];
+            }
+        }
+        Rest {
+            place: [all[0], all[1]],
+            local,
         }
     }
 }

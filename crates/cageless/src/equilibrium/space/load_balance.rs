@@ -9,11 +9,10 @@
 use super::ball::{Rest, Ring, SpatialBall};
 use crate::case::Tilt;
 use crate::equilibrium::EquilibriumError;
-use crate::equilibrium::minimum::{Local, minimum, norm};
-use crate::numerics::cholesky::solve;
+use crate::equilibrium::minimum::{ITERATIONS, Local, minimum, norm};
 
-/// Coordinate of the ring along the axis.
-const Z: usize = 2;
+/// Coordinate of the ring along the axis among **R**, p, q.
+pub(super) const Z: usize = 2;
 /// Fraction of the force of a spring that may be left on its outer ring.
 const SPRING_TOLERANCE: f64 = 1e-12;
 const SPRING_ITERATIONS: usize = 100;
@@ -21,9 +20,14 @@ const SPRING_ITERATIONS: usize = 100;
 /// Fraction of all forces that may be left on the ring.
 const FORCE_TOLERANCE: f64 = 1e-9;
 
+/// Places where the search starts, over the depth at which the balls carry the ring.
+const SIDES: [[f64; 2]; 4] = [[1.0, -1.0], [-1.0, -1.0], [0.0, -1.0], [0.0; 2]];
+
 /// Ring and balls.
 #[derive(Debug, Clone)]
-pub(super) struct LoadBalance {
+pub(in crate::equilibrium) struct LoadBalance {
+    /// Whether ring and balls stay in the plane.
+    pub planar: bool,
     pub balls: Vec<SpatialBall>,
     /// Axial force of the preload spring of each row, that of its balls on the outer ring, N; `None`
     /// where the outer ring is held.
@@ -37,11 +41,13 @@ pub(super) struct LoadBalance {
     pub arm_m: f64,
     /// No step of the ring is longer.
     pub longest_m: f64,
+    /// Displacement of the ring at which it meets the shoulders of the outer one.
+    pub clearance_m: f64,
 }
 
 /// Places of the ring and of every ball.
 #[derive(Debug, Clone)]
-pub(super) struct Balanced {
+pub(in crate::equilibrium) struct Balanced {
     pub ring: Ring,
     pub rests: Vec<Rest>,
     /// Displacement of the outer ring of every row by its spring, m.
@@ -65,17 +71,13 @@ fn seen_from([x, y, z, p, q]: Ring, shift_m: f64) -> Ring {
 /// of the ring.
 fn add_row(balls: &[SpatialBall], ring: Ring, local: &mut Local<5>) -> Vec<Rest> {
     let rests: Vec<Rest> = balls.iter().map(|ball| ball.rest(ring)).collect();
-    for rest in &rests {
-        let (u, h) = (&rest.energy, &rest.energy.hessian);
-        local.energy += u.value;
-        local.magnitude += rest.magnitude;
-        let own = [[h[0][0], h[0][1]], [h[1][0], h[1][1]]];
+    for Rest { local: own, .. } in &rests {
+        local.energy += own.energy;
+        local.magnitude += own.magnitude;
         for i in 0..5 {
-            local.gradient[i] += u.gradient[i + 2];
-            let follows = solve(&own, 0.0, [h[0][i + 2], h[1][i + 2]]).unwrap_or([0.0; 2]);
+            local.gradient[i] += own.gradient[i];
             for j in 0..5 {
-                let eased = h[j + 2][0] * follows[0] + h[j + 2][1] * follows[1];
-                local.hessian[j][i] += h[j + 2][i + 2] - eased;
+                local.hessian[j][i] += own.hessian[j][i];
             }
         }
     }
@@ -138,8 +140,8 @@ impl LoadBalance {
         [x, y, z, p / self.arm_m, q / self.arm_m]
     }
 
-    /// V at coordinates of the ring, every ball, and the displacement of the outer ring of every row.
-    fn energy(&self, ring: Ring) -> (Local<5>, Vec<Rest>, Vec<f64>) {
+    /// Every ball, and the outer ring of every row, for a place of the ring.
+    pub fn around(&self, ring: Ring) -> Balanced {
         let [mx, my] = match self.tilt {
             Tilt::Held { .. } => [0.0; 2],
             Tilt::Free {
@@ -155,7 +157,7 @@ impl LoadBalance {
             gradient: load,
             ..Local::nothing(ring)
         };
-        let (mut rests, mut shifts) = (vec![], vec![]);
+        let (mut rests, mut shifts_m) = (vec![], vec![]);
         let rows = self.balls.chunk_by(|a, b| a.row == b.row);
         for (balls, spring) in rows.zip(&self.springs_n) {
             let (own, shift) = match spring {
@@ -163,29 +165,42 @@ impl LoadBalance {
                 Some(force) => add_sprung_row(balls, ring, *force, self.longest_m, &mut local),
             };
             rests.extend(own);
-            shifts.push(shift);
+            shifts_m.push(shift);
         }
-        (local, rests, shifts)
+        Balanced {
+            ring,
+            rests,
+            shifts_m,
+            local,
+        }
     }
 
-    /// V with tilts as displacements; those that are held do not move.
+    /// Coordinates of the ring that are held.
+    fn held(&self) -> &'static [usize] {
+        match self.tilt {
+            _ if self.planar => &[2, 3, 4],
+            Tilt::Held { .. } => &[3, 4],
+            Tilt::Free { .. } => &[],
+        }
+    }
+
+    /// V with tilts as displacements; what is held does not move.
     fn at(&self, place: [f64; 5]) -> Local<5> {
-        let mut local = self.energy(self.ring(place)).0;
+        let mut local = self.around(self.ring(place)).local;
         local.place = place;
-        let held = matches!(self.tilt, Tilt::Held { .. });
         for i in 0..5 {
             let of = |k: usize| if k < 3 { 1.0 } else { 1.0 / self.arm_m };
             local.gradient[i] *= of(i);
             for j in 0..5 {
                 local.hessian[i][j] *= of(i) * of(j);
-                if held && i.max(j) > 2 {
-                    local.hessian[i][j] = 0.0;
-                }
             }
-            if held && i > 2 {
-                local.gradient[i] = 0.0;
-                local.hessian[i][i] = local.hessian[0][0].abs() + local.hessian[1][1].abs() + 1.0;
-            }
+        }
+        let even = local.hessian[0][0].abs() + local.hessian[1][1].abs() + 1.0;
+        for &k in self.held() {
+            local.gradient[k] = 0.0;
+            (0..5).for_each(|i| local.hessian[i][k] = 0.0);
+            local.hessian[k] = [0.0; 5];
+            local.hessian[k][k] = even;
         }
         local
     }
@@ -212,8 +227,8 @@ impl LoadBalance {
     /// Force with which the balls push back at the places where the search starts, N: what an
     /// interference or a preload adds to the forces.
     fn preload_n(&self, place: [f64; 5]) -> f64 {
-        let (_, rests, _) = self.energy(self.ring(place));
-        let balls = self.balls.iter().zip(&rests);
+        let around = self.around(self.ring(place));
+        let balls = self.balls.iter().zip(&around.rests);
         balls
             .map(|(ball, rest)| ball.outer_force_n(rest.place))
             .sum()
@@ -242,19 +257,26 @@ impl LoadBalance {
         };
         let z = self.axial_start_m();
         let middle = [0.0, 0.0, 0.0, p, q];
-        let sides: &[[f64; 2]] = match self.down_n == 0.0 {
-            true => &[[0.0; 2]],
-            false => &[[1.0, -1.0], [-1.0, -1.0], [0.0, -1.0], [0.0; 2]],
+        // In the plane a loaded ring leaves the middle.
+        let sides = match self.down_n == 0.0 {
+            true => &SIDES[3..],
+            false => &SIDES[..4 - usize::from(self.planar)],
         };
         let forces = self.forces_n() + self.preload_n(middle);
         let mut lowest: Option<Local<5>> = None;
-        let mut failed = (f64::INFINITY, 0);
+        let fallen = |found: &Local<5>| found.place[0].hypot(found.place[1]) > self.clearance_m;
+        let mut failed = EquilibriumError::Unsupported;
         for [x, y] in sides {
             let start = [x * depth_m, y * depth_m, z, p, q];
             let found = minimum(|place| self.at(place), start, self.longest_m);
-            let residual = norm(found.gradient);
-            if !(residual <= FORCE_TOLERANCE * forces) {
-                failed = (residual.min(failed.0), failed.1 + 1);
+            let residual_n = norm(found.gradient);
+            if !(residual_n <= FORCE_TOLERANCE * forces) {
+                if !fallen(&found) {
+                    failed = EquilibriumError::NotConverged {
+                        residual_n,
+                        iterations: ITERATIONS,
+                    };
+                }
                 continue;
             }
             let rounding = 1e-14 * found.magnitude;
@@ -262,17 +284,9 @@ impl LoadBalance {
                 lowest = Some(found);
             }
         }
-        let lowest = lowest.ok_or(EquilibriumError::NotConverged {
-            residual_n: failed.0,
-            iterations: failed.1,
-        })?;
-        let ring = self.ring(lowest.place);
-        let (local, rests, shifts_m) = self.energy(ring);
-        Ok(Balanced {
-            ring,
-            rests,
-            shifts_m,
-            local,
-        })
+        match lowest.ok_or(failed)? {
+            lowest if fallen(&lowest) => Err(EquilibriumError::Unsupported),
+            lowest => Ok(self.around(self.ring(lowest.place))),
+        }
     }
 }

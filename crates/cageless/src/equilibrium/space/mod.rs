@@ -28,17 +28,18 @@ pub mod outer_section;
 use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
 use crate::equilibrium::{
-    Equilibrium, EquilibriumError, RacewayContact, SPEED_ROUNDS, TURNING_TOLERANCE,
-    ball_outer_geometry, start_angles_rad,
+    Equilibrium, EquilibriumError, ball_outer_geometry, effective_radius_m, start_angles_rad,
 };
 use crate::error::InputError;
+use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::kinematics::orbit_speed_in_space_rad_s;
 use crate::numerics::cholesky::solve as solve_equations;
 use crate::raceway::Slot;
+use crate::raceway_contact::{RacewayContact, RacewayPoint};
 use ball::{Ring, SpatialBall};
 pub use groove_point::{GroovePoint, inner_point, outer_points};
-use load_balance::{Balanced, LoadBalance};
+use load_balance::{Balanced, LoadBalance, Z};
 use outer_section::{Flanks, OuterSection, SectionContact};
 
 /// Ring and balls in equilibrium.
@@ -80,6 +81,12 @@ pub struct SpatialEquilibrium {
     pub ellipse_edge_max_rad: [f64; 2],
 }
 
+/// Times that the centrifugal forces follow the contact angles.
+const SPEED_ROUNDS: usize = 20;
+
+/// Relative change of a centrifugal force that ends them.
+const TURNING_TOLERANCE: f64 = 1e-12;
+
 /// Solves the equilibrium of `case` in space with its balls at their starting angles.
 ///
 /// # Errors
@@ -88,22 +95,41 @@ pub struct SpatialEquilibrium {
 pub fn solve(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
     case.check()?;
     case.check_constant_operation("a static equilibrium in space")?;
-    let mut balance = balance(case);
-    let depth = contact_depth_m(case);
-    let mut settled = balance.settle(depth)?;
-    let inner_speed = case.operation.inner_speed_rad_s;
-    for _ in 0..SPEED_ROUNDS {
-        if !follow_speeds(case, &mut balance, &settled, inner_speed) {
-            break;
-        }
-        settled = balance.settle(depth)?;
-    }
+    let (balance, settled) = settled(case, false)?;
     let (solved, beyond) = result(case, &balance, &settled);
     check(case, &solved)?;
     match beyond {
         Some(beyond) => Err(EquilibriumError::BeyondGroove(beyond)),
         None => Ok(solved),
     }
+}
+
+/// The lowest place of the ring, and every ball.
+pub(super) fn settled(
+    case: &Case,
+    planar: bool,
+) -> Result<(LoadBalance, Balanced), EquilibriumError> {
+    let depth = contact_depth_m(case);
+    let inner_speed = case.operation.inner_speed_rad_s;
+    rolling(case, planar, inner_speed, |balance| balance.settle(depth))
+}
+
+/// Balls that roll at the speeds that their contact angles give, where `seat` puts them.
+pub(super) fn rolling<E>(
+    case: &Case,
+    planar: bool,
+    inner_speed_rad_s: f64,
+    seat: impl Fn(&LoadBalance) -> Result<Balanced, E>,
+) -> Result<(LoadBalance, Balanced), E> {
+    let mut balance = balance(case, planar, inner_speed_rad_s);
+    let mut seated = seat(&balance)?;
+    for _ in 0..SPEED_ROUNDS {
+        if !follow_speeds(case, &mut balance, &seated, inner_speed_rad_s) {
+            break;
+        }
+        seated = seat(&balance)?;
+    }
+    Ok((balance, seated))
 }
 
 /// Forces of every ball at both raceways and the row of each without weight and centrifugal force,
@@ -132,20 +158,28 @@ fn row_angles_rad(case: &Case, row: &Row) -> Vec<f64> {
 }
 
 /// Balls and loads of a case, the balls rolling as in the plane.
-fn balance(case: &Case) -> LoadBalance {
+fn balance(case: &Case, planar: bool, inner_speed_rad_s: f64) -> LoadBalance {
     let bearing = &case.bearing;
     let d = bearing.dimensions();
+    let in_plane = Row {
+        contact_sign: 0.0,
+        ..Row::default()
+    };
+    let rows = match planar {
+        true => vec![in_plane],
+        false => case.all_rows(),
+    };
     let mut balls = vec![];
-    for (number, row) in case.all_rows().iter().enumerate() {
+    for (number, row) in rows.iter().enumerate() {
         let offset = row.contact_sign * bearing.groove_offset_m();
         for (k, angle_rad) in row_angles_rad(case, row).into_iter().enumerate() {
             let ball = bearing.ball(k);
-            let cos = angle_rad.cos();
+            let sin_cos = angle_rad.sin_cos();
             let geometry = ball_outer_geometry(case, k, angle_rad);
             let speed = bearing.pitch_radius_m()
                 * orbit_speed_in_space_rad_s(
                     bearing,
-                    case.operation.inner_speed_rad_s,
+                    inner_speed_rad_s,
                     [geometry.effective_radius_m, ball.radius_m],
                     0.0,
                 );
@@ -155,16 +189,27 @@ fn balance(case: &Case) -> LoadBalance {
             };
             let [inner_stiffness_n_m1_5, mut outer_stiffness_n_m1_5, _] =
                 case.ball_stiffness_n_m1_5(k);
-            let outer = outer_section(case, row, k, angle_rad);
+            let mut outer = outer_section(case, row, k, angle_rad);
+            let mut orbit_radius_m = d.outer_groove_bottom_radius_m - ball.radius_m;
+            if planar && case.flanks != FlankModel::Elastic {
+                outer.flanks = None;
+                orbit_radius_m = geometry.outer_orbit_radius_m;
+            }
+            if planar && let Some(flanks) = &mut outer.flanks {
+                flanks.slot = None;
+            }
             if let Some(slot) = outer.flanks.and_then(|flanks| flanks.slot) {
                 outer_stiffness_n_m1_5 *= slot.stiffness_ratio[0];
             }
             balls.push(SpatialBall {
+                planar,
+                number: k,
                 row: number,
                 angle_rad,
+                sin_cos,
                 radius_m: ball.radius_m,
                 mass_kg: ball.mass_kg,
-                orbit_radius_m: d.outer_groove_bottom_radius_m - ball.radius_m,
+                orbit_radius_m,
                 outer,
                 axial_m: row.axial_position_m,
                 inner_gap_m: d.inner_groove_curvature_radius_m - ball.radius_m,
@@ -172,7 +217,7 @@ fn balance(case: &Case) -> LoadBalance {
                 inner_axial_m: offset,
                 inner_stiffness_n_m1_5,
                 outer_stiffness_n_m1_5,
-                steady_n: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
+                steady_n: ball.mass_kg * case.operation.gravity_m_s2 * sin_cos.1 + doubled,
                 turning_n_m: ball.mass_kg * speed * speed,
             });
         }
@@ -180,13 +225,15 @@ fn balance(case: &Case) -> LoadBalance {
     let weight = d.inner_ring_mass_kg * case.operation.gravity_m_s2;
     let spring = |row: &Row| (row.preload_n > 0.0).then_some(row.contact_sign * row.preload_n);
     LoadBalance {
+        planar,
         balls,
-        springs_n: case.all_rows().iter().map(spring).collect(),
+        springs_n: rows.iter().map(spring).collect(),
         down_n: case.operation.radial_load_n + weight,
         axial_n: case.operation.space.axial_load_n,
         tilt: case.operation.space.tilt,
         arm_m: bearing.pitch_radius_m(),
         longest_m: 0.05 * bearing.ball_radius_m(),
+        clearance_m: bearing.shoulder_clearance_m(),
     }
 }
 
@@ -259,8 +306,12 @@ fn contact_depth_m(case: &Case) -> f64 {
 }
 
 /// Arms of rolling at the outer and the inner contact of a ball, and the inner contact angle: the
-/// axis of rotation lies along the force at the outer raceway.
-fn arms_m(ball: &SpatialBall, place: [f64; 2], ring: Ring) -> ([f64; 2], f64) {
+/// axis of rotation lies along the force at the outer raceway, in the plane along the bearing's.
+fn arms_m(case: &Case, ball: &SpatialBall, place: [f64; 2], ring: Ring) -> ([f64; 2], f64) {
+    if ball.planar {
+        let arm_m = effective_radius_m(case, ball.number, ball.angle_rad, ball.distance_m(place));
+        return ([arm_m, ball.radius_m], 0.0);
+    }
     let contacts = ball.outer.contacts(place);
     let inner = ball.inner_contact(place, ring);
     let [along, across, sum] = resultant(&contacts);
@@ -294,7 +345,7 @@ fn follow_speeds(
     let bearing = &case.bearing;
     let mut changed = false;
     for (ball, rest) in balance.balls.iter_mut().zip(&settled.rests) {
-        let (arms, angle) = arms_m(ball, rest.place, settled.ring_of(ball.row));
+        let (arms, angle) = arms_m(case, ball, rest.place, settled.ring_of(ball.row));
         let speed = bearing.pitch_radius_m()
             * orbit_speed_in_space_rad_s(bearing, inner_speed_rad_s, arms, angle);
         let turning = ball.mass_kg * speed * speed;
@@ -305,7 +356,7 @@ fn follow_speeds(
 }
 
 /// The results, and every contact with a groove.
-fn result(
+pub(super) fn result(
     case: &Case,
     balance: &LoadBalance,
     settled: &Balanced,
@@ -339,8 +390,8 @@ fn result(
     };
     let mut beyond = None;
     for (ball, rest) in balance.balls.iter().zip(&settled.rests) {
-        // Z is the fifth of u, ζ, **R**, p, q; without friction the force goes through the ball.
-        solved.row_axial_force_n[ball.row] += rest.energy.gradient[4];
+        // Without friction the force goes through the ball.
+        solved.row_axial_force_n[ball.row] += rest.local.gradient[Z];
         solved
             .ball_z_m
             .push(ball.axial_m + settled.shifts_m[ball.row] + rest.place[1]);
@@ -372,7 +423,7 @@ fn push_ball(
     } else {
         f64::NAN
     };
-    let (arms, rolling_angle) = arms_m(ball, place, ring);
+    let (arms, rolling_angle) = arms_m(case, ball, place, ring);
     let speed = case.operation.inner_speed_rad_s;
     let number = solved.row.len();
     let heavier = contacts.iter().max_by(|a, b| a.share.total_cmp(&b.share));
@@ -382,12 +433,18 @@ fn push_ball(
     };
     let rest = &mut solved.rest;
     rest.ball_angle_rad.push(ball.angle_rad);
-    rest.ball_distance_m.push(ball.orbit_radius_m + place[0]);
+    rest.ball_distance_m.push(ball.distance_m(place));
     rest.effective_radius_m.push(arms[0]);
     rest.inner_force_n.push(inner_force);
-    rest.outer_force_n.push(force * along.hypot(across));
+    let resultant_n = force * along.hypot(across);
+    rest.outer_force_n.push(resultant_n);
     rest.inner_contact.push(at_inner(inner_angle, inner_force));
     rest.outer_contact.push(match heavier {
+        // A rigid flank has the angle of the ball on it.
+        _ if ball.planar => {
+            let point = RacewayPoint::of_outer(arms[0] / ball.radius_m, resultant_n);
+            RacewayContact::outer(bearing, point)
+        }
         Some(one) => at_outer(one.angle_rad, force * one.share),
         None => at_outer(0.0, 0.0),
     });
@@ -438,9 +495,6 @@ fn holds<const N: usize>(stiffness: &[[f64; 5]; 5], arm_m: f64) -> bool {
 /// Refuses an equilibrium that the bearing cannot have.
 fn check(case: &Case, solved: &SpatialEquilibrium) -> Result<(), EquilibriumError> {
     let rest = &solved.rest;
-    if rest.ring_x_m.hypot(rest.ring_y_m) > case.bearing.shoulder_clearance_m() {
-        return Err(EquilibriumError::Unsupported);
-    }
     if let (Tilt::Held { x_rad, y_rad }, true) = (
         case.operation.space.tilt,
         rest.inner_force_n.iter().all(|force| *force == 0.0),

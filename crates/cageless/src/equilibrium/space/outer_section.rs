@@ -120,8 +120,9 @@ impl OuterSection {
         }
         let (d, radius) = self.relative_to_centre(place, flank);
         let [radial, axial] = d;
-        // Near the centre there is no direction.
-        (radial.value.hypot(axial.value) > radius).then(|| (radial.hypot(axial) + -radius, d))
+        let delta = radial.hypot(axial) + -radius;
+        // The inner half of the circle is no groove.
+        (radial.value > 0.0 && delta.value > 0.0).then_some((delta, d))
     }
 
     /// δ of an edge of a slot, and a vector along its **n**; `None` where it is open.
