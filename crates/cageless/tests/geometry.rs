@@ -1,10 +1,12 @@
 //! Geometry of the discrete raceway against the numbers of Zhao 2022 and against itself.
 
 use crate::common::{STRUCTURES, dimensions, steel, structure};
+use crate::outer_ring::SIZE;
 use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::axial_span_limit_m;
+use cageless::surface::OuterRing;
 use cageless::{Bearing, BearingDimensions, Raceway, RacewayDimensions, RacewayForm};
 use proptest::prelude::*;
 
@@ -177,6 +179,7 @@ fn path_meets_the_plain_raceway_with_zero_slope() {
 fn surface_touches_the_ball_at_the_contact_path() {
     let case = structure(5.1, 25.2);
     let raceway = &case.raceways[0];
+    let ring = OuterRing::new(&case.bearing, &case.raceways, SIZE).unwrap();
     let (rw, re) = (case.bearing.ball_radius_m(), 4.953e-3);
     let touching = case.bearing.outer_orbit_radius_m();
     for k in -20..=20 {
@@ -192,7 +195,7 @@ fn surface_touches_the_ball_at_the_contact_path() {
             assert!(close(centre[i], expected, 1e-15), "{i}");
         }
         let meridian = ((x.hypot(y) - touching) / rw).acos();
-        let point = raceway.surface(psi, meridian);
+        let point = ring.point(psi, meridian);
         for i in 0..3 {
             assert!(
                 close(point.position_m[i], contact[i], 2e-14),
@@ -200,7 +203,7 @@ fn surface_touches_the_ball_at_the_contact_path() {
                 point
             );
         }
-        let mirrored = raceway.surface(psi, -meridian);
+        let mirrored = ring.point(psi, -meridian);
         assert!(close(mirrored.position_m[2], -z, 2e-14));
         assert!(close(mirrored.normal[2], -point.normal[2], 1e-15));
     }
@@ -210,7 +213,7 @@ fn surface_touches_the_ball_at_the_contact_path() {
 #[test]
 fn normals_are_normal() {
     let case = structure(5.6, 15.774);
-    let raceway = &case.raceways[0];
+    let ring = OuterRing::new(&case.bearing, &case.raceways, SIZE).unwrap();
     let step = 1e-6;
     for (psi, meridian) in [
         (0.0, 0.5),
@@ -219,8 +222,8 @@ fn normals_are_normal() {
         (0.15, -0.4),
         (0.6, 0.5),
     ] {
-        let at = |a: f64, b: f64| raceway.surface(psi + a, meridian + b).position_m;
-        let normal = raceway.surface(psi, meridian).normal;
+        let at = |a: f64, b: f64| ring.point(psi + a, meridian + b).position_m;
+        let normal = ring.point(psi, meridian).normal;
         for (plus, minus) in [
             (at(step, 0.0), at(-step, 0.0)),
             (at(0.0, step), at(0.0, -step)),

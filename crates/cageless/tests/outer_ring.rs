@@ -99,28 +99,6 @@ fn volume_with_raceways() {
     }
 }
 
-/// Without a blend the surface is that of the raceway.
-#[test]
-fn unblended_surface_is_eq_7() {
-    for (span, angle, ..) in STRUCTURES {
-        let b = bearing();
-        let raceway = raceway(&b, span, angle, 33.0);
-        let r = ring(std::slice::from_ref(&raceway), 0.0);
-        for k in 0..500 {
-            let psi = 2.0 * PI * f64::from(k) / 500.0;
-            let [lo, hi] = raceway.meridian_range_rad(psi, &b);
-            for fraction in [0.0, 0.3, 1.0] {
-                let eta = lo + fraction * (hi - lo);
-                let (one, other) = (r.point(psi, eta), raceway.surface(psi, eta));
-                let off = sub(one.position_m, other.position_m);
-                assert!(dot(off, off).sqrt() < 1e-13, "{span} {psi} {eta}");
-                let turned = sub(one.normal, other.normal);
-                assert!(dot(turned, turned).sqrt() < 1e-6, "{span} {psi} {eta}");
-            }
-        }
-    }
-}
-
 /// α against its own slope by finite differences, up to the very ends.
 #[test]
 fn contact_angle_has_its_slope() {

@@ -680,6 +680,7 @@ fn a_depth_runs_out_at_the_ends() {
         let raceways = std::slice::from_ref(raceway);
         outer_contact_geometry(&case.bearing, raceways, psi, case.bearing.ball_radius_m())
     };
+    let ring = |raceway: &Raceway| outer_ring(std::slice::from_ref(raceway), 0.0);
     for psi in [-0.4, -0.1, 0.05, 0.3, 0.43] {
         let [depth, slope] = deep.depth_at_m(psi);
         let [before, after] = [-1e-6, 1e-6].map(|step| deep.depth_at_m(psi + step)[0]);
@@ -689,7 +690,7 @@ fn a_depth_runs_out_at_the_ends() {
         assert!((deeper - depth).abs() < 1e-17, "{psi}");
         assert_eq!(one.effective_radius_m, other.effective_radius_m);
         // The surface is that of the flush raceway, moved outwards.
-        let [a, b] = [&deep, flush].map(|r| r.surface(psi, 0.6).position_m);
+        let [a, b] = [&deep, flush].map(|r| ring(r).point(psi, 0.6).position_m);
         assert!((a[0].hypot(a[1]) - b[0].hypot(b[1]) - depth).abs() < 1e-15);
         assert!((a[2] - b[2]).abs() < 1e-15);
     }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_4;
 
 use crate::common::*;
+use crate::outer_ring::SIZE;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
     PairSeparation, RacewayLayout, Request, SearchError, SpeedMap, Stage, Task, perturbed_runs,
@@ -14,6 +15,7 @@ use cageless::design::{
 };
 use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
+use cageless::surface::OuterRing;
 use cageless::{Case, Raceway, RacewayForm, RacewayShape};
 
 fn go_on(_: f64) -> Control {
@@ -259,7 +261,8 @@ fn curvature_behind_the_contact_stress() {
     let (rw, r) = (bearing.ball_radius_m(), raceway.effective_radius_m(0.0));
     let meridian = (r / rw).acos();
     let h = 1e-4;
-    let point = |psi: f64| raceway.surface(psi, meridian);
+    let ring = OuterRing::new(bearing, &case.raceways, SIZE).unwrap();
+    let point = |psi: f64| ring.point(psi, meridian);
     let (before, here, after) = (point(-h), point(0.0), point(h));
     let along: Vec<f64> = (0..3)
         .map(|k| (after.position_m[k] - before.position_m[k]) / (2.0 * h))

@@ -1,5 +1,4 @@
-//! The discrete raceway: contact path, effective contact radius, groove curve and
-//! surface (Zhao 2022, Eq. (4) to (9)).
+//! The discrete raceway: contact path, effective contact radius and flank angle (Zhao 2022, Eq. (4) to (9)).
 //!
 //! In Eq. (4) to (8) the paper's Rm stands for Ro − Rw
 //! ([`Bearing::outer_orbit_radius_m`]), so that the path ends on the plain raceway
@@ -26,7 +25,6 @@
 mod blend;
 mod contact_path;
 mod flank_angle;
-mod groove_surface;
 mod measured_flanks;
 mod outline;
 mod piece;
@@ -47,8 +45,6 @@ use crate::numerics::root;
 use blend::Blend;
 pub use contact_path::ContactPath;
 use flank_angle::Flanks;
-pub use groove_surface::SurfacePoint;
-pub(crate) use groove_surface::{groove_centre, surface_point};
 pub use measured_flanks::MeasuredFlanks;
 pub(crate) use measured_flanks::{Linearised, fit_flanks};
 use outline::Outline;
@@ -362,6 +358,16 @@ impl Raceway {
     /// [`Self::contact_angle_rad`] without the blends.
     pub(crate) fn unblended_contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
         self.unblended[0].flanks().at(local_angle_rad)
+    }
+
+    /// Angle between the normals of the discrete and the plain raceway where they meet, at η, the angle at
+    /// Oe from the outward radius: there Oe moves along z alone.
+    pub fn kink_angle_rad(&self, meridian_rad: f64) -> f64 {
+        let re = self.groove_curvature_radius_m;
+        let [_, slope] = self.contact_angle_rad(self.half_angle_rad());
+        let climb = (re - self.ball_radius_m) * slope * meridian_rad.sin();
+        let radius = self.groove_bottom_radius_m - re + re * meridian_rad.cos();
+        climb.abs().atan2(radius)
     }
 
     /// Shape, blend and depth.

@@ -2,7 +2,15 @@
 
 use super::section_frame::SectionFrame;
 use super::side::Side;
-use crate::raceway::{SurfacePoint, groove_centre, surface_point};
+
+/// A point of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    /// Position in the frame of the bearing.
+    pub position_m: [f64; 3],
+    /// Unit normal, out of the ring's material.
+    pub normal: [f64; 3],
+}
 
 /// An arc of the groove. Its z and η count towards its own shoulder: those of the ring times the
 /// sign of its side.
@@ -43,22 +51,27 @@ impl Arc {
         // At an end α is −0.
         let flank = flank.abs();
         let contact_angle_rad = frame.axis_rad + flank;
-        let centre = |angle| groove_centre(ball_radius, frame.offset_m, [angle, slope]);
-        let [radius, height, radius_slope, height_slope] = centre(contact_angle_rad);
+        // Eq. (7) of Zhao 2022 in terms of the angle: Oe is Re − Rw behind the ball's centre on the line
+        // through the contact point.
+        let behind = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            [sin, cos].map(|part| -frame.offset_m * part)
+        };
+        let [height, radius] = behind(contact_angle_rad);
+        let [lateral, forward] = behind(flank);
         let (sin, cos) = frame.axis_rad.sin_cos();
-        let [_, lateral, _, lateral_slope] = centre(flank);
         Self {
             side,
             contact_angle_rad,
-            centre_radius_m: radius,
+            centre_radius_m: ball_radius + radius,
             centre_height_m: height + ball_height,
-            radius_slope_m: radius_slope + frame.depth_slope_m * cos,
-            height_slope_m: height_slope + frame.depth_slope_m * sin,
+            radius_slope_m: frame.depth_slope_m * cos - height * slope,
+            height_slope_m: frame.depth_slope_m * sin + radius * slope,
             curvature_radius_m: frame.curvature_radius_m,
             shoulder_radius_m: frame.shoulder_radius_m,
             axis_rad: frame.axis_rad,
             ball_m: frame.ball_m,
-            lateral_m: [lateral, lateral_slope],
+            lateral_m: [lateral, forward * slope],
         }
     }
 
@@ -117,22 +130,37 @@ impl Arc {
         }
     }
 
-    /// Point of the surface at ψ and η, in the frame of the bearing.
+    /// Point of the surface at ψ and η, in the frame of the bearing: its normal is turned to ψ by what the
+    /// arc climbs.
     pub fn point(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
-        let curve = [
-            self.centre_radius_m,
-            self.centre_height_m,
-            self.radius_slope_m,
-            self.height_slope_m,
-        ];
-        let re = self.curvature_radius_m;
-        surface_point(curve, re, angle_rad, meridian_rad, self.side.sign())
+        let ((sin_m, cos_m), (sin, cos)) = (meridian_rad.sin_cos(), angle_rad.sin_cos());
+        let (rho, climb) = (self.radius_at_m(meridian_rad), self.climb_m(meridian_rad));
+        let length = rho.hypot(climb);
+        let (radial, along) = (-rho * cos_m / length, climb / length);
+        let axial = -rho * sin_m / length;
+        SurfacePoint {
+            position_m: [
+                rho * sin,
+                -rho * cos,
+                self.side.sign() * self.height_m(meridian_rad),
+            ],
+            normal: [
+                radial * sin + along * cos,
+                along * sin - radial * cos,
+                self.side.sign() * axial,
+            ],
+        }
+    }
+
+    /// How far the surface at η moves out along its normal in the meridian plane with ψ, m/rad.
+    fn climb_m(&self, meridian_rad: f64) -> f64 {
+        let (sin, cos) = meridian_rad.sin_cos();
+        self.radius_slope_m * cos + self.height_slope_m * sin
     }
 
     /// Angle by which the change along ψ tilts the normal at η out of the meridian plane.
     pub(super) fn tilt_rad(&self, meridian_rad: f64) -> f64 {
-        let (sin, cos) = meridian_rad.sin_cos();
-        let climb = self.radius_slope_m * cos + self.height_slope_m * sin;
+        let climb = self.climb_m(meridian_rad);
         climb.abs().atan2(self.radius_at_m(meridian_rad))
     }
 

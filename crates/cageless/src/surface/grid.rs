@@ -5,9 +5,8 @@ use std::f64::consts::PI;
 use super::patch::equal_parts;
 use super::recess::Edge;
 use super::stretch::Stretch;
-use super::{Arc, Meridian, OuterRing, Recess, Side};
+use super::{Arc, Meridian, OuterRing, Recess, Side, SurfacePoint};
 use crate::numerics::angle::wrap_angle_rad;
-use crate::raceway::SurfacePoint;
 
 /// Rows all round.
 #[derive(Debug, Clone, PartialEq)]

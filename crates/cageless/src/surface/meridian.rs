@@ -1,10 +1,9 @@
 //! The groove in one meridian plane: two arcs that meet in the ridge between the flanks, on the
 //! plain raceway one arc in two parts.
 
-use super::arc::Arc;
+use super::arc::{Arc, SurfacePoint};
 use super::section_frame::SectionFrame;
 use super::side::Side;
-use crate::raceway::SurfacePoint;
 
 /// Section of the groove at one ψ.
 #[derive(Debug, Clone, Copy, PartialEq)]

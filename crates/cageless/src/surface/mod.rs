@@ -56,9 +56,9 @@ use crate::error::{Allowed, InputError, degrees};
 use crate::limits::{not_negative, positive, require};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
-use crate::raceway::{Raceway, SurfacePoint, apart};
+use crate::raceway::{Raceway, apart};
 
-pub use arc::Arc;
+pub use arc::{Arc, SurfacePoint};
 pub use drawn_groove::DrawnGroove;
 pub use grid::{Grid, GridPoint, GridRow, PointKind};
 pub use measured_groove::MeasuredGroove;
