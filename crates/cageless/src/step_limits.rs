@@ -18,6 +18,7 @@ use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::error::{Allowed, InputError};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::numerics::root::last_where;
 use crate::rotor::Shaft;
 
 impl Case {
@@ -196,16 +197,8 @@ fn wedged_n(case: &Case, down: f64) -> f64 {
     let (mut free, mut ring) = (0.0, first * bearing.ball_radius_m());
     while ring < last * bearing.ball_radius_m() {
         if pressed(ring).0 >= down {
-            let mut holds = ring;
-            for _ in 0..20 {
-                let middle = 0.5 * (free + holds);
-                if pressed(middle).0 >= down {
-                    holds = middle;
-                } else {
-                    free = middle;
-                }
-            }
-            return pressed(holds).1;
+            let near = 1e-6 * (ring - free);
+            return pressed(last_where(ring, free, near, |r| pressed(r).0 >= down)).1;
         }
         (free, ring) = (ring, ring * ratio);
     }

@@ -20,6 +20,7 @@
 use std::f64::consts::PI;
 
 use crate::material::Material;
+use crate::numerics::taylor::Taylor;
 use crate::numerics::{elliptic, root};
 
 /// Largest pressure that a ball bearing is to bear: 4200 MPa leave an indentation of some
@@ -147,6 +148,13 @@ pub fn impact(stiffness_n_m1_5: f64, mass_kg: f64, speed_m_s: f64) -> (f64, f64,
         stiffness_n_m1_5 * deflection.powf(1.5),
         SHAPE * deflection / speed_m_s,
     )
+}
+
+/// Energy ⅖ K δ^(5/2), J, of a contact pressed in by δ > 0, m.
+pub(crate) fn elastic_energy<const N: usize>(stiffness: f64, approach: Taylor<N>) -> Taylor<N> {
+    let (depth, root) = (approach.value, approach.value.sqrt());
+    let force = stiffness * depth * root;
+    approach.map([0.4 * force * depth, force, 1.5 * stiffness * root])
 }
 
 #[cfg(test)]

@@ -19,7 +19,6 @@
 
 mod ball_seat;
 mod error;
-mod minimum;
 mod plane;
 pub mod space;
 

@@ -17,6 +17,7 @@ pub mod cholesky;
 pub(crate) mod elliptic;
 pub(crate) mod lane_set;
 pub mod lanes;
+pub(crate) mod minimum;
 pub mod moments;
 pub mod proportion;
 pub(crate) mod quadrature;

@@ -1,12 +1,13 @@
 //! Load distribution of ISO/TS 16281: rigid rings under the radial load alone.
 
 use crate::case::{Case, series_stiffness_n_m1_5};
+use crate::contact::hertz::elastic_energy;
 use crate::equilibrium::start_angles_rad;
+use crate::numerics::minimum::{Local, minimum, norm};
+use crate::numerics::taylor::Taylor;
 
 /// Force left on the ring over the load.
-const FORCE_TOLERANCE: f64 = 1e-12;
-const ITERATIONS: usize = 200;
-const HALVINGS: usize = 50;
+const FORCE_TOLERANCE: f64 = 1e-6;
 
 /// A ball between the rings as one spring: its direction, the deflection it has with the ring in
 /// the middle, its K.
@@ -41,84 +42,29 @@ pub fn rigid_ring_forces_n(case: &Case) -> Option<Vec<f64>> {
             }
         })
         .collect();
-    (load_n > 0.0).then(|| settle(&springs, load_n, bearing.ball_radius_m()))?
-}
-
-/// Energy of springs and load, its gradient, and the Hessian (xx, xy, yy).
-struct Local {
-    energy_j: f64,
-    gradient: [f64; 2],
-    hessian: [f64; 3],
-}
-
-fn deflection_m(spring: &Spring, ring: [f64; 2]) -> f64 {
-    let along = ring[0] * spring.e[0] + ring[1] * spring.e[1];
-    (along + spring.middle_m).max(0.0)
-}
-
-fn force_n(spring: &Spring, ring: [f64; 2]) -> f64 {
-    spring.stiffness_n_m1_5 * deflection_m(spring, ring).powf(1.5)
-}
-
-fn at(springs: &[Spring], load_n: f64, ring: [f64; 2]) -> Local {
-    let mut local = Local {
-        energy_j: load_n * ring[1],
-        gradient: [0.0, load_n],
-        hessian: [0.0; 3],
+    let at = |ring: [f64; 2]| {
+        let place = Taylor::variables(ring);
+        let springs = springs.iter().filter_map(|spring| spring.energy(place));
+        Local::sum(ring, springs.chain([place[1] * load_n]))
     };
-    for spring in springs {
-        let (deflection, force) = (deflection_m(spring, ring), force_n(spring, ring));
-        let slope = 1.5 * spring.stiffness_n_m1_5 * deflection.sqrt();
-        let [x, y] = spring.e;
-        local.energy_j += 0.4 * force * deflection;
-        local.gradient[0] += force * x;
-        local.gradient[1] += force * y;
-        for (entry, part) in local.hessian.iter_mut().zip([x * x, x * y, y * y]) {
-            *entry += slope * part;
-        }
-    }
-    local
+    let longest = 0.05 * bearing.ball_radius_m();
+    let found = minimum(at, [0.0, -longest], longest);
+    let settles = load_n > 0.0 && norm(found.gradient) <= FORCE_TOLERANCE * load_n;
+    let place = found.place.map(Taylor::<0>::constant);
+    settles.then(|| springs.iter().map(|spring| spring.force_n(place)).collect())
 }
 
-/// Newton's method on the convex energy, with steps of at most a twentieth of the ball's radius.
-fn settle(springs: &[Spring], load_n: f64, ball_radius_m: f64) -> Option<Vec<f64>> {
-    let longest = 0.05 * ball_radius_m;
-    let mut ring = [0.0, -longest];
-    let mut here = at(springs, load_n, ring);
-    for _ in 0..ITERATIONS {
-        let [gx, gy] = here.gradient;
-        if gx.hypot(gy) <= FORCE_TOLERANCE * load_n {
-            break;
-        }
-        // Where one ball carries, the ring is free across its direction; a little stiffness
-        // keeps the step finite.
-        let soft = 1e-9 * (here.hessian[0] + here.hessian[2]) + 1e-3 * load_n / longest;
-        let soft = soft.min(gx.hypot(gy) / longest);
-        let [xx, xy, yy] = [
-            here.hessian[0] + soft,
-            here.hessian[1],
-            here.hessian[2] + soft,
-        ];
-        let determinant = xx * yy - xy * xy;
-        let mut step = [
-            (xy * gy - yy * gx) / determinant,
-            (xy * gx - xx * gy) / determinant,
-        ];
-        let length = step[0].hypot(step[1]);
-        if length > longest {
-            step = step.map(|s| s * longest / length);
-        }
-        let better = (0..HALVINGS).find_map(|_| {
-            let next = [ring[0] + step[0], ring[1] + step[1]];
-            let there = at(springs, load_n, next);
-            step = step.map(|s| 0.5 * s);
-            let smaller = there.gradient[0].hypot(there.gradient[1]) < gx.hypot(gy);
-            (there.energy_j < here.energy_j || smaller).then_some((next, there))
-        });
-        let Some(next) = better else { break };
-        (ring, here) = next;
+impl Spring {
+    fn deflection_m<const N: usize>(&self, [x, y]: [Taylor<N>; 2]) -> Taylor<N> {
+        x * self.e[0] + y * self.e[1] + self.middle_m
     }
-    let [gx, gy] = here.gradient;
-    (gx.hypot(gy) <= 1e-6 * load_n)
-        .then(|| springs.iter().map(|spring| force_n(spring, ring)).collect())
+
+    fn force_n(&self, ring: [Taylor<0>; 2]) -> f64 {
+        self.stiffness_n_m1_5 * self.deflection_m(ring).value.max(0.0).powf(1.5)
+    }
+
+    fn energy(&self, ring: [Taylor<2>; 2]) -> Option<Taylor<2>> {
+        let depth = self.deflection_m(ring);
+        (depth.value > 0.0).then(|| elastic_energy(self.stiffness_n_m1_5, depth))
+    }
 }

@@ -11,8 +11,9 @@
 //! of the inner contact. In the plane ζ stays 0, and so do Z and the tilt of the ring.
 
 use super::outer_section::OuterSection;
-use crate::equilibrium::minimum::{Local, minimum};
+use crate::contact::hertz::elastic_energy;
 use crate::numerics::cholesky::solve;
+use crate::numerics::minimum::{Local, minimum};
 use crate::numerics::taylor::Taylor;
 
 /// One ball at its angle in a row.
@@ -59,13 +60,6 @@ pub(in crate::equilibrium) struct Rest {
     /// Energy over the coordinates of the ring, which the ball follows: the Hessian is
     /// Uxx − Uxu Uuu⁻¹ Uux.
     pub local: Local<5>,
-}
-
-/// ⅖ K δ^(5/2).
-fn elastic<const N: usize>(stiffness: f64, approach: Taylor<N>) -> Taylor<N> {
-    let (depth, root) = (approach.value, approach.value.sqrt());
-    let force = stiffness * depth * root;
-    approach.map([0.4 * force * depth, force, 1.5 * stiffness * root])
 }
 
 /// u, ζ and the coordinates of the ring, of which `free` vary.
@@ -125,9 +119,9 @@ impl SpatialBall {
         (radial.value < 0.0 && depth.value > 0.0).then_some(depth)
     }
 
-    /// U over u, ζ and the coordinates of the ring, and the sum of its absolute terms.
-    fn energy<const N: usize>(&self, all: [Taylor<N>; 7]) -> (Taylor<N>, f64) {
-        let [beyond, axial, ring @ ..] = all;
+    /// U over those of u, ζ and the coordinates of the ring that vary.
+    fn energy<const N: usize>(&self, values: [f64; 7], free: [usize; N]) -> Local<N> {
+        let [beyond, axial, ring @ ..] = coordinates(values, free);
         let place = [beyond, axial];
         let flank = self.outer.flanks.map_or(0.0, |f| f.angle_rad);
         let outer = self.outer.approach(place, Taylor::constant(flank));
@@ -135,14 +129,10 @@ impl SpatialBall {
         let terms = [
             Some(beyond * -self.steady_n),
             Some((beyond * (1.0 / self.orbit_radius_m)).ln_1p() * -self.turning_n_m),
-            outer.map(|d| elastic(self.outer_stiffness_n_m1_5, d)),
-            inner.map(|d| elastic(self.inner_stiffness_n_m1_5, d)),
+            outer.map(|d| elastic_energy(self.outer_stiffness_n_m1_5, d)),
+            inner.map(|d| elastic_energy(self.inner_stiffness_n_m1_5, d)),
         ];
-        let mut sum = (Taylor::constant(0.0), 0.0);
-        for term in terms.into_iter().flatten() {
-            sum = (sum.0 + term, sum.1 + term.value.abs());
-        }
-        sum
+        Local::sum(free.map(|k| values[k]), terms.into_iter().flatten())
     }
 
     /// Force and contact angle at the inner raceway; the angle is positive where the ball presses
@@ -216,28 +206,21 @@ impl SpatialBall {
         let at = |place: [f64; B]| {
             let mut all = all;
             (0..B).for_each(|k| all[own[k]] = place[k]);
-            let (energy, magnitude) = self.energy(coordinates(all, own));
-            Local {
-                place,
-                energy: energy.value,
-                magnitude,
-                gradient: energy.gradient,
-                hessian: energy.hessian,
-            }
+            self.energy(all, own)
         };
         let longest = 0.5 * self.outer.gap_m.min(self.inner_gap_m);
         let place = minimum(at, own.map(|k| all[k]), longest).place;
         (0..B).for_each(|k| all[own[k]] = place[k]);
-        let (energy, magnitude) = self.energy(coordinates(all, free));
+        let whole = self.energy(all, free);
         let mut local = Local {
-            energy: energy.value,
-            magnitude,
+            energy: whole.energy,
+            magnitude: whole.magnitude,
             ..Local::nothing(ring)
         };
-        let h = &energy.hessian;
+        let h = &whole.hessian;
         let held: [[f64; B]; B] = std::array::from_fn(|i| std::array::from_fn(|j| h[i][j]));
         for i in B..N {
-            local.gradient[free[i] - 2] = energy.gradient[i];
+            local.gradient[free[i] - 2] = whole.gradient[i];
             let pull = std::array::from_fn(|k| h[k][i]);
             let follows = solve(&held, 0.0, pull).unwrap_or([0.0; B]);
             for j in i..N {

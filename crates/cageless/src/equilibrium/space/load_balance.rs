@@ -9,7 +9,7 @@
 use super::ball::{Rest, Ring, SpatialBall};
 use crate::case::Tilt;
 use crate::equilibrium::EquilibriumError;
-use crate::equilibrium::minimum::{ITERATIONS, Local, minimum, norm};
+use crate::numerics::minimum::{ITERATIONS, Local, minimum, norm};
 
 /// Coordinate of the ring along the axis among **R**, p, q.
 pub(super) const Z: usize = 2;

@@ -1,10 +1,11 @@
 //! Minimum of an energy over a few coordinates: Newton's method with a shift of the Hessian.
 
-use crate::numerics::cholesky::solve;
+use super::cholesky::solve;
+use super::taylor::Taylor;
 
 /// An energy with its derivatives at a place.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Local<const N: usize> {
+pub(crate) struct Local<const N: usize> {
     pub place: [f64; N],
     /// J.
     pub energy: f64,
@@ -26,24 +27,40 @@ impl<const N: usize> Local<N> {
         }
     }
 
+    /// Sum of terms of the energy.
+    pub fn sum(place: [f64; N], terms: impl IntoIterator<Item = Taylor<N>>) -> Self {
+        let (mut sum, mut magnitude) = (Taylor::constant(0.0), 0.0);
+        for term in terms {
+            sum = sum + term;
+            magnitude += term.value.abs();
+        }
+        Self {
+            place,
+            energy: sum.value,
+            magnitude,
+            gradient: sum.gradient,
+            hessian: sum.hessian,
+        }
+    }
+
     /// Rounding of the energy.
     pub fn rounding(&self) -> f64 {
         16.0 * f64::EPSILON * self.magnitude
     }
 }
 
-pub(super) const ITERATIONS: usize = 400;
+pub(crate) const ITERATIONS: usize = 400;
 /// Newton steps after the energy no longer tells them from rounding.
 const POLISHING: usize = 4;
 
 /// Length of a vector.
-pub(super) fn norm<const N: usize>(vector: [f64; N]) -> f64 {
+pub(crate) fn norm<const N: usize>(vector: [f64; N]) -> f64 {
     vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
 /// The minimum that is reached from `start`; no step is longer than `longest`. Whether it is one,
 /// what is left of the gradient tells.
-pub(super) fn minimum<const N: usize>(
+pub(crate) fn minimum<const N: usize>(
     at: impl Fn([f64; N]) -> Local<N>,
     start: [f64; N],
     longest: f64,
