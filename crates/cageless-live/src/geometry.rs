@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use cageless::Case;
 use cageless::design::{Estimate, seats};
-use cageless::equilibrium::{self, EquilibriumError};
+use cageless::equilibrium::{EquilibriumError, settle};
 use cageless::raceway::Raceway;
 use cageless::surface::DrawnGroove;
 use cageless_io::case_file::CaseFile;
-use cageless_results::{DESIGN, Record, Results, Subject, spatial_record, static_record};
+use cageless_results::{DESIGN, Record, Results, Subject, static_record};
 use serde_json::{Value, json};
 
 use crate::motion::{DEGREES, rounded};
@@ -80,15 +80,10 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
 
 /// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.
 fn settled(case: &Case) -> Result<(Record, Estimate), EquilibriumError> {
-    if case.rotor.is_none() && case.moves_in_space() {
-        let solved = equilibrium::space::solve(case)?;
-        let estimate = Estimate::elastic(case, &seats(case)?, Some(&solved.rest));
-        return Ok((spatial_record(case, &solved), estimate));
-    }
-    let solved = equilibrium::solve(case)?;
-    let estimate = match case.rotor.is_none() && case.has_elastic_flanks() {
-        true => Estimate::elastic(case, &seats(case)?, Some(&solved)),
-        false => Estimate::new(case, &solved),
+    let solved = settle(case)?;
+    let estimate = match case.has_elastic_flanks() {
+        true => Estimate::elastic(case, &seats(case)?, Some(&solved.rest)),
+        false => Estimate::new(case, &solved.rest),
     };
     Ok((static_record(case, &solved), estimate))
 }

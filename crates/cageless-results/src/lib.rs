@@ -53,7 +53,7 @@ pub use source::{
     JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop,
     Tolerated,
 };
-pub use static_result::{equilibrium_record, spatial_record, static_record};
+pub use static_result::{equilibrium_record, static_record};
 pub use stopped::Stopped;
 pub use successive_drop::succession_record;
 pub use table::{

@@ -36,23 +36,17 @@ pub struct Solved<'a> {
 }
 
 impl<'a> Solved<'a> {
-    /// The equilibrium of `case` with its ratings.
-    pub fn new(case: &'a Case, equilibrium: &'a Equilibrium) -> Self {
+    /// The equilibrium of `case` ([`cageless::equilibrium::settle`]) with its ratings.
+    pub fn new(case: &'a Case, settled: &'a SpatialEquilibrium) -> Self {
+        let space = case.moves_in_space().then_some(settled);
         Self {
             case,
-            equilibrium,
-            rating: Rating::new(case, equilibrium),
-            space: None,
-        }
-    }
-
-    /// The equilibrium of `case` in space with its ratings.
-    pub fn in_space(case: &'a Case, space: &'a SpatialEquilibrium) -> Self {
-        Self {
-            case,
-            equilibrium: &space.rest,
-            rating: Rating::in_space(case, space),
-            space: Some(space),
+            equilibrium: &settled.rest,
+            rating: match space {
+                Some(space) => Rating::in_space(case, space),
+                None => Rating::new(case, &settled.rest),
+            },
+            space,
         }
     }
 }

@@ -1,48 +1,29 @@
 //! Results of a static equilibrium and the ratings of the bearing.
 
-use cageless::equilibrium::space::{self, SpatialEquilibrium};
-use cageless::equilibrium::{self, Equilibrium, EquilibriumError};
+use cageless::equilibrium::space::SpatialEquilibrium;
+use cageless::equilibrium::{EquilibriumError, settle};
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
 use crate::{DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
-pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
-    let solved = Solved::new(case, equilibrium);
-    let overload = equilibrium.overload().into_iter();
-    let warnings = overload.chain(solved.rating.warnings()).collect();
-    let of = |rows| Results::of(rows, Subject::Static(&solved));
-    let mut results = of_every_case(&solved);
-    if case.lubrication.is_some() {
-        results = results.and(of(LUBRICATION));
+pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
+    let solved = Solved::new(case, settled);
+    let warnings = settled.warnings(case).into_iter();
+    let warnings = warnings.chain(solved.rating.warnings()).collect();
+    let mut groups = vec![STATIC, DEFECTS];
+    groups.extend(case.fit.map(|_| FIT));
+    match solved.space {
+        Some(_) => groups.push(SPACE),
+        None => groups.extend(case.lubrication.as_ref().map(|_| LUBRICATION)),
     }
-    Record::from(results)
+    let results = groups
+        .into_iter()
+        .map(|rows| Results::of(rows, Subject::Static(&solved)));
+    Record::from(results.reduce(Results::and).unwrap_or_default())
         .with_sentences("warnings", warnings)
         .with_sentences("notes", notes(&solved))
-}
-
-/// Results of a static equilibrium in space.
-pub fn spatial_record(case: &Case, space: &SpatialEquilibrium) -> Record {
-    let solved = Solved::in_space(case, space);
-    let warnings = space
-        .warnings(case)
-        .into_iter()
-        .chain(solved.rating.warnings());
-    let of = |rows| Results::of(rows, Subject::Static(&solved));
-    Record::from(of_every_case(&solved).and(of(SPACE)))
-        .with_sentences("warnings", warnings.collect())
-        .with_sentences("notes", notes(&solved))
-}
-
-/// Results in the plane as well as in space.
-fn of_every_case(solved: &Solved<'_>) -> Results {
-    let of = |rows| Results::of(rows, Subject::Static(solved));
-    let results = of(STATIC).and(of(DEFECTS));
-    match solved.case.fit {
-        Some(_) => results.and(of(FIT)),
-        None => results,
-    }
 }
 
 /// Results of the static equilibrium of a case, in space where the case is not planar.
@@ -50,10 +31,7 @@ fn of_every_case(solved: &Solved<'_>) -> Results {
 /// # Errors
 /// The case has no equilibrium.
 pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
-    Ok(match case.moves_in_space() {
-        true => spatial_record(case, &space::solve(case)?),
-        false => static_record(case, &equilibrium::solve(case)?),
-    })
+    Ok(static_record(case, &settle(case)?))
 }
 
 fn notes(solved: &Solved<'_>) -> Vec<String> {

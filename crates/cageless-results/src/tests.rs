@@ -298,7 +298,7 @@ fn results_under_axial_load_are_the_points() {
 #[test]
 fn frequencies_of_defects_are_multiples_of_the_shaft_frequency() {
     let case = case();
-    let equilibrium = cageless::equilibrium::solve(&case).unwrap();
+    let equilibrium = cageless::equilibrium::settle(&case).unwrap();
     let solved = Solved::new(&case, &equilibrium);
     let g = 9.525 / 46.005;
     let expected = [
@@ -330,7 +330,7 @@ fn results_with_a_fit_are_its_fields() {
     let sets = sets.map(|set| format!("fit.{set}"));
     let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
     let case = file.case();
-    let equilibrium = cageless::equilibrium::solve(case).unwrap();
+    let equilibrium = cageless::equilibrium::settle(case).unwrap();
     let solved = Solved::new(case, &equilibrium);
     let fit = case.fit.unwrap();
     let um = 1e6;
@@ -369,7 +369,7 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
     let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
     let case = file.case();
     assert_eq!(case.lubrication.as_ref().unwrap().viscosity_m2_s, 6e-6);
-    let equilibrium = cageless::equilibrium::solve(case).unwrap();
+    let equilibrium = cageless::equilibrium::settle(case).unwrap();
     let solved = Solved::new(case, &equilibrium);
     let rating = solved.rating.lubricated.unwrap();
     let life = rating.l10m_mrev.unwrap();

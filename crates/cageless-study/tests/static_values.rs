@@ -1,7 +1,7 @@
 //! Numbers of `static` against a computation apart from this program: a 6008 full complement with
 //! silicon nitride balls at 9000 rpm under 2 kN, exact elliptic integrals, balls and ring massless.
 
-use cageless::equilibrium::solve;
+use cageless::equilibrium::settle;
 use cageless_io::case_file::CaseFile;
 use cageless_io::designation::find;
 use cageless_results::{Cell, Record, static_record};
@@ -19,7 +19,7 @@ fn result(changes: &[&str]) -> Record {
         .map(|s| (*s).to_owned())
         .collect();
     let file = CaseFile::parse(&text, "case.toml", &sets).unwrap();
-    static_record(file.case(), &solve(file.case()).unwrap())
+    static_record(file.case(), &settle(file.case()).unwrap())
 }
 
 #[test]

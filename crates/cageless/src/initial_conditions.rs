@@ -67,7 +67,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     let sprung = rows.iter().any(|row| row.preload_n > 0.0);
     let preloaded = sprung || rows.iter().any(|row| row.preload_m > 0.0);
     // Rows hold each other's balls; those without preload may be too loose for an equilibrium.
-    let mut in_space = match starts_at_rest && (preloaded || rows.len() > 1) {
+    let mut resting = match starts_at_rest && (preloaded || rows.len() > 1) {
         false => None,
         true => match unloaded_equilibrium(case) {
             Err(EquilibriumError::NotConverged { .. }) if !preloaded => None,
@@ -78,7 +78,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         StartState::Rolling { ring_x_m, ring_y_m } => {
             (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m])
         }
-        StartState::AtRest => match &in_space {
+        StartState::AtRest => match &resting {
             Some(e) => (
                 e.rest.ball_distance_m.clone(),
                 [e.rest.ring_x_m, e.rest.ring_y_m],
@@ -86,26 +86,19 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             None => (between([0.0; 2]), [0.0; 2]),
         },
         StartState::Settled => {
-            let e = if state.layout().is_in_space() {
-                in_space
-                    .insert(equilibrium::space::solve(case)?)
-                    .rest
-                    .clone()
-            } else {
-                equilibrium::solve(case)?
-            };
+            let e = &resting.insert(equilibrium::settle(case)?).rest;
             e.check_balls_apart(bearing)?;
-            (e.ball_distance_m, [e.ring_x_m, e.ring_y_m])
+            (e.ball_distance_m.clone(), [e.ring_x_m, e.ring_y_m])
         }
     };
-    let row_preload_m = match &in_space {
+    let row_preload_m = match &resting {
         Some(e) => e.row_preload_m.clone(),
         // A rolling start finds outer rings where their springs held them at rest.
         None if sprung => unloaded_equilibrium(case)?.row_preload_m,
         None => rows.iter().map(|row| row.preload_m).collect(),
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
-        let rest = in_space.as_ref().map(|e| Rest {
+        let rest = resting.as_ref().map(|e| Rest {
             orbit_speed_rad_s: if starts_at_rest {
                 0.0
             } else {
@@ -160,7 +153,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             Tilt::Held { x_rad, y_rad } => [x_rad, y_rad],
             Tilt::Free { .. } => [0.0; 2],
         };
-        let rest = in_space.as_ref();
+        let rest = resting.as_ref();
         let [x, y] = rest.map_or(held, |e| [e.tilt_x_rad, e.tilt_y_rad]);
         let ring_z_m = rest.map_or(0.0, |e| e.ring_z_m);
         state.set_ring_in_space(ring_z_m, [y, -x]);

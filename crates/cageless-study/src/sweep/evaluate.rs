@@ -5,7 +5,7 @@ use std::ops::Range;
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
-use cageless::equilibrium::{self, space};
+use cageless::equilibrium::settle;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
@@ -182,14 +182,9 @@ impl Sweep {
         };
         let case = file.case();
         if self.wants(Computation::Static) {
-            let solved = match case.moves_in_space() {
-                true => space::solve(case)
-                    .map(|solved| found.fill(Subject::Static(&Solved::in_space(case, &solved)))),
-                false => equilibrium::solve(case)
-                    .map(|solved| found.fill(Subject::Static(&Solved::new(case, &solved)))),
-            };
-            if let Err(error) = solved {
-                found.failed(Computation::Static, &error);
+            match settle(case) {
+                Ok(solved) => found.fill(Subject::Static(&Solved::new(case, &solved))),
+                Err(error) => found.failed(Computation::Static, &error),
             }
         }
         found.fill(Subject::Design(case));

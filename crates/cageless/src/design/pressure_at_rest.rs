@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::case::{Case, Gaps, Start, StartState};
-use crate::equilibrium::{self, EquilibriumError};
+use crate::equilibrium::{EquilibriumError, settle};
 
 /// Places within one spacing of the balls at which the load is looked at.
 const POSITIONS: usize = 8;
@@ -23,10 +23,7 @@ pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
             Gaps::Uniform,
             pitch * k as f64 / POSITIONS as f64,
         );
-        let e = match case.moves_in_space() {
-            true => equilibrium::space::solve(&case)?.rest,
-            false => equilibrium::solve(&case)?,
-        };
+        let e = settle(&case)?.rest;
         let here = [e.inner_pressure_max_pa, e.outer_pressure_max_pa];
         peak = std::array::from_fn(|raceway| peak[raceway].max(here[raceway]));
     }

@@ -31,6 +31,7 @@ pub(crate) use ball_seat::effective_radius_m;
 pub use ball_seat::{ball_outer_geometry, start_angles_rad};
 pub use error::EquilibriumError;
 pub use plane::Equilibrium;
+use space::SpatialEquilibrium;
 
 /// Message of [`Equilibrium::overload`] for a case; `None` also without equilibrium.
 pub fn overload(case: &Case) -> Option<String> {
@@ -52,11 +53,26 @@ pub fn overload(case: &Case) -> Option<String> {
     solve(case).ok()?.overload()
 }
 
-/// Solves the equilibrium of `case` with its balls at their starting angles.
+/// Solves the equilibrium of `case` with its balls at their starting angles, in the plane.
 ///
 /// # Errors
-/// The case is impossible, or the iteration does not converge.
+/// The case is impossible or not planar, or the iteration does not converge.
 pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
+    Ok(in_plane(case)?.rest)
+}
+
+/// Solves the equilibrium of `case`, in space where it moves there.
+///
+/// # Errors
+/// Those of [`solve`] and of [`space::solve`].
+pub fn settle(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+    match case.moves_in_space() {
+        true => space::solve(case),
+        false => in_plane(case),
+    }
+}
+
+fn in_plane(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
     case.check()?;
     if case.rotor.is_some() {
         let why = "a bearing under a falling rotor has no static equilibrium";
@@ -64,7 +80,7 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
     }
     case.check_planar()?;
     let (balance, settled) = space::settled(case, true)?;
-    Ok(space::result(case, &balance, &settled).0.rest)
+    Ok(space::result(case, &balance, &settled).0)
 }
 
 /// |rb| of every ball that is in equilibrium at its starting angle, for a given place of the

@@ -459,6 +459,9 @@ fn push_ball(
     solved.outer_contact_angle_rad.push(outer_angle);
     let orbit = orbit_speed_in_space_rad_s(bearing, speed, arms, rolling_angle);
     solved.orbit_speed_rad_s.push(orbit);
+    if ball.planar {
+        return None;
+    }
     let outer = contacts.iter();
     let outer = outer.map(|c| (1, c.angle_rad, at_outer(c.angle_rad, force * c.share)));
     let inner = (inner_force > 0.0).then(|| (0, inner_angle, at_inner(inner_angle, inner_force)));
