@@ -1,7 +1,6 @@
 //! Where the balls of a case are along the raceway, and the outer raceway under each.
 
 use crate::case::{Case, Gaps};
-use crate::contact::FlankSection;
 use crate::flank_model::FlankModel;
 use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
 
@@ -29,20 +28,16 @@ pub fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContac
     outer_contact_geometry(&case.bearing, &case.raceways, angle_rad, radius)
 }
 
-/// Elastic flanks under ball `k` of a case at ψ = `angle_rad`; `None` on the plain raceway and with
-/// rigid ones.
-fn elastic_flanks(case: &Case, k: usize, angle_rad: f64) -> Option<FlankSection> {
-    let radius = case.bearing.ball(k).radius_m;
-    let section = flank_section(&case.bearing, &case.raceways, angle_rad, radius);
-    section.filter(|_| case.flanks == FlankModel::Elastic)
-}
-
 /// r of ball `k` of a case at ψ = `angle_rad` and |rb| = `distance_m`, m: on elastic flanks a ball
 /// that is pressed in has a larger one.
 pub(crate) fn effective_radius_m(case: &Case, k: usize, angle_rad: f64, distance_m: f64) -> f64 {
     let geometry = ball_outer_geometry(case, k, angle_rad);
-    elastic_flanks(case, k, angle_rad).map_or(geometry.effective_radius_m, |flanks| {
-        let press = flanks.press(distance_m - geometry.outer_orbit_radius_m);
-        case.bearing.ball(k).radius_m * press.cosine
-    })
+    let radius_m = case.bearing.ball(k).radius_m;
+    match flank_section(&case.bearing, &case.raceways, angle_rad, radius_m) {
+        Some(flanks) if case.flanks == FlankModel::Elastic => {
+            let press = flanks.press(distance_m - geometry.outer_orbit_radius_m);
+            radius_m * press.cosine
+        }
+        _ => geometry.effective_radius_m,
+    }
 }
