@@ -140,12 +140,12 @@ const CHANGES: &[(&str, ClaimStatus, Edit, ClaimStatus)] = &[
         d.contacts_per_s = estimate(-1.0);
         d.impulse_rate_n = estimate(-1.0);
     }), Partly),
-    ("In a conventional bearing", Partly, |e| each_cell(e, CONVENTIONAL, |c| {
+    ("In a conventional bearing", NotConfirmed, |e| each_cell(e, CONVENTIONAL, |c| {
         c.transition_density = [Some(estimate(2.0)); 3];
     }), Confirmed),
-    ("In a conventional bearing", Partly, |e| each_cell(e, CONVENTIONAL, |c| {
-        c.transition_density = [Some(estimate(1.0)); 3];
-    }), NotConfirmed),
+    ("In a conventional bearing", NotConfirmed, |e| each_cell(e, CONVENTIONAL, |c| {
+        c.transition_density = [1.0, 1.0, 2.0].map(|density| Some(estimate(density)));
+    }), Partly),
     // Without Fw.
     ("The centrifugal force", Erratum, |e| {
         let case = cases::structure(3, READINGS[1], &[]).unwrap();
