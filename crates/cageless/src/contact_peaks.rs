@@ -190,7 +190,9 @@ impl ContactPeakTracker {
 
     /// Takes the contacts of the balls with the raceways.
     pub fn look(&mut self, contacts: &Contacts<'_>) {
-        let every = contacts.in_space(0).is_some() || !self.edges.is_empty();
+        if contacts.are_in_space() || !self.edges.is_empty() {
+            return (0..contacts.balls()).for_each(|k| self.look_at(contacts, k));
+        }
         let (inner, outer) = (
             self.inner.bounds(),
             self.outer.map(|largest| largest.bounds()),
@@ -200,18 +202,15 @@ impl ContactPeakTracker {
                 balls.radius.0[lane],
                 results.geometry.effective_radius.0[lane],
             );
-            let (bounds, twice) = match effective < radius {
-                true => (outer[1], 2.0 * effective),
-                false => (outer[0], radius),
-            };
             let (i, o) = (&results.inner, &results.outer);
-            every
-                | exceeds(inner, [i.force.0[lane], 1.0, 1.0], i.slip.0[lane])
-                | exceeds(bounds, [o.force.0[lane], radius, twice], o.slip.0[lane])
+            let outer_exceeds =
+                |bounds, under| exceeds(bounds, [o.force.0[lane], radius, under], o.slip.0[lane]);
+            // Both bounds, for a choice between two numbers in memory becomes one between their addresses.
+            exceeds(inner, [i.force.0[lane], 1.0, 1.0], i.slip.0[lane])
+                | ((effective < radius) & outer_exceeds(outer[1], 2.0 * effective))
+                | (!(effective < radius) & outer_exceeds(outer[0], radius))
         };
-        for k in contacts.balls_where(may_exceed) {
-            self.look_at(contacts, k);
-        }
+        contacts.balls_where(&may_exceed, |k| self.look_at(contacts, k));
     }
 
     /// Takes the contacts of a ball with the raceways.

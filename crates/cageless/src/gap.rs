@@ -39,13 +39,36 @@ impl Direction {
     /// Direction from ball `k` to the ball ahead, forwards, about the centre of the outer ring.
     #[inline]
     pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
-        let next = x_m.next(k);
-        let [x, y] = [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
-        let [next_x, next_y] = [x_m[next] - centre_m[0], y_m[next] - centre_m[1]];
+        let about = |k: usize| [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
+        Self::between(about(k), about(x_m.next(k)))
+    }
+
+    /// Direction from one place to the next, forwards, about the origin.
+    #[inline]
+    pub fn between([x, y]: [f64; 2], [next_x, next_y]: [f64; 2]) -> Self {
         Self {
             sine: x * next_y - y * next_x,
             cosine: x * next_x + y * next_y,
         }
+    }
+
+    /// Direction of an angle.
+    pub fn of(angle_rad: f64) -> Self {
+        let (sine, cosine) = angle_rad.sin_cos();
+        Self { sine, cosine }
+    }
+
+    /// The angle from another direction on, rad, if its tangent is at most 0.2: 11 terms of its series, of which the
+    /// next is below 1e-17.
+    #[inline]
+    pub fn small_angle_from(self, other: Self) -> Option<f64> {
+        let across = self.sine * other.cosine - self.cosine * other.sine;
+        let along = self.cosine * other.cosine + self.sine * other.sine;
+        let tangent = across / along;
+        let series = (0..11).rev().fold(0.0, |rest, k| {
+            1.0 / f64::from(2 * k + 1) - tangent * tangent * rest
+        });
+        (along > 0.0 && tangent.abs() <= 0.2).then_some(tangent * series)
     }
 
     /// Whether the angle is the smaller one.
@@ -175,6 +198,29 @@ mod tests {
     use super::*;
     use crate::dynamics::coordinates::BallCoordinate;
     use crate::dynamics::layout::Layout;
+
+    /// Of directions with any lengths, up to a tangent of 0.2 either way; not of the opposite.
+    #[test]
+    fn small_angles_are_those_of_the_series() {
+        let far = |angle_rad: f64, length: f64| Direction {
+            sine: length * angle_rad.sin(),
+            cosine: length * angle_rad.cos(),
+        };
+        for (pitch_rad, k) in [0.449, 3.1]
+            .into_iter()
+            .flat_map(|p| (-9..10).map(move |k| (p, k)))
+        {
+            let (small, pitch) = (0.02 * f64::from(k), Direction::of(pitch_rad));
+            let found = far(pitch_rad + small, 5e-4).small_angle_from(pitch);
+            assert!((found.unwrap() - small).abs() < 1e-15, "{found:?} {small}");
+        }
+        for large in [-0.2, 0.2, 1.5, std::f64::consts::PI, 4.0] {
+            assert_eq!(
+                far(1.0 + large, 2.0).small_angle_from(Direction::of(1.0)),
+                None
+            );
+        }
+    }
 
     /// The pair across the end of a row is looked at by itself: in vectors its ball ahead is whatever comes next.
     #[test]

@@ -22,6 +22,8 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+use std::f64::consts::TAU;
+
 use crate::dynamics::Model;
 use crate::dynamics::layout::Balls;
 use crate::gap::Direction;
@@ -30,7 +32,11 @@ use crate::numerics::moments::Moments;
 /// Variance of the gaps of one instant, averaged over each half of a stretch of time.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct GapScatter {
-    pair_angles: Vec<f64>,
+    /// Angle between the balls of each pair that touch less the mean of all pairs, rad.
+    sizes_rad: Vec<f64>,
+    /// Direction from ball to ball of equal gaps, and its angle.
+    pitch: Direction,
+    pitch_rad: f64,
     last_s: f64,
     half_s: f64,
     variance: [Moments; 2],
@@ -39,9 +45,14 @@ pub(crate) struct GapScatter {
 impl GapScatter {
     /// Scatter of the balls of a model from `from_s` to `to_s`.
     pub fn new(model: &Model, from_s: f64, to_s: f64) -> Self {
+        let (balls, pitch_rad) = (model.balls(), TAU / model.layout().row as f64);
+        let touching = (0..balls).map(|k| model.pair_angle_rad(k));
+        let mean_rad = touching.sum::<f64>() / balls as f64;
         Self {
-            pair_angles: (0..model.balls())
-                .map(|k| model.pair_angle_rad(k))
+            pitch: Direction::of(pitch_rad),
+            pitch_rad,
+            sizes_rad: (0..balls)
+                .map(|k| model.pair_angle_rad(k) - mean_rad)
                 .collect(),
             last_s: from_s,
             half_s: 0.5 * (from_s + to_s),
@@ -52,13 +63,16 @@ impl GapScatter {
     /// Takes the positions of the balls and of the centre of the outer ring at `time_s`, for the
     /// time since the last look.
     pub fn look(&mut self, time_s: f64, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
-        let mut gaps = Moments::default();
-        for (k, &pair) in self.pair_angles.iter().enumerate() {
-            let gap = Direction::to_next(x_m, y_m, centre_m, k).gap_rad(pair);
-            gaps.add(gap, 1.0);
-        }
+        // The gaps of a row leave what its balls leave of a turn: their mean is known.
+        let from_mean_rad = |(k, size_rad): (usize, &f64)| {
+            let direction = Direction::to_next(x_m, y_m, centre_m, k);
+            let angle_rad = direction.small_angle_from(self.pitch);
+            angle_rad.unwrap_or_else(|| direction.gap_rad(self.pitch_rad)) - size_rad
+        };
+        let gaps = self.sizes_rad.iter().enumerate().map(from_mean_rad);
+        let variance = gaps.map(|gap| gap * gap).sum::<f64>() / self.sizes_rad.len() as f64;
         let half = usize::from(time_s > self.half_s);
-        self.variance[half].add(gaps.deviation().powi(2), time_s - self.last_s);
+        self.variance[half].add(variance, time_s - self.last_s);
         self.last_s = time_s;
     }
 

@@ -161,10 +161,13 @@ impl OrbitMeansTracker {
     #[inline(never)]
     fn add_rotations(&mut self, view: &StepView<'_, '_>) {
         let balls = view.contacts.balls();
-        let sums = (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
-            let [of_ball, more] = rotations_rad_s(view, k);
-            [absolute + of_ball, beyond + more]
-        });
+        let sums = match view.layout().is_in_space() {
+            true => (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
+                let [of_ball, more] = rotations_rad_s(view, k);
+                [absolute + of_ball, beyond + more]
+            }),
+            false => [(0..balls).map(|k| view.contacts.rotation_rad_s(k)).sum(); 2],
+        };
         for (total, sum) in self.rotation_sum.iter_mut().zip(sums) {
             *total += sum / balls as f64;
         }
@@ -221,14 +224,10 @@ impl OrbitMeansTracker {
     }
 }
 
-/// Absolute rotational speed of ball `k`, and that in the frame of its orbit less the orbital speed, rad/s;
-/// in the plane both are its spin.
-#[inline]
+/// Absolute rotational speed of ball `k` in space, and that in the frame of its orbit less the orbital speed,
+/// rad/s; in the plane both are its spin.
 fn rotations_rad_s(view: &StepView<'_, '_>, k: usize) -> [f64; 2] {
     let spin = view.contacts.rotation_rad_s(k);
-    if !view.layout().is_in_space() {
-        return [spin; 2];
-    }
     let across = [BallCoordinate::OmegaX, BallCoordinate::OmegaY].map(|c| view.after(c)[k]);
     let across = across[0].hypot(across[1]);
     let orbit = view.contacts.orbit_speed_rad_s(k);

@@ -20,11 +20,15 @@
 use std::f64::consts::TAU;
 
 use crate::contact_tracker::ContactTracker;
-use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::Contacts;
+use crate::dynamics::coordinates::BallCoordinate::{Vx, Vy, X, Y};
 use crate::gap::Direction;
-use crate::numerics::lanes::larger;
+use crate::integrator::StepState;
+use crate::numerics::lane_set::LaneSet;
+use crate::numerics::lanes::{LANES, Lanes, larger};
 use crate::numerics::root;
 use crate::raceway::Raceway;
+use crate::simd::{InstructionSet, with_instructions};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// One ball through one raceway.
@@ -205,18 +209,26 @@ impl RacewaySector {
         (self.centre_rad - self.half_rad - end).rem_euclid(TAU)
     }
 
-    /// Lower bound of the distance of a ball from the nearest end, m.
-    #[inline]
-    fn distance_to_end_m(&self, [x, y]: [f64; 2]) -> f64 {
-        self.ends.iter().fold(f64::INFINITY, |least, [ex, ey]| {
-            let (along, across) = (x * ex + y * ey, (x * ey - y * ex).abs());
-            least.min(larger(across, -along))
+    /// Balls of a block, by x, y, vx and vy, that may get to an end within `until_s`.
+    #[inline(always)]
+    fn near(&self, [x, y, vx, vy]: &[Lanes; 4], centre_m: [f64; 2], until_s: f64) -> LaneSet {
+        LaneSet::of(|lane| {
+            let [x, y] = [x.0[lane] - centre_m[0], y.0[lane] - centre_m[1]];
+            let speed_m_s = 2.0 * (vx.0[lane].abs() + vy.0[lane].abs()) + GAIN_M_S;
+            let reach_m = speed_m_s * until_s;
+            let mut near = false;
+            for [ex, ey] in self.ends {
+                // Both are lower bounds of the distance.
+                let (along, across) = (x * ex + y * ey, (x * ey - y * ex).abs());
+                near |= (across < reach_m) & (-along < reach_m);
+            }
+            near
         })
     }
 }
 
-/// All balls are looked at this often, s.
-const LOOK_EVERY_S: f64 = 5e-5;
+/// All balls are looked at this often, s: seldom, but each time those near an end then are looked at in every step.
+const LOOK_EVERY_S: f64 = 2.5e-5;
 /// Speed that a ball may gain until the next look beyond as much as it has, m/s: one at rest that is
 /// hit does not get to an end unseen.
 const GAIN_M_S: f64 = 5.0;
@@ -236,12 +248,39 @@ enum Place {
 struct UnderWay {
     passage: Passage,
     nearest: Direction,
+    /// Where x and y of the ball and of the one ahead are in the state.
+    places: [[usize; 2]; 2],
+}
+
+impl UnderWay {
+    /// Follows the ball through a step.
+    #[inline]
+    fn follow(&mut self, step: &StepState, centre_m: [f64; 2], contacts: &Contacts<'_>) {
+        let Self {
+            passage,
+            nearest,
+            places,
+        } = self;
+        let about = |[x, y]: [usize; 2]| [step.y1[x] - centre_m[0], step.y1[y] - centre_m[1]];
+        let now = Direction::between(about(places[0]), about(places[1]));
+        if now.below(*nearest) {
+            *nearest = now;
+        }
+        let ball = contacts.rolling(passage.ball);
+        passage.sliding_max_m_s = larger(passage.sliding_max_m_s, ball.loaded_sliding_m_s);
+        if !ball.is_loaded {
+            passage.unloaded_s += step.size_s();
+        }
+        let ([low, high], orbit) = (passage.orbit_speed_range_rad_s, ball.orbit_speed_rad_s);
+        let low = if orbit < low { orbit } else { low };
+        passage.orbit_speed_range_rad_s = [low, larger(high, orbit)];
+    }
 }
 
 /// Follows the balls through the raceways and passes each passage on when the ball goes
 /// out; one counts when the ball has come in and gone out during the run.
 ///
-/// Looks at a ball in every step while it is in a raceway or near an end of one, else twenty times in
+/// Looks at a ball in every step while it is in a raceway or near an end of one, else forty times in
 /// a millisecond.
 pub struct PassageRecorder<F> {
     sectors: Vec<RacewaySector>,
@@ -251,7 +290,7 @@ pub struct PassageRecorder<F> {
     under_way: Vec<UnderWay>,
     /// When all balls are looked at again, s.
     look_s: f64,
-    /// Raceways and the balls that may cross an end of them before.
+    /// Raceways and the balls that may cross an end of them until then; before the first look all.
     near: Vec<[usize; 2]>,
     /// Raceway that each ball left last, and when.
     left: Vec<Option<(usize, f64)>>,
@@ -283,12 +322,11 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let inside_by = |time_s: f64| {
             let at = |coordinate| view.step.interpolate(layout.ball(coordinate, k), time_s);
             let [x, y] = view.outer_ring_at_m(time_s);
-            sector.inside_by([at(BallCoordinate::X) - x, at(BallCoordinate::Y) - y])
+            sector.inside_by([at(X) - x, at(Y) - y])
         };
         let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
         let state = view.state(time_s);
-        let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
-            .map(|c| state.layout().balls_of(state.values(), c));
+        let [x, y] = [X, Y].map(|c| state.layout().balls_of(state.values(), c));
         let centre = state.outer_ring_motion();
         let gap = |k: usize| {
             Direction::to_next(x, y, [centre.x, centre.y], k).gap_rad(self.pair_angles[k])
@@ -297,36 +335,40 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     }
 
     /// Looks at all balls and keeps in mind which are near an end.
-    fn look(&mut self, view: &StepView<'_, '_>) -> Result<(), ObserverError> {
-        let [vx, vy] = [BallCoordinate::Vx, BallCoordinate::Vy].map(|c| view.after(c));
+    #[inline(never)] // most steps do without
+    fn look(&mut self, view: &StepView<'_, '_>) {
         // The look comes at the end of a step.
         let until_s = LOOK_EVERY_S + view.step.size_s();
         self.look_s = view.step.t1_s + LOOK_EVERY_S;
         self.near.clear();
-        for r in 0..self.sectors.len() {
-            for k in 0..vx.len() {
-                let place_m = view.about_outer_ring_m(k);
-                self.look_at(view, [r, k], place_m)?;
-                let distance_to_end_m = self.sectors[r].distance_to_end_m(place_m);
-                let speed_m_s = 2.0 * (vx[k].abs() + vy[k].abs()) + GAIN_M_S;
-                if distance_to_end_m < speed_m_s * until_s {
-                    self.near.push([r, k]);
+        let (isa, centre_m) = (InstructionSet::chosen(), view.outer_ring_m());
+        let coordinates = [X, Y, Vx, Vy].map(|coordinate| view.after(coordinate));
+        for (r, sector) in self.sectors.iter().enumerate() {
+            for first in (0..self.pair_angles.len()).step_by(LANES) {
+                let mut motion = [Lanes::ZERO; 4];
+                for (lanes, balls) in motion.iter_mut().zip(&coordinates) {
+                    balls.copy_block(first, lanes);
                 }
+                let motion = &motion;
+                let near = with_instructions!(
+                    isa,
+                    [](sector: &RacewaySector, motion: &[Lanes; 4], centre_m: [f64; 2], until_s: f64) -> LaneSet,
+                    sector.near(motion, centre_m, until_s)
+                );
+                let own = near.of_bearing(0, true, self.pair_angles.len() - first);
+                self.near.extend(own.map(|lane| [r, first + lane]));
             }
         }
-        Ok(())
     }
 
-    /// Begins or ends a passage if ball `k`, now at a place about the centre of the outer ring, has crossed an
-    /// end of raceway `r`.
+    /// Begins or ends a passage if ball `k` has crossed an end of raceway `r`.
     #[inline]
     fn look_at(
         &mut self,
         view: &StepView<'_, '_>,
         [r, k]: [usize; 2],
-        place_m: [f64; 2],
     ) -> Result<(), ObserverError> {
-        let inside = self.sectors[r].inside_by(place_m) > 0.0;
+        let inside = self.sectors[r].inside_by(view.about_outer_ring_m(k)) > 0.0;
         let place = self.places[r * self.pair_angles.len() + k];
         match inside == (place != Place::Outside) {
             true => Ok(()),
@@ -357,7 +399,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     /// The passage of a ball that comes in.
     fn enter(&self, view: &StepView<'_, '_>, k: usize, r: usize) -> UnderWay {
         let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
-        let [x, y] = view.positions();
+        let ([x, y], layout) = (view.positions(), view.layout());
         let from_end_of = |before: usize| self.sectors[r].begin_behind_rad(&self.sectors[before]);
         let way_here = self.left[k].map(|(before, left_s)| [from_end_of(before), enter_s - left_s]);
         UnderWay {
@@ -379,6 +421,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
                 way_here,
             },
             nearest: Direction::to_next(x, y, view.outer_ring_m(), k),
+            places: [k, layout.next(k)].map(|k| [X, Y].map(|c| layout.ball(c, k))),
         }
     }
 
@@ -387,7 +430,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let (leave_s, [gap_leave_rad, _]) = self.end(view, k, r);
         let of_ball = |u: &UnderWay| (u.passage.ball, u.passage.raceway) == (k, r);
         let at = self.under_way.iter().position(of_ball);
-        let UnderWay { passage, nearest } = self.under_way.swap_remove(at.expect("it came in"));
+        let UnderWay {
+            passage, nearest, ..
+        } = self.under_way.swap_remove(at.expect("it came in"));
         let least = passage.gap_enter_rad.min(gap_leave_rad);
         self.left[k] = Some((r, leave_s));
         Passage {
@@ -408,6 +453,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         self.places = vec![Place::StartedInside; n * self.sectors.len()];
         self.under_way.clear();
         self.left = vec![None; n];
+        let all_of = |r: usize| (0..n).map(move |k| [r, k]);
+        self.near = (0..raceways.len()).flat_map(all_of).collect();
         self.look_s = 0.0;
         self.contact_tracker = ContactTracker::new(n);
         Ok(())
@@ -415,37 +462,22 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.contact_tracker.update(&view.contacts);
-        if view.step.t1_s >= self.look_s {
-            self.look(view)?;
-        } else {
-            for at in 0..self.near.len() {
-                let [r, k] = self.near[at];
-                self.look_at(view, [r, k], view.about_outer_ring_m(k))?;
-            }
+        for at in 0..self.near.len() {
+            self.look_at(view, self.near[at])?;
         }
-        let c = &view.contacts;
-        let [x, y] = view.positions();
-        let centre = view.outer_ring_m();
+        if view.step.t1_s >= self.look_s {
+            self.look(view);
+        }
         let begun = self.contact_tracker.count() > 0;
-        for UnderWay { passage, nearest } in &mut self.under_way {
-            let k = passage.ball;
-            let now = Direction::to_next(x, y, centre, k);
-            if now.below(*nearest) {
-                *nearest = now;
-            }
+        let centre_m = view.outer_ring_m();
+        for under_way in &mut self.under_way {
+            under_way.follow(view.step, centre_m, &view.contacts);
             if begun {
+                let passage = &mut under_way.passage;
                 let started = |k| u32::from(self.contact_tracker.started(k));
-                passage.collisions_ahead += started(k);
-                passage.collisions_behind += started(x.previous(k));
+                passage.collisions_ahead += started(passage.ball);
+                passage.collisions_behind += started(view.after(X).previous(passage.ball));
             }
-            let ball = c.rolling(k);
-            passage.sliding_max_m_s = larger(passage.sliding_max_m_s, ball.loaded_sliding_m_s);
-            if !ball.is_loaded {
-                passage.unloaded_s += view.step.size_s();
-            }
-            let ([low, high], orbit) = (passage.orbit_speed_range_rad_s, ball.orbit_speed_rad_s);
-            let low = if orbit < low { orbit } else { low };
-            passage.orbit_speed_range_rad_s = [low, larger(high, orbit)];
         }
         Ok(Control::Continue(()))
     }

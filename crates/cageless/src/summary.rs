@@ -17,6 +17,7 @@
 use crate::case::Case;
 use crate::contact_peaks::{ContactPeakTracker, ContactPeaks};
 use crate::contact_tracker::{ContactCounter, ContactCounts};
+use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
 use crate::gap_scatter::GapScatter;
@@ -159,46 +160,60 @@ impl Observer for SummaryRecorder {
         if let Some(begun) = begun {
             self.collisions += begun;
         }
-        let layout = view.layout();
-        let h = view.step.t1_s - view.step.t0_s;
-        for (k, coordinate) in [RingCoordinate::X, RingCoordinate::Y]
-            .into_iter()
-            .enumerate()
+        let (layout, step) = (view.layout(), view.step);
+        let h = step.size_s();
+        for (sum, coordinate) in
+            (self.ring_sum.iter_mut()).zip([RingCoordinate::X, RingCoordinate::Y])
         {
             let at = layout.ring(coordinate);
-            self.ring_sum[k] += 0.5 * h * (view.step.y0[at] + view.step.y1[at]);
+            *sum += 0.5 * h * (step.y0[at] + step.y1[at]);
         }
         self.time += h;
         if layout.is_in_space() {
             self.space.step(view);
         }
         self.slip_max = larger(self.slip_max, contacts.sliding_max_m_s());
-        let loaded = self.steps.is_multiple_of(LOADS_EVERY);
-        if loaded {
-            self.space.look(contacts, &self.contact_signs);
-            let force = contacts.outer_ring_force_n();
-            for (moments, force) in self.outer_ring_force.iter_mut().zip(force) {
-                moments.add(force, h);
-            }
+        if self.steps.is_multiple_of(LOADS_EVERY) {
+            self.look_at_loads(contacts, h);
         }
-        if let Some(peaks) = &mut self.peaks {
-            if loaded {
-                peaks.look(contacts);
-            }
-            if contacts.balls_touch() {
-                peaks.look_between_balls(contacts);
-            }
+        if contacts.balls_touch()
+            && let Some(peaks) = &mut self.peaks
+        {
+            peaks.look_between_balls(contacts);
         }
         let sampled = self.steps.is_multiple_of(GAPS_EVERY);
         self.means.step(view, sampled);
         if sampled {
-            let [x, y] = view.positions();
-            self.gaps.look(x, y, view.outer_ring_m());
-            if self.steps.is_multiple_of(SCATTER_EVERY) {
-                self.scatter.look(view.step.t1_s, x, y, view.outer_ring_m());
-            }
+            self.look_at_gaps(view);
         }
         self.steps += 1;
         Ok(Control::Continue(()))
+    }
+}
+
+impl SummaryRecorder {
+    /// Takes the contacts with the raceways at the end of a step of `step_s`.
+    #[inline(never)] // most steps do without, as without the next
+    fn look_at_loads(&mut self, contacts: &Contacts<'_>, step_s: f64) {
+        if contacts.are_in_space() {
+            self.space.look(contacts, &self.contact_signs);
+        }
+        let force_n = contacts.outer_ring_force_n();
+        for (moments, force_n) in self.outer_ring_force.iter_mut().zip(force_n) {
+            moments.add(force_n, step_s);
+        }
+        if let Some(peaks) = &mut self.peaks {
+            peaks.look(contacts);
+        }
+    }
+
+    /// Takes the places of the balls at the end of a step.
+    #[inline(never)]
+    fn look_at_gaps(&mut self, view: &StepView<'_, '_>) {
+        let ([x, y], centre_m) = (view.positions(), view.outer_ring_m());
+        self.gaps.look(x, y, centre_m);
+        if self.steps.is_multiple_of(SCATTER_EVERY) {
+            self.scatter.look(view.step.t1_s, x, y, centre_m);
+        }
     }
 }

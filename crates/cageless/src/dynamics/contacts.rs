@@ -56,25 +56,25 @@ impl Contacts<'_> {
         (entry / LANES, entry % LANES)
     }
 
-    /// Balls of this bearing for which a test of their constants and results in a lane holds.
+    /// Passes on the balls of this bearing for which a test of their constants and results in a lane holds.
     #[inline]
-    pub(crate) fn balls_where<T>(&self, test: T) -> impl Iterator<Item = usize>
+    pub(crate) fn balls_where<T>(&self, test: &T, mut found: impl FnMut(usize))
     where
         T: Fn(&BallLanes, &BlockResults, usize) -> bool,
     {
-        let (p, bearing, isa) = (self.parameters, self.bearing, self.isa);
+        let p = self.parameters;
         let (width, entries) = (p.layout.width(), p.layout.entries());
-        let blocks = self.work.blocks.iter().enumerate();
-        blocks.flat_map(move |(block, results)| {
-            let (test, balls, first) = (&test, p.balls(block), block * LANES);
+        for (block, results) in self.work.blocks.iter().enumerate() {
+            let (balls, first) = (p.balls(block), block * LANES);
             let lanes = with_instructions!(
-                isa,
+                self.isa,
                 [T: Fn(&BallLanes, &BlockResults, usize) -> bool](test: &T, balls: &BallLanes, results: &BlockResults) -> LaneSet,
                 LaneSet::of(|lane| test(balls, results, lane))
             );
-            let own = lanes.of_bearing(bearing, width == 1, entries - first);
-            own.map(move |lane| (first + lane) / width)
-        })
+            for lane in lanes.of_bearing(self.bearing, width == 1, entries - first) {
+                found((first + lane) / width);
+            }
+        }
     }
 
     per_ball! {
@@ -155,15 +155,18 @@ impl Contacts<'_> {
 
     /// A ball pressed deeper than this into a raceway or the ball ahead.
     pub(crate) fn deeper(&self, limit_m: f64) -> Option<usize> {
-        let mut balls = self.balls_where(|_, results, lane| {
+        let is_deeper = |_: &BallLanes, results: &BlockResults, lane: usize| {
             let (outer, inner) = (&results.outer.deflection, &results.inner.deflection);
             let deep = |deflection: &Lanes| deflection.0[lane] > limit_m;
             deep(outer) | deep(inner) | deep(&results.pair.deflection)
-        });
-        balls.next()
+        };
+        let mut first = None;
+        self.balls_where(&is_deeper, |k| first = first.or(Some(k)));
+        first
     }
 
     /// Where ball `k` bears on the inner raceway.
+    #[inline]
     pub fn inner_point(&self, k: usize) -> RacewayPoint {
         match self.in_space(k) {
             Some(ball) => ball.inner_point(),
@@ -182,6 +185,7 @@ impl Contacts<'_> {
     }
 
     /// Where ball `k` bears on the outer raceway; on a discrete raceway the more loaded of two points.
+    #[inline]
     pub fn outer_point(&self, k: usize) -> RacewayPoint {
         match self.in_space(k) {
             Some(ball) => ball.outer_point(),
@@ -192,7 +196,14 @@ impl Contacts<'_> {
         }
     }
 
+    /// Whether the balls move in space.
+    #[inline]
+    pub(crate) fn are_in_space(&self) -> bool {
+        self.space.is_some()
+    }
+
     /// Contacts of ball `k` in space; `None` in the plane.
+    #[inline]
     pub fn in_space(&self, k: usize) -> Option<BallContacts> {
         self.space.map(|space| space.contacts(k))
     }
@@ -233,33 +244,46 @@ impl Contacts<'_> {
             let [x, y, _] = space.outer_ring_force_n();
             return [x, y];
         }
-        let p = self.parameters;
-        let rising = p.unequal || p.elastic;
-        let mut force = [0.0; 2];
-        for (block, results) in self.work.blocks.iter().enumerate() {
-            let direction = self.work.friction_directions.get(block);
-            let parts = with_instructions!(
-                self.isa,
-                [](results: &BlockResults, direction: Option<&FrictionDirectionLanes>) -> [[Lanes; 3]; 2],
-                outer_forces(results, direction)
-            );
-            let add = |lane: usize| {
-                for (sum, [normal, slope, friction]) in force.iter_mut().zip(&parts) {
-                    *sum += normal.0[lane];
-                    if rising {
-                        *sum += slope.0[lane];
+        let (work, width, bearing) = (self.work, self.parameters.layout.width(), self.bearing);
+        with_instructions!(
+            self.isa,
+            [](work: &Workspace, width: usize, bearing: usize) -> [f64; 2],
+            outer_ring_force_n(work, width, bearing)
+        )
+    }
+}
+
+/// Number of partial sums, to which the balls add in turn: the same bits whether a bearing is alone or beside
+/// others.
+const PARTS: usize = 4;
+
+/// Force of the balls of one of `width` bearings on the outer ring along X and Y, N.
+#[inline(always)]
+fn outer_ring_force_n(work: &Workspace, width: usize, bearing: usize) -> [f64; 2] {
+    let [mut x, mut y] = [[0.0; PARTS]; 2];
+    for (block, results) in work.blocks.iter().enumerate() {
+        let direction = work.friction_directions.get(block);
+        // Each with forces of its own, or all go through memory.
+        if width == 1 {
+            let [force_x, force_y] = outer_forces(results, direction);
+            // Padding adds nothing.
+            for (sums, force) in [(&mut x, &force_x), (&mut y, &force_y)] {
+                for ball in (0..LANES).step_by(PARTS) {
+                    for part in 0..PARTS {
+                        sums[part] += force[ball + part];
                     }
-                    *sum += friction.0[lane];
                 }
-            };
-            match p.layout.width() {
-                // Padding adds nothing.
-                1 => (0..LANES).for_each(add),
-                width => (self.bearing..LANES).step_by(width).for_each(add),
+            }
+        } else {
+            let [force_x, force_y] = outer_forces(results, direction);
+            for lane in (bearing..LANES).step_by(width) {
+                let part = (block * LANES + lane) / width % PARTS;
+                x[part] += force_x[lane];
+                y[part] += force_y[lane];
             }
         }
-        force
     }
+    [(x[0] + x[2]) + (x[1] + x[3]), (y[0] + y[2]) + (y[1] + y[3])]
 }
 
 /// Forces of the balls of a block on the outer ring along X and Y: normal force, that along ψ where the
@@ -268,23 +292,20 @@ impl Contacts<'_> {
 fn outer_forces(
     results: &BlockResults,
     direction: Option<&FrictionDirectionLanes>,
-) -> [[Lanes; 3]; 2] {
+) -> [[f64; LANES]; 2] {
     let (ex, ey) = (&results.polar.ex.0, &results.polar.ey.0);
-    // Along the radius friction at flanks adds to the normal force.
-    let mut normal = results.outer.force;
-    for lane in results.on_flanks {
-        normal.0[lane] += results.across_friction.0[lane];
-    }
     let (slope, friction) = (&results.slope_force.0, &results.outer_friction.0);
-    let mut parts = [[Lanes::ZERO; 3]; 2];
+    let [mut x, mut y] = [[0.0; LANES]; 2];
     for lane in 0..LANES {
+        // Along the radius friction at flanks adds to the normal force.
+        let across = match results.on_flanks.has(lane) {
+            true => results.across_friction.0[lane],
+            false => 0.0,
+        };
+        let normal = results.outer.force.0[lane] + across;
         let [dx, dy] = direction.map_or([-ey[lane], ex[lane]], |d| [d.x.0[lane], d.y.0[lane]]);
-        parts[0][0].0[lane] = normal.0[lane] * ex[lane];
-        parts[0][1].0[lane] = slope[lane] * ey[lane];
-        parts[0][2].0[lane] = friction[lane] * dx;
-        parts[1][0].0[lane] = normal.0[lane] * ey[lane];
-        parts[1][1].0[lane] = -(slope[lane] * ex[lane]);
-        parts[1][2].0[lane] = friction[lane] * dy;
+        x[lane] = normal * ex[lane] + slope[lane] * ey[lane] + friction[lane] * dx;
+        y[lane] = normal * ey[lane] - slope[lane] * ex[lane] + friction[lane] * dy;
     }
-    parts
+    [x, y]
 }

@@ -19,7 +19,8 @@ use super::energy::EnergyTerm;
 use super::rotor::RotorMotion;
 use crate::case::Case;
 use crate::integrator::SecondOrderBlock;
-use crate::numerics::lanes::{BATCH_WIDTH, LANES};
+use crate::numerics::lanes::{BATCH_WIDTH, LANES, Lanes};
+use crate::simd::{InstructionSet, with_instructions};
 
 /// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
 /// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
@@ -386,7 +387,11 @@ impl Layout {
         // In any array each place of a bearing is `width` behind the last.
         let own = &values[self.start..][..self.motion_len()];
         if self.width == 1 {
-            return own.iter().fold(true, |finite, v| finite & v.is_finite());
+            return with_instructions!(
+                InstructionSet::chosen(),
+                [](own: &[f64]) -> bool,
+                own.iter().fold(true, |finite, v| finite & v.is_finite())
+            );
         }
         let mut own = own.iter().skip(self.bearing).step_by(self.width);
         own.all(|v| v.is_finite())
@@ -463,6 +468,19 @@ impl<'a> Balls<'a> {
         let (own, next) = (self.values.get(k..)?, self.values.get(k + 1..)?);
         let blocks = [own.first_chunk()?, next.first_chunk()?];
         (self.step == 1).then_some(blocks)
+    }
+
+    /// Copies a block of values from ball `first` on; beyond the last ball of any value.
+    #[inline]
+    pub(crate) fn copy_block(&self, first: usize, block: &mut Lanes) {
+        match self.values[first..].first_chunk() {
+            Some(values) if self.step == 1 => block.0 = *values,
+            _ => {
+                for k in first..self.count.min(first + LANES) {
+                    block.0[k - first] = self[k];
+                }
+            }
+        }
     }
 
     /// Ball by ball.

@@ -112,6 +112,7 @@ impl<'m> RightHandSide<'m> {
     }
 
     /// Contacts of one of the bearings as of the last evaluation.
+    #[inline]
     pub fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         Contacts {
             parameters: &self.parameters,

@@ -14,15 +14,11 @@ impl LaneSet {
     #[inline(always)]
     pub fn of(test: impl Fn(usize) -> bool) -> Self {
         // In a loop of its own, or the test does not become vector code.
-        let mut holds = [false; LANES];
+        let mut bits = [0; LANES];
         for lane in 0..LANES {
-            holds[lane] = test(lane);
+            bits[lane] = u32::from(test(lane)) << lane;
         }
-        let mut bits = 0;
-        for lane in 0..LANES {
-            bits |= u32::from(holds[lane]) << lane;
-        }
-        Self(bits)
+        Self(bits.iter().fold(0, |all, bit| all | bit))
     }
 
     /// Those of the bearing of this index, of one alone or of [`BATCH_WIDTH`], among the first `entries`.

@@ -240,15 +240,18 @@ impl<'m> Guard<'m> {
         self.start_energy
     }
 
+    /// Whether the state after `steps` steps is to be checked.
+    #[inline]
+    pub fn is_due(steps: u64) -> bool {
+        steps.is_multiple_of(LOOK_EVERY)
+    }
+
     /// Checks the state after `steps` steps, with its contacts.
     pub fn check(&self, steps: u64, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
-        if steps.is_multiple_of(BALANCE_EVERY) {
-            self.look(contacts, values)?;
-            self.balance(values)
-        } else if steps.is_multiple_of(LOOK_EVERY) {
-            self.look(contacts, values)
-        } else {
-            Ok(())
+        self.look(contacts, values)?;
+        match steps.is_multiple_of(BALANCE_EVERY) {
+            true => self.balance(values),
+            false => Ok(()),
         }
     }
 

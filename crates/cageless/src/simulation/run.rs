@@ -170,8 +170,7 @@ fn advance(
         let step = integrator.step();
         rhs.look(&step.y1);
         for tracker in trackers.iter_mut().filter(|c| c.under_way()) {
-            let contacts = rhs.contacts_of(tracker.bearing());
-            tracker.follow(step, contacts, steps, duration);
+            tracker.follow(step, |bearing| rhs.contacts_of(bearing), steps, duration);
         }
         if step.t1_s >= duration {
             break;

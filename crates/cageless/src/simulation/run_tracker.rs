@@ -88,11 +88,6 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         Self { bearing, ..self }
     }
 
-    /// Index of the bearing among those that are advanced together.
-    pub fn bearing(&self) -> usize {
-        self.bearing
-    }
-
     /// Whether the run of the bearing has not ended.
     pub fn under_way(&self) -> bool {
         self.ending.is_none()
@@ -106,39 +101,40 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         }
     }
 
-    /// Looks at a step, shows it to the observers, and ends at `duration_s`.
-    pub fn follow(
+    /// Looks at a step, at whose end a bearing has these contacts, shows it to the observers, and ends at
+    /// `duration_s`.
+    pub fn follow<'c>(
         &mut self,
         step: &StepState,
-        contacts: Contacts<'_>,
+        contacts_of: impl Fn(usize) -> Contacts<'c>,
         steps: u64,
         duration_s: f64,
     ) {
         (self.end_s, self.steps) = (step.t1_s, steps);
         let at_end = step.t1_s >= duration_s;
-        let checked = if at_end {
-            self.guard.look(&contacts, &step.y1)
-        } else {
-            self.guard.check(steps, &contacts, &step.y1)
-        };
-        if let Err(cause) = checked {
-            let time_s = step.t1_s;
-            let step_s = self.context.case.solver.step_s;
-            let stop = Stop {
-                drop: self.context.case.rotor.is_some(),
-                time_s,
-                step_s,
-                cause,
+        if at_end || Guard::is_due(steps) {
+            let contacts = contacts_of(self.bearing);
+            let checked = match at_end {
+                true => self.guard.look(&contacts, &step.y1),
+                false => self.guard.check(steps, &contacts, &step.y1),
             };
-            self.end(Ending::Stopped(stop), &step.y1);
-            return;
+            if let Err(cause) = checked {
+                let stop = Stop {
+                    drop: self.context.case.rotor.is_some(),
+                    time_s: step.t1_s,
+                    step_s: self.context.case.solver.step_s,
+                    cause,
+                };
+                self.end(Ending::Stopped(stop), &step.y1);
+                return;
+            }
         }
         if step.t1_s - self.recent_s > self.recent_for_s {
             self.update_angles(step);
         }
         let view = StepView {
             step,
-            contacts,
+            contacts: contacts_of(self.bearing),
             interpolator: &self.interpolator,
             recent_angle_rad: &self.recent_angle,
             layout: &self.layout,
@@ -159,6 +155,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         }
     }
 
+    #[inline(never)] // most steps do without
     fn update_angles(&mut self, step: &StepState) {
         let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
         let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);

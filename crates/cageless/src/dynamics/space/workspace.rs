@@ -76,17 +76,20 @@ impl BallContacts {
     }
 
     /// Where the ball bears on the inner raceway.
+    #[inline]
     pub(crate) fn inner_point(&self) -> RacewayPoint {
         self.points[INNER].into()
     }
 
     /// The more loaded of the points at the outer raceway.
+    #[inline]
     pub(crate) fn outer_point(&self) -> RacewayPoint {
         let [a, b, _] = self.points;
         if b.force_n > a.force_n { b } else { a }.into()
     }
 
     /// The points that bear, each with its ring: 0 for the inner, 1 for the outer one.
+    #[inline]
     pub(crate) fn bearing_points(&self) -> impl Iterator<Item = (usize, &ContactPoint)> {
         let rings = [1, 1, 0].into_iter().zip(&self.points);
         rings.filter(|(_, point)| point.force_n > 0.0)
@@ -124,6 +127,7 @@ impl SpaceWorkspace {
     }
 
     /// Contacts of ball `k`.
+    #[inline]
     pub fn contacts(&self, k: usize) -> BallContacts {
         let (block, lane) = (&self.blocks[k / LANES], k % LANES);
         let normals = [
