@@ -67,6 +67,12 @@ fn finished_runs_are_shown_and_not_judged() {
     assert_eq!(loss["values"][1]["starts"], 1);
     assert_eq!(loss["differences"][1]["mean"], of(1) - of(0));
     assert_eq!(loss["better"], serde_json::json!([null, null]));
+    for (verdict, summary) in found["verdicts"].as_array().unwrap().iter().zip(&summaries) {
+        for key in ["verdict", "passes", "headline", "criterion", "margin"] {
+            assert_eq!(verdict[key], summary[key], "{key}");
+        }
+        assert!(verdict["standard_error"].is_null());
+    }
     let page = std::fs::read_to_string(dir.path().join("out/report.html")).unwrap();
     for part in [
         "Differences",
@@ -159,6 +165,44 @@ fn a_ring_is_compared_with_its_conventional_one_from_uneven_starts() {
     ] {
         assert!(page.contains(part), "{part}");
     }
+}
+
+/// The verdict is that on the means over the starts, wherever it is given: here start 1 passes and the mean fails.
+#[test]
+fn a_ring_is_judged_by_the_means_over_its_starts() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = [
+        "solver.method=verlet",
+        "solver.step_us=auto",
+        "solver.duration_s=0.05",
+    ];
+    let out = dir.path().to_str().unwrap();
+    let more = ["--with-conventional", "--starts", "3", "--out", out];
+    let done = call_on("compare", &repository_case("zhao-d.toml"), &sets, &more);
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let found = json_file(&dir.path().join("compare.json"));
+    let [conventional, ring] = [0, 1].map(|k| &found["verdicts"][k]);
+    assert_eq!(conventional["passes"], serde_json::Value::Null);
+    let twice = &result(&found, "double_collision_fraction")["values"][1];
+    let [mean, error] = ["mean", "standard_error"].map(|name| twice[name].as_f64().unwrap());
+    assert!(mean > 0.25, "{twice}");
+    assert_eq!(ring["verdict"], "double-collision");
+    assert_eq!(
+        (&ring["passes"], &ring["criterion"]),
+        (&false.into(), &"both-neighbours".into())
+    );
+    assert!((ring["margin"].as_f64().unwrap() - (0.25 - mean)).abs() < 1e-12);
+    assert!((ring["standard_error"].as_f64().unwrap() - error).abs() < 1e-12);
+    let headline = ring["headline"].as_str().unwrap();
+    let start = format!(
+        "FAIL in the mean of 3 starts: double collision; {:.1} %",
+        100.0 * mean
+    );
+    assert!(headline.starts_with(&start), "{headline}");
+    assert!(done.stdout.contains(headline), "{done:?}");
+    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
+    assert!(page.contains(&format!("A: {start}")) && !page.contains("PASS in this run"));
+    assert!(page.contains("A, start 1 of 3"));
 }
 
 #[test]

@@ -86,6 +86,7 @@ fn a_run_that_leaves_the_physical_range_says_so_and_keeps_what_it_has() {
     let stopped = &summary["stopped"];
     let time = stopped["time_s"].as_f64().unwrap();
     assert!(time > 0.0 && time < 1.0 && end <= time && time - end < 2e-4);
+    assert_eq!(summary["verdict"], "not-judged", "{summary}");
     for key in ["cause", "advice"] {
         assert!(!stopped[key].as_str().unwrap().is_empty(), "{summary}");
     }
@@ -119,6 +120,14 @@ fn ctrl_c_ends_a_run_in_good_order() {
     assert!(stopped["time_s"].as_f64().unwrap() >= end, "{summary}");
     let advice = stopped["advice"].as_str().unwrap();
     assert!(advice.contains("to its end at 5000 s"), "{advice}");
+    let judged = ["verdict", "passes"].map(|key| &summary[key]);
+    assert_eq!(judged, [&"not-judged".into(), &serde_json::Value::Null]);
+    let headline = summary["headline"].as_str().unwrap();
+    assert!(
+        headline.starts_with("not judged: interrupted after "),
+        "{headline}"
+    );
+    assert!(answer.stdout.contains(headline), "{answer:?}");
     let page = json_file(&out.join("report.json"));
     let warnings = page["warnings"].to_string();
     assert_eq!(warnings.matches("interrupted").count(), 1, "{warnings}");

@@ -16,21 +16,27 @@ use crate::text::short;
 pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String {
     let names = comparison.runs.join(", ");
     let software = runs.first().map_or("", |run| &run.data.software);
+    // What is of one start says which.
+    let shown = |run: &ComparedRun| match comparison.starts.seed {
+        Some(_) => format!("{}, start 1 of {}", run.name, comparison.starts.count),
+        None => run.name.clone(),
+    };
     let lead: Vec<String> = (runs.iter())
-        .map(|run| format!("{}: {}. {}", run.name, run.data.title, run.data.lead))
+        .map(|run| format!("{}: {}. {}", shown(run), run.data.title, run.data.lead))
         .collect();
     let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
-    let head = runs.iter().fold(Head::default(), |head, run| {
-        let headline = match run.data.headline.as_str() {
+    let verdicts = comparison.runs.iter().zip(&comparison.verdicts);
+    let head = verdicts.fold(Head::default(), |head, (name, verdict)| {
+        let headline = match verdict.headline.as_str() {
             "" => String::new(),
-            headline => format!("{}: {headline}", run.name),
+            headline => format!("{name}: {headline}"),
         };
-        head.verdict(run.data.passes, &headline)
+        head.verdict(verdict.passes, &headline)
     });
     page.head(&head);
     for run in runs {
         for warning in &run.data.warnings {
-            page.note(Note::Warning, &format!("{}: {warning}", run.name));
+            page.note(Note::Warning, &format!("{}: {warning}", shown(run)));
         }
     }
     page.section("Differences");
@@ -43,16 +49,16 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     }
     let all = comparison.results.iter();
     page.table(&table("Results", runs, comparison, all));
-    page.section("Spacing of the balls");
-    if comparison.starts.seed.is_some() {
-        let start = of_start(comparison);
-        page.note(
-            Note::Remark,
-            &format!("Figures and animation show the runs{start}."),
-        );
-    }
+    let section = |page: &mut Page, heading: &str| {
+        page.section(heading);
+        if comparison.starts.seed.is_some() {
+            let start = of_start(comparison);
+            page.note(Note::Remark, &format!("Figures show the runs{start}."));
+        }
+    };
+    section(&mut page, "Spacing of the balls");
     page.figures(figures::spacing(runs));
-    page.section("Inner ring and loads");
+    section(&mut page, "Inner ring and loads");
     page.figures(figures::ring(runs).into_iter().chain(figures::loads(runs)));
     let motions = motions(runs);
     if let Some(first) = motions.first() {

@@ -85,11 +85,9 @@ impl DropJudgement {
         let mut unjudged = vec![];
         match Stopped::of(case, outcome) {
             Some(stopped) if stopped.is_interrupted() => {
-                let [time_s, of_s] = [stopped.time_s, case.solver.duration_s].map(short);
-                let text = format!("interrupted after {time_s} s of {of_s} s");
-                unjudged.push((String::new(), text));
+                unjudged.push((String::new(), stopped.reason(case)));
             }
-            Some(stopped) => failed.push(format!("stopped {stopped}")),
+            Some(stopped) => failed.push(stopped.reason(case)),
             None => {}
         }
         let pressures = [

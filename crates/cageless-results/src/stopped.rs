@@ -6,6 +6,8 @@ use cageless::Case;
 use cageless::simulation::{Ending, RunOutcome};
 use serde::Serialize;
 
+use crate::number_text::short;
+
 /// Reason of an early stop of a run or a drop.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stopped {
@@ -39,6 +41,15 @@ impl Stopped {
             }),
             Ending::Complete | Ending::ObserverFailed(_) => None,
         }
+    }
+
+    /// Why a run of `case` has no verdict.
+    pub fn reason(&self, case: &Case) -> String {
+        if !self.is_interrupted() {
+            return format!("stopped {self}");
+        }
+        let [time_s, of_s] = [self.time_s, case.solver.duration_s].map(short);
+        format!("interrupted after {time_s} s of {of_s} s")
     }
 
     /// Whether the user ended the run.

@@ -5,8 +5,9 @@ use std::collections::VecDeque;
 use cageless::Case;
 use cageless::design::{RacewayTallies, RunVerdict};
 use cageless::passage::{Passage, PassageRecorder, PassageTally};
-use cageless::simulation::Observer;
+use cageless::simulation::{Observer, RunOutcome};
 use cageless::summary::transient_s;
+use cageless_results::Stopped;
 
 /// Most of the last passages that are kept one by one.
 const RECENT: usize = 60;
@@ -48,16 +49,19 @@ impl Passages {
         })
     }
 
-    /// Verdict on the passages.
-    pub fn verdict(&self, case: &Case) -> RunVerdict {
-        RunVerdict::from_case(case, &self.of_raceway)
+    /// Verdict on the passages of a run with this outcome; one that ended early is not judged.
+    pub fn verdict(&self, case: &Case, outcome: &RunOutcome) -> RunVerdict {
+        match Stopped::of(case, outcome) {
+            Some(stopped) => RunVerdict::unfinished(case, &stopped.reason(case)),
+            None => RunVerdict::from_case(case, &self.of_raceway),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cageless::simulation::{Control, run};
+    use cageless::simulation::{Control, Ending, run};
     use cageless_io::case_file::{CaseFile, template};
 
     /// Those that enter after two orbits of the balls, in all and raceway by raceway; the last 60
@@ -73,7 +77,7 @@ mod tests {
         let file = CaseFile::parse(&two, "case.toml", &changes).unwrap();
         let case = file.case();
         let (mut all, mut passages) = (vec![], Passages::new(case));
-        {
+        let mut outcome = {
             let mut every = PassageRecorder::new(|passage| {
                 all.push(passage);
                 Ok(())
@@ -82,8 +86,8 @@ mod tests {
             run(case, &mut [&mut every, &mut recorder], &mut |_| {
                 Control::Continue(())
             })
-            .unwrap();
-        }
+            .unwrap()
+        };
         // Ω = ωi·Ri/(Ri + Ro) of rolling balls.
         let orbit = case.operation.inner_speed_rad_s * 18.24 / (18.24 + 27.765);
         let settled_s = 2.0 * std::f64::consts::TAU / orbit;
@@ -104,7 +108,16 @@ mod tests {
         assert_eq!([first, second], [0, 1].map(|k| tally(Some(k))));
         assert_ne!(first, second);
         assert!(passages.recent.iter().eq(&late[late.len() - 60..]));
-        let verdict = passages.verdict(case);
+        let verdict = passages.verdict(case, &outcome);
         assert_eq!(verdict, RunVerdict::from_case(case, &passages.of_raceway));
+        assert!(verdict.deciding.is_some());
+        // The same passages of a longer run that was ended are no verdict on it.
+        outcome.ending = Ending::Interrupted;
+        let verdict = passages.verdict(case, &outcome);
+        assert_eq!(
+            verdict.headline,
+            "not judged: interrupted after 0.1 s of 0.1 s"
+        );
+        assert_eq!(verdict.deciding, None);
     }
 }

@@ -171,7 +171,7 @@ pub fn run(
         outcome: &outcome,
         summary: statistics.as_ref(),
         passages: &passages.all,
-        verdict: &passages.verdict(case),
+        verdict: &passages.verdict(case, &outcome),
         wall_s,
     };
     Ok(RunRecord {

@@ -41,7 +41,7 @@ impl RunRecorder {
             outcome,
             summary: summary.as_ref(),
             passages: &self.passages.all,
-            verdict: &self.passages.verdict(case),
+            verdict: &self.passages.verdict(case, outcome),
             wall_s: f64::NAN,
         })
     }

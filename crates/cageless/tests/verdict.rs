@@ -335,6 +335,41 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         assert_eq!(found.verdict, expected, "{}", found.headline);
         assert!(found.headline.starts_with(start), "{}", found.headline);
     }
+    // Over starts the means decide: one of three has a double collision in every passage, 4 of 12 in the mean of
+    // the second raceway, whose deviation over n − 1 is 1/√3 and standard error a third.
+    let from = |twice: u32| verdict([good(0), tally(1, 0.98, twice)]);
+    let starts = [from(0), from(12), from(0)];
+    assert_eq!(starts[0].verdict, RacewayVerdict::Smooth);
+    let found = RunVerdict::of_starts(&case, &starts);
+    assert_eq!(found.verdict, RacewayVerdict::DoubleCollision);
+    assert!((found.deciding.unwrap().value() - 1.0 / 3.0).abs() < 1e-12);
+    assert!((found.standard_error.unwrap() - 1.0 / 3.0).abs() < 1e-12);
+    assert_eq!(
+        found.headline,
+        "FAIL in the mean of 3 starts: double collision; 33.3 % of the passages have a double collision (limit \
+         25 %, missed by 8.3 percentage points), standard error 33.3 percentage points; for the critical gap run \
+         `cageless design`"
+    );
+    let none = verdict([vec![], vec![]]);
+    let found = RunVerdict::of_starts(&case, &[from(2), none.clone(), from(4)]);
+    assert_eq!(found.verdict, RacewayVerdict::Smooth);
+    let start = "PASS in the mean of 2 of 3 starts: smooth; nearest to its limit: 25.0 %";
+    assert!(found.headline.starts_with(start), "{}", found.headline);
+    let found = RunVerdict::of_starts(&case, &[none.clone(), none]);
+    assert_eq!(found.verdict, RacewayVerdict::NotJudged);
+    assert!(
+        found.headline.starts_with("not judged: no ball"),
+        "{}",
+        found.headline
+    );
+    let ended = RunVerdict::unfinished(&case, "interrupted after 1 s of 2 s");
+    assert_eq!(
+        (ended.verdict, ended.headline.as_str()),
+        (
+            RacewayVerdict::NotJudged,
+            "not judged: interrupted after 1 s of 2 s"
+        )
+    );
     let plain = case.with_raceways(vec![]);
     let found = RunVerdict::from_case(&plain, &RacewayTallies::new(&plain));
     assert_eq!(

@@ -14,7 +14,7 @@ use crate::args::CompareArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case};
 use crate::failure::Failure;
 use crate::finished_run::{FinishedRun, SUMMARY};
-use crate::format::{columns, pairs};
+use crate::format::{columns, judged, pairs};
 
 const NUMBERS: &str = "compare.json";
 
@@ -47,7 +47,10 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
     let titles: Vec<_> = (runs.iter())
         .map(|run| (run.name.as_str(), run.data.title.clone()))
         .collect();
-    let mut text = pairs(&titles) + "\n";
+    let verdicts: Vec<_> = (comparison.runs.iter().zip(&comparison.verdicts))
+        .map(|(name, verdict)| (name, judged(verdict.passes, &verdict.headline)))
+        .collect();
+    let mut text = format!("{}\n{}\n", pairs(&titles), pairs(&verdicts));
     if comparison.starts.seed.is_some() {
         text += &format!("{}\n\n", comparison.statement);
     }

@@ -3,8 +3,10 @@
 //! speed and keep their gaps with any ring, so that one even start compares nothing.
 
 mod result;
+mod verdict;
 
 use cageless::Case;
+use cageless::design::RunVerdict;
 use cageless::simulation::Observer;
 use cageless::summary::transient_s;
 use cageless::vibration::VibrationRecorder;
@@ -13,6 +15,7 @@ use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
 pub use result::{ComparedResult, RingComparison, RingResults, Starts};
+pub use verdict::RingVerdict;
 
 use crate::error::StudyError;
 use crate::histories::SAMPLING_HZ;
@@ -86,11 +89,12 @@ fn ring(
             found
         },
     );
-    let found: Vec<Vec<(&'static str, f64)>> = found?.into_iter().flatten().collect();
+    let (values, verdicts): (Vec<_>, Vec<_>) = found?.into_iter().flatten().unzip();
+    let verdict = RunVerdict::of_starts(first.case(), &verdicts);
     Ok(ComparedRing {
         file: first,
         record: record?,
-        results: RingResults::of_starts(name, file, &found),
+        results: RingResults::of_starts(name, file, &values, verdict.into()),
     })
 }
 
@@ -132,11 +136,11 @@ impl Record for StartRecorder {
     }
 }
 
-/// Results of each start of a block, side by side.
-fn outcomes(
-    block: &[CaseFile],
-    work: &Work<'_>,
-) -> Result<Vec<Vec<(&'static str, f64)>>, StudyError> {
+/// Scalar results of a run by name.
+type Values = Vec<(&'static str, f64)>;
+
+/// Results and verdict of each start of a block, side by side.
+fn outcomes(block: &[CaseFile], work: &Work<'_>) -> Result<Vec<(Values, RunVerdict)>, StudyError> {
     let cases: Vec<Case> = block.iter().map(|file| file.case().clone()).collect();
     let record = |case: &Case| StartRecorder {
         run: RunRecorder::new(case),
@@ -149,8 +153,9 @@ fn outcomes(
     let outcomes = runs.into_iter().zip(&cases).map(|(run, case)| {
         let (recorder, outcome) = run?;
         StudyError::unless_complete(&outcome.ending)?;
-        let results =
-            (recorder.run).finished(case, &outcome, |run| Results::of(RUN, Subject::Run(run)));
+        let (results, verdict) = (recorder.run).finished(case, &outcome, |run| {
+            (Results::of(RUN, Subject::Run(run)), run.verdict.clone())
+        });
         let results = match &recorder.vibration {
             Some(vibration) => {
                 let rms_m_s2 = vibration.measurements()[1].rms();
@@ -159,9 +164,8 @@ fn outcomes(
             None => results,
         };
         let values = results.iter();
-        Ok(values
-            .filter_map(|(quantity, cell)| Some((quantity.name, cell.number()?)))
-            .collect())
+        let values = values.filter_map(|(quantity, cell)| Some((quantity.name, cell.number()?)));
+        Ok((values.collect(), verdict))
     });
     outcomes.collect()
 }

@@ -10,6 +10,8 @@ use serde_json::{Map, Value};
 
 use cageless_results::{Aim, COMPARED, Kind, Quantity, RUN};
 
+use super::RingVerdict;
+
 /// What a discrete raceway is there to change, and what it costs, in the order of the verdict.
 const SUBJECT: [&str; 6] = [
     "gap_deviation_deg",
@@ -44,6 +46,7 @@ pub struct RingResults {
     /// The case without what does not change the motion and without its raceways.
     apart_from_raceway: Option<CaseDocument>,
     has_raceway: bool,
+    verdict: RingVerdict,
     values: BTreeMap<String, Vec<f64>>,
 }
 
@@ -53,6 +56,7 @@ impl RingResults {
         name: &str,
         file: &CaseFile,
         starts: &[Vec<(&'static str, f64)>],
+        verdict: RingVerdict,
     ) -> Self {
         let mut values: BTreeMap<String, Vec<f64>> = BTreeMap::new();
         for (k, start) in starts.iter().enumerate() {
@@ -67,6 +71,7 @@ impl RingResults {
             name: name.to_owned(),
             apart_from_raceway: Some(file.apart_from_raceway()),
             has_raceway: !file.case().raceways.is_empty(),
+            verdict,
             values,
         }
     }
@@ -79,6 +84,7 @@ impl RingResults {
             name: name.to_owned(),
             apart_from_raceway: None,
             has_raceway: false,
+            verdict: RingVerdict::of_summary(summary),
             values: numbers.collect(),
         }
     }
@@ -115,7 +121,9 @@ pub struct RingComparison {
     pub runs: Vec<String>,
     /// Starts of each ring.
     pub starts: Starts,
-    /// Verdict in sentences.
+    /// Verdicts in the order of the rings.
+    pub verdicts: Vec<RingVerdict>,
+    /// What changes, in sentences.
     pub statement: String,
     /// Scalar results.
     pub results: Vec<ComparedResult>,
@@ -160,6 +168,7 @@ impl RingComparison {
         let mut comparison = Self {
             runs: rings.iter().map(|ring| ring.name.clone()).collect(),
             starts,
+            verdicts: rings.iter().map(|ring| ring.verdict.clone()).collect(),
             statement: String::new(),
             results: results.collect(),
         };
@@ -331,7 +340,8 @@ mod tests {
                 ]
             })
             .collect();
-        RingResults::of_starts(name, &file, &starts)
+        let verdict = RingVerdict::of_summary(&Map::new());
+        RingResults::of_starts(name, &file, &starts, verdict)
     }
 
     const STARTS: Starts = Starts {

@@ -58,6 +58,17 @@ impl Criterion {
         }
     }
 
+    /// The same criterion with another value.
+    pub(super) fn with_value(self, value: f64) -> Self {
+        match self {
+            Self::Pressure(_) => Self::Pressure(value),
+            Self::Separation(_) => Self::Separation(value),
+            Self::Deceleration(_) => Self::Deceleration(value),
+            Self::BothNeighbours(_) => Self::BothNeighbours(value),
+            Self::Lag(_) => Self::Lag(value),
+        }
+    }
+
     /// Limit of the value.
     pub fn limit(self) -> f64 {
         match self {
