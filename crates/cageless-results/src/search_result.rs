@@ -19,7 +19,7 @@ const STRUCTURES: Shape = Shape {
 };
 
 /// What a search holds: `own` and `recommended` structure from more initial states and from the usual
-/// ones, the Pareto `front`, every structure of the `band` and `maps`.
+/// ones, candidates that are `unconfirmed` by more initial states, the Pareto `front`, every structure of the `band` and `maps`.
 pub const SEARCH_SHAPE: Shape = Shape {
     values: SEARCH,
     sentences: &["findings"],
@@ -27,6 +27,7 @@ pub const SEARCH_SHAPE: Shape = Shape {
         ("points", &POINTS),
         ("recommended", &STRUCTURES),
         ("recommended_verdicts", &Shape::of(VERDICT)),
+        ("unconfirmed", &STRUCTURES),
         ("own", &STRUCTURES),
         ("recommended_from_usual_starts", &STRUCTURES),
         ("own_from_usual_starts", &STRUCTURES),

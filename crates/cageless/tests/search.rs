@@ -7,8 +7,8 @@ use crate::common::*;
 use crate::outer_ring::SIZE;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
-    PairSeparation, RacewayLayout, Request, SearchError, SpeedMap, Stage, Task, perturbed_runs,
-    run_jobs, search, uneven_gaps_rad,
+    PairSeparation, RacewayLayout, Request, Role, SearchError, SpeedMap, Stage, Task,
+    perturbed_runs, run_jobs, search, uneven_gaps_rad,
 };
 use cageless::design::{
     Eq11, RacewayVerdict, axial_lag, judge, steady_gap_rad, theoretical_gap_rad,
@@ -224,7 +224,7 @@ fn critical_gap_without_slip_and_without_a_direction() {
     }
 }
 
-/// A mirrored pair of raceways guarantees what the worse of the two does alone, and widens the
+/// A mirrored pair of raceways has the critical gap that the worse of the two has alone, and widens the
 /// steady gap by as much again.
 #[test]
 fn several_raceways() {
@@ -460,6 +460,99 @@ fn a_search_keeps_to_its_budget() {
         let error = search(&case, &request, &mut |_, _| panic!("nothing to compute")).unwrap_err();
         assert!(matches!(error, SearchError::Impossible(_)), "{error:?}");
     }
+}
+
+/// A candidate whose further starts have too many double collisions gives way to the next of the front; after
+/// three, or where the budget has no more, nothing is recommended.
+#[test]
+fn more_starts_confirm_what_is_recommended() {
+    let case = structure(5.1, 25.2);
+    let own = RacewayLayout::from_case(&case).unwrap();
+    // The first candidates that are confirmed collide from their later starts: 10 in 12 of 0.5.
+    let found = |request: &Request, colliding: usize| {
+        let mut confirmed: Vec<RacewayLayout> = vec![];
+        let mut simulations = 0;
+        let found = run(&case, request, &mut |stage, jobs| {
+            let mut done = vec![];
+            for job in jobs {
+                let mut outcome = acceptable(&case, job);
+                if let (Task::Motion(start), Ok(Numbers::Motion(motion))) =
+                    (&job.task, &mut outcome)
+                {
+                    simulations += 1;
+                    if stage == Stage::Confirm && job.structure != own {
+                        if !confirmed.contains(&job.structure) {
+                            confirmed.push(job.structure.clone());
+                        }
+                        let fails = confirmed.len() <= colliding && *start >= request.starts;
+                        motion.double_collision_fraction = if fails { 0.5 } else { 0.0 };
+                    }
+                }
+                done.push(outcome);
+            }
+            Ok(done)
+        });
+        assert!(
+            simulations <= request.budget,
+            "{simulations} of {}",
+            request.budget
+        );
+        (found, confirmed)
+    };
+    let request = Request::from_case(&case);
+    let (first, confirmed) = found(&request, 0);
+    let best = &first.evaluations[first.recommended.unwrap()].structure;
+    assert_eq!(confirmed, [best.clone()]);
+    assert_eq!(first.of_role(Role::Unconfirmed).count(), 0);
+
+    let (second, confirmed) = found(&request, 2);
+    assert_eq!(confirmed.len(), 3);
+    assert_eq!(&confirmed[0], best);
+    let recommended = &second.evaluations[second.recommended.unwrap()];
+    assert_eq!(recommended.structure, confirmed[2]);
+    assert!(recommended.on_front && recommended.rejection.is_none());
+    let roles: Vec<Role> = second.confirmed.iter().map(|c| c.role).collect();
+    let failed = Role::Unconfirmed;
+    assert_eq!(roles, [failed, failed, Role::Recommended, Role::Own]);
+    for (one, structure) in second.of_role(failed).zip(&confirmed) {
+        assert_eq!(&one.evaluation.structure, structure);
+        let Some(Cause::DoubleCollision(mean)) =
+            one.evaluation.rejection.as_ref().map(|r| &r.cause)
+        else {
+            panic!("{:?}", one.evaluation.rejection);
+        };
+        assert!((mean - 5.0 / 12.0).abs() < 1e-12, "{mean}");
+        let listed = second
+            .evaluations
+            .iter()
+            .find(|e| e.structure == *structure);
+        let listed = listed.unwrap();
+        assert!(!listed.on_front && listed.objectives.is_none());
+        assert_eq!(listed.rejection, one.evaluation.rejection);
+    }
+
+    let (none, confirmed) = found(&request, 100);
+    assert_eq!((none.recommended, confirmed.len()), (None, 3));
+    assert!(none.front().all(|e| e.rejection.is_none()));
+    assert_eq!(none.confirmed.len(), 4);
+    // Neighbours of what fails are likely to fail, too.
+    for (k, one) in confirmed.iter().enumerate() {
+        for other in &confirmed[..k] {
+            let [span, angle] = [
+                one.axial_span_m / other.axial_span_m - 1.0,
+                one.half_angle_rad / other.half_angle_rad - 1.0,
+            ];
+            assert!(span.abs() > 0.02 || angle.abs() > 0.1, "{span} {angle}");
+        }
+    }
+    // Six starts; what is left of a small budget confirms no more than it pays for.
+    let few = Request {
+        budget: 96,
+        ..request
+    };
+    let (none, confirmed) = found(&few, 100);
+    assert_eq!(none.recommended, None);
+    assert!((1..=3).contains(&confirmed.len()), "{}", confirmed.len());
 }
 
 /// Raceways that lose too much of their lag under the largest axial load leave the front to others, and the

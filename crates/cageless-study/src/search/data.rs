@@ -2,7 +2,7 @@
 
 use cageless::RacewayForm;
 use cageless::design::search::{
-    Confirmed, Evaluation, Found, Motion, ObjectiveScale, OperatingPoint, SpeedMap,
+    Confirmed, Evaluation, Found, Motion, ObjectiveScale, OperatingPoint, Role, SpeedMap,
 };
 use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
@@ -27,7 +27,7 @@ pub fn search_record(
 ) -> Record {
     let (case, request) = (file.case(), &found.request);
     let form = case.raceway_form();
-    let confirmed = |role: &str| found.confirmed.iter().find(|c| c.role == role);
+    let confirmed = |role: Role| found.of_role(role).next();
     let curve = span_angle_curve(&case.bearing, form, CURVE_POINTS).into_iter();
     let curve = curve.filter_map(|p| Some((p.axial_span_m, p.half_angle_rad?)));
     let searched = Searched {
@@ -41,7 +41,7 @@ pub fn search_record(
         let size = [label.axial_span_mm, label.half_angle_deg];
         Record::of(PAPER, Subject::Paper(&(label.letter.clone(), size)))
     });
-    let own_usual = confirmed("own").map(|c| structure(&c.evaluation, None));
+    let own_usual = confirmed(Role::Own).map(|c| structure(&c.evaluation, None));
     let usual = found.recommended.map(|k| &found.evaluations[k]);
     let rejections = found.rejections();
     let rejections = rejections
@@ -54,10 +54,14 @@ pub fn search_record(
         .with_part("points", many(request.points.iter().map(point_record)))
         .with_part(
             "recommended",
-            confirmed("recommended").map(confirmed_record),
+            confirmed(Role::Recommended).map(confirmed_record),
         )
         .with_part("recommended_verdicts", Part::Many(verdicts))
-        .with_part("own", confirmed("own").map(confirmed_record))
+        .with_part(
+            "unconfirmed",
+            many(found.of_role(Role::Unconfirmed).map(confirmed_record)),
+        )
+        .with_part("own", confirmed(Role::Own).map(confirmed_record))
         .with_part(
             "recommended_from_usual_starts",
             usual.map(|e| structure(e, None)),

@@ -1,7 +1,9 @@
 //! Narrative of a search: its result in sentences.
 
 use cageless::RacewayShape;
-use cageless::design::search::{CONFIRMING_STARTS, Evaluation, Found, Motion};
+use cageless::design::search::{
+    CONFIRMING_STARTS, Confirmed, Evaluation, Found, Motion, Rejection, Role,
+};
 use cageless_results::number_text::signed;
 use cageless_results::{Cell, POINT, REJECTION, Record, Results, STRUCTURE, Subject};
 
@@ -54,6 +56,9 @@ pub fn narrative(found: &Found, record: &Record) -> Vec<String> {
     let points = record.parts("points");
     let verdicts = record.parts("recommended_verdicts");
     let mut all = vec![recommendation(points, verdicts, best)];
+    if let Some(others) = unconfirmed(found) {
+        all.push(format!("Rated better and not confirmed: {others}."));
+    }
     for (point, verdict) in points.iter().zip(verdicts) {
         all.push(format!(
             "At {}, with this raceway in the case: {}.",
@@ -116,7 +121,7 @@ fn recommendation(points: &[Record], verdicts: &[Record], best: &Record) -> Stri
     let numbers = points.iter().zip(best.parts("points")).map(|(point, n)| {
         let shortfall = n.number("slip_shortfall");
         format!(
-            "at {} it separates balls to at least {:.3}°; available {steady:.3}°; reserve {:.3}°; \
+            "at {} it separates balls to about {:.3}°; available {steady:.3}°; reserve {:.3}°; \
              {:.1} % {} β0",
             point_label(point),
             n.number("critical_gap_deg"),
@@ -128,7 +133,7 @@ fn recommendation(points: &[Record], verdicts: &[Record], best: &Record) -> Stri
     let numbers: Vec<String> = numbers.collect();
     let failing = verdicts.iter().any(|v| v.flag("passes") != Some(true));
     format!(
-        "{}: {}; {}.{}",
+        "{}: {}; {}.",
         if failing {
             "Nothing recommended; starting point, which fails its verdict from even spacing"
         } else {
@@ -136,10 +141,6 @@ fn recommendation(points: &[Record], verdicts: &[Record], best: &Record) -> Stri
         },
         structure_label(best),
         numbers.join("; "),
-        match best.text("why") {
-            "" => String::new(),
-            why => format!(" From more starts, however: {why}."),
-        }
     )
 }
 
@@ -156,12 +157,9 @@ fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> Strin
         ),
         ("friction loss in W", |n| n.friction_w, 2),
     ];
-    let of = |role: &str| {
-        let confirmed = found.confirmed.iter().find(|c| c.role == role)?;
-        confirmed.statistics.get(point)
-    };
+    let of = |role| found.of_role(role).next()?.statistics.get(point);
     let mut parts = vec![];
-    if let (Some(a), Some(b)) = (of("recommended"), of("own")) {
+    if let (Some(a), Some(b)) = (of(Role::Recommended), of(Role::Own)) {
         let difference = a.less(b);
         for (name, of, digits) in statistical {
             let (change, error) = (of(&difference.mean), of(&difference.error));
@@ -190,19 +188,45 @@ fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> Strin
     parts.join("; ")
 }
 
+/// Candidates that are rejected from more starts, each with the reason; `None` without any.
+fn unconfirmed(found: &Found) -> Option<String> {
+    let text = |c: &Confirmed| {
+        let structure = Results::of(STRUCTURE, Subject::Structure(&c.evaluation));
+        let rejection = c.evaluation.rejection.as_ref();
+        let why = rejection.map_or(String::new(), |r| format!(", {}", at_point(found, r)));
+        format!("{}{why}", structure_label(&structure.into()))
+    };
+    let texts: Vec<String> = found.of_role(Role::Unconfirmed).map(text).collect();
+    let starts = found.request.confirming_starts();
+    (!texts.is_empty()).then(|| format!("from {starts} starts {}", texts.join("; ")))
+}
+
+/// Cause of a rejection with the operating point.
+fn at_point(found: &Found, rejection: &Rejection) -> String {
+    let place = rejection.point.map_or(String::new(), |p| {
+        let point = Results::of(POINT, Subject::Point(&found.request.points[p]));
+        format!(" at {}", point_label(&point.into()))
+    });
+    format!("{}{place}", rejection.cause)
+}
+
 /// Requirement that excludes all designs, as a sentence.
 pub fn why_none(found: &Found) -> String {
+    if let Some(others) = unconfirmed(found) {
+        let own = found.of_role(Role::Own).next();
+        let own = own.filter(|c| c.evaluation.rejection.is_none());
+        return format!(
+            "no raceway is recommended: what is acceptable from the {} initial states of the search fails in \
+             its confirmation, the best first: {others}; set search.initial_states to more{}",
+            found.request.starts,
+            own.map_or("", |_| "; the initial design is acceptable")
+        );
+    }
     let closest = found.closest().map_or(
         "; the geometry (Zhao 2022, Eq. (8), (9)) or search.critical_gap_min_fraction excludes all of them"
             .to_owned(),
         |e: &Evaluation| {
-            let at = e.rejection.as_ref().map_or(String::new(), |r| {
-                let place = r.point.map_or(String::new(), |p| {
-                    let point = Results::of(POINT, Subject::Point(&found.request.points[p]));
-                    format!(" at {}", point_label(&point.into()))
-                });
-                format!("{}{place}", r.cause)
-            });
+            let at = e.rejection.as_ref().map_or(String::new(), |r| at_point(found, r));
             let size = Results::of(STRUCTURE, Subject::Structure(e));
             let (span, angle) = (size.number("axial_span_mm"), size.number("half_angle_deg"));
             let shape = size.text("shape");

@@ -1,5 +1,5 @@
 use cageless::design::search::{
-    Cause, ClosedForms, MapCell, Motion, PairSeparation, RacewayLayout, Rejection, Request,
+    Cause, ClosedForms, MapCell, Motion, PairSeparation, RacewayLayout, Rejection, Request, Role,
     Statistics,
 };
 use cageless_io::case_file::template;
@@ -85,7 +85,7 @@ fn found() -> (CaseFile, Found) {
         maps: vec![map.clone(), map.clone(), map],
         evaluations,
         recommended: Some(1),
-        confirmed: vec![confirmed("recommended", 6.0), confirmed("own", 7.0)],
+        confirmed: vec![confirmed(Role::Recommended, 6.0), confirmed(Role::Own, 7.0)],
         request,
     };
     (file, found)
@@ -291,4 +291,45 @@ fn differences_are_told_from_scatter() {
     let text = sentence(&found);
     // Steady gap less critical gap: 0.02 rad at the first point for both.
     assert!(text.contains("reserve 1.146° against 1.146°"), "{text}");
+}
+
+/// What more starts reject is named with its reason, next to a recommendation and without one.
+#[test]
+fn candidates_that_are_not_confirmed_are_named() {
+    let (file, mut found) = found();
+    let mut failed = found.confirmed[0].clone();
+    failed.role = Role::Unconfirmed;
+    failed.evaluation.rejection = Some(Rejection {
+        cause: Cause::DoubleCollision(0.338),
+        point: Some(1),
+    });
+    found.confirmed.insert(0, failed);
+    let data = search_record(&file, &found, vec![], &[]);
+    assert_eq!(data.parts("unconfirmed").len(), 1);
+    let unconfirmed = &data.parts("unconfirmed")[0];
+    assert_structure(unconfirmed, 6.0);
+    let judged = ["status", "reason"].map(|name| unconfirmed.text(name));
+    assert_eq!(judged, ["rejected", "double-collision"]);
+    let named = "lC 5.060 mm, θ 26.00° at ψ = 0°, 30°, double collisions in 33.8 % of the passages (25 % \
+                 allowed) at 9549 rpm, 70 N";
+    let sentence = &data.sentences("findings")[1];
+    assert!(
+        sentence.starts_with("Rated better and not confirmed: from 12 starts"),
+        "{sentence}"
+    );
+    assert!(sentence.contains(named), "{sentence}");
+    found.recommended = None;
+    found.confirmed.remove(1);
+    let data = search_record(&file, &found, vec![], &[]);
+    assert_eq!(data.part("recommended"), None);
+    let sentence = &data.sentences("findings")[0];
+    assert!(
+        sentence.starts_with("no raceway is recommended"),
+        "{sentence}"
+    );
+    assert!(sentence.contains(named), "{sentence}");
+    assert!(
+        sentence.ends_with("the initial design is acceptable"),
+        "{sentence}"
+    );
 }

@@ -84,11 +84,22 @@ impl Statistics {
     }
 }
 
-/// A structure from more starts.
+/// Which structure is confirmed from more starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// The recommendation.
+    Recommended,
+    /// A candidate that more starts reject.
+    Unconfirmed,
+    /// That of the case.
+    Own,
+}
+
+/// A structure from more starts, whose means decide whether it is acceptable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Confirmed {
-    /// `recommended`, or `own`: the case's.
-    pub role: &'static str,
+    /// Which structure it is.
+    pub role: Role,
     /// Candidate with the means over the starts common to all designs, for comparison with them.
     pub evaluation: Evaluation,
     /// Statistics at each operating point; empty if a run failed.
@@ -108,6 +119,8 @@ pub(super) struct Batch<'r, 'e> {
     pub row_seats: Vec<[f64; 2]>,
     /// What the maps of a case in space have measured; `None` in the plane and before there are maps.
     pub measured: Option<MeasuredSeparation>,
+    /// Simulations of all balls so far.
+    pub simulations: usize,
 }
 
 impl Evaluation {
@@ -209,6 +222,8 @@ impl Batch<'_, '_> {
         if jobs.is_empty() {
             return Ok(vec![]);
         }
+        let of_all = jobs.iter().filter(|j| matches!(j.task, Task::Motion(_)));
+        self.simulations += of_all.count();
         let outcomes = (self.execute)(stage, jobs)?;
         assert_eq!(outcomes.len(), jobs.len(), "one outcome per job");
         Ok(outcomes)
@@ -312,11 +327,16 @@ impl Batch<'_, '_> {
             .collect()
     }
 
+    /// Simulations of all balls that the confirmation of one structure takes.
+    pub fn of_confirmation(&self) -> usize {
+        self.request.points.len() * self.request.confirming_starts() as usize
+    }
+
     /// Numbers of one structure from [`Request::confirming_starts`], whether it is acceptable or
-    /// not.
+    /// not. What is read from the motion is required of the means over all of them.
     pub fn confirm(
         &mut self,
-        role: &'static str,
+        role: Role,
         structure: &RacewayLayout,
     ) -> Result<Confirmed, Interrupted> {
         let mut one = [Evaluation::new(self, structure.clone(), 0)];
@@ -341,7 +361,8 @@ impl Batch<'_, '_> {
             }
         }
         let elastic = self.elastic();
-        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?, elastic));
+        evaluation
+            .reject(|e, p| Cause::of_motion(&statistics.get(p)?.mean, &e.spacing[p]?, elastic));
         if from_geometry.is_some() {
             evaluation.rejection = from_geometry;
         }

@@ -486,6 +486,7 @@ mod tests {
             seats: vec![],
             row_seats: vec![],
             measured: None,
+            simulations: 0,
         };
         let found = candidates(&batch);
         assert_eq!(found.len(), 2 * 26 * 9);
@@ -540,6 +541,7 @@ mod tests {
             seats: vec![],
             row_seats: vec![],
             measured: None,
+            simulations: 0,
         };
         let mut found = candidates(&batch);
         let [quartic, of_steady] = [26 * 9 - 1, 26 * 9].map(|k| &found[k].structure);

@@ -9,7 +9,8 @@
 //!    the lines of the candidates on which something is acceptable;
 //! 4. the Pareto front, the structure nearest to the best in everything, and COBYLA from
 //!    there;
-//! 5. more starts for the recommendation and for the case's own raceway.
+//! 5. more starts for the recommendation, which gives way to the next where they reject it, and for the
+//!    case's own raceway.
 //!
 //! Nothing here starts a thread: batches of [`Job`]s go to the caller, who runs them in any
 //! order. The same case and seed lead to the same result. Derivations: `docs/theory/design.md`.
@@ -40,7 +41,7 @@ mod rejection;
 mod request;
 
 pub use axial::AxialSeparation;
-pub use evaluation::{Confirmed, Evaluation, Statistics};
+pub use evaluation::{Confirmed, Evaluation, Role, Statistics};
 pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
     CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
@@ -91,11 +92,17 @@ pub struct Found {
     pub evaluations: Vec<Evaluation>,
     /// Index of the recommended structure.
     pub recommended: Option<usize>,
-    /// The recommendation and the case's own structure (if it has one), from more starts.
+    /// From more starts, in this order: candidates that these reject, the recommendation, the case's own
+    /// structure.
     pub confirmed: Vec<Confirmed>,
 }
 
 impl Found {
+    /// The confirmed structures of a role.
+    pub fn of_role(&self, role: Role) -> impl Iterator<Item = &Confirmed> {
+        self.confirmed.iter().filter(move |c| c.role == role)
+    }
+
     /// The structures on the Pareto front.
     pub fn front(&self) -> impl Iterator<Item = &Evaluation> {
         self.evaluations.iter().filter(|e| e.on_front)
@@ -169,6 +176,7 @@ pub fn search(
         seats: seats(case, request)?,
         row_seats: row_seats(case, request)?,
         measured: None,
+        simulations: 0,
     };
     let maps = grid::maps(&mut batch)?;
     if batch.elastic() {
@@ -184,15 +192,11 @@ pub fn search(
     batch.spacing(Stage::Candidates, &mut refined)?;
     batch.motion(Stage::Motion, &mut refined, limit.saturating_sub(done))?;
     evaluations.append(&mut refined);
-    let recommended = recommend(&mut batch, &mut evaluations)?;
-    let mut confirmed = vec![];
-    if let Some(best) = recommended {
-        let mut best_confirmed = batch.confirm("recommended", &evaluations[best].structure)?;
-        best_confirmed.evaluation.on_front = evaluations[best].on_front;
-        confirmed.push(best_confirmed);
-    }
-    if let Some(own) = RacewayLayout::from_case(case) {
-        confirmed.push(batch.confirm("own", &own)?);
+    let own = RacewayLayout::from_case(case);
+    let reserved = own.as_ref().map_or(0, |_| batch.of_confirmation());
+    let (recommended, mut confirmed) = confirmed(&mut batch, &mut evaluations, reserved)?;
+    if let Some(own) = own {
+        confirmed.push(batch.confirm(Role::Own, &own)?);
     }
     Ok(Found {
         request: request.clone(),
@@ -201,6 +205,35 @@ pub fn search(
         recommended,
         confirmed,
     })
+}
+
+/// The recommendation, if more starts confirm one, after those that they reject. `reserved` simulations of the
+/// budget are left for others.
+fn confirmed(
+    batch: &mut Batch<'_, '_>,
+    evaluations: &mut Vec<Evaluation>,
+    reserved: usize,
+) -> Result<(Option<usize>, Vec<Confirmed>), Interrupted> {
+    let mut all = vec![];
+    while let Some(best) = recommend(batch, evaluations, &all)? {
+        let evaluation = &mut evaluations[best];
+        let mut found = batch.confirm(Role::Recommended, &evaluation.structure)?;
+        found.evaluation.on_front = evaluation.on_front;
+        let Some(rejection) = found.evaluation.rejection.clone() else {
+            all.push(found);
+            return Ok((Some(best), all));
+        };
+        (found.role, found.evaluation.on_front) = (Role::Unconfirmed, false);
+        all.push(found);
+        // It leaves the front to others, of which the next that is no neighbour is confirmed.
+        (evaluation.rejection, evaluation.objectives) = (Some(rejection), None);
+        let needed = batch.simulations + batch.of_confirmation() + reserved;
+        if all.len() == CANDIDATES_MAX || needed > batch.request.budget {
+            recommend(batch, evaluations, &all)?;
+            break;
+        }
+    }
+    Ok((None, all))
 }
 
 /// Indices of the structures on the front.
@@ -212,10 +245,11 @@ fn front(evaluations: &[Evaluation]) -> Vec<usize> {
     front.map(|k| rated[k]).collect()
 }
 
-/// The front, the choice and the optimiser.
+/// The front, the choice and, unless others were `tried` and rejected, the optimiser. Neighbours of these are not chosen.
 fn recommend(
     batch: &mut Batch<'_, '_>,
     evaluations: &mut Vec<Evaluation>,
+    tried: &[Confirmed],
 ) -> Result<Option<usize>, Interrupted> {
     let front = loop {
         let front = front(evaluations);
@@ -229,8 +263,8 @@ fn recommend(
         // What it rejects leaves room on the front for others.
         batch.axial_lags(&mut of)?;
     };
-    for &k in &front {
-        evaluations[k].on_front = true;
+    for (k, evaluation) in evaluations.iter_mut().enumerate() {
+        evaluation.on_front = front.contains(&k);
     }
     let Some(scale) = ObjectiveScale::new(
         front
@@ -244,10 +278,17 @@ fn recommend(
             .as_ref()
             .map_or(f64::INFINITY, |o| scale.distance(o))
     };
+    let near = |k: usize| {
+        let mut tried = tried.iter().map(|c| &c.evaluation.structure);
+        tried.any(|other| evaluations[k].structure.is_near(other))
+    };
     let best = front
         .into_iter()
+        .filter(|&k| !near(k))
         .min_by(|&a, &b| distance(&evaluations[a]).total_cmp(&distance(&evaluations[b])));
-    let Some(best) = best else { return Ok(None) };
+    let Some(best) = best.filter(|_| tried.is_empty()) else {
+        return Ok(best);
+    };
     let mut optimised = optimise_from(batch, &evaluations[best], &distance)?;
     if let Some(better) = &mut optimised {
         batch.axial_lags(&mut [better])?;
@@ -260,6 +301,9 @@ fn recommend(
         None => best,
     }))
 }
+
+/// Candidates that are confirmed at most.
+const CANDIDATES_MAX: usize = 3;
 
 /// Steps of the optimiser: about half a cell of the candidates.
 const SPAN_STEP: f64 = 0.02;

@@ -26,7 +26,25 @@ pub struct RacewayLayout {
     pub centres_rad: Vec<f64>,
 }
 
+/// Largest differences of span and half angle of neighbours, relative.
+const NEIGHBOURS: [f64; 2] = [0.02, 0.1];
+
 impl RacewayLayout {
+    /// Whether it is so close to another that what more starts say of that is likely to hold for it, too.
+    pub fn is_near(&self, other: &Self) -> bool {
+        let differences = [
+            self.axial_span_m / other.axial_span_m - 1.0,
+            self.half_angle_rad / other.half_angle_rad - 1.0,
+        ];
+        let mut pairs = differences.iter().zip(NEIGHBOURS);
+        let alike = Self {
+            axial_span_m: other.axial_span_m,
+            half_angle_rad: other.half_angle_rad,
+            ..self.clone()
+        };
+        alike == *other && pairs.all(|(difference, most)| difference.abs() <= most)
+    }
+
     /// The raceways in a bearing.
     ///
     /// # Errors
