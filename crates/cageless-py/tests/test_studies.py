@@ -218,7 +218,9 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
     verdicts = result.data_verdicts().set_index("verdict")["count"]
     assert verdicts.sum() == 3
     assert result.samples.pass_probability == verdicts["smooth"] / 3
-    assert result.headline.startswith("PASS" if result.passes else "FAIL")
+    # Three bearings are too few to pass.
+    assert result.passes is None if verdicts["smooth"] == 3 else not result.passes
+    assert result.headline.startswith("FAIL" if result.passes is False else "not judged")
     assert result.headline[:60] in repr(result)
     [smooth] = [each for each in result.samples.verdicts if each.verdict == "smooth"]
     assert len(smooth.critical_gap_deg) == verdicts["smooth"]

@@ -61,7 +61,7 @@ impl Default for Request {
 }
 
 /// Tolerance analysis of a case. `name` is the name of the case in messages. If the progress ends the work, it is
-/// that of the bearings judged until then, and says so in `warnings`.
+/// that of the bearings judged until then, without a verdict, and says so in `warnings`.
 ///
 /// # Errors
 /// A tolerance is impossible, there is no raceway, a run did not converge, or the progress ended
@@ -75,18 +75,16 @@ pub fn tolerance(
     case.check_motion()?;
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
-    let outcomes = judge_all(case, &trials, progress)?;
-    let count = trials.len();
-    let judged = trials.into_iter().zip(outcomes);
-    let judged = judged.filter_map(|(trial, outcome)| Some((trial, outcome?)));
-    let (trials, outcomes): (Vec<_>, Vec<_>) = judged.unzip();
-    let warning = (trials.len() < count).then(|| {
-        format!(
-            "interrupted: these are {} of {count} bearings",
-            trials.len()
-        )
+    let assessment = assess(&trials, &judge_all(case, &trials, progress)?);
+    let warning = assessment.is_interrupted().then(|| {
+        let [judged, asked] = [assessment.judged, assessment.asked];
+        let left_out: Vec<&str> = assessment.incomplete.iter().map(|i| i.name()).collect();
+        let left_out = match left_out.as_slice() {
+            [] => String::new(),
+            names => format!("; one at a time, these lack bearings: {}", names.join(", ")),
+        };
+        format!("interrupted: these are {judged} of {asked} bearings{left_out}")
     });
-    let assessment = assess(&trials, &outcomes);
     Ok(tolerance_record(
         case,
         request.ball_grade,

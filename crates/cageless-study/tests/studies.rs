@@ -114,6 +114,14 @@ fn tolerances_that_are_ended_keep_what_was_judged() {
     let said = format!("interrupted: these are {} of 9 bearings", 3 + count(&part));
     assert_eq!(part.sentences("warnings"), [said]);
     assert!(whole.sentences("warnings").is_empty());
+    // What it has is no verdict.
+    assert_eq!(part.flag("nominal_passes"), Some(true));
+    assert_eq!(part.flag("passes"), None);
+    let headline = part.text("headline");
+    assert!(
+        headline.starts_with("not judged: interrupted after "),
+        "{headline}"
+    );
 }
 
 #[test]

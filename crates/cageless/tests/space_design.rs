@@ -330,7 +330,7 @@ fn slopes_of_tolerances_are_differences_of_designs() {
     let trials = trials(&case, &tolerances, 0, 1);
     let judged = trials.iter().map(|trial| {
         let varied = trial.deviation.apply(&case).unwrap();
-        Outcome::judged(&judge(&varied, &mut go_on).unwrap())
+        Some(Outcome::judged(&judge(&varied, &mut go_on).unwrap()))
     });
     let table = assess(&trials, &judged.collect::<Vec<_>>()).influences;
     let deviates: Vec<Influence> = table.iter().map(|row| row.influence).collect();

@@ -3,7 +3,9 @@
 use crate::common::structure;
 use cageless::Case;
 use cageless::design::{PassageStatistics, RacewayVerdict};
-use cageless::tolerance::{Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials};
+use cageless::tolerance::{
+    Assessment, Influence, InfluenceResult, Outcome, Tolerances, Trial, assess, ball_grade, trials,
+};
 
 fn tolerances() -> Tolerances {
     Tolerances {
@@ -196,7 +198,7 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
         };
         *outcome_of = outcome(verdict, number);
     }
-    let found = assess(&all, &outcomes);
+    let found = assess(&all, &known(&outcomes));
     let samples = found.samples.as_ref().unwrap();
     assert_eq!(
         samples.critical_gap_quantiles_rad,
@@ -248,28 +250,110 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
     assert_eq!(first, rows + 1);
 }
 
-/// The tolerances pass from 95 % of the bearings on, if the nominal one does.
+fn known(outcomes: &[Outcome]) -> Vec<Option<Outcome>> {
+    outcomes.iter().cloned().map(Some).collect()
+}
+
+/// The nominal bearing with this verdict, and samples of which some slip.
+fn sampled(count: u64, failing: usize, nominal: RacewayVerdict) -> Assessment {
+    let all = trials(&case(), &tolerances(), count, 1);
+    let mut outcomes = vec![outcome(RacewayVerdict::Smooth, 1.0); all.len()];
+    outcomes[0] = outcome(nominal, 2.0);
+    outcomes[all.len() - failing..].fill(outcome(RacewayVerdict::Slips, 1.0));
+    assess(&all, &known(&outcomes))
+}
+
+/// The tolerances pass where the nominal bearing does and the interval of the probability lies above 95 %, fail
+/// where it lies below, and are not judged in between.
 #[test]
-fn tolerances_pass_from_their_share_on() {
-    let (case, tolerances) = (case(), tolerances());
-    let all = trials(&case, &tolerances, 100, 1);
-    let assessment = |failing: usize, nominal| {
-        let mut outcomes = vec![outcome(RacewayVerdict::Smooth, 1.0); all.len()];
-        outcomes[0] = outcome(nominal, 2.0);
-        outcomes[all.len() - failing..].fill(outcome(RacewayVerdict::Slips, 1.0));
+fn tolerances_are_judged_by_the_interval_of_the_probability() {
+    use RacewayVerdict::{Slips, Smooth};
+    // By R, prop.test(198, 200, correct = FALSE): 96.4 to 99.7 %; 178 of 200: 83.9 to 92.6 %.
+    let rows = [
+        (200, 2, Smooth, Some(true)),
+        (200, 22, Smooth, Some(false)),
+        (200, 0, Slips, Some(false)),
+        (73, 0, Smooth, Some(true)),
+        (72, 0, Smooth, None),
+        (1, 0, Smooth, None),
+        (100, 6, Smooth, None),
+    ];
+    for (count, failing, nominal, passes) in rows {
+        let found = sampled(count, failing, nominal).passes();
+        assert_eq!(found, passes, "{failing} of {count}");
+    }
+    for (count, failing, text) in [
+        (
+            200,
+            22,
+            "FAIL: 178 of 200 bearings pass, probability of passing 89.0 % (95 % interval 83.9 to 92.6 %, \
+             95 % needed); nominal design headline 2",
+        ),
+        (
+            1,
+            0,
+            "not judged: 1 of 1 bearings pass, probability of passing 100.0 % (95 % interval 20.7 to 100.0 %, \
+             95 % needed); too few bearings to tell, a pass takes 73 or more; nominal design headline 2",
+        ),
+        (
+            100,
+            6,
+            "not judged: 94 of 100 bearings pass, probability of passing 94.0 % (95 % interval 87.5 to 97.2 %, \
+             95 % needed); the interval includes 95 %, more bearings narrow it; nominal design headline 2",
+        ),
+    ] {
+        assert_eq!(sampled(count, failing, Smooth).headline(), text);
+    }
+    let none = sampled(0, 0, Smooth);
+    assert!(none.passes() == Some(true) && none.samples.is_none());
+    assert_eq!(none.headline(), "PASS; nominal design headline 2");
+}
+
+/// What was interrupted is not judged unless the nominal bearing fails, and rows that lack a bearing are named
+/// in place of being shown.
+#[test]
+fn an_interrupted_analysis_is_not_judged() {
+    let all = trials(&case(), &tolerances(), 100, 1);
+    let rows = all.iter().filter(|t| t.influence.is_some()).count();
+    let interrupted = |nominal, judged: usize| {
+        let mut outcomes = vec![Some(outcome(RacewayVerdict::Smooth, 1.0)); all.len()];
+        outcomes[0] = Some(outcome(nominal, 2.0));
+        outcomes[judged..].fill(None);
         assess(&all, &outcomes)
     };
-    assert!(assessment(5, RacewayVerdict::Smooth).passes());
-    assert!(!assessment(6, RacewayVerdict::Smooth).passes());
-    assert!(!assessment(0, RacewayVerdict::Slips).passes());
+    // The nominal bearing, both ends of one influence and one of the next.
+    let found = interrupted(RacewayVerdict::Smooth, 4);
     assert_eq!(
-        assessment(6, RacewayVerdict::Smooth).headline(),
-        "FAIL: 94 of 100 bearings pass, probability of passing 94.0 % (95 % interval 87.5 to \
-         97.2 %, 95 % needed); nominal design headline 2"
+        (found.passes(), found.judged, found.asked),
+        (None, 4, all.len())
     );
-    let none = trials(&case, &tolerances, 0, 1);
-    let outcomes = vec![outcome(RacewayVerdict::Smooth, 1.0); none.len()];
-    let without = assess(&none, &outcomes);
-    assert!(without.passes() && without.samples.is_none());
-    assert_eq!(without.headline(), "PASS; nominal design headline 1");
+    let of_all = all.len();
+    assert_eq!(
+        found.headline(),
+        format!("not judged: interrupted after 4 of {of_all} bearings; nominal design headline 2")
+    );
+    let shown: Vec<Influence> = found.influences.iter().map(|row| row.influence).collect();
+    assert_eq!(shown, [all[1].influence.unwrap()]);
+    assert_eq!(found.incomplete[0], all[3].influence.unwrap());
+    assert_eq!(shown.len() + found.incomplete.len(), assess_all(&all).len());
+    // All rows, and as many samples as would pass on their own.
+    let found = interrupted(RacewayVerdict::Smooth, rows + 1 + 99);
+    assert!(found.passes().is_none() && found.incomplete.is_empty());
+    let text = format!(
+        "not judged: interrupted after {} of {of_all} bearings; 99 of 99",
+        rows + 100
+    );
+    assert!(found.headline().starts_with(&text), "{}", found.headline());
+    let fails = interrupted(RacewayVerdict::Slips, 4);
+    assert_eq!(fails.passes(), Some(false));
+    assert!(
+        fails.headline().starts_with("FAIL: interrupted"),
+        "{}",
+        fails.headline()
+    );
+}
+
+fn assess_all(all: &[Trial]) -> Vec<InfluenceResult> {
+    let outcomes = vec![Some(outcome(RacewayVerdict::Smooth, 1.0)); all.len()];
+    assess(all, &outcomes).influences
 }

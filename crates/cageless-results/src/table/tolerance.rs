@@ -17,7 +17,7 @@ pub const TOLERANCE: &[Quantity] = &[
     part(text("title", "title", Tolerance(|t| Cell::Text(format!("Tolerances: {}", t.case.title))))),
     part(text("software", "program and instruction set", Tolerance(|_| Cell::Text(software())))),
     part(integer("ball_grade", "grade of the balls (ISO 3290-1), 0 for equal balls", Tolerance(|t| Cell::Integer(t.ball_grade.into())))),
-    part(high(flag("passes", "passes", Tolerance(|t| flagged(Some(t.assessment.passes())))))),
+    part(high(flag("passes", "passes", Tolerance(|t| flagged(t.assessment.passes()))))),
     part(text("headline", "verdict with its reason", Tolerance(|t| Cell::Text(t.assessment.headline())))),
     part(high(flag("nominal_passes", "nominal bearing passes", Tolerance(|t| flagged(Some(t.assessment.nominal.passes())))))),
     part(in_tables(means(VERDICT_NAMES, text("nominal_verdict", "verdict on the nominal bearing", Tolerance(|t| Cell::Text(t.assessment.nominal.verdict.name().to_owned())))))),

@@ -141,8 +141,8 @@ fn results_are_in_the_units_of_the_drawing() {
         2 => RacewayVerdict::Infeasible,
         _ => RacewayVerdict::Smooth,
     };
-    let outcomes: Vec<Outcome> = (0..all.len())
-        .map(|k| outcome((k + 1) as f64, verdict(k)))
+    let outcomes: Vec<_> = (0..all.len())
+        .map(|k| Some(outcome((k + 1) as f64, verdict(k))))
         .collect();
     let found = tolerance_record(&case, 20, &tolerances, &assess(&all, &outcomes), vec![]);
     let near = |found: f64, expected: f64| {

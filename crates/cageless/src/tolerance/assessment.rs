@@ -103,72 +103,133 @@ pub struct Samples {
 /// Fraction of the bearings that have to pass for the tolerances to pass.
 pub const PASS_FRACTION: f64 = 0.95;
 
+impl Samples {
+    /// Whether [`PASS_FRACTION`] of all bearings pass; `None` where the interval leaves it open.
+    pub fn passes(&self) -> Option<bool> {
+        match self.pass_probability_interval {
+            [low, _] if low >= PASS_FRACTION => Some(true),
+            [_, high] if high < PASS_FRACTION => Some(false),
+            _ => None,
+        }
+    }
+
+    /// Fewest bearings with which [`Samples::passes`], if all do.
+    pub fn least() -> usize {
+        let enough = |count: &usize| wilson_interval(*count, *count)[0] >= PASS_FRACTION;
+        (1..).find(enough).unwrap_or(usize::MAX)
+    }
+}
+
 /// The tolerance table and the probability.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assessment {
     /// The nominal bearing.
     pub nominal: Outcome,
-    /// One influence at a time; those without a tolerance are left out.
+    /// One influence at a time; those without a tolerance, or without all of their bearings, are left out.
     pub influences: Vec<InfluenceResult>,
+    /// Influences that lack bearings, because the analysis was interrupted.
+    pub incomplete: Vec<Influence>,
     /// All at once; `None` without samples.
     pub samples: Option<Samples>,
+    /// Bearings that were judged.
+    pub judged: usize,
+    /// Bearings that were to be judged.
+    pub asked: usize,
 }
 
 impl Assessment {
     /// Whether the tolerances pass: the nominal bearing does, and `PASS_FRACTION` of those in which
-    /// everything deviates, if there are any.
-    pub fn passes(&self) -> bool {
-        let samples = self.samples.as_ref();
-        self.nominal.passes() && samples.is_none_or(|s| s.pass_probability >= PASS_FRACTION)
+    /// everything deviates, if there are any. `None` where a nominal bearing that passes is all that is known for
+    /// sure: the analysis was interrupted, or has too few bearings.
+    pub fn passes(&self) -> Option<bool> {
+        match &self.samples {
+            _ if !self.nominal.passes() => Some(false),
+            _ if self.is_interrupted() => None,
+            None => Some(true),
+            Some(samples) => samples.passes(),
+        }
     }
 
-    /// PASS or FAIL with the probability of passing and the verdict on the nominal bearing.
+    /// Whether it lacks bearings that were to be judged.
+    pub fn is_interrupted(&self) -> bool {
+        self.judged < self.asked
+    }
+
+    /// PASS or FAIL with the probability of passing and the verdict on the nominal bearing, or why there is none.
     pub fn headline(&self) -> String {
-        let word = if self.passes() { "PASS" } else { "FAIL" };
+        let word = match self.passes() {
+            Some(true) => "PASS",
+            Some(false) => "FAIL",
+            None => "not judged",
+        };
         let nominal = &self.nominal.headline;
-        match &self.samples {
-            None => format!("{word}; nominal design {nominal}"),
-            Some(s) => {
-                let [low, high] = s.pass_probability_interval.map(|p| 100.0 * p);
-                format!(
-                    "{word}: {} of {} bearings pass, probability of passing {:.1} % (95 % interval \
-                     {low:.1} to {high:.1} %, {:.0} % needed); nominal design {nominal}",
-                    s.passed,
-                    s.count,
-                    100.0 * s.pass_probability,
-                    100.0 * PASS_FRACTION
-                )
-            }
+        let samples = self.samples.as_ref().map(|s| self.of_samples(s));
+        let interrupted = self.is_interrupted().then(|| {
+            format!(
+                "interrupted after {} of {} bearings",
+                self.judged, self.asked
+            )
+        });
+        let reasons: Vec<String> = interrupted.into_iter().chain(samples).collect();
+        match reasons.as_slice() {
+            [] => format!("{word}; nominal design {nominal}"),
+            reasons => format!("{word}: {}; nominal design {nominal}", reasons.join("; ")),
         }
+    }
+
+    /// How many of the samples pass, and what keeps them from being judged.
+    fn of_samples(&self, samples: &Samples) -> String {
+        let [low, high] = samples.pass_probability_interval.map(|p| 100.0 * p);
+        let needed = 100.0 * PASS_FRACTION;
+        let open = match samples.passes() {
+            None if !self.nominal.passes() || self.is_interrupted() => String::new(),
+            None if samples.count < Samples::least() => format!(
+                "; too few bearings to tell, a pass takes {} or more",
+                Samples::least()
+            ),
+            None => format!("; the interval includes {needed:.0} %, more bearings narrow it"),
+            Some(_) => String::new(),
+        };
+        format!(
+            "{} of {} bearings pass, probability of passing {:.1} % (95 % interval {low:.1} to {high:.1} %, \
+             {needed:.0} % needed){open}",
+            samples.passed,
+            samples.count,
+            100.0 * samples.pass_probability,
+        )
     }
 }
 
-/// Puts together what became of [`super::trials`], in their order.
+/// Puts together what became of [`super::trials`], in their order; `None` of those that were not judged.
 ///
 /// # Panics
-/// If there is not one outcome per trial, the first that of the nominal bearing.
-pub fn assess(trials: &[Trial], outcomes: &[Outcome]) -> Assessment {
-    assert!(!trials.is_empty() && trials.len() == outcomes.len());
-    let nominal = outcomes[0].clone();
-    let judged = || trials.iter().zip(outcomes).skip(1);
-    let influences = Influence::ALL
-        .into_iter()
-        .filter_map(|influence| {
-            let of: Vec<&Outcome> = judged()
-                .filter(|(trial, _)| trial.influence == Some(influence))
-                .map(|(_, outcome)| outcome)
-                .collect();
-            (!of.is_empty()).then(|| row(influence, &nominal, &of))
-        })
-        .collect();
-    let sampled: Vec<Outcome> = judged()
-        .filter(|(trial, _)| trial.influence.is_none())
-        .map(|(_, outcome)| outcome.clone())
-        .collect();
+/// If there is not one entry per trial, or no outcome of the first, the nominal bearing.
+pub fn assess(trials: &[Trial], outcomes: &[Option<Outcome>]) -> Assessment {
+    assert_eq!(trials.len(), outcomes.len());
+    let [Some(nominal), ..] = outcomes else {
+        panic!("the nominal bearing is not judged");
+    };
+    let of = |influence: Option<Influence>| {
+        let all = trials.iter().zip(outcomes).skip(1);
+        let all = all.filter(move |(trial, _)| trial.influence == influence);
+        all.map(|(_, outcome)| outcome.as_ref())
+    };
+    let (mut influences, mut incomplete) = (vec![], vec![]);
+    for influence in Influence::ALL {
+        match of(Some(influence)).collect::<Option<Vec<&Outcome>>>() {
+            None => incomplete.push(influence),
+            Some(all) if all.is_empty() => {}
+            Some(all) => influences.push(row(influence, nominal, &all)),
+        }
+    }
+    let sampled: Vec<Outcome> = of(None).flatten().cloned().collect();
     Assessment {
         influences,
+        incomplete,
         samples: (!sampled.is_empty()).then(|| samples(sampled)),
-        nominal,
+        judged: outcomes.iter().flatten().count(),
+        asked: trials.len(),
+        nominal: nominal.clone(),
     }
 }
 
