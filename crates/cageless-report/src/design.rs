@@ -274,7 +274,7 @@ pub fn two_critical_gaps() -> String {
 }
 
 const MAPS: &str = "Each cell is a raceway of span lC and half angle θ. Its critical gap is the \
-    largest with which a pair of balls still touches on its way through: the smallest gap that the \
-    raceway ensures. Above the steady-state gap outside the raceway the raceway is \
+    largest with which a pair of balls still touches on its way through: about the gap to which the \
+    raceway separates balls. Above the steady-state gap outside the raceway the raceway is \
     too deep: evenly spaced balls collide. Far below it the raceway is too shallow. Without sliding the \
     critical gap is β0 of Eq. (11); the difference is what sliding takes off it.";

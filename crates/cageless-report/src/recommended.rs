@@ -114,7 +114,7 @@ impl ShownRaceway {
             ("half angle θ", angle, 3, "°"),
             ("largest depth below the plain groove", Some(depth), 1, "µm"),
             (
-                "guaranteed gap after the raceway (critical gap)",
+                "gap after the raceway, about (critical gap)",
                 critical,
                 4,
                 "°",

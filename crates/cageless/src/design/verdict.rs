@@ -64,7 +64,7 @@ pub struct Judgement {
     /// The criterion that decides: the first that fails on the first raceway with the worst
     /// verdict, or of all that are met the one nearest to its limit.
     pub deciding: Option<Criterion>,
-    /// Largest critical gap: what all raceways together guarantee.
+    /// Largest critical gap: about the gap to which all raceways together separate balls.
     pub critical_gap_rad: Option<f64>,
     /// Largest Hertz pressure of both rings at rest, as [`pressure_at_rest_pa`] has it; `None` if no ball passes.
     pub pressure_at_rest_pa: Option<f64>,
@@ -128,7 +128,7 @@ pub fn judge_watched(
     for (k, raceway) in case.raceways.iter().enumerate() {
         let alone = case.with_raceways(vec![raceway.clone()]);
         let mut fraction = |part: f64| control(GAP_ORBITS * (k as f64 + part) / orbits);
-        match guaranteed_gap_rad(&alone, &mut fraction) {
+        match least_critical_gap_rad(&alone, &mut fraction) {
             Ok(gap) => criticals.push(Ok(gap)),
             Err(error @ (CriticalGapError::Case(_) | CriticalGapError::Interrupted)) => {
                 return Err(error);
@@ -187,7 +187,7 @@ pub fn judge_watched(
 
 /// Critical gap of the only raceway of a case, in space that of the row with the least; on elastic flanks 0 where
 /// the gap of a pair never closes.
-fn guaranteed_gap_rad(
+fn least_critical_gap_rad(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<f64, CriticalGapError> {

@@ -37,8 +37,8 @@ pub struct Job {
 /// Critical gap and contact stress of a structure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairSeparation {
-    /// Largest critical gap of the raceways, each alone in the ring: what all of them
-    /// together guarantee, in space in the row with the least. No more than [`CROWDED_MAX`] steady gaps are
+    /// Largest critical gap of the raceways, each alone in the ring: about the gap to which all of them
+    /// together separate balls, in space in the row with the least. No more than [`CROWDED_MAX`] steady gaps are
     /// looked at.
     pub critical_gap_rad: f64,
     /// Largest fraction of β0 that slip takes from a critical gap; 0 where that is beyond

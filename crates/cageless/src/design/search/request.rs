@@ -22,7 +22,7 @@ pub struct Request {
     pub forms: Vec<RacewayForm>,
     /// Angles by which the sections of the raceways are turned, one or more; the map is drawn for the first.
     pub section_angles_rad: Vec<f64>,
-    /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
+    /// Fraction of the steady gap that the critical gap must reach, above 0 and below 1.
     pub critical_gap_min_fraction: f64,
     /// Largest axial load of a search in the plane, under which a raceway must keep [`crate::design::LAG_MIN_FRACTION`] of its lag, N; 0
     /// asks for none.
