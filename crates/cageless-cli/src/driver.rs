@@ -88,9 +88,10 @@ impl Output {
             let mut complete = vec![(answer.name, answer.json.as_str())];
             let further = answer.files.iter();
             complete.extend(further.filter_map(|(name, text)| Some((*name, text.as_deref()?))));
-            let as_csv = answer.name.replace(".json", ".csv");
+            let kind = answer.name.trim_end_matches(".json");
+            let as_csv = format!("{kind}.csv");
             let values = (answer.csv || self.csv).then(|| serde_json::from_str(&answer.json));
-            let values = values.transpose()?.map(|values| values_csv(&values));
+            let values = values.transpose()?.map(|values| values_csv(kind, &values));
             match &values {
                 Some(values) => complete.push((as_csv.as_str(), values.as_str())),
                 // Page data are no result.

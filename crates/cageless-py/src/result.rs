@@ -92,13 +92,13 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
         "analysis" => sweep_page(&from_json(values).map_err(numbers)?),
         _ => return Ok(all),
     };
-    let (name, json) = match kind {
-        "static" => ("static.csv", values),
-        _ => ("design.csv", all.get("design.json").map_or("", |json| json)),
+    let (kind, json) = match kind {
+        "static" => ("static", values),
+        _ => ("design", all.get("design.json").map_or("", |json| json)),
     };
     if !json.is_empty() {
-        let table = values_csv(&serde_json::from_str(json)?);
-        all.insert(name.to_owned(), table);
+        let table = values_csv(kind, &serde_json::from_str(json)?);
+        all.insert(format!("{kind}.csv"), table);
     }
     all.insert(PAGE.to_owned(), page);
     Ok(all)

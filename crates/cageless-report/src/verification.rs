@@ -1,7 +1,7 @@
 //! Verification of a run or a drop on its page.
 
 use cageless::verification::Convergence;
-use cageless_results::{Record, table_of};
+use cageless_results::{Record, table_of_judgements};
 use cageless_study::lines;
 use serde::{Deserialize, Serialize};
 
@@ -23,7 +23,7 @@ impl VerificationTable {
     pub fn new<'r>(verification: &Record, numbers: impl Iterator<Item = &'r Record>) -> Self {
         Self {
             facts: lines(verification.rows()),
-            rows: table_of(numbers),
+            rows: table_of_judgements(numbers),
         }
     }
 

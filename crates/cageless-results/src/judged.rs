@@ -2,6 +2,7 @@
 
 use cageless::verification::{Convergence, Judgement};
 
+use crate::declare::rpm;
 use crate::number_text::rounded;
 
 /// Name, label and unit of a result.
@@ -34,6 +35,18 @@ pub fn unit_text(unit: &str) -> String {
     }
 }
 
+/// Factor and unit for readers of values in a unit with its symbols: one unit for pressures, one for torques, one for
+/// speeds of rotation.
+pub(crate) fn printed(unit: &str) -> (f64, String) {
+    match unit {
+        "N·m" => (1e3, "N·mm".to_owned()),
+        "N/m" => (1e-6, "N/µm".to_owned()),
+        "Mrev" => (1.0, "million revolutions".to_owned()),
+        "rad/s" => (rpm(1.0), "rpm".to_owned()),
+        unit => (1.0, unit.to_owned()),
+    }
+}
+
 /// The judgement of one result, in its unit.
 pub struct JudgedResult {
     /// The judgement.
@@ -47,19 +60,20 @@ pub struct JudgedResult {
 }
 
 impl JudgedResult {
-    /// The reason of the verdict as a sentence.
+    /// The reason of the verdict as a sentence, in the unit of readers.
     pub(crate) fn reason(&self) -> String {
         let (j, z_limit) = (&self.judgement, self.z_limit);
-        let suffix = match j.quantity.unit_text() {
-            unit if unit.is_empty() => unit,
-            unit => format!(" {unit}"),
+        let (factor, suffix) = match printed(&j.quantity.unit_text()) {
+            (factor, unit) if unit.is_empty() => (factor, unit),
+            (factor, unit) => (factor, format!(" {unit}")),
         };
+        let [mean, error, spread] = [j.mean, j.standard_error, j.spread].map(|v| factor * v);
+        let [step, start] = [j.step_change, j.start_change].map(|v| factor * v);
+        let (half_step, allowed) = (factor * j.half_step_mean - mean, factor * j.tolerance);
         let known = format!(
-            "{} ± {:.1e}{suffix} over {} starts, each ± {:.1e}",
-            rounded(j.mean, j.standard_error),
-            j.standard_error,
+            "{} ± {error:.1e}{suffix} over {} starts, each ± {spread:.1e}{suffix}",
+            rounded(mean, error),
             self.replicas,
-            j.spread
         );
         match j.verdict {
             Convergence::Converged => {
@@ -68,9 +82,8 @@ impl JudgedResult {
                     false => String::new(),
                 };
                 format!(
-                    "changes by {:.1e} with the step and {:.1e} with the start, at most \
-                     {:.1e}{suffix} allowed{systematic}",
-                    j.step_change, j.start_change, j.tolerance
+                    "changes by {step:.1e}{suffix} with the step and {start:.1e}{suffix} with the start, \
+                     at most {allowed:.1e}{suffix} allowed{systematic}"
                 )
             }
             Convergence::Statistical if j.beyond_predictability => format!(
@@ -83,15 +96,13 @@ impl JudgedResult {
                 j.z
             ),
             Convergence::StepBiased if j.z.abs() < 1e3 => format!(
-                "half the step changes the mean by {:+.1e}{suffix}, z = {:.1} beyond \
+                "half the step changes the mean by {half_step:+.1e}{suffix}, z = {:.1} beyond \
                  ±{z_limit:.1}; {known}",
-                j.half_step_mean - j.mean,
                 j.z
             ),
             Convergence::StepBiased => format!(
-                "half the step changes it by {:.1e}{suffix}, more than the {:.1e} allowed and far \
-                 more than the perturbed starts ({:.1e})",
-                j.step_change, j.tolerance, j.spread
+                "half the step changes it by {step:.1e}{suffix}, more than the {allowed:.1e}{suffix} allowed \
+                 and far more than the perturbed starts ({spread:.1e}{suffix})"
             ),
         }
     }

@@ -3,7 +3,7 @@
 use crate::Cell;
 use crate::across::Across;
 use crate::computation::Computation;
-use crate::judged::Named;
+use crate::judged::{Named, printed};
 use crate::kind::Kind;
 use crate::number_text::significant;
 use crate::source::{Source, Subject};
@@ -99,15 +99,9 @@ impl Quantity {
         !self.is_of_bearing() || self.across.is_some()
     }
 
-    /// Factor and unit of values in tables for readers: one unit for pressures, one for torques.
+    /// Factor and unit of values in tables for readers.
     pub(crate) fn printed(&self) -> (f64, String) {
-        match self.unit {
-            "N m" => (1e3, "N·mm".to_owned()),
-            "N/m" => (1e-6, "N/µm".to_owned()),
-            "Mrev" => (1.0, "million revolutions".to_owned()),
-            "mm rpm" => (1.0, "mm/min".to_owned()),
-            _ => (1.0, self.unit_text()),
-        }
+        printed(&self.unit_text())
     }
 
     /// A number for readers, in [`Quantity::printed_unit`].

@@ -1,6 +1,7 @@
 //! Records as tables for readers.
 
-use crate::{Quantity, Record, value_text};
+use crate::judged::printed;
+use crate::{Cell, Quantity, Record, value_text};
 
 /// Label and unit of a result at the head of a column.
 pub fn heading(quantity: &Quantity) -> String {
@@ -40,4 +41,16 @@ pub fn table_of<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Vec<St
         cells.chain(sentences).collect()
     }));
     rows
+}
+
+/// [`table_of`] judgements of a verification, each value in the unit of readers.
+pub fn table_of_judgements<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Vec<String>> {
+    let for_readers = |record: &Record| {
+        let (factor, unit) = printed(record.text("unit"));
+        let value = record.value("value").map(|value| factor * value);
+        let values = [("value", value.into()), ("unit", Cell::Text(unit))];
+        Record::from(record.results.clone().with(&values))
+    };
+    let all: Vec<Record> = records.into_iter().map(for_readers).collect();
+    table_of(&all)
 }

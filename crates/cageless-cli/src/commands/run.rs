@@ -5,7 +5,7 @@ use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
 use cageless_report::run_report::run_data;
 use cageless_report::{run_json, run_page};
-use cageless_results::{Record, table_of};
+use cageless_results::{Record, table_of_judgements};
 use cageless_study::RunSummary;
 use cageless_study::run::{Options, run as study};
 
@@ -82,6 +82,9 @@ pub(super) fn verified<'r>(
     numbers: impl Iterator<Item = &'r Record>,
     title: &str,
 ) -> String {
-    let (head, rows) = (pairs(&values(verification)), columns(&table_of(numbers)));
+    let (head, rows) = (
+        pairs(&values(verification)),
+        columns(&table_of_judgements(numbers)),
+    );
     format!("\n{title}\n{head}\n{rows}")
 }

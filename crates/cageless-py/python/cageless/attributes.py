@@ -214,7 +214,7 @@ class StaticAttributes:
     bpfi_hz: float  # BPFI in pure rolling, Hz
     bsf_hz: float  # BSF in pure rolling, Hz
     raceway_ftf_hz: float  # FTF in pure rolling through the discrete raceways, Hz
-    speed_factor_mm_rpm: float  # speed factor n·Dpw, mm rpm
+    speed_factor_mm_rpm: float  # speed factor n·Dpw, mm/min
     inner_stiffness_n_m1_5: float  # contact stiffness K, inner raceway, N/m^1.5
     outer_stiffness_n_m1_5: float  # contact stiffness K, outer raceway, N/m^1.5
     ball_angle_deg: Floats  # angular position ψ, deg

@@ -47,7 +47,7 @@ pub const STATIC: &[Quantity] = &[
     means(BPFI, quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Static(|s| some(s.rating.passing.bpfi_hz)))),
     means(BSF, quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz)))),
     quantity("raceway_ftf_hz", "Hz", "FTF in pure rolling through the discrete raceways", Static(|s| some(s.rating.passing.raceway_ftf_hz))),
-    quantity("speed_factor_mm_rpm", "mm rpm", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm))),
+    quantity("speed_factor_mm_rpm", "mm/min", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm))),
     means(STIFFNESS, quantity("inner_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5)))),
     means(STIFFNESS, quantity("outer_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5)))),
 
