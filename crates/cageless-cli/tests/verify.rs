@@ -51,6 +51,18 @@ fn a_verified_run_says_what_it_is_worth() {
         assert_eq!(number["verdict"], "converged", "{key}");
         assert!(number["reason"].as_str().unwrap().contains("changes by"));
     }
+    // The table has the unit of the results above it, the file its own.
+    let line = |text: &&str| text.starts_with("orbital speed of the balls, mean");
+    let speeds: Vec<&str> = printed.lines().filter(line).collect();
+    let value = |line: &str| line.split_whitespace().nth(5).map(str::to_owned);
+    assert_eq!(speeds.len(), 2, "{printed}");
+    assert_eq!(value(speeds[0]), value(speeds[1]));
+    assert!(
+        speeds.iter().all(|line| line.contains(" rpm")),
+        "{speeds:?}"
+    );
+    let speed = &verification["numbers"]["orbit_speed_rad_s_mean"];
+    assert_eq!(speed["unit"], "rad/s");
     assert!(verification["predictability_time_s"].is_null());
     let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
     assert!(page.contains("angular position ψ of ball 1 at the end"));
