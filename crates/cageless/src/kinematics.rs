@@ -74,9 +74,9 @@ pub fn speed_change_max(bearing: &Bearing, raceway: &Raceway) -> f64 {
     let rw = bearing.ball_radius_m();
     // Ω ∝ r/(Rw + r) and r = Rw cos αc.
     let change = |local: f64| {
-        let [angle, slope] = raceway.contact_angle_rad(local);
+        let [angle, _] = raceway.contact_angle_rad(local);
         let r = rw * angle.cos();
-        rw * rw * (angle.sin() * slope).abs() / (r * (rw + r))
+        rw * rw * raceway.contact_angle_sine_slope(local).abs() / (r * (rw + r))
     };
     let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
     let largest = pieces.map(|[a, b]| {

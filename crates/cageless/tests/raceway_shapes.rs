@@ -1,5 +1,7 @@
 //! Shapes of the discrete raceway: closed forms, the model that moves on them, the ring that is made.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
 use cageless::design::{Eq11, theoretical_gap_rad};
 use cageless::kinematics::{raceway_delay_rad, rolling_orbit_speed_rad_s, speed_change_max};
 use cageless::numerics::random::RandomStream;
@@ -701,4 +703,55 @@ fn a_depth_runs_out_at_the_ends() {
     let mut paper = case.with_raceways(vec![deep]);
     paper.formulation = Formulation::Paper;
     assert_eq!(paper.check().unwrap_err().field, "depth_m");
+}
+
+/// Flanks that end at a right angle: sin αc αc′ has a limit there, α0²/θ of the ellipse and sin² α0 Ro/ρ of a slot
+/// with ρ = (Rw + re) sin α0, and Ω changes by half of that per radian. The slope discontinuity is 90°.
+#[test]
+fn ends_at_a_right_angle_have_their_limits() {
+    let bearing = bearing();
+    let d = dimensions();
+    let of = |span_m: f64, half_angle_deg: f64, form| {
+        let dimensions = RacewayDimensions {
+            axial_span_m: span_m,
+            half_angle_rad: half_angle_deg.to_radians(),
+            centre_angle_rad: 0.0,
+        };
+        Raceway::formed(dimensions, form, &bearing).unwrap()
+    };
+    let close = |found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
+    };
+    for (span_mm, half_angle_deg) in [(4.585, 25.2), (3.0, 40.0), (5.0, 20.0), (6.5, 25.2)] {
+        let span_m = 1e-3 * span_mm;
+        let ellipse = of(span_m, half_angle_deg, form(RacewayShape::Ellipse, 0.0));
+        let middle = (span_m / (2.0 * d.ball_radius_m)).asin();
+        let expected = middle.powi(2) / (2.0 * half_angle_deg.to_radians());
+        close(speed_change_max(&bearing, &ellipse), expected);
+        // A ring measured from it has the same flanks.
+        let like_it = RacewayForm {
+            measured: Some(measured(&ellipse, 40)),
+            ..form(RacewayShape::Measured, 0.0)
+        };
+        let like_it = of(span_m, half_angle_deg, like_it);
+        close(speed_change_max(&bearing, &like_it), expected);
+        for raceway in [ellipse, like_it] {
+            assert_eq!(raceway.kink_angle_rad(FRAC_PI_4), FRAC_PI_2);
+            let ring = outer_ring(std::slice::from_ref(&raceway), 0.0);
+            assert_eq!(ring.kink_rad(), [FRAC_PI_2; 2]);
+            let blended = outer_ring(&[raceway], 0.5e-3);
+            assert_eq!(
+                (blended.kink_rad(), blended.design_kink_rad()),
+                ([0.0; 2], [FRAC_PI_2; 2])
+            );
+        }
+    }
+    for edge_m in [1.2e-3, 0.3e-3] {
+        let form = RacewayForm::default().reshaped(RacewayShape::Slot, edge_m);
+        let slot = of(4e-3, 30.0, form);
+        let sine = 2e-3 / d.ball_radius_m;
+        let end_m = (d.ball_radius_m + edge_m) * sine;
+        let expected = sine.powi(2) * d.outer_groove_bottom_radius_m / (2.0 * end_m);
+        close(speed_change_max(&bearing, &slot), expected);
+    }
 }

@@ -20,6 +20,15 @@ pub(crate) fn unwrap_angle_rad(angle_rad: f64, reference_rad: f64) -> f64 {
     angle_rad + ((reference_rad - angle_rad) / TAU).round() * TAU
 }
 
+/// α/sin α; 1 at 0.
+pub(crate) fn over_sine(angle_rad: f64) -> f64 {
+    if angle_rad == 0.0 {
+        1.0
+    } else {
+        angle_rad / angle_rad.sin()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,6 +10,17 @@ pub(super) trait FlankAngle: Debug + Send + Sync {
     /// αc and dαc/dψ at local ψ within ±θ; at the ends the limit from within.
     fn at(&self, local_angle_rad: f64) -> [f64; 2];
 
+    /// sin αc dαc/dψ, which is finite up to the ends also where dαc/dψ is not.
+    fn sine_slope(&self, local_angle_rad: f64) -> f64 {
+        let [angle, slope] = self.at(local_angle_rad);
+        angle.sin() * slope
+    }
+
+    /// Whether αc runs out at a right angle to the plain raceway: dαc/dψ has no limit at the ends.
+    fn ends_at_right_angle(&self) -> bool {
+        false
+    }
+
     /// Local ψ at which αc is less smooth than between them.
     fn junctions_rad(&self) -> Vec<f64> {
         vec![]

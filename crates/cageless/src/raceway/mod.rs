@@ -349,10 +349,29 @@ impl Raceway {
     /// branch z > 0), and dαc/dψ: what defines the raceway. At the ends the slope is the limit from
     /// within; without blends it is not 0 there, which is the kink.
     pub fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
+        self.piece_up_to(local_angle_rad)
+            .flanks()
+            .at(local_angle_rad)
+    }
+
+    /// The piece that reaches to local ψ, its end included.
+    fn piece_up_to(&self, local_angle_rad: f64) -> &Piece {
         let local = local_angle_rad.abs();
         let found = self.pieces.iter().find(|p| local <= p.range_rad()[1]);
-        let piece = found.unwrap_or(&self.pieces[self.pieces.len() - 1]);
-        piece.flanks().at(local_angle_rad)
+        found.unwrap_or(&self.pieces[self.pieces.len() - 1])
+    }
+
+    /// sin αc dαc/dψ at local ψ within ±θ; at the ends the limit from within, which is finite there also where
+    /// the flanks meet the plain raceway at a right angle.
+    pub fn contact_angle_sine_slope(&self, local_angle_rad: f64) -> f64 {
+        self.piece_up_to(local_angle_rad)
+            .flanks()
+            .sine_slope(local_angle_rad)
+    }
+
+    /// Whether the flanks without their blends meet the plain raceway at a right angle.
+    pub(crate) fn is_designed_at_right_angle(&self) -> bool {
+        self.unblended[0].flanks().ends_at_right_angle()
     }
 
     /// [`Self::contact_angle_rad`] without the blends.
@@ -363,6 +382,9 @@ impl Raceway {
     /// Angle between the normals of the discrete and the plain raceway where they meet, at η, the angle at
     /// Oe from the outward radius: there Oe moves along z alone.
     pub fn kink_angle_rad(&self, meridian_rad: f64) -> f64 {
+        if self.is_designed_at_right_angle() && self.blend_start_rad().is_none() {
+            return FRAC_PI_2;
+        }
         let re = self.groove_curvature_radius_m;
         let [_, slope] = self.contact_angle_rad(self.half_angle_rad());
         let climb = (re - self.ball_radius_m) * slope * meridian_rad.sin();

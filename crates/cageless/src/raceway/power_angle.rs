@@ -1,6 +1,7 @@
 //! Flanks whose angle is a power of 1 − (ψ/θ)², times a polynomial.
 
 use super::flank_angle::FlankAngle;
+use crate::numerics::angle::over_sine;
 
 /// Most terms of the polynomial.
 pub(super) const TERMS_MAX: usize = 7;
@@ -88,6 +89,25 @@ impl FlankAngle for PowerAngle {
         Self::at(self, local_angle_rad)
     }
 
+    /// With αc = α0 w^p Q and p < 1: sin αc/αc · α0² w^(2p − 1) Q (w Q′ + p w′ Q).
+    fn sine_slope(&self, local_angle_rad: f64) -> f64 {
+        let [angle, slope] = Self::at(self, local_angle_rad);
+        if !self.ends_at_right_angle() {
+            return angle.sin() * slope;
+        }
+        let (theta, p) = (self.half_angle_rad, self.exponent);
+        let rest = (theta - local_angle_rad) * (theta + local_angle_rad) / (theta * theta);
+        let fall = -2.0 * local_angle_rad / (theta * theta);
+        let [factor, rise] = self.factor(local_angle_rad);
+        let power = rest.max(0.0).powf(2.0 * p - 1.0);
+        let product = self.middle_rad.powi(2) * power * factor * (rest * rise + p * fall * factor);
+        product / over_sine(angle)
+    }
+
+    fn ends_at_right_angle(&self) -> bool {
+        self.exponent < 1.0
+    }
+
     fn order(&self) -> f64 {
         self.exponent
     }
@@ -96,7 +116,6 @@ impl FlankAngle for PowerAngle {
     fn regular(&self, square: f64, _end: f64) -> f64 {
         let local_angle_rad = square.sqrt().asin();
         let theta = self.half_angle_rad;
-        let over_sine = |angle: f64| angle / angle.sin();
         let ratio = over_sine(theta - local_angle_rad) * over_sine(theta + local_angle_rad);
         let [factor, _] = self.factor(local_angle_rad);
         self.middle_rad * (ratio / (theta * theta)).powf(self.exponent) * factor

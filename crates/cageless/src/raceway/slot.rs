@@ -86,6 +86,17 @@ impl FlankAngle for SlotPlan {
         [angle, self.middle_sine * slope / (2.0 * root * angle.cos())]
     }
 
+    /// With sin² αc = sin² α0 t: sin² α0 t′/(2 cos αc).
+    fn sine_slope(&self, local_angle_rad: f64) -> f64 {
+        let [share, slope] = self.share(local_angle_rad);
+        let angle = (self.middle_sine * share.sqrt()).asin();
+        self.middle_sine.powi(2) * slope / (2.0 * angle.cos())
+    }
+
+    fn ends_at_right_angle(&self) -> bool {
+        true
+    }
+
     fn junctions_rad(&self) -> Vec<f64> {
         let straight = self.half_angle_rad - self.end_rad;
         if straight > 0.0 {

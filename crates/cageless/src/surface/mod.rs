@@ -48,7 +48,7 @@ mod sheet;
 mod side;
 mod stretch;
 
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use crate::bearing::Bearing;
 use crate::case::Case;
@@ -350,7 +350,11 @@ impl OuterRing {
         let kinks = raceways.flat_map(|raceway| {
             let flank = raceway.unblended_contact_angle_rad(raceway.half_angle_rad());
             let arcs = Meridian::new(&self.frame, 0.0, flank).arcs;
-            arcs.map(|arc| [FRAC_PI_4, arc.shoulder_rad()].map(|eta| arc.tilt_rad(eta)))
+            let tilt = |arc: &Arc, eta| match raceway.is_designed_at_right_angle() {
+                true => FRAC_PI_2,
+                false => arc.tilt_rad(eta),
+            };
+            arcs.map(|arc| [FRAC_PI_4, arc.shoulder_rad()].map(|eta| tilt(&arc, eta)))
         });
         kinks.fold([0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
     }
