@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 
-use cageless_results::Results;
+use cageless_results::{Results, number_text};
 
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {
@@ -82,11 +82,7 @@ fn coloured(passes: Option<bool>, headline: &str) -> String {
 
 /// A number with so many decimals and a true minus sign; what rounds to zero has none.
 pub fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits.to_owned(),
-        _ => text.replace('-', "−"),
-    }
+    number_text::fixed(Some(value), decimals)
 }
 
 /// A line for each note.
@@ -101,15 +97,7 @@ pub fn warnings(all: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{coloured, columns, fixed};
-
-    #[test]
-    fn zero_has_no_sign() {
-        assert_eq!(fixed(-0.00004, 4), "0.0000");
-        assert_eq!(fixed(-0.4, 0), "0");
-        assert_eq!(fixed(-0.00006, 4), "−0.0001");
-        assert_eq!(fixed(-12.5, 2), "−12.50");
-    }
+    use super::{coloured, columns};
 
     #[test]
     fn numbers_with_a_minus_sign_and_dashes_are_lined_up_to_the_right() {

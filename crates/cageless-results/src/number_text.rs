@@ -1,9 +1,9 @@
 //! Numbers as text for readers.
 
-/// `value` with `decimals` decimals and a true minus sign; a dash if there is none.
+/// `value` with `decimals` decimals and a true minus sign, which no zero has; a dash if there is none.
 pub fn fixed(value: Option<f64>, decimals: usize) -> String {
     match value {
-        Some(v) if v.is_finite() => minus(&format!("{v:.decimals$}")),
+        Some(v) if v.is_finite() => minus(&unsigned_zero(format!("{v:.decimals$}"))),
         _ => "–".to_owned(),
     }
 }
@@ -11,7 +11,10 @@ pub fn fixed(value: Option<f64>, decimals: usize) -> String {
 /// [`fixed`] with a sign in any case.
 pub fn signed(value: Option<f64>, decimals: usize) -> String {
     match value {
-        Some(v) if v.is_finite() => minus(&format!("{v:+.decimals$}")),
+        Some(v) if v.is_finite() => match fixed(value, decimals) {
+            text if text.starts_with(MINUS) => text,
+            text => format!("+{text}"),
+        },
         _ => "–".to_owned(),
     }
 }
@@ -52,7 +55,15 @@ pub(crate) fn rounded(value: f64, error: f64) -> String {
     } else {
         6
     };
-    format!("{value:.decimals$}")
+    unsigned_zero(format!("{value:.decimals$}"))
+}
+
+/// What rounds to zero without a sign.
+fn unsigned_zero(text: String) -> String {
+    match text.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits.to_owned(),
+        _ => text,
+    }
 }
 
 /// A whole number in superscript digits.
@@ -62,8 +73,10 @@ pub fn raised(power: &str) -> String {
     power.chars().map(raise).collect()
 }
 
+const MINUS: char = '\u{2212}';
+
 fn minus(text: &str) -> String {
-    text.replace('-', "\u{2212}")
+    text.replace('-', &MINUS.to_string())
 }
 
 #[cfg(test)]
@@ -76,6 +89,14 @@ mod tests {
         assert_eq!(fixed(None, 4), "–");
         assert_eq!(fixed(Some(f64::NAN), 4), "–");
         assert_eq!(signed(Some(0.0105), 4), "+0.0105");
+        for zero in [0.0, -0.0, -0.00004] {
+            assert_eq!(fixed(Some(zero), 4), "0.0000");
+            assert_eq!(signed(Some(zero), 4), "+0.0000");
+            assert_eq!(short(zero.trunc()), "0");
+            assert_eq!(rounded(zero, 0.01), "0.000");
+        }
+        assert_eq!(signed(Some(-0.00006), 4), "\u{2212}0.0001");
+        assert_eq!(rounded(-0.0006, 0.01), "-0.001");
         assert_eq!(short(12345.0), "12345");
         assert_eq!(short(0.050), "0.05");
         assert_eq!(short(1.5e-7), "1.50 × 10⁻⁷");

@@ -106,9 +106,10 @@ impl Quantity {
 
     /// A number for readers, in [`Quantity::printed_unit`].
     pub fn number_text(&self, value: f64) -> String {
-        // Below this a length, an angle or a stiffness is the rounding of a zero.
+        // Below this a force, a length, an angle or a stiffness is the rounding of a zero.
         let zero = match self.unit {
             "um" | "mm" | "deg" | "mrad" => 1e-9,
+            "N" => 1e-6,
             "N/m" => 1e-3,
             _ => 0.0,
         };

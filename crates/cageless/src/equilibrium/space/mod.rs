@@ -547,7 +547,8 @@ impl SpatialEquilibrium {
                     "row {} bears {:.0} N along its axis towards its contact sign: an angular-contact row comes \
                      apart or loses its contact angle unless an axial load, a second row or preload presses it",
                     row + 1,
-                    signed_n(row) + 0.0
+                    // Rounded first, what is below half a newton has no sign.
+                    signed_n(row).round() + 0.0
                 )
             })
             .collect()
