@@ -41,13 +41,11 @@ pub fn touchdown_case(bearing: &BoundaryDimensions, full_complement: bool, text:
     let damping = rounded(0.4 * (support_n_m * rotor_kg).sqrt());
     let [speed_rpm, rotor_kg, ring_kg] = [speed_rpm, rotor_kg, rounded(ring_kg)];
     let ring_inertia = rounded(ring_inertia);
-    let bore_radius_mm = bearing.bore_mm / 2.0;
     let drop_m_s = (2.0 * GRAVITY_M_S2 * 200e-6).sqrt();
     let surface_m_s = speed_rpm * TAU / 60.0 * bore_radius_m;
     let ring = format!(
         "\
 [bearing]
-inner_ring_bore_radius_mm = {bore_radius_mm:<18} # d/2
 inner_ring_mass_kg = {ring_kg:<25} # (assumed) {of_steel} of width B
 inner_ring_polar_inertia_kg_m2 = {ring_inertia:<13e} # (assumed) of that ring; it decides the spin-up
 "

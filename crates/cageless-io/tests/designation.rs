@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use cageless::rating::{BasicRatings, PassingFrequencies, static_factor};
+use cageless::rating::{BasicRatings, PassingFrequencies, skf_friction_torque_n_m, static_factor};
 use cageless::{Assembly, Case};
 use cageless_io::case_file::CaseFile;
 use cageless_io::designation::{BallSource, designations, find};
+use cageless_io::touchdown_template::touchdown_case;
 
 fn case(designation: &str, full_complement: bool) -> Case {
     let text = find(designation).unwrap().case_file(full_complement);
@@ -204,5 +205,81 @@ fn angular_contact_bearings_are_pairs_at_the_angle_of_their_suffix() {
     assert!(
         error.ends_with("did you mean 7205C, 7205AC or 7205B?"),
         "{error}"
+    );
+}
+
+/// Every bearing of the table has a case, and one of a drop, that passes; with its bore, which SKF's rules take:
+/// ½ · 0.0015 · 1000 N · 25 mm of 6205.
+#[test]
+fn every_template_passes() {
+    for bearing in designations() {
+        for full_complement in [false, true] {
+            let name = &bearing.designation;
+            let text = bearing.case_file(full_complement);
+            let drop = touchdown_case(&bearing, full_complement, &text);
+            for text in [&text, &drop] {
+                let file = CaseFile::parse(text, name, &[]).unwrap_or_else(|e| panic!("{e}"));
+                let bore_m = file.case().bearing.bore_radius_m().unwrap();
+                assert!(
+                    (2e3 * bore_m / bearing.bore_mm - 1.0).abs() < 1e-12,
+                    "{name}"
+                );
+            }
+        }
+    }
+    let bearing = find("6205").unwrap();
+    let sets = ["operation.radial_load_n=1000".to_owned()];
+    let file = CaseFile::parse(&bearing.case_file(false), "6205", &sets).unwrap();
+    let torque_n_m = skf_friction_torque_n_m(file.case()).unwrap();
+    assert!((torque_n_m - 0.01875).abs() < 1e-12, "{torque_n_m}");
+}
+
+/// d and D are those that the case gives, by any of its keys, to which a fit makes no difference.
+#[test]
+fn bore_and_outside_are_those_of_the_case() {
+    let text = find("6205").unwrap().case_file(false);
+    let text = text
+        .replace("inner_ring_bore_radius_mm = 12.5", "#")
+        .replace("outer_ring_outer_radius_mm = 26", "#");
+    let of = |sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+        let file = CaseFile::parse(&text, "6205", &sets).unwrap();
+        let bearing = &file.case().bearing;
+        [bearing.bore_radius_m(), bearing.outside_radius_m()]
+    };
+    assert_eq!(of(&[]), [None, None]);
+    assert_eq!(
+        of(&[
+            "bearing.inner_ring_bore_radius_mm=12.5",
+            "bearing.outer_ring_outer_radius_mm=26"
+        ]),
+        [Some(0.0125), Some(0.026)]
+    );
+    let fitted = [
+        "fit.bore_diameter_mm=25",
+        "fit.outside_diameter_mm=52",
+        "fit.shaft_interference_um=5",
+    ];
+    assert_eq!(of(&fitted), [Some(0.0125), Some(0.026)]);
+}
+
+/// The note on ratings by the formula names the number of balls that catalogues rate, where it is another.
+#[test]
+fn ratings_by_the_formula_are_of_the_balls_of_a_cage() {
+    let note = |name: &str| find(name).unwrap().source_of_balls();
+    assert!(
+        note("623").contains("with the 6 that a cage leaves room for"),
+        "{}",
+        note("623")
+    );
+    assert!(
+        note("623").contains("this bearing has 7"),
+        "{}",
+        note("623")
+    );
+    assert!(
+        !note("6810").contains("a cage leaves room for"),
+        "{}",
+        note("6810")
     );
 }

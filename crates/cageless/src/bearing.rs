@@ -53,6 +53,8 @@ pub struct Bearing {
     ball_contact: PointContact,
     /// Rw of every ball − Rw; empty if all are equal.
     deviations_m: Vec<f64>,
+    /// d/2 and D/2, where given.
+    boundary_radii_m: [Option<f64>; 2],
     bore: Option<InnerRingBore>,
     /// Way of assembly, where it is not that of the contact angle or the number of balls.
     assembly: Option<Assembly>,
@@ -110,6 +112,7 @@ impl Bearing {
             ball_contact,
             deviations_m: vec![],
             bore: None,
+            boundary_radii_m: [None; 2],
             assembly: None,
             contact_angle_rad: 0.0,
             preload_change_m: 0.0,
@@ -134,6 +137,44 @@ impl Bearing {
     /// Bore of the inner ring, where given.
     pub fn inner_ring_bore(&self) -> Option<InnerRingBore> {
         self.bore
+    }
+
+    /// Bearing with these radii of the bore of its inner and the outside of its outer ring, where known: what
+    /// rules of catalogues take.
+    ///
+    /// # Errors
+    /// An [`InputError`] if the bore is not between 0 and the bottom of the inner groove, or the outside not
+    /// beyond that of the outer one.
+    pub fn with_boundary_radii(
+        mut self,
+        bore_m: Option<f64>,
+        outside_m: Option<f64>,
+    ) -> Result<Self, InputError> {
+        let d = &self.dimensions;
+        if let Some(radius_m) = bore_m {
+            let field = "inner_ring_bore_radius_m";
+            positive(field, radius_m)?;
+            let groove_m = d.inner_groove_bottom_radius_m;
+            Allowed::Below(groove_m, "the bottom of the groove of the inner ring")
+                .check(field, radius_m)?;
+        }
+        if let Some(radius_m) = outside_m {
+            Allowed::Above(d.outer_groove_bottom_radius_m, "the bottom of the groove")
+                .check("outer_ring_outer_radius_m", radius_m)?;
+        }
+        self.boundary_radii_m = [bore_m, outside_m];
+        Ok(self)
+    }
+
+    /// d/2, where given, also as that of a bore that is to catch a rotor.
+    pub fn bore_radius_m(&self) -> Option<f64> {
+        let [bore_m, _] = self.boundary_radii_m;
+        bore_m.or(self.bore.map(|bore| bore.radius_m))
+    }
+
+    /// D/2, where given.
+    pub fn outside_radius_m(&self) -> Option<f64> {
+        self.boundary_radii_m[1]
     }
 
     /// Bearing with balls whose radii differ from the nominal one by

@@ -61,7 +61,7 @@ pub const LIMITS: &[Limit] = &[
     limit("contact_stiffness_n_mp", 1e3, 1e16, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
     limit("contact_damping_s_m", NONE, 1e3, "a coefficient of restitution near 0 at a few mm/s"),
     limit("inner_ring_polar_inertia_kg_m2", 1e-14, 1e6, "from a miniature ring to the rotor of a power station"),
-    limit("support_mass_kg", 1e-3, 1e6, "from a miniature housing to a machine"),
+    limit("support_mass_kg", 1e-6, 1e6, "from the outer ring of a miniature bearing to a machine"),
     limit("support_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
     limit("stop_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
     limit("stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),

@@ -229,3 +229,67 @@ fn lubricants_that_cannot_be_are_refused() {
         assert_eq!(lubricated(wrong).check().unwrap_err().field, field);
     }
 }
+
+/// From exactly 1000 rpm on the second equation of ν1 holds, whatever rounding made of the speed on its way.
+#[test]
+fn a_speed_at_which_the_equations_change_is_that_speed() {
+    let mut case = lubricated(oil());
+    let mut other_equation = 0;
+    for k in 0..200 {
+        let mut dimensions = dimensions();
+        dimensions.inner_groove_bottom_radius_m -= 1e-7 * f64::from(k);
+        case.bearing = conventional(dimensions).bearing;
+        let of = |speed_rpm: f64, case: &mut Case| {
+            case.operation.inner_speed_rad_s = speed_rpm * std::f64::consts::PI / 30.0;
+            rating(case).viscosity_ratio
+        };
+        let pitch_mm = 2e3 * case.bearing.pitch_radius_m();
+        let expected = 13.0 / 4500.0 * (1000.0 * pitch_mm).sqrt();
+        let found = of(1000.0, &mut case);
+        assert!(
+            (found / expected - 1.0).abs() < 1e-9,
+            "{k}: {found} {expected}"
+        );
+        let slower = of(999.0, &mut case) / expected;
+        other_equation += i32::from((0.97..0.98).contains(&slower));
+    }
+    assert_eq!(other_equation, 200);
+}
+
+/// SKF's model takes d and D of the case, d = 30 and D = 62 mm say.
+#[test]
+fn skf_takes_bore_and_outside_of_the_case() {
+    let lubrication = Lubrication {
+        skf_series: Some(SkfSeries::S62),
+        ..oil()
+    };
+    let mut case = lubricated(lubrication.clone());
+    let [bore_m, outside_m] = [15e-3, 31e-3];
+    case.bearing = case
+        .bearing
+        .with_boundary_radii(Some(bore_m), Some(outside_m))
+        .unwrap();
+    let found = rating(&case).skf_friction.unwrap();
+    let load_n = case.operation.radial_load_n;
+    let expected = SkfFriction::new(SkfSeries::S62, &lubrication, [30.0, 62.0], 12_000.0, load_n);
+    let ratio = found.torque_n_m() / expected.torque_n_m();
+    assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
+    // With d alone, D = 2 Dpw − d.
+    case.bearing = case
+        .bearing
+        .with_boundary_radii(Some(bore_m), None)
+        .unwrap();
+    let found = rating(&case).skf_friction.unwrap();
+    let diameters = [30.0, 2.0 * 46.005 - 30.0];
+    let expected = SkfFriction::new(SkfSeries::S62, &lubrication, diameters, 12_000.0, load_n);
+    let ratio = found.torque_n_m() / expected.torque_n_m();
+    assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
+    for radii in [
+        [Some(18.3e-3), None],
+        [Some(0.0), None],
+        [None, Some(27.7e-3)],
+    ] {
+        let refused = case.bearing.clone().with_boundary_radii(radii[0], radii[1]);
+        assert!(refused.is_err(), "{radii:?}");
+    }
+}

@@ -4,11 +4,28 @@ use cageless::Assembly;
 
 use super::{BallSource, BoundaryDimensions, InternalGeometry};
 
+/// How far load ratings of balls by the formula are off those of catalogues, which rate bearings with a cage.
+fn formula_ratings(balls: usize, caged_balls: usize) -> String {
+    match balls == caged_balls {
+        true => "load ratings may be up to 17 % off those of catalogues".to_owned(),
+        false => format!(
+            "with the {caged_balls} that a cage leaves room for, load ratings may be up to 17 % off those of \
+             catalogues; this bearing has {balls}, and ratings of its own"
+        ),
+    }
+}
+
 impl BoundaryDimensions {
     /// Source of the balls in a sentence.
     pub fn source_of_balls(&self) -> String {
         let name = &self.designation;
-        match self.internal_geometry(false).source {
+        let InternalGeometry {
+            source,
+            balls,
+            caged_balls,
+            ..
+        } = self.internal_geometry(false);
+        match source {
             BallSource::Maker => format!(
                 "balls of {name} as NSK: number and diameter follow from the load ratings of its \
                  catalogue; other makers have other balls"
@@ -18,8 +35,8 @@ impl BoundaryDimensions {
                  room for; catalogues have one or two more or less"
             ),
             BallSource::Formula => format!(
-                "balls of {name} by a formula, as the table of bearings has none for it: load ratings \
-                 may be up to 17 % off those of catalogues"
+                "balls of {name} by a formula, as the table of bearings has none for it: {}",
+                formula_ratings(balls, caged_balls)
             ),
         }
     }
@@ -73,10 +90,11 @@ impl BoundaryDimensions {
 # bearings back to back, as a single one bears no radial load without an axial one: without both [[row]]
 # it needs operation.axial_load_n."
             }
-            BallSource::Formula => {
-                "# No standard fixes the balls, and the table of bearings has none for this size. Those of the
-# formula give load ratings up to 17 % off those of catalogues."
-            }
+            BallSource::Formula => &format!(
+                "# No standard fixes the balls, and the table of bearings has none for this size. Those of a
+# formula: {}.",
+                formula_ratings(balls, caged_balls)
+            ),
         };
         let kind = if full_complement {
             "full complement"
@@ -152,6 +170,7 @@ radial_internal_clearance_um = {clearance_um:<15} # {clearance}
 inner_conformity = 0.52                        # (assumed) groove radius over Dw
 outer_conformity = 0.52                        # (assumed)
 {assembly}\
+inner_ring_bore_radius_mm = {bore:<18} # d/2
 outer_ring_outer_radius_mm = {outer:<17} # D/2, for the export to CAD
 outer_ring_width_mm = {width:<24} # B
 
@@ -173,6 +192,7 @@ radial_load_n = {load:<30} # (assumed) about 4 % of the static load rating
 [contact]
 friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3
 ",
+            bore = d / 2.0,
             outer = big / 2.0,
         )
     }

@@ -16,9 +16,9 @@ pub fn bore_radius_estimate_m(d: &BearingDimensions) -> f64 {
     (bottom - WALL * (2.0 * d.ball_radius_m)).max(0.5 * bottom)
 }
 
+/// d/2 of a bearing, or the estimate.
 pub(super) fn bore_radius_m(bearing: &Bearing) -> f64 {
-    let given = bearing.inner_ring_bore().map(|bore| bore.radius_m);
-    given.unwrap_or_else(|| bore_radius_estimate_m(bearing.dimensions()))
+    (bearing.bore_radius_m()).unwrap_or_else(|| bore_radius_estimate_m(bearing.dimensions()))
 }
 
 /// M = ½ μ P d of SKF with P = Fr, N·m: the estimate for a lubricated bearing with a cage, which the

@@ -6,6 +6,8 @@ use crate::case::Case;
 
 /// Speed at which the equation of the reference viscosity changes, rpm.
 const SLOW_RPM: f64 = 1000.0;
+/// Relative difference of two speeds that are the same, in rounded units.
+const SPEED_ROUNDING: f64 = 1e-9;
 /// κ below which ISO 281 has no life modification factor.
 pub const VISCOSITY_RATIO_MIN: f64 = 0.1;
 /// κ above which the factor is that at it.
@@ -17,11 +19,12 @@ const MM2_S: f64 = 1e-6;
 
 /// ν1, the viscosity for an adequate film at a speed in rpm and a pitch diameter in mm, m²/s:
 ///
-///   ν1 = 45000 n^(−0.83) Dpw^(−1/2) mm²/s below 1000 rpm, 4500 n^(−1/2) Dpw^(−1/2) mm²/s above
+///   ν1 = 45000 n^(−0.83) Dpw^(−1/2) mm²/s below 1000 rpm, 4500 n^(−1/2) Dpw^(−1/2) mm²/s from there on
 ///
 /// (ISO 281:2007; NTN 2203/E, Eq. (3.10), (3.11)).
 pub fn reference_viscosity_m2_s(speed_rpm: f64, pitch_diameter_mm: f64) -> f64 {
-    let speed = if speed_rpm < SLOW_RPM {
+    // A speed that went through rad/s is a rounding off; the two equations differ by 2.3 % here.
+    let speed = if speed_rpm < SLOW_RPM * (1.0 - SPEED_ROUNDING) {
         45_000.0 * speed_rpm.powf(-0.83)
     } else {
         4500.0 * speed_rpm.powf(-0.5)

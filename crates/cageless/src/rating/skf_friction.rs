@@ -61,12 +61,15 @@ impl SkfFriction {
         }
     }
 
-    /// Torque of a case with a lubricant and a series, with Dpw for dm and the bore of the case, or one 0.3
-    /// ball diameters below the groove.
+    /// Torque of a case with a lubricant and a series, with d and D of the case, or d of a bore 0.3 ball diameters
+    /// below the groove and D = 2 Dpw − d.
     pub(super) fn of(case: &Case, lubrication: &Lubrication, speed_rpm: f64) -> Option<Self> {
         let series = lubrication.skf_series?;
         let bore_mm = 2e3 * bore_radius_m(&case.bearing);
-        let outside_mm = 4e3 * case.bearing.pitch_radius_m() - bore_mm;
+        let outside_mm = case.bearing.outside_radius_m().map_or_else(
+            || 4e3 * case.bearing.pitch_radius_m() - bore_mm,
+            |radius_m| 2e3 * radius_m,
+        );
         let load_n = case.operation.radial_load_n;
         let diameters = [bore_mm, outside_mm];
         Some(Self::new(series, lubrication, diameters, speed_rpm, load_n))

@@ -41,9 +41,17 @@ impl Converter<'_> {
         if let Some(assembly) = b.assembly {
             bearing = bearing.with_assembly(assembly);
         }
+        let fits = self.sections.fit.as_ref();
+        let half = |diameter: Option<f64>| diameter.map(|diameter| diameter / 2.0);
+        let bore_m = half(fits.and_then(|fit| fit.bore_diameter_m)).or(b.inner_ring_bore_radius_m);
+        let outside_m = half(fits.and_then(|fit| fit.outside_diameter_m));
+        let outside_m = b.outer_ring_outer_radius_m.or(outside_m);
+        bearing = bearing
+            .with_boundary_radii(bore_m, outside_m)
+            .map_err(refused)?;
         // The bore that is to catch a rotor.
         let (inertia, radius) = (b.inner_ring_polar_inertia_kg_m2, b.inner_ring_bore_radius_m);
-        if inertia.is_some() || radius.is_some() {
+        if inertia.is_some() || radius.is_some() && self.sections.rotor.is_some() {
             let bore = InnerRingBore {
                 polar_inertia_kg_m2: self.need("inner_ring_polar_inertia_kg_m2", inertia)?,
                 radius_m: self.need("inner_ring_bore_radius_mm", radius)?,

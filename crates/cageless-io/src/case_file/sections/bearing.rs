@@ -67,7 +67,7 @@ section! {
         inner_ring_polar_inertia_kg_m2 => inner_ring_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"); Above(0.0),
             "Ji of the inner ring with what turns with it, needed under a [rotor]", Absent;
         inner_ring_bore_radius_mm => inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
-            "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
+            "Rb, radius of the bore of the inner ring, needed under a [rotor], and d/2 of SKF's rules of friction", Absent;
         assembly => assembly: Option<Assembly> = Derived, Plain,
             "way of assembly, for the load ratings: \"filling-slot\" if the balls of a bearing without a contact angle fill more than 205° (N - 1 times ε), else \"without-slot\"",
             Commented("\"filling-slot\"", "bm of ISO 281: 1.1 with a filling slot, 1.3 \"without-slot\"\n\
@@ -76,7 +76,7 @@ section! {
         ball_radius_deviation_um => ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius, the same in every [[row]]", Absent;
         outer_ring_outer_radius_mm => outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
-            "outer radius of the outer ring",
+            "outer radius of the outer ring, for `export`, and D/2 of SKF's model of friction",
             Shown("31.0", "outer ring, only for the export to CAD");
         outer_ring_width_mm => outer_ring_width_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "width of the outer ring", Shown("16.0", "width, only for the export to CAD");
