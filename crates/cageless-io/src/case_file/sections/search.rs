@@ -1,6 +1,6 @@
 //! The section `[search]`, ranges of `design --search`.
 
-use cageless::design::search::{BUDGET, CRITICAL_GAP_MIN_FRACTION};
+use cageless::design::search::{BUDGET, BUDGET_LEAST, CRITICAL_GAP_MIN_FRACTION};
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::named::SearchedShapes;
@@ -47,8 +47,8 @@ section! {
         initial_states formerly starts => initial_states: u64 = default(2), Plain; Within(1.0, 64.0),
             "unevenly spaced starts per design",
             Commented("2", "unevenly spaced starts per design, 1 to 64");
-        runs_max formerly budget => runs_max: usize = default(BUDGET as i64), Plain; AtLeast(1.0),
-            "largest number of simulations of all balls",
+        runs_max formerly budget => runs_max: usize = default(BUDGET as i64), Plain; AtLeast(BUDGET_LEAST as f64),
+            "largest number of simulations of all balls; more initial_states, operating points and maps need more",
             Commented("400", "largest number of simulations of all balls");
         map_speed_rpm => map_speeds_rad_s: Option<Vec<f64>> = Optional, RevolutionPerMinute; Above(0.0),
             "further speeds to draw maps at",

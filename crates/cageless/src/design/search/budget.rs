@@ -4,6 +4,10 @@ use super::request::{CONFIRMING_STARTS, Request};
 
 /// Structures that are confirmed at most: the recommended one and the case's own.
 const CONFIRMED_MAX: usize = 2;
+/// The smallest possible budget of one operating point.
+pub const BUDGET_LEAST: usize = 8 * CONFIRMED_MAX * STARTS_LEAST;
+/// Starts of a confirmation at least.
+const STARTS_LEAST: usize = 2;
 /// Structures that the optimiser tries at most.
 const OPTIMISED_MAX: usize = 24;
 
@@ -14,7 +18,8 @@ impl Request {
     /// structure has, each map one cell.
     pub fn budget_least(&self) -> usize {
         let maps = self.points.len() + self.map_speeds_rad_s.len();
-        let confirmed = CONFIRMED_MAX * self.points.len() * self.starts.max(2) as usize;
+        let confirmed =
+            CONFIRMED_MAX * self.points.len() * (self.starts as usize).max(STARTS_LEAST);
         (8 * confirmed).max(4 * maps * self.starts as usize)
     }
 

@@ -41,6 +41,7 @@ mod rejection;
 mod request;
 
 pub use axial::AxialSeparation;
+pub use budget::BUDGET_LEAST;
 pub use evaluation::{Confirmed, Evaluation, Role, Statistics};
 pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
