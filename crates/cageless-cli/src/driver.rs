@@ -221,7 +221,16 @@ impl CaseArgs {
 
 /// Reads the case of a command.
 pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    match VariantFile::read(path, set)? {
+    of_case(path, VariantFile::read(path, set)?)
+}
+
+/// [`read_case`] of a command that computes no motion.
+pub fn read_case_at_rest(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
+    of_case(path, VariantFile::read_at_rest(path, set)?)
+}
+
+fn of_case(path: &Path, file: VariantFile) -> Result<CaseFile, Failure> {
+    match file {
         VariantFile::Case(file) => Ok(*file),
         VariantFile::Rotor(_) => Err(Failure::Input(format!(
             "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \

@@ -1,5 +1,6 @@
 //! All tests of the command, as one program.
 
+mod at_rest;
 mod bad_input;
 mod bad_plans;
 mod comfort;

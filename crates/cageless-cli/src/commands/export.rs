@@ -9,14 +9,14 @@ use cageless_io::cad::{
 use cageless_io::results::write_atomically;
 
 use crate::args::ExportArgs;
-use crate::driver::{make_folder, print, read_case, tell};
+use crate::driver::{make_folder, print, read_case_at_rest, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::message;
 
 /// Writes the outer ring of a case.
 pub fn export(args: &ExportArgs) -> Result<(), Failure> {
-    let file = read_case(&args.case, &args.set)?;
+    let file = read_case_at_rest(&args.case, &args.set)?;
     let format = args.format.into();
     let options = ExportOptions {
         blend_mm: args.blend_mm,

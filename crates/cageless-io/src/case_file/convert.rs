@@ -33,17 +33,20 @@ const NO_STEP_S: f64 = 1e-12;
 /// Step of a case whose step is still to be chosen.
 const PROVISIONAL_STEP_S: f64 = 1e-6;
 
-/// Converts and checks.
-pub(super) fn case(document: &CaseDocument) -> Result<(Case, Request), CaseError> {
+/// A check of a case.
+pub(super) type Check = fn(&Case) -> Result<(), InputError>;
+
+/// Converts and checks, with `check` as last word on the case.
+pub(super) fn case(document: &CaseDocument, check: Check) -> Result<(Case, Request), CaseError> {
     let sections = &CaseSections::read(&document.tree)?;
     let converter = Converter { sections, document };
-    let case = converter.case()?;
+    let case = converter.case(check)?;
     let search = converter.search(&case)?;
     Ok((case, search))
 }
 
 impl Converter<'_> {
-    fn case(&self) -> Result<Case, CaseError> {
+    fn case(&self, check: Check) -> Result<Case, CaseError> {
         let s = self.sections;
         let (bearing, fit) = self.bearing()?;
         self.check_export_dimensions(&bearing)?;
@@ -85,7 +88,7 @@ impl Converter<'_> {
                 case.solver.step_s = step_s;
             }
         }
-        cageless::step_limits::check(&case).map_err(|e| match e.field {
+        check(&case).map_err(|e| match e.field {
             "step_s" | "duration_s" if automatic && case.solver.step_s < NO_STEP_S => {
                 self.no_step(&case)
             }

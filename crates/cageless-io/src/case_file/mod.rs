@@ -53,6 +53,8 @@ pub use template::{drop_template, template};
 pub use value::CaseValue;
 
 use cageless::design::search::{Request, uneven_gaps_rad};
+use cageless::step_limits;
+use convert::Check;
 use spanned_toml::{Origin, join, nth};
 use unit::Unit;
 
@@ -85,18 +87,39 @@ impl CaseFile {
     /// A [`CaseError`] for anything but a complete and possible case: bad TOML,
     /// unknown or missing keys, wrong types, impossible values.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::parse_with(text, name, overrides, step_limits::check)
+    }
+
+    /// [`Self::parse`] for a computation without steps, to which the step of the case is all one.
+    ///
+    /// # Errors
+    /// Those of [`Self::parse`], apart from that of a step too long for the method.
+    pub fn parse_at_rest(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::parse_with(text, name, overrides, cageless::Case::check)
+    }
+
+    fn parse_with(
+        text: &str,
+        name: &str,
+        overrides: &[String],
+        check: Check,
+    ) -> Result<Self, CaseError> {
         let mut document = CaseDocument::parse(text, name)?;
         overrides::apply(&mut document.tree.root, overrides)?;
         Ok(Self {
             text: Some(text.to_owned()),
-            ..Self::of(document)?
+            ..Self::checked_by(document, check)?
         })
     }
 
     /// Completes and checks a document.
-    fn of(mut document: CaseDocument) -> Result<Self, CaseError> {
+    fn of(document: CaseDocument) -> Result<Self, CaseError> {
+        Self::checked_by(document, step_limits::check)
+    }
+
+    fn checked_by(mut document: CaseDocument, check: Check) -> Result<Self, CaseError> {
         let defaults = read::complete(&mut document)?;
-        let (case, search) = convert::case(&document)?;
+        let (case, search) = convert::case(&document, check)?;
         Ok(Self {
             case,
             search,

@@ -97,9 +97,25 @@ impl VariantFile {
     /// # Errors
     /// Those of [`CaseFile::read`] and [`RotorFile::read`].
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::read_by(CaseFile::parse, path, overrides)
+    }
+
+    /// [`Self::read`] for a computation without steps, see [`CaseFile::parse_at_rest`].
+    ///
+    /// # Errors
+    /// Those of [`CaseFile::parse_at_rest`] and [`RotorFile::read`].
+    pub fn read_at_rest(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::read_by(CaseFile::parse_at_rest, path, overrides)
+    }
+
+    fn read_by(
+        parse: impl Fn(&str, &str, &[String]) -> Result<CaseFile, CaseError>,
+        path: &Path,
+        overrides: &[String],
+    ) -> Result<Self, CaseError> {
         let (name, text) = read_named(path, "case file")?;
         Ok(match RotorBase::is_text(&text) {
-            false => CaseFile::parse(&text, &name, overrides)?.into(),
+            false => parse(&text, &name, overrides)?.into(),
             true => RotorFile::parse(&text, &name, folder(path), overrides)?.into(),
         })
     }

@@ -48,7 +48,10 @@ impl Case {
     /// An [`InputError`] naming the first field that cannot be.
     pub fn check(&self) -> Result<(), InputError> {
         if self.rotor.is_none() && self.operation.inner_speed_table.is_none() {
-            positive("inner_speed_rad_s", self.operation.inner_speed_rad_s)?;
+            let (field, speed) = ("inner_speed_rad_s", self.operation.inner_speed_rad_s);
+            let rule = "other than 0: the balls of a ring at rest do not roll";
+            require(field, speed, speed != 0.0, rule)?;
+            positive(field, speed)?;
         }
         self.operation.check()?;
         self.check_space()?;

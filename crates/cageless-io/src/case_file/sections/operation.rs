@@ -7,7 +7,7 @@ section! {
     /// `[operation]`: speed and load.
     struct OperationSection {
         inner_speed_rpm => inner_speed_rad_s: Option<OverTime> = Optional, RevolutionPerMinute,
-            "speed of the inner ring, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required",
+            "speed of the inner ring, not 0, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required",
             Shown("12000.0", "counter-clockwise (paper), or [[time in s, rpm], …]");
         radial_load_n => radial_load_n: Option<OverTime> = Optional, Si("N"),
             "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required",
