@@ -43,10 +43,10 @@ class Bearing(Section):
     inner_ring_mass_kg: Annotated[float | None, "mass of the inner ring and attached rotating parts; that of a steel ring with its shoulders, 0.3 Dw thick below its groove and 1.6 Dw wide for each row unless given"] = None
     inner_ring_damping_n_s_m: Annotated[float | None, "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]"] = None
     inner_ring_polar_inertia_kg_m2: Annotated[float | None, "Ji of the inner ring with what turns with it, needed under a [rotor]"] = None
-    inner_ring_bore_radius_mm: Annotated[float | None, "Rb, radius of the bore of the inner ring, needed under a [rotor]"] = None
+    inner_ring_bore_radius_mm: Annotated[float | None, "Rb, radius of the bore of the inner ring, needed under a [rotor], and d/2 of SKF's rules of friction"] = None
     assembly: Annotated[Literal["without-slot", "filling-slot"] | None, "way of assembly, for the load ratings: \"filling-slot\" if the balls of a bearing without a contact angle fill more than 205° (N - 1 times ε), else \"without-slot\""] = None
     ball_radius_deviation_um: Annotated[Sequence[float] | None, "deviation of each ball's radius, the same in every [[row]]"] = None
-    outer_ring_outer_radius_mm: Annotated[float | None, "outer radius of the outer ring"] = None
+    outer_ring_outer_radius_mm: Annotated[float | None, "outer radius of the outer ring, for `export`, and D/2 of SKF's model of friction"] = None
     outer_ring_width_mm: Annotated[float | None, "width of the outer ring"] = None
 
 
@@ -94,7 +94,7 @@ class Row(Section):
 class Operation(Section):
     """`[operation]`: speed and load."""
 
-    inner_speed_rpm: Annotated[float | Sequence[Sequence[float]] | None, "speed of the inner ring, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required"] = None
+    inner_speed_rpm: Annotated[float | Sequence[Sequence[float]] | None, "speed of the inner ring, not 0, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required"] = None
     radial_load_n: Annotated[float | Sequence[Sequence[float]] | None, "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required"] = None
     gravity_m_s2: Annotated[float | None, "g, downwards"] = None
     axial_load_n: Annotated[float | None, "Fa, load on the inner ring along the axis, +z; 0 unless given"] = None
