@@ -24,7 +24,10 @@ AXES = """
   const title = (axis) => axis.title && axis.title.text || "";
   const scenes = Object.keys(full).filter((k) => /^scene\\d*$/.test(k)).flatMap(
     (k) => ["x", "y", "z"].map((a) => [k + "." + a, full[k][a + "axis"]]));
-  const polar = Object.keys(full).filter((k) => /^polar\\d*$/.test(k)).map((k) => [k, full[k].radialaxis]);
+  // A polar diagram has a heading of its name, where a title would lie across the numbers of its axis.
+  const heading = (k) => ({ text: ((full.annotations || []).find((a) => a.name === k) || {}).text });
+  const polar = Object.keys(full).filter((k) => /^polar\\d*$/.test(k))
+    .map((k) => [k, { visible: true, title: heading(k) }]);
   const flat = Object.keys(full).filter((k) => /^[xy]axis\\d*$/.test(k)).map((k) => [k, full[k]]);
   // Of axes that go together, the outermost has the title; inner ones have no labels either.
   // Names along an axis need no title above them.

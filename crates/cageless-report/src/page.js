@@ -114,7 +114,8 @@
       Object.assign(spec.layout, { paper_bgcolor: PAPER, plot_bgcolor: PAPER,
         modebar: { bgcolor: "rgba(0,0,0,0)", color: "#8a94a0", activecolor: "#e4e8ec" } });
     }
-    if (small.matches && !wide) height = narrowed(spec, height);
+    // Paper is wide enough for what stands side by side.
+    if (small.matches && !wide && !printing) height = narrowed(spec, height);
     return { data: spec.data, layout: spec.layout, height };
   }
 

@@ -121,6 +121,21 @@ impl Plot {
         self.legend().set("legend", at)
     }
 
+    /// Sets the size of all text that has none of its own, and of the legend, pixels.
+    pub fn font_px(mut self, size: u32) -> Self {
+        for key in ["font", "legend"] {
+            let of = self.layout.entry(key).or_insert(json!({}));
+            let size = json!({ "size": size });
+            let more = if key == "font" {
+                size
+            } else {
+                json!({ "font": size })
+            };
+            *of = with(of.take(), more);
+        }
+        self
+    }
+
     /// Sets the margins left, right, top and bottom, pixels.
     pub fn margin(self, [left, right, top, bottom]: [u32; 4]) -> Self {
         let margin = json!({ "l": left, "r": right, "t": top, "b": bottom });

@@ -76,7 +76,8 @@ pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
     let mut figure = load_distribution(file, record);
     // What the table needs is left out of the figure.
     let more = table.rows.len().saturating_sub(30) as u32;
-    figure.plot.height_px = 400u32.saturating_sub(10 * more).max(330);
+    figure.plot.height_px = 330u32.saturating_sub(8 * more).max(270);
+    figure.plot = figure.plot.font_px(10);
     page.figure(&figure);
     page.table(&table);
     page.notes(Note::Remark, record.sentences("notes"));

@@ -7,6 +7,7 @@ mod pages;
 mod reproduce_page;
 mod run_data;
 mod slot;
+mod static_page;
 mod studio;
 mod sweep_page;
 mod synthetic;

@@ -16,9 +16,23 @@ use crate::text::short;
 const INNER: (&str, &str) = ("inner raceway", PALETTE[0]);
 const OUTER: (&str, &str) = ("outer raceway", PALETTE[1]);
 
+/// Colours of the inner and the outer raceway of each row; those of the first are the colours above.
+const ROWS: [[&str; 2]; 3] = [
+    [INNER.1, OUTER.1],
+    [PALETTE[5], PALETTE[4]],
+    [PALETTE[2], PALETTE[3]],
+];
+
+/// Distance of the bars of two rows over what each row has of the angle.
+const BESIDE: f64 = 0.7;
+
 /// A part of the figure with the unit of what it shows.
 const FORCE: (&str, &str) = ("polar", "N");
 const PRESSURE: (&str, &str) = ("polar2", "MPa");
+
+/// Places of both diagrams along x, with room for the angles between them.
+const LEFT: [f64; 2] = [0.0, 0.43];
+const RIGHT: [f64; 2] = [0.57, 1.0];
 
 /// Loads of the balls over the angular position, and the pressures.
 pub fn loads(run: &RunData) -> Option<Figure> {
@@ -62,12 +76,12 @@ pub fn loads(run: &RunData) -> Option<Figure> {
 
 /// Two empty polar diagrams with the discrete raceways shaded: forces to the left, pressures to the right.
 fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
-    let polar = |domain: [f64; 2], most: f64, title: &str| {
+    let polar = |domain: [f64; 2], most: f64| {
         json!({
             "domain": { "x": domain, "y": [0.0, 0.92] }, "bgcolor": "rgba(0,0,0,0)",
             "barmode": "overlay",
             "radialaxis": {
-                "range": [0, 1.05 * most.max(1e-9)], "title": { "text": title }, "angle": 90,
+                "range": [0, 1.05 * most.max(1e-9)], "angle": 90,
                 "gridcolor": "#e6e6e6", "linecolor": "#555", "tickangle": 90, "nticks": 5,
             },
             // 0 at the bottom, counter-clockwise as the balls go round.
@@ -78,19 +92,19 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
         })
     };
     let mut plot = Plot::new(520)
-        .legend_above(1.04)
+        .legend_above(1.08)
         .margin([40, 40, 70, 30])
-        .set("polar", polar([0.0, 0.46], force, "Force (N)"))
-        .set("polar2", polar([0.54, 1.0], pressure, "Pressure (MPa)"));
-    for (k, title) in ["Contact force (N)", "Peak contact pressure (MPa)"]
-        .iter()
-        .enumerate()
-    {
+        .set("polar", polar(LEFT, force))
+        .set("polar2", polar(RIGHT, pressure));
+    for (subplot, [from, to], title) in [
+        ("polar", LEFT, "Contact force (N)"),
+        ("polar2", RIGHT, "Peak contact pressure (MPa)"),
+    ] {
         plot = plot.text(
             &format!("<b>{title}</b>"),
-            (0.23 + 0.54 * k as f64, 1.0),
+            (0.5 * (from + to), 1.0),
             ("paper", "paper"),
-            json!({ "xanchor": "center", "yanchor": "bottom", "name": format!("polar{}", if k == 0 { "" } else { "2" }) }),
+            json!({ "xanchor": "center", "yanchor": "bottom", "name": subplot }),
         );
     }
     sectors(plot, raceways, force, pressure).finding(&format!(
@@ -100,40 +114,67 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
     ))
 }
 
-/// Loads of the balls and contact pressures in a static equilibrium.
+/// Loads of the balls and contact pressures in a static equilibrium. The bars of several rows, whose balls may
+/// be at the same angles, stand side by side.
 pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Provenance) -> Figure {
     let of = |name: &str| results.values(name);
     let angles = of("ball_angle_deg");
-    let most = |values: &[f64]| range(values).1;
+    let rows = rows(of("row"), angles.len());
     let series = [
-        ("polar", "N", ["inner_force_n", "outer_force_n"].map(of)),
+        (FORCE, ["inner_force_n", "outer_force_n"].map(of)),
         (
-            "polar2",
-            "MPa",
+            PRESSURE,
             ["inner_pressure_mpa", "outer_pressure_mpa"].map(of),
         ),
     ];
-    let [force, pressure] = series.map(|(_, _, [inner, outer])| most(inner).max(most(outer)));
+    let [force, pressure] = series.map(|(_, [inner, outer])| range(inner).1.max(range(outer).1));
     let mut plot = frame(force, pressure, raceways);
-    let balls: Vec<String> = (1..=angles.len()).map(|k| format!("ball {k}")).collect();
-    for (subplot, unit, [inner, outer]) in series {
-        for (colour, name, values) in [(1, "outer raceway", outer), (0, "inner raceway", inner)] {
+    let balls_of_a_row = rows.iter().map(Vec::len).max().unwrap_or(1).max(1);
+    // What each row has of the angle from ball to ball.
+    let slot = 360.0 / (balls_of_a_row * rows.len()) as f64;
+    for ((subplot, unit), values) in series {
+        for (k, balls) in rows.iter().enumerate() {
+            let beside = slot * (k as f64 - 0.5 * (rows.len() - 1) as f64) * BESIDE;
+            let of_row = |values: &[f64]| balls.iter().map(|b| values[*b]).collect::<Vec<_>>();
+            let theta: Vec<f64> = of_row(angles).iter().map(|a| a + beside).collect();
+            let text: Vec<String> = (balls.iter())
+                .map(|b| format!("ball {}, ψ {}°", b + 1, short(angles[*b])))
+                .collect();
             // The narrower bars are drawn last, in front.
-            let share = if colour == 0 { 0.3 } else { 0.6 };
-            let width = vec![share * 360.0 / angles.len() as f64; angles.len()];
-            plot = plot.trace(json!({
-                "type": "barpolar", "name": name, "subplot": subplot, "legendgroup": name,
-                "showlegend": subplot == "polar",
-                "theta": numbers(angles), "r": numbers(values), "width": numbers(&width),
-                "marker": { "color": PALETTE[colour] }, "opacity": 0.85, "text": balls,
-                "hovertemplate": format!("%{{text}}, ψ %{{theta:.1f}}°<br>%{{r:.4g}} {unit}<extra>{name}</extra>"),
-            }));
+            for (ring, (raceway, _), share) in [(1, OUTER, 0.6), (0, INNER, 0.3)] {
+                let name = match rows.len() {
+                    1 => raceway.to_owned(),
+                    _ => format!("row {}, {raceway}", k + 1),
+                };
+                plot = plot.trace(json!({
+                    "type": "barpolar", "name": name, "subplot": subplot, "legendgroup": name,
+                    "showlegend": subplot == "polar",
+                    "theta": numbers(&theta), "r": numbers(&of_row(values[ring])),
+                    "width": numbers(&vec![share * slot; balls.len()]),
+                    "marker": { "color": ROWS[k % ROWS.len()][ring] }, "opacity": 0.85, "text": text,
+                    "hovertemplate": format!("%{{text}}<br>%{{r:.4g}} {unit}<extra>{name}</extra>"),
+                }));
+            }
         }
     }
-    let caption = "Contact force and peak contact pressure (Hertz) of each ball in static equilibrium over \
-                  its angular position ψ, 0° at the bottom. Discrete raceways are shaded; there the \
-                  pressure at the outer raceway is that of one of two contact points.";
-    Figure::new("Load distribution", caption, &source, plot)
+    let of_rows = match rows.len() {
+        1 => "",
+        _ => " Balls of different rows are drawn side by side, next to their angle.",
+    };
+    let caption = format!(
+        "Contact force and peak contact pressure (Hertz) of each ball in static equilibrium over its angular \
+         position ψ, 0° at the bottom.{of_rows} Discrete raceways are shaded; there the pressure at the outer \
+         raceway is that of one of two contact points."
+    );
+    Figure::new("Load distribution", &caption, &source, plot)
+}
+
+/// Balls of each row, from 0; `row` numbers the row of each ball from 1 and is empty in the plane.
+fn rows(row: &[f64], balls: usize) -> Vec<Vec<usize>> {
+    let of = |ball: usize| row.get(ball).map_or(0, |row| *row as usize - 1);
+    let count = (0..balls).map(of).max().map_or(1, |last| last + 1);
+    let balls_of = |k: usize| (0..balls).filter(|ball| of(*ball) == k).collect();
+    (0..count).map(balls_of).collect()
 }
 
 /// A closed line around the bearing.
