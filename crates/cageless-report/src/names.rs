@@ -50,7 +50,7 @@ fn result_name(result: &Quantity) -> String {
         all.any(|q| q.computation() == with && q.label.trim() == label)
     };
     match result.computation() {
-        Computation::Static if shared(Computation::Run) => format!("{label}, at rest"),
+        Computation::Static if shared(Computation::Run) => format!("{label}, static"),
         Computation::Run if shared(Computation::Verdict) => format!("{label}, in the run"),
         _ => label.to_owned(),
     }

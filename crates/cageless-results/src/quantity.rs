@@ -100,7 +100,7 @@ impl Quantity {
     }
 
     /// Factor and unit of values in tables for readers.
-    pub(crate) fn printed(&self) -> (f64, String) {
+    pub fn printed(&self) -> (f64, String) {
         printed(&self.unit_text())
     }
 

@@ -296,3 +296,27 @@ fn the_best_are_the_best_rows_at_each_condition() {
     }
     assert!(analyse(std::path::Path::new("nowhere"), &goals).is_err());
 }
+
+/// Stiffness has the unit of other pages, and the coupling that a symmetric bearing does not have but for
+/// rounding is a constant zero.
+#[test]
+fn stiffness_has_its_unit_and_rounding_no_share() {
+    let plan =
+        "compute = [\"static\"]\n[grid]\noperation.radial_load_n = [500.0, 1000.0, 1700.0]\n";
+    let (sweep, rows, data) = analysed(plan, &[]);
+    let column = |name: &str| {
+        let mut columns = sweep.columns().iter();
+        columns.position(|c| c.name == name).expect("a column")
+    };
+    let stiffness = data.outputs.iter();
+    let mut stiffness = stiffness.filter(|o| o.quantity.name == "static_stiffness_yy_n_m");
+    let output = stiffness.next().expect("an output");
+    assert_eq!(output.quantity.unit, "N/µm");
+    let at = column("static_stiffness_yy_n_m");
+    let values: Vec<f64> = rows.iter().filter_map(|row| row[at].number()).collect();
+    close(output.mean, 1e-6 * mean(&values), "stiffness");
+    let coupling = "static_stiffness_xy_n_m";
+    assert!(!data.outputs.iter().any(|o| o.quantity.name == coupling));
+    let constant = data.constants.iter().find(|c| c.name == coupling);
+    assert_eq!(constant.map(|c| c.value.as_str()), Some("0"));
+}

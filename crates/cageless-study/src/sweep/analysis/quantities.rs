@@ -3,8 +3,8 @@
 use super::result::{Levels, SweepQuantity};
 use crate::{Parameter, StudyError};
 use cageless_io::results::Column;
-use cageless_results::Cell;
 use cageless_results::number_text::short;
+use cageless_results::{Cell, of_column};
 
 use super::sampling::{Drawn, POINTS_MAX, Sampling};
 use super::table::Table;
@@ -32,10 +32,21 @@ fn rounding(unit: &str, low: f64, high: f64) -> f64 {
         // The speed of a raceway.
         "m/s" => 10.0,
         "MPa" => 1e3,
+        // A contact, whose stiffness the terms of a coupling that cancel have; at a lever of 1 mm.
+        "N/m" => 1e8,
+        "N m/rad" => 1e2,
         "N" | "s" | "" => 1.0,
         _ => 0.0,
     };
     ROUNDING * scale.max(low.abs()).max(high.abs())
+}
+
+/// Factor and unit of the values of an output for readers: where those of results have another scale, that.
+fn printed(column: &Column) -> (f64, String) {
+    match of_column(&column.name).map(|(result, _)| result.printed()) {
+        Some((factor, unit)) if factor != 1.0 => (factor, unit),
+        _ => (1.0, column.unit.to_string()),
+    }
 }
 
 /// Inputs and outputs that are not the same everywhere.
@@ -62,6 +73,8 @@ pub(super) struct Output {
     pub quantity: SweepQuantity,
     pub column: usize,
     pub is_name: Option<String>,
+    /// Factor of its values, from the unit of the column.
+    factor: f64,
     /// A value of it, to count from: what is large and hardly varies loses no digits.
     pub origin: f64,
 }
@@ -106,7 +119,7 @@ impl Output {
         match (&self.is_name, cell) {
             (Some(name), Cell::Text(text)) => Some(f64::from(u8::from(name == text))),
             (Some(_), _) => None,
-            (None, cell) => cell.number(),
+            (None, cell) => cell.number().map(|value| self.factor * value),
         }
     }
 }
@@ -148,16 +161,18 @@ impl Seen {
         if !self.names.is_empty() {
             return (self.names.len() > 1).then_some((Levels::Names(self.names), None));
         }
-        let [from, to] = self.range.filter(|[from, to]| from < to)?;
+        self.range.filter(|[from, to]| from < to)?;
         match points {
             Some(points) if self.many || POINTS_MIN * self.values.len() as u64 > points => {
                 let (middles, edges) = stretches_of_equal_count(self.drawn, points);
                 return Some((Levels::Numbers(middles), Some(edges)));
             }
             None if self.many => {
-                let at = |k: f64| from + (to - from) * k / STRETCHES as f64;
-                let middles = (0..STRETCHES).map(|k| at(k as f64 + 0.5)).collect();
-                let edges = (1..STRETCHES).map(|k| at(k as f64)).collect();
+                // Each value of an axis has as many rows.
+                self.drawn.sort_unstable_by(f64::total_cmp);
+                self.drawn.dedup();
+                let most = (STRETCHES * STRETCHES) as u64;
+                let (middles, edges) = stretches_of_equal_count(self.drawn, most);
                 return Some((Levels::Numbers(middles), Some(edges)));
             }
             _ => {}
@@ -241,34 +256,69 @@ impl Quantities {
                 },
                 column,
                 is_name: Some(name.clone()),
+                factor: 1.0,
                 origin: 0.0,
             };
             self.outputs.extend(seen.names.iter().map(of_name));
             return;
         }
+        let (factor, unit) = printed(spec);
         match seen.range {
             Some([low, high]) if high - low > rounding(&spec.unit, low, high) => {
                 self.outputs.push(Output {
-                    quantity: quantity(spec),
+                    quantity: SweepQuantity {
+                        name: spec.name.to_string(),
+                        unit,
+                    },
                     column,
                     is_name: None,
-                    origin: low,
+                    factor,
+                    origin: factor * low,
                 })
             }
             range => {
                 let number = range.map(|[low, high]| {
                     let rounding = rounding(&spec.unit, low, high);
                     let is_zero = low.abs().max(high.abs()) <= rounding;
-                    short(if is_zero { 0.0 } else { low })
+                    short(if is_zero { 0.0 } else { factor * low })
                 });
                 let value = number.or(seen.names.pop());
                 self.constants.extend(value.map(|value| Parameter {
                     name: spec.name.to_string(),
                     value,
-                    unit: spec.unit.to_string(),
+                    unit,
                     ..Parameter::default()
                 }));
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An axis over three decades is divided into stretches that all have values, none of them more than
+    /// one more than another.
+    #[test]
+    fn stretches_of_an_axis_have_equal_numbers_of_values() {
+        let mut seen = Seen::default();
+        let axis: Vec<f64> = (0..30).map(|k| 10f64.powf(f64::from(k) / 10.0)).collect();
+        for value in axis.iter().chain(&axis) {
+            seen.see(&Cell::Number(*value));
+            seen.drawn.push(*value);
+        }
+        let (levels, edges) = seen.levels(None).expect("levels");
+        let (Levels::Numbers(middles), Some(edges)) = (levels, edges) else {
+            panic!("stretches of numbers");
+        };
+        assert_eq!(middles.len(), STRETCHES);
+        for (k, middle) in middles.iter().enumerate() {
+            let within = |v: &&f64| edges.partition_point(|e| e <= *v) == k;
+            let values: Vec<f64> = axis.iter().filter(within).copied().collect();
+            assert!((2..=3).contains(&values.len()), "{k}: {values:?}");
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            assert!((middle - mean).abs() < 1e-9 * mean);
         }
     }
 }
