@@ -130,7 +130,7 @@ impl Results {
     /// Symbols of [`Results::columns`] with their labels: `ψ angular position, r …`.
     pub fn legend(&self) -> String {
         let lists = self.iter().filter(|(q, _)| !q.symbol.is_empty());
-        let words = |q: &Quantity| match q.label.contains(q.symbol) {
+        let words = |q: &Quantity| match is_named_in(q.symbol, q.label) {
             true => q.label.to_owned(),
             false => format!("{} {}", q.symbol, q.label),
         };
@@ -142,6 +142,15 @@ impl Results {
     pub fn row(&self, name: &str) -> Option<(&'static str, String, String)> {
         self.iter().find(|(q, _)| q.name == name).and_then(row)
     }
+}
+
+/// Whether words of a label are the symbol: `po` stands in "contact points", too.
+fn is_named_in(symbol: &str, label: &str) -> bool {
+    let letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
+    label.match_indices(symbol).any(|(at, _)| {
+        let (before, after) = (&label[..at], &label[at + symbol.len()..]);
+        !letter(before.chars().next_back()) && !letter(after.chars().next())
+    })
 }
 
 fn row((q, cell): (&'static Quantity, &Cell)) -> Option<(&'static str, String, String)> {

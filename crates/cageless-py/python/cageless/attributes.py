@@ -223,10 +223,10 @@ class StaticAttributes:
     outer_force_n: Floats  # contact force, outer raceway, N
     inner_pressure_mpa: Floats  # contact pressure, inner raceway, MPa
     outer_pressure_mpa: Floats  # contact pressure, outer raceway (of one contact point on a discrete raceway), MPa
-    inner_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, inner raceway, mm
     inner_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, inner raceway, mm
-    outer_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, outer raceway, mm
+    inner_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, inner raceway, mm
     outer_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, outer raceway, mm
+    outer_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, outer raceway, mm
     ball_orbit_rpm: Floats  # orbital speed in pure rolling, rpm
     ball_rotation_rpm: Floats  # ball speed in pure rolling (absolute rotation), rpm
     ftf_order: float  # FTF, multiple of the shaft frequency

@@ -76,8 +76,9 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     } else {
         String::new()
     };
+    let contacts = if total == 1 { "contact" } else { "contacts" };
     let caption = format!(
-        "{total} contacts between balls of the whole run{counted}: place over time. The area of a marker grows with the impulse, the largest \
+        "{total} {contacts} between balls of the whole run{counted}: place over time. The area of a marker grows with the impulse, the largest \
          being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
         short(most)
     );

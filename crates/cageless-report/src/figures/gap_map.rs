@@ -64,7 +64,7 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
         .finding(&smallest_gap(run))
         // The whole run is what this figure is for.
         .last_view_first();
-    let caption = "Smallest gap of each pair in each of many stretches of the run: red is contact, white the \
+    let caption = "Smallest gap of each pair in each of many stretches of the run: red is contact, grey the \
          nominal gap, blue twice that and more.";
     Some(figure(run, "Gaps of all pairs", caption, plot))
 }

@@ -25,10 +25,10 @@ pub fn gaps(run: &RunData) -> Option<Figure> {
         &ball.gap_deg
     })?
     .horizontal("x", "y", 0.0, "solid")
-    .horizontal("x", "y", run.uniform_gap_deg, "dot")
+    .horizontal("x", "y", run.uniform_gap_deg, "dash")
     .finding(&smallest_gap(run));
     let caption = format!(
-        "Gaps over time of balls 1 to {SHOWN} to the ball ahead; 0 is contact, the dotted line is \
+        "Gaps over time of balls 1 to {SHOWN} to the ball ahead; 0 is contact, the dashed line is \
              the nominal gap. Click a ball in the legend to add or hide it, double-click to see it \
              alone.{}",
         stretches(run)
@@ -62,10 +62,10 @@ pub fn orbit_speed(run: &RunData) -> Option<Figure> {
         &ball.orbit_speed_deg_s
     })?;
     if let Some(rolling) = run.rolling_orbit_speed_deg_s {
-        plot = plot.horizontal("x", "y", rolling, "dot");
+        plot = plot.horizontal("x", "y", rolling, "dash");
     }
     let caption = format!(
-        "Orbital speed of ball 1 over time; the dotted line is pure rolling on the plain \
+        "Orbital speed of ball 1 over time; the dashed line is pure rolling on the plain \
              raceway. Click a ball in the legend to add it.{}",
         stretches(run)
     );

@@ -128,7 +128,7 @@ macro_rules! named_methods {
 named_methods! {
     /// Fourth-order Adams–Bashforth–Moulton, predict–evaluate–correct–evaluate.
     abm4: Abm4,
-    /// Velocity Verlet (leapfrog): one evaluation per step, no artificial damping,
+    /// Velocity Verlet: one evaluation per step, no artificial damping,
     /// unbiased statistics.
     velocity_verlet: VelocityVerlet,
     /// Order 8(5,3) with error control, for references.

@@ -48,7 +48,7 @@ impl NamedMethod for VelocityVerlet {
     // real axis.
     const PROPERTIES: Properties = Properties {
         name: "verlet",
-        label: "leapfrog",
+        label: "velocity Verlet",
         order: 2,
         oscillation_limit: 2.0,
         decay_limit: 1.0,
