@@ -1,8 +1,8 @@
 //! What the engine knows about itself and about case files.
 
 use cageless::RacewayShape;
-use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{MaterialPreset, drop_template, keys, template};
+use cageless_results::instruction_set;
 use serde_json::{Value, json};
 
 /// Operations of the engine.
@@ -29,7 +29,7 @@ pub(crate) fn about() -> Value {
     let shapes: Vec<&str> = shapes.map(RacewayShape::name).collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
-        "instruction_set": InstructionSet::chosen().name(),
+        "instruction_set": instruction_set(),
         "operations": OPERATIONS,
         "keys": keys,
         "materials": materials,

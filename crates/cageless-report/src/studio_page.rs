@@ -4,9 +4,10 @@ use crate::data::Parameter;
 use crate::page::Page;
 use crate::studio::Opening;
 
-/// The studio of a case as a page of its own.
-pub fn studio_page(toml: &str, software: &str) -> String {
-    let mut page = Page::new("Cageless studio", "", software);
+/// The studio of a case as a page of its own, which names the instruction set that it computes with itself.
+pub fn studio_page(toml: &str) -> String {
+    let software = format!("Cageless {}", env!("CARGO_PKG_VERSION"));
+    let mut page = Page::new("Cageless studio", "", &software);
     page.studio(toml, Opening::AtOnce);
     page.html()
 }

@@ -45,7 +45,7 @@ pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop, unit_text};
 pub use kind::Kind;
 pub use place::result_at;
-pub use provenance::{Provenance, provenance, software};
+pub use provenance::{Provenance, instruction_set, provenance, software};
 pub use quantity::{Aim, Quantity, bearing_in_column};
 pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};

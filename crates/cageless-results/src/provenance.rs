@@ -55,7 +55,15 @@ impl Provenance {
 /// Program and instruction set that compute.
 pub fn software() -> String {
     let version = env!("CARGO_PKG_VERSION");
-    format!("Cageless {version}, {}", InstructionSet::chosen().name())
+    format!("Cageless {version}, {}", instruction_set())
+}
+
+/// Vector instructions that runs are computed with.
+pub fn instruction_set() -> &'static str {
+    if cfg!(target_feature = "simd128") {
+        return "simd128";
+    }
+    InstructionSet::chosen().name()
 }
 
 /// Provenance of a simulated figure.

@@ -1,13 +1,11 @@
 //! `cageless studio`.
 
 use std::io::IsTerminal;
-use std::path::Path;
 
-use cageless_io::case_file::template;
+use cageless_io::case_file::{CaseFile, template};
 use cageless_io::io_error_message;
 use cageless_io::results::{ResultError, write_atomically};
 use cageless_report::{engine, studio_page};
-use cageless_results::software;
 
 use crate::args::StudioArgs;
 use crate::driver::{print, read_case};
@@ -18,11 +16,13 @@ use crate::studio::{Server, Token};
 /// Serves the studio on the loopback address until Ctrl-C, or writes its page.
 pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
     let toml = match &args.case {
-        Some(path) => text(path, &args.set)?,
-        None if args.set.is_empty() => template(false),
-        None => return Err(Failure::Input("--set needs a case file".to_owned())),
+        Some(path) => text(&read_case(path, &args.set)?, &args.set)?,
+        None => text(
+            &CaseFile::parse(&template(false), "template", &args.set)?,
+            &args.set,
+        )?,
     };
-    let page = studio_page(&toml, &software());
+    let page = studio_page(&toml);
     if let Some(path) = &args.page {
         if engine().is_none() {
             return Err(Failure::Other(anyhow::anyhow!(
@@ -52,14 +52,11 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
     server.serve()
 }
 
-/// Text of a case file, checked, with replaced values as `cageless` would read them.
-fn text(path: &Path, set: &[String]) -> Result<String, Failure> {
-    let file = read_case(path, set)?;
-    let text = std::fs::read_to_string(path)
-        .map_err(|e| Failure::Input(format!("{}: {}", path.display(), io_error_message(&e))))?;
-    // The page shows TOML; of JSON, and of a file with replaced values, it gets the case as read.
-    if set.is_empty() && !text.trim_start().starts_with('{') {
-        return Ok(text);
+/// Text of a case file for the page, which shows TOML: as written; of JSON, and of a file with replaced
+/// values, the case as read.
+fn text(file: &CaseFile, set: &[String]) -> Result<String, Failure> {
+    match file.toml().filter(|_| set.is_empty()) {
+        Some(text) => Ok(text.to_owned()),
+        None => Ok(file.document().to_toml()?),
     }
-    Ok(file.document().to_toml()?)
 }

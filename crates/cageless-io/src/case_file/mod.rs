@@ -167,6 +167,12 @@ impl CaseFile {
         &self.search
     }
 
+    /// The TOML that was read; `None` of JSON and of a document that was made by other means.
+    #[cfg(feature = "files")]
+    pub fn toml(&self) -> Option<&str> {
+        self.text.as_deref().filter(|text| !source::is_json(text))
+    }
+
     /// The case file with the values of `document`, which is this one changed: comments, order and
     /// what is as before stay as they are written, what nobody gave is not written. A case that
     /// was read from JSON is written in TOML.
@@ -175,9 +181,9 @@ impl CaseFile {
     /// A [`CaseError`] if TOML cannot hold the document.
     #[cfg(feature = "files")]
     pub fn edited(&self, document: &CaseDocument) -> Result<String, CaseError> {
-        match &self.text {
-            Some(text) if !source::is_json(text) => edited::edited(text, document, &self.defaults),
-            _ => document.to_toml_without(&self.defaults),
+        match self.toml() {
+            Some(text) => edited::edited(text, document, &self.defaults),
+            None => document.to_toml_without(&self.defaults),
         }
     }
 

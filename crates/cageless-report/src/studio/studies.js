@@ -6,7 +6,6 @@ const TOLERANCES = {
   half_angle_deg: ["θ ±", "°"], contact_angle_deg: ["contact angle of the raceway ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
   clearance_um: ["radial internal clearance Gr ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
 };
-const BUDGET = 100;
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
 
 // The keys that a slot has, and those that any other shape leaves as they are.
@@ -36,8 +35,8 @@ class Studies {
     this.work = null;
     const number = (name, label, unit, value) => element("label", {}, label + " ", element("input", { type: "number", step: "any", min: 0, value, "data-study": name, style: "width:5.5rem" }), unit ? " " + unit : "");
     const numbers = Object.entries(TOLERANCES).map(([name, [label, unit]]) => number(name, label, unit, ""));
-    const budget = number("budget", "simulations at most", "", BUDGET);
-    this.search = button("Search for the best raceway", () => this.run("search", { budget: this.value("budget"), case: this.searched() }), { "data-search": true });
+    const budget = number("budget", "simulations at most", "", "");
+    this.search = button("Search for the best raceway", () => this.run("search", { budget: this.value("budget") || undefined, case: this.searched() }), { "data-search": true });
     this.tolerance = button("Run tolerance study", () => this.run("tolerance", { tolerances: this.tolerances() }), { "data-tolerance": true });
     this.files = Object.entries(FILES).map(([format, label]) => button(label, () => this.run("export", { format }), { "data-export": format, title: "outer ring as " + label }));
     this.cancel = button("Cancel", () => { if (this.work) this.work.abort(); }, { "data-cancel": true });
@@ -73,10 +72,13 @@ class Studies {
     this.able = new Set(about.operations);
     for (const [name, value] of Object.entries(about.tolerances || {})) if (this.input(name)) this.input(name).value = value;
     this.show();
+    return about;
   }
 
   show() {
     const { g } = this.studio, busy = !!this.work;
+    // Empty: what the case says, as for the command.
+    if (g) this.input("budget").placeholder = g.document.search.runs_max;
     this.search.disabled = busy || !this.able.has("search") || !g || !!g.rotor;
     this.tolerance.disabled = busy || !this.able.has("tolerance") || !g || !!g.rotor || !g.raceways.length;
     this.files.forEach((file) => { file.disabled = busy || !this.able.has("export") || !g; });

@@ -43,8 +43,10 @@ class Studio {
   say(part, text) { this.parts[part].textContent = text || ""; }
 
   host(engine, changed) {
-    this.say("host", "Computed " + engine.name + (changed ? ". The server has ended: the page continues on its own." : "."));
-    this.studies.ask();
+    const say = (set) => this.say("host", "Computed " + engine.name + (set ? ", " + set : "") + (changed ? ". The server has ended: the page continues on its own." : "."));
+    say();
+    this.hosted = engine;
+    this.studies.ask().then((about) => { if (this.hosted === engine) say(about.instruction_set); });
   }
 
   // --- changes ---
