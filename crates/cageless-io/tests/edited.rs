@@ -129,3 +129,27 @@ fn as_many_raceways_as_there_are() {
         "{found}"
     );
 }
+
+/// A section that the file gets takes the place of the comments that stand for it; all others stay.
+#[test]
+fn a_section_replaces_the_comments_that_stand_for_it() {
+    let conventional = cageless_io::case_file::template(true);
+    let text = edited(&parse(&conventional, &[]), &[raceway(5.1, 25.2, 0.0)]);
+    assert!(!text.contains("No [raceway] section"), "{text}");
+    let [_, gone] = changes(&conventional, &text);
+    assert_eq!(gone.len(), 1, "{gone:?}");
+    let section =
+        "# `cageless design` proposes a raceway.\n# [raceway]\n# axial_span_mm =\n# blend_mm = 0.5";
+    let own = "# my own remark on the [raceway]";
+    let commented =
+        conventional.replace("[operation]", &format!("{section}\n\n{own}\n\n[operation]"));
+    let text = edited(&parse(&commented, &[]), &[raceway(5.1, 25.2, 0.0)]);
+    assert!(
+        text.contains(own) && !text.contains("# axial_span_mm =\n"),
+        "{text}"
+    );
+    // What stays out keeps its comments.
+    let file = parse(&commented, &[]);
+    let same = file.edited(file.document()).unwrap();
+    assert!(same.contains(section), "{same}");
+}

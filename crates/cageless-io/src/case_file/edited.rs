@@ -4,6 +4,7 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, TableLike, Value};
 
 use super::document::CaseDocument;
 use super::error::CaseError;
+use super::template::CONVENTIONAL;
 
 /// `text` with the values of `document` but for the dotted keys `left_out`. What has that value
 /// already stays as it is written.
@@ -17,6 +18,11 @@ pub(super) fn edited(
     let mut file: DocumentMut = text.parse().map_err(unreadable)?;
     let wanted = document.to_toml_without(left_out)?;
     let mut wanted: DocumentMut = wanted.parse().map_err(unreadable)?;
+    let added = wanted.iter().filter(|(key, _)| !file.contains_key(key));
+    let added: Vec<&str> = added.map(|(key, _)| key).collect();
+    file = without_stand_ins(text, &added)
+        .parse()
+        .map_err(unreadable)?;
     for head in ["schema", "title"] {
         if !file.contains_key(head) && left_out.iter().any(|key| key == head) {
             wanted.remove(head);
@@ -31,6 +37,22 @@ pub(super) fn edited(
     }
     merge(file.as_table_mut(), wanted.as_table_mut());
     Ok(file.to_string())
+}
+
+/// `text` without the comments that stand for sections which it gets: their keys commented out, or the
+/// line of a template that says that there are none.
+fn without_stand_ins(text: &str, sections: &[&str]) -> String {
+    let stands_in = |line: &str| {
+        sections.iter().any(|section| {
+            line.trim_end() == format!("# [{section}]")
+                || *section == "raceway" && line.trim_end() == CONVENTIONAL
+        })
+    };
+    let is_left_out = |paragraph: &&str| {
+        paragraph.lines().all(|line| line.starts_with('#')) && paragraph.lines().any(stands_in)
+    };
+    let kept: Vec<&str> = text.split("\n\n").filter(|p| !is_left_out(p)).collect();
+    kept.join("\n\n").trim_end().to_owned() + "\n"
 }
 
 /// Gives a section the keys and values of another.

@@ -16,7 +16,8 @@ const DEFAULTS: &str = "
 # solver and output that is left out takes the value that is written here, and so does gravity_m_s2.
 ";
 
-const CONVENTIONAL: &str = "# No [raceway] section: the outer ring is conventional.";
+/// Line of a template that stands for the section `[raceway]`.
+pub(super) const CONVENTIONAL: &str = "# No [raceway] section: the outer ring is conventional.";
 
 /// Column of the comments.
 const COLUMN: usize = 43;
