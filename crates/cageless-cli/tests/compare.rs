@@ -220,3 +220,12 @@ fn what_is_neither_case_nor_run_is_refused_before_anything_is_computed() {
     let done = call(&["compare", case, &format!("{empty}/missing.toml")]);
     assert_eq!(done.code, Some(2), "{done:?}");
 }
+
+/// A conventional ring is not compared with itself.
+#[test]
+fn a_conventional_ring_has_no_conventional_one_beside_it() {
+    let case = repository_case("conventional.toml");
+    let done = call(&["compare", case.to_str().unwrap(), "--with-conventional"]);
+    assert_eq!(done.code, Some(2), "{done:?}");
+    assert!(done.stderr.contains("is conventional itself"), "{done:?}");
+}

@@ -220,6 +220,10 @@ const SETS: &[SetRow] = &[
     ("model.formulation=papers", Some("model.formulation"), &["\"papers\"", "\"physical\" or \"paper\""]),
     ("housing.mass_kg=1.0", Some("housing.stiffness_n_m"), &["missing in [housing]"]),
     ("bearing=1", Some("bearing"), &["a section, [bearing]"]),
+    // Two letters of three are no slip, a list without rows is shown as it is, and rings have an order.
+    ("foo.bar=1", Some("foo"), &["its sections are bearing"]),
+    ("operation.inner_speed_rpm=[12000.0]", Some("operation.inner_speed_rpm"), &["= [12000.0] is not", "rows of [time in s, value]"]),
+    ("bearing.inner_groove_bottom_radius_mm=27.8", Some("bearing.inner_groove_bottom_radius_mm"), &["less than 27.765 mm"]),
     ("title.text=1", Some("title.text"), &["`title` is not a section"]),
     ("seed=4", None, &[]),
 ];

@@ -149,7 +149,7 @@ fn every_designation_gives_a_case() {
     );
     let message = find("6021").unwrap_err();
     assert!(
-        message.contains("60, 62, 63, 160") && message.contains("did you mean 60"),
+        message.contains("of 63 from 10 mm or of 160") && message.contains("did you mean 60"),
         "{message}"
     );
 }
@@ -282,4 +282,18 @@ fn ratings_by_the_formula_are_of_the_balls_of_a_cage() {
         "{}",
         note("6810")
     );
+}
+
+/// A bore below 10 mm stands behind a stroke in the long spelling of the series 68 and 69.
+#[test]
+fn bores_below_ten_have_a_stroke() {
+    for (long, short) in [("618/4", "684"), ("619/9", "699")] {
+        let [long, short] = [long, short].map(|name| find(name).unwrap());
+        assert_eq!(
+            [long.bore_mm, long.outside_mm, long.width_mm],
+            [short.bore_mm, short.outside_mm, short.width_mm]
+        );
+    }
+    let message = find("635").unwrap_err();
+    assert!(message.contains("of 63 from 10 mm"), "{message}");
 }

@@ -96,10 +96,18 @@ fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
         sides.push((name, side));
     }
     if args.with_conventional {
-        let conventional = match &sides[0].1 {
-            Side::Case(file) => file.with_conventional_ring()?,
-            Side::Run(_) => CaseFile::read(&args.a.join(SUMMARY), &[])?.with_conventional_ring()?,
+        let a = match &sides[0].1 {
+            Side::Case(file) => CaseFile::clone(file),
+            Side::Run(_) => CaseFile::read(&args.a.join(SUMMARY), &[])?,
         };
+        if a.case().raceways.is_empty() {
+            return Err(Failure::Input(format!(
+                "--with-conventional: the outer ring of {} is conventional itself; leave the option out, or \
+                 give a case with a [raceway]",
+                args.a.display()
+            )));
+        }
+        let conventional = a.with_conventional_ring()?;
         sides.insert(0, ("conventional", Side::Case(Box::new(conventional))));
     }
     Ok(sides)

@@ -122,7 +122,7 @@ field!(OverTime, Kind::OverTime, |reader, name, node| {
             ]),
             _ => Err(reader.refuse(name, item, "[time in s, value] in each row")),
         },
-        _ => Err(reader.refuse(name, item, "a number, or rows of [time in s, value]")),
+        _ => Err(reader.refuse(name, node, "a number, or rows of [time in s, value]")),
     };
     let rows = items.iter().map(row).collect::<Result<Vec<_>, _>>()?;
     let increasing = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);

@@ -354,8 +354,11 @@ impl Tree {
 
 /// The candidate that `given` was most likely meant to be.
 pub fn nearest<'a>(given: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    // A third of the letters wrong is no longer a slip of the pen.
-    let most = (given.chars().count() / 3).max(2);
+    // A third of the letters wrong is no longer a slip of the pen, nor are two of three.
+    let most = match given.chars().count() {
+        0..=3 => 1,
+        count => (count / 3).max(2),
+    };
     candidates
         .map(|c| (strsim::damerau_levenshtein(&given.to_lowercase(), c), c))
         .filter(|&(distance, _)| distance <= most)

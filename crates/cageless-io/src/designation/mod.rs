@@ -62,7 +62,7 @@ pub fn designations() -> impl Iterator<Item = BoundaryDimensions> {
     })
 }
 
-/// Looks up a designation. 618xx and 619xx are other spellings of 68xx and 69xx; 70xx, 72xx, 73xx and 719xx
+/// Looks up a designation. 618xx and 619xx are other spellings of 68xx and 69xx, 618/4 of 684; 70xx, 72xx, 73xx and 719xx
 /// with the suffix of a contact angle have the boundary dimensions of 60xx, 62xx, 63xx and 619xx.
 ///
 /// # Errors
@@ -70,9 +70,10 @@ pub fn designations() -> impl Iterator<Item = BoundaryDimensions> {
 pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
     let angular = of_angular_contact(designation);
     let (of_size, contact_angle_deg) = angular.unwrap_or((designation.to_owned(), 0.0));
+    // A bore below 10 mm stands behind a stroke: 618/4.
     let short = match of_size.split_at_checked(3) {
-        Some(("618", code)) if code.len() == 2 => format!("68{code}"),
-        Some(("619", code)) if code.len() == 2 => format!("69{code}"),
+        Some(("618", code)) if code.len() == 2 => format!("68{}", code.trim_start_matches('/')),
+        Some(("619", code)) if code.len() == 2 => format!("69{}", code.trim_start_matches('/')),
         _ => of_size,
     };
     let all: Vec<_> = designations().collect();
@@ -91,7 +92,7 @@ pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
     };
     Err(format!(
         "`{designation}` is not possible: it must be a deep groove ball bearing of the series 60, 62, \
-         63, 160, 68 (618) or 69 (619) with a bore of up to 100 mm, such as 6008 or 608, without \
+         68 (618) or 69 (619) with a bore of up to 100 mm, of 63 from 10 mm or of 160 from 12 mm on, such as 6008 or 608, without \
          suffixes, or an angular contact ball bearing of the series 70, 72, 73 or 719 with that of its \
          contact angle: C (15°), AC (25°) or B (40°){hint}"
     ))

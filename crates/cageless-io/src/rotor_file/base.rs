@@ -46,10 +46,12 @@ impl RotorBase {
         spanned_toml::parse(text, "").is_ok_and(|root| Self::is_in(&root))
     }
 
-    /// Whether these sections are of a rotor file rather than of a case: they list bearings.
+    /// Whether these sections are of a rotor file rather than of a case: they list bearings, and
+    /// not what the one bearing of a case has.
     pub(crate) fn is_in(root: &Section) -> bool {
+        let of_a_case = |item: &Node| matches!(&item.value, Value::Section(section) if section.contains_key("balls"));
         match root.get("bearing").map(|node| &node.value) {
-            Some(Value::List(_)) => true,
+            Some(Value::List(bearings)) => !bearings.iter().any(of_a_case),
             Some(Value::Section(section)) => is_numbered(section),
             _ => false,
         }

@@ -113,6 +113,15 @@ impl BearingDimensions {
                 largest.ball_radius_m = between / 2.0;
                 largest.ball_radius_m += largest.interference_max_m(materials) / 2.0;
             }
+            let [(field, inner_m), (_, outer_m)] = bottoms;
+            if inner_m >= outer_m {
+                let why = "the radius of the outer groove bottom Ro, as the balls are between both";
+                return Err(InputError::new(
+                    field,
+                    inner_m,
+                    Allowed::Below(outer_m, why),
+                ));
+            }
             let why = "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
                        unloaded rings press the balls with over 4200 MPa, the limit of ISO 76";
             let allowed = Allowed::AtMost(largest.ball_radius_m, why);
