@@ -37,8 +37,10 @@ pub enum Isa {
     Avx512,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done; 2 bad input; 3 the run left the physical range or did \
-    not converge; 1 anything else.\nResults go to stdout, progress to stderr.";
+/// Exit codes, in the words of docs/command-line.md.
+const EXIT_CODES: &str = "Exit codes: 0 success; 1 any other error; 2 invalid input; 3 no valid \
+    result: a run that stopped, a search that found no raceway, --drops that came to fewer, a sweep in \
+    which every variant failed.\nResults go to stdout, progress to stderr.";
 
 /// One task.
 #[derive(Debug, Subcommand)]

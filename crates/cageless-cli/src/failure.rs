@@ -16,7 +16,7 @@ use cageless_study::StudyError;
 pub enum Failure {
     /// Bad input, exit code 2.
     Input(String),
-    /// The run left the physical range or did not converge, exit code 3.
+    /// No valid result, as of a run that left the physical range, exit code 3.
     Unphysical(String),
     /// Ended by the user, exit code 1.
     Interrupted(String),

@@ -4,6 +4,26 @@ use std::path::Path;
 
 use crate::common::*;
 
+/// `--help` has the exit codes in the words of the manual.
+#[test]
+fn exit_codes_are_those_of_the_manual() {
+    let manual = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/command-line.md");
+    let manual = std::fs::read_to_string(manual).unwrap();
+    let help = call(&["--help"]).stdout;
+    let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    let rows = (manual.lines()).filter_map(|line| line.strip_prefix("| ")?.split_once(" | "));
+    let codes = rows.filter_map(|(code, meaning)| Some((code.parse::<u8>().ok()?, meaning)));
+    let mut count = 0;
+    for (code, meaning) in codes {
+        let end = meaning.find(if code == 2 { ':' } else { ';' });
+        let meaning = meaning[..end.unwrap_or(meaning.len())].trim_end_matches(" |");
+        let text = format!("{code} {}", meaning.replace('`', ""));
+        assert!(help.contains(&text), "{text}: {help}");
+        count += 1;
+    }
+    assert_eq!(count, 4);
+}
+
 #[test]
 fn help_and_version_are_answers() {
     for args in [
