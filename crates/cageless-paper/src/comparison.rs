@@ -27,7 +27,7 @@ use crate::experiment::{STRETCHES, Stretch};
 use crate::load_zone::load_zone_rad;
 
 /// Seconds on one core, roughly.
-pub const WORK: f64 = 30.0;
+pub const WORK: f64 = 24.0;
 
 /// Seed of starts and lots.
 const SEED: u64 = 5;

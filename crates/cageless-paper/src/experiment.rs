@@ -16,7 +16,7 @@ use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration
 use cageless_study::{SAMPLING_HZ, StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
-pub const WORK: f64 = 3.0;
+pub const WORK: f64 = 1.2;
 
 /// Motion is shown so far: the paper's last photograph is at 0.2 s.
 const SHOWN_S: f64 = 0.25;

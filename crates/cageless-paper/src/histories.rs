@@ -15,7 +15,7 @@ use crate::cases::{self, READINGS, label};
 use cageless_study::{StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
-pub const WORK: f64 = 1.5;
+pub const WORK: f64 = 0.6;
 
 /// Sampling.
 const INTERVAL_S: f64 = 10e-6;

@@ -18,9 +18,9 @@ use crate::cases::{self, PUBLISHED, Published, READINGS, label};
 use cageless_study::{StudyError, Work, provenance};
 
 /// Seconds on one core, roughly.
-pub const WORK: f64 = 12.0;
+pub const WORK: f64 = 6.2;
 /// Seconds on one core for [`between`], roughly.
-pub const WORK_BETWEEN: f64 = 6.0;
+pub const WORK_BETWEEN: f64 = 3.1;
 
 /// Sampling of portraits and passages.
 const INTERVAL_S: f64 = 20e-6;

@@ -40,7 +40,7 @@ const STEP_US: f64 = 0.25;
 const SPREAD_STEP_US: f64 = 1.0;
 
 /// Seconds on one core, roughly.
-pub const WORK: f64 = 10.0;
+pub const WORK: f64 = 3.5;
 
 /// Table 2 with what other parts of the report need of it.
 #[derive(Debug, Clone)]
