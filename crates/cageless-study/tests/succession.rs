@@ -132,6 +132,20 @@ fn a_rotor_in_two_bearings_heats_both() {
         number(&rows[0], "spin_down_s"),
         number(&rows[1], "spin_down_s")
     );
+    // The first drop that fails is named for a plane, too, that no row is about.
+    let cases = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+    let text = std::fs::read_to_string(Path::new(cases).join("rotors/two-bearings.toml")).unwrap();
+    let seal = "\n[[clearance]]\nname = \"seal\"\naxial_mm = 0.0\nradial_um = 1.0\n";
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("rotor.toml");
+    std::fs::write(&path, text.replace("../", &format!("{cases}/")) + seal).unwrap();
+    let short = sets.map(|set| set.replace("duration_s=0.2", "duration_s=0.02"));
+    let sealed = dropped(&VariantFile::read(&path, &short).unwrap(), 2);
+    let (drop, reasons) = sealed.succession.first("fail").unwrap();
+    assert!(
+        drop == 1 && reasons.contains("seal displaced by"),
+        "{reasons}"
+    );
     let parts = ["inner_ring", "ball", "outer_ring"];
     let mut warmed_j = 0.0;
     let mut elsewhere_w = 0.0;

@@ -110,17 +110,19 @@ fn rotor_text(study: &DropStudy) -> String {
     let (Some(rotor), Some(outcome)) = (study.drop.rotor(), &study.record.rotor) else {
         return String::new();
     };
-    let mut text = pairs(&[
-        ("rotor", format!("{} kg", significant(rotor.mass_kg(), 4))),
-        (
+    let mut lines = vec![("rotor", format!("{} kg", significant(rotor.mass_kg(), 4)))];
+    // A vertical rotor rests on a shoulder.
+    if !study.drop.is_vertical() {
+        lines.push((
             "shares of the mass at the bearings",
             format!("{} kg", listed(&rotor.mass_shares_kg())),
-        ),
-        (
-            "energy balance error of the rotor (relative)",
-            format!("{:.1e}", outcome.energy_residual_relative),
-        ),
-    ]);
+        ));
+    }
+    lines.push((
+        "energy balance error of the rotor (relative)",
+        format!("{:.1e}", outcome.energy_residual_relative),
+    ));
+    let mut text = pairs(&lines);
     if !outcome.planes.is_empty() {
         text += &format!("\n{}", columns(&table_of(&plane_records(&outcome.planes))));
     }

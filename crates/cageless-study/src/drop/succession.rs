@@ -15,6 +15,8 @@ use crate::progress::Progress;
 pub struct Succession {
     /// The records.
     pub records: Vec<Record>,
+    /// Verdict on the first drop, its planes included.
+    earliest: DropJudgement,
     /// Verdicts on the drops after the first, on one that did not complete as well.
     pub later: Vec<DropJudgement>,
     /// Why there are fewer drops than were asked for.
@@ -58,6 +60,7 @@ impl Succession {
     ) -> Result<Self, StudyError> {
         let mut done = Self::default();
         let mut warm_c = done.add(drop, first);
+        done.earliest = first.judgement();
         let mut spun_up = has_spun_up(first);
         for number in 2..=count {
             let warm = match &warm_c {
@@ -182,10 +185,14 @@ impl Succession {
     }
 
     /// The first drop with this verdict, with the reasons.
-    pub fn first(&self, verdict: &str) -> Option<(f64, String)> {
-        let mut records = self.records.iter();
-        let found = records.find(|record| record.text("verdict") == verdict)?;
-        Some((found.number("drop"), found.sentences("reasons").join("; ")))
+    pub fn first(&self, verdict: &str) -> Option<(usize, String)> {
+        let all = std::iter::once(&self.earliest).chain(&self.later);
+        // Without a row there are no drops in succession.
+        let judged = (1..).zip(all).filter(|_| !self.records.is_empty());
+        let mut found = judged.filter(|(_, judgement)| judgement.name() == verdict);
+        found
+            .next()
+            .map(|(number, judgement)| (number, judgement.reasons().join("; ")))
     }
 }
 
