@@ -44,6 +44,7 @@ fn the_server_names_what_it_can_do_beyond_the_page() {
         assert!(operations.contains(&name.into()), "{name}: {about}");
     }
     assert_eq!(about["tolerances"]["samples"], 200);
+    assert_eq!(about["runs_max"], 400);
 }
 
 #[test]

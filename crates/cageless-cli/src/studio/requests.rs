@@ -3,6 +3,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use cageless::design::search::BUDGET;
 use cageless_io::cad::{ExportError, ExportOptions, Format, export};
 use cageless_io::case_file::CaseFile;
 use cageless_live::{REQUEST_BYTES_MAX, Refusal, answer as engine_answer, answered, parsed};
@@ -78,6 +79,7 @@ fn with_operations(answer: &str) -> Option<String> {
     let operations = about.get_mut("operations")?.as_array_mut()?;
     operations.extend(OPERATIONS.map(Value::from));
     about["tolerances"] = json!(Tolerances::default());
+    about["runs_max"] = json!(BUDGET);
     Some(answer.to_string())
 }
 

@@ -70,6 +70,7 @@ class Studies {
     let about = { operations: [] };
     try { about = await this.studio.engine.request("quick", { op: "about" }); } catch { /* said elsewhere */ }
     this.able = new Set(about.operations);
+    this.runs = about.runs_max;
     for (const [name, value] of Object.entries(about.tolerances || {})) if (this.input(name)) this.input(name).value = value;
     this.show();
     return about;
@@ -78,7 +79,7 @@ class Studies {
   show() {
     const { g } = this.studio, busy = !!this.work;
     // Empty: what the case says, as for the command.
-    if (g) this.input("budget").placeholder = g.document.search.runs_max;
+    if (g) this.input("budget").placeholder = (g.document.search || {}).runs_max || this.runs || "";
     this.search.disabled = busy || !this.able.has("search") || !g || !!g.rotor;
     this.tolerance.disabled = busy || !this.able.has("tolerance") || !g || !!g.rotor || !g.raceways.length;
     this.files.forEach((file) => { file.disabled = busy || !this.able.has("export") || !g; });
