@@ -1,9 +1,10 @@
 //! Results of a design.
 
+use cageless::Case;
 use cageless::design::{
     AxialLag, ContactAngleEstimate, Judgement, Recommendation, seats, span_angle_curve,
 };
-use cageless::{Case, equilibrium};
+use cageless::equilibrium::{settle, solve};
 
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
@@ -54,7 +55,7 @@ pub fn design_record(
         .with_sentences("reasons", judgement.reasons.clone())
         .with_sentences(
             "warnings",
-            equilibrium::overload(case).into_iter().collect(),
+            settle(case).map_or(vec![], |at_rest| at_rest.warnings(case)),
         )
         .with_part("passages", passages(judgement.passages.as_ref()))
         .with_part("raceways", Part::Many(raceways.collect()))
@@ -74,7 +75,7 @@ fn contact_angle(case: &Case) -> Option<ContactAngleEstimate> {
         true => seats(case).map_or(0.0, |seats| {
             seats.iter().map(|seat| seat[1]).fold(0.0, f64::max)
         }),
-        false => equilibrium::solve(case).map_or(0.0, |e| {
+        false => solve(case).map_or(0.0, |e| {
             let most = e.outer_force_n.iter().copied().fold(0.0, f64::max);
             (most / e.outer_stiffness_n_m1_5).powf(2.0 / 3.0)
         }),

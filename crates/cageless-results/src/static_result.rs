@@ -29,8 +29,9 @@ pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
 /// Results of the static equilibrium of a case, in space where the case is not planar.
 ///
 /// # Errors
-/// The case has no equilibrium.
+/// The case has no equilibrium, or not one: its speed or load is a table over time.
 pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
+    case.check_constant_operation("a static equilibrium")?;
     Ok(static_record(case, &settle(case)?))
 }
 

@@ -147,9 +147,15 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
             .iter()
             .filter_map(|(place, p)| over_pressure(place, p.pressure_pa)),
     );
-    if let Some(space) = &summary.space {
-        warnings.extend(bearing.truncation_warnings(space.ellipse_edge_max_rad));
-    }
+    let edges_rad = match &summary.space {
+        Some(space) => Some(space.ellipse_edge_max_rad),
+        None => equilibrium::ellipse_edge_max_rad(run.case),
+    };
+    warnings.extend(
+        edges_rad
+            .into_iter()
+            .flat_map(|edges_rad| bearing.truncation_warnings(edges_rad)),
+    );
     for (place, peak) in contacts {
         if peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K {
             let limit = peak.pressure_velocity_pa_m_s / peak.flash_temperature_k

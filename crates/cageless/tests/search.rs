@@ -502,7 +502,7 @@ fn more_starts_confirm_what_is_recommended() {
     let request = Request::from_case(&case);
     let (first, confirmed) = found(&request, 0);
     let best = &first.evaluations[first.recommended.unwrap()].structure;
-    assert_eq!(confirmed, [best.clone()]);
+    assert_eq!(confirmed, std::slice::from_ref(best));
     assert_eq!(first.of_role(Role::Unconfirmed).count(), 0);
 
     let (second, confirmed) = found(&request, 2);

@@ -27,6 +27,8 @@ use std::convert::Infallible;
 use crate::case::Case;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
+use crate::flank_model::FlankModel;
+use crate::formulation::Formulation;
 pub(crate) use ball_seat::effective_radius_m;
 pub use ball_seat::{ball_outer_geometry, start_angles_rad};
 pub use error::EquilibriumError;
@@ -51,6 +53,30 @@ pub fn overload(case: &Case) -> Option<String> {
         return None;
     }
     solve(case).ok()?.overload()
+}
+
+impl SpatialEquilibrium {
+    /// What the bearing of `case` does not stand, as sentences.
+    pub fn warnings(&self, case: &Case) -> Vec<String> {
+        let overload = self.rest.overload().into_iter();
+        let edges_rad = ellipse_edge_max_rad(case).unwrap_or(self.ellipse_edge_max_rad);
+        let truncated = case.bearing.truncation_warnings(edges_rad);
+        let rows = self.rows_without_thrust(case);
+        overload.chain(truncated).chain(rows).collect()
+    }
+}
+
+/// Largest |α| + a/R to which a contact ellipse reaches at rest, inner and outer groove, rad; in the plane on flanks that
+/// yield, also where those of the case are rigid. `None` without equilibrium.
+pub fn ellipse_edge_max_rad(case: &Case) -> Option<[f64; 2]> {
+    let yielding = Case {
+        flanks: FlankModel::Elastic,
+        formulation: Formulation::Physical,
+        ..case.clone()
+    };
+    let as_it_is = case.moves_in_space() || case.raceways.is_empty();
+    let settled = settle(if as_it_is { case } else { &yielding });
+    Some(settled.ok()?.ellipse_edge_max_rad)
 }
 
 /// Solves the equilibrium of `case` with its balls at their starting angles, in the plane.

@@ -516,18 +516,8 @@ fn check(case: &Case, solved: &SpatialEquilibrium) -> Result<(), EquilibriumErro
 const LEAST_THRUST: f64 = 1e-3;
 
 impl SpatialEquilibrium {
-    /// What the bearing of `case` does not stand, as sentences.
-    pub fn warnings(&self, case: &Case) -> Vec<String> {
-        let overload = self.rest.overload().into_iter();
-        let truncated = case.bearing.truncation_warnings(self.ellipse_edge_max_rad);
-        overload
-            .chain(truncated)
-            .chain(self.rows_without_thrust(case))
-            .collect()
-    }
-
     /// Warnings of angular-contact rows that carry, but not towards their contact sign.
-    fn rows_without_thrust(&self, case: &Case) -> Vec<String> {
+    pub(super) fn rows_without_thrust(&self, case: &Case) -> Vec<String> {
         if case.bearing.contact_angle_rad() == 0.0 {
             return vec![];
         }
