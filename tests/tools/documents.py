@@ -338,9 +338,9 @@ def agree(found, stored, same_machine):
     another machine, whose last bits may differ, whether it is like it: balls that have touched move
     chaotically, so that only statistics can be compared."""
     if not isinstance(stored, list):
-        if same_machine or not isinstance(found, (int, float)):
+        if not isinstance(found, (int, float)) or not isinstance(stored, (int, float)):
             return found == stored
-        return abs(found - stored) <= max(ELSEWHERE * abs(stored), ROUNDING)
+        return abs(found - stored) <= (0 if same_machine else ELSEWHERE) * abs(stored) + ROUNDING
     if same_machine or found == stored[: len(found)]:
         return found == stored[: len(found)]
     new, old = ([v for v in values if isinstance(v, (int, float))] for values in (found, stored))

@@ -255,9 +255,9 @@ fn a_search_over_shapes_enters_the_shape_that_it_found() {
         "--set",
         "search.shapes=all",
         "--set",
-        "contact.friction_coefficient=0.1",
+        "search.half_angle_deg=[22,24]",
         "--set",
-        "search.axial_span_mm=4.8",
+        "search.axial_span_mm=5",
         "--set",
         "raceway.blend_mm=1",
     ];

@@ -5,10 +5,14 @@ use std::path::Path;
 use cageless::{Case, Formulation, FrictionLaw};
 use cageless_io::case_file::CaseFile;
 use cageless_paper::{experiment, structure, structures_of};
-fn case_of_file(name: &str) -> Case {
+
+/// Compares a case with that of a file, the outside of the ring apart: no equation of the paper has it.
+fn assert_is_of_file(mut case: Case, name: &str) {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
-    let file = CaseFile::read(&cases.join(format!("{name}.toml")), &[]);
-    file.unwrap().case().clone()
+    let file = CaseFile::read(&cases.join(format!("{name}.toml")), &[]).unwrap();
+    let outside_m = file.case().bearing.outside_radius_m();
+    case.bearing = case.bearing.with_boundary_radii(None, outside_m).unwrap();
+    assert_eq!(case, *file.case());
 }
 
 #[test]
@@ -16,18 +20,15 @@ fn structures_are_those_of_the_case_files() {
     let reading = (Formulation::Physical, FrictionLaw::Smooth);
     for (k, letter) in ('a'..='j').enumerate() {
         let case = structure(k, reading, &[]).unwrap();
-        assert_eq!(case, case_of_file(&format!("zhao-{letter}")));
+        assert_is_of_file(case, &format!("zhao-{letter}"));
     }
 }
 
 #[test]
 fn the_experiment_is_that_of_the_case_files() {
     let [conventional, discrete] = experiment().unwrap();
-    assert_eq!(
-        conventional,
-        case_of_file("experiment-3000rpm-conventional")
-    );
-    assert_eq!(discrete, case_of_file("experiment-3000rpm"));
+    assert_is_of_file(conventional, "experiment-3000rpm-conventional");
+    assert_is_of_file(discrete, "experiment-3000rpm");
 }
 
 #[test]

@@ -93,8 +93,8 @@ def test_a_search_that_was_ended_is_finished_by_the_command(
 
 
 def test_a_search_keeps_the_shape_and_the_blend() -> None:
-    case = small().replace({"raceway.blend_mm": 1.0, "contact.friction_coefficient": 0.1})
-    found = case.search(**SMALL | {"axial_span_mm": 4.8}, shapes="all")
+    case = small().replace({"raceway.blend_mm": 1.0})
+    found = case.search(**SMALL | {"axial_span_mm": 5.0, "half_angle_deg": [22.0, 24.0]}, shapes="all")
     [raceway] = found.recommended
     assert raceway.shape == found.values["recommended"]["shape"] != "quartic"
     assert found.case.raceways[0].blend_mm == 1.0

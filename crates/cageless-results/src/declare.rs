@@ -1,7 +1,5 @@
 //! Declarations of results, and the values that they share.
 
-use std::f64::consts::TAU;
-
 use crate::across::Across;
 use crate::cell::Cell;
 use crate::kind::Kind;
@@ -124,10 +122,6 @@ pub(crate) const fn high(mut quantity: Quantity) -> Quantity {
 
 pub(crate) fn flagged(value: Option<bool>) -> Cell {
     value.map_or(Cell::Null, |value| Cell::Integer(i64::from(value)))
-}
-
-pub(crate) fn rpm(speed_rad_s: f64) -> f64 {
-    speed_rad_s * 60.0 / TAU
 }
 
 pub(crate) fn some(value: f64) -> Cell {

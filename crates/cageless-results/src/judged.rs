@@ -2,8 +2,8 @@
 
 use cageless::verification::{Convergence, Judgement};
 
-use crate::declare::rpm;
 use crate::number_text::rounded;
+use crate::unit::{printed, unit_text};
 
 /// Name, label and unit of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,30 +20,6 @@ impl Named {
     /// The unit with its symbols.
     pub fn unit_text(&self) -> String {
         unit_text(self.unit)
-    }
-}
-
-/// A unit with its symbols.
-pub fn unit_text(unit: &str) -> String {
-    match unit {
-        "deg" => "°".to_owned(),
-        "C" => "°C".to_owned(),
-        "um" => "µm".to_owned(),
-        "us" => "µs".to_owned(),
-        "m/s^2" => "m/s²".to_owned(),
-        unit => unit.replace(' ', "·"),
-    }
-}
-
-/// Factor and unit for readers of values in a unit with its symbols: one unit for pressures, one for torques, one for
-/// speeds of rotation.
-pub(crate) fn printed(unit: &str) -> (f64, String) {
-    match unit {
-        "N·m" => (1e3, "N·mm".to_owned()),
-        "N/m" => (1e-6, "N/µm".to_owned()),
-        "Mrev" => (1.0, "million revolutions".to_owned()),
-        "rad/s" => (rpm(1.0), "rpm".to_owned()),
-        unit => (1.0, unit.to_owned()),
     }
 }
 

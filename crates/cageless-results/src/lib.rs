@@ -32,6 +32,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 mod tolerance_result;
+mod unit;
 mod verification_result;
 mod view;
 
@@ -42,7 +43,7 @@ pub use design_result::{Recommended, axial_record, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
-pub use judged::{JudgedResult, Named, VerifiedDrop, unit_text};
+pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
 pub use place::result_at;
 pub use provenance::{Provenance, instruction_set, provenance, software};
@@ -65,5 +66,6 @@ pub use table::{
     of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
+pub use unit::unit_text;
 pub use verification_result::{step_warning, verification_record};
 pub use view::{heading, table_of, table_of_judgements};

@@ -3,10 +3,11 @@
 use crate::Cell;
 use crate::across::Across;
 use crate::computation::Computation;
-use crate::judged::{Named, printed};
+use crate::judged::Named;
 use crate::kind::Kind;
 use crate::number_text::significant;
 use crate::source::{Source, Subject};
+use crate::unit::printed;
 
 /// A scalar result.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Records as tables for readers.
 
-use crate::judged::printed;
+use crate::unit::printed;
 use crate::{Cell, Quantity, Record, value_text};
 
 /// Label and unit of a result at the head of a column.

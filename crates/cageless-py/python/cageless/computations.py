@@ -138,7 +138,7 @@ class Computations(Document):
             >>> case = cageless.Case.from_toml(cageless.template())
             >>> case.search(runs_max=1)
             Traceback (most recent call last):
-            cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 32 or more with ...
+            cageless.errors.InputError: search.runs_max = 1 is not possible: it must be a whole number, 32 or more
         """
         changes = {f"search.{key}": value for key, value in asked.items() if value is not None}
         file = (self.replace(changes) if changes else self)._file

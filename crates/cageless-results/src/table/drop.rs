@@ -13,6 +13,7 @@ use crate::kind::Kind;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::{Drop, Plane, RotorDrop, Succession};
+use crate::unit::rpm;
 
 /// Results of a drop onto one bearing.
 #[rustfmt::skip]

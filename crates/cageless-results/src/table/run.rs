@@ -15,6 +15,7 @@ use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::{Run, Vibration};
+use crate::unit::rpm;
 
 /// Results of a run.
 #[rustfmt::skip]

@@ -9,6 +9,7 @@ use crate::quantity::Quantity;
 use crate::source::Source::{
     Map, Motion, Paper, Placement, Point, Rejection, Search, Structure, StructureAt,
 };
+use crate::unit::rpm;
 use crate::{AtPoint, SearchedPlacement};
 
 /// The search as a whole.

@@ -14,6 +14,7 @@ use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::Static;
+use crate::unit::rpm;
 
 /// Results of a static equilibrium, with the ratings of the bearing.
 #[rustfmt::skip]

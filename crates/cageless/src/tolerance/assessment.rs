@@ -104,7 +104,7 @@ pub struct Samples {
 pub const PASS_FRACTION: f64 = 0.95;
 
 impl Samples {
-    /// Whether [`PASS_FRACTION`] of all bearings pass; `None` where the interval leaves it open.
+    /// Whether 95 % of all bearings pass; `None` where the interval leaves it open.
     pub fn passes(&self) -> Option<bool> {
         match self.pass_probability_interval {
             [low, _] if low >= PASS_FRACTION => Some(true),

@@ -459,19 +459,30 @@ fn push_ball(
     solved.outer_contact_angle_rad.push(outer_angle);
     let orbit = orbit_speed_in_space_rad_s(bearing, speed, arms, rolling_angle);
     solved.orbit_speed_rad_s.push(orbit);
-    if ball.planar {
-        return None;
-    }
-    let outer = contacts.iter();
-    let outer = outer.map(|c| (1, c.angle_rad, at_outer(c.angle_rad, force * c.share)));
+    let outer: Vec<(usize, f64, RacewayContact)> = match ball.planar {
+        // One of two points, at the angle of the ball on its flanks.
+        true => {
+            let angle_rad = (arms[0] / ball.radius_m).min(1.0).acos();
+            let contact = solved.rest.outer_contact.last().copied();
+            let loaded = contact.filter(|_| resultant_n > 0.0);
+            loaded.map(|c| (1, angle_rad, c)).into_iter().collect()
+        }
+        false => contacts
+            .iter()
+            .map(|c| (1, c.angle_rad, at_outer(c.angle_rad, force * c.share)))
+            .collect(),
+    };
     let inner = (inner_force > 0.0).then(|| (0, inner_angle, at_inner(inner_angle, inner_force)));
-    outer
+    let beyond = outer
+        .into_iter()
         .chain(inner)
         .fold(None, |beyond, (ring, angle_rad, contact)| {
             let edge = &mut solved.ellipse_edge_max_rad[ring];
             *edge = edge.max(angle_rad.abs() + contact.semi_axes_m[1] / ball.radius_m);
             beyond.or(bearing.beyond_groove(number, ring, angle_rad))
-        })
+        });
+    // In the plane nothing presses a ball over a shoulder.
+    beyond.filter(|_| !ball.planar)
 }
 
 /// The Hessian over (X, Y, Z, −q, p).
