@@ -30,7 +30,7 @@ fn no_step_is_asked_for_without_motion() {
     }
 }
 
-/// Of a speed or load over time there is no one equilibrium, in the plane as in space.
+/// `static` refuses a speed or load over time, in the plane and in space.
 #[test]
 fn a_table_over_time_has_no_equilibrium() {
     let case = repository_case("zhao-d.toml");

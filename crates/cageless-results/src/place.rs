@@ -2,37 +2,10 @@
 
 use crate::record::Shape;
 use crate::table::{
-    CONTACT_ANGLE, CURVE, DEFECTS, DESIGN, DISTANCE, DROP, DROP_VERIFICATION, FIT, GROOVE,
-    JUDGEMENT, LUBRICATION, PASSAGES, PLANE, PROFILE, RACEWAY, RECOMMENDATION, ROTOR_DROP,
-    ROTOR_VERIFICATION, RUN, SLOT, SPACE, STATIC, SUCCESSION, VERDICT, VERIFICATION, VERIFIED,
+    ANYWHERE, DISTANCE, DROP_VERIFICATION, JUDGEMENT, PLANE, ROTOR_VERIFICATION, SUCCESSION,
+    VERIFICATION, VERIFIED,
 };
-use crate::{AXIAL, Quantity, SEARCH_SHAPE, TOLERANCE_SHAPE};
-
-/// Tables whose names mean the same wherever they stand in results of static equilibrium, design, run and drop.
-const ANYWHERE: [&[Quantity]; 22] = [
-    STATIC,
-    DEFECTS,
-    FIT,
-    LUBRICATION,
-    SPACE,
-    DESIGN,
-    CONTACT_ANGLE,
-    PROFILE,
-    GROOVE,
-    SLOT,
-    AXIAL,
-    VERDICT,
-    PASSAGES,
-    RACEWAY,
-    RECOMMENDATION,
-    CURVE,
-    RUN,
-    DROP,
-    ROTOR_DROP,
-    SUCCESSION,
-    VERIFICATION,
-    DROP_VERIFICATION,
-];
+use crate::{Quantity, SEARCH_SHAPE, TOLERANCE_SHAPE};
 
 /// The result at `path`, the names from the top of the document `kind` (`tolerance` of `tolerance.json`) to its own;
 /// `None` where something else stands there.
@@ -47,7 +20,14 @@ pub fn result_at(kind: &str, path: &[&str]) -> Option<&'static Quantity> {
         _ if path.contains(&"planes") => PLANE.iter().find(named),
         _ if path.contains(&"numbers") => JUDGEMENT.iter().find(named),
         _ => {
-            let more = [ROTOR_VERIFICATION, VERIFIED, DISTANCE];
+            let more = [
+                SUCCESSION,
+                VERIFICATION,
+                DROP_VERIFICATION,
+                ROTOR_VERIFICATION,
+                VERIFIED,
+                DISTANCE,
+            ];
             ANYWHERE.into_iter().chain(more).flatten().find(named)
         }
     }

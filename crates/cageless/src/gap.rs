@@ -199,7 +199,7 @@ mod tests {
     use crate::dynamics::coordinates::BallCoordinate;
     use crate::dynamics::layout::Layout;
 
-    /// Of directions with any lengths, up to a tangent of 0.2 either way; not of the opposite.
+    /// The series has the angle between directions of any length up to a tangent of 0.2, and none beyond.
     #[test]
     fn small_angles_are_those_of_the_series() {
         let far = |angle_rad: f64, length: f64| Direction {

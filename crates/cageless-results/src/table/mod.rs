@@ -26,28 +26,32 @@ pub use verification::{
     DISTANCE, DROP_VERIFICATION, JUDGEMENT, ROTOR_VERIFICATION, VERIFICATION, VERIFIED,
 };
 
+/// Tables whose names mean the same wherever they stand in results of static equilibrium, design, run and drop.
+pub(crate) const ANYWHERE: [&[Quantity]; 19] = [
+    STATIC,
+    DEFECTS,
+    FIT,
+    LUBRICATION,
+    SPACE,
+    DESIGN,
+    CONTACT_ANGLE,
+    PROFILE,
+    GROOVE,
+    SLOT,
+    AXIAL,
+    VERDICT,
+    PASSAGES,
+    RACEWAY,
+    RECOMMENDATION,
+    CURVE,
+    RUN,
+    DROP,
+    ROTOR_DROP,
+];
+
 /// All scalar results, in the order of keys, columns and tables.
 pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
-    let all = [
-        STATIC,
-        DEFECTS,
-        FIT,
-        LUBRICATION,
-        SPACE,
-        DESIGN,
-        CONTACT_ANGLE,
-        PROFILE,
-        GROOVE,
-        SLOT,
-        AXIAL,
-        VERDICT,
-        PASSAGES,
-        RACEWAY,
-        RECOMMENDATION,
-        CURVE,
-        RUN,
-        DROP,
-        ROTOR_DROP,
+    let more = [
         PLANE,
         SUCCESSION,
         SEARCH,
@@ -71,7 +75,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         JUDGEMENT,
         DISTANCE,
     ];
-    all.into_iter().flatten()
+    ANYWHERE.into_iter().chain(more).flatten()
 }
 
 /// Scalar results of a kind of result: `static`, `design` with its verdict, `run` or `drop`.

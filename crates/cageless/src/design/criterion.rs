@@ -58,7 +58,7 @@ impl Criterion {
         }
     }
 
-    /// The same criterion with another value.
+    /// A criterion of the same kind with this value.
     pub(super) fn with_value(self, value: f64) -> Self {
         match self {
             Self::Pressure(_) => Self::Pressure(value),
