@@ -19,7 +19,7 @@ crate::named_enum! {
 impl Assembly {
     /// Way of a radial bearing of which none is given: through a slot where more balls are to go in
     /// than eccentric rings take.
-    pub(crate) fn of(balls: usize, ball_radius_m: f64, pitch_radius_m: f64) -> Self {
+    pub fn of(balls: usize, ball_radius_m: f64, pitch_radius_m: f64) -> Self {
         let ball_angle = 2.0 * (ball_radius_m / pitch_radius_m).asin();
         let filled = (balls - 1) as f64 * ball_angle;
         if filled > ECCENTRIC_FILLING_MAX_RAD {

@@ -172,6 +172,12 @@ impl Bearing {
         bore_m.or(self.bore.map(|bore| bore.radius_m))
     }
 
+    /// d/2, or [the estimate](BearingDimensions::bore_radius_estimate_m), m.
+    pub fn bore_radius_or_estimate_m(&self) -> f64 {
+        self.bore_radius_m()
+            .unwrap_or_else(|| self.dimensions.bore_radius_estimate_m())
+    }
+
     /// D/2, where given.
     pub fn outside_radius_m(&self) -> Option<f64> {
         self.boundary_radii_m[1]

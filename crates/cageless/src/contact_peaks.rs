@@ -49,12 +49,23 @@ pub struct ContactPeaks {
     pub balls: ContactPeak,
 }
 
+impl ContactPeaks {
+    /// Largest Hertz pressure of all, Pa.
+    pub fn pressure_max_pa(&self) -> f64 {
+        let all = [self.inner, self.outer, self.balls];
+        all.iter()
+            .fold(0.0, |most, peak| most.max(peak.pressure_pa))
+    }
+}
+
 /// Point of contact `P` with the sliding speed at the same time.
 #[derive(Debug, Clone, Copy)]
 struct Sample<P> {
     rank: f64,
     point: P,
     sliding_m_s: f64,
+    /// ωi at its time over the largest.
+    speed_ratio: f64,
 }
 
 /// Largest force of a ball, and largest force and pressure times sliding speed of a point of contact.
@@ -94,7 +105,12 @@ impl<P: Copy> Largest<P> {
     /// Takes a contact under `force_n` of which `point` is the most loaded one and ranks by its
     /// force, `point_n`. Pressure grows with F^(1/3), so that F·|ΔV|³ ranks pressure times sliding speed.
     #[inline]
-    fn add(&mut self, force_n: f64, (point, point_n): (P, f64), sliding_m_s: f64) {
+    fn add(
+        &mut self,
+        force_n: f64,
+        (point, point_n): (P, f64),
+        [sliding_m_s, speed_ratio]: [f64; 2],
+    ) {
         self.force_n = self.force_n.max(force_n);
         let speed = sliding_m_s.abs();
         for (largest, rank) in [
@@ -106,6 +122,7 @@ impl<P: Copy> Largest<P> {
                     rank,
                     point,
                     sliding_m_s,
+                    speed_ratio,
                 });
             }
         }
@@ -118,7 +135,7 @@ impl<P: Copy> Largest<P> {
     }
 
     /// Peaks with pressure and semi-axis in the direction of rolling of a point, and surfaces of
-    /// which one moves at `surface_m_s` past the contact.
+    /// which one moves at `surface_m_s` past the contact at the largest speed of the inner ring.
     fn peak(
         &self,
         friction_coefficient: f64,
@@ -129,8 +146,12 @@ impl<P: Copy> Largest<P> {
             return ContactPeak::default();
         };
         let Sample {
-            point, sliding_m_s, ..
+            point,
+            sliding_m_s,
+            speed_ratio,
+            ..
         } = self.sliding.unwrap_or(load);
+        let surface_m_s = speed_ratio * surface_m_s;
         let sliding = contact(point);
         ContactPeak {
             force_n: self.force_n,
@@ -188,10 +209,10 @@ impl ContactPeakTracker {
         }
     }
 
-    /// Takes the contacts of the balls with the raceways.
-    pub fn look(&mut self, contacts: &Contacts<'_>) {
+    /// Takes the contacts of the balls with the raceways, at this ωi over the largest.
+    pub fn look(&mut self, contacts: &Contacts<'_>, speed_ratio: f64) {
         if contacts.are_in_space() || !self.edges.is_empty() {
-            return (0..contacts.balls()).for_each(|k| self.look_at(contacts, k));
+            return (0..contacts.balls()).for_each(|k| self.look_at(contacts, k, speed_ratio));
         }
         let (inner, outer) = (
             self.inner.bounds(),
@@ -210,33 +231,38 @@ impl ContactPeakTracker {
                 | ((effective < radius) & outer_exceeds(outer[1], 2.0 * effective))
                 | (!(effective < radius) & outer_exceeds(outer[0], radius))
         };
-        contacts.balls_where(&may_exceed, |k| self.look_at(contacts, k));
+        contacts.balls_where(&may_exceed, |k| self.look_at(contacts, k, speed_ratio));
     }
 
     /// Takes the contacts of a ball with the raceways.
-    fn look_at(&mut self, contacts: &Contacts<'_>, k: usize) {
+    fn look_at(&mut self, contacts: &Contacts<'_>, k: usize, speed_ratio: f64) {
         if let Some(ball) = contacts.in_space(k) {
             self.ellipse_edges.look(contacts.radius_m(k), &ball);
         }
         let force_n = contacts.inner_force_n(k);
         if force_n > 0.0 {
             let point = contacts.inner_point(k);
-            let sliding_m_s = contacts.inner_sliding_m_s(k);
-            self.inner.add(force_n, (point, point.force_n), sliding_m_s);
+            let sliding = [contacts.inner_sliding_m_s(k), speed_ratio];
+            self.inner.add(force_n, (point, point.force_n), sliding);
         }
         let force_n = contacts.outer_force_n(k);
         if force_n > 0.0 {
             let point = contacts.outer_point(k);
-            let sliding_m_s = contacts.outer_sliding_m_s(k);
-            if !self.add_edge(contacts, k, point.force_n) {
+            let sliding = [contacts.outer_sliding_m_s(k), speed_ratio];
+            if !self.add_edge(contacts, k, (point.force_n, sliding)) {
                 let largest = &mut self.outer[usize::from(point.cosine < 1.0)];
-                largest.add(force_n, (point, point.force_n), sliding_m_s);
+                largest.add(force_n, (point, point.force_n), sliding);
             }
         }
     }
 
     /// Takes the more loaded edge at a ball in a slot, which carries `point_n`; whether it is in one.
-    fn add_edge(&mut self, contacts: &Contacts<'_>, k: usize, point_n: f64) -> bool {
+    fn add_edge(
+        &mut self,
+        contacts: &Contacts<'_>,
+        k: usize,
+        (point_n, sliding): (f64, [f64; 2]),
+    ) -> bool {
         if self.edges.is_empty() {
             return false;
         }
@@ -250,8 +276,7 @@ impl ContactPeakTracker {
             .slot()
             .map_or(1.0, |slot| slot.pressure_ratio(local));
         let point = ((point_n, local), point_n * ratio.powi(3));
-        let sliding_m_s = contacts.outer_sliding_m_s(k);
-        largest.add(contacts.outer_force_n(k), point, sliding_m_s);
+        largest.add(contacts.outer_force_n(k), point, sliding);
         true
     }
 
@@ -261,17 +286,17 @@ impl ContactPeakTracker {
     }
 
     /// Takes the contacts between balls, which last some tens of microseconds.
-    pub fn look_between_balls(&mut self, contacts: &Contacts<'_>) {
+    pub fn look_between_balls(&mut self, contacts: &Contacts<'_>, speed_ratio: f64) {
         for k in 0..contacts.balls() {
             let force_n = contacts.pair_force_n(k);
             if force_n > 0.0 {
-                let sliding_m_s = contacts.pair_sliding_m_s(k);
-                self.balls.add(force_n, (force_n, force_n), sliding_m_s);
+                let sliding = [contacts.pair_sliding_m_s(k), speed_ratio];
+                self.balls.add(force_n, (force_n, force_n), sliding);
             }
         }
     }
 
-    /// The peaks so far. Surfaces pass the contacts at the speeds of rolling.
+    /// The peaks so far. Surfaces pass the contacts at the speeds of rolling of the time of each.
     pub fn peaks(&self, case: &Case) -> ContactPeaks {
         let bearing = &case.bearing;
         let orbit = case.rolling_orbit_speed_rad_s();
@@ -280,7 +305,7 @@ impl ContactPeakTracker {
         let friction = contact.friction.coefficient;
         let outer_friction = friction * contact.outer_friction_factor;
         let ball_friction = friction * contact.ball_friction_factor;
-        let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;
+        let inner_m_s = (case.largest_inner_speed_rad_s() - orbit) * d.inner_groove_bottom_radius_m;
         let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
         let ball_m_s = rolling_rotation_rad_s(bearing, orbit, d.ball_radius_m) * d.ball_radius_m;
         let inner = |point| RacewayContact::inner(bearing, point);
@@ -320,7 +345,7 @@ mod tests {
     fn a_product_is_that_of_one_contact() {
         let mut largest = Largest::none();
         for (force_n, sliding_m_s) in [(1000.0, 0.1), (8.0, 2.0), (27.0, -1.5), (1.0, 3.5)] {
-            largest.add(force_n, (force_n, force_n), sliding_m_s);
+            largest.add(force_n, (force_n, force_n), [sliding_m_s, 1.0]);
         }
         let peak = largest.peak(0.1, contact, 10.0);
         assert_eq!(peak.force_n, 1000.0);
@@ -338,12 +363,24 @@ mod tests {
         );
     }
 
+    /// Surfaces pass the contact at the speed of its time: a quarter of the largest here.
+    #[test]
+    fn a_flash_temperature_is_that_of_its_time() {
+        let mut largest = Largest::none();
+        largest.add(27.0, (27.0, 27.0), [-1.5, 0.25]);
+        let found = largest.peak(0.1, contact, 10.0).flash_temperature_k;
+        let roots = 4f64.sqrt() - 2.5f64.sqrt();
+        let load = std::f64::consts::FRAC_PI_2 * 3e9 * 1e-4;
+        let expected = 1.11 * 0.1 * load * roots / (12_888.0 * 2e-4f64.sqrt());
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    }
+
     /// Where two points share a contact, the force is that of the ball, all else of one point.
     #[test]
     fn a_shared_force_ranks_by_one_point() {
         let mut largest = Largest::none();
-        largest.add(1000.0, (400.0, 400.0), 1.0);
-        largest.add(900.0, (450.0, 450.0), 1.0);
+        largest.add(1000.0, (400.0, 400.0), [1.0; 2]);
+        largest.add(900.0, (450.0, 450.0), [1.0; 2]);
         let peak = largest.peak(0.1, contact, 10.0);
         assert_eq!(peak.force_n, 1000.0);
         assert_eq!(peak.pressure_pa, 1e9 * 450f64.cbrt());

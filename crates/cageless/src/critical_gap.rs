@@ -21,6 +21,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::equilibrium::{self, EquilibriumError};
+use crate::formulation::Formulation;
 use crate::numerics::root::{self, Rise};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, StepView, Stop, run,
@@ -63,6 +64,32 @@ pub struct PairTest {
     pub coulomb_step_max_s: f64,
 }
 
+/// Balls beside the pair stand off by this much in verdict and search, or a deep raceway would be measured by how
+/// they push the pair together.
+pub const NEIGHBOURS_WIDER: f64 = 1.4;
+/// Upper end of the critical gaps that verdict and search resolve, as a multiple of the steady gap: balls collide
+/// above.
+pub const CROWDED_MAX: f64 = 1.5;
+/// Error of these critical gaps: a tenth of what choices of the experiment move them by.
+const GAP_TOLERANCE_RAD: f64 = 2e-5;
+
+impl PairTest {
+    /// The critical gap of verdict and search, of a row and raceways whose steady gap of rolling is `steady_gap_rad`;
+    /// in the `paper` formulation the neighbours stand as evenly as in the paper.
+    pub fn of_raceways(case: &Case, row: usize, steady_gap_rad: f64) -> Self {
+        Self {
+            row,
+            neighbours_wider: match case.formulation {
+                Formulation::Paper => 1.0,
+                Formulation::Physical => NEIGHBOURS_WIDER,
+            },
+            tolerance_rad: GAP_TOLERANCE_RAD,
+            gap_max_rad: Some(CROWDED_MAX * steady_gap_rad),
+            ..Self::default()
+        }
+    }
+}
+
 impl Default for PairTest {
     /// Pair from ψ = −90°, contact by angle, the other spacings equal, ring in equilibrium.
     fn default() -> Self {
@@ -84,7 +111,7 @@ impl Default for PairTest {
 pub enum CriticalGapError {
     /// The case is impossible or has no equilibrium.
     #[error(transparent)]
-    Case(#[from] EquilibriumError),
+    Case(EquilibriumError),
     /// The run left the physical range.
     #[error("at t = {:.6} s {}: {}", .0.time_s, .0.cause, .0.advice())]
     Stopped(Stop),
@@ -100,6 +127,15 @@ pub enum CriticalGapError {
     /// The gap closes from every starting gap.
     #[error("balls touch in the raceway whatever their spacing on entry")]
     AlwaysCloses,
+}
+
+impl From<EquilibriumError> for CriticalGapError {
+    fn from(error: EquilibriumError) -> Self {
+        match error {
+            EquilibriumError::Interrupted => Self::Interrupted,
+            error => Self::Case(error),
+        }
+    }
 }
 
 /// Gap read at the entrance and the smallest after it, for one starting gap.
@@ -163,6 +199,31 @@ impl Observer for PairWatch {
     }
 }
 
+/// ψ of the trailing ball at the start, from the middle of the raceway.
+fn trailing_rad(case: &Case, test: &PairTest, start_gap: f64) -> f64 {
+    let half_angle = case.raceways[0].half_angle_rad();
+    let before = half_angle + case.bearing.ball_angle_rad() + start_gap;
+    test.trailing_start_rad.min(-before - 5f64.to_radians())
+}
+
+/// Step of the passages of a pair.
+fn step_s(case: &Case, test: &PairTest) -> f64 {
+    match case.contact.friction_law.sticks() {
+        true => case.solver.step_s.min(test.coulomb_step_max_s),
+        false => case.solver.step_s,
+    }
+}
+
+/// Steps that the critical gap of the case's first raceway takes as a rule; 0 without one.
+pub fn pair_steps(case: &Case, test: &PairTest) -> f64 {
+    let Some(raceway) = case.raceways.first() else {
+        return 0.0;
+    };
+    let gap = case.bearing.nominal_gap_rad();
+    let way_rad = raceway.half_angle_rad() - trailing_rad(case, test, gap);
+    PASSAGES * way_rad / case.rolling_orbit_speed_rad_s() / step_s(case, test)
+}
+
 /// One passage of the pair with gap `start_gap` at the start; `control` is called with the fraction
 /// of the passage that is done.
 fn pass(
@@ -191,9 +252,7 @@ fn pass(
     }
     let centre = raceway.dimensions().centre_angle_rad;
     let half_angle = raceway.half_angle_rad();
-    let trailing = test
-        .trailing_start_rad
-        .min(-(half_angle + bearing.ball_angle_rad() + start_gap) - 5f64.to_radians());
+    let trailing = trailing_rad(case, test, start_gap);
     // Without clearance the balls start on Rm and the ring where it settles: nothing is pressed in
     // further than by the deflection. With clearance balls on Rm would be pressed into a settled ring
     // by half of it, and with interference they are pressed into both rings, so they start settled,
@@ -209,9 +268,7 @@ fn pass(
         start: Start::new(state, Gaps::List(gaps), centre + trailing),
         ..case.clone()
     };
-    if case.contact.friction_law.sticks() {
-        case.solver.step_s = case.solver.step_s.min(test.coulomb_step_max_s);
-    }
+    case.solver.step_s = step_s(&case, test);
     // A sliding ball may need more than the time of pure rolling; thrice is enough.
     let rolling_s = (half_angle - trailing) / case.rolling_orbit_speed_rad_s();
     case.solver.duration_s = 3.0 * rolling_s;

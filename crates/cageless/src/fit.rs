@@ -1,7 +1,8 @@
-//! Fits and temperatures of a mounted bearing, and the radial internal clearance that they leave.
+//! Fits, temperatures and speed of a mounted bearing, and the radial internal clearance that they leave.
 //!
 //! Rings, shaft and housing are thick-walled cylinders (Lamé), the rings up to the bottom of their grooves;
-//! temperatures are uniform in each part. The clearance that a bearing is bought with holds at 20 °C.
+//! temperatures are uniform in each part. Inner ring and shaft grow by their rotation. The clearance that a bearing is
+//! bought with holds at 20 °C and at rest.
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
@@ -13,7 +14,7 @@
 //!     shaft_interference_m: 10e-6,
 //!     ..Fit::default()
 //! };
-//! let clearance = fit.operating_clearance(&dimensions, &common::steel().into())?;
+//! let clearance = fit.operating_clearance(&dimensions, &common::steel().into(), 0.0)?;
 //! // A solid shaft of the same steel: d/Di of the interference.
 //! let expected = 10e-6 * 30.0 / 36.48;
 //! assert!((clearance.shaft_reduction_m / expected - 1.0).abs() < 1e-9);
@@ -24,6 +25,7 @@ use crate::bearing::BearingDimensions;
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive, require};
 use crate::material::{Material, Materials, check_poisson_ratio};
+use crate::rotating_ring::rotating_growth_m;
 
 /// Temperature at which clearance and interferences are stated, °C (ISO 1).
 pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
@@ -31,6 +33,9 @@ pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
 pub const STEEL_EXPANSION_PER_K: f64 = 12.5e-6;
 /// Largest coefficient of thermal expansion, 1/K: plastics have 2e-4.
 const EXPANSION_MAX_PER_K: f64 = 1e-3;
+/// Highest temperature of bearing steel, °C: what is stabilised for more is no common bearing, and every room is
+/// warmer in K.
+const STEEL_MAX_C: f64 = 290.0;
 /// Absolute zero, °C.
 const ABSOLUTE_ZERO_C: f64 = -273.15;
 /// Largest gain of clearance over the diameter of the inner groove. A loss is limited by the contacts
@@ -80,12 +85,12 @@ pub struct Fit {
     pub housing_expansion_per_k: Option<f64>,
 }
 
-/// What fits and temperatures make of the radial internal clearance, m on the diameter.
+/// What fits, temperatures and speed make of the radial internal clearance, m on the diameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OperatingClearance {
-    /// Gr of the bearing by itself at 20 °C.
+    /// Gr of the bearing by itself at 20 °C and at rest.
     pub initial_m: f64,
-    /// Interference of shaft and bore at their temperatures; 0 or below: a gap, without effect.
+    /// Interference of shaft and bore at their temperatures and speed; 0 or below: a gap, without effect.
     pub shaft_interference_m: f64,
     /// Interference of outer ring and housing at their temperatures.
     pub housing_interference_m: f64,
@@ -95,6 +100,8 @@ pub struct OperatingClearance {
     pub housing_reduction_m: f64,
     /// Change of the clearance by the thermal expansion of free rings and balls.
     pub thermal_change_m: f64,
+    /// Expansion of the inner raceway by the rotation of a free inner ring.
+    pub speed_reduction_m: f64,
     /// Pressure between shaft and bore, Pa.
     pub shaft_pressure_pa: f64,
     /// Pressure between outer ring and housing, Pa.
@@ -113,7 +120,10 @@ impl OperatingClearance {
 
     /// Clearance in operation less that of the bearing by itself.
     pub fn change_m(&self) -> f64 {
-        self.thermal_change_m - self.shaft_reduction_m - self.housing_reduction_m
+        self.thermal_change_m
+            - self.shaft_reduction_m
+            - self.housing_reduction_m
+            - self.speed_reduction_m
     }
 }
 
@@ -147,7 +157,11 @@ fn free_side_m(pressure_pa: f64, near: f64, far: f64, youngs_modulus_pa: f64) ->
 }
 
 impl Fit {
-    /// The clearance of a bearing that is mounted like this.
+    /// The clearance of a bearing that is mounted like this, at a speed of its inner ring.
+    ///
+    /// Ring and shaft grow by their rotation as free rings, the shaft with the E/ρ of the ring; the fit takes what is
+    /// left of the interference. Without a bore in the fit, that of the ring is
+    /// [the estimate](BearingDimensions::bore_radius_estimate_m).
     ///
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be: a diameter that is needed and left out
@@ -157,6 +171,7 @@ impl Fit {
         &self,
         dimensions: &BearingDimensions,
         materials: &Materials,
+        inner_speed_rad_s: f64,
     ) -> Result<OperatingClearance, InputError> {
         let ring = (
             materials.ring.youngs_modulus_pa,
@@ -169,6 +184,7 @@ impl Fit {
         .map(|radius| 2.0 * radius);
         let ball_m = 2.0 * dimensions.ball_radius_m;
         self.check(inner_m, outer_m)?;
+        self.check_steel(materials)?;
 
         let warmer = |given: Option<f64>, otherwise: f64| {
             given.map_or(otherwise, |t| t - REFERENCE_TEMPERATURE_C)
@@ -204,9 +220,26 @@ impl Fit {
         let shaft = solid(self.shaft_youngs_modulus_pa, self.shaft_poisson_ratio);
         let housing = solid(self.housing_youngs_modulus_pa, self.housing_poisson_ratio);
 
+        let bore_m =
+            (self.bore_diameter_m).unwrap_or_else(|| 2.0 * dimensions.bore_radius_estimate_m());
+        let ring_growth_m = |at_m| {
+            let diameters = [bore_m, inner_m];
+            rotating_growth_m(&materials.ring, inner_speed_rad_s, diameters, at_m)
+        };
+        // Steel, aluminium and titanium have the same E/ρ within a third.
+        let turning_shaft = Material {
+            poisson_ratio: shaft.1,
+            ..materials.ring
+        };
+        let shaft_growth_m = |bore| {
+            let diameters = [self.shaft_bore_diameter_m, bore];
+            rotating_growth_m(&turning_shaft, inner_speed_rad_s, diameters, bore)
+        };
         let on_shaft = self.bore_diameter_m.map(|bore| {
-            let interference =
-                self.shaft_interference_m + bore * (shaft_per_k * shaft_k - ring_per_k * inner_k);
+            let interference = self.shaft_interference_m
+                + bore * (shaft_per_k * shaft_k - ring_per_k * inner_k)
+                + shaft_growth_m(bore)
+                - ring_growth_m(bore);
             let diameters = [self.shaft_bore_diameter_m, bore, inner_m];
             let pressure = pressure_pa(interference, diameters, [shaft, ring]);
             let growth = free_side_m(pressure, bore, inner_m, ring.0);
@@ -233,6 +266,7 @@ impl Fit {
             shaft_reduction_m,
             housing_reduction_m,
             thermal_change_m: rings - 2.0 * ball_m * ball_per_k * ball_k,
+            speed_reduction_m: ring_growth_m(inner_m),
             shaft_pressure_pa,
             housing_pressure_pa,
             parts_c: [inner_k, ball_k, outer_k].map(|k| REFERENCE_TEMPERATURE_C + k),
@@ -243,6 +277,30 @@ impl Fit {
                     diameter of the inner groove";
         require("fit", strain_m, strain_m <= STRAIN_MAX * inner_m, rule)?;
         Ok(found)
+    }
+
+    /// Refuses steel that is no longer hard, and temperatures in K.
+    fn check_steel(&self, materials: &Materials) -> Result<(), InputError> {
+        let [ring, ball] = [&materials.ring, &materials.ball].map(Material::is_steel);
+        let why = "bearing steel softens above; 293 K are 20 °C";
+        for (is_steel, field, value) in [
+            (
+                ring,
+                "inner_ring_temperature_c",
+                self.inner_ring_temperature_c,
+            ),
+            (
+                ring,
+                "outer_ring_temperature_c",
+                self.outer_ring_temperature_c,
+            ),
+            (ball, "ball_temperature_c", self.ball_temperature_c),
+        ] {
+            if let Some(value) = value.filter(|_| is_steel) {
+                Allowed::AtMost(STEEL_MAX_C, why).check(field, value)?;
+            }
+        }
+        Ok(())
     }
 
     fn check(&self, inner_m: f64, outer_m: f64) -> Result<(), InputError> {

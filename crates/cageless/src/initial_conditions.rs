@@ -13,12 +13,15 @@
 //! ```
 
 use crate::case::{Case, StartState, Tilt};
+use crate::control::Control;
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
-use crate::equilibrium::space::SpatialEquilibrium;
-use crate::equilibrium::{self, EquilibriumError, effective_radius_m, start_angles_rad};
+use crate::equilibrium::space::{self, SpatialEquilibrium};
+use crate::equilibrium::{
+    self, EquilibriumError, effective_radius_m, settle_controlled, start_angles_rad,
+};
 use crate::formulation::Formulation;
 use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
@@ -36,6 +39,17 @@ use crate::step_limits;
 /// # Errors
 /// The case is impossible, has no equilibrium, or one in which balls overlap.
 pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError> {
+    initial_state_controlled(case, &mut || Control::Continue(()))
+}
+
+/// [`initial_state`], with `control` called before every place of the ring that is tried.
+///
+/// # Errors
+/// Those of [`initial_state`], or `control` ended the search.
+pub fn initial_state_controlled(
+    case: &Case,
+    control: &mut dyn FnMut() -> Control,
+) -> Result<(State, Vec<f64>), EquilibriumError> {
     step_limits::check(case)?;
     case.check_motion()?;
     let bearing = &case.bearing;
@@ -69,7 +83,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     // Rows hold each other's balls; those without preload may be too loose for an equilibrium.
     let mut resting = match starts_at_rest && (preloaded || rows.len() > 1) {
         false => None,
-        true => match unloaded_equilibrium(case) {
+        true => match space::solve_controlled(&at_rest(case), control) {
             Err(EquilibriumError::NotConverged { .. }) if !preloaded => None,
             found => Some(found?),
         },
@@ -86,7 +100,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             None => (between([0.0; 2]), [0.0; 2]),
         },
         StartState::Settled => {
-            let e = &resting.insert(equilibrium::settle(case)?).rest;
+            let e = &resting.insert(settle_controlled(case, control)?).rest;
             e.check_balls_apart(bearing)?;
             (e.ball_distance_m.clone(), [e.ring_x_m, e.ring_y_m])
         }
@@ -94,7 +108,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     let row_preload_m = match &resting {
         Some(e) => e.row_preload_m.clone(),
         // A rolling start finds outer rings where their springs held them at rest.
-        None if sprung => unloaded_equilibrium(case)?.row_preload_m,
+        None if sprung => space::solve_controlled(&at_rest(case), control)?.row_preload_m,
         None => rows.iter().map(|row| row.preload_m).collect(),
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
@@ -139,7 +153,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             },
         );
         if state.layout().is_in_space() {
-            // The axis of rotation lies along the force at the outer raceway.
+            // The axis of rotation lies across the force at the outer raceway.
             state.set_ball_in_space(k, rest.z_m, [spin * across * sin, -spin * across * cos]);
         }
     }
@@ -172,9 +186,9 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
 /// Equilibrium of a bearing in space before a rotor falls or loads come: of rows that press each other.
 ///
 /// # Errors
-/// Those of [`equilibrium::space::solve`].
+/// Those of [`space::solve`].
 pub fn unloaded_equilibrium(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
-    equilibrium::space::solve(&at_rest(case))
+    space::solve(&at_rest(case))
 }
 
 /// A bearing at rest before a rotor falls or loads come: nothing loads it, and it hardly turns, as what keeps an unloaded

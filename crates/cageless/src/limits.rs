@@ -15,7 +15,7 @@ pub struct Limit {
     pub field: &'static str,
     /// Least value; `-∞` where a check elsewhere has the lower limit.
     pub least: f64,
-    /// Greatest value.
+    /// Greatest value; `∞` where a check elsewhere has the upper limit.
     pub most: f64,
     /// Reason for both.
     pub reason: &'static str,
@@ -31,6 +31,7 @@ const fn limit(field: &'static str, least: f64, most: f64, reason: &'static str)
 }
 
 const NONE: f64 = f64::NEG_INFINITY;
+const INFINITY: f64 = f64::INFINITY;
 const FACTOR: &str = "friction of clean metals over that of a film of oil is below";
 const STIFFNESS: &str = "from plastic balls of a tenth of a millimetre to steel balls of a metre";
 
@@ -41,7 +42,7 @@ const STIFFNESS: &str = "from plastic balls of a tenth of a millimetre to steel 
 pub const LIMITS: &[Limit] = &[
     limit("ball_radius_m", 5e-5, 0.5, "balls of bearings have diameters from 0.1 mm to 1 m"),
     limit("inner_ring_mass_kg", 1e-6, 1e6, "from a miniature ring to the rotor of a power station"),
-    limit("density_kg_m3", 500.0, 25_000.0, "no solid of bearings is outside; steel has 7850 kg/m^3"),
+    limit("density_kg_m3", 500.0, 25_000.0, "no solid of bearings is outside; steel has 7850 kg/m³"),
     limit("youngs_modulus_pa", 5e8, 1.3e12, "from PTFE to diamond; steel has 206 GPa"),
     limit("gravity_m_s2", NONE, 1000.0, "about 100 times that of the Earth"),
     limit("friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
@@ -57,14 +58,15 @@ pub const LIMITS: &[Limit] = &[
     limit("mass_kg", 1e-3, 1e6, "from a miniature housing to a machine"),
     limit("rotor_mass_kg", 1e-3, 1e6, "from a miniature spindle to the rotor of a power station"),
     limit("rotor_polar_inertia_kg_m2", 1e-12, 1e6, "from a miniature spindle to the rotor of a power station"),
+    limit("radial_clearance_m", 1e-6, INFINITY, "rotor and inner ring must part; 200 µm are 0.2 mm"),
     limit("drive_torque_n_m", -1e7, 1e7, "the largest turbines drive with some 1e7 N·m"),
-    limit("contact_stiffness_n_mp", 1e3, 1e16, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
+    limit("contact_stiffness_n_mp", 1e3, 1e16, "from foam to a block of steel; 1 N/µm is 1e6 N/m"),
     limit("contact_damping_s_m", NONE, 1e3, "a coefficient of restitution near 0 at a few mm/s"),
     limit("inner_ring_polar_inertia_kg_m2", 1e-14, 1e6, "from a miniature ring to the rotor of a power station"),
     limit("support_mass_kg", 1e-6, 1e6, "from the outer ring of a miniature bearing to a machine"),
-    limit("support_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
-    limit("stop_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
-    limit("stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
+    limit("support_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/µm is 1e6 N/m"),
+    limit("stop_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/µm is 1e6 N/m"),
+    limit("stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/µm is 1e6 N/m"),
 ];
 
 /// Passes a value within the limits of its field, and every value of a field without limits.

@@ -1,7 +1,12 @@
 //! Lubricant of a bearing, for its ratings.
 
-use crate::error::InputError;
+use crate::bearing::Bearing;
+use crate::error::{Allowed, InputError};
 use crate::limits::{not_negative, positive, require};
+use crate::rating::BasicRatings;
+
+/// Largest ratio of the fatigue load limit of a catalogue and that of a contact pressure of 1500 MPa.
+const FATIGUE_LIMIT_SPREAD: f64 = 30.0;
 
 crate::named_enum! {
     /// How the lubricant comes to the contacts, for its replenishment in SKF's friction model.
@@ -82,8 +87,8 @@ impl Lubrication {
     ///
     /// # Errors
     /// An [`InputError`] if viscosity, fatigue load limit or minimum load factor are not above zero,
-    /// or the contamination factor is not from 0 to 1.
-    pub fn check(&self) -> Result<(), InputError> {
+    /// or the contamination factor is not from 0 to 1; a fatigue load limit that is none of the bearing.
+    pub fn check(&self, bearing: &Bearing) -> Result<(), InputError> {
         positive("viscosity_m2_s", self.viscosity_m2_s)?;
         not_negative("film_friction_coefficient", self.film_friction_coefficient)?;
         let factor = self.contamination_factor;
@@ -94,6 +99,13 @@ impl Lubrication {
             ("minimum_load_factor", self.minimum_load_factor),
         ] {
             value.map_or(Ok(()), |value| positive(field, value))?;
+        }
+        if let Some(value) = self.fatigue_load_limit_n {
+            let usual =
+                BasicRatings::new(bearing).fatigue_load_limit_n(2e3 * bearing.pitch_radius_m());
+            let (least, most) = (usual / FATIGUE_LIMIT_SPREAD, usual * FATIGUE_LIMIT_SPREAD);
+            let why = "30 times below or above that of a contact pressure of 1500 MPa; catalogues have it in kN";
+            Allowed::Between(least, most, why).check("fatigue_load_limit_n", value)?;
         }
         Ok(())
     }

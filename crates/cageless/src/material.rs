@@ -26,7 +26,7 @@ impl Material {
     }
 
     /// Whether it is a steel, by modulus and density.
-    pub(crate) fn is_steel(&self) -> bool {
+    pub fn is_steel(&self) -> bool {
         (180e9..=225e9).contains(&self.youngs_modulus_pa)
             && (7400.0..=8200.0).contains(&self.density_kg_m3)
     }

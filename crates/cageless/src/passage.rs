@@ -19,6 +19,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::case::Case;
 use crate::contact_tracker::ContactTracker;
 use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::BallCoordinate::{Vx, Vy, X, Y};
@@ -60,10 +61,15 @@ pub struct Passage {
     pub unloaded_s: f64,
     /// Largest and smallest orbital speed while inside.
     pub orbit_speed_range_rad_s: [f64; 2],
+    /// Time inside over that of the largest speed of the inner ring: how long it takes that ring to turn as far.
+    pub inside_at_largest_s: f64,
+    /// Smallest orbital speed while inside, each over ωi of its time, times the largest ωi of the run; infinite where
+    /// the inner ring hardly turns ([`TURNS_FROM`]).
+    pub slowest_at_largest_rad_s: f64,
     /// Angle of the raceway.
     pub angle_rad: f64,
-    /// Angle and time between the last raceway that the ball left and this one; `None` on its
-    /// first passage.
+    /// Angle and time between the last raceway that the ball left and this one, the time as that inside; `None` on
+    /// its first passage.
     pub way_here: Option<[f64; 2]>,
 }
 
@@ -72,7 +78,9 @@ pub struct Passage {
 pub struct PassageTally {
     /// Number of samples or passages.
     pub count: u64,
-    sums: [f64; 8],
+    /// Those of them in which the inner ring turns.
+    turned: u64,
+    sums: [f64; 9],
     /// Angle and time between passages.
     outside: [f64; 2],
     /// Largest and smallest gap to the ball ahead on going out.
@@ -84,7 +92,8 @@ impl PassageTally {
     pub fn new() -> Self {
         Self {
             count: 0,
-            sums: [0.0; 8],
+            turned: 0,
+            sums: [0.0; 9],
             outside: [0.0; 2],
             gap_leave_range_rad: [f64::INFINITY, f64::NEG_INFINITY],
         }
@@ -93,6 +102,8 @@ impl PassageTally {
     /// Adds a passage.
     pub fn add(&mut self, p: &Passage) {
         self.count += 1;
+        let turned = p.slowest_at_largest_rad_s.is_finite();
+        self.turned += u64::from(turned);
         let twice = p.collisions_ahead > 0 && p.collisions_behind > 0;
         let values = [
             p.leave_s - p.enter_s,
@@ -100,9 +111,14 @@ impl PassageTally {
             f64::from(u8::from(twice)),
             p.sliding_max_m_s,
             p.gap_min_rad,
-            p.orbit_speed_range_rad_s[0],
+            if turned {
+                p.slowest_at_largest_rad_s
+            } else {
+                0.0
+            },
             p.angle_rad,
             p.unloaded_s,
+            p.inside_at_largest_s,
         ];
         for (sum, value) in self.sums.iter_mut().zip(values) {
             *sum += value;
@@ -144,11 +160,11 @@ impl PassageTally {
     }
 
     /// What a ball loses in one passage against the mean orbital speed between passages: that
-    /// speed times the time inside, less the angle of the raceway. NaN until a ball has passed
-    /// two.
+    /// speed times the time inside, less the angle of the raceway. Where the speed varies, times are those in which
+    /// the inner ring would turn as far at its largest. NaN until a ball has passed two.
     pub fn lag_mean_rad(&self) -> f64 {
         let [angle, time] = self.outside;
-        angle / time * self.duration_mean_s() - self.mean(6)
+        angle / time * self.mean(8) - self.mean(6)
     }
 
     /// Fraction of the time inside without force at the inner raceway.
@@ -156,9 +172,10 @@ impl PassageTally {
         self.sums[7] / self.sums[0]
     }
 
-    /// Mean of the smallest orbital speed in each.
+    /// Mean of the smallest orbital speed in each, at the largest speed of the inner ring. NaN where that stands in
+    /// all.
     pub fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
-        self.mean(5)
+        self.sums[5] / self.turned as f64
     }
 }
 
@@ -255,7 +272,13 @@ struct UnderWay {
 impl UnderWay {
     /// Follows the ball through a step.
     #[inline]
-    fn follow(&mut self, step: &StepState, centre_m: [f64; 2], contacts: &Contacts<'_>) {
+    fn follow(
+        &mut self,
+        step: &StepState,
+        centre_m: [f64; 2],
+        contacts: &Contacts<'_>,
+        speed_ratio: f64,
+    ) {
         let Self {
             passage,
             nearest,
@@ -273,7 +296,57 @@ impl UnderWay {
         }
         let ([low, high], orbit) = (passage.orbit_speed_range_rad_s, ball.orbit_speed_rad_s);
         let low = if orbit < low { orbit } else { low };
+        let slowest = at_largest_rad_s(orbit, speed_ratio);
+        if slowest < passage.slowest_at_largest_rad_s {
+            passage.slowest_at_largest_rad_s = slowest;
+        }
         passage.orbit_speed_range_rad_s = [low, larger(high, orbit)];
+    }
+}
+
+/// Speed of the inner ring over its largest from which balls are seen to roll: in a slower one weight and the flanks
+/// move them as much as it does.
+pub const TURNS_FROM: f64 = 0.1;
+
+/// An orbital speed over that of the inner ring, times the largest; infinite where the ring hardly turns.
+#[inline]
+fn at_largest_rad_s(orbit_speed_rad_s: f64, speed_ratio: f64) -> f64 {
+    if speed_ratio < TURNS_FROM {
+        return f64::INFINITY;
+    }
+    orbit_speed_rad_s / speed_ratio
+}
+
+/// Receiver of passages; a closure is one.
+pub trait PassageSink {
+    /// Takes a passage that has ended.
+    ///
+    /// # Errors
+    /// What ends the run.
+    fn take(&mut self, passage: Passage) -> Result<(), ObserverError>;
+}
+
+impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageSink for F {
+    fn take(&mut self, passage: Passage) -> Result<(), ObserverError> {
+        self(passage)
+    }
+}
+
+/// Tally of the passages that begin after a time.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SettledPassages {
+    /// The time, s.
+    pub after_s: f64,
+    /// The passages.
+    pub tally: PassageTally,
+}
+
+impl PassageSink for SettledPassages {
+    fn take(&mut self, passage: Passage) -> Result<(), ObserverError> {
+        if passage.enter_s > self.after_s {
+            self.tally.add(&passage);
+        }
+        Ok(())
     }
 }
 
@@ -282,7 +355,7 @@ impl UnderWay {
 ///
 /// Looks at a ball in every step while it is in a raceway or near an end of one, else forty times in
 /// a millisecond.
-pub struct PassageRecorder<F> {
+pub struct PassageRecorder<S> {
     sectors: Vec<RacewaySector>,
     pair_angles: Vec<f64>,
     /// Place of each ball, seen from each raceway.
@@ -295,12 +368,21 @@ pub struct PassageRecorder<F> {
     /// Raceway that each ball left last, and when.
     left: Vec<Option<(usize, f64)>>,
     contact_tracker: ContactTracker,
-    sink: F,
+    /// The case if its speed varies.
+    varying: Option<Case>,
+    sink: S,
 }
 
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     /// Passes each passage to `sink` when it ends.
     pub fn new(sink: F) -> Self {
+        Self::to(sink)
+    }
+}
+
+impl<S: PassageSink> PassageRecorder<S> {
+    /// Passes each passage to `sink` when it ends.
+    pub fn to(sink: S) -> Self {
         Self {
             sectors: vec![],
             pair_angles: vec![],
@@ -310,8 +392,14 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             near: vec![],
             left: vec![],
             contact_tracker: ContactTracker::new(0),
+            varying: None,
             sink,
         }
+    }
+
+    /// The receiver.
+    pub fn sink(&self) -> &S {
+        &self.sink
     }
 
     /// When ball `k` crosses the end of a raceway within the step, and the gaps to the ball
@@ -389,11 +477,24 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             }
             Place::Inside => {
                 let passage = self.leave(view, k, r);
-                (self.sink)(passage)?;
+                self.sink.take(passage)?;
                 Place::Outside
             }
         };
         Ok(())
+    }
+
+    /// ωi at the end of a step over its largest.
+    fn speed_ratio(&self, view: &StepView<'_, '_>) -> f64 {
+        let varying = self.varying.as_ref();
+        varying.map_or(1.0, |case| case.inner_speed_ratio(view.step.t1_s))
+    }
+
+    /// Time in which the inner ring at its largest speed turns as far as between two times, s.
+    fn at_largest_s(&self, between_s: [f64; 2]) -> f64 {
+        let constant = between_s[1] - between_s[0];
+        let varying = self.varying.as_ref();
+        varying.map_or(constant, |case| case.time_at_largest_speed_s(between_s))
     }
 
     /// The passage of a ball that comes in.
@@ -401,7 +502,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
         let ([x, y], layout) = (view.positions(), view.layout());
         let from_end_of = |before: usize| self.sectors[r].begin_behind_rad(&self.sectors[before]);
-        let way_here = self.left[k].map(|(before, left_s)| [from_end_of(before), enter_s - left_s]);
+        let way_here = self.left[k]
+            .map(|(before, left_s)| [from_end_of(before), self.at_largest_s([left_s, enter_s])]);
+        let orbit = view.contacts.orbit_speed_rad_s(k);
         UnderWay {
             passage: Passage {
                 ball: k,
@@ -416,7 +519,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
                 collisions_behind: 0,
                 sliding_max_m_s: 0.0,
                 unloaded_s: 0.0,
-                orbit_speed_range_rad_s: [view.contacts.orbit_speed_rad_s(k); 2],
+                orbit_speed_range_rad_s: [orbit; 2],
+                inside_at_largest_s: 0.0,
+                slowest_at_largest_rad_s: at_largest_rad_s(orbit, self.speed_ratio(view)),
                 angle_rad: 2.0 * self.sectors[r].half_rad,
                 way_here,
             },
@@ -437,6 +542,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         self.left[k] = Some((r, leave_s));
         Passage {
             leave_s,
+            inside_at_largest_s: self.at_largest_s([passage.enter_s, leave_s]),
             gap_leave_rad,
             gap_min_rad: least.min(nearest.gap_rad(self.pair_angles[k])),
             ..passage
@@ -444,7 +550,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     }
 }
 
-impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
+impl<S: PassageSink> Observer for PassageRecorder<S> {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let n = context.model.balls();
         let raceways = &context.case.raceways;
@@ -457,6 +563,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         self.near = (0..raceways.len()).flat_map(all_of).collect();
         self.look_s = 0.0;
         self.contact_tracker = ContactTracker::new(n);
+        let varies = context.case.operation.inner_speed_table.is_some();
+        self.varying = varies.then(|| context.case.clone());
         Ok(())
     }
 
@@ -469,9 +577,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
             self.look(view);
         }
         let begun = self.contact_tracker.count() > 0;
-        let centre_m = view.outer_ring_m();
+        let (centre_m, speed_ratio) = (view.outer_ring_m(), self.speed_ratio(view));
         for under_way in &mut self.under_way {
-            under_way.follow(view.step, centre_m, &view.contacts);
+            under_way.follow(view.step, centre_m, &view.contacts, speed_ratio);
             if begun {
                 let passage = &mut under_way.passage;
                 let started = |k| u32::from(self.contact_tracker.started(k));
@@ -502,6 +610,8 @@ mod tests {
             sliding_max_m_s: 7.0 * number,
             unloaded_s: 0.5 * number,
             orbit_speed_range_rad_s: [8.0 * number, 9.0 * number],
+            inside_at_largest_s: 2.0 * number,
+            slowest_at_largest_rad_s: 8.0 * number,
             angle_rad: 0.5,
             way_here: (number > 1.0).then_some([5.0, 20.0]),
         }

@@ -17,7 +17,6 @@
 use crate::case::Case;
 use crate::contact_peaks::{ContactPeakTracker, ContactPeaks};
 use crate::contact_tracker::{ContactCounter, ContactCounts};
-use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
 use crate::gap_scatter::GapScatter;
@@ -60,24 +59,26 @@ pub struct Summary {
 }
 
 /// Ball orbits that are left out at the start.
-const TRANSIENT_TURNS: f64 = 2.0;
+pub(crate) const TRANSIENT_TURNS: f64 = 2.0;
 /// Gaps are looked at this often, steps: below 0.5 m/s between neighbours they change by
 /// less than 0.01° in 8 steps of 1 µs.
 const GAPS_EVERY: u64 = 8;
 /// The scatter of the gaps, which changes over orbits, is looked at this often, steps.
 const SCATTER_EVERY: u64 = 64;
-/// Contacts with the raceways are looked at this often, steps: the forces of impacts, which last
-/// 30 µs and more, change by less than 3 % within 2 steps of 1 µs from their peak, pressures by
-/// less than 1 %.
-const LOADS_EVERY: u64 = 4;
+/// Contacts with the raceways are looked at this often, s, whatever the step, at each where it is longer: the forces
+/// of impacts, which last 30 µs and more, change by less than 3 % within half of it from their peak,
+/// pressures by less than 1 %.
+const LOADS_EVERY_S: f64 = 4e-6;
 
-/// The part of a run that is left out as transient: two orbits of the balls, at most half
+/// The part of a run that is left out as transient: that of the case, or two orbits of the balls, at most half
 /// the run. Nothing is left out where speed or load change: all of it is transient.
 pub fn transient_s(case: &Case) -> f64 {
-    if !case.has_constant_operation() {
-        return 0.0;
-    }
-    (TRANSIENT_TURNS * case.rolling_orbit_s()).min(case.solver.duration_s / 2.0)
+    case.solver.transient_s.unwrap_or_else(|| {
+        if !case.has_constant_operation() {
+            return 0.0;
+        }
+        (TRANSIENT_TURNS * case.rolling_orbit_s()).min(case.solver.duration_s / 2.0)
+    })
 }
 
 /// Gathers a [`Summary`].
@@ -88,6 +89,8 @@ pub struct SummaryRecorder {
     gaps: GapRange,
     scatter: GapScatter,
     outer_ring_force: [Moments; 2],
+    /// Time since contacts with the raceways were looked at, s.
+    since_loads_s: f64,
     steps: u64,
     collisions: ContactCounts,
     ring_sum: [f64; 2],
@@ -173,13 +176,16 @@ impl Observer for SummaryRecorder {
             self.space.step(view);
         }
         self.slip_max = larger(self.slip_max, contacts.sliding_max_m_s());
-        if self.steps.is_multiple_of(LOADS_EVERY) {
-            self.look_at_loads(contacts, h);
+        self.since_loads_s += h;
+        // Half a step early rather than late, and no matter how the sum has been rounded.
+        if self.since_loads_s + 0.5 * h > LOADS_EVERY_S {
+            let since_s = std::mem::take(&mut self.since_loads_s);
+            self.look_at_loads(view, since_s);
         }
         if contacts.balls_touch()
-            && let Some(peaks) = &mut self.peaks
+            && let (Some(peaks), Some(case)) = (&mut self.peaks, &self.case)
         {
-            peaks.look_between_balls(contacts);
+            peaks.look_between_balls(contacts, view.inner_speed_ratio(case));
         }
         let sampled = self.steps.is_multiple_of(GAPS_EVERY);
         self.means.step(view, sampled);
@@ -192,18 +198,19 @@ impl Observer for SummaryRecorder {
 }
 
 impl SummaryRecorder {
-    /// Takes the contacts with the raceways at the end of a step of `step_s`.
+    /// Takes the contacts with the raceways, this long after the last time.
     #[inline(never)] // most steps do without, as without the next
-    fn look_at_loads(&mut self, contacts: &Contacts<'_>, step_s: f64) {
+    fn look_at_loads(&mut self, view: &StepView<'_, '_>, since_s: f64) {
+        let contacts = &view.contacts;
         if contacts.are_in_space() {
             self.space.look(contacts, &self.contact_signs);
         }
         let force_n = contacts.outer_ring_force_n();
         for (moments, force_n) in self.outer_ring_force.iter_mut().zip(force_n) {
-            moments.add(force_n, step_s);
+            moments.add(force_n, since_s);
         }
-        if let Some(peaks) = &mut self.peaks {
-            peaks.look(contacts);
+        if let (Some(peaks), Some(case)) = (&mut self.peaks, &self.case) {
+            peaks.look(contacts, view.inner_speed_ratio(case));
         }
     }
 

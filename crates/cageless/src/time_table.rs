@@ -117,6 +117,27 @@ impl TimeTable {
         table
     }
 
+    /// Integral of the quantity from one time to a later one.
+    pub fn integral(&self, [from_s, to_s]: [f64; 2]) -> f64 {
+        let corners = self.times_s.iter().copied();
+        let corners = corners.filter(|t| (from_s < *t) & (*t < to_s));
+        let (mut last_s, mut sum) = (from_s, 0.0);
+        for time_s in corners.chain([to_s]) {
+            sum += 0.5 * (time_s - last_s) * (self.value(last_s) + self.value(time_s));
+            last_s = time_s;
+        }
+        sum
+    }
+
+    /// Smallest and largest value from t = 0 up to a time.
+    pub fn range_until(&self, end_s: f64) -> [f64; 2] {
+        let corners = self.times_s.iter().zip(&self.values);
+        let before = corners.filter(|(t, _)| **t < end_s).map(|(_, v)| *v);
+        let first = self.value(0.0);
+        (before.chain([self.value(end_s)]))
+            .fold([first; 2], |[low, high], v| [low.min(v), high.max(v)])
+    }
+
     /// Smallest and largest value.
     pub fn range(&self) -> [f64; 2] {
         let first = self.values[0];
@@ -128,6 +149,26 @@ impl TimeTable {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A run-up of 2 s to 4/s that is held: 4 up to its end, 4 a second after it; ranges are those up to a time.
+    #[test]
+    fn integrals_and_ranges_are_those_of_their_times() {
+        let table = TimeTable::new("f", vec![1.0, 3.0, 5.0], vec![0.0, 4.0, 2.0]).unwrap();
+        for (from, to, expected) in [
+            (0.0, 1.0, 0.0),
+            (0.0, 3.0, 4.0),
+            (2.0, 3.0, 3.0),
+            (2.0, 5.0, 9.0),
+            (4.0, 7.0, 6.5),
+        ] {
+            let found = table.integral([from, to]);
+            assert!((found - expected).abs() < 1e-12, "{from} {to}: {found}");
+        }
+        assert_eq!(table.range_until(2.0), [0.0, 2.0]);
+        assert_eq!(table.range_until(4.0), [0.0, 4.0]);
+        assert_eq!(table.range_until(9.0), [0.0, 4.0]);
+        assert_eq!(table.range(), [0.0, 4.0]);
+    }
 
     #[test]
     fn values_are_linear_between_times_and_held_beyond_them() {

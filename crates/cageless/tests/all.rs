@@ -51,6 +51,7 @@ mod space_motion;
 mod space_rotor;
 mod space_rows;
 mod space_springs;
+mod space_step;
 mod static_minimum;
 mod step_limits;
 mod tolerance;

@@ -6,6 +6,7 @@ use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
+use cageless::equilibrium::EquilibriumError;
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Cause, Control, Ending, run};
@@ -293,9 +294,16 @@ fn a_duration_that_is_no_multiple_of_the_step_is_met_exactly() {
 #[test]
 fn the_caller_can_interrupt() {
     let case = structure(5.1, 25.2);
-    let outcome = run(&case, &mut [], &mut |_| Control::Break(())).unwrap();
+    let outcome = run(&case, &mut [], &mut |time_s| match time_s > 0.0 {
+        true => Control::Break(()),
+        false => Control::Continue(()),
+    });
+    let outcome = outcome.unwrap();
     assert!(matches!(outcome.ending, Ending::Interrupted));
     assert!(outcome.end_s < 0.002 && outcome.end_s > 0.0);
+    // While the start is sought there is no outcome yet.
+    let start = run(&case, &mut [], &mut |_| Control::Break(()));
+    assert_eq!(start.unwrap_err(), EquilibriumError::Interrupted);
 }
 
 /// `State` round-trips what it was given.

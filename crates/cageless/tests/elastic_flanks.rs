@@ -6,7 +6,7 @@ use crate::common::{complete, conventional, dimensions, drop_case, raceway, stru
 use cageless::contact::friction::{Law, Smooth};
 use cageless::contact::{AtFlanks, FlankContact, FlankSection, FlankSliding};
 use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
-use cageless::design::{RacewayTallies, RacewayVerdict, RunVerdict, judge_watched};
+use cageless::design::{RacewayTallies, RacewayVerdict, RunEvidence, RunVerdict, judge_watched};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
@@ -302,14 +302,18 @@ fn elastic_flanks_lag_as_in_space() {
 }
 
 /// Verdict, lag that is left, critical gap and what a search finds on elastic flanks in the plane are those in space, of a raceway that
-/// passes, and of a short one on which little friction leaves the balls less than half of it; so is a run's own verdict.
+/// keeps its lag but not its critical gap, and of a short one on which little friction leaves the balls less than half of it; so is a run's own verdict.
 #[test]
 fn verdicts_on_elastic_flanks_are_those_in_space() {
     let mut steep = structure(6.3, 9.0);
     steep.contact.friction.coefficient = 0.002;
-    for (case, expected) in [
-        (structure(5.1, 25.2), RacewayVerdict::Smooth),
-        (steep, RacewayVerdict::LosesLag),
+    for (case, expected, expected_of_run) in [
+        (
+            structure(5.1, 25.2),
+            RacewayVerdict::TooShallow,
+            RacewayVerdict::Smooth,
+        ),
+        (steep, RacewayVerdict::LosesLag, RacewayVerdict::LosesLag),
     ] {
         let space = Case {
             motion: Motion::Space,
@@ -323,8 +327,13 @@ fn verdicts_on_elastic_flanks_are_those_in_space() {
             });
             let judgement =
                 judge_watched(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
-            let own = RunVerdict::from_case(&case, &tallies).verdict;
-            assert_eq!([judgement.verdict, own], [expected; 2], "{judgement:?}");
+            let run = RunEvidence {
+                passages: &tallies,
+                pressure_max_pa: judgement.pressure_at_rest_pa,
+            };
+            let own = RunVerdict::new(&case, &run).verdict;
+            let found = [judgement.verdict, own];
+            assert_eq!(found, [expected, expected_of_run], "{judgement:?}");
             let job = Job {
                 structure: RacewayLayout::from_case(&case).unwrap(),
                 point: OperatingPoint::from_case(&case),

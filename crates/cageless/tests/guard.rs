@@ -113,6 +113,23 @@ fn every_cause_has_its_limit() {
     );
 }
 
+/// A rotor in space goes through a face of the inner ring as well as through its bore.
+#[test]
+fn a_shoulder_has_its_limit() {
+    let mut case = drop_case();
+    case.motion = Motion::Space;
+    let clearance_m = 1e-4;
+    case.rotor.as_mut().unwrap().axial_clearance_m = Some(clearance_m);
+    for side in [1.0, -1.0] {
+        at_limit(
+            &case,
+            0.05 * 15e-3,
+            &Cause::RotorThroughInnerRing,
+            |state, depth| state.set_rotor_in_space(side * (clearance_m + depth), 0.0),
+        );
+    }
+}
+
 /// A ball thrown off the outer raceway by more than its radius is inside the inner ring only where that
 /// is, here 5 mm off on the other side of four balls.
 #[test]

@@ -1,6 +1,6 @@
 //! A free impact of two balls against conservation laws and closed forms.
 
-use crate::common::{conventional, dimensions, undamped};
+use crate::common::{conventional, dimensions, steel, undamped};
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::contact::hertz;
 use cageless::dynamics::ball::BallMotion;
@@ -8,7 +8,7 @@ use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::state::State;
 use cageless::integrator::{Abm4, Integrator};
 use cageless::simulation::{Control, run_from};
-use cageless::{Case, IntegrationMethod, dynamics};
+use cageless::{Bearing, Case, IntegrationMethod, Motion, dynamics};
 
 /// Rings so far apart, and everything else so quiet, that balls 1 and 2 meet in free
 /// flight.
@@ -319,6 +319,82 @@ fn friction_between_balls_has_its_factor() {
             assert!(
                 (lost - expected).abs() <= 2e-3 * expected,
                 "{factor}: ball {k} lost {lost}, not {expected} rad/s"
+            );
+        }
+    }
+}
+
+/// The same in space, for sliding in a direction that is neither of the rings' plane nor along the axis: each ball
+/// loses 3/5 of the impulse about Z and 4/5 about Y.
+#[test]
+fn friction_between_balls_has_its_factor_in_space() {
+    for factor in [0.0, 0.5, 1.0, 3.0] {
+        let mut case = free_flight();
+        case.motion = Motion::Space;
+        // Grooves so wide that the balls are free in them.
+        let mut d = case.bearing.dimensions().clone();
+        d.inner_groove_curvature_radius_m = 1.6 * d.ball_radius_m;
+        d.outer_groove_curvature_radius_m = 1.6 * d.ball_radius_m;
+        case.bearing = Bearing::new(d, steel()).unwrap();
+        case.contact.friction.coefficient = 0.1;
+        case.contact.ball_friction_factor = factor;
+        let (planar, angles) = approaching(&case, 0.3);
+        let model = dynamics::Model::new(&case).unwrap();
+        let layout = model.layout();
+        let mut state = State::zero(layout);
+        for k in 0..3 {
+            state.set_ball(k, planar.ball_motion(k));
+        }
+        let motion = planar.ball_motion(0);
+        let [spin, omega_y] = [900.0, 1200.0];
+        state.set_ball(0, BallMotion { spin, ..motion });
+        state.set_ball_in_space(0, 0.0, [0.0, omega_y]);
+        let end = run_from(&case, &state, &angles, &mut [], &mut |_| {
+            Control::Continue(())
+        })
+        .unwrap()
+        .state;
+        let at = |coordinate, k| end.values()[layout.ball(coordinate, k)];
+        let mass = case.bearing.ball_mass_kg();
+        let impulse = mass * (motion.vx - at(BallCoordinate::Vx, 0));
+        assert!(impulse > 0.9 * mass * 0.3, "{impulse:e}");
+        let tangential = 0.1 * factor * impulse;
+        let turning = tangential * case.bearing.ball_radius_m() / case.bearing.ball_inertia_kg_m2();
+        for (what, found, expected) in [
+            (
+                "spin of the first",
+                spin - at(BallCoordinate::Spin, 0),
+                0.6 * turning,
+            ),
+            (
+                "spin of the second",
+                -at(BallCoordinate::Spin, 1),
+                0.6 * turning,
+            ),
+            (
+                "ωy of the first",
+                omega_y - at(BallCoordinate::OmegaY, 0),
+                0.8 * turning,
+            ),
+            (
+                "ωy of the second",
+                -at(BallCoordinate::OmegaY, 1),
+                0.8 * turning,
+            ),
+            (
+                "vz of the first",
+                mass * at(BallCoordinate::Vz, 0),
+                0.8 * tangential,
+            ),
+            (
+                "vz of the second",
+                -mass * at(BallCoordinate::Vz, 1),
+                0.8 * tangential,
+            ),
+        ] {
+            assert!(
+                (found - expected).abs() <= 3e-3 * expected,
+                "{factor}: {what}: {found}, not {expected}"
             );
         }
     }

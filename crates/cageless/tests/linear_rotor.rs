@@ -169,8 +169,8 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
     // Equal cases, no draw in common.
     let [a, b] = [&drawn.bearings[0], &drawn.bearings[1]];
     for (a, b) in [
-        (a.rotor_friction, b.rotor_friction),
-        (a.ball_friction, b.ball_friction),
+        (a.rotor_friction.coefficient, b.rotor_friction.coefficient),
+        (a.ball_friction.coefficient, b.ball_friction.coefficient),
         (a.radial_clearance_m, b.radial_clearance_m),
     ] {
         assert!(a != b);

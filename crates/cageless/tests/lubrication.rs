@@ -93,13 +93,44 @@ fn cleaner_and_thicker_oil_never_shortens_life() {
 #[test]
 fn fatigue_load_limit_is_the_load_of_1500_mpa() {
     let bearing = conventional(dimensions()).bearing;
-    let limit_n = BasicRatings::new(&bearing).fatigue_load_limit_n();
+    let pitch_mm = 2e3 * bearing.pitch_radius_m();
+    let limit_n = BasicRatings::new(&bearing).fatigue_load_limit_n(pitch_mm);
     let ball_n = limit_n / (0.2288 * bearing.balls() as f64);
     let contacts = [bearing.inner_contact(), bearing.outer_contact()];
     let pressure = contacts.map(|c| c.peak_pressure_pa(ball_n));
     // Steel of the standard, 207 GPa, against 206 GPa: p ∝ E*^(2/3).
     let pressure = pressure[0].max(pressure[1]) * (207f64 / 206.0).powf(2.0 / 3.0);
     assert!((pressure / 1.5e9 - 1.0).abs() < 1e-9, "{pressure}");
+}
+
+/// Designation, d and D in mm, C0 and Pu in kN (SKF, *Rolling bearings*, PUB 17000 (2018)), from mean diameters of
+/// 65 mm up to 215 mm.
+const SKF_LIMITS: [(&str, [f64; 2], f64, f64); 11] = [
+    ("6210", [50.0, 90.0], 23.2, 0.98),
+    ("6212", [60.0, 110.0], 36.0, 1.53),
+    ("6015", [75.0, 115.0], 33.5, 1.43),
+    ("6215", [75.0, 130.0], 49.0, 2.04),
+    ("6217", [85.0, 150.0], 64.0, 2.5),
+    ("6020", [100.0, 150.0], 54.0, 2.04),
+    ("6220", [100.0, 180.0], 93.0, 3.35),
+    ("6320", [100.0, 215.0], 140.0, 4.75),
+    ("6026", [130.0, 200.0], 100.0, 3.35),
+    ("6032", [160.0, 240.0], 143.0, 4.3),
+    ("16034", [170.0, 260.0], 129.0, 3.75),
+];
+
+/// SKF's C0/Pu is 23.5 up to a mean diameter of 100 mm, within its digits, and grows with its square root from there.
+/// Cu of the same C0 is 1.227 times as large at every size.
+#[test]
+fn fatigue_load_limit_falls_with_size_like_that_of_a_catalogue() {
+    for (name, [d, outside], static_kn, limit_kn) in SKF_LIMITS {
+        let basic = BasicRatings {
+            dynamic_n: 1.0,
+            static_n: 1e3 * static_kn,
+        };
+        let ratio = basic.fatigue_load_limit_n((d + outside) / 2.0) / (1e3 * limit_kn);
+        assert!((ratio / 1.227 - 1.0).abs() < 0.015, "{name}: {ratio}");
+    }
 }
 
 /// 6205 under 1000 N at 3000 rpm in 20 mm²/s, by an independent computation with the equations and constants of

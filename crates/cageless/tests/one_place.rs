@@ -1,5 +1,5 @@
-//! What has one place: the computation of one bearing and of several, and the factors between SI and
-//! the units of readers. The list of exceptions may only shrink.
+//! What has one place: the computation of one bearing and of several, the factors between SI and the units of
+//! readers, and the start of threads. The list of exceptions may only shrink.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -58,6 +58,28 @@ fn no_file_for_several_beside_one_for_one() {
         let beside =
             one.is_some_and(|one| file.with_file_name(one).with_extension(ending).exists());
         assert!(!beside, "{} beside {one:?}", file.display());
+    }
+}
+
+/// Threads start in one file, which also knows what to do where none can.
+#[test]
+fn no_further_start_of_threads() {
+    let starts = [
+        ".par_iter(",
+        ".into_par_iter(",
+        ".par_chunks(",
+        "rayon::join",
+        "rayon::scope",
+        "rayon::current_num_threads",
+        "rayon::spawn",
+        "ThreadPoolBuilder",
+        "thread::spawn",
+    ];
+    for file in crates().into_iter().flat_map(|(_, files)| files) {
+        let text = fs::read_to_string(&file).unwrap();
+        let found: Vec<_> = starts.iter().filter(|s| text.contains(**s)).collect();
+        let place = file.ends_with("cageless-study/src/threads.rs");
+        assert!(place || found.is_empty(), "{}: {found:?}", file.display());
     }
 }
 

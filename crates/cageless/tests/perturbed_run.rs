@@ -5,12 +5,13 @@ use std::f64::consts::TAU;
 use crate::common::*;
 use cageless::design::pressure_at_rest_pa;
 use cageless::design::search::{
-    Job, Numbers, OperatingPoint, RacewayLayout, Task, perturbed_runs, run_jobs, uneven_gaps_rad,
+    Job, Numbers, OperatingPoint, RacewayLayout, Task, UnevenStart, perturbed_runs, run_jobs,
+    uneven_gaps_rad,
 };
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::simulation::{Control, Observer, ObserverError, StepView};
-use cageless::{Case, Gaps, Start, StartState};
+use cageless::{Case, FlankModel, Gaps, Start, StartState};
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())
@@ -58,7 +59,7 @@ fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
         raceways.map(|(span, angle, centre)| raceway(&case.bearing, span, angle, centre));
     let mut case = case.with_raceways(raceways.to_vec());
     case.seed = 11;
-    let found = perturbed_runs(&[(&case, 3)], &mut go_on)
+    let found = perturbed_runs(&[(&case, UnevenStart::Drawn(3))], &mut go_on)
         .swap_remove(0)
         .unwrap();
 
@@ -200,5 +201,43 @@ fn stress_is_the_largest_while_the_balls_go_by() {
     match run_jobs(&case, &[&job], &mut go_on).swap_remove(0) {
         Some(Ok(Numbers::PairSeparation(found))) => assert_eq!(found.stress_pa, outer),
         other => panic!("{other:?}"),
+    }
+}
+
+/// Work that the caller ends, be it while the start is sought, has no outcome: a reason would be recorded as
+/// a finding about the raceway.
+#[test]
+fn work_that_is_ended_has_no_outcome() {
+    let mut case = as_searched(4.9, 24.0);
+    case.flanks = FlankModel::Elastic;
+    let tasks = [
+        Task::Motion(UnevenStart::Drawn(0)),
+        Task::Motion(UnevenStart::Bunched),
+        Task::PairSeparation,
+        Task::AxialLag(100.0),
+    ];
+    let jobs = tasks.map(|task| Job {
+        structure: RacewayLayout::from_case(&case).unwrap(),
+        point: OperatingPoint::from_case(&case),
+        task,
+    });
+    for allowed in [0, 1, 5, 20] {
+        let mut together: Vec<Vec<&Job>> = jobs.iter().map(|job| vec![job]).collect();
+        together.push(jobs.iter().collect());
+        for jobs in together {
+            let mut asked = 0;
+            let outcomes = run_jobs(&case, &jobs, &mut |_| {
+                asked += 1;
+                match asked > allowed {
+                    true => Control::Break(()),
+                    false => Control::Continue(()),
+                }
+            });
+            if asked > allowed {
+                assert!(outcomes.contains(&None), "after {allowed}");
+                let reasons = outcomes.iter().flatten().filter(|outcome| outcome.is_err());
+                assert_eq!(reasons.count(), 0, "after {allowed}");
+            }
+        }
     }
 }

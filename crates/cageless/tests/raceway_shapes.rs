@@ -12,7 +12,7 @@ use cageless::simulation::{Control, run};
 use cageless::snapshot::Snapshot;
 use cageless::surface::{OuterRing, OuterRingDimensions};
 use cageless::{
-    Bearing, Case, FlankModel, Formulation, Gaps, IntegrationMethod, Motion, Raceway,
+    Bearing, Case, Ends, FlankModel, Formulation, Gaps, IntegrationMethod, Motion, Raceway,
     RacewayDimensions, RacewayForm, RacewayShape, Start, StartState,
 };
 
@@ -44,7 +44,7 @@ fn form(shape: RacewayShape, blend_m: f64) -> RacewayForm {
         shape,
         measured: (shape == RacewayShape::Measured).then(|| measured(&paper(), 40)),
         spline: (shape == RacewayShape::Spline).then(spline),
-        blend_m,
+        ends: Ends::Blended(blend_m),
         depth_m: 0.0,
         edge_radius_m: 0.0,
         slot_depth_m: None,
@@ -98,6 +98,40 @@ fn outer_ring(raceways: &[Raceway], blend_m: f64) -> OuterRing {
         blend_m,
     };
     OuterRing::new(&bearing(), raceways, dimensions).unwrap()
+}
+
+/// Machined ends are blended over 0.5 mm, or a fifth of half the raceway; slots and measured raceways have their own.
+#[test]
+fn machined_ends_are_those_of_the_drawing() {
+    let bearing = bearing();
+    let of = |shape, angle_deg: f64| {
+        let machined = RacewayForm {
+            ends: Ends::Machined,
+            ..form(shape, 0.0)
+        };
+        let dimensions = RacewayDimensions {
+            axial_span_m: 5.1e-3,
+            half_angle_rad: angle_deg.to_radians(),
+            centre_angle_rad: 0.0,
+        };
+        Raceway::formed(dimensions, machined, &bearing)
+            .unwrap()
+            .blend_m()
+    };
+    let short = 0.2 * 4f64.to_radians() * 27.765e-3;
+    for shape in [
+        RacewayShape::Ellipse,
+        RacewayShape::Shuttle,
+        RacewayShape::Steady,
+    ] {
+        assert_eq!(of(shape, 25.2), 0.5e-3, "{shape:?}");
+        assert!((of(shape, 4.0) - short).abs() < 1e-15, "{shape:?}");
+    }
+    assert_eq!(of(RacewayShape::Quartic, 25.2), 0.5e-3);
+    assert_eq!(of(RacewayShape::Measured, 25.2), 0.0);
+    let mut slot = crate::common::slotted().raceways[0].clone();
+    slot = slot.with_ends(Ends::Machined).unwrap();
+    assert_eq!(slot.blend_m(), 0.0);
 }
 
 /// αc of ellipse and shuttle by their formulas, with sin α0 = lC/(2 Rw).
@@ -205,7 +239,7 @@ fn blends_are_smooth_at_both_ends() {
     ] {
         let blend_m = 1e-3;
         let blended = formed(&bearing, form(shape, blend_m), 0.0);
-        let whole = blended.clone().with_blend(0.0).unwrap();
+        let whole = blended.clone().with_ends(Ends::default()).unwrap();
         let start = blended.blend_start_rad().unwrap();
         let theta = blended.half_angle_rad();
         let ro = bearing.dimensions().outer_groove_bottom_radius_m;
@@ -308,12 +342,12 @@ fn what_is_simulated_is_what_is_machined() {
         let ring = match form.shape {
             RacewayShape::Quartic => outer_ring(
                 &[formed(&case.bearing, RacewayForm::default(), 0.0)],
-                form.blend_m,
+                case.raceways[0].blend_m(),
             ),
             _ => outer_ring(&case.raceways, 0.0),
         };
         assert_eq!(ring.raceways().next().unwrap().form(), form);
-        assert_eq!(ring.blend_m(), form.blend_m);
+        assert_eq!(ring.blend_m(), case.raceways[0].blend_m());
         let rw = case.bearing.ball_radius_m();
         let (mut inside, mut blended) = (0, 0);
         let start = case.raceways[0].blend_start_rad().unwrap_or(f64::INFINITY);
@@ -332,7 +366,11 @@ fn what_is_simulated_is_what_is_machined() {
         case.solver.duration_s = 2e-3;
         run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
         assert!(inside > 1000);
-        assert_eq!(blended > 20, form.blend_m > 0.0, "{form:?} {blended}");
+        assert_eq!(
+            blended > 20,
+            case.raceways[0].blend_m() > 0.0,
+            "{form:?} {blended}"
+        );
     }
 }
 
@@ -359,7 +397,7 @@ fn residual(case: &Case, step_us: f64) -> f64 {
 fn ledgers_close_to_second_order() {
     let blend_m = 0.5e-3;
     let quartic = RacewayForm {
-        blend_m,
+        ends: Ends::Blended(blend_m),
         ..RacewayForm::default()
     };
     let rigid = undamped(case_of(quartic));
@@ -472,7 +510,10 @@ fn shapes_are_not_bound_to_the_path_of_the_paper() {
     // Every structure of the paper takes the blend of its exported ring.
     for (span, angle, ..) in STRUCTURES {
         let case = structure(span, angle);
-        case.raceways[0].clone().with_blend(0.5e-3).unwrap();
+        case.raceways[0]
+            .clone()
+            .with_ends(Ends::Blended(0.5e-3))
+            .unwrap();
         assert!(case.start.state == StartState::Settled);
     }
 }
@@ -482,7 +523,10 @@ fn shapes_are_not_bound_to_the_path_of_the_paper() {
 #[test]
 fn points_of_every_shape_are_fitted() {
     let bearing = bearing();
-    for form in forms().into_iter().filter(|form| form.blend_m == 0.0) {
+    for form in forms()
+        .into_iter()
+        .filter(|form| form.ends == Ends::default())
+    {
         let raceway = formed(&bearing, form, 0.0);
         let fit = measured(&raceway, 40);
         let allowed = match form.shape {

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 
 use crate::common::{conventional, dimensions, steel, structure};
 use cageless::equilibrium::solve;
+use cageless::equilibrium::space::solve as solve_in_space;
 use cageless::rating::{
     BasicRatings, PassingFrequencies, Rating, ReferenceLife, SPEED_PARAMETER_MAX_MM_RPM,
     dynamic_factor, skf_friction_torque_n_m, static_factor,
@@ -12,7 +13,8 @@ use cageless::rating::{
 use cageless::recorder::Recorder;
 use cageless::simulation::run;
 use cageless::{
-    Assembly, Bearing, BearingDimensions, Case, InnerRingBore, Raceway, RacewayDimensions,
+    Assembly, Bearing, BearingDimensions, Case, InnerRingBore, Motion, Raceway, RacewayDimensions,
+    Row,
 };
 
 /// γ = Dw/Dpw and fc of ISO 281, single-row deep groove ball bearings.
@@ -183,6 +185,25 @@ fn large_balls_have_their_own_exponent() {
     assert!((ratio(30.0, 60.0) / 2f64.powf(1.4) - 1.0).abs() < 1e-12);
     assert!((ratio(25.4, 25.4 + 1e-9) - 1.0).abs() < 1e-4);
     assert!((rating(20.0).static_n / rating(10.0).static_n / 4.0 - 1.0).abs() < 1e-12);
+}
+
+/// Two rows have Cr = 2^0.7 and C0r = 2 times those of one (ISO 281, ISO 76), and under twice the load its life by
+/// 2^−0.9: (2^0.7/2)³.
+#[test]
+fn rows_have_the_rating_of_a_bearing_of_two_rows() {
+    let mut one = at_rest(conventional(dimensions()));
+    one.motion = Motion::Space;
+    let mut two = one.clone();
+    two.rows = vec![Row::default(); 2];
+    two.operation.radial_load_n *= 2.0;
+    let rating = |case: &Case| Rating::in_space(case, &solve_in_space(case).unwrap());
+    let (one, two) = (rating(&one), rating(&two));
+    let plain = BasicRatings::new(&conventional(dimensions()).bearing);
+    assert_eq!(one.basic, plain);
+    assert!((two.basic.static_n / plain.static_n - 2.0).abs() < 1e-12);
+    assert!((two.basic.dynamic_n / plain.dynamic_n - 1.624_504_8).abs() < 1e-7);
+    let lives = two.l10r_mrev.unwrap() / one.l10r_mrev.unwrap();
+    assert!((lives - 0.535_886_7).abs() < 1e-5, "{lives}");
 }
 
 /// The load of the static rating is Stribeck's 5 Q/Z at 4200 MPa of the more loaded raceway.
@@ -379,6 +400,21 @@ fn passing_frequencies_are_those_of_the_cwru_bearing() {
         let error = found / n / published - 1.0;
         assert!(error.abs() < 1e-4, "{published}: {error}");
     }
+}
+
+/// Without a load there is no life, neither in the plane nor in space, whatever the search for the equilibrium
+/// leaves of forces.
+#[test]
+fn no_load_has_no_life() {
+    let mut case = conventional(dimensions());
+    case.operation.radial_load_n = 0.0;
+    let plane = Rating::new(&case, &solve(&case).unwrap());
+    assert_eq!(plane.l10r_mrev, None);
+    let space = cageless::equilibrium::space::solve(&case).unwrap();
+    assert_eq!(Rating::in_space(&case, &space).l10r_mrev, None);
+    case.operation.radial_load_n = 1.0;
+    let space = cageless::equilibrium::space::solve(&case).unwrap();
+    assert!(Rating::in_space(&case, &space).l10r_mrev.is_some());
 }
 
 /// An axial load alone: the balls orbit as the closed form has it at the contact angle of the loaded

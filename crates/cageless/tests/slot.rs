@@ -8,7 +8,8 @@ use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::touchdown::DropRecorder;
 use cageless::{
-    Case, Formulation, IntegrationMethod, Raceway, RacewayDimensions, RacewayForm, RacewayShape,
+    Case, Ends, Formulation, IntegrationMethod, Raceway, RacewayDimensions, RacewayForm,
+    RacewayShape,
 };
 
 use crate::common::{complete, drop_case, slotted};
@@ -260,7 +261,7 @@ fn slots_that_cannot_be() {
         refused(
             own,
             RacewayForm {
-                blend_m: 1e-4,
+                ends: Ends::Blended(1e-4),
                 ..form
             }
         ),

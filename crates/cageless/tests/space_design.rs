@@ -3,7 +3,7 @@
 use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::design::search::{
     Cause, ClosedForms, Evaluation, Found, Job, Motion as Perturbed, Numbers, OperatingPoint,
-    RacewayLayout, Request, SearchError, Task, run_jobs, search,
+    RacewayLayout, Request, SearchError, Task, UnevenStart, run_jobs, search,
 };
 use cageless::design::{
     Criterion, Eq11, Judgement, RacewayVerdict, axial_lag, judge, kinematic_gap_rad,
@@ -150,9 +150,9 @@ fn a_verdict_in_space_is_that_of_the_lag() {
     let planar = structure(5.1, 25.2);
     let case = in_space(planar.clone(), planar.contact.friction.coefficient);
     let judged = judge(&case, &mut go_on).unwrap();
-    assert_eq!(judged.verdict, RacewayVerdict::Smooth);
+    assert_eq!(judged.verdict, RacewayVerdict::TooShallow);
     let measured = axial_lag(&in_space(planar, 0.007), [0.0; 2], &mut go_on).unwrap();
-    let [lag, _] = measured.lag_and_angle_rad.unwrap();
+    let lag = measured.lag.unwrap().lag_rad;
     let rolling = kinematic_lag_rad(&case.bearing, &case.raceways[0], 0.0, 0.0);
     // Of later orbits.
     assert!((criterion(&judged, "lag") / (lag / rolling) - 1.0).abs() < 2e-3);
@@ -210,7 +210,7 @@ fn balls_that_start_unevenly_keep_the_same_lag() {
         let job = Job {
             structure: RacewayLayout::from_case(case).unwrap(),
             point: OperatingPoint::from_case(case),
-            task: Task::Motion(0),
+            task: Task::Motion(UnevenStart::Drawn(0)),
         };
         match run_jobs(case, &[&job], &mut go_on).swap_remove(0) {
             Some(Ok(Numbers::Motion(motion))) => motion.lag_fraction,

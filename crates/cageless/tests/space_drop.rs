@@ -57,6 +57,14 @@ fn rough() -> Case {
     (r.y_m, r.vy_m_s) = (-0.96 * r.radial_clearance_m, -0.0625);
     (r.eccentricity_m, r.eccentricity_phase_rad) = (5e-6, 0.7);
     r.drive_torque_n_m = -2.0;
+    // No factor has its default, and no two balls are alike.
+    case.contact.outer_friction_factor = 0.6;
+    case.contact.ball_friction_factor = 2.5;
+    let deviations = (0..14).map(|k| 1e-7 * ((k * 5 % 7) as f64 - 3.0));
+    case.bearing = (case
+        .bearing
+        .with_ball_radius_deviations(deviations.collect()))
+    .unwrap();
     case.support.as_mut().unwrap().stop = Some(SupportStop {
         gap_m: 3e-5,
         stiffness_n_m: 1e8,
@@ -91,7 +99,7 @@ fn a_drop_onto_a_plain_ring_has_the_rates_of_the_plane() {
     let ((flat, flat_j), (lifted, lifted_j)) = (rates(&planar, &flat), rates(&spatial, &lifted));
     for (from, to) in &places {
         let (a, b) = (flat[*from], lifted[*to]);
-        assert!((a - b).abs() <= 1e-9 * (a.abs() + 1.0), "{from}: {a} {b}");
+        assert!((a - b).abs() <= 1e-8 * (a.abs() + 1.0), "{from}: {a} {b}");
     }
     assert!((flat_j / lifted_j - 1.0).abs() < 1e-14);
 }
@@ -190,7 +198,7 @@ fn the_ledger_of_a_drop_in_space_closes() {
         let (coarse, fine) = (residual(1e-6), residual(0.25e-6));
         println!("{name}: {coarse:e} {fine:e}");
         assert!(
-            coarse < 1e-7 && fine < 0.3 * coarse,
+            coarse < 1e-7 && fine < 0.3 * coarse.max(1e-8),
             "{name}: {coarse:e} {fine:e}"
         );
     }
@@ -238,6 +246,85 @@ fn a_shoulder_is_a_spring_between_rotor_and_ring() {
         let found = summary.shoulder_force_max_n.unwrap();
         assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
         assert_eq!(summary.rotor_force_max_n, found);
+    }
+}
+
+/// Rows of a drop name what the state holds, every number another; journal and shoulder press with K δ.
+#[test]
+fn a_row_of_a_drop_names_what_the_state_holds() {
+    let mut case = horizontal();
+    let r = rotor(&mut case);
+    (r.eccentricity_m, r.contact_damping_s_m) = (0.0, 0.0);
+    let (clearance_m, axial_m) = (r.radial_clearance_m, r.axial_clearance_m.unwrap());
+    let (mut state, angles) = initial_state(&case).unwrap();
+    let layout = state.layout();
+    let of_drop = [
+        (DropCoordinate::RingSpeed, 41.0),
+        (DropCoordinate::OuterX, 1e-6),
+        (DropCoordinate::OuterY, -2e-6),
+        (DropCoordinate::OuterZ, 3e-6),
+        (DropCoordinate::OuterVx, 0.011),
+        (DropCoordinate::OuterVy, -0.012),
+        (DropCoordinate::OuterVz, 0.013),
+        // 0.03 mm deep, 3-4-5 from the centre of the ring.
+        (DropCoordinate::RotorX, 4e-6 + 0.6 * (clearance_m + 3e-5)),
+        (DropCoordinate::RotorY, -5e-6 - 0.8 * (clearance_m + 3e-5)),
+        (DropCoordinate::RotorZ, 6e-6 + axial_m + 2e-5),
+        (DropCoordinate::RotorVx, 0.14),
+        (DropCoordinate::RotorVy, -0.15),
+        (DropCoordinate::RotorVz, 0.16),
+        (DropCoordinate::RotorAngle, 0.7),
+        (DropCoordinate::RotorSpeed, 310.0),
+    ];
+    let of_ring = [
+        (RingCoordinate::X, 4e-6),
+        (RingCoordinate::Y, -5e-6),
+        (RingCoordinate::Z, 6e-6),
+        (RingCoordinate::Vx, 0.021),
+        (RingCoordinate::Vy, -0.022),
+        (RingCoordinate::Vz, 0.023),
+    ];
+    for (coordinate, value) in of_drop {
+        state.values_mut()[layout.drop(coordinate)] = value;
+    }
+    for (coordinate, value) in of_ring {
+        state.values_mut()[layout.ring(coordinate)] = value;
+    }
+    let model = Model::new(&case).unwrap();
+    let row = RightHandSide::new(&model).snapshot(0.0, &state, &angles);
+    let (found, ring) = (row.rotor.unwrap(), row.ring);
+    let drop = |coordinate| state.values()[layout.drop(coordinate)];
+    for (name, found, expected) in [
+        ("x", found.x_m, drop(DropCoordinate::RotorX)),
+        ("y", found.y_m, drop(DropCoordinate::RotorY)),
+        ("z", found.z_m, drop(DropCoordinate::RotorZ)),
+        ("vx", found.vx_m_s, 0.14),
+        ("vy", found.vy_m_s, -0.15),
+        ("vz", found.vz_m_s, 0.16),
+        ("angle", found.angle_rad, 0.7),
+        ("speed", found.speed_rad_s, 310.0),
+        ("speed of the ring", found.ring_speed_rad_s, 41.0),
+        ("housing x", found.housing_x_m, 1e-6),
+        ("housing y", found.housing_y_m, -2e-6),
+        ("housing z", found.housing_z_m, 3e-6),
+        ("housing vx", found.housing_vx_m_s, 0.011),
+        ("housing vy", found.housing_vy_m_s, -0.012),
+        ("housing vz", found.housing_vz_m_s, 0.013),
+        ("ring x", ring.x_m, 4e-6),
+        ("ring y", ring.y_m, -5e-6),
+        ("ring z", ring.z_m, 6e-6),
+        ("ring vx", ring.vx_m_s, 0.021),
+        ("ring vy", ring.vy_m_s, -0.022),
+        ("ring vz", ring.vz_m_s, 0.023),
+        ("outer ring of a ball z", row.outer_ring_z_m[5], 3e-6),
+    ] {
+        assert_eq!(found, expected, "{name}");
+    }
+    for (name, found, expected) in [
+        ("journal", found.contact_force_n, 1e9 * 3e-5),
+        ("shoulder", found.shoulder_force_n, -1e9 * 2e-5),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found}");
     }
 }
 

@@ -39,6 +39,15 @@ fn a_plain_ring_moves_in_space_as_in_the_plane() {
         (IntegrationMethod::VelocityVerlet, 1000.0, large),
     ] {
         let mut planar = conventional(dimensions);
+        // No key of the contacts has its default, and no two balls are alike.
+        planar.contact.outer_friction_factor = 0.6;
+        planar.contact.ball_friction_factor = 2.5;
+        planar.contact.ball_restitution = 0.8;
+        planar.contact.damping_n_s_m1_5 = 3e5;
+        planar.operation.gravity_m_s2 = 15.0;
+        let deviations = (0..planar.bearing.balls()).map(|k| 1e-7 * ((k * 5 % 7) as f64 - 3.0));
+        let deviations = deviations.collect();
+        planar.bearing = (planar.bearing.with_ball_radius_deviations(deviations)).unwrap();
         planar.solver.method = method;
         planar.solver.duration_s = 2e-3;
         // Balls bounce, and damping counts.

@@ -206,7 +206,7 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
         "of 1 to 100"
     );
     assert_eq!((samples.count, samples.passed), (100, 99));
-    assert_eq!(samples.pass_probability, 0.99);
+    assert_eq!(samples.pass_probability, Some(0.99));
     // Wilson's interval of 99 in 100.
     for (found, expected) in samples
         .pass_probability_interval
@@ -220,7 +220,10 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
         .map(|(verdict, count)| (verdict.name(), count));
     let expected = [
         ("smooth", 99),
+        ("not-judged", 0),
         ("double-collision", 0),
+        ("too-shallow", 0),
+        ("too-deep", 0),
         ("slips", 0),
         ("loses-lag", 0),
         ("overloaded", 0),
@@ -293,7 +296,7 @@ fn tolerances_are_judged_by_the_interval_of_the_probability() {
             1,
             0,
             "not judged: 1 of 1 bearings pass, probability of passing 100.0 % (95 % interval 20.7 to 100.0 %, \
-             95 % needed); too few bearings to tell, a pass takes 73 or more; nominal design headline 2",
+             95 % needed); at least 73 bearings are needed to show 95 %; nominal design headline 2",
         ),
         (
             100,
@@ -307,6 +310,59 @@ fn tolerances_are_judged_by_the_interval_of_the_probability() {
     let none = sampled(0, 0, Smooth);
     assert!(none.passes() == Some(true) && none.samples.is_none());
     assert_eq!(none.headline(), "PASS; nominal design headline 2");
+}
+
+/// A bearing whose run stopped neither passes nor fails: the interval holds whichever it would do, and nothing is
+/// the mean or the range of the rest.
+#[test]
+fn a_run_that_stopped_is_neither_a_pass_nor_a_failure() {
+    use RacewayVerdict::{NotJudged, Slips, Smooth};
+    let all = trials(&case(), &tolerances(), 200, 1);
+    let rows = all.iter().filter(|t| t.influence.is_some()).count();
+    let stopped = Outcome {
+        critical_gap_rad: None,
+        passages: None,
+        reason: Some("the run stopped at t = 0.1 s".to_owned()),
+        ..outcome(NotJudged, 1.0)
+    };
+    let found = |passed: usize, open: usize, in_row: bool| {
+        let mut outcomes = vec![outcome(Smooth, 1.0); all.len()];
+        outcomes[rows + 1 + passed..].fill(outcome(Slips, 1.0));
+        outcomes[rows + 1 + passed..][..open].fill(stopped.clone());
+        if in_row {
+            outcomes[2] = stopped.clone();
+        }
+        assess(&all, &known(&outcomes))
+    };
+    // By R, prop.test without correction: 197 of 200: 95.7 to 99.5 %, 190 of 200: 91.0 to 97.3 %.
+    let one = found(197, 3, true);
+    let samples = one.samples.as_ref().unwrap();
+    let [low, high] = samples.pass_probability_interval;
+    assert!((low - 0.957).abs() < 5e-4 && high == 1.0, "{low} {high}");
+    assert_eq!((samples.open, samples.pass_probability), (3, None));
+    assert_eq!(samples.critical_gap_quantiles_rad, None);
+    assert_eq!(one.passes(), Some(true), "whatever the three do");
+    assert_eq!(one.stopped(), Some((4, "the run stopped at t = 0.1 s")));
+    let row = &one.influences[0];
+    assert_eq!((row.critical_gap_rad, row.sliding_mean_m_s), (None, None));
+    assert_eq!(row.open.len(), 1);
+    assert!(one.influences[1].critical_gap_rad.is_some());
+    assert!(
+        one.headline()
+            .starts_with("PASS: 197 of 200 bearings pass, 3 are not judged, probability of")
+    );
+    // Fails if the stopped ones fail, passes if they pass.
+    let open = found(190, 10, false);
+    assert_eq!(open.passes(), None);
+    assert_eq!(found(170, 10, false).passes(), Some(false));
+    let nominal = {
+        let mut outcomes = vec![outcome(Smooth, 1.0); all.len()];
+        outcomes[0] = stopped.clone();
+        assess(&all, &known(&outcomes))
+    };
+    assert_eq!(nominal.passes(), None);
+    assert_eq!(open.stopped().map(|(count, _)| count), Some(10));
+    assert_eq!(found(200, 0, false).stopped(), None);
 }
 
 /// What was interrupted is not judged unless the nominal bearing fails, and rows that lack a bearing are named
@@ -356,4 +412,28 @@ fn an_interrupted_analysis_is_not_judged() {
 fn assess_all(all: &[Trial]) -> Vec<InfluenceResult> {
     let outcomes = vec![Some(outcome(RacewayVerdict::Smooth, 1.0)); all.len()];
     assess(all, &outcomes).influences
+}
+
+/// ISO 3290-1:2014: balls of a lot of grade G differ by G/20 µm in diameter, of G3 by 0.13 µm; half of half of it to either
+/// side in radius. Other numbers are no grades.
+#[test]
+fn grades_of_balls_are_those_of_iso_3290() {
+    let known: Vec<u32> = (0..1000).filter(|n| ball_grade(*n).is_some()).collect();
+    assert_eq!(known, [3, 5, 10, 16, 20, 24, 28, 40, 60, 100, 200]);
+    for number in known {
+        let lot_um = match number {
+            3 => 0.13,
+            number => f64::from(number) / 20.0,
+        };
+        let grade = ball_grade(number).unwrap();
+        assert_eq!(grade.number, number);
+        assert!(
+            (1e6 * grade.lot_variation_m / lot_um - 1.0).abs() < 1e-12,
+            "G{number}"
+        );
+        assert!(
+            (4e6 * grade.radius_deviation_m() / lot_um - 1.0).abs() < 1e-12,
+            "G{number}"
+        );
+    }
 }

@@ -377,13 +377,13 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
     let friction = rotor.friction.coefficient;
     within(
         "rotor friction",
-        &|k| bearing(k).rotor_friction / friction,
+        &|k| bearing(k).rotor_friction.coefficient / friction,
         [0.7, 1.3],
     );
     let friction = case.contact.friction.coefficient;
     within(
         "ball friction",
-        &|k| bearing(k).ball_friction / friction,
+        &|k| bearing(k).ball_friction.coefficient / friction,
         [0.7, 1.3],
     );
 }

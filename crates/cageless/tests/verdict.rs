@@ -7,8 +7,8 @@ use crate::common::*;
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
 use cageless::design::{
-    Criterion, Eq11, RacewayTallies, RacewayVerdict, RunVerdict, judge, judge_watched, recommend,
-    starting_point, steady_after_s, steady_case, theoretical_gap_rad,
+    Criterion, Eq11, RacewayTallies, RacewayVerdict, RunEvidence, RunVerdict, judge, judge_watched,
+    recommend, starting_point, steady_after_s, steady_case, theoretical_gap_rad,
 };
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::raceway::RacewayDimensions;
@@ -105,7 +105,7 @@ fn what_is_recommended_passes_its_own_verdict() {
     assert!(fraction > 0.25, "{fraction}");
     let headline = judgement.headline();
     assert!(
-        headline.starts_with("FAIL: double collision; "),
+        headline.starts_with("FAIL from evenly spaced balls: double collision; "),
         "{headline}"
     );
     assert!(headline.contains("missed by"), "{headline}");
@@ -246,11 +246,67 @@ fn a_verdict_rests_on_the_steady_passages_of_each_raceway() {
         );
         // The critical gap is that of the raceway alone.
         let alone = case.with_raceways(vec![raceway.clone()]);
-        let gap = critical_gap_rad(&alone, &PairTest::default(), &mut go_on).unwrap();
+        let steady = cageless::design::steady_gap_rad(&alone.bearing, &alone.raceways);
+        let test = PairTest::of_raceways(&alone, 0, steady);
+        let gap = critical_gap_rad(&alone, &test, &mut go_on).unwrap();
         assert_eq!(judged.critical_gap_rad, Some(gap));
     }
     let [a, b] = [0, 1].map(|r| judgement.raceways[r].passages.unwrap());
     assert_ne!(a.sliding_mean_m_s, b.sliding_mean_m_s);
+}
+
+/// Evidence of a run whose pressures are in order.
+fn evidence(passages: &RacewayTallies) -> RunEvidence<'_> {
+    RunEvidence {
+        passages,
+        pressure_max_pa: Some(1e9),
+    }
+}
+
+/// A run that the program itself warns of does not pass: with contact pressures beyond ISO 76 it fails.
+#[test]
+fn no_run_passes_over_its_own_warnings() {
+    let case = full_6008(5.1, 25.2);
+    let mut tallies = RacewayTallies::new(&case);
+    let mut recorder = PassageRecorder::new(|passage: Passage| {
+        tallies.add(&Passage {
+            collisions_ahead: 0,
+            slowest_at_largest_rad_s: passage.orbit_speed_range_rad_s[0],
+            ..passage
+        });
+        Ok(())
+    });
+    let mut long = case.clone();
+    long.contact.friction.coefficient = 0.1;
+    long.solver.duration_s = 5.0 * case.rolling_orbit_s();
+    cageless::simulation::run(&long, &mut [&mut recorder], &mut go_on).unwrap();
+    let verdict = |pressure_max_pa| {
+        let run = RunEvidence {
+            passages: &tallies,
+            pressure_max_pa,
+        };
+        RunVerdict::new(&case, &run)
+    };
+    let kept = verdict(Some(4.2e9));
+    assert_eq!(kept.verdict, RacewayVerdict::Smooth, "{}", kept.headline);
+    let over = verdict(Some(4.2e9f64.next_up()));
+    assert_eq!(over.verdict, RacewayVerdict::Overloaded);
+    assert!(
+        over.headline
+            .contains("the contact pressure of the motion reaches 4200")
+    );
+    // Of several starts the worst pressure counts.
+    let starts = [verdict(Some(1e9)), verdict(Some(5e9))];
+    let found = RunVerdict::of_starts(&case, &starts);
+    assert_eq!(found.verdict, RacewayVerdict::Overloaded);
+    let starts = [
+        verdict(Some(1e9)),
+        RunVerdict::unfinished(&case, "a run that stopped"),
+    ];
+    assert_eq!(
+        RunVerdict::of_starts(&case, &starts).verdict,
+        RacewayVerdict::NotJudged
+    );
 }
 
 /// The verdict of a run has the limits of `judge`, on the worst of the raceways that balls pass.
@@ -262,13 +318,13 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         raceways.map(|(span, angle, centre)| raceway(&case.bearing, span, angle, centre));
     let case = case.with_raceways(raceways.to_vec());
     let speed = case.operation.inner_speed_rad_s * 23.031 / (23.031 + 30.974);
-    // Twelve passages: how far the balls slow down, and how many are hit twice.
+    // Four passages of each of 21 balls: how far the balls slow down, and how many sevens of them are hit twice.
     let tally = |r: usize, drop: f64, twice: u32| {
         let raceway = &case.raceways[r];
         let depth = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
         let slowed = 2.0 * speed * (1.0 - 3.969e-3 / (depth + 3.969e-3));
-        let passage = |k| Passage {
-            ball: 0,
+        let passage = |k: u32| Passage {
+            ball: k as usize % 21,
             raceway: r,
             enter_s: 0.0,
             leave_s: 1e-3,
@@ -276,27 +332,29 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
             gap_behind_rad: 0.03,
             gap_min_rad: 0.01,
             gap_leave_rad: 0.03,
-            collisions_ahead: u32::from(k < twice),
-            collisions_behind: u32::from(k < twice),
+            collisions_ahead: u32::from(k / 7 < twice),
+            collisions_behind: u32::from(k / 7 < twice),
             sliding_max_m_s: 0.1,
             unloaded_s: 0.0,
             orbit_speed_range_rad_s: [speed + drop * (slowed - speed), speed],
+            inside_at_largest_s: 1e-3,
+            slowest_at_largest_rad_s: speed + drop * (slowed - speed),
             angle_rad: 0.5,
             way_here: None,
         };
-        (0..12).map(passage).collect::<Vec<_>>()
+        (0..84).map(passage).collect::<Vec<_>>()
     };
     let verdict = |passages: [Vec<Passage>; 2]| {
         let mut tallies = RacewayTallies::new(&case);
         passages.iter().flatten().for_each(|p| tallies.add(p));
-        RunVerdict::from_case(&case, &tallies)
+        RunVerdict::new(&case, &evidence(&tallies))
     };
     let good = |r| tally(r, 0.98, 0);
     for (tallies, expected, start) in [
         (
             [good(0), good(1)],
             RacewayVerdict::Smooth,
-            "PASS in this run: smooth; nearest to its limit: balls reach 98.0 %",
+            "PASS in this run from evenly spaced balls: smooth; nearest to its limit: balls reach 98.0 %",
         ),
         (
             [tally(0, 0.8 + 1e-9, 0), good(1)],
@@ -306,7 +364,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         (
             [tally(0, 0.8 - 1e-9, 0), good(1)],
             RacewayVerdict::Slips,
-            "FAIL in this run: excessive sliding; balls reach",
+            "FAIL in this run from evenly spaced balls: excessive sliding; balls reach",
         ),
         (
             [good(0), tally(1, 0.8 - 1e-9, 0)],
@@ -317,18 +375,34 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         (
             [good(0), tally(1, 0.98, 3)],
             RacewayVerdict::Smooth,
-            "PASS in this run: smooth; nearest to its limit: 25.0 %",
+            "PASS in this run from evenly spaced balls: smooth; nearest to its limit: 25.0 %",
         ),
         (
             [good(0), tally(1, 0.98, 4)],
             RacewayVerdict::DoubleCollision,
-            "FAIL in this run: double collision; 33.3 %",
+            "FAIL in this run from evenly spaced balls: double collision; 33.3 %",
         ),
-        ([vec![], good(1)], RacewayVerdict::Smooth, "PASS"),
+        (
+            [vec![], good(1)],
+            RacewayVerdict::NotJudged,
+            "not judged: every ball has to pass every discrete raceway 2 times",
+        ),
+        // The last ball is one passage short.
+        (
+            [good(0), good(1)[..41].to_vec()],
+            RacewayVerdict::NotJudged,
+            "not judged: every ball has to pass every discrete raceway 2 times after the transient (t > 0.0100 s), \
+             and one has passed 1 (solver.duration_s of 0.059 or more)",
+        ),
+        (
+            [good(0), good(1)[..42].to_vec()],
+            RacewayVerdict::Smooth,
+            "PASS",
+        ),
         (
             [vec![], vec![]],
             RacewayVerdict::NotJudged,
-            "not judged: no ball",
+            "not judged: every ball has to pass every discrete raceway 2 times",
         ),
     ] {
         let found = verdict(tallies);
@@ -346,22 +420,19 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
     assert!((found.standard_error.unwrap() - 1.0 / 3.0).abs() < 1e-12);
     assert_eq!(
         found.headline,
-        "FAIL in the mean of 3 starts: double collision; 33.3 % of the passages have a double collision (limit \
+        "FAIL in the mean of 3 draws from evenly spaced balls: double collision; 33.3 % of the passages have a double collision (limit \
          25 %, missed by 8.3 percentage points), standard error 33.3 percentage points; for the critical gap run \
          `cageless design`"
     );
     let none = verdict([vec![], vec![]]);
+    // One start that is not judged leaves nothing judged.
     let found = RunVerdict::of_starts(&case, &[from(2), none.clone(), from(4)]);
-    assert_eq!(found.verdict, RacewayVerdict::Smooth);
-    let start = "PASS in the mean of 2 of 3 starts: smooth; nearest to its limit: 25.0 %";
-    assert!(found.headline.starts_with(start), "{}", found.headline);
-    let found = RunVerdict::of_starts(&case, &[none.clone(), none]);
-    assert_eq!(found.verdict, RacewayVerdict::NotJudged);
-    assert!(
-        found.headline.starts_with("not judged: no ball"),
-        "{}",
-        found.headline
+    assert_eq!(
+        (found.verdict, found.deciding),
+        (RacewayVerdict::NotJudged, None)
     );
+    let start = "not judged: draw 2 of 3: every ball has to pass";
+    assert!(found.headline.starts_with(start), "{}", found.headline);
     let ended = RunVerdict::unfinished(&case, "interrupted after 1 s of 2 s");
     assert_eq!(
         (ended.verdict, ended.headline.as_str()),
@@ -371,7 +442,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         )
     );
     let plain = case.with_raceways(vec![]);
-    let found = RunVerdict::from_case(&plain, &RacewayTallies::new(&plain));
+    let found = RunVerdict::new(&plain, &evidence(&RacewayTallies::new(&plain)));
     assert_eq!(
         (found.verdict, found.deciding),
         (RacewayVerdict::NotJudged, None)

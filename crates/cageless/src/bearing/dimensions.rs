@@ -35,6 +35,9 @@ pub struct BearingDimensions {
 /// Height of the shoulders of either ring over the diameter of the ball unless it is given.
 pub const SHOULDER_HEIGHT: f64 = 0.2;
 
+/// Thickness of the inner ring below its groove over the diameter of the ball, unless the bore is given.
+const WALL: f64 = 0.3;
+
 /// Largest radius of a groove in the meridian plane over the diameter of the ball. Grooves of
 /// bearings have 0.51 to 0.58.
 const CONFORMITY_MAX: f64 = 1.0;
@@ -49,6 +52,12 @@ pub const BALLS_MAX: usize = 256;
 pub(super) const ROUNDING_M: f64 = 1e-12;
 
 impl BearingDimensions {
+    /// Bore radius of an inner ring of which none is given, m: 0.3 ball diameters below the groove.
+    pub fn bore_radius_estimate_m(&self) -> f64 {
+        let bottom = self.inner_groove_bottom_radius_m;
+        (bottom - WALL * (2.0 * self.ball_radius_m)).max(0.5 * bottom)
+    }
+
     /// Largest interference 2Rw − (Ro − Ri), m: it presses the balls between the unloaded rings
     /// with [`STRESS_LIMIT_PA`]. 0 where the ball does not fit into the grooves.
     pub fn interference_max_m(&self, materials: &Materials) -> f64 {

@@ -9,8 +9,8 @@ const RINGS: [&str; 2] = ["inner", "outer"];
 /// A contact beyond the end of its groove.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "ball {} over the shoulder of the {} ring: its contact angle is {:.1} deg, the groove ends at \
-     {:.1} deg",
+    "ball {} over the shoulder of the {} ring: its contact angle is {:.1}°, the groove ends at \
+     {:.1}°",
     self.ball + 1, RINGS[self.ring], degrees(self.angle_rad), degrees(self.shoulder_rad)
 )]
 pub struct BeyondGroove {

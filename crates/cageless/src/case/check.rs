@@ -6,7 +6,7 @@ use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::limits::{not_negative, positive, require};
-use crate::raceway::{Raceway, RacewayShape};
+use crate::raceway::RacewayShape;
 use crate::time_table::TimeTable;
 
 impl Operation {
@@ -63,7 +63,9 @@ impl Case {
             )?;
         }
         self.contact.check()?;
-        self.lubrication.as_ref().map_or(Ok(()), |l| l.check())?;
+        self.lubrication
+            .as_ref()
+            .map_or(Ok(()), |l| l.check(&self.bearing))?;
         self.thermal.check()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
@@ -80,6 +82,11 @@ impl Case {
         let why = "1e12 steps are the limit; solver.step_us sets their size";
         Allowed::AtMost(STEPS_MAX * self.solver.step_s, why)
             .check("duration_s", self.solver.duration_s)?;
+        if let Some(transient_s) = self.solver.transient_s {
+            let less = transient_s < self.solver.duration_s;
+            let rule = format!("less than solver.duration_s, {}", self.solver.duration_s);
+            require("transient_s", transient_s, less, rule)?;
+        }
         positive("interval_s", self.output.interval_s)?;
         at_least_s(INTERVAL_MIN_S).check("interval_s", self.output.interval_s)?;
         if let Some(h) = &self.housing {
@@ -142,10 +149,11 @@ impl Case {
     /// # Errors
     /// An [`InputError`] of the form of another, with `why` it cannot be.
     pub(crate) fn check_published_form(&self, why: &str) -> Result<(), InputError> {
-        for form in self.raceways.iter().map(Raceway::form) {
+        for raceway in &self.raceways {
+            let form = raceway.form();
             let quartic = form.shape == RacewayShape::Quartic;
             require("shape", f64::NAN, quartic, format!("\"quartic\": {why}"))?;
-            for (field, value) in [("blend_m", form.blend_m), ("depth_m", form.depth_m)] {
+            for (field, value) in [("blend_m", raceway.blend_m()), ("depth_m", form.depth_m)] {
                 require(field, value, value <= 0.0, format!("0: {why}"))?;
             }
         }
@@ -201,6 +209,20 @@ impl Case {
             require(field, start, table.is_none(), rule)?;
         }
         Ok(())
+    }
+
+    /// Passes a case without a rotor; with tables over time a static equilibrium is that of t = 0.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the rotor.
+    pub(crate) fn check_without_rotor(&self) -> Result<(), InputError> {
+        match self.rotor {
+            Some(_) => {
+                let why = "a bearing under a falling rotor has no static equilibrium";
+                Err(InputError::rotor_left_out(why))
+            }
+            None => Ok(()),
+        }
     }
 
     fn check_start(&self) -> Result<(), InputError> {

@@ -12,6 +12,7 @@
 
 mod check;
 mod contact;
+mod over_time;
 mod space;
 mod spatial_load;
 
@@ -24,8 +25,10 @@ use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::lubrication::Lubrication;
+use crate::numerics::random::RandomStream;
 use crate::numerics::root;
-use crate::raceway::{Raceway, RacewayForm};
+use crate::raceway::{Ends, Raceway, RacewayForm};
+use crate::rotating_ring::rotating_growth_m;
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 use crate::touchdown::{Limit, PARTS, Thermal};
@@ -55,6 +58,12 @@ pub struct Operation {
 }
 
 impl Operation {
+    /// Largest ωi, rad/s.
+    pub fn largest_inner_speed_rad_s(&self) -> f64 {
+        let table = self.inner_speed_table.as_ref();
+        table.map_or(self.inner_speed_rad_s, |table| table.range()[1])
+    }
+
     /// How a clockwise bearing is shown; empty for the other sense of rotation.
     pub fn view(&self) -> &'static str {
         if self.clockwise {
@@ -88,6 +97,41 @@ pub enum Gaps {
     Uniform,
     /// N gaps; gap k lies between ball k and ball k+1 (the last: ball N and ball 1).
     List(Vec<f64>),
+}
+
+/// Gaps within a bunch over the mean gap: balls that share a load at different contact angles sit at different
+/// radii, and would overlap if they touched on the pitch circle.
+const GAP_IN_BUNCH: f64 = 0.05;
+
+impl Gaps {
+    /// Balls in one group, which begins with ball 1.
+    pub fn bunched(bearing: &Bearing) -> Self {
+        Self::List(bunched_gaps_rad(bearing))
+    }
+
+    /// Gaps of which every division of the free angle is equally likely, by a seed.
+    pub fn random(bearing: &Bearing, seed: u64) -> Self {
+        /// Number of this use of random numbers among all.
+        const START: u64 = 101;
+        let mut stream = RandomStream::new(seed, START, 0, 0);
+        Self::List(random_gaps_rad(bearing, &mut stream))
+    }
+}
+
+/// Gaps of [`Gaps::bunched`], rad.
+pub(crate) fn bunched_gaps_rad(bearing: &Bearing) -> Vec<f64> {
+    let (count, mean_rad) = (bearing.balls(), bearing.mean_gap_rad());
+    let within_rad = GAP_IN_BUNCH * mean_rad;
+    let mut gaps_rad = vec![within_rad; count];
+    gaps_rad[count - 1] = count as f64 * mean_rad - (count - 1) as f64 * within_rad;
+    gaps_rad
+}
+
+/// Exponential numbers over their sum, times the free angle, rad.
+pub(crate) fn random_gaps_rad(bearing: &Bearing, stream: &mut RandomStream) -> Vec<f64> {
+    let shares: Vec<_> = (0..bearing.balls()).map(|_| stream.exponential()).collect();
+    let scale = bearing.balls() as f64 * bearing.mean_gap_rad() / shares.iter().sum::<f64>();
+    shares.iter().map(|share| share * scale).collect()
 }
 
 /// Initial state of rings and balls, but for where the balls are along the raceways.
@@ -140,6 +184,15 @@ pub struct Solver {
     pub tolerance: f64,
     /// Simulated time.
     pub duration_s: f64,
+    /// Time at its start that results leave out; `None`: two orbits of the balls, at most half.
+    pub transient_s: Option<f64>,
+}
+
+impl Solver {
+    /// Steps of the whole time; at least as many with the adaptive method.
+    pub fn steps(&self) -> f64 {
+        (self.duration_s / self.step_s).ceil()
+    }
 }
 
 /// Housing that carries the outer ring: one mass on a spring and a damper in
@@ -249,6 +302,20 @@ impl Case {
             .map_or([REFERENCE_TEMPERATURE_C; PARTS], |fit| fit.parts_c)
     }
 
+    /// Growth of the diameter of the inner raceway at the largest speed of the inner ring, m: that of a free ring from
+    /// bore to bottom of the groove.
+    pub fn speed_expansion_m(&self) -> f64 {
+        let raceway_m = 2.0 * self.bearing.dimensions().inner_groove_bottom_radius_m;
+        let diameters = [2.0 * self.bearing.bore_radius_or_estimate_m(), raceway_m];
+        let speed_rad_s = self.largest_inner_speed_rad_s();
+        rotating_growth_m(
+            &self.bearing.materials().ring,
+            speed_rad_s,
+            diameters,
+            raceway_m,
+        )
+    }
+
     /// Largest ωi of the run, rad/s; with a rotor that of an inner ring without balls that rolls
     /// on the rotor at its speed at the start.
     pub fn largest_inner_speed_rad_s(&self) -> f64 {
@@ -256,10 +323,7 @@ impl Case {
             (Some(rotor), Some(bore)) => {
                 rotor.speed_rad_s.abs() * (bore.radius_m - rotor.radial_clearance_m) / bore.radius_m
             }
-            _ => {
-                let table = self.operation.inner_speed_table.as_ref();
-                table.map_or(self.operation.inner_speed_rad_s, |t| t.range()[1])
-            }
+            _ => self.operation.largest_inner_speed_rad_s(),
         }
     }
 
@@ -388,9 +452,17 @@ impl Case {
         self.with_raceways(vec![])
     }
 
-    /// Form of the first raceway; that of Zhao 2022 without one.
+    /// Form of the first raceway; without one the quartic shape of Zhao 2022, on elastic flanks with machined
+    /// ends.
     pub fn raceway_form(&self) -> RacewayForm {
-        self.raceways.first().map(Raceway::form).unwrap_or_default()
+        let quartic = || RacewayForm {
+            ends: match self.flanks {
+                FlankModel::Elastic => Ends::Machined,
+                FlankModel::Rigid => Ends::default(),
+            },
+            ..RacewayForm::default()
+        };
+        self.raceways.first().map_or_else(quartic, Raceway::form)
     }
 
     /// Case with other raceways.

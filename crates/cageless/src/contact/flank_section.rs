@@ -80,7 +80,8 @@ impl FlankSection {
         let inverse_height = inverse * square * reach;
         let inverse_flank_cosine = inverse_reach * (length + g);
         let cosine = height * length * inverse_square;
-        let sine_square = (g * g - h * h) * inverse_square;
+        // At the ends cos αc of a polynomial may exceed 1 by its rounding.
+        let sine_square = positive(g * g - h * h) * inverse_square;
         FlankPress {
             deflection: risen * inverse_reach,
             lever: cosine * inverse_flank_cosine,
@@ -90,6 +91,29 @@ impl FlankSection {
             sine_square,
             inverse_flank_cosine,
             inverse_height,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FlankSection;
+
+    #[test]
+    fn a_cosine_above_1_by_rounding_leaves_no_negative_square_of_the_sine() {
+        let cosine = 1.0 + 1e-13;
+        let (gap, offset) = (0.19e-3_f64, 0.19e-3_f64);
+        let height = (gap * gap - offset * offset * (1.0 - cosine * cosine)).sqrt();
+        assert!(height > gap);
+        let section = FlankSection {
+            gap,
+            height,
+            cosine,
+        };
+        for beyond_m in [-1e-9, 0.0, 1e-9, 5e-6] {
+            let press = section.press(beyond_m);
+            assert_eq!(press.sine_square, 0.0);
+            assert!((press.lever - 1.0).abs() < 1e-12);
         }
     }
 }

@@ -11,6 +11,8 @@ lane_struct! {
         radius,
         /// ωi·Ri, m/s.
         surface_speed,
+        /// Mobility that a ring which follows its balls adds to that of each, 1/kg; 0 of a heavy ring.
+        following,
     }
 }
 

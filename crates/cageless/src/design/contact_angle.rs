@@ -26,6 +26,7 @@ use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
 use crate::case::{Case, Row};
+use crate::control::Control;
 use crate::equilibrium::{EquilibriumError, space};
 use crate::numerics::{quadrature, root};
 use crate::raceway::Raceway;
@@ -80,7 +81,18 @@ impl ContactAngleEstimate {
 /// # Errors
 /// Those of [`space::solve`].
 pub fn seats(case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
-    let solved = space::solve(&case.conventional())?;
+    seats_controlled(case, &mut || Control::Continue(()))
+}
+
+/// [`seats`], with `control` called before every place of the ring that is tried.
+///
+/// # Errors
+/// Those of [`seats`], or `control` ended the search.
+pub fn seats_controlled(
+    case: &Case,
+    control: &mut dyn FnMut() -> Control,
+) -> Result<Vec<[f64; 2]>, EquilibriumError> {
+    let solved = space::solve_controlled(&case.conventional(), control)?;
     let stiffness = solved.rest.outer_stiffness_n_m1_5;
     let forces = || solved.rest.outer_force_n.iter().copied().enumerate();
     let seat = |row: usize| {

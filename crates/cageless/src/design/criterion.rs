@@ -20,13 +20,27 @@ pub const DOUBLE_COLLISION_FRACTION: f64 = 0.25;
 /// rigid flanks is out of reach there.
 pub const LAG_MIN_FRACTION: f64 = 0.5;
 
-/// One requirement on the motion of the balls. Values, limits and margins are fractions of 1.
+/// Least critical gap over the steady-state gap: what spreads the balls.
+pub const CRITICAL_GAP_MIN_FRACTION: f64 = 0.8;
+
+/// One requirement on the motion of the balls, of verdict and search alike. Values, limits and margins are fractions
+/// of 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Criterion {
     /// Largest Hertz pressure at rest over the 4200 MPa of ISO 76, at most 1.
     Pressure(f64),
+    /// Largest Hertz pressure of a run, between balls as well, over the same, at most 1.
+    PeakPressure(f64),
     /// Fraction of β0 by which sliding lowers the critical gap, at most [`SLIP_SHORTFALL`].
     Separation(f64),
+    /// Critical gap over the steady-state gap: at most 1, beyond which evenly spaced balls collide, and at least what
+    /// spreads them.
+    SteadyGap {
+        /// The fraction.
+        value: f64,
+        /// The least of it.
+        least: f64,
+    },
     /// Fraction of the kinematic deceleration that the balls reach, at least [`SPEED_DROP_FRACTION`].
     Deceleration(f64),
     /// Fraction of the passages in which both neighbours hit, at most [`DOUBLE_COLLISION_FRACTION`].
@@ -40,6 +54,8 @@ impl Criterion {
     pub fn name(self) -> &'static str {
         match self {
             Self::Pressure(_) => "pressure",
+            Self::PeakPressure(_) => "peak-pressure",
+            Self::SteadyGap { .. } => "steady-gap",
             Self::Separation(_) => "separation",
             Self::Deceleration(_) => "deceleration",
             Self::BothNeighbours(_) => "both-neighbours",
@@ -51,6 +67,8 @@ impl Criterion {
     pub fn value(self) -> f64 {
         match self {
             Self::Pressure(value)
+            | Self::PeakPressure(value)
+            | Self::SteadyGap { value, .. }
             | Self::Separation(value)
             | Self::Deceleration(value)
             | Self::BothNeighbours(value)
@@ -62,6 +80,8 @@ impl Criterion {
     pub(super) fn with_value(self, value: f64) -> Self {
         match self {
             Self::Pressure(_) => Self::Pressure(value),
+            Self::PeakPressure(_) => Self::PeakPressure(value),
+            Self::SteadyGap { least, .. } => Self::SteadyGap { value, least },
             Self::Separation(_) => Self::Separation(value),
             Self::Deceleration(_) => Self::Deceleration(value),
             Self::BothNeighbours(_) => Self::BothNeighbours(value),
@@ -69,10 +89,12 @@ impl Criterion {
         }
     }
 
-    /// Limit of the value.
+    /// Limit of the value; of one with two the nearer.
     pub fn limit(self) -> f64 {
         match self {
-            Self::Pressure(_) => 1.0,
+            Self::Pressure(_) | Self::PeakPressure(_) => 1.0,
+            Self::SteadyGap { least, .. } if self.at_least() => least,
+            Self::SteadyGap { .. } => 1.0,
             Self::Separation(_) => SLIP_SHORTFALL,
             Self::Deceleration(_) => SPEED_DROP_FRACTION,
             Self::BothNeighbours(_) => DOUBLE_COLLISION_FRACTION,
@@ -82,7 +104,11 @@ impl Criterion {
 
     /// Whether the limit is the least value, else it is the largest.
     pub fn at_least(self) -> bool {
-        matches!(self, Self::Deceleration(_) | Self::Lag(_))
+        match self {
+            Self::Deceleration(_) | Self::Lag(_) => true,
+            Self::SteadyGap { value, least } => value < 0.5 * (1.0 + least),
+            _ => false,
+        }
     }
 
     /// Distance of the value from its limit, negative beyond it.
@@ -98,11 +124,34 @@ impl Criterion {
         self.margin() >= 0.0
     }
 
+    /// Whether the value is a number: without one nothing is judged.
+    pub fn is_known(self) -> bool {
+        !self.value().is_nan()
+    }
+
+    /// What sliding takes from the critical gap. On elastic flanks it is no criterion: spin on the flanks takes a
+    /// part of it in every raceway, which a deeper one makes up for.
+    pub(super) fn separation(elastic: bool, shortfall: f64) -> Option<Self> {
+        (!elastic).then_some(Self::Separation(shortfall))
+    }
+
+    /// How far a raceway slows the balls: on elastic flanks by the lag that is left, on rigid ones by the
+    /// deceleration that is reached.
+    pub(super) fn slowing(elastic: bool, speed_drop_fraction: f64, lag_fraction: f64) -> Self {
+        match elastic {
+            true => Self::Lag(lag_fraction),
+            false => Self::Deceleration(speed_drop_fraction),
+        }
+    }
+
     /// The verdict on a raceway that this criterion decides.
     pub fn verdict(self) -> RacewayVerdict {
         match self {
+            _ if !self.is_known() => RacewayVerdict::NotJudged,
             _ if self.is_met() => RacewayVerdict::Smooth,
-            Self::Pressure(_) => RacewayVerdict::Overloaded,
+            Self::Pressure(_) | Self::PeakPressure(_) => RacewayVerdict::Overloaded,
+            Self::SteadyGap { .. } if self.at_least() => RacewayVerdict::TooShallow,
+            Self::SteadyGap { .. } => RacewayVerdict::TooDeep,
             Self::Separation(_) | Self::Deceleration(_) => RacewayVerdict::Slips,
             Self::BothNeighbours(_) => RacewayVerdict::DoubleCollision,
             Self::Lag(_) => RacewayVerdict::LosesLag,
@@ -112,25 +161,46 @@ impl Criterion {
     /// Margin over that of a raceway without load, sliding and collisions: 1 there, 0 at the limit. The
     /// load that makes a pressure grows as its cube.
     pub fn relative_margin(self) -> f64 {
-        if let Self::Pressure(value) = self {
-            return 1.0 - value.powi(3);
-        }
-        let ideal = match self.at_least() {
-            true => 1.0 - self.limit(),
-            false => self.limit(),
+        let ideal = match self {
+            Self::Pressure(value) | Self::PeakPressure(value) => return 1.0 - value.powi(3),
+            Self::SteadyGap { least, .. } => 0.5 * (1.0 - least),
+            _ if self.at_least() => 1.0 - self.limit(),
+            _ => self.limit(),
         };
         self.margin() / ideal
     }
 
-    /// The criterion that decides: the first that fails, else the one nearest to its limit.
+    /// The criterion that decides: the first that fails, else the one nearest to its limit; `None` without any, and
+    /// where one that is not known might fail.
     pub fn deciding(all: &[Self]) -> Option<Self> {
-        all.iter()
-            .find(|c| !c.is_met())
-            .or_else(|| {
-                all.iter()
-                    .min_by(|a, b| a.relative_margin().total_cmp(&b.relative_margin()))
-            })
-            .copied()
+        let failed = all.iter().find(|c| c.is_known() && !c.is_met());
+        let known = || all.iter().all(|c| c.is_known());
+        let nearest = || {
+            let all = all.iter();
+            all.min_by(|a, b| a.relative_margin().total_cmp(&b.relative_margin()))
+        };
+        let deciding = failed.or_else(|| nearest().filter(|_| known()));
+        deciding.copied()
+    }
+
+    /// The verdict of all criteria of a raceway.
+    pub(super) fn verdict_of(all: &[Self]) -> RacewayVerdict {
+        Self::deciding(all).map_or(RacewayVerdict::NotJudged, Self::verdict)
+    }
+
+    /// What is missing for a verdict, as a sentence: the first value that is not known.
+    pub(super) fn missing(all: &[Self]) -> Option<String> {
+        let unknown = all.iter().find(|c| !c.is_known())?;
+        let what = match unknown {
+            Self::Pressure(_) | Self::PeakPressure(_) => "the contact pressure",
+            Self::Separation(_) | Self::SteadyGap { .. } => {
+                "the critical gap or the steady-state gap"
+            }
+            Self::Deceleration(_) => "the deceleration in the raceway",
+            Self::BothNeighbours(_) => "the fraction of double collisions",
+            Self::Lag(_) => "the lag of a ball",
+        };
+        Some(format!("{what} is not known: no number came out"))
     }
 }
 
@@ -155,7 +225,15 @@ impl std::fmt::Display for Criterion {
         let shown = percent_beside(value, limit);
         let bound = 100.0 * limit;
         match self {
-            Self::Pressure(_) => return write_pressure(f, [value, limit]),
+            Self::Pressure(_) => return write_pressure(f, "at rest reaches", [value, limit]),
+            Self::PeakPressure(_) => {
+                return write_pressure(f, "of the motion reaches", [value, limit]);
+            }
+            Self::SteadyGap { least, .. } => write!(
+                f,
+                "the critical gap is {shown} of the steady-state gap ({:.0} to 100 % needed",
+                100.0 * least
+            ),
             Self::Separation(_) if value < 0.0 => write!(
                 f,
                 "sliding does not lower the critical gap (limit {bound:.0} % of β0"
@@ -188,7 +266,11 @@ impl std::fmt::Display for Criterion {
 }
 
 /// Writes a pressure, its limit and the margin, all in MPa.
-fn write_pressure(f: &mut std::fmt::Formatter<'_>, fractions: [f64; 2]) -> std::fmt::Result {
+fn write_pressure(
+    f: &mut std::fmt::Formatter<'_>,
+    when: &str,
+    fractions: [f64; 2],
+) -> std::fmt::Result {
     let [value, limit] = fractions.map(|fraction| 1e-6 * STRESS_LIMIT_PA * fraction);
     let digits = decimals(value, limit, 0);
     let (word, margin) = match value <= limit {
@@ -197,7 +279,7 @@ fn write_pressure(f: &mut std::fmt::Formatter<'_>, fractions: [f64; 2]) -> std::
     };
     write!(
         f,
-        "the contact pressure at rest reaches {value:.digits$} MPa (limit {limit:.0} MPa of ISO 76, {word} \
+        "the contact pressure {when} {value:.digits$} MPa (limit {limit:.0} MPa of ISO 76, {word} \
          {margin:.digits$} MPa)"
     )
 }
@@ -232,7 +314,19 @@ mod tests {
             Criterion::BothNeighbours(0.9),
         ];
         assert_eq!(Criterion::deciding(&bad), Some(bad[1]));
-        assert!(!Criterion::Deceleration(f64::NAN).is_met());
+        // What is not known is neither kept nor missed, unless another is missed.
+        let unknown = Criterion::Deceleration(f64::NAN);
+        assert!(!unknown.is_met());
+        assert_eq!(unknown.verdict(), RacewayVerdict::NotJudged);
+        assert_eq!(Criterion::deciding(&[good[0], unknown]), None);
+        assert_eq!(
+            Criterion::verdict_of(&[good[0], unknown]),
+            RacewayVerdict::NotJudged
+        );
+        assert_eq!(Criterion::deciding(&[unknown, bad[2]]), Some(bad[2]));
+        let missing = Criterion::missing(&[good[0], unknown]).unwrap();
+        assert!(missing.starts_with("the deceleration"), "{missing}");
+        assert_eq!(Criterion::missing(&good), None);
         assert_eq!(Criterion::deciding(&[]), None);
         // A pressure by the load that is left, a third here; at the limit none.
         let pressed = [Criterion::BothNeighbours(0.15), Criterion::Pressure(0.874)];
@@ -268,9 +362,36 @@ mod tests {
         for (value, met) in [(1.0, true), (1f64.next_up(), false), (f64::NAN, false)] {
             let pressure = Criterion::Pressure(value);
             assert_eq!((pressure.is_met(), pressure.at_least()), (met, false));
-            let verdict = [RacewayVerdict::Overloaded, RacewayVerdict::Smooth][usize::from(met)];
-            assert_eq!(pressure.verdict(), verdict);
+            let expected = match met {
+                true => RacewayVerdict::Smooth,
+                false if value.is_nan() => RacewayVerdict::NotJudged,
+                false => RacewayVerdict::Overloaded,
+            };
+            assert_eq!(pressure.verdict(), expected);
         }
+    }
+
+    /// A critical gap has two ends: balls are spread by 80 % of the steady-state gap at least, and evenly spaced ones
+    /// collide beyond all of it.
+    #[test]
+    fn a_critical_gap_has_both_ends() {
+        let of = |value: f64| Criterion::SteadyGap { value, least: 0.8 };
+        for (value, verdict) in [
+            (0.8, RacewayVerdict::Smooth),
+            (1.0, RacewayVerdict::Smooth),
+            (0.8f64.next_down(), RacewayVerdict::TooShallow),
+            (0.0, RacewayVerdict::TooShallow),
+            (1f64.next_up(), RacewayVerdict::TooDeep),
+            (5.53 / 2.66, RacewayVerdict::TooDeep),
+        ] {
+            assert_eq!(of(value).verdict(), verdict, "{value}");
+        }
+        assert_eq!(
+            of(1.25).to_string(),
+            "the critical gap is 125.0 % of the steady-state gap (80 to 100 % needed, missed by 25.0 percentage points)"
+        );
+        assert!((of(0.95).relative_margin() - 0.5).abs() < 1e-12);
+        assert!((of(0.82).relative_margin() - 0.2).abs() < 1e-12);
     }
 
     /// At its limit a criterion is met, the next number beyond it is a failure; half way from the

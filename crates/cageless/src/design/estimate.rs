@@ -1,7 +1,9 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
-use super::search::CRITICAL_GAP_MIN_FRACTION;
-use super::{Eq11, LAG_MIN_FRACTION, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad};
+use super::{
+    CRITICAL_GAP_MIN_FRACTION, Eq11, LAG_MIN_FRACTION, SLIP_SHORTFALL, rolling_lag_fraction,
+    steady_gap_rad, theoretical_gap_rad,
+};
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
@@ -86,6 +88,11 @@ impl Estimate {
 
     fn of(case: &Case, of_friction: EstimateTerm, equilibrium: Option<&Equilibrium>) -> Self {
         let bearing = &case.bearing;
+        // What a raceway must keep of β0, or of the lag, is what it may be too deep by.
+        let kept_fraction = match case.has_elastic_flanks() {
+            true => LAG_MIN_FRACTION,
+            false => 1.0 - SLIP_SHORTFALL,
+        };
         let mut terms = vec![];
         if !case.raceways.is_empty() {
             let largest = |value: &dyn Fn(&Raceway) -> f64| {
@@ -99,6 +106,13 @@ impl Estimate {
                 value: largest(&|r| theoretical_gap_rad(bearing, r, Eq11::Published) / steady),
                 limit: CRITICAL_GAP_MIN_FRACTION,
                 at_least: true,
+            });
+            terms.push(EstimateTerm {
+                name: "depth",
+                meaning: "the same: beyond its limit evenly spaced balls collide",
+                value: largest(&|r| theoretical_gap_rad(bearing, r, Eq11::Published) / steady),
+                limit: 1.0 / kept_fraction,
+                at_least: false,
             });
             terms.push(of_friction);
             terms.push(EstimateTerm {
@@ -124,9 +138,13 @@ impl Estimate {
         &self.terms
     }
 
-    /// Whether every term keeps its limit. A value that is not a number keeps none.
-    pub fn passes(&self) -> bool {
-        self.terms.iter().all(|t| t.margin() >= 0.0)
+    /// Whether every term keeps its limit; `None` where one is not known and none is missed.
+    pub fn passes(&self) -> Option<bool> {
+        let margins = || self.terms.iter().map(EstimateTerm::margin);
+        match margins().any(|margin| margin < 0.0) {
+            true => Some(false),
+            false => margins().all(|margin| margin >= 0.0).then_some(true),
+        }
     }
 }
 
@@ -189,6 +207,7 @@ mod tests {
     use super::*;
     use crate::common::{STRUCTURES, conventional, dimensions, structure};
     use crate::equilibrium;
+    use crate::flank_model::FlankModel;
 
     fn estimate(case: &Case) -> Estimate {
         Estimate::new(case, &equilibrium::solve(case).unwrap())
@@ -215,9 +234,11 @@ mod tests {
             };
             Estimate { terms: vec![term] }.passes()
         };
-        assert!(passes(true, 0.8) && !passes(true, 0.8f64.next_down()));
-        assert!(passes(false, 0.8) && !passes(false, 0.8f64.next_up()));
-        assert!(!passes(true, f64::NAN) && !passes(false, f64::NAN));
+        for (at_least, beyond) in [(true, 0.8f64.next_down()), (false, 0.8f64.next_up())] {
+            assert_eq!(passes(at_least, 0.8), Some(true));
+            assert_eq!(passes(at_least, beyond), Some(false));
+            assert_eq!(passes(at_least, f64::NAN), None);
+        }
         let term = EstimateTerm {
             name: "",
             meaning: "",
@@ -247,13 +268,35 @@ mod tests {
             let e = equilibrium::solve(&case).unwrap();
             let stress = e.inner_pressure_max_pa.max(e.outer_pressure_max_pa) / 4.2e9;
             assert!((value(&found, "stress") - stress).abs() < 1e-12);
-            assert_eq!(found.passes(), (2..5).contains(&k), "{span}");
+            assert_eq!(found.passes(), Some((2..5).contains(&k)), "{span}");
         }
         let plain = conventional(dimensions());
         assert_eq!(estimate(&plain).terms().len(), 1);
         let narrow = structure(4.3, 25.2);
         let found = estimate(&narrow);
-        assert!(value(&found, "separation") < 0.8 && !found.passes());
+        assert!(value(&found, "separation") < 0.8 && found.passes() == Some(false));
+    }
+
+    /// β0 has an upper end, beyond which evenly spaced balls collide: 1/0.95 of the steady gap on rigid flanks, on
+    /// elastic ones, which may leave half of it, twice the steady gap.
+    #[test]
+    fn a_raceway_may_be_too_deep() {
+        for (flanks, limit) in [(FlankModel::Rigid, 1.0 / 0.95), (FlankModel::Elastic, 2.0)] {
+            let mut passed = [false; 2];
+            for span in [4.8, 5.1, 5.3, 5.5, 6.0, 6.5, 7.0] {
+                let mut case = structure(span, 25.2);
+                case.flanks = flanks;
+                let found = Estimate::elastic(&case, &[[0.0, 0.0]], None);
+                let term = found.terms().iter().find(|t| t.name == "depth").unwrap();
+                assert!((term.limit - limit).abs() < 1e-12);
+                assert_eq!(term.value, value(&found, "separation"));
+                passed[usize::from(term.margin() >= 0.0)] = true;
+                if term.margin() < 0.0 {
+                    assert_eq!(found.passes(), Some(false), "{span}");
+                }
+            }
+            assert_eq!(passed, [true; 2], "{flanks:?}");
+        }
     }
 
     /// Each term of the estimate of several raceways is that of the worst.

@@ -34,24 +34,28 @@ use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, axial_span_limit_m};
 
 pub use axial::{
-    AXIAL_ORBITS, AxialLag, axial_critical_gap_rad, axial_lag, axial_load_keeping_n, axial_points,
+    AXIAL_ORBITS, AxialLag, AxialLimit, LagAndAngle, NoLag, axial_critical_gap_rad, axial_lag,
+    axial_load_keeping, axial_points, axial_sample,
 };
 pub use contact_angle::{
     ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction, seats,
+    seats_controlled,
 };
 pub use criterion::{
-    Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
-    percent_beside,
+    CRITICAL_GAP_MIN_FRACTION, Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION,
+    SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
 };
 pub use estimate::{Estimate, EstimateTerm};
 pub use pressure_at_rest::pressure_at_rest_pa;
 pub use raceway_tallies::RacewayTallies;
 pub use raceway_verdict::RacewayVerdict;
-pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};
-pub use run_verdict::RunVerdict;
+pub use recommendation::{
+    Recommendation, StartingPoint, recommend, recommendation_steps, starting_point,
+};
+pub use run_verdict::{PASSAGES_MIN, RunEvidence, RunVerdict};
 pub use verdict::{
     Judgement, PassageStatistics, RacewayJudgement, judge, judge_watched, steady_after_s,
-    steady_case,
+    steady_case, verdict_steps,
 };
 
 /// Reading of φ in Zhao 2022, Eq. (11).

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use crate::case::{Case, Gaps, Start, StartState};
-use crate::equilibrium::{EquilibriumError, settle};
+use crate::control::Control;
+use crate::equilibrium::{EquilibriumError, settle_controlled};
 
 /// Places within one spacing of the balls at which the load is looked at.
 const POSITIONS: usize = 8;
@@ -14,6 +15,17 @@ const POSITIONS: usize = 8;
 /// # Errors
 /// The case is impossible or has no equilibrium.
 pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
+    pressure_at_rest_controlled_pa(case, &mut || Control::Continue(()))
+}
+
+/// [`pressure_at_rest_pa`], with `control` called before every place of the ring that is tried.
+///
+/// # Errors
+/// Those of [`pressure_at_rest_pa`], or `control` ended the search.
+pub fn pressure_at_rest_controlled_pa(
+    case: &Case,
+    control: &mut dyn FnMut() -> Control,
+) -> Result<[f64; 2], EquilibriumError> {
     let pitch = TAU / case.bearing.balls() as f64;
     let mut case = case.clone();
     let mut peak = [0.0f64; 2];
@@ -23,7 +35,7 @@ pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
             Gaps::Uniform,
             pitch * k as f64 / POSITIONS as f64,
         );
-        let e = settle(&case)?.rest;
+        let e = settle_controlled(&case, control)?.rest;
         let here = [e.inner_pressure_max_pa, e.outer_pressure_max_pa];
         peak = std::array::from_fn(|raceway| peak[raceway].max(here[raceway]));
     }

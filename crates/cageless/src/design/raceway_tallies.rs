@@ -16,6 +16,8 @@ pub struct RacewayTallies {
     of_raceway: Vec<PassageTally>,
     /// Raceway by raceway, row after row.
     of_row: Vec<Vec<PassageTally>>,
+    /// Passages, raceway by raceway, ball after ball.
+    of_ball: Vec<Vec<u64>>,
 }
 
 impl RacewayTallies {
@@ -27,6 +29,7 @@ impl RacewayTallies {
             balls: case.bearing.balls(),
             of_raceway: tallies(case.raceways.len()),
             of_row: vec![tallies(rows); case.raceways.len()],
+            of_ball: vec![vec![0; case.balls()]; case.raceways.len()],
         }
     }
 
@@ -34,6 +37,7 @@ impl RacewayTallies {
     pub fn add(&mut self, passage: &Passage) {
         self.of_raceway[passage.raceway].add(passage);
         self.of_row[passage.raceway][passage.ball / self.balls].add(passage);
+        self.of_ball[passage.raceway][passage.ball] += 1;
     }
 
     /// Passages of all rows through raceway `k`.
@@ -41,18 +45,19 @@ impl RacewayTallies {
         &self.of_raceway[k]
     }
 
-    /// How far raceway `k` slows the balls: on elastic flanks by the lag that is left, on rigid ones by the
-    /// deceleration that is reached. `None` before a ball has passed, and of the lag before one has passed two.
-    pub(super) fn slowing(&self, case: &Case, k: usize) -> Option<Criterion> {
-        let tally = &self.of_raceway[k];
-        let criterion = match case.has_elastic_flanks() {
-            true => Criterion::Lag(self.lag_fraction(case, k)),
-            false => {
-                let slowest_rad_s = tally.lowest_orbit_speed_mean_rad_s();
-                Criterion::Deceleration(speed_drop_fraction(case, &case.raceways[k], slowest_rad_s))
-            }
-        };
-        (tally.count > 0 && !criterion.value().is_nan()).then_some(criterion)
+    /// Passages of the ball that has passed a raceway least often, through the raceway that it has passed least.
+    pub fn least_of_a_ball(&self) -> u64 {
+        self.of_ball.iter().flatten().copied().min().unwrap_or(0)
+    }
+
+    /// How far raceway `k` slows the balls; not known before a ball has passed, of the lag before one has passed two.
+    pub(super) fn slowing(&self, case: &Case, k: usize) -> Criterion {
+        let slowest_rad_s = self.of_raceway[k].lowest_orbit_speed_mean_rad_s();
+        Criterion::slowing(
+            case.has_elastic_flanks(),
+            speed_drop_fraction(case, &case.raceways[k], slowest_rad_s),
+            self.lag_fraction(case, k),
+        )
     }
 
     /// Lag in raceway `k` over that of rolling on rigid flanks at the angle of its section, of the row where it
@@ -73,13 +78,13 @@ impl RacewayTallies {
 }
 
 /// Fraction of the theoretical drop of orbital speed in a raceway that balls reach which fall to
-/// `slowest_rad_s`, in a turned section of that at its contact angle.
+/// `slowest_rad_s` at the largest speed of the inner ring, in a turned section of that at its contact angle.
 pub(super) fn speed_drop_fraction(case: &Case, raceway: &Raceway, slowest_rad_s: f64) -> f64 {
     let bearing = &case.bearing;
     let gamma = bearing.ball_radius_m() / bearing.pitch_radius_m();
     // Ω has the factor 1 − γ cos α.
     let turned = (1.0 - gamma * raceway.section_angle_rad().cos()) / (1.0 - gamma);
-    let inner_speed_rad_s = turned * case.operation.inner_speed_rad_s;
+    let inner_speed_rad_s = turned * case.largest_inner_speed_rad_s();
     let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, inner_speed_rad_s, r);
     let plain = speed(bearing.ball_radius_m());
     let middle = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);

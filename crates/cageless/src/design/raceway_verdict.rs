@@ -4,12 +4,16 @@ crate::named_enum! {
     /// Verdict on a raceway, the worst last.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
     pub enum RacewayVerdict {
-        /// There is no discrete raceway to judge.
-        NotJudged = "not-judged",
         /// Balls pass without sliding and without being hit from both sides.
         Smooth = "smooth",
+        /// There is no discrete raceway to judge, or too little to judge it by.
+        NotJudged = "not-judged",
         /// Balls are hit by both neighbours in one passage.
         DoubleCollision = "double-collision",
+        /// The critical gap is so small that the raceway hardly spreads the balls.
+        TooShallow = "too-shallow",
+        /// The critical gap exceeds the steady-state gap: evenly spaced balls collide.
+        TooDeep = "too-deep",
         /// Balls slide so much that the separation suffers.
         Slips = "slips",
         /// Load, contact angle and sliding leave too little of the lag, in space.
@@ -22,12 +26,14 @@ crate::named_enum! {
 }
 
 impl RacewayVerdict {
-    /// Whether the raceway passes; `None` where there is none to judge.
+    /// Whether the raceway passes; `None` where it is not judged.
     pub fn passes(self) -> Option<bool> {
         match self {
             Self::NotJudged => None,
             Self::Smooth => Some(true),
             Self::DoubleCollision
+            | Self::TooShallow
+            | Self::TooDeep
             | Self::Slips
             | Self::LosesLag
             | Self::Overloaded
@@ -41,6 +47,8 @@ impl RacewayVerdict {
             Self::NotJudged => "not judged",
             Self::Smooth => "smooth",
             Self::DoubleCollision => "double collision",
+            Self::TooShallow => "too shallow",
+            Self::TooDeep => "too deep",
             Self::Slips => "excessive sliding",
             Self::LosesLag => "lag lost",
             Self::Overloaded => "overloaded",

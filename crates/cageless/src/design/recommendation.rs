@@ -1,12 +1,12 @@
 //! A raceway near the curve of Zhao 2022, Eq. (11), that passes its verdict.
 
-use super::search::CRITICAL_GAP_MIN_FRACTION;
+use super::criterion::CRITICAL_GAP_MIN_FRACTION;
 use super::{
     Eq11, Judgement, LAG_MIN_FRACTION, RacewayVerdict, SLIP_SHORTFALL, half_angle_for_gap_rad,
-    judge, steady_gap_rad, theoretical_gap_rad,
+    judge, steady_gap_rad, theoretical_gap_rad, verdict_steps,
 };
 use crate::case::Case;
-use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
+use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
 use crate::numerics::root;
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 use crate::simulation::Control;
@@ -221,6 +221,30 @@ fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayD
         .collect()
 }
 
+/// Of the raceways that pass, the first with half of the possible margin, or the one with the largest margin.
+fn best(
+    raceways: impl Iterator<Item = RacewayDimensions>,
+    judged: &mut dyn FnMut(RacewayDimensions) -> Result<Option<Recommendation>, CriticalGapError>,
+) -> Result<Option<Recommendation>, CriticalGapError> {
+    let margin = |r: &Recommendation| {
+        let deciding = r.judgement.deciding;
+        deciding.map_or(f64::NEG_INFINITY, |criterion| criterion.relative_margin())
+    };
+    let mut best: Option<Recommendation> = None;
+    for dimensions in raceways {
+        let Some(found) = judged(dimensions)?.filter(Recommendation::passes) else {
+            continue;
+        };
+        if best.as_ref().is_none_or(|b| margin(&found) > margin(b)) {
+            best = Some(found);
+        }
+        if best.as_ref().is_some_and(|b| margin(b) >= COMFORTABLE) {
+            break;
+        }
+    }
+    Ok(best)
+}
+
 /// A raceway that passes its verdict at the load and speed of the case: the middle of the usable
 /// part of the curve of Eq. (11) if that passes, else shallower and longer ones near it, of which
 /// the first with half of the possible margin, or the one with the largest margin, is taken. If
@@ -281,29 +305,31 @@ pub fn recommend(
     if matches!(&middle, Some(m) if m.judgement.verdict == RacewayVerdict::Slips) {
         angles.reverse();
     }
-    let margin = |r: &Recommendation| {
-        let deciding = r.judgement.deciding;
-        deciding.map_or(f64::NEG_INFINITY, |criterion| criterion.relative_margin())
-    };
-    let mut best: Option<Recommendation> = None;
-    for dimensions in angles
-        .into_iter()
-        .flat_map(|fraction| neighbours(case, &start, fraction))
-    {
-        let Some(found) = judged_raceway(dimensions)?.filter(Recommendation::passes) else {
-            continue;
-        };
-        if best.as_ref().is_none_or(|b| margin(&found) > margin(b)) {
-            best = Some(found);
-        }
-        if best.as_ref().is_some_and(|b| margin(b) >= COMFORTABLE) {
-            break;
-        }
-    }
+    let near = angles.into_iter();
+    let near = near.flat_map(|fraction| neighbours(case, &start, fraction));
+    let best = best(near, &mut judged_raceway)?;
     Ok(best.or(middle).map(|r| Recommendation {
         judged: judged as usize,
         ..r
     }))
+}
+
+/// Raceways that are judged as a rule.
+const JUDGED: f64 = 2.0;
+
+/// Steps that [`recommend`] takes as a rule for a case, with its own or a middling raceway.
+pub fn recommendation_steps(case: &Case) -> f64 {
+    if case.moves_in_space() {
+        return 0.0;
+    }
+    let raceway = match case.raceways.first() {
+        Some(raceway) => Some(raceway.clone()),
+        None => on_curve(case, 0.8 * axial_span_limit_m(&case.bearing)),
+    };
+    raceway.map_or(0.0, |raceway| {
+        let case = case.with_raceways(vec![raceway]);
+        CRITICAL_GAPS * pair_steps(&case, &PairTest::default()) + JUDGED * verdict_steps(&case)
+    })
 }
 
 /// Fraction of the work of a recommendation that its starting point takes, roughly.
@@ -313,6 +339,7 @@ const STARTING_FRACTION: f64 = 0.3;
 mod tests {
     use super::*;
     use crate::common::{STRUCTURES, structure};
+    use crate::design::Criterion;
 
     #[test]
     fn dimensions_are_rounded_to_what_a_drawing_states() {
@@ -405,6 +432,64 @@ mod tests {
             }
             // The next would be shallower than 0.8 of the steady gap.
             assert_eq!(found.len(), depths.len(), "{found:?}");
+        }
+    }
+
+    /// The recommended raceway of some that are judged in turn, by the place in the list, and how many were judged;
+    /// each reaches a fraction of the deceleration, of which 0.8 are the least, or cannot be judged.
+    fn recommended(reached: &[Option<f64>]) -> (Option<usize>, usize) {
+        let start = StartingPoint {
+            half_angle_min_rad: 0.3,
+            half_angle_max_rad: 0.5,
+            half_angle_rad: 0.4,
+            axial_span_m: 5e-3,
+        };
+        let place = |k: usize| RacewayDimensions {
+            axial_span_m: 1e-3 * (k + 1) as f64,
+            half_angle_rad: 0.4,
+            centre_angle_rad: 0.0,
+        };
+        let mut count = 0;
+        let mut judged = |dimensions: RacewayDimensions| {
+            let deciding = reached[count].map(Criterion::Deceleration);
+            count += 1;
+            Ok(deciding.map(|deciding| Recommendation {
+                starting_point: start,
+                dimensions,
+                judgement: Judgement {
+                    verdict: deciding.verdict(),
+                    reasons: vec![],
+                    deciding: Some(deciding),
+                    critical_gap_rad: None,
+                    pressure_at_rest_pa: None,
+                    steady_gap_rad: None,
+                    passages: None,
+                    raceways: vec![],
+                    stopped: None,
+                },
+                judged: count,
+            }))
+        };
+        let best = best((0..reached.len()).map(place), &mut judged).unwrap();
+        let found = best.map(|best| (1e3 * best.dimensions.axial_span_m).round() as usize - 1);
+        (found, count)
+    }
+
+    /// Margins of what is at least 0.8 are (value − 0.8)/0.2: half of the possible one is at 0.9.
+    #[test]
+    fn the_recommendation_has_the_largest_margin() {
+        for (reached, expected) in [
+            (vec![Some(0.85), Some(0.82)], (Some(0), 2)),
+            (vec![Some(0.82), Some(0.85)], (Some(1), 2)),
+            (vec![Some(0.82), Some(0.87), Some(0.85)], (Some(1), 3)),
+            // What fails or cannot be judged is none, however near.
+            (vec![Some(0.79), None, Some(0.81), Some(0.5)], (Some(2), 4)),
+            (vec![Some(0.79), None], (None, 2)),
+            (vec![], (None, 0)),
+            // A comfortable one ends the search.
+            (vec![Some(0.82), Some(0.91), Some(0.99)], (Some(1), 2)),
+        ] {
+            assert_eq!(recommended(&reached), expected, "{reached:?}");
         }
     }
 }

@@ -3,11 +3,26 @@
 use super::RacewayVerdict;
 use super::criterion::{Criterion, percent_beside};
 use super::raceway_tallies::RacewayTallies;
-use crate::case::Case;
+use crate::case::{Case, Gaps};
+use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::numerics::moments::Moments;
+use crate::summary::{TRANSIENT_TURNS, transient_s};
 
-/// Whether the balls passed the raceways of a run as they should. It rests on deceleration or lag and on
-/// contacts alone: the critical gap takes runs of its own, see [`super::judge`].
+/// Passages of every ball through every raceway after the transient that a verdict on a run takes: a lag is read
+/// between two.
+pub const PASSAGES_MIN: u64 = 2;
+
+/// What a run is judged by.
+#[derive(Debug, Clone, Copy)]
+pub struct RunEvidence<'a> {
+    /// Passages after the transient.
+    pub passages: &'a RacewayTallies,
+    /// Largest Hertz pressure of its contacts, Pa; `None` of a run within its transient.
+    pub pressure_max_pa: Option<f64>,
+}
+
+/// Whether the balls passed the raceways of a run as they should. It rests on deceleration or lag, on contacts and on
+/// pressures alone: the critical gap takes runs of its own, see [`super::judge`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunVerdict {
     /// The worst of the raceways.
@@ -16,84 +31,101 @@ pub struct RunVerdict {
     pub deciding: Option<Criterion>,
     /// Standard error of its value over several starts; `None` of one run.
     pub standard_error: Option<f64>,
-    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin; or why it is not judged.
     pub headline: String,
-    /// Slowing and double collisions in each raceway; `None` where no ball passed.
-    of_raceways: Vec<Option<[Criterion; 2]>>,
+    /// Slowing and double collisions in each raceway, and the largest pressure; empty if the run is not judged.
+    criteria: Vec<Criterion>,
+    /// What is missing for a verdict.
+    missing: Option<String>,
 }
 
 impl RunVerdict {
-    /// Verdict from the passages of a run of the case.
-    pub fn from_case(case: &Case, passages: &RacewayTallies) -> Self {
-        let of_raceway = |k: usize| {
-            let twice = passages.of_raceway(k).double_collision_fraction();
-            let slowing = case.rotor.is_none().then(|| passages.slowing(case, k))??;
-            Some([slowing, Criterion::BothNeighbours(twice)])
-        };
-        let of_raceways: Vec<_> = (0..case.raceways.len()).map(of_raceway).collect();
-        let all: Vec<_> = (of_raceways.iter().flatten().flatten())
+    /// Verdict on a run of the case that has come to its end.
+    pub fn new(case: &Case, run: &RunEvidence<'_>) -> Self {
+        let pressure = run
+            .pressure_max_pa
+            .map(|pa| Criterion::PeakPressure(pa / STRESS_LIMIT_PA));
+        let missing = too_few(case, run.passages);
+        let mut criteria = vec![];
+        if missing.is_none() && case.rotor.is_none() {
+            for k in 0..case.raceways.len() {
+                let twice = run.passages.of_raceway(k).double_collision_fraction();
+                criteria.push(run.passages.slowing(case, k));
+                criteria.push(Criterion::BothNeighbours(twice));
+            }
+        }
+        criteria.extend(pressure);
+        let all: Vec<_> = criteria
+            .iter()
             .map(|criterion| (*criterion, None))
             .collect();
-        let reason = "no ball has passed a discrete raceway since the transient";
+        let over = format!("this run{}", evenly(case));
         Self {
-            of_raceways,
-            ..Self::of(case, &all, "this run", reason)
+            criteria,
+            ..Self::of(case, &all, &over, missing)
         }
     }
 
-    /// Verdict from the mean of each criterion over runs of the case from several starts. One that passes
-    /// from some starts and fails from others is judged by what it does on average.
+    /// Verdict from the mean of each criterion over runs of the case from several starts, of a pressure the largest.
+    /// One that passes from some starts and fails from others is judged by what it does on average; nothing is
+    /// judged where one of the starts is not.
     pub fn of_starts(case: &Case, runs: &[Self]) -> Self {
-        let mut all = vec![];
-        for (raceway, side) in (0..case.raceways.len()).flat_map(|k| [(k, 0), (k, 1)]) {
-            let of_run = |run: &Self| Some(run.of_raceways.get(raceway)?.as_ref()?[side]);
-            let found: Vec<Criterion> = runs.iter().filter_map(of_run).collect();
-            let Some(criterion) = found.first() else {
-                continue;
-            };
+        let missing = (1..).zip(runs).find_map(|(number, run)| {
+            let reason = run.missing.as_ref()?;
+            Some(format!("draw {number} of {}: {reason}", runs.len()))
+        });
+        let most = runs.iter().map(|run| run.criteria.len()).max().unwrap_or(0);
+        let of_start = |index: usize| {
+            let found = runs.iter().filter_map(|run| run.criteria.get(index));
+            let found: Vec<Criterion> = found.copied().collect();
+            let first = *found.first()?;
+            let values = || found.iter().map(|c| c.value());
+            if let Criterion::PeakPressure(_) = first {
+                return Some((first.with_value(values().fold(0.0, f64::max)), None));
+            }
             let mut moments = Moments::default();
-            found.iter().for_each(|c| moments.add(c.value(), 1.0));
+            values().for_each(|value| moments.add(value, 1.0));
             let error = moments.deviation() / (moments.weight() - 1.0).sqrt();
             let error = (found.len() > 1).then_some(error);
-            all.push((criterion.with_value(moments.mean()), error));
-        }
-        let judged = |run: &&Self| run.deciding.is_some();
-        let over = match (runs.iter().filter(judged).count(), runs.len()) {
-            (judged, all) if judged == all => format!("the mean of {all} starts"),
-            (judged, all) => format!("the mean of {judged} of {all} starts"),
+            Some((first.with_value(moments.mean()), error))
         };
-        let reason = "no ball has passed a discrete raceway since the transient of any start";
-        Self::of(case, &all, &over, reason)
+        let all: Vec<_> = match missing {
+            None => (0..most).filter_map(of_start).collect(),
+            Some(_) => vec![],
+        };
+        let over = format!("the mean of {} draws{}", runs.len(), evenly(case));
+        Self::of(case, &all, &over, missing)
     }
 
     /// Verdict on a run of the case that ended early, which has none.
     pub fn unfinished(case: &Case, reason: &str) -> Self {
-        Self::of(case, &[], "", reason)
+        Self::of(case, &[], "", Some(reason.to_owned()))
     }
 
-    /// Verdict from criteria with their standard errors, `over` what they were read from; `reason` is why there
-    /// are none where the case has something to judge.
-    fn of(case: &Case, all: &[(Criterion, Option<f64>)], over: &str, reason: &str) -> Self {
+    /// Verdict from criteria with their standard errors, `over` what they were read from; `missing` is what keeps it
+    /// from being a pass.
+    fn of(
+        case: &Case,
+        all: &[(Criterion, Option<f64>)],
+        over: &str,
+        missing: Option<String>,
+    ) -> Self {
         let criteria: Vec<Criterion> = all.iter().map(|(criterion, _)| *criterion).collect();
-        let deciding = Criterion::deciding(&criteria);
+        let missing = nothing_to_judge(case)
+            .or(missing)
+            .or_else(|| Criterion::missing(&criteria));
+        let deciding = Criterion::deciding(&criteria)
+            .filter(|c| nothing_to_judge(case).is_none() && !(missing.is_some() && c.is_met()));
         let standard_error = deciding.and_then(|criterion| {
             let place = criteria.iter().position(|c| *c == criterion)?;
             all[place].1
         });
-        let verdict = match deciding {
-            None => RacewayVerdict::NotJudged,
-            Some(criterion) => criterion.verdict(),
-        };
+        let verdict = deciding.map_or(RacewayVerdict::NotJudged, Criterion::verdict);
         let headline = match deciding {
-            None if case.rotor.is_some() => {
-                "not judged: the inner ring has no constant speed under a falling rotor; \
-                 `cageless drop` judges the drop"
-                    .to_owned()
+            None => {
+                let reason = missing.as_deref().unwrap_or("nothing was observed");
+                format!("not judged: {reason}")
             }
-            None if case.raceways.is_empty() => {
-                "not judged: the outer ring has no discrete raceway".to_owned()
-            }
-            None => format!("not judged: {reason}"),
             Some(criterion) => {
                 let (word, nearest) = if criterion.is_met() {
                     ("PASS", "nearest to its limit: ")
@@ -117,7 +149,51 @@ impl RunVerdict {
             deciding,
             standard_error,
             headline,
-            of_raceways: vec![],
+            criteria: vec![],
+            missing,
         }
     }
+}
+
+/// How the balls of a case were started where they were evenly spaced, which is the least test of a raceway.
+fn evenly(case: &Case) -> &'static str {
+    match case.start.gaps {
+        Gaps::Uniform => " from evenly spaced balls",
+        Gaps::List(_) => "",
+    }
+}
+
+/// Why a case has nothing that a run could be judged by.
+fn nothing_to_judge(case: &Case) -> Option<String> {
+    if case.rotor.is_some() {
+        let reason = "the inner ring has no constant speed under a falling rotor; `cageless drop` judges the drop";
+        return Some(reason.to_owned());
+    }
+    let plain = case.raceways.is_empty();
+    plain.then(|| "the outer ring has no discrete raceway".to_owned())
+}
+
+/// Why so few passages are no evidence.
+fn too_few(case: &Case, passages: &RacewayTallies) -> Option<String> {
+    let least = passages.least_of_a_ball();
+    (least < PASSAGES_MIN).then(|| {
+        let enough = match case.has_constant_operation() {
+            // The transient, the way to the raceway, the way round to the last passage, and that itself.
+            true => {
+                let orbits = TRANSIENT_TURNS + PASSAGES_MIN as f64 + 1.0;
+                let milliseconds = (1e3 * orbits * case.rolling_orbit_s()).ceil();
+                format!("solver.duration_s of {} or more", milliseconds / 1e3)
+            }
+            false => "a longer solver.duration_s".to_owned(),
+        };
+        format!(
+            "every ball has to pass every discrete raceway {PASSAGES_MIN} times after the transient (t > {:.4} s), and \
+             one has passed {} ({enough})",
+            transient_s(case),
+            match least {
+                0 => "none".to_owned(),
+                times => format!("{times}"),
+            }
+        )
+    })
 }

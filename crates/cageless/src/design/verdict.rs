@@ -1,15 +1,16 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
 use super::criterion::{
-    Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
+    CRITICAL_GAP_MIN_FRACTION, Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION,
+    SLIP_SHORTFALL, SPEED_DROP_FRACTION,
 };
-use super::pressure_at_rest::pressure_at_rest_pa;
+use super::pressure_at_rest::pressure_at_rest_controlled_pa;
 use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
 use super::{Eq11, gap_of_delay_rad, steady_gap_rad, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact::hertz::STRESS_LIMIT_PA;
-use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
+use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
 use crate::equilibrium::EquilibriumError;
 use crate::passage::PassageRecorder;
 use crate::raceway::Raceway;
@@ -66,7 +67,7 @@ pub struct Judgement {
     pub deciding: Option<Criterion>,
     /// Largest critical gap: about the gap to which all raceways together separate balls.
     pub critical_gap_rad: Option<f64>,
-    /// Largest Hertz pressure of both rings at rest, as [`pressure_at_rest_pa`] has it; `None` if no ball passes.
+    /// Largest Hertz pressure of both rings at rest, as [`super::pressure_at_rest_pa`] has it; `None` if no ball passes.
     pub pressure_at_rest_pa: Option<f64>,
     /// Gap outside the raceways of balls that come by evenly in time: by rolling on rigid flanks, else by the lag of the run;
     /// `None` if that is not known.
@@ -79,18 +80,40 @@ pub struct Judgement {
     pub stopped: Option<Stop>,
 }
 
+/// The run of all balls past all raceways.
+#[derive(Default)]
+struct SteadyRun {
+    /// Statistics of each raceway; `None` where no ball passed.
+    statistics: Vec<Option<PassageStatistics>>,
+    /// Cause of an early stop.
+    stopped: Option<Stop>,
+}
+
 /// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
 
 /// Work of one critical gap over that of one orbit of all balls, roughly.
 const GAP_ORBITS: f64 = 1.5;
 
+/// Steps that [`judge`] takes as a rule.
+pub fn verdict_steps(case: &Case) -> f64 {
+    if case.raceways.is_empty() {
+        return 0.0;
+    }
+    let pairs = case.raceways.iter().map(|raceway| {
+        let alone = case.with_raceways(vec![raceway.clone()]);
+        pair_steps(&alone, &PairTest::default())
+    });
+    case.distinct_rows().len() as f64 * pairs.sum::<f64>() + steady_case(case).solver.steps()
+}
+
 /// Judges the case's raceways by what Zhao 2022, Section 4.3, looks at: does the
 /// separation suffer from slip, are balls hit twice per passage, or do they pass
 /// smoothly. The critical gap is that of each raceway alone; then all balls, evenly spaced
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
 /// 16 are discarded. On elastic flanks and in space it looks at the share of the lag that load, contact angle and
-/// sliding leave, and at double collisions; the critical gap is that of the row with the least.
+/// sliding leave, and at double collisions; the critical gap is that of the row with the least. It has to lie between
+/// [`CRITICAL_GAP_MIN_FRACTION`] and all of the steady-state gap. What stopped early or lacks a number is not judged.
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
@@ -135,7 +158,7 @@ pub fn judge_watched(
             }
             Err(CriticalGapError::Stopped(stop)) => {
                 let reason = format!("the run of one pair stopped: {}", stop.cause);
-                return Ok(summary(vec![infeasible(reason, None)], Some(stop)));
+                return Ok(summary(vec![not_judged(reason, None)], Some(stop)));
             }
             Err(error) => criticals.push(Err(error.to_string())),
         }
@@ -144,7 +167,10 @@ pub fn judge_watched(
         return Ok(summary(vec![infeasible(reason.clone(), None)], None));
     }
     let orbit_s = case.rolling_orbit_s();
-    let (statistics, stopped) = steady_passages(case, watchers, &mut |time_s| {
+    let SteadyRun {
+        statistics,
+        stopped,
+    } = steady_passages(case, watchers, &mut |time_s| {
         control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
     })?;
     let steady_gap_rad = match case.has_elastic_flanks() {
@@ -152,8 +178,13 @@ pub fn judge_watched(
         true => measured_steady_gap_rad(case, &statistics),
     };
     let any_passed = statistics.iter().any(Option::is_some);
-    let pressure = any_passed.then(|| pressure_at_rest_pa(case)).transpose()?;
+    let pressure = match any_passed {
+        true => Some(pressure_at_rest_controlled_pa(case, &mut || control(1.0))?),
+        false => None,
+    };
     let pressure_pa = pressure.map(|[inner, outer]| inner.max(outer));
+    // All raceways together separate balls to about the largest.
+    let largest = criticals.iter().flatten().copied().fold(f64::NAN, f64::max);
     let judged = criticals
         .into_iter()
         .enumerate()
@@ -162,17 +193,23 @@ pub fn judge_watched(
                 Ok(critical) => critical,
                 Err(reason) => return infeasible(reason, None),
             };
+            if let Some(stop) = &stopped {
+                let reason = format!("the run stopped at {:.6} s: {}", stop.time_s, stop.cause);
+                return not_judged(reason, Some(critical));
+            }
             match statistics.get(k).copied().flatten() {
                 Some(statistics) => {
                     let steady = steady_gap_rad.unwrap_or(f64::NAN);
-                    let measured = [critical, steady, pressure_pa.unwrap_or(f64::NAN)];
+                    let measured = Measured {
+                        critical,
+                        largest,
+                        steady,
+                        pressure_pa: pressure_pa.unwrap_or(f64::NAN),
+                    };
                     decide(case, &case.raceways[k], measured, statistics)
                 }
                 None => {
-                    let reason = stopped.as_ref().map_or_else(
-                        || "the balls do not pass the raceway".to_owned(),
-                        |stop| format!("the run stopped at {:.6} s: {}", stop.time_s, stop.cause),
-                    );
+                    let reason = "the balls do not pass the raceway".to_owned();
                     infeasible(reason, Some(critical))
                 }
             }
@@ -194,13 +231,18 @@ fn least_critical_gap_rad(
     let rows = case.distinct_rows();
     let mut least = f64::INFINITY;
     for (k, &row) in rows.iter().enumerate() {
-        let test = PairTest {
-            row,
-            ..PairTest::default()
-        };
+        let test = PairTest::of_raceways(case, row, steady_gap_rad(&case.bearing, &case.raceways));
         let mut fraction = |part: f64| control((k as f64 + part) / rows.len() as f64);
         let gap = match critical_gap_rad(case, &test, &mut fraction) {
             Err(CriticalGapError::NeverCloses) if case.has_elastic_flanks() => 0.0,
+            // Too deep in any case: by how much.
+            Err(CriticalGapError::AlwaysCloses) => {
+                let all = PairTest {
+                    gap_max_rad: None,
+                    ..test
+                };
+                critical_gap_rad(case, &all, &mut fraction)?
+            }
             gap => gap?,
         };
         least = least.min(gap);
@@ -216,6 +258,14 @@ fn measured_steady_gap_rad(case: &Case, statistics: &[Option<PassageStatistics>]
         .collect();
     let delay_rad = lags.filter(|lags| !lags.is_empty())?.iter().sum::<f64>();
     Some(gap_of_delay_rad(&case.bearing, delay_rad))
+}
+
+/// A raceway of which too little is known.
+fn not_judged(reason: String, critical_gap_rad: Option<f64>) -> RacewayJudgement {
+    RacewayJudgement {
+        verdict: RacewayVerdict::NotJudged,
+        ..infeasible(reason, critical_gap_rad)
+    }
 }
 
 fn infeasible(reason: String, critical_gap_rad: Option<f64>) -> RacewayJudgement {
@@ -281,25 +331,54 @@ impl Judgement {
         self.verdict.passes()
     }
 
-    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin; or what is missing for a verdict.
     pub fn headline(&self) -> String {
         let name = self.verdict.label();
         let reason = match &self.deciding {
             Some(criterion) => criterion.to_string(),
-            None => self.reasons.join("; "),
+            None => self.missing().unwrap_or_else(|| self.reasons.join("; ")),
         };
         match self.passes() {
             None => format!("not judged: {reason}"),
-            Some(true) => format!("PASS: {name}; nearest to its limit: {reason}"),
-            Some(false) => format!("FAIL: {name}; {reason}"),
+            Some(true) => {
+                format!("PASS from evenly spaced balls: {name}; nearest to its limit: {reason}")
+            }
+            Some(false) => format!("FAIL from evenly spaced balls: {name}; {reason}"),
         }
     }
+
+    /// What is missing for a verdict on the raceways that are not judged.
+    fn missing(&self) -> Option<String> {
+        let unjudged = self.raceways.iter();
+        let unjudged = unjudged.filter(|r| r.verdict == RacewayVerdict::NotJudged);
+        let of_each = unjudged
+            .map(|r| Criterion::missing(&r.criteria).unwrap_or_else(|| r.reasons.join("; ")));
+        let all: Vec<String> = of_each.collect();
+        (!all.is_empty() && self.passes().is_none()).then(|| all.join("; "))
+    }
+}
+
+/// What a raceway is judged by beside its passages, rad and Pa.
+struct Measured {
+    /// Critical gap of the raceway alone.
+    critical: f64,
+    /// Largest critical gap of all raceways.
+    largest: f64,
+    /// Steady-state gap of all of them.
+    steady: f64,
+    /// Largest Hertz pressure at rest.
+    pressure_pa: f64,
 }
 
 fn decide(
     case: &Case,
     raceway: &Raceway,
-    [critical, steady, pressure_pa]: [f64; 3],
+    Measured {
+        critical,
+        largest,
+        steady,
+        pressure_pa,
+    }: Measured,
     s: PassageStatistics,
 ) -> RacewayJudgement {
     let bearing = &case.bearing;
@@ -309,19 +388,20 @@ fn decide(
     let wide = 2.0 * raceway.half_angle_rad();
     let elastic = case.has_elastic_flanks();
     let mut criteria = vec![Criterion::Pressure(pressure_pa / STRESS_LIMIT_PA)];
-    criteria.extend(match elastic {
-        true => vec![Criterion::Lag(s.lag_fraction)],
-        false => vec![
-            Criterion::Separation(shortfall),
-            Criterion::Deceleration(s.speed_drop_fraction),
-        ],
-    });
-    criteria.push(Criterion::BothNeighbours(s.double_collision_fraction));
-    let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
+    criteria.extend(Criterion::separation(elastic, shortfall));
+    criteria.extend([
+        Criterion::slowing(elastic, s.speed_drop_fraction, s.lag_fraction),
+        Criterion::SteadyGap {
+            value: largest / steady,
+            least: CRITICAL_GAP_MIN_FRACTION,
+        },
+        Criterion::BothNeighbours(s.double_collision_fraction),
+    ]);
+    let verdict = Criterion::verdict_of(&criteria);
     let gap_and_lag = match elastic {
         true => {
             format!(
-                "critical gap {:.4}°, {:.0} % of the {:.4}° that balls have which come by evenly; lag per \
+                "critical gap {:.4}°, {:.0} % of the gap between evenly spaced balls ({:.4}°); lag per \
                  pass {:.2}° in the mean, {}{:.0} % of that of rolling on rigid flanks (at least {:.0} % \
                  required)",
                 critical.to_degrees(),
@@ -430,7 +510,7 @@ fn steady_passages(
     case: &Case,
     watchers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<(Vec<Option<PassageStatistics>>, Option<Stop>), CriticalGapError> {
+) -> Result<SteadyRun, CriticalGapError> {
     let case = steady_case(case);
     let after_s = steady_after_s(&case);
     let mut tallies = RacewayTallies::new(&case);
@@ -446,15 +526,20 @@ fn steady_passages(
         run(&case, &mut observers, control)?
     };
     match outcome.ending {
-        Ending::Stopped(stop) => return Ok((vec![], Some(stop))),
+        Ending::Stopped(stop) => {
+            return Ok(SteadyRun {
+                stopped: Some(stop),
+                ..SteadyRun::default()
+            });
+        }
         Ending::Interrupted => return Err(CriticalGapError::Interrupted),
         _ => {}
     }
     let raceways = 0..case.raceways.len();
-    Ok((
-        raceways.map(|k| statistics(&case, k, &tallies)).collect(),
-        None,
-    ))
+    Ok(SteadyRun {
+        statistics: raceways.map(|k| statistics(&case, k, &tallies)).collect(),
+        stopped: None,
+    })
 }
 
 fn statistics(case: &Case, k: usize, tallies: &RacewayTallies) -> Option<PassageStatistics> {

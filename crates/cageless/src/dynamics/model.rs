@@ -151,6 +151,7 @@ impl Model {
             inner: InnerRaceway {
                 radius: d.inner_groove_bottom_radius_m,
                 surface_speed: case.operation.inner_speed_rad_s * d.inner_groove_bottom_radius_m,
+                following: following_1_kg(bearing),
             },
             ring: InnerRing {
                 mass: d.inner_ring_mass_kg,
@@ -255,6 +256,22 @@ impl Model {
         let radius = self.balls[k].radius;
         let flanks = flank_section(&self.bearing, &self.raceways, angle, radius);
         flanks.map_or(beyond, |flanks| flanks.press(beyond).deflection)
+    }
+}
+
+/// Mass of all balls over that of the inner ring beyond which it follows them.
+const HEAVY_BALLS: f64 = 1.5;
+
+/// Mobility that an inner ring lighter than its balls adds to that of each: the tangents of bunched ones are almost
+/// parallel.
+fn following_1_kg(bearing: &Bearing) -> f64 {
+    let (balls, ring_kg) = (
+        bearing.balls() as f64,
+        bearing.dimensions().inner_ring_mass_kg,
+    );
+    match balls * bearing.ball_mass_kg() > HEAVY_BALLS * ring_kg {
+        true => balls / ring_kg,
+        false => 0.0,
     }
 }
 

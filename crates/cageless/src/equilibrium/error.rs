@@ -18,9 +18,9 @@ pub enum EquilibriumError {
     /// Balls of a settled start overlap where the rings seat them.
     #[error(
         "the balls cannot start settled: between the rings ball {} and the ball ahead of it would \
-         overlap by {:.1} um; give them a gap of at least {:.2} deg (start.gaps), or begin with \
+         overlap by {:.1} µm; give them a gap of at least {:.4}° (start.gaps), or begin with \
          start.state = \"rolling\"",
-        ball + 1, overlap_m * 1e6, degrees(*gap_rad)
+        ball + 1, overlap_m * 1e6, 1e-4 * (1e4 * degrees(*gap_rad)).ceil()
     )]
     BallsOverlap {
         /// The ball, from 0.
@@ -35,13 +35,15 @@ pub enum EquilibriumError {
     BeyondGroove(BeyondGroove),
     /// No convergence.
     #[error(
-        "no static equilibrium found: {residual_n:e} N of force are left on the ring after \
-         {iterations} steps down its potential energy"
+        "no static equilibrium found: where its search ended, contacts and loads differ by {residual_n:.3e} N; \
+         the bearing may carry no such load: reduce loads, moments and preload, or see whether the contact \
+         angles of its rows face the axial load"
     )]
     NotConverged {
         /// Force left on the ring.
         residual_n: f64,
-        /// Steps made.
-        iterations: usize,
     },
+    /// The caller ended the search.
+    #[error("interrupted")]
+    Interrupted,
 }

@@ -26,7 +26,7 @@ use std::convert::Infallible;
 
 use crate::case::Case;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
-use crate::error::InputError;
+use crate::control::Control;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 pub(crate) use ball_seat::effective_radius_m;
@@ -35,8 +35,14 @@ pub use error::EquilibriumError;
 pub use plane::Equilibrium;
 use space::SpatialEquilibrium;
 
-/// Message of [`Equilibrium::overload`] for a case; `None` also without equilibrium.
+/// Message of [`Equilibrium::overload`] for a case, at the time of its largest load or speed; `None` also without
+/// equilibrium.
 pub fn overload(case: &Case) -> Option<String> {
+    let held = case.extreme_times_s();
+    held.into_iter().find_map(|t| overload_of(&case.held_at(t)))
+}
+
+fn overload_of(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
     let operation = &case.operation;
     let balls_kg = bearing.balls() as f64 * bearing.ball_mass_kg();
@@ -66,9 +72,15 @@ impl SpatialEquilibrium {
     }
 }
 
-/// Largest |α| + a/R to which a contact ellipse reaches at rest, inner and outer groove, rad; in the plane on flanks that
-/// yield, also where those of the case are rigid. `None` without equilibrium.
+/// Largest |α| + a/R to which a contact ellipse reaches at rest, inner and outer groove, rad, at the times of the largest
+/// load and speed; in the plane on flanks that yield, also where those of the case are rigid. `None` without equilibrium.
 pub fn ellipse_edge_max_rad(case: &Case) -> Option<[f64; 2]> {
+    let times = case.extreme_times_s().into_iter();
+    let edges = times.filter_map(|t| ellipse_edge_of_rad(&case.held_at(t)));
+    edges.reduce(|a, b| [0, 1].map(|ring| a[ring].max(b[ring])))
+}
+
+fn ellipse_edge_of_rad(case: &Case) -> Option<[f64; 2]> {
     let yielding = Case {
         flanks: FlankModel::Elastic,
         formulation: Formulation::Physical,
@@ -84,7 +96,7 @@ pub fn ellipse_edge_max_rad(case: &Case) -> Option<[f64; 2]> {
 /// # Errors
 /// The case is impossible or not planar, or the iteration does not converge.
 pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
-    Ok(in_plane(case)?.rest)
+    Ok(in_plane(case, &mut || Control::Continue(()))?.rest)
 }
 
 /// Solves the equilibrium of `case`, in space where it moves there.
@@ -92,20 +104,31 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
 /// # Errors
 /// Those of [`solve`] and of [`space::solve`].
 pub fn settle(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+    settle_controlled(case, &mut || Control::Continue(()))
+}
+
+/// [`settle`], with `control` called before every place of the ring that is tried.
+///
+/// # Errors
+/// Those of [`settle`], or `control` ended the search.
+pub fn settle_controlled(
+    case: &Case,
+    control: &mut dyn FnMut() -> Control,
+) -> Result<SpatialEquilibrium, EquilibriumError> {
     match case.moves_in_space() {
-        true => space::solve(case),
-        false => in_plane(case),
+        true => space::solve_controlled(case, control),
+        false => in_plane(case, control),
     }
 }
 
-fn in_plane(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+fn in_plane(
+    case: &Case,
+    control: &mut dyn FnMut() -> Control,
+) -> Result<SpatialEquilibrium, EquilibriumError> {
     case.check()?;
-    if case.rotor.is_some() {
-        let why = "a bearing under a falling rotor has no static equilibrium";
-        return Err(InputError::rotor_left_out(why).into());
-    }
+    case.check_without_rotor()?;
     case.check_planar()?;
-    let (balance, settled) = space::settled(case, true)?;
+    let (balance, settled) = space::settled(case, true, control)?;
     Ok(space::result(case, &balance, &settled).0)
 }
 

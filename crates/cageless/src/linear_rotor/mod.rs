@@ -32,6 +32,8 @@ pub use nalgebra::{Complex, DMatrix, DVector};
 pub(crate) use rigid::ROUNDING;
 pub use rigid::RigidRotor;
 
+use std::f64::consts::TAU;
+
 use nalgebra::Schur;
 use thiserror::Error;
 
@@ -208,6 +210,14 @@ impl LinearRotor {
         (0..self.bearings()).map(|k| loads[2 * k + 1]).collect()
     }
 
+    /// Sag of each journal under a gravity of 1 m/s² in the springs of the rotor to the ground alone, m;
+    /// without end, or `None`, where it falls freely.
+    pub fn own_sags_m(&self) -> Option<Vec<f64>> {
+        let risen = self.stiffness.clone().lu().solve(&self.lift)?;
+        let journals = self.journals.iter();
+        Some(journals.map(|rows| (rows * &risen).norm()).collect())
+    }
+
     /// Mass that the journal in bearing `k` shows to a sudden force across the axis, kg; the least
     /// over all directions.
     pub fn effective_mass_kg(&self, k: usize) -> f64 {
@@ -222,6 +232,17 @@ impl LinearRotor {
     pub fn fastest_rad_s(&self) -> f64 {
         // The symmetric part of K is diagonal.
         self.stiffness.diagonal().max().max(0.0).sqrt()
+    }
+
+    /// Natural frequencies at rest without damping, Hz, the lowest first; 0 of rigid motions.
+    pub fn frequencies_hz(&self) -> Vec<f64> {
+        // The symmetric part of K is diagonal.
+        let squares = self.stiffness.diagonal();
+        let mut found: Vec<f64> = (squares.iter())
+            .map(|square| square.max(0.0).sqrt() / TAU)
+            .collect();
+        found.sort_by(f64::total_cmp);
+        found
     }
 
     /// Fastest decay of the lateral motion by C: the largest eigenvalue of M⁻¹·C, its symmetric

@@ -1,5 +1,7 @@
 //! Minimum of an energy over a few coordinates: Newton's method with a shift of the Hessian.
 
+use std::convert::Infallible;
+
 use super::cholesky::solve;
 use super::taylor::Taylor;
 
@@ -65,7 +67,20 @@ pub(crate) fn minimum<const N: usize>(
     start: [f64; N],
     longest: f64,
 ) -> Local<N> {
-    let mut here = at(start);
+    let Ok(found) = try_minimum(|place| Ok::<_, Infallible>(at(place)), start, longest);
+    found
+}
+
+/// [`minimum`] of an energy that may refuse to be evaluated.
+///
+/// # Errors
+/// The first one of `at`.
+pub(crate) fn try_minimum<const N: usize, E>(
+    mut at: impl FnMut([f64; N]) -> Result<Local<N>, E>,
+    start: [f64; N],
+    longest: f64,
+) -> Result<Local<N>, E> {
+    let mut here = at(start)?;
     let mut shift = 0.0;
     let mut polished = 0;
     for _ in 0..ITERATIONS {
@@ -76,7 +91,7 @@ pub(crate) fn minimum<const N: usize>(
             let step = solve(&here.hessian, used, here.gradient.map(|g| -g));
             match step {
                 Some(step) if norm(step) <= longest => break step,
-                _ if used > 1e30 * (size + norm(here.gradient) / longest) => return here,
+                _ if used > 1e30 * (size + norm(here.gradient) / longest) => return Ok(here),
                 _ => used = (4.0 * used).max(least),
             }
         };
@@ -89,7 +104,7 @@ pub(crate) fn minimum<const N: usize>(
             .sum();
         let along: f64 = (0..N).map(|k| here.gradient[k] * step[k]).sum();
         let predicted = -along - 0.5 * curved;
-        let there = at(std::array::from_fn(|k| here.place[k] + step[k]));
+        let there = at(std::array::from_fn(|k| here.place[k] + step[k]))?;
         if predicted <= here.rounding() {
             if norm(there.gradient) < norm(here.gradient) {
                 here = there;
@@ -117,5 +132,5 @@ pub(crate) fn minimum<const N: usize>(
             here = there;
         }
     }
-    here
+    Ok(here)
 }

@@ -194,3 +194,52 @@ fn least_squares(
         .try_into()
         .ok()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of αc = 0.35 (1 − u²) with errors of ±1 mrad in turn but at the end, at 12 places.
+    fn noisy() -> Vec<[f64; 2]> {
+        let theta = 0.44;
+        let row = |k: u32| {
+            let u = f64::from(k) / 11.0;
+            let error = match k {
+                11 => 0.0,
+                _ if k.is_multiple_of(2) => 1e-3,
+                _ => -1e-3,
+            };
+            [theta * u, 0.35 * (1.0 - u * u) + error]
+        };
+        (0..12).map(row).collect()
+    }
+
+    /// Generalised cross-validation, RSS n/(n − p)² (Craven & Wahba 1979): p terms of n rows are better only where they lower the
+    /// deviation by more than n − p. Errors need no terms.
+    #[test]
+    fn errors_of_the_rows_do_not_buy_terms() {
+        let rows = noisy();
+        let linear: Vec<_> = rows
+            .iter()
+            .map(|[psi, angle]| [*psi, 1.0, *angle])
+            .collect();
+        let fit = |exponent, terms| with_terms(0.44, &|_| linear.clone(), exponent, terms).unwrap();
+        let fits = [1, 2, 3].map(|terms| (terms, fit(1.0, terms)));
+        let [(_, (least, one, [deviation, _])), more @ ..] = fits;
+        for (terms, (score, _, [other, _])) in more {
+            // Least squares of more terms come nearer to the rows.
+            assert!(other < deviation, "{terms}: {other} {deviation}");
+            let expected = other / deviation * 11.0 / (12.0 - f64::from(terms as u8));
+            assert!((score / least / expected - 1.0).abs() < 1e-12, "{terms}");
+            assert!(score > least, "{terms}: {score} {least}");
+        }
+        let found = MeasuredFlanks::fit(&rows).unwrap();
+        assert_eq!(found.flanks, one);
+        // Errors of ±1 mrad of which one, at the end, is 0.
+        let [found, _] = found.deviation_rad();
+        assert!(
+            (found / (11.0f64 / 12.0).sqrt() / 1e-3 - 1.0).abs() < 0.02,
+            "{found}"
+        );
+    }
+}

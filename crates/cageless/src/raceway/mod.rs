@@ -42,7 +42,8 @@ use crate::limits::{from_to, not_negative, positive, require};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::root;
 
-use blend::Blend;
+pub use blend::Ends;
+use blend::{Blend, CONTACT_SHARE};
 pub use contact_path::ContactPath;
 use flank_angle::Flanks;
 pub use measured_flanks::MeasuredFlanks;
@@ -54,6 +55,11 @@ pub use shape::{RacewayForm, RacewayShape};
 use slot::SlotPlan;
 pub use slot::{Slot, SlotSection};
 pub use spline_flanks::SplineFlanks;
+
+/// How often a machined end is halved at most.
+const HALVINGS: u32 = 4;
+/// Longest run-out of an end at a right angle, over the half angle of the raceway.
+const CONTACT_MAX: f64 = 0.25;
 
 /// The three numbers that a discrete raceway of any shape has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,12 +83,16 @@ pub struct Raceway {
     /// Re.
     groove_curvature_radius_m: f64,
     form: RacewayForm,
+    /// Length of the blends, m.
+    blend_m: f64,
     /// The slot, if it is one.
     slot: Option<Slot>,
     /// Without blends, from the middle to the end.
     unblended: Vec<Piece>,
     /// From the middle to the end.
     pieces: Vec<Piece>,
+    /// The last stretch before an end at a right angle, as a contact in space meets it.
+    met_end: Option<Blend>,
     /// Depth error at the centre, m.
     depth_error_m: f64,
     /// αg by which the section is turned about the centre of the ball, rad.
@@ -141,17 +151,16 @@ impl Raceway {
             ball_radius_m: d.ball_radius_m,
             groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
             groove_curvature_radius_m: d.outer_groove_curvature_radius_m,
-            form: RacewayForm {
-                blend_m: 0.0,
-                ..form
-            },
+            form,
+            blend_m: 0.0,
             slot,
             unblended: Piece::all(&flanks, theta, d.ball_radius_m),
             pieces: vec![],
+            met_end: None,
             depth_error_m: 0.0,
             section_angle_rad: 0.0,
         };
-        raceway.with_blend(form.blend_m)?.with_depth(form.depth_m)
+        raceway.with_ends(form.ends)?.with_depth(form.depth_m)
     }
 
     /// Raceway in whose middle a ball sits `depth_m` deeper than on the plain raceway, see
@@ -175,29 +184,54 @@ impl Raceway {
         require(field, value_m, kept, rule)
     }
 
-    /// Raceway with its ends blended into the plain one over `blend_m` each, along the bottom of the
-    /// groove and within ±θ; 0 for none.
+    /// Raceway with its ends blended into the plain one within ±θ, or left as the shape has them.
     ///
     /// # Errors
     /// An [`InputError`] if the blend is too short or too long, or the flank angle would not fall
     /// steadily over it.
-    pub fn with_blend(mut self, blend_m: f64) -> Result<Self, InputError> {
+    pub fn with_ends(mut self, ends: Ends) -> Result<Self, InputError> {
+        let theta = self.half_angle_rad();
+        let own = self.slot.is_some() || self.form.shape == RacewayShape::Measured;
+        let mut blend_m = match ends {
+            Ends::Machined if own => 0.0,
+            _ => ends.blend_m(theta * self.groove_bottom_radius_m),
+        };
         not_negative("blend_m", blend_m)?;
         self.check_no_slot("blend_m", blend_m)?;
-        let theta = self.half_angle_rad();
-        self.form.blend_m = blend_m;
-        self.pieces = self.unblended.clone();
+        let flanks = |local: f64| self.unblended_contact_angle_rad(local);
         if blend_m > 0.0 {
-            let flanks = |local: f64| self.unblended_contact_angle_rad(local);
-            let blend = Blend::new(flanks, theta, blend_m, self.groove_bottom_radius_m)?;
-            let start = blend.start_rad();
-            self.pieces.retain(|piece| piece.range_rad()[0] < start);
-            self.pieces.iter_mut().for_each(|piece| piece.end_at(start));
-            let end: Flanks = Arc::new(blend);
-            self.pieces
-                .push(Piece::new(end, [start, theta], self.ball_radius_m));
+            let of = |blend_m| Blend::new(flanks, theta, blend_m, self.groove_bottom_radius_m);
+            let mut blend = of(blend_m);
+            // Where the angle would rise over it a machined end is shorter.
+            for _ in 0..HALVINGS {
+                if blend.is_err() && ends == Ends::Machined {
+                    blend_m *= 0.5;
+                    blend = of(blend_m);
+                }
+            }
+            let blend = blend?;
+            let end: Flanks = Arc::new(blend.clone());
+            let piece = Piece::new(end, [blend.start_rad(), theta], self.ball_radius_m);
+            (self.pieces, self.met_end) = (self.ending_with(piece), None);
+        } else {
+            let contact_rad = CONTACT_SHARE * self.ball_radius_m / self.groove_bottom_radius_m;
+            let length_rad = contact_rad.min(CONTACT_MAX * theta);
+            let meets = self.slot.is_none() && self.is_designed_at_right_angle();
+            let end = meets.then(|| Blend::over(flanks, theta, length_rad));
+            (self.pieces, self.met_end) = (self.unblended.clone(), end);
         }
+        (self.form.ends, self.blend_m) = (ends, blend_m);
         Ok(self)
+    }
+
+    /// The pieces without blends, the last of which is this one.
+    fn ending_with(&self, last: Piece) -> Vec<Piece> {
+        let [start, _] = last.range_rad();
+        let mut pieces = self.unblended.clone();
+        pieces.retain(|piece| piece.range_rad()[0] < start);
+        pieces.iter_mut().for_each(|piece| piece.end_at(start));
+        pieces.push(last);
+        pieces
     }
 
     /// Raceway with the depth error `depth_error_m` at its centre (positive: too deep; negative: not deep
@@ -337,6 +371,50 @@ impl Raceway {
         &self.pieces
     }
 
+    /// [`Self::pieces`] as contacts in space meet them: an end at a right angle runs out over
+    /// [`CONTACT_SHARE`] Rw, half the length of a contact.
+    pub(crate) fn met_pieces(&self) -> Vec<Piece> {
+        let Some(end) = self.met_end() else {
+            return self.pieces.clone();
+        };
+        let range_rad = [end.start_rad(), self.half_angle_rad()];
+        let flanks: Flanks = match &self.slot {
+            // The slot itself has them.
+            Some(_) => self.unblended[self.unblended.len() - 1].shared_flanks(),
+            None => Arc::new(end.clone()),
+        };
+        self.ending_with(Piece::new(flanks, range_rad, self.ball_radius_m))
+    }
+
+    /// The last stretch before an end at a right angle, as contacts in space meet it.
+    fn met_end(&self) -> Option<&Blend> {
+        let of_slot = self.slot.as_ref().map(Slot::met_end);
+        of_slot.or(self.met_end.as_ref())
+    }
+
+    /// αc at local ψ within ±θ as contacts in space meet it, see [`Self::met_pieces`].
+    pub(crate) fn met_angle_rad(&self, local_angle_rad: f64) -> f64 {
+        let met = self.met_end.as_ref();
+        match met.filter(|end| local_angle_rad.abs() >= end.start_rad()) {
+            Some(end) => end.value_and_slope(local_angle_rad)[0],
+            None => self.contact_angle_rad(local_angle_rad)[0],
+        }
+    }
+
+    /// Length along the bottom of the groove over which the flanks run out before an end, as contacts in
+    /// space meet it, m; `None` of an end with a kink, whose slope is finite.
+    pub(crate) fn run_out_m(&self) -> Option<f64> {
+        let of =
+            |end: &Blend| (self.half_angle_rad() - end.start_rad()) * self.groove_bottom_radius_m;
+        let met = self
+            .slot
+            .as_ref()
+            .map(Slot::met_end)
+            .or(self.met_end.as_ref());
+        met.map(of)
+            .or(Some(self.blend_m).filter(|blend_m| *blend_m > 0.0))
+    }
+
     /// The quartic contact path of Zhao 2022 if this is the raceway's own, up to its ends.
     pub fn contact_path(&self) -> Option<&ContactPath> {
         match self.pieces.as_slice() {
@@ -370,7 +448,7 @@ impl Raceway {
     }
 
     /// Whether the flanks without their blends meet the plain raceway at a right angle.
-    pub(crate) fn is_designed_at_right_angle(&self) -> bool {
+    pub fn is_designed_at_right_angle(&self) -> bool {
         self.unblended[0].flanks().ends_at_right_angle()
     }
 
@@ -392,7 +470,12 @@ impl Raceway {
         climb.abs().atan2(radius)
     }
 
-    /// Shape, blend and depth.
+    /// Length of the blend before each end along the bottom of the groove, m; 0 for none.
+    pub fn blend_m(&self) -> f64 {
+        self.blend_m
+    }
+
+    /// Shape, ends and depth.
     pub fn form(&self) -> RacewayForm {
         self.form
     }
@@ -404,7 +487,7 @@ impl Raceway {
 
     /// Local ψ at which the blend before +θ starts.
     pub fn blend_start_rad(&self) -> Option<f64> {
-        let blend = self.pieces.last().filter(|_| self.form.blend_m > 0.0);
+        let blend = self.pieces.last().filter(|_| self.blend_m > 0.0);
         blend.map(|piece| piece.range_rad()[0])
     }
 

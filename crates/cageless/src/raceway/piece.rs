@@ -56,6 +56,11 @@ impl Piece {
         self.range_rad[1] = self.range_rad[1].min(end_rad);
     }
 
+    /// Its flanks, for another piece.
+    pub(super) fn shared_flanks(&self) -> Flanks {
+        self.flanks.clone()
+    }
+
     /// Its flanks, also beyond its end.
     pub(super) fn flanks(&self) -> &dyn FlankAngle {
         &*self.flanks

@@ -15,7 +15,7 @@ mod steady_angle;
 
 use super::flank_angle::Flanks;
 use super::outline::Outline;
-use super::{MeasuredFlanks, SplineFlanks};
+use super::{Ends, MeasuredFlanks, SplineFlanks};
 use crate::bearing::Bearing;
 use crate::error::InputError;
 
@@ -92,9 +92,8 @@ pub struct RacewayForm {
     pub measured: Option<MeasuredFlanks>,
     /// The spline, stretched to the lC and θ of the raceway; of [`RacewayShape::Spline`] alone.
     pub spline: Option<SplineFlanks>,
-    /// Length of the blend before each end along the bottom of the groove, m; 0 leaves the end as the
-    /// shape has it.
-    pub blend_m: f64,
+    /// Its ends; a slot and a measured raceway have their own.
+    pub ends: Ends,
     /// How much deeper a ball in the middle sits than on the plain raceway, along the axis of the
     /// section, m; the depth runs out to nothing at the ends, as [`super::Raceway::depth_at_m`].
     pub depth_m: f64,
@@ -139,7 +138,7 @@ impl RacewayForm {
                 ..plain
             },
             _ => Self {
-                blend_m: self.blend_m,
+                ends: self.ends,
                 depth_m: self.depth_m,
                 ..plain
             },
@@ -152,7 +151,8 @@ impl RacewayForm {
         let sin = axial_span_m / (2.0 * d.ball_radius_m);
         let ends_m = match self.shape {
             RacewayShape::Slot => (d.ball_radius_m + self.edge_radius_m) * sin,
-            _ => 2.0 * self.blend_m,
+            // A machined end takes a part of the raceway, however short that is.
+            _ => 2.0 * self.ends.blend_m(0.0),
         };
         ends_m / d.outer_groove_bottom_radius_m
     }

@@ -11,10 +11,14 @@
 //! σ = t² (3 − 2t) the difference of curvatures of ball and ring across the groove, Σ = 1/Rw − κ, goes
 //! from that of the groove to that of the edge as Σ₀^(1−σ) Σ₁^σ, and two contacts that share a ball as
 //! one become two of their own, with 1/s = (1 − σ)(−ln cos αc/ln 2) + ⅖ σ.
+//!
+//! √t rises from the end at a right angle. A contact has a length, over which it meets the end: over the
+//! last [`CONTACT_SHARE`] Rw √t runs out as a [`Blend`].
 
 use std::f64::consts::LN_2;
 
 use super::RacewayForm;
+use super::blend::{Blend, CONTACT_SHARE};
 use super::flank_angle::FlankAngle;
 use super::outline::Outline;
 use crate::bearing::Bearing;
@@ -24,6 +28,8 @@ use crate::numerics::chebyshev::Polynomial;
 
 /// Error of the logarithms of stiffness and semi-axis.
 const HERTZ_TOLERANCE: f64 = 1e-13;
+/// Longest run-out over the length of an end.
+const RUN_OUT_MAX: f64 = 0.5;
 /// Least t at which slopes over ψ are taken: that of αc has no limit at the ends.
 const SHARE_MIN: f64 = 1e-12;
 
@@ -76,14 +82,27 @@ impl SlotPlan {
         let slope = -2.0 * (1.0 - left) / self.end_rad * local_angle_rad.signum();
         [left * (2.0 - left), slope]
     }
+
+    /// √t and its slope over ψ at local ψ.
+    fn root(&self, local_angle_rad: f64) -> [f64; 2] {
+        let [share, slope] = self.share(local_angle_rad);
+        [share.sqrt(), slope / (2.0 * share.max(SHARE_MIN).sqrt())]
+    }
+
+    /// √t over the last stretch before the ends, as the contact of a nominal ball meets it.
+    fn met_end(&self, bearing: &Bearing) -> Blend {
+        let d = bearing.dimensions();
+        let contact_rad = CONTACT_SHARE * d.ball_radius_m / d.outer_groove_bottom_radius_m;
+        let length_rad = contact_rad.min(RUN_OUT_MAX * self.end_rad);
+        Blend::over(|local| self.root(local), self.half_angle_rad, length_rad)
+    }
 }
 
 impl FlankAngle for SlotPlan {
     fn at(&self, local_angle_rad: f64) -> [f64; 2] {
-        let [share, slope] = self.share(local_angle_rad);
-        let angle = (self.middle_sine * share.sqrt()).asin();
-        let root = share.max(SHARE_MIN).sqrt();
-        [angle, self.middle_sine * slope / (2.0 * root * angle.cos())]
+        let [root, slope] = self.root(local_angle_rad);
+        let angle = (self.middle_sine * root).asin();
+        [angle, self.middle_sine * slope / angle.cos()]
     }
 
     /// With sin² αc = sin² α0 t: sin² α0 t′/(2 cos αc).
@@ -119,6 +138,8 @@ impl FlankAngle for SlotPlan {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slot {
     plan: SlotPlan,
+    /// √t over the last stretch before the ends, as a contact meets it.
+    met_end: Blend,
     /// Rw.
     ball_radius_m: f64,
     /// Ro.
@@ -171,6 +192,7 @@ impl Slot {
         let edge_radius_m = form.edge_radius_m;
         let empty = Polynomial::fit(|_| 0.0, 0.0, 1.0, 1.0);
         let mut slot = Self {
+            met_end: plan.met_end(bearing),
             plan,
             ball_radius_m: d.ball_radius_m,
             groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
@@ -196,6 +218,11 @@ impl Slot {
                    presses it in";
         Allowed::AtLeast(least, why).check("slot_depth_m", slot.depth_m)?;
         Ok(slot)
+    }
+
+    /// √t over the last stretch before the ends.
+    pub(super) fn met_end(&self) -> &Blend {
+        &self.met_end
     }
 
     /// re.
@@ -279,16 +306,24 @@ impl Slot {
         )
     }
 
+    /// √t and its slope over ψ as a contact at local ψ meets it.
+    fn met_root(&self, local_angle_rad: f64) -> [f64; 2] {
+        match local_angle_rad.abs() < self.met_end.start_rad() {
+            true => self.plan.root(local_angle_rad),
+            false => self.met_end.value_and_slope(local_angle_rad),
+        }
+    }
+
     /// Hertz's contact of a nominal ball at one edge at local ψ.
     pub fn contact(&self, local_angle_rad: f64, bearing: &Bearing) -> PointContact {
-        self.contact_of(self.plan.share(local_angle_rad)[0], bearing)
+        let [root, _] = self.met_root(local_angle_rad);
+        self.contact_of(root * root, bearing)
     }
 
     /// Hertz's pressure at an edge at local ψ over that in the plain groove under the same force.
     pub(crate) fn pressure_ratio(&self, local_angle_rad: f64) -> f64 {
-        self.pressure
-            .value(self.plan.share(local_angle_rad)[0])
-            .exp()
+        let [root, _] = self.met_root(local_angle_rad);
+        self.pressure.value(root * root).exp()
     }
 
     /// Angle from the axis of the section at which the plain groove runs into an edge at local ψ, about the centre of
@@ -300,9 +335,11 @@ impl Slot {
 
     /// The edges at local ψ.
     pub fn at(&self, local_angle_rad: f64) -> SlotSection {
-        let [share, rate] = self.plan.share(local_angle_rad);
+        let [root, root_slope] = self.met_root(local_angle_rad);
+        let (share, rate) = (root * root, 2.0 * root * root_slope);
         let over_angle = |[value, slope]: [f64; 2]| [value, slope * rate];
-        let angle_rad = self.plan.at(local_angle_rad);
+        let angle = (self.plan.middle_sine * root).asin();
+        let angle_rad = [angle, self.plan.middle_sine * root_slope / angle.cos()];
         let [merged, merging] = Self::merged(share);
         let [sum, growth] = self.curvature_sum_per_m(share);
         let of_ball = 1.0 / self.ball_radius_m;

@@ -18,6 +18,8 @@ const LARGE_BALL_FACTOR: f64 = 3.647;
 const STRIBECK: f64 = 5.0;
 /// Peak pressure at the fatigue load limit, Pa (ISO 281:2007).
 const FATIGUE_PRESSURE_PA: f64 = 1.5e9;
+/// Pitch diameter above which the fatigue load limit falls, mm (ISO 281:2007, Annex B).
+const FATIGUE_PITCH_MM: f64 = 100.0;
 /// Jr of Stribeck's half-loaded distribution: Fr = Jr Z Q of a bearing without clearance.
 const RADIAL_INTEGRAL: f64 = 0.2288;
 /// Steel of the tables of ISO 76 (ISO/TR 10657).
@@ -69,12 +71,15 @@ impl BasicRatings {
         }
     }
 
-    /// Cu, the radial load under which the peak pressure of the most loaded contact is 1500 MPa, N,
-    /// from Q ∝ p³ and Fr = 0.2288 Z Q of a bearing without clearance, against 4200 MPa and Z Q/5 in C0r:
+    /// Cu of ISO 281:2007, Annex B, N: the radial load under which the peak pressure of the most loaded contact is
+    /// 1500 MPa, and less in large bearings. From Q ∝ p³ and Fr = 0.2288 Z Q of a bearing without clearance, against
+    /// 4200 MPa and Z Q/5 in C0r:
     ///
-    ///   Cu = 5 · 0.2288 (1500/4200)³ C0r.
-    pub fn fatigue_load_limit_n(&self) -> f64 {
-        STRIBECK * RADIAL_INTEGRAL * (FATIGUE_PRESSURE_PA / STRESS_LIMIT_PA).powi(3) * self.static_n
+    ///   Cu = 5 · 0.2288 (1500/4200)³ C0r, times (100 mm/Dpw)^(1/2) above Dpw = 100 mm.
+    pub fn fatigue_load_limit_n(&self, pitch_diameter_mm: f64) -> f64 {
+        let pressure = (FATIGUE_PRESSURE_PA / STRESS_LIMIT_PA).powi(3);
+        let size = (FATIGUE_PITCH_MM / pitch_diameter_mm).sqrt().min(1.0);
+        STRIBECK * RADIAL_INTEGRAL * pressure * size * self.static_n
     }
 
     /// L10 = (Cr/Fr)³, million revolutions; `None` without load.

@@ -106,7 +106,7 @@ impl LubricatedRating {
         let viscosity_ratio = viscosity / reference_viscosity_m2_s(speed_rpm, pitch_diameter_mm);
         let limit_n = lubrication
             .fatigue_load_limit_n
-            .unwrap_or_else(|| basic.fatigue_load_limit_n());
+            .unwrap_or_else(|| basic.fatigue_load_limit_n(pitch_diameter_mm));
         let load_n = case.operation.radial_load_n;
         let load_ratio = lubrication.contamination_factor * limit_n / load_n;
         let factor = l10_mrev.and_then(|_| life_modification_factor(viscosity_ratio, load_ratio));

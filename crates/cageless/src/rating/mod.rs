@@ -37,7 +37,7 @@ use crate::equilibrium::space::{SpatialEquilibrium, forces_at_rest};
 use crate::material::{Material, Materials};
 
 pub use basic_ratings::{BasicRatings, dynamic_factor, static_factor};
-pub use friction_torque::{bore_radius_estimate_m, skf_friction_torque_n_m};
+pub use friction_torque::{rolling_torque_n_m, skf_friction_torque_n_m};
 pub use load_distribution::rigid_ring_forces_n;
 pub use lubrication::{
     LubricatedRating, VISCOSITY_RATIO_MIN, life_modification_factor, minimum_radial_load_n,

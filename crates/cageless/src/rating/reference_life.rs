@@ -62,9 +62,13 @@ impl ReferenceLife {
             inner.powf(10.0 / 3.0) + outer.powf(10.0 / 3.0)
         };
         let sum = rows.into_iter().map(of_row).reduce(|a, b| a + b)?;
-        (sum > 0.0).then(|| sum.powf(-0.9))
+        (sum > UNLOADED.powf(10.0 / 3.0)).then(|| sum.powf(-0.9))
     }
 }
+
+/// Share of its rating below which a force is none, but what the search for an equilibrium leaves: the life would be
+/// above 1e18 million revolutions.
+const UNLOADED: f64 = 1e-6;
 
 /// Power mean of the forces.
 fn effective_load_n(force_n: &[f64], exponent: f64) -> f64 {

@@ -1,6 +1,5 @@
 //! SKF's model of the friction torque, of bearings with a cage in a lubricant.
 
-use super::friction_torque::bore_radius_m;
 use crate::case::Case;
 use crate::lubrication::{Lubricant, Lubrication, SkfSeries};
 
@@ -65,7 +64,7 @@ impl SkfFriction {
     /// below the groove and D = 2 Dpw − d.
     pub(super) fn of(case: &Case, lubrication: &Lubrication, speed_rpm: f64) -> Option<Self> {
         let series = lubrication.skf_series?;
-        let bore_mm = 2e3 * bore_radius_m(&case.bearing);
+        let bore_mm = 2e3 * case.bearing.bore_radius_or_estimate_m();
         let outside_mm = case.bearing.outside_radius_m().map_or_else(
             || 4e3 * case.bearing.pitch_radius_m() - bore_mm,
             |radius_m| 2e3 * radius_m,

@@ -351,6 +351,7 @@ fn slip_speeds(
         let raceway = InnerRaceway {
             radius,
             surface_speed: rings.speed.0[lane] * radius,
+            following: p.inner.following.0[lane],
         };
         let (ball, geometry) = (balls.get(lane), results.geometry.get(lane));
         slips[0].0[lane] = outer_slip(&geometry, &motion, &outer_polar);

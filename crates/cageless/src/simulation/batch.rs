@@ -1,16 +1,17 @@
 //! Batches: several bearings integrated side by side in the lanes of the vectors.
 
-use super::observer::{Control, Observer, RunContext};
+use super::observer::{Observer, RunContext};
 use super::outcome::RunOutcome;
 use super::run::{drive, run};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
 use crate::contact::FrictionLaw;
+use crate::control::Control;
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::formulation::Formulation;
-use crate::initial_conditions::initial_state;
+use crate::initial_conditions::initial_state_controlled;
 use crate::numerics::lanes::BATCH_WIDTH;
 use crate::step_limits::{self, StepLimits};
 
@@ -99,8 +100,10 @@ pub fn run_batch(
             && first.is_none_or(|first| first.is_some() && kinds.all(|kind| kind == first)),
         "cases side by side must be of one kind"
     );
-    let prepared: Vec<Result<Prepared, EquilibriumError>> =
-        cases.iter().map(|case| Prepared::new(case)).collect();
+    let prepared: Vec<Result<Prepared, EquilibriumError>> = cases
+        .iter()
+        .map(|case| Prepared::new(case, &mut || control(0.0)))
+        .collect();
     let ready: Vec<(&Case, &Prepared)> = cases
         .iter()
         .zip(&prepared)
@@ -127,8 +130,8 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn new(case: &Case) -> Result<Self, EquilibriumError> {
-        let (start, angles) = initial_state(case)?;
+    fn new(case: &Case, control: &mut dyn FnMut() -> Control) -> Result<Self, EquilibriumError> {
+        let (start, angles) = initial_state_controlled(case, control)?;
         Ok(Self {
             model: Model::new(case)?,
             start,
@@ -167,5 +170,8 @@ fn side_by_side(
         })
         .collect();
     drive(rhs, &mut trackers, control);
-    trackers.into_iter().map(RunTracker::outcome).collect()
+    trackers
+        .into_iter()
+        .map(RunTracker::whole_outcome)
+        .collect()
 }

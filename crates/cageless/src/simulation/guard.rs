@@ -8,6 +8,7 @@ use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, Model};
 use crate::rotor::Rotor;
+use crate::step_limits::StepLimits;
 
 /// Cause for which a run stopped.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +44,11 @@ pub enum Cause {
         /// Sum of the absolute flows.
         flows_j: f64,
     },
+    /// Energy balance error at the end of a run.
+    Unbalanced {
+        /// Energy now − energy at the start − net work, over the sum of the absolute flows.
+        residual_fraction: f64,
+    },
     /// The error control could not resolve a step.
     NotResolved,
 }
@@ -54,6 +60,8 @@ pub struct Stop {
     pub time_s: f64,
     /// Step of the run.
     pub step_s: f64,
+    /// Step that the case has where none is given.
+    pub automatic_step_s: f64,
     /// Whether it was the drop of a rotor.
     pub drop: bool,
     /// Cause of the stop.
@@ -95,12 +103,48 @@ impl std::fmt::Display for Cause {
                 "{residual_j:.3e} J of energy appeared that nothing supplied ({:.1} % of all flows)",
                 100.0 * residual_j.abs() / flows_j
             ),
+            Self::Unbalanced { residual_fraction } => write!(
+                f,
+                "{:.1} % of all energy flows are unaccounted for",
+                100.0 * residual_fraction.abs()
+            ),
             Self::NotResolved => f.write_str("a step could not be resolved"),
         }
     }
 }
 
+impl Cause {
+    /// Whether the bearing gave way, a result of its physics; else the computation failed.
+    pub fn gives_way(&self) -> bool {
+        match self {
+            Self::RingsMeet { .. }
+            | Self::BeyondGroove(_)
+            | Self::OffSupport
+            | Self::OffSpring(_) => true,
+            Self::NotFinite
+            | Self::ThroughInnerRing(_)
+            | Self::ThroughOuterRing(_)
+            | Self::ThroughBall(_)
+            | Self::RotorThroughInnerRing
+            | Self::EnergyFromNowhere { .. }
+            | Self::Unbalanced { .. }
+            | Self::NotResolved => false,
+        }
+    }
+}
+
 impl Stop {
+    pub(super) fn new(case: &Case, time_s: f64, cause: Cause) -> Self {
+        let solver = &case.solver;
+        Self {
+            time_s,
+            step_s: solver.step_s,
+            automatic_step_s: StepLimits::new(case).automatic_s(solver.method),
+            drop: case.rotor.is_some(),
+            cause,
+        }
+    }
+
     /// Time and cause, without the advice.
     pub fn reason(&self) -> String {
         format!("at t = {:.6} s {}", self.time_s, self.cause)
@@ -109,8 +153,12 @@ impl Stop {
     /// Advice on what to change.
     pub fn advice(&self) -> String {
         // To the last digit that a case file needs.
-        let half_us = (self.step_s * 0.5e6 * 1e6).round() / 1e6;
-        let halve = format!("set solver.step_us to {half_us}, half the step of this run");
+        let [half_us, automatic_us] =
+            [0.5 * self.step_s, self.automatic_step_s].map(|s| (s * 1e12).round() / 1e6);
+        let halve = match self.automatic_step_s < self.step_s {
+            true => format!("set solver.step_us to \"auto\", {automatic_us} µs in this case"),
+            false => format!("set solver.step_us to {half_us}, half the step of this run"),
+        };
         match self.cause {
             Cause::RingsMeet {
                 balls_that_hold: Some(balls),
@@ -165,6 +213,7 @@ impl Stop {
                  that is held bear it (contact_sign)",
                 row + 1
             ),
+            Cause::Unbalanced { .. } => halve,
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
                 "{halve}, or give the contacts some damping (contact.damping_n_s_m1_5, \
                  contact.ball_restitution)"
@@ -181,7 +230,7 @@ const BALANCE_EVERY: u64 = 512;
 /// energy at the start, whichever is larger.
 const RESIDUAL_MAX: f64 = 0.05;
 /// Least energy that a spurious gain is compared with: below it the sums round.
-const ENERGY_MIN_J: f64 = 1e-12;
+pub(super) const ENERGY_MIN_J: f64 = 1e-12;
 
 /// Guard against states outside the physical range.
 pub(super) struct Guard<'m> {
@@ -263,6 +312,10 @@ impl<'m> Guard<'m> {
         }
         let (inner, outer) = (layout.ring_motion(values), layout.outer_ring_motion(values));
         let [x, y] = [inner.x - outer.x, inner.y - outer.y];
+        // Through the outer ring, between one look and the next.
+        if x * x + y * y > self.bearing.pitch_radius_m().powi(2) {
+            return Err(Cause::NotResolved);
+        }
         if x * x + y * y > self.ring_max * self.ring_max {
             return Err(Cause::RingsMeet {
                 displacement_m: x.hypot(y),

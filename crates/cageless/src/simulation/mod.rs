@@ -19,11 +19,12 @@ mod rotor_drop;
 mod run;
 mod run_tracker;
 
+pub use crate::control::Control;
 pub use crate::dynamics::rotor_on_bearings::PlaneDisplacement;
 pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};
 pub(crate) use observer::BallAngle;
-pub use observer::{Control, Observer, ObserverError, RunContext, StepView};
-pub use outcome::{Ending, RunOutcome};
+pub use observer::{Observer, ObserverError, RunContext, StepView};
+pub use outcome::{Ending, RESIDUAL_FRACTION, RunOutcome};
 pub use rotor_drop::{RotorDrop, RotorDropOutcome, RotorOutcome};
-pub use run::{run, run_from};
+pub use run::{run, run_from, steps_of_thread};

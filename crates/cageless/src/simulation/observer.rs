@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use crate::case::Case;
+use crate::control::Control;
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate};
 use crate::dynamics::layout::{Balls, Layout};
 use crate::dynamics::state::State;
@@ -13,10 +14,6 @@ use crate::snapshot::Snapshot;
 
 /// Error of an observer, for example a file that cannot be written.
 pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
-
-/// Request of the caller to a run in progress: `Continue(())`, or `Break(())` to end it after this
-/// step.
-pub type Control = std::ops::ControlFlow<()>;
 
 /// Case, equations and initial state of a run.
 #[derive(Clone, Copy)]
@@ -118,6 +115,14 @@ impl StepView<'_, '_> {
     pub fn outer_ring_m(&self) -> [f64; 2] {
         let motion = self.layout.outer_ring_motion(&self.step.y1);
         [motion.x, motion.y]
+    }
+
+    /// ωi at the end of the step over the largest of the case; exactly 1 at constant speed.
+    pub fn inner_speed_ratio(&self, case: &Case) -> f64 {
+        match self.layout.ring_speed_rad_s(&self.step.y1) {
+            Some(speed) => speed.abs() / case.largest_inner_speed_rad_s().max(f64::MIN_POSITIVE),
+            None => case.inner_speed_ratio(self.step.t1_s),
+        }
     }
 
     /// Centre of the outer ring at `time_s` within the step.

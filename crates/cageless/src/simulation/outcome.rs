@@ -1,7 +1,8 @@
 //! Outcome of a run.
 
-use super::guard::Stop;
+use super::guard::{Cause, Stop};
 use super::observer::ObserverError;
+use crate::case::Case;
 use crate::dynamics::InstructionSet;
 use crate::dynamics::state::State;
 
@@ -42,7 +43,23 @@ pub struct RunOutcome {
     pub instruction_set: InstructionSet,
 }
 
+/// Largest energy balance error, relative, of numbers that can be trusted.
+pub const RESIDUAL_FRACTION: f64 = 0.01;
+
 impl RunOutcome {
+    /// The outcome of a whole run of the case: one whose energy does not balance at its end stopped there, as its
+    /// numbers are no evidence.
+    pub(super) fn of_whole_run(mut self, case: &Case) -> Self {
+        let balanced = self.energy_residual_relative.abs() <= RESIDUAL_FRACTION;
+        if matches!(self.ending, Ending::Complete) && !balanced {
+            let cause = Cause::Unbalanced {
+                residual_fraction: self.energy_residual_relative,
+            };
+            self.ending = Ending::Stopped(Stop::new(case, self.end_s, cause));
+        }
+        self
+    }
+
     /// Whether the run stopped, or could not be recorded.
     pub fn has_failed(&self) -> bool {
         matches!(self.ending, Ending::Stopped(_) | Ending::ObserverFailed(_))

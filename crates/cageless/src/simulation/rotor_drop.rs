@@ -1,16 +1,17 @@
 //! The drop of a rotor into its touchdown bearings.
 
-use super::observer::{Control, Observer, RunContext};
+use super::observer::{Observer, RunContext};
 use super::outcome::RunOutcome;
 use super::run::{Bearings, drive_from, run};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
+use crate::control::Control;
 use crate::dynamics::rotor_equations::RotorLoads;
 use crate::dynamics::rotor_on_bearings::{PlaneDisplacement, RotorOnBearings};
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, InstructionSet, Model};
 use crate::equilibrium::EquilibriumError;
-use crate::initial_conditions::initial_state;
+use crate::initial_conditions::initial_state_controlled;
 use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
 use crate::rotor::{Rotor, Shaft};
@@ -283,7 +284,7 @@ impl RotorDrop {
         let mut starts: Vec<(State, Vec<f64>)> = vec![];
         let mut models = vec![];
         for case in &self.cases {
-            starts.push(initial_state(case)?);
+            starts.push(initial_state_controlled(case, &mut || control(0.0))?);
             models.push(Model::new(case)?.guided(rotor.mass_kg()));
         }
         let gravity = self.cases[0].operation.gravity_m_s2;
@@ -332,7 +333,10 @@ impl RotorDrop {
         let end = drive_from(&start, &mut system, &mut trackers, control);
         let (residual, flows) = system.rotor_residual_j(start_energy, &end);
         Ok(RotorDropOutcome {
-            bearings: trackers.into_iter().map(RunTracker::outcome).collect(),
+            bearings: trackers
+                .into_iter()
+                .map(RunTracker::whole_outcome)
+                .collect(),
             rotor: Some(RotorOutcome {
                 energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
                 planes: system.planes(),

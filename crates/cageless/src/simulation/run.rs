@@ -1,32 +1,45 @@
 //! The loop over the steps.
 
+use std::cell::Cell;
+
 use super::guard::{Cause, Stop};
-use super::observer::{Control, Observer, RunContext};
+use super::observer::{Observer, RunContext};
 use super::outcome::{Ending, RunOutcome};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
+use crate::control::Control;
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
-use crate::initial_conditions::initial_state;
+use crate::initial_conditions::initial_state_controlled;
 use crate::integrator::{self, Integrator, System, UnresolvedStep, with_method};
 
 /// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;
 
-/// Runs a case. `control` is called every thousand steps or so with the simulated time.
+thread_local! {
+    static STEPS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Steps that the calling thread has made in all of its runs; bearings side by side count one by one.
+pub fn steps_of_thread() -> u64 {
+    STEPS.get()
+}
+
+/// Runs a case. `control` is called every thousand steps or so with the simulated time, and with 0 while the
+/// start is sought.
 ///
 /// # Errors
-/// The case is impossible or its start has no equilibrium. Everything later is an
+/// The case is impossible, its start has no equilibrium, or `control` ended its search. Everything later is an
 /// [`Ending`].
 pub fn run(
     case: &Case,
     observers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<RunOutcome, EquilibriumError> {
-    let (state, angles) = initial_state(case)?;
-    Ok(run_from(case, &state, &angles, observers, control)?)
+    let (state, angles) = initial_state_controlled(case, &mut || control(0.0))?;
+    Ok(run_from(case, &state, &angles, observers, control)?.of_whole_run(case))
 }
 
 /// Runs a case from a given state and ψ of its balls.
@@ -156,12 +169,7 @@ fn advance(
     while trackers.iter().any(RunTracker::under_way) {
         if let Err(error) = rhs.advance(&mut integrator, duration) {
             for tracker in trackers.iter_mut() {
-                let stop = Stop {
-                    drop: tracker.context.case.rotor.is_some(),
-                    time_s: error.time_s,
-                    step_s: tracker.context.case.solver.step_s,
-                    cause: Cause::NotResolved,
-                };
+                let stop = Stop::new(tracker.context.case, error.time_s, Cause::NotResolved);
                 tracker.end(Ending::Stopped(stop), &integrator.step().y1);
             }
             break;
@@ -186,6 +194,7 @@ fn advance(
             }
         }
     }
+    STEPS.set(STEPS.get() + steps * trackers.len() as u64);
     for tracker in trackers {
         tracker.rhs_evaluations = rhs.evaluations();
         tracker.instruction_set = rhs.instruction_set();

@@ -2,9 +2,10 @@
 
 use std::cell::RefCell;
 
-use super::guard::{Guard, Stop};
-use super::observer::{Control, Observer, RunContext, StepView};
+use super::guard::{ENERGY_MIN_J, Guard, Stop};
+use super::observer::{Observer, RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
+use crate::control::Control;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
@@ -119,12 +120,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
                 false => self.guard.check(steps, &contacts, &step.y1),
             };
             if let Err(cause) = checked {
-                let stop = Stop {
-                    drop: self.context.case.rotor.is_some(),
-                    time_s: step.t1_s,
-                    step_s: self.context.case.solver.step_s,
-                    cause,
-                };
+                let stop = Stop::new(self.context.case, step.t1_s, cause);
                 self.end(Ending::Stopped(stop), &step.y1);
                 return;
             }
@@ -166,11 +162,18 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         self.recent_s = step.t1_s;
     }
 
+    /// Outcome of a whole run.
+    pub fn whole_outcome(self) -> RunOutcome {
+        let case = self.context.case;
+        self.outcome().of_whole_run(case)
+    }
+
     /// Outcome of the run.
     pub fn outcome(self) -> RunOutcome {
         let model = self.context.model;
         let (residual, flows) = model.energy_residual_j(self.guard.start_energy_j(), &self.last);
-        let turned_over = flows.max(ROUNDING_FRACTION * self.guard.start_energy_j());
+        let least = ENERGY_MIN_J.max(ROUNDING_FRACTION * self.guard.start_energy_j());
+        let turned_over = flows.max(least);
         RunOutcome {
             ending: self.ending.unwrap_or(Ending::Interrupted),
             end_s: self.end_s,
@@ -179,11 +182,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
             end_energy_j: model.energy_j(&self.last),
             state: self.last,
             start_energy_j: self.guard.start_energy_j(),
-            energy_residual_relative: if turned_over > 0.0 {
-                residual / turned_over
-            } else {
-                0.0
-            },
+            energy_residual_relative: residual / turned_over,
             instruction_set: self.instruction_set,
         }
     }

@@ -56,7 +56,7 @@ use crate::error::{Allowed, InputError, degrees};
 use crate::limits::{not_negative, positive, require};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
-use crate::raceway::{Raceway, apart};
+use crate::raceway::{Ends, Raceway, apart};
 
 pub use arc::{Arc, SurfacePoint};
 pub use drawn_groove::DrawnGroove;
@@ -124,7 +124,9 @@ impl OuterRing {
         let d = bearing.dimensions();
         let bottom_m = d.outer_groove_bottom_radius_m;
         let raceways = (raceways.iter()).map(|raceway| match raceway.blend_start_rad() {
-            None if raceway.slot().is_none() => raceway.clone().with_blend(dimensions.blend_m),
+            None if raceway.slot().is_none() => {
+                raceway.clone().with_ends(Ends::Blended(dimensions.blend_m))
+            }
             _ => Ok(raceway.clone()),
         });
         let raceways: Vec<Raceway> = raceways.collect::<Result<_, _>>()?;
@@ -414,7 +416,7 @@ impl OuterRing {
 
     /// Largest length of a blend, m; 0 if there is none.
     pub fn blend_m(&self) -> f64 {
-        let blends = self.raceways.iter().map(|r| r.form().blend_m);
+        let blends = self.raceways.iter().map(Raceway::blend_m);
         blends.fold(0.0, f64::max)
     }
 }

@@ -14,26 +14,45 @@ pub struct Outcome {
     pub critical_gap_rad: Option<f64>,
     /// Passages of the most critical raceway; `None` without any.
     pub passages: Option<PassageStatistics>,
-    /// Reason if infeasible.
+    /// Reason if infeasible or not judged.
     pub reason: Option<String>,
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
     pub headline: String,
 }
 
 impl Outcome {
-    /// Whether the bearing passes.
-    pub fn passes(&self) -> bool {
-        self.verdict.passes() == Some(true)
+    /// Whether the bearing passes; `None` where it is not judged.
+    pub fn passes(&self) -> Option<bool> {
+        self.verdict.passes()
     }
 
-    /// Outcome of a bearing that was judged.
+    /// Whether it neither passes nor fails, as its run stopped.
+    pub fn is_open(&self) -> bool {
+        self.verdict == RacewayVerdict::NotJudged
+    }
+
+    /// Outcome of a bearing that was judged; one whose run stopped is not.
     pub fn judged(judgement: &Judgement) -> Self {
+        let stopped = judgement.stopped.as_ref();
+        if let Some(stop) = stopped.filter(|stop| !stop.cause.gives_way()) {
+            let reason = format!("the run stopped {}", stop.reason());
+            return Self {
+                verdict: RacewayVerdict::NotJudged,
+                critical_gap_rad: None,
+                passages: None,
+                headline: format!("not judged: {reason}"),
+                reason: Some(reason),
+            };
+        }
         Self {
             verdict: judgement.verdict,
             critical_gap_rad: judgement.critical_gap_rad,
             passages: judgement.passages,
-            reason: (judgement.verdict == RacewayVerdict::Infeasible)
-                .then(|| judgement.reasons.join("; ")),
+            reason: matches!(
+                judgement.verdict,
+                RacewayVerdict::Infeasible | RacewayVerdict::NotJudged
+            )
+            .then(|| judgement.reasons.join("; ")),
             headline: judgement.headline(),
         }
     }
@@ -60,6 +79,15 @@ fn interval(values: impl Iterator<Item = f64>) -> Interval {
     })
 }
 
+/// Lowest and highest value of outcomes; `None` if one of them has no value.
+fn range<'o>(
+    outcomes: impl Iterator<Item = &'o Outcome>,
+    of: impl Fn(&'o Outcome) -> Option<f64>,
+) -> Interval {
+    let values: Option<Vec<f64>> = outcomes.map(of).collect();
+    interval(values?.into_iter())
+}
+
 /// One row of the tolerance table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InfluenceResult {
@@ -71,7 +99,9 @@ pub struct InfluenceResult {
     pub passed: usize,
     /// Verdicts that came out, worst last.
     pub verdicts: Vec<RacewayVerdict>,
-    /// Critical gaps, this and the numbers below with those of the nominal bearing.
+    /// Reasons of the trials whose run stopped.
+    pub open: Vec<String>,
+    /// Critical gaps, this and the numbers below with those of the nominal bearing; `None` if a bearing has none.
     pub critical_gap_rad: Interval,
     /// Shares of the lag.
     pub lag_fraction: Interval,
@@ -88,13 +118,15 @@ pub struct Samples {
     pub count: usize,
     /// Those that pass.
     pub passed: usize,
+    /// Those that are not judged: they neither pass nor fail.
+    pub open: usize,
     /// Number of each verdict.
-    pub verdicts: [(RacewayVerdict, usize); 6],
-    /// Probability of passing.
-    pub pass_probability: f64,
-    /// 95 % interval of the probability (Wilson 1927).
+    pub verdicts: [(RacewayVerdict, usize); RacewayVerdict::ALL.len()],
+    /// Probability of passing; `None` if some are open.
+    pub pass_probability: Option<f64>,
+    /// 95 % interval of the probability (Wilson 1927), whatever those that are open would do.
     pub pass_probability_interval: [f64; 2],
-    /// 5 %, 50 % and 95 % quantile of the critical gap of those that have one.
+    /// 5 %, 50 % and 95 % quantile of the critical gap; `None` if a bearing has none.
     pub critical_gap_quantiles_rad: Option<[f64; 3]>,
     /// Every outcome.
     pub outcomes: Vec<Outcome>,
@@ -143,7 +175,7 @@ impl Assessment {
     /// sure: the analysis was interrupted, or has too few bearings.
     pub fn passes(&self) -> Option<bool> {
         match &self.samples {
-            _ if !self.nominal.passes() => Some(false),
+            _ if self.nominal.passes() != Some(true) => self.nominal.passes(),
             _ if self.is_interrupted() => None,
             None => Some(true),
             Some(samples) => samples.passes(),
@@ -182,21 +214,39 @@ impl Assessment {
         let [low, high] = samples.pass_probability_interval.map(|p| 100.0 * p);
         let needed = 100.0 * PASS_FRACTION;
         let open = match samples.passes() {
-            None if !self.nominal.passes() || self.is_interrupted() => String::new(),
+            None if self.nominal.passes() != Some(true) || self.is_interrupted() => String::new(),
             None if samples.count < Samples::least() => format!(
-                "; too few bearings to tell, a pass takes {} or more",
+                "; at least {} bearings are needed to show {needed:.0} %",
                 Samples::least()
             ),
+            None if samples.open > 0 => String::new(),
             None => format!("; the interval includes {needed:.0} %, more bearings narrow it"),
             Some(_) => String::new(),
         };
+        let probability = samples.pass_probability;
+        let probability = probability.map_or(String::new(), |p| format!(" {:.1} %", 100.0 * p));
+        let unjudged = match samples.open {
+            0 => String::new(),
+            1 => ", 1 is not judged".to_owned(),
+            count => format!(", {count} are not judged"),
+        };
         format!(
-            "{} of {} bearings pass, probability of passing {:.1} % (95 % interval {low:.1} to {high:.1} %, \
-             {needed:.0} % needed){open}",
-            samples.passed,
-            samples.count,
-            100.0 * samples.pass_probability,
+            "{} of {} bearings pass{unjudged}, probability of passing{probability} (95 % interval {low:.1} to \
+             {high:.1} %, {needed:.0} % needed){open}",
+            samples.passed, samples.count,
         )
+    }
+
+    /// Number of bearings whose run stopped, and the reason of the first; `None` without any.
+    pub fn stopped(&self) -> Option<(usize, &str)> {
+        let rows = self.influences.iter().flat_map(|row| &row.open);
+        let samples = self.samples.iter().flat_map(|samples| {
+            let open = samples.outcomes.iter().filter(|o| o.is_open());
+            open.filter_map(|o| o.reason.as_ref())
+        });
+        let mut all = rows.chain(samples);
+        let first = all.next()?;
+        Some((1 + all.count(), first))
     }
 }
 
@@ -238,15 +288,16 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
     verdicts.sort();
     verdicts.dedup();
     let all = || of.iter().copied().chain([nominal]);
-    let over = |of: fn(&PassageStatistics) -> f64| {
-        interval(all().filter_map(|o| o.passages.as_ref().map(of)))
-    };
+    let over =
+        |of: fn(&PassageStatistics) -> f64| range(all(), move |o| o.passages.as_ref().map(of));
+    let open = of.iter().filter(|o| o.is_open());
     InfluenceResult {
         influence,
         trials: of.len(),
-        passed: of.iter().filter(|o| o.passes()).count(),
+        passed: of.iter().filter(|o| o.passes() == Some(true)).count(),
         verdicts,
-        critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
+        open: open.filter_map(|o| o.reason.clone()).collect(),
+        critical_gap_rad: range(all(), |o| o.critical_gap_rad),
         lag_fraction: over(|p| p.lag_fraction),
         double_collision_fraction: over(|p| p.double_collision_fraction),
         sliding_mean_m_s: over(|p| p.sliding_mean_m_s),
@@ -256,25 +307,22 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
 fn samples(outcomes: Vec<Outcome>) -> Samples {
     let count = outcomes.len();
     let number = |verdict| outcomes.iter().filter(|o| o.verdict == verdict).count();
-    let passed = outcomes.iter().filter(|o| o.passes()).count();
-    let mut gaps: Vec<f64> = outcomes.iter().filter_map(|o| o.critical_gap_rad).collect();
-    gaps.sort_by(f64::total_cmp);
+    let passed = outcomes.iter().filter(|o| o.passes() == Some(true)).count();
+    let open = number(RacewayVerdict::NotJudged);
+    let gaps: Option<Vec<f64>> = outcomes.iter().map(|o| o.critical_gap_rad).collect();
+    let quantiles = gaps.map(|mut gaps| {
+        gaps.sort_by(f64::total_cmp);
+        [0.05, 0.5, 0.95].map(|p| quantile(&gaps, p))
+    });
+    let [least, most] = [passed, passed + open].map(|passed| wilson_interval(passed, count));
     Samples {
         count,
         passed,
-        verdicts: [
-            RacewayVerdict::Smooth,
-            RacewayVerdict::DoubleCollision,
-            RacewayVerdict::Slips,
-            RacewayVerdict::LosesLag,
-            RacewayVerdict::Overloaded,
-            RacewayVerdict::Infeasible,
-        ]
-        .map(|verdict| (verdict, number(verdict))),
-        pass_probability: passed as f64 / count as f64,
-        pass_probability_interval: wilson_interval(passed, count),
-        critical_gap_quantiles_rad: (!gaps.is_empty())
-            .then(|| [0.05, 0.5, 0.95].map(|p| quantile(&gaps, p))),
+        open,
+        verdicts: RacewayVerdict::ALL.map(|verdict| (verdict, number(verdict))),
+        pass_probability: (open == 0).then(|| passed as f64 / count as f64),
+        pass_probability_interval: [least[0], most[1]],
+        critical_gap_quantiles_rad: quantiles,
         outcomes,
     }
 }

@@ -5,7 +5,8 @@
 pub struct Limit {
     /// Name of the result.
     pub result: String,
-    /// The most that it may be, in the unit of the result; the least where more is better.
+    /// The most that it may be in magnitude, of a temperature with its sign, in the unit of the result; the least where
+    /// more is better.
     pub value: f64,
     /// Whose limit it is.
     pub source: String,

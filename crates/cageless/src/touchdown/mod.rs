@@ -21,13 +21,15 @@ mod heat;
 mod limit;
 mod recorder;
 mod scatter;
+mod spin_down;
 mod thermal;
 mod whirl;
 
 pub use end_state::EndState;
 pub use heat::{EndPower, InterfaceHeat};
 pub use limit::Limit;
-pub use recorder::{DropRecorder, DropSummary};
+pub use recorder::{DropRecorder, DropSummary, LAST};
 pub use scatter::{Drawn, DrawnBearing, Scatter};
-pub use thermal::{PARTS, STEEL_SPECIFIC_HEAT_J_KG_K, SpinDown, Thermal};
+pub use spin_down::{Brake, SpinDown};
+pub use thermal::{PARTS, STEEL_SPECIFIC_HEAT_J_KG_K, Thermal};
 pub use whirl::WhirlWindow;

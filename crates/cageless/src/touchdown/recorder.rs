@@ -2,7 +2,9 @@
 
 use super::end_state::EndState;
 use super::heat::{EndPower, HeatHistory, InterfaceHeat};
-use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz, mean_frequency_hz};
+use super::whirl::{
+    WhirlTracker, WhirlWindow, backward_whirl_hz, backward_whirl_max_hz, mean_frequency_hz,
+};
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
@@ -93,7 +95,7 @@ pub struct DropSummary {
 /// Length of the windows of the whirl, s: short against a spin-up, long against an impact.
 const WINDOW_S: f64 = 5e-3;
 /// Part of the time after the first contact over which the state at the end is judged.
-const LAST: f64 = 0.2;
+pub const LAST: f64 = 0.2;
 /// Sliding at which the ring has come up to speed, as a fraction of that at the first contact.
 const SPUN_UP: f64 = 0.01;
 
@@ -192,10 +194,6 @@ impl DropRecorder {
                 collisions as f64 / last.iter().map(|w| w.end_s - w.start_s).sum::<f64>()
             })
         };
-        let backward = whirl
-            .iter()
-            .filter(|w| w.contact_fraction > 0.5)
-            .map(|w| -w.frequency_hz() * rotation.signum());
         let in_space = state.layout().is_in_space();
         DropSummary {
             end_state,
@@ -221,7 +219,7 @@ impl DropRecorder {
                 rate_hz(&|collisions| collisions.above[k])
             }),
             ball_force_max_n: peaks.balls.force_n,
-            backward_whirl_max_hz: backward.fold(0.0, f64::max),
+            backward_whirl_max_hz: backward_whirl_max_hz(&whirl, rotation),
             backward_whirl_hz: backward_whirl_hz(&whirl, rotation),
             heat: InterfaceHeat::of(|term| state.energy_term_j(term)),
             end_power: last_from_s.and_then(|from_s| self.heat.since(from_s, rotor)),
@@ -320,9 +318,10 @@ impl Dropped {
             *inner = inner.max(contacts.inner_force_n(k));
             *outer = outer.max(contacts.outer_force_n(k));
         }
-        self.peaks.look(contacts);
+        let speed_ratio = view.inner_speed_ratio(&self.case);
+        self.peaks.look(contacts, speed_ratio);
         if contacts.balls_touch() {
-            self.peaks.look_between_balls(contacts);
+            self.peaks.look_between_balls(contacts, speed_ratio);
         }
     }
 }

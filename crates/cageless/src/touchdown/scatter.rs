@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::case::{Case, Gaps, Start, StartState};
+use crate::contact::FrictionParameters;
 use crate::design::search::uneven_gaps_rad;
 use crate::numerics::random::{GOLDEN_GAMMA, RandomStream, mix};
 use crate::simulation::RotorDrop;
@@ -41,10 +42,10 @@ impl Default for Scatter {
 /// What was drawn for one bearing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnBearing {
-    /// Friction coefficient between rotor and inner ring.
-    pub rotor_friction: f64,
-    /// Friction coefficient of the balls.
-    pub ball_friction: f64,
+    /// Friction between rotor and inner ring.
+    pub rotor_friction: FrictionParameters,
+    /// Friction of the balls.
+    pub ball_friction: FrictionParameters,
     /// Radial air gap, m.
     pub radial_clearance_m: f64,
     /// Damping of the support, N·s/m; `None` without a support.
@@ -146,8 +147,8 @@ impl Scatter {
         let rolling = streams.factor(Dimension::BallFriction, self.friction_fraction);
         drop.contact.friction.scale(rolling);
         let mut drawn = DrawnBearing {
-            rotor_friction: rotor.friction.coefficient,
-            ball_friction: drop.contact.friction.coefficient,
+            rotor_friction: rotor.friction.clone(),
+            ball_friction: drop.contact.friction.clone(),
             radial_clearance_m: rotor.radial_clearance_m,
             support_damping_n_s_m: None,
             arrangement_rad: None,

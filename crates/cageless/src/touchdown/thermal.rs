@@ -1,12 +1,8 @@
 //! Temperatures of a touch-down bearing, drop after drop.
 //!
 //! ```
-//! use cageless::touchdown::{SpinDown, Thermal};
+//! use cageless::touchdown::Thermal;
 //!
-//! // A rotor of 0.02 kg m² at 1000 rad/s, braked by 0.3 N m of its bearings and 0.1 N m of a drive.
-//! let end = SpinDown::new(0.02, 1000.0, 0.3, 0.1).unwrap();
-//! assert!((end.time_s - 50.0).abs() < 1e-9);
-//! assert!((end.heat_j - 0.75 * 10_000.0).abs() < 1e-9); // the drive takes a quarter
 //! let cooling = Thermal { pause_s: 600.0, cooling_time_s: Some(600.0), ..Thermal::default() };
 //! assert!((cooling.after_pause_c([120.0; 3], [20.0; 3])[0] - (20.0 + 100.0 / 1f64.exp())).abs() < 1e-9);
 //! ```
@@ -101,32 +97,5 @@ impl Thermal {
             .cooling_time_s
             .map_or(1.0, |time_s| (-self.pause_s / time_s).exp());
         std::array::from_fn(|k| start_c[k] + kept * (warm_c[k] - start_c[k]))
-    }
-}
-
-/// Spin-down of a rotor to standstill under torques that stay as they are at the end of a drop.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpinDown {
-    /// Time from the end of the drop to standstill.
-    pub time_s: f64,
-    /// Heat of all contacts of its bearings meanwhile, J.
-    pub heat_j: f64,
-}
-
-impl SpinDown {
-    /// Spin-down of a rotor of polar moment `inertia_kg_m2` from `speed_rad_s`, braked by
-    /// `contacts_n_m` of its bearings and `drive_n_m` of its drive, which may drive it on; `None` where
-    /// it does not come to rest.
-    pub fn new(
-        inertia_kg_m2: f64,
-        speed_rad_s: f64,
-        contacts_n_m: f64,
-        drive_n_m: f64,
-    ) -> Option<Self> {
-        let torque = contacts_n_m + drive_n_m;
-        let time_s = inertia_kg_m2 * speed_rad_s.abs() / torque;
-        // I dΩ/dt = −T: the angle to standstill is Ω t/2.
-        let heat_j = 0.5 * contacts_n_m * speed_rad_s.abs() * time_s;
-        (torque > 0.0 && heat_j.is_finite()).then_some(Self { time_s, heat_j })
     }
 }

@@ -62,6 +62,18 @@ pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Optio
         .reduce(f64::max)
 }
 
+/// Contact in a window from which its motion is one in contact.
+const MOSTLY_CONTACT: f64 = 0.5;
+
+/// Largest mean whirl frequency against `rotation` in a window that is mostly in contact, Hz; 0 if there is none.
+pub(super) fn backward_whirl_max_hz(windows: &[WhirlWindow], rotation: f64) -> f64 {
+    let touching = windows.iter();
+    touching
+        .filter(|w| w.contact_fraction > MOSTLY_CONTACT)
+        .map(|w| -w.frequency_hz() * rotation.signum())
+        .fold(0.0, f64::max)
+}
+
 /// Mean whirl frequency over windows, Hz, counter-clockwise positive.
 pub(super) fn mean_frequency_hz(windows: &[WhirlWindow]) -> f64 {
     let sum = |of: fn(&WhirlWindow) -> f64| windows.iter().map(of).sum::<f64>();
@@ -189,6 +201,33 @@ mod tests {
         assert_eq!(of(&[window(-0.4 * TAU, TAU, 1.0); 3], 100.0), None);
         assert_eq!(of(&[window(-0.4 * TAU, 0.4 * TAU, 0.6); 3], 100.0), None);
         assert_eq!(of(&[round, round, mirrored, round, round], 100.0), None);
+    }
+
+    /// The largest backward turn of a window in contact: neither that of a journal in free flight, which passes the
+    /// centre of the bore, nor one with the rotation.
+    #[test]
+    fn the_largest_backward_whirl_is_one_in_contact() {
+        let window = |turns: f64, contact_fraction: f64| WhirlWindow {
+            turned_rad: turns * TAU,
+            contact_fraction,
+            end_s: 0.005,
+            ..WhirlTracker::empty(0.0, 0.0)
+        };
+        let windows = [
+            window(-0.45, 0.2),
+            window(-0.4, 0.49),
+            window(-0.1, 0.51),
+            window(-0.05, 1.0),
+            window(0.3, 1.0),
+        ];
+        let close = |found: f64, expected: f64| {
+            assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+        };
+        // Turns over 5 ms.
+        close(backward_whirl_max_hz(&windows, 100.0), 20.0);
+        close(backward_whirl_max_hz(&windows, -100.0), 60.0);
+        close(backward_whirl_max_hz(&windows[..2], 100.0), 0.0);
+        close(backward_whirl_max_hz(&windows[4..], 100.0), 0.0);
     }
 
     #[test]

@@ -98,7 +98,7 @@ pub struct Verification {
     /// |z| above which a number is biased: Student's limit for [`Self::replicas`] runs at
     /// either step, as probable as three standard deviations are for many runs.
     pub z_limit: f64,
-    /// One for each [`Quantity`], in the order of [`Quantity::ALL`].
+    /// One for each [`Quantity`] that the case has, in the order of [`Quantity::ALL`].
     pub judgements: Vec<Judgement>,
     /// Divergence of the replicas.
     pub divergence: Divergence,
@@ -121,8 +121,11 @@ impl Verification {
     pub fn new(case: &Case, records: &[Record]) -> Result<Self, InputError> {
         let [perturbed, full, half] = samples(records, |r| r.role);
         let divergence = Divergence::new(case, &perturbed, half[0])?;
+        // What no run of the case has is not judged.
+        let has = |quantity: &Quantity| records.iter().any(|r| !r.value(*quantity).is_nan());
         let judgements = Quantity::ALL
             .into_iter()
+            .filter(has)
             .map(|quantity| {
                 let values: Vec<_> = (records.iter())
                     .map(|r| (r.role, r.value(quantity)))
@@ -159,8 +162,8 @@ impl Verification {
             .count()
     }
 
-    /// Statistics of one result.
-    pub fn judgement(&self, quantity: Quantity) -> &Judgement {
-        &self.judgements[quantity as usize]
+    /// Statistics of one result; `None` of one that the case does not have.
+    pub fn judgement(&self, quantity: Quantity) -> Option<&Judgement> {
+        self.judgements.iter().find(|j| j.quantity == quantity)
     }
 }

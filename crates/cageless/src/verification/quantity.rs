@@ -3,8 +3,7 @@
 use crate::case::Case;
 use crate::kinematics::rolling_rotation_rad_s;
 
-/// Scalar result of a run. Those of the first two groups cover the part of the run
-/// after its transient.
+/// Scalar result of a run; a mean, a number or an extreme of the part after its transient, or a value at the end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// Contacts between balls that began.
@@ -27,6 +26,16 @@ pub enum Quantity {
     OrbitSpeedMean,
     /// Mean absolute spin over balls and time, rad/s.
     SpinMean,
+    /// Largest force at the inner raceway, N.
+    InnerForceMax,
+    /// Largest force at the outer raceway, N.
+    OuterForceMax,
+    /// Mean power loss, W.
+    PowerLoss,
+    /// Mean torque of the drive, N·m; of a constant speed alone.
+    FrictionTorque,
+    /// Mean lag of a ball per pass of a discrete raceway, rad.
+    LagPerPass,
     /// Displacement of the ring at the end, m.
     RingXEnd,
     /// Displacement of the ring at the end, m.
@@ -35,9 +44,12 @@ pub enum Quantity {
     LeadBallAngleEnd,
 }
 
+/// Scale of forces, power and torque over their value: they are converged within a hundredth.
+const VALUES: f64 = 10.0;
+
 impl Quantity {
     /// All quantities, in the order of their discriminants.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 18] = [
         Self::Collisions,
         Self::GapMin,
         Self::GapMax,
@@ -48,6 +60,11 @@ impl Quantity {
         Self::RingYDeviation,
         Self::OrbitSpeedMean,
         Self::SpinMean,
+        Self::InnerForceMax,
+        Self::OuterForceMax,
+        Self::PowerLoss,
+        Self::FrictionTorque,
+        Self::LagPerPass,
         Self::RingXEnd,
         Self::RingYEnd,
         Self::LeadBallAngleEnd,
@@ -66,7 +83,7 @@ impl Quantity {
     /// Displacements of the ring have the scale of the trajectories' distance, 10 µm; angles the
     /// nominal gap, at least 0.1°; speeds those of rolling. Collisions, the largest slip and
     /// deviations are their own scale, at least by 1, the slip scale of the
-    /// friction law and 0.1 µm.
+    /// friction law and 0.1 µm. Forces, power and torque are ten times their own size.
     pub fn scale(self, case: &Case, value: f64) -> f64 {
         const PLACE_M: f64 = 1e-5;
         let bearing = &case.bearing;
@@ -74,7 +91,10 @@ impl Quantity {
         let orbit = case.rolling_orbit_speed_rad_s();
         match self {
             Self::Collisions => value.abs().max(1.0),
-            Self::GapMin | Self::GapMax | Self::LeadBallAngleEnd => {
+            Self::InnerForceMax | Self::OuterForceMax | Self::PowerLoss | Self::FrictionTorque => {
+                VALUES * value.abs()
+            }
+            Self::GapMin | Self::GapMax | Self::LagPerPass | Self::LeadBallAngleEnd => {
                 bearing.nominal_gap_rad().max(0.1_f64.to_radians())
             }
             Self::RingXMean | Self::RingYMean | Self::RingXEnd | Self::RingYEnd => PLACE_M,

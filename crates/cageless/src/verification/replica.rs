@@ -7,10 +7,12 @@ use super::trajectory::{TrajectoryRecorder, sample_times_s};
 use crate::case::Case;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::random::{GOLDEN_GAMMA, mix};
+use crate::orbit_means::OrbitMeans;
+use crate::passage::{PassageRecorder, SettledPassages};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, run,
 };
-use crate::summary::SummaryRecorder;
+use crate::summary::{SummaryRecorder, transient_s};
 
 /// Angle between the starts with small perturbations, rad: far above rounding, far below any tolerance.
 pub const SMALL_PERTURBATION_RAD: f64 = 1.7e-11;
@@ -75,7 +77,7 @@ pub struct Replica {
 pub enum ReplicaError {
     /// The case is impossible or has no equilibrium.
     #[error(transparent)]
-    Case(#[from] EquilibriumError),
+    Case(EquilibriumError),
     /// The run left the physical range.
     #[error("{0} stopped at t = {time:.6} s: {cause}", time = .1.time_s, cause = .1.cause)]
     Stopped(Role, Stop),
@@ -85,6 +87,15 @@ pub enum ReplicaError {
     /// The run ended within its transient.
     #[error("{0} ended within its transient")]
     Empty(Role),
+}
+
+impl From<EquilibriumError> for ReplicaError {
+    fn from(error: EquilibriumError) -> Self {
+        match error {
+            EquilibriumError::Interrupted => Self::Interrupted,
+            error => Self::Case(error),
+        }
+    }
 }
 
 /// The runs that a verification of `case` compares, in the order of [`Role::all`].
@@ -162,6 +173,10 @@ impl Replica {
             role: self.role,
             summary: SummaryRecorder::new(),
             motion: MotionRecorder::default(),
+            passages: PassageRecorder::to(SettledPassages {
+                after_s: transient_s(&self.case),
+                ..SettledPassages::default()
+            }),
             momentum: MomentumBalance::default(),
             trajectory: TrajectoryRecorder::new(self.times_s.clone()),
             lead_angle_rad: f64::NAN,
@@ -184,6 +199,7 @@ pub struct ReplicaObserver {
     role: Role,
     summary: SummaryRecorder,
     motion: MotionRecorder,
+    passages: PassageRecorder<SettledPassages>,
     momentum: MomentumBalance,
     trajectory: TrajectoryRecorder,
     lead_angle_rad: f64,
@@ -208,6 +224,7 @@ impl ReplicaObserver {
             .ok_or(ReplicaError::Empty(self.role))?;
         let ring = outcome.state.ring_motion();
         let [deviation_x, deviation_y] = self.motion.ring_deviation_m();
+        let mean = |of: fn(&OrbitMeans) -> f64| s.means.as_ref().map_or(f64::NAN, of);
         let values = Quantity::ALL.map(|quantity| match quantity {
             Quantity::Collisions => s.collisions.all as f64,
             Quantity::GapMin => s.gap_min_rad,
@@ -219,6 +236,11 @@ impl ReplicaObserver {
             Quantity::RingYDeviation => deviation_y,
             Quantity::OrbitSpeedMean => self.motion.orbit_speed_rad_s(),
             Quantity::SpinMean => self.motion.rotation_rad_s(),
+            Quantity::InnerForceMax => s.peaks.inner.force_n,
+            Quantity::OuterForceMax => s.peaks.outer.force_n,
+            Quantity::PowerLoss => mean(OrbitMeans::power_loss_w),
+            Quantity::FrictionTorque => mean(OrbitMeans::friction_torque_n_m),
+            Quantity::LagPerPass => self.passages.sink().tally.lag_mean_rad(),
             Quantity::RingXEnd => ring.x,
             Quantity::RingYEnd => ring.y,
             Quantity::LeadBallAngleEnd => self.lead_angle_rad,
@@ -237,14 +259,16 @@ impl Observer for ReplicaObserver {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         self.summary.begin(context)?;
         self.motion.begin(context)?;
+        self.passages.begin(context)?;
         self.momentum.begin(context)
     }
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.lead_angle_rad = view.angle_after_rad(0);
-        let observers: [&mut dyn Observer; 4] = [
+        let observers: [&mut dyn Observer; 5] = [
             &mut self.summary,
             &mut self.motion,
+            &mut self.passages,
             &mut self.momentum,
             &mut self.trajectory,
         ];
@@ -268,7 +292,8 @@ pub struct Record {
 }
 
 impl Record {
-    /// Value of one quantity, in SI units.
+    /// Value of one quantity, in SI units; NaN of a lag without passages, of a torque at a speed that
+    /// varies.
     pub fn value(&self, quantity: Quantity) -> f64 {
         self.values[quantity as usize]
     }

@@ -102,6 +102,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             step_s: 1e-6,
             tolerance: 1e-8,
             duration_s: 0.02,
+            transient_s: None,
         },
         seed: 0,
         housing: None,

@@ -301,7 +301,7 @@ fn every_deviation() {
     };
     let first = run.rows.len() - rows.len();
     let deviations = [0, 1].map(|axis| {
-        let looked = (first..run.rows.len() - 1).step_by(4);
+        let looked = (first + 1..run.rows.len() - 1).step_by(2);
         let forces: Vec<f64> = looked.map(|n| force(n, axis)).collect();
         let mean = forces.iter().sum::<f64>() / forces.len() as f64;
         let squares: f64 = forces.iter().map(|force| (force - mean).powi(2)).sum();
@@ -332,8 +332,8 @@ fn peak(contacts: impl Iterator<Item = [f64; 4]>, surface_m_s: f64) -> ContactPe
 fn every_peak_of_the_contacts() {
     let run = &*RECORDING;
     let (bearing, rows) = (&run.case.bearing, run.settled());
-    // Contacts with the raceways are looked at every fourth step, those between balls in each.
-    let looked = || rows.iter().step_by(4).flat_map(|row| &row.balls);
+    // Contacts with the raceways are looked at every 4 µs, each second step, those between balls in each.
+    let looked = || rows.iter().skip(1).step_by(2).flat_map(|row| &row.balls);
     let of = |force: f64, slip: f64, contact: RacewayContact| {
         [force, slip, contact.pressure_pa, contact.semi_axes_m[0]]
     };
@@ -469,6 +469,14 @@ fn every_quantity_of_a_verification() {
     let lead: f64 = (run.rows.windows(2))
         .map(|w| (w[1].balls[0].psi() - w[0].balls[0].psi() + PI).rem_euclid(TAU) - PI)
         .sum();
+    let means = s.means.as_ref().unwrap();
+    let mut tally = PassageTally::new();
+    let settled = run
+        .passages
+        .iter()
+        .filter(|p| p.enter_s > s.settled_after_s);
+    settled.for_each(|passage| tally.add(passage));
+    let lag = tally.lag_mean_rad();
     for quantity in Quantity::ALL {
         let (expected, fraction) = match quantity {
             Quantity::Collisions => (s.collisions.all as f64, 0.0),
@@ -481,6 +489,11 @@ fn every_quantity_of_a_verification() {
             Quantity::RingYDeviation => (deviation(1), 1e-9),
             Quantity::OrbitSpeedMean => (of_balls(Seen::orbit), 1e-4),
             Quantity::SpinMean => (of_balls(|b| b.spin), 1e-4),
+            Quantity::InnerForceMax => (s.peaks.inner.force_n, 0.0),
+            Quantity::OuterForceMax => (s.peaks.outer.force_n, 0.0),
+            Quantity::PowerLoss => (means.power_loss_w(), 0.0),
+            Quantity::FrictionTorque => (means.friction_torque_n_m(), 0.0),
+            Quantity::LagPerPass => (lag, 1e-12),
             Quantity::RingXEnd => (last.ring[0], 0.0),
             Quantity::RingYEnd => (last.ring[1], 0.0),
             Quantity::LeadBallAngleEnd => (0.1 + lead, 1e-9),

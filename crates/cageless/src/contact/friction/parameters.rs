@@ -39,7 +39,27 @@ pub struct FrictionParameters {
     pub table: Option<FrictionTable>,
 }
 
+/// Creep of a rolling contact at its limit of friction, over the rolling speed: that of Kalker's theory for steel at
+/// μ = 0.1.
+const CREEP: f64 = 1e-3;
+/// Least and largest regularisation speed that a rolling speed gives, m/s.
+const REGULARISATION_M_S: [f64; 2] = [1e-6, 0.02];
+
 impl FrictionParameters {
+    /// Regularisation speed of balls whose centres roll at this speed, m/s: a thousandth of it, from 1e-6 to
+    /// 0.02 m/s.
+    ///
+    /// ```
+    /// use cageless::FrictionParameters;
+    ///
+    /// assert_eq!(FrictionParameters::regularisation_of_rolling_m_s(5.0), 5e-3);
+    /// assert_eq!(FrictionParameters::regularisation_of_rolling_m_s(50.0), 0.02);
+    /// ```
+    pub fn regularisation_of_rolling_m_s(rolling_m_s: f64) -> f64 {
+        let [least, most] = REGULARISATION_M_S;
+        (CREEP * rolling_m_s).clamp(least, most)
+    }
+
     /// Those of the smooth law.
     pub fn smooth(coefficient: f64, regularisation_speed_m_s: f64) -> Self {
         Self {

@@ -3,6 +3,7 @@
 use super::raceway_layout::OperatingPoint;
 use crate::bearing::Bearing;
 use crate::case::{Case, Motion};
+use crate::critical_gap::CriticalGapError;
 use crate::design::{axial_lag, kinematic_lag_rad, seats};
 use crate::equilibrium::EquilibriumError;
 use crate::integrator::IntegrationMethod;
@@ -63,25 +64,18 @@ pub(super) fn lag(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Option<Result<f64, String>> {
     let case = in_space(case, point, raceways.to_vec(), axial_load_n);
-    let mut ended = false;
-    let found = axial_lag(&case, [axial_load_n, 0.0], &mut |done| {
-        let next = control(done);
-        ended |= next.is_break();
-        next
-    });
-    if ended {
-        return None;
-    }
-    Some(match found {
+    let without = |error: String| format!("under an axial load of {axial_load_n} N: {error}");
+    Some(match axial_lag(&case, [axial_load_n, 0.0], control) {
         Ok(at) => at
-            .lag_and_angle_rad
-            .map(|[lag, _]| lag)
-            .ok_or_else(|| format!("the bearing does not bear an axial load of {axial_load_n} N")),
-        Err(error) => Err(error.to_string()),
+            .lag
+            .map(|found| found.lag_rad)
+            .map_err(|reason| without(reason.to_string())),
+        Err(CriticalGapError::Interrupted) => return None,
+        Err(error) => Err(without(error.to_string())),
     })
 }
 
-fn in_space(
+pub(super) fn in_space(
     case: &Case,
     point: &OperatingPoint,
     raceways: Vec<Raceway>,

@@ -20,7 +20,7 @@ impl Request {
         let maps = self.points.len() + self.map_speeds_rad_s.len();
         let confirmed =
             CONFIRMED_MAX * self.points.len() * (self.starts as usize).max(STARTS_LEAST);
-        (8 * confirmed).max(4 * maps * self.starts as usize)
+        (8 * confirmed).max(4 * (maps * self.starts as usize + self.bunched()))
     }
 
     /// Structures that are simulated for the front.
@@ -30,7 +30,12 @@ impl Request {
 
     /// Cells of all maps together that are simulated.
     pub fn map_cells_simulated(&self) -> usize {
-        self.budget / 4 / self.starts as usize
+        (self.budget / 4 - self.bunched()) / self.starts as usize
+    }
+
+    /// Bunched starts of the confirmation, which the share of the maps bears.
+    fn bunched(&self) -> usize {
+        CONFIRMED_MAX * self.points.len()
     }
 
     /// Structures that the optimiser tries.
@@ -38,7 +43,7 @@ impl Request {
         OPTIMISED_MAX.min(self.budget / 8 / self.of_structure())
     }
 
-    /// Starts from which a structure is confirmed.
+    /// Drawn starts from which a structure is confirmed, beside the bunched one.
     pub fn confirming_starts(&self) -> u64 {
         let share = self.budget / 8 / (CONFIRMED_MAX * self.points.len());
         (share as u64).clamp(self.starts.max(2), CONFIRMING_STARTS.max(self.starts))
@@ -71,7 +76,7 @@ mod tests {
                 let sum = request.front_structures() * of_structure
                     + request.map_cells_simulated() * starts as usize
                     + request.optimised_structures() * of_structure
-                    + request.confirming_starts() as usize * points * 2;
+                    + (request.confirming_starts() as usize + 1) * points * 2;
                 assert!(sum <= budget, "{sum} of {budget}");
                 assert!(request.front_structures() >= 1);
                 assert!(request.map_cells_simulated() >= points + maps);
@@ -90,6 +95,6 @@ mod tests {
             request.confirming_starts(),
             request.budget_least(),
         );
-        assert_eq!((request.budget, found), (400, (100, 50, 24, 12, 32)));
+        assert_eq!((request.budget, found), (400, (100, 49, 24, 12, 32)));
     }
 }

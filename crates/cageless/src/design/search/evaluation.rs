@@ -4,7 +4,7 @@ use super::axial::AxialSeparation;
 use super::job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task};
 use super::measured_separation::MeasuredSeparation;
 use super::pareto::OBJECTIVES;
-use super::perturbed_run::{Motion, VALUES};
+use super::perturbed_run::{Motion, UnevenStart, VALUES};
 use super::raceway_layout::{ClosedForms, RacewayLayout};
 use super::rejection::{Cause, Rejection};
 use super::request::{Execute, Request, Stage};
@@ -102,8 +102,11 @@ pub struct Confirmed {
     pub role: Role,
     /// Candidate with the means over the starts common to all designs, for comparison with them.
     pub evaluation: Evaluation,
-    /// Statistics at each operating point; empty if a run failed.
+    /// Statistics over drawn starts at each operating point; empty if a run failed.
     pub statistics: Vec<Statistics>,
+    /// Motion from the bunched start, once the bunch had time to come apart, at each operating point; empty if a
+    /// run failed.
+    pub bunched: Vec<Motion>,
 }
 
 /// Receiver of jobs and their stage.
@@ -144,7 +147,11 @@ impl Evaluation {
             spacing: vec![None; points],
             motion: vec![None; points],
             axial,
-            rejection: cause.map(|cause| Rejection { cause, point: None }),
+            rejection: cause.map(|cause| Rejection {
+                cause,
+                point: None,
+                bunched: false,
+            }),
             objectives: None,
             on_front: false,
         };
@@ -161,8 +168,25 @@ impl Evaluation {
             found(self, point).map(|cause| Rejection {
                 cause,
                 point: Some(point),
+                bunched: false,
             })
         });
+    }
+
+    /// Rejected for this reason, it is on no front.
+    pub(super) fn reject_with(&mut self, rejection: &Rejection) {
+        self.rejection = Some(rejection.clone());
+        (self.objectives, self.on_front) = (None, false);
+    }
+
+    /// The first cause found at any point in the motion from the bunched start.
+    fn reject_bunched(&mut self, found: impl Fn(&Self, usize) -> Option<Cause>) {
+        if self.rejection.is_none() {
+            self.reject(found);
+            if let Some(rejection) = &mut self.rejection {
+                rejection.bunched = true;
+            }
+        }
     }
 
     fn rate(&mut self) {
@@ -316,7 +340,7 @@ impl Batch<'_, '_> {
         (0..starts).map(move |start| Job {
             structure: structure.clone(),
             point,
-            task: Task::Motion(start),
+            task: Task::Motion(UnevenStart::Drawn(start)),
         })
     }
 
@@ -329,11 +353,12 @@ impl Batch<'_, '_> {
 
     /// Simulations of all balls that the confirmation of one structure takes.
     pub fn of_confirmation(&self) -> usize {
-        self.request.points.len() * self.request.confirming_starts() as usize
+        self.request.points.len() * (self.request.confirming_starts() as usize + 1)
     }
 
-    /// Numbers of one structure from [`Request::confirming_starts`], whether it is acceptable or
-    /// not. What is read from the motion is required of the means over all of them.
+    /// Numbers of one structure from [`Request::confirming_starts`] and a bunched start, whether it is
+    /// acceptable or not. What is read from the motion is required of the means over the drawn starts, and
+    /// of the bunched one by itself, which a mean would hide.
     pub fn confirm(
         &mut self,
         role: Role,
@@ -347,33 +372,47 @@ impl Batch<'_, '_> {
         self.axial_lags(&mut [&mut one[0]])?;
         let usual = self.request.starts as usize;
         let starts = self.request.confirming_starts();
-        let jobs = self.motion_jobs(structure, starts);
+        let points = self.request.points.len();
+        let mut jobs = self.motion_jobs(structure, starts);
+        jobs.extend(self.request.points.iter().map(|&point| Job {
+            structure: structure.clone(),
+            point,
+            task: Task::Motion(UnevenStart::Bunched),
+        }));
         let outcomes = self.execute(Stage::Confirm, &jobs)?;
+        let (drawn, bunched) = outcomes.split_at(jobs.len() - points);
         let [mut evaluation] = one;
-        let mut statistics = vec![];
-        for (p, runs) in outcomes.chunks(starts as usize).enumerate() {
-            match motions(runs) {
-                Ok(all) => {
+        let (mut statistics, mut from_bunch) = (vec![], vec![]);
+        for (p, (runs, bunched)) in drawn.chunks(starts as usize).zip(bunched).enumerate() {
+            let both =
+                motions(runs).and_then(|all| Ok((all, motions(std::slice::from_ref(bunched))?)));
+            match both {
+                Ok((all, bunched)) => {
                     evaluation.motion[p] = Some(Motion::mean(&all[..usual]));
                     statistics.push(Statistics::new(all));
+                    from_bunch.extend(bunched);
                 }
                 Err(reason) => fail(&mut evaluation, reason, p),
             }
         }
+        if statistics.len() < points {
+            statistics.clear();
+            from_bunch.clear();
+        }
         let elastic = self.elastic();
         evaluation
             .reject(|e, p| Cause::of_motion(&statistics.get(p)?.mean, &e.spacing[p]?, elastic));
+        evaluation
+            .reject_bunched(|e, p| Cause::of_motion(from_bunch.get(p)?, &e.spacing[p]?, elastic));
         if from_geometry.is_some() {
             evaluation.rejection = from_geometry;
         }
         evaluation.rate();
-        if statistics.len() < self.request.points.len() {
-            statistics.clear();
-        }
         Ok(Confirmed {
             role,
             evaluation,
             statistics,
+            bunched: from_bunch,
         })
     }
 }
@@ -394,6 +433,7 @@ pub(super) fn fail(evaluation: &mut Evaluation, reason: String, point: usize) {
     evaluation.rejection.get_or_insert(Rejection {
         cause: Cause::Failed(reason),
         point: Some(point),
+        bunched: false,
     });
 }
 

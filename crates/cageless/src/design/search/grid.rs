@@ -100,12 +100,6 @@ fn map_cells(request: &Request) -> [usize; 2] {
     std::array::from_fn(|k| MAP_LEAST[k].max((share * MAP[k] as f64).ceil() as usize))
 }
 
-/// Cells of a map of a request over those with the default budget.
-pub fn map_fraction(request: &Request) -> f64 {
-    let cells = |[columns, rows]: [usize; 2]| (columns * rows) as f64;
-    cells(map_cells(request)) / cells(MAP)
-}
-
 /// Largest θ at which a path of the span is possible; it grows with the span. Nothing binds that of a slot.
 fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> f64 {
     let widest = FRAC_PI_2 * 0.999;

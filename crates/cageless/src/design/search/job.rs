@@ -2,10 +2,10 @@
 //! thread.
 
 use super::axial;
-use super::perturbed_run::{Motion, PerturbedRunError, perturbed_runs};
+use super::perturbed_run::{Motion, PerturbedRunError, UnevenStart, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::case::Case;
-use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
+use crate::critical_gap::{CROWDED_MAX, CriticalGapError, PairTest, critical_gap_rad};
 use crate::design::{
     Eq11, kinematic_gap_rad, pressure_at_rest_pa, steady_gap_rad, theoretical_gap_rad,
 };
@@ -18,7 +18,7 @@ pub enum Task {
     /// Critical gap and contact stress.
     PairSeparation,
     /// A run of all balls from this uneven start.
-    Motion(u64),
+    Motion(UnevenStart),
     /// Lag of evenly spaced balls in space under this axial load, N.
     AxialLag(f64),
 }
@@ -68,14 +68,6 @@ pub type Outcome = Result<Numbers, String>;
 #[error("interrupted")]
 pub struct Interrupted;
 
-/// Error of a critical gap in a search: a tenth of what choices of the experiment move it by.
-const GAP_TOLERANCE_RAD: f64 = 2e-5;
-/// Balls beside the pair stand off by this much, or a deep raceway would be measured by how
-/// they push the pair together.
-pub const NEIGHBOURS_WIDER: f64 = 1.4;
-/// Upper end of the critical gaps that are resolved, as a multiple of the steady gap: balls collide above.
-pub const CROWDED_MAX: f64 = 1.5;
-
 impl Job {
     /// A name that no other job of the same case has.
     pub fn key(&self) -> String {
@@ -117,7 +109,7 @@ pub fn run_jobs(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Vec<Option<Outcome>> {
     let mut outcomes: Vec<Option<Outcome>> = vec![None; jobs.len()];
-    let mut runs: Vec<(usize, Case, u64)> = vec![];
+    let mut runs: Vec<(usize, Case, UnevenStart)> = vec![];
     for (k, job) in jobs.iter().enumerate() {
         match (job.structure.raceways(&case.bearing), job.task) {
             (Err(error), _) => outcomes[k] = Some(Err(error.to_string())),
@@ -137,7 +129,8 @@ pub fn run_jobs(
             }
         }
     }
-    let cases: Vec<(&Case, u64)> = runs.iter().map(|(_, case, start)| (case, *start)).collect();
+    let cases: Vec<(&Case, UnevenStart)> =
+        runs.iter().map(|(_, case, start)| (case, *start)).collect();
     for ((k, ..), motion) in runs.iter().zip(perturbed_runs(&cases, control)) {
         outcomes[*k] = match motion {
             Ok(motion) => Some(Ok(Numbers::Motion(motion))),
@@ -167,20 +160,15 @@ fn spacing(
         }
         None => theoretical_gap_rad(&case.bearing, raceway, Eq11::Published),
     };
-    let most = CROWDED_MAX * steady_gap_rad(&case.bearing, raceways);
+    let steady_gap = steady_gap_rad(&case.bearing, raceways);
+    let most = CROWDED_MAX * steady_gap;
     let mut spacing = PairSeparation {
         critical_gap_rad: f64::INFINITY,
         shortfall: f64::NEG_INFINITY,
         stress_pa: f64::NAN,
     };
     for row in loaded.distinct_rows() {
-        let test = PairTest {
-            row,
-            neighbours_wider: NEIGHBOURS_WIDER,
-            tolerance_rad: GAP_TOLERANCE_RAD,
-            gap_max_rad: Some(most),
-            ..PairTest::default()
-        };
+        let test = PairTest::of_raceways(&loaded, row, steady_gap);
         let mut of_row = 0.0f64;
         for raceway in raceways {
             let alone = point.case(case, vec![raceway.clone()]);

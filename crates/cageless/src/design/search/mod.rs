@@ -37,25 +37,26 @@ mod pareto;
 mod perturbed_run;
 mod placement;
 mod raceway_layout;
+mod rehearsal;
 mod rejection;
 mod request;
 
+pub use crate::critical_gap::{CROWDED_MAX, NEIGHBOURS_WIDER};
 pub use axial::AxialSeparation;
 pub use budget::BUDGET_LEAST;
 pub use evaluation::{Confirmed, Evaluation, Role, Statistics};
-pub use grid::{MapCell, SpeedMap, map_fraction};
-pub use job::{
-    CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
-    run_jobs,
-};
+pub use grid::{MapCell, SpeedMap};
+pub use job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task, run_jobs};
 pub use pareto::{OBJECTIVES, ObjectiveScale, RESOLUTION, pareto_front};
 pub use perturbed_run::{
-    Motion, PerturbedRunError, TURNS, VALUES, from_uneven_start, perturbed_runs, uneven_gaps_rad,
+    BUNCHED_TURNS, Motion, PerturbedRunError, TURNS, UnevenStart, VALUES, from_uneven_start,
+    perturbed_runs, uneven_gaps_rad,
 };
 pub use placement::placements;
 pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
-pub use rejection::{Cause, RETAINED_FRACTION, Rejection};
-pub use request::{BUDGET, CONFIRMING_STARTS, CRITICAL_GAP_MIN_FRACTION, Execute, Request, Stage};
+pub use rehearsal::{ExpectedRuns, expected_runs};
+pub use rejection::{Cause, CauseKind, RETAINED_FRACTION, Rejection};
+pub use request::{BUDGET, CONFIRMING_STARTS, Execute, Request, Stage};
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
@@ -98,10 +99,32 @@ pub struct Found {
     pub confirmed: Vec<Confirmed>,
 }
 
+/// Structures that a cause excludes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Excluded {
+    /// Kind of the cause.
+    pub kind: &'static CauseKind,
+    /// Number of structures.
+    pub count: usize,
+}
+
 impl Found {
     /// The confirmed structures of a role.
     pub fn of_role(&self, role: Role) -> impl Iterator<Item = &Confirmed> {
         self.confirmed.iter().filter(move |c| c.role == role)
+    }
+
+    /// Rejects the recommendation: nothing is recommended then.
+    pub fn reject_recommended(&mut self, rejection: &Rejection) {
+        let Some(k) = self.recommended.take() else {
+            return;
+        };
+        let confirmed = self.confirmed.iter_mut();
+        for one in confirmed.filter(|c| c.role == Role::Recommended) {
+            one.role = Role::Unconfirmed;
+            one.evaluation.reject_with(rejection);
+        }
+        self.evaluations[k].reject_with(rejection);
     }
 
     /// The structures on the Pareto front.
@@ -109,28 +132,36 @@ impl Found {
         self.evaluations.iter().filter(|e| e.on_front)
     }
 
+    /// Causes that exclude cells of the maps at the operating points and candidates.
+    fn causes(&self) -> impl Iterator<Item = &Cause> {
+        let points = self.request.points.len();
+        let cells = self.maps[..points].iter().flat_map(|m| &m.cells);
+        let cells = cells.filter_map(|c| c.cause.as_ref());
+        let candidates = self.evaluations.iter();
+        cells.chain(candidates.filter_map(|e| e.rejection.as_ref().map(|r| &r.cause)))
+    }
+
     /// How many cells of the maps at the operating points and candidates each
     /// cause excludes, those that exclude most first.
-    pub fn rejections(&self) -> Vec<(&'static str, usize)> {
-        let points = self.request.points.len();
-        let cells = self.maps[..points]
-            .iter()
-            .flat_map(|m| &m.cells)
-            .filter_map(|c| c.cause.as_ref());
-        let candidates = self
-            .evaluations
-            .iter()
-            .filter_map(|e| e.rejection.as_ref().map(|r| &r.cause));
-        let mut counts: Vec<(&'static str, usize)> =
-            Cause::NAMES.iter().map(|&name| (name, 0)).collect();
-        for cause in cells.chain(candidates) {
-            if let Some(count) = counts.iter_mut().find(|c| c.0 == cause.name()) {
-                count.1 += 1;
+    pub fn rejections(&self) -> Vec<Excluded> {
+        let kinds = Cause::KINDS.iter();
+        let mut all: Vec<Excluded> = kinds.map(|kind| Excluded { kind, count: 0 }).collect();
+        for cause in self.causes() {
+            if let Some(excluded) = all.iter_mut().find(|e| e.kind == cause.kind()) {
+                excluded.count += 1;
             }
         }
-        counts.retain(|c| c.1 > 0);
-        counts.sort_by_key(|c| std::cmp::Reverse(c.1));
-        counts
+        all.retain(|excluded| excluded.count > 0);
+        all.sort_by_key(|excluded| std::cmp::Reverse(excluded.count));
+        all
+    }
+
+    /// Message of the first run that stopped.
+    pub fn first_failure(&self) -> Option<&str> {
+        self.causes().find_map(|cause| match cause {
+            Cause::Failed(reason) => Some(reason.as_str()),
+            _ => None,
+        })
     }
 
     /// The rejected candidates that misses by least at some operating point.

@@ -20,6 +20,8 @@ use crate::simulation::{
 
 /// Orbits of the balls in a perturbed run; spacing is looked at in the second half.
 pub const TURNS: f64 = 32.0;
+/// Orbits from a bunched start: a raceway takes some hundred to take a bunch apart.
+pub const BUNCHED_TURNS: f64 = 256.0;
 
 /// Declares [`Motion`] and its numbers in a row.
 macro_rules! motion {
@@ -96,7 +98,7 @@ impl Motion {
 pub enum PerturbedRunError {
     /// The case is impossible or has no equilibrium.
     #[error(transparent)]
-    Case(#[from] EquilibriumError),
+    Case(EquilibriumError),
     /// The run left the physical range.
     #[error("the run of all balls stopped at {:.6} s: {}", .0.time_s, .0.cause)]
     Stopped(Stop),
@@ -106,6 +108,43 @@ pub enum PerturbedRunError {
     /// The balls do not roll.
     #[error("the balls do not pass the raceway")]
     NoPassages,
+}
+
+impl From<EquilibriumError> for PerturbedRunError {
+    fn from(error: EquilibriumError) -> Self {
+        match error {
+            EquilibriumError::Interrupted => Self::Interrupted,
+            error => Self::Case(error),
+        }
+    }
+}
+
+/// Start of a perturbed run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UnevenStart {
+    /// Gaps drawn at random, by number.
+    Drawn(u64),
+    /// All balls in one group.
+    Bunched,
+}
+
+impl UnevenStart {
+    /// Orbits of a perturbed run from it.
+    pub fn turns(self) -> f64 {
+        match self {
+            Self::Drawn(_) => TURNS,
+            Self::Bunched => BUNCHED_TURNS,
+        }
+    }
+}
+
+impl std::fmt::Display for UnevenStart {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Drawn(number) => write!(f, "{number}"),
+            Self::Bunched => f.write_str("bunched"),
+        }
+    }
 }
 
 /// Gaps of start `start` under `seed`, each drawn evenly between 0 and twice the mean and
@@ -126,18 +165,18 @@ fn unit(seed: u64, start: u64, k: u64) -> f64 {
     ((z >> 12) as f64 + 0.5) / (1u64 << 52) as f64
 }
 
-/// Runs each case from its uneven start of that number for [`TURNS`] orbits, side by side where
+/// Runs each case from its uneven start for [`UnevenStart::turns`] orbits, side by side where
 /// they can be; who runs beside whom changes no bit.
 ///
 /// # Errors
 /// Errors per case: the case is impossible, the run stops or the balls do not pass.
 pub fn perturbed_runs(
-    cases: &[(&Case, u64)],
+    cases: &[(&Case, UnevenStart)],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Vec<Result<Motion, PerturbedRunError>> {
     let cases: Vec<Case> = cases
         .iter()
-        .map(|&(case, start)| from_uneven_start(case, start, TURNS))
+        .map(|&(case, start)| from_uneven_start(case, start, start.turns()))
         .collect();
     let mut motions = vec![];
     for members in batches(&cases) {
@@ -166,7 +205,7 @@ pub fn perturbed_runs(
         let ended = outcomes.into_iter().zip(together).zip(seen);
         for (&k, ((outcome, case), (late, contacts))) in members.iter().zip(ended) {
             let motion = outcome
-                .map_err(PerturbedRunError::Case)
+                .map_err(PerturbedRunError::from)
                 .and_then(|outcome| motion(case, &outcome, late, contacts));
             motions.push((k, motion));
         }
@@ -175,14 +214,14 @@ pub fn perturbed_runs(
     motions.into_iter().map(|(_, motion)| motion).collect()
 }
 
-/// `case` with uneven start number `start`, as long as so many orbits of the balls.
-pub fn from_uneven_start(case: &Case, start: u64, orbits: f64) -> Case {
+/// `case` with this uneven start, as long as so many orbits of the balls.
+pub fn from_uneven_start(case: &Case, start: UnevenStart, orbits: f64) -> Case {
+    let gaps = match start {
+        UnevenStart::Drawn(number) => Gaps::List(uneven_gaps_rad(case, case.seed, number)),
+        UnevenStart::Bunched => Gaps::bunched(&case.bearing),
+    };
     let mut case = Case {
-        start: Start::new(
-            StartState::Settled,
-            Gaps::List(uneven_gaps_rad(case, case.seed, start)),
-            case.start.lead_ball_angle_rad,
-        ),
+        start: Start::new(StartState::Settled, gaps, case.start.lead_ball_angle_rad),
         ..case.clone()
     };
     case.solver.duration_s = orbits * case.rolling_orbit_s();
@@ -221,7 +260,7 @@ fn motion(
     let raceways = 0..case.raceways.len();
     let passed = raceways.filter(|&k| tallies.of_raceway(k).count > 0);
     let least = |of: &dyn Fn(usize) -> f64| passed.clone().map(of).fold(f64::INFINITY, f64::min);
-    let ball_turns = case.balls() as f64 * TURNS;
+    let ball_turns = case.balls() as f64 * case.solver.duration_s / case.rolling_orbit_s();
     Ok(Motion {
         collisions: contacts.begun[0] / ball_turns,
         collisions_late: contacts.begun[1] / (ball_turns / 2.0),

@@ -6,7 +6,7 @@ use super::perturbed_run::Motion;
 use super::raceway_layout::ClosedForms;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::design::{
-    DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
+    Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
     percent_beside,
 };
 use crate::error::InputError;
@@ -52,6 +52,8 @@ pub enum Cause {
     LosesLag(f64),
     /// Share of the lag that is left under the largest axial load.
     AxialLoad(f64),
+    /// Verdict of the raceway in the place of the case's own, with its reason.
+    Verdict(String),
     /// Failure of a run, with its message.
     Failed(String),
 }
@@ -63,45 +65,100 @@ pub struct Rejection {
     pub cause: Cause,
     /// Index of the operating point; `None` if it is wrong at any.
     pub point: Option<usize>,
+    /// Whether it is read from the motion from the bunched start alone.
+    pub bunched: bool,
+}
+
+impl std::fmt::Display for Rejection {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let start = if self.bunched {
+            " from a bunched start"
+        } else {
+            ""
+        };
+        write!(f, "{}{start}", self.cause)
+    }
+}
+
+/// Kind of a cause.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CauseKind {
+    /// Name in files.
+    pub name: &'static str,
+    /// What is wrong with the raceway.
+    pub meaning: &'static str,
+    /// What to change of a search in which it decides.
+    pub remedy: &'static str,
+}
+
+/// Declares the kinds of causes.
+macro_rules! kinds {
+    ($($name:literal: $meaning:literal, $remedy:literal;)*) => {
+        [$(CauseKind { name: $name, meaning: $meaning, remedy: $remedy }),*]
+    };
 }
 
 impl Cause {
-    /// Names of all causes, in the order in which they are tested.
-    pub const NAMES: [&'static str; 14] = [
-        "eq-8",
-        "eq-9",
-        "slot",
-        "overlap",
-        "insufficient-separation",
-        "slips",
-        "excessive-separation",
-        "stress",
-        "gross-sliding",
-        "loses-lag",
-        "gap-not-retained",
-        "double-collision",
-        "axial-load",
-        "failed",
-    ];
+    /// All kinds, in the order in which they are tested.
+    pub const KINDS: [CauseKind; 15] = kinds! {
+        "eq-8": "wider than the groove (Zhao 2022, Eq. (8))",
+            "smaller spans (search.axial_span_mm)";
+        "eq-9": "too long for its width: the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
+            "smaller half angles (search.half_angle_deg)";
+        "slot": "no room for a slot between its edges and its ends",
+            "sharper edges (search.edge_radius_mm)";
+        "overlap": "raceways overlap",
+            "fewer raceways (search.raceways_max)";
+        "insufficient-separation": "too shallow: balls leave too close together",
+            "a smaller search.critical_gap_min_fraction, or wider ranges of search.axial_span_mm and \
+             search.half_angle_deg";
+        "slips": "balls slide too much to leave at the full distance",
+            "a lower speed or a higher load, with which balls slide less";
+        "excessive-separation": "too deep: balls are spaced too far, so that three meet",
+            "a lower speed or a higher load, with which shallower raceways space the balls";
+        "stress": "contact pressure above 4200 MPa (ISO 76)",
+            "a lower load";
+        "gross-sliding": "balls slide over the raceway and slow down too little",
+            "a lower speed or a higher load, with which balls slide less";
+        "loses-lag": "load, contact angle and sliding leave too little of the lag",
+            "a lower speed, or less axial load";
+        "gap-not-retained": "balls close up again before they are loaded",
+            "places nearer to the load (search.centre_angle_deg)";
+        "double-collision": "double collisions in too many passages",
+            "a lower speed, or balls with more room (bearing.balls)";
+        "axial-load": "too little of the lag is left under the largest axial load",
+            "a smaller search.axial_load_max_n";
+        "verdict": "fails its verdict from evenly spaced balls",
+            "a lower speed or a higher load, with which balls slide less";
+        "failed": "a run stopped",
+            "another shape (search.shapes), or blended ends (raceway.blend_mm)";
+    };
+
+    /// Kind of this cause.
+    pub fn kind(&self) -> &'static CauseKind {
+        let at = match self {
+            Self::Span => 0,
+            Self::Path => 1,
+            Self::Slot => 2,
+            Self::Overlap => 3,
+            Self::InsufficientSeparation { .. } => 4,
+            Self::Slips(_) => 5,
+            Self::ExcessiveSeparation(_) => 6,
+            Self::Stress(_) => 7,
+            Self::GrossSliding(_) => 8,
+            Self::LosesLag(_) => 9,
+            Self::GapNotRetained(_) => 10,
+            Self::DoubleCollision(_) => 11,
+            Self::AxialLoad(_) => 12,
+            Self::Verdict(_) => 13,
+            Self::Failed(_) => 14,
+        };
+        &Self::KINDS[at]
+    }
 
     /// Name in files.
     pub fn name(&self) -> &'static str {
-        match self {
-            Self::Span => "eq-8",
-            Self::Path => "eq-9",
-            Self::Slot => "slot",
-            Self::Overlap => "overlap",
-            Self::InsufficientSeparation { .. } => "insufficient-separation",
-            Self::Slips(_) => "slips",
-            Self::ExcessiveSeparation(_) => "excessive-separation",
-            Self::Stress(_) => "stress",
-            Self::GrossSliding(_) => "gross-sliding",
-            Self::LosesLag(_) => "loses-lag",
-            Self::GapNotRetained(_) => "gap-not-retained",
-            Self::DoubleCollision(_) => "double-collision",
-            Self::AxialLoad(_) => "axial-load",
-            Self::Failed(_) => "failed",
-        }
+        self.kind().name
     }
 
     /// Excess over the limit, as a fraction; infinite where there is no numerical limit.
@@ -117,7 +174,12 @@ impl Cause {
             Self::LosesLag(fraction) | Self::AxialLoad(fraction) => LAG_MIN_FRACTION - fraction,
             Self::GrossSliding(fraction) => SPEED_DROP_FRACTION - fraction,
             Self::GapNotRetained(fraction) => RETAINED_FRACTION - fraction,
-            Self::Span | Self::Path | Self::Slot | Self::Overlap | Self::Failed(_) => f64::INFINITY,
+            Self::Span
+            | Self::Path
+            | Self::Slot
+            | Self::Overlap
+            | Self::Verdict(_)
+            | Self::Failed(_) => f64::INFINITY,
         }
     }
 
@@ -152,20 +214,40 @@ impl Cause {
         critical_gap_min_fraction: f64,
         elastic: bool,
     ) -> Option<Self> {
-        let fraction = spacing.critical_gap_rad / forms.steady_gap_rad;
-        if spacing.shortfall > SLIP_SHORTFALL && !elastic {
-            Some(Self::Slips(spacing.shortfall))
-        } else if fraction > 1.0 {
-            Some(Self::ExcessiveSeparation(fraction))
-        } else if fraction < critical_gap_min_fraction {
-            Some(Self::InsufficientSeparation {
-                fraction,
-                measured: true,
-            })
-        } else if spacing.stress_pa > STRESS_LIMIT_PA {
-            Some(Self::Stress(spacing.stress_pa))
-        } else {
-            None
+        let separation = Criterion::separation(elastic, spacing.shortfall);
+        let others = [
+            Criterion::SteadyGap {
+                value: spacing.critical_gap_rad / forms.steady_gap_rad,
+                least: critical_gap_min_fraction,
+            },
+            Criterion::Pressure(spacing.stress_pa / STRESS_LIMIT_PA),
+        ];
+        separation
+            .into_iter()
+            .chain(others)
+            .find_map(Self::of_criterion)
+    }
+
+    /// Cause of a rejection by a criterion of the verdict; `None` where it is met.
+    fn of_criterion(criterion: Criterion) -> Option<Self> {
+        let value = criterion.value();
+        match criterion {
+            _ if criterion.is_met() => None,
+            _ if !criterion.is_known() => Criterion::missing(&[criterion]).map(Self::Failed),
+            Criterion::Separation(_) => Some(Self::Slips(value)),
+            Criterion::SteadyGap { .. } if criterion.at_least() => {
+                Some(Self::InsufficientSeparation {
+                    fraction: value,
+                    measured: true,
+                })
+            }
+            Criterion::SteadyGap { .. } => Some(Self::ExcessiveSeparation(value)),
+            Criterion::Pressure(_) | Criterion::PeakPressure(_) => {
+                Some(Self::Stress(value * STRESS_LIMIT_PA))
+            }
+            Criterion::Lag(_) => Some(Self::LosesLag(value)),
+            Criterion::Deceleration(_) => Some(Self::GrossSliding(value)),
+            Criterion::BothNeighbours(_) => Some(Self::DoubleCollision(value)),
         }
     }
 
@@ -182,18 +264,14 @@ impl Cause {
         spacing: &PairSeparation,
         elastic: bool,
     ) -> Option<Self> {
+        let slowing = Criterion::slowing(elastic, motion.speed_drop_fraction, motion.lag_fraction);
         let kept = motion.gap_min_rad / spacing.critical_gap_rad;
-        if elastic && motion.lag_fraction < LAG_MIN_FRACTION {
-            Some(Self::LosesLag(motion.lag_fraction))
-        } else if !elastic && motion.speed_drop_fraction < SPEED_DROP_FRACTION {
-            Some(Self::GrossSliding(motion.speed_drop_fraction))
-        } else if kept < RETAINED_FRACTION {
-            Some(Self::GapNotRetained(kept))
-        } else if motion.double_collision_fraction > DOUBLE_COLLISION_FRACTION {
-            Some(Self::DoubleCollision(motion.double_collision_fraction))
-        } else {
-            None
-        }
+        Self::of_criterion(slowing)
+            .or_else(|| (kept < RETAINED_FRACTION).then_some(Self::GapNotRetained(kept)))
+            .or_else(|| {
+                let twice = motion.double_collision_fraction;
+                Self::of_criterion(Criterion::BothNeighbours(twice))
+            })
     }
 }
 
@@ -202,28 +280,18 @@ impl std::fmt::Display for Cause {
         // A value that misses its limit must not be printed as the limit.
         let beside = |x: &f64, limit: f64| percent_beside(*x, limit);
         match self {
-            Self::Span => write!(
-                f,
-                "the contact points leave the groove (Zhao 2022, Eq. (8))"
-            ),
-            Self::Path => write!(
-                f,
-                "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))"
-            ),
-            Self::Slot => write!(
-                f,
-                "the edges leave no slot between them, or its ends alone take up 2θ"
-            ),
-            Self::Overlap => write!(f, "raceways overlap"),
+            Self::Span | Self::Path | Self::Slot | Self::Overlap => {
+                f.write_str(self.kind().meaning)
+            }
             Self::InsufficientSeparation { fraction, measured } => write!(
                 f,
-                "{} only {:.1} % of the steady-state gap: raceway too shallow",
+                "too shallow: {} only {:.1} % of the steady-state gap",
                 if *measured { "critical gap" } else { "β0" },
                 100.0 * fraction
             ),
             Self::ExcessiveSeparation(fraction) => write!(
                 f,
-                "critical gap {} of the steady-state gap: raceway too deep, evenly spaced balls collide",
+                "too deep: critical gap {} of the steady-state gap, so that three balls meet",
                 beside(fraction, 1.0)
             ),
             Self::Slips(shortfall) => write!(
@@ -234,7 +302,7 @@ impl std::fmt::Display for Cause {
             ),
             Self::GrossSliding(fraction) => write!(
                 f,
-                "gross sliding: achieved deceleration {} of the kinematic value \
+                "balls slide over the raceway: they slow down by {} of what rolling balls do \
                  ({:.0} % required)",
                 beside(fraction, SPEED_DROP_FRACTION),
                 100.0 * SPEED_DROP_FRACTION
@@ -247,8 +315,8 @@ impl std::fmt::Display for Cause {
             ),
             Self::GapNotRetained(fraction) => write!(
                 f,
-                "gap lost before the load zone: balls return with as little as {} of the critical \
-                 gap ({:.0} % required)",
+                "balls close up again before they are loaded: they return with as little as {} of the \
+                 critical gap ({:.0} % required)",
                 beside(fraction, RETAINED_FRACTION),
                 100.0 * RETAINED_FRACTION
             ),
@@ -270,6 +338,7 @@ impl std::fmt::Display for Cause {
                 pa * 1e-6,
                 STRESS_LIMIT_PA * 1e-6
             ),
+            Self::Verdict(headline) => write!(f, "with evenly spaced balls {headline}"),
             Self::Failed(reason) => write!(f, "{reason}"),
         }
     }
@@ -377,6 +446,8 @@ mod tests {
         let slid = super::tests::spacing(usual, 0.4, 1e9);
         assert_eq!(name(Cause::of_spacing(&FORMS, &slid, 0.5, true)), None);
         assert_eq!(of(1.0, 0.001, 0.9), Some("gap-not-retained"));
+        // What is not known is no pass.
+        assert_eq!(of(f64::NAN, 0.02, 0.1), Some("failed"));
     }
 
     /// What a cause says, and by how much its limit is missed.
@@ -409,11 +480,7 @@ mod tests {
                 0.2,
                 "contact pressure 5040 MPa (4200 MPa allowed",
             ),
-            (
-                motion_of(0.7, 0.03, 0.0),
-                0.1,
-                "achieved deceleration 70.0 %",
-            ),
+            (motion_of(0.7, 0.03, 0.0), 0.1, "they slow down by 70.0 %"),
             (
                 motion_of(1.0, 0.009, 0.0),
                 0.2,
@@ -425,19 +492,31 @@ mod tests {
                 "double collisions in 35.0 % of the passages",
             ),
         ];
+        let names = [
+            "insufficient-separation",
+            "excessive-separation",
+            "slips",
+            "stress",
+            "gross-sliding",
+            "gap-not-retained",
+            "double-collision",
+        ];
+        assert_eq!(rows.each_ref().map(|row| row.0.name()), names);
         for (cause, excess, text) in rows {
             assert!((cause.excess(0.5) - excess).abs() < 1e-12, "{cause:?}");
             assert!(cause.to_string().contains(text), "{cause}");
-            assert!(Cause::NAMES.contains(&cause.name()));
         }
         for (cause, name) in [
             (Cause::Span, "eq-8"),
             (Cause::Path, "eq-9"),
             (Cause::Slot, "slot"),
             (Cause::Overlap, "overlap"),
+            (Cause::Verdict("FAIL".to_owned()), "verdict"),
             (Cause::Failed("no".to_owned()), "failed"),
         ] {
             assert_eq!((cause.name(), cause.excess(0.5)), (name, f64::INFINITY));
         }
+        let kept = [Cause::LosesLag(0.4), Cause::AxialLoad(0.4)];
+        assert_eq!(kept.map(|cause| cause.name()), ["loses-lag", "axial-load"]);
     }
 }

@@ -1,5 +1,6 @@
 //! Ranges, limits and stages of a search.
 
+use super::super::criterion::CRITICAL_GAP_MIN_FRACTION;
 use super::job::{Interrupted, Job, Outcome};
 use super::raceway_layout::OperatingPoint;
 use crate::case::Case;
@@ -67,11 +68,6 @@ impl Request {
         forms.flat_map(|form| self.section_angles_rad.iter().map(|angle| (*form, *angle)))
     }
 }
-
-/// Default of [`Request::budget`].
-pub const BUDGET: usize = 400;
-/// Default of [`Request::critical_gap_min_fraction`].
-pub const CRITICAL_GAP_MIN_FRACTION: f64 = 0.8;
 /// Starts of the confirmation with the default budget and one operating point.
 pub const CONFIRMING_STARTS: u64 = 12;
 
@@ -96,3 +92,6 @@ crate::named_enum! {
 
 /// Runs a batch of jobs and returns their outcomes in their order.
 pub type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;
+
+/// Default of [`Request::budget`].
+pub const BUDGET: usize = 400;

@@ -21,6 +21,15 @@ fn statistics() -> PassageStatistics {
     }
 }
 
+fn measured(critical: f64, pressure_pa: f64) -> Measured {
+    Measured {
+        critical,
+        largest: critical,
+        steady: STEADY,
+        pressure_pa,
+    }
+}
+
 /// The judgement of structure (d) with a critical gap of this fraction of β0.
 fn decided(gap_fraction: f64, statistics: PassageStatistics) -> RacewayJudgement {
     let case = structure(5.1, 25.2);
@@ -28,7 +37,7 @@ fn decided(gap_fraction: f64, statistics: PassageStatistics) -> RacewayJudgement
     decide(
         &case,
         &case.raceways[0],
-        [gap_fraction * beta0, STEADY, PRESSURE],
+        measured(gap_fraction * beta0, PRESSURE),
         statistics,
     )
 }
@@ -44,12 +53,14 @@ fn each_criterion_decides_at_its_limit() {
     let gap = |fraction: f64| decided(fraction, statistics()).verdict;
     assert_eq!(gap(0.95 + 1e-9), RacewayVerdict::Smooth);
     assert_eq!(gap(0.95 - 1e-9), RacewayVerdict::Slips);
-    assert_eq!(gap(1.2), RacewayVerdict::Smooth);
+    // β0 is 0.933 of the steady-state gap: less than that spreads too little, more lets evenly spaced balls collide.
+    assert_eq!(gap(1.07), RacewayVerdict::Smooth);
+    assert_eq!(gap(1.075), RacewayVerdict::TooDeep);
     let drop = |value| with(|s, v| s.speed_drop_fraction = v, value);
     assert_eq!(drop(0.8), RacewayVerdict::Smooth);
     assert_eq!(drop(0.8f64.next_down()), RacewayVerdict::Slips);
     assert_eq!(drop(1.1), RacewayVerdict::Smooth);
-    assert_eq!(drop(f64::NAN), RacewayVerdict::Slips);
+    assert_eq!(drop(f64::NAN), RacewayVerdict::NotJudged);
     let both = |value| with(|s, v| s.double_collision_fraction = v, value);
     assert_eq!(both(0.25), RacewayVerdict::Smooth);
     assert_eq!(both(0.25f64.next_up()), RacewayVerdict::DoubleCollision);
@@ -58,6 +69,23 @@ fn each_criterion_decides_at_its_limit() {
     all.double_collision_fraction = 0.9;
     all.speed_drop_fraction = 0.2;
     assert_eq!(decided(1.0, all).verdict, RacewayVerdict::Slips);
+}
+
+/// A shallow raceway beside one that spreads the balls is none too many: the largest critical gap counts.
+#[test]
+fn the_largest_critical_gap_counts() {
+    let case = structure(5.1, 25.2);
+    let beta0 = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
+    let of = |fraction: f64| {
+        let alone = Measured {
+            largest: fraction * STEADY,
+            ..measured(beta0, PRESSURE)
+        };
+        decide(&case, &case.raceways[0], alone, statistics()).verdict
+    };
+    assert_eq!(of(0.79), RacewayVerdict::TooShallow);
+    assert_eq!(of(0.81), RacewayVerdict::Smooth);
+    assert_eq!(of(1.01), RacewayVerdict::TooDeep);
 }
 
 /// In plane and space a pressure above the limit is worse than all motion, and the limit itself passes.
@@ -72,8 +100,13 @@ fn an_overload_decides() {
         };
         let beta0 = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
         let under = |pressure_pa: f64, statistics| {
-            let measured = [beta0, STEADY, pressure_pa];
-            decide(&case, &case.raceways[0], measured, statistics).verdict
+            decide(
+                &case,
+                &case.raceways[0],
+                measured(beta0, pressure_pa),
+                statistics,
+            )
+            .verdict
         };
         assert_eq!(under(4.2e9, statistics()), RacewayVerdict::Smooth);
         let beyond = 4.2e9f64.next_up();
@@ -84,7 +117,8 @@ fn an_overload_decides() {
             ..statistics()
         };
         assert_eq!(under(6.3e9, sliding), RacewayVerdict::Overloaded);
-        assert_eq!(under(f64::NAN, statistics()), RacewayVerdict::Overloaded);
+        assert_eq!(under(f64::NAN, statistics()), RacewayVerdict::NotJudged);
+        assert_eq!(under(f64::NAN, sliding).passes(), Some(false));
     }
 }
 
@@ -97,11 +131,16 @@ fn reasons_have_the_numbers() {
         Criterion::Pressure(1410.0 / 4200.0),
         Criterion::Separation(0.03),
         Criterion::Deceleration(0.93),
+        Criterion::SteadyGap {
+            value: 0.97 * 1.8171f64.to_radians() / STEADY,
+            least: 0.8,
+        },
         Criterion::BothNeighbours(0.12),
     ];
+    assert_eq!(judged.criteria.len(), expected.len());
     for (found, expected) in judged.criteria.iter().zip(expected) {
         assert_eq!(found.name(), expected.name());
-        assert!((found.value() - expected.value()).abs() < 1e-12);
+        assert!((found.value() - expected.value()).abs() < 1e-4);
     }
     let text = judged.reasons.join("\n");
     for part in [
@@ -139,7 +178,7 @@ fn the_depth_of_a_raceway_has_its_word() {
             fraction if fraction > 1.1 => "collide: raceway too deep",
             _ => "just touch",
         };
-        let judged = decide(&case, &raceway, [beta0, STEADY, PRESSURE], statistics());
+        let judged = decide(&case, &raceway, measured(beta0, PRESSURE), statistics());
         let last = judged.reasons.last().map_or("", String::as_str);
         assert!(last.ends_with(word), "{span_mm}: {last}");
     }
@@ -167,7 +206,9 @@ fn the_worst_raceway_decides() {
     assert_eq!(all.passages.map(|p| p.passages), Some(100));
     let headline = all.headline();
     assert!(
-        headline.starts_with("PASS: smooth; nearest to its limit: balls reach 81.0 %"),
+        headline.starts_with(
+            "PASS from evenly spaced balls: smooth; nearest to its limit: balls reach 81.0 %"
+        ),
         "{headline}"
     );
     for (k, number) in [(0, "raceway 1: "), (2, "raceway 3: ")] {
@@ -192,9 +233,19 @@ fn the_worst_raceway_decides() {
     assert_eq!(all.deciding, Some(Criterion::BothNeighbours(0.4)));
     let headline = all.headline();
     assert!(
-        headline.starts_with("FAIL: double collision; 40.0 %"),
+        headline.starts_with("FAIL from evenly spaced balls: double collision; 40.0 %"),
         "{headline}"
     );
+    // A raceway that is not judged keeps all from passing, not from failing.
+    let unjudged = not_judged("stopped".to_owned(), None);
+    let all = summary(vec![decided(0.99, statistics()), unjudged.clone()], None);
+    assert_eq!(
+        (all.verdict, all.passes()),
+        (RacewayVerdict::NotJudged, None)
+    );
+    assert_eq!(all.headline(), "not judged: stopped");
+    let all = summary(vec![judged[1].clone(), unjudged], None);
+    assert_eq!(all.passes(), Some(false));
     judged.push(infeasible("no passage".to_owned(), None));
     let all = summary(judged, None);
     assert_eq!(all.verdict, RacewayVerdict::Infeasible);

@@ -47,10 +47,11 @@ lane_struct! {
 /// A strip while friction is solved for.
 #[derive(Debug, Clone)]
 pub(crate) struct StripStep {
-    /// 1 over the speed of the knee, s/m.
-    pub inverse_knee: Lanes,
-    /// Sliding velocity of the last iterate along τ and l, m/s, and the friction there.
+    /// Sliding velocity of the last iterate along τ and l, m/s.
     pub slip: [Lanes; 2],
+    /// γ of the last iterate, rad/s.
+    pub shear: Lanes,
+    /// Friction of the last iterate.
     pub friction: StripFrictionLanes,
     /// Friction of the end of the step; in the end that which changes velocities.
     pub mean: KnownStripLanes,
@@ -120,8 +121,8 @@ impl SpaceBlock {
             [0, 1].map(|ring| of_balls(&|k| value(ring, k), 0.0))
         };
         let step = StripStep {
-            inverse_knee: Lanes::ZERO,
             slip: [Lanes::ZERO; 2],
+            shear: Lanes::ZERO,
             friction: StripFrictionLanes::ZERO,
             mean: KnownStripLanes::ZERO,
         };

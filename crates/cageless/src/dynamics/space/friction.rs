@@ -32,9 +32,11 @@ pub(super) fn add_explicit_friction(
                 slide_as_evaluated((model, space), b, [block, end], &s.sliding);
             }
         }
-        slide(&p.friction, space, b, true);
+        slide(&p.friction, space, b);
         for step in &mut b.steps {
-            (step.mean.along, step.mean.across) = (step.friction.along, step.friction.across);
+            let friction = &step.friction;
+            (step.mean.along, step.mean.across) = (friction.along, friction.across);
+            step.mean.moment = friction.moment;
         }
         b.weights = [Lanes::all(1.0); PLACES];
         let force = tractions(space, b, results, totals);

@@ -105,8 +105,8 @@ impl SpaceModel {
             _ => None,
         };
         let flanks = case.raceways.iter().flat_map(|raceway| {
-            let pieces = raceway.pieces().iter();
-            pieces.map(|piece| FlankModel::new(raceway, piece))
+            let pieces = raceway.met_pieces().into_iter();
+            pieces.map(|piece| FlankModel::new(raceway, &piece))
         });
         let bore_m = bearing.inner_ring_bore().map_or(0.0, |bore| bore.radius_m);
         let sliding = SlidingRing::of_case(case);

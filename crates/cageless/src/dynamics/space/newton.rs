@@ -21,27 +21,31 @@ use crate::numerics::lanes::{LANES, Lanes, larger};
 /// No step of Newton's method follows one that changes no sliding velocity by more than this, in the
 /// speed of the knee.
 const LAST_STEP: f64 = 0.05;
+/// The same where the matrix is that of [`Slopes::Joint`], whose steps are not exact.
+const LAST_JOINT_STEP: f64 = 0.01;
 /// In so many knees a contact slides: its friction changes with the direction alone,
 const SLIDING: f64 = 4.0;
 /// and by no more than the square of this fraction of the sliding velocity.
 const LAST_TURN: f64 = 0.03;
+/// γ/√(γ² + γs²) beyond which the moment of a strip hardly grows any more.
+const SPINS: f64 = 0.7;
 /// Iterations after which every other one takes the safe matrix.
 const PATIENCE: u32 = 6;
 
-/// Friction of every strip at the velocities of the last iterate; of the first with knees and moments.
+/// Friction of every strip at the velocities of the last iterate.
 #[inline(always)]
-pub(super) fn slide(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceBlock, first: bool) {
-    with_law!(friction, law => slide_by(law, space, b, first));
+pub(super) fn slide(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceBlock) {
+    with_law!(friction, law => slide_by(law, space, b));
 }
 
 #[inline(always)]
-fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock, first: bool) {
+fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
     for &place in b.places {
         let sliding = b.sliding(place, &b.velocity, 1);
         let (frame, curvature) = (&b.frames[place], &b.curvature[usize::from(place == INNER)]);
         let steps = &mut b.steps[place * space.strips.len()..];
         for (strip, step) in space.strips.iter().zip(steps) {
-            slide_strip(law, frame, curvature, &sliding, strip, step, first);
+            slide_strip(law, frame, curvature, &sliding, strip, step);
         }
     }
 }
@@ -56,7 +60,6 @@ fn slide_strip(
     sliding: &SlidingLanes,
     strip: &Strip,
     step: &mut StripStep,
-    first: bool,
 ) {
     for lane in 0..LANES {
         let patch = Patch {
@@ -69,17 +72,10 @@ fn slide_strip(
         let x = patch.place(strip);
         let slip = sliding.at(x, patch.curvature);
         let shear = sliding.shear(x, patch.curvature);
-        if first {
-            step.inverse_knee.0[lane] = patch.inverse_knee(strip, shear);
-        }
-        let inverse_knee = step.inverse_knee.0[lane];
-        let friction = patch.force(strip, slip, inverse_knee);
-        if first {
-            step.mean.moment.0[lane] = patch.moment(strip, shear, &friction, inverse_knee);
-        }
         step.slip[0].0[lane] = slip[0];
         step.slip[1].0[lane] = slip[1];
-        step.friction.put(lane, friction);
+        step.shear.0[lane] = shear;
+        step.friction.put(lane, patch.friction(strip, slip, shear));
     }
 }
 
@@ -149,22 +145,52 @@ fn keep_loaded(normal_n: &Lanes, known: &mut KnownStripLanes) {
     }
 }
 
-/// Φ of a strip along τ and l; if `safe` that of a cone which no step of Newton's method overshoots.
-#[inline(always)]
-fn stiffness(friction: &StripFriction, safe: bool) -> [f64; 3] {
-    [
-        if safe {
-            friction.secant
-        } else {
-            friction.along_along
-        },
-        if safe { 0.0 } else { friction.along_across },
-        if safe {
-            friction.secant
-        } else {
-            friction.across_across
-        },
-    ]
+/// What the matrix of Newton's method holds of a strip.
+#[derive(Clone, Copy, PartialEq)]
+enum Slopes {
+    /// Force over sliding and moment over shear, with k and F′ k as they are at the first iterate: exact as of
+    /// the velocities extrapolated to the end of the step, which are of second order.
+    Apart,
+    /// Those of force and moment over both.
+    Joint,
+}
+
+/// Slopes of the friction of a strip in Newton's matrix.
+struct Stiffness {
+    /// Φ along τ, N·s/m.
+    along_along: f64,
+    /// Φ between τ and l, N·s/m.
+    along_across: f64,
+    /// Φ along l, N·s/m.
+    across_across: f64,
+    /// Between the sliding along τ and the shear, N·s.
+    along_shear: f64,
+    /// Between the sliding along l and the shear, N·s.
+    across_shear: f64,
+    /// Of the moment over the shear, N·m·s.
+    shear_shear: f64,
+}
+
+impl Stiffness {
+    /// That of a strip; if `safe` that of cones which no step of Newton's method overshoots.
+    ///
+    /// The force answers the shear otherwise than the moment the sliding; the geometric mean of both keeps the matrix
+    /// symmetric and positive definite.
+    #[inline(always)]
+    fn of(friction: &StripFriction, slopes: Slopes, safe: bool) -> Self {
+        let either = |safe_value: f64, value: f64| if safe { safe_value } else { value };
+        let joint = if slopes == Slopes::Joint { 1.0 } else { 0.0 };
+        let mean = joint * friction.moment_ratio.sqrt();
+        let shear_shear = friction.shear_shear + joint * friction.widening;
+        Self {
+            along_along: either(friction.secant, friction.along_along),
+            along_across: either(0.0, friction.along_across),
+            across_across: either(friction.secant, friction.across_across),
+            along_shear: either(0.0, mean * friction.along_shear),
+            across_shear: either(0.0, mean * friction.across_shear),
+            shear_shear: either(friction.moment_secant, shear_shear),
+        }
+    }
 }
 
 /// The matrix of Newton's method and what is missing to the equations.
@@ -173,7 +199,7 @@ fn equations(
     space: &SpaceModel,
     b: &SpaceBlock,
     h_s: f64,
-    safe: &Lanes,
+    (slopes, safe): (Slopes, &Lanes),
     matrix: &mut [[Lanes; SIZE]; SIZE],
     missing: &mut [Lanes; SIZE],
 ) {
@@ -190,24 +216,25 @@ fn equations(
     for &place in b.places {
         let curvature = *b.curvature_at(place);
         let mut traction = TractionLanes::ZERO;
-        // Σ Φ, Φ·x/R and Φ·(x/R)² as far as the rows need them.
+        // Σ Φ, Φ·x/R and Φ·(x/R)², with the shear 1/R, as far as the rows need them.
         let mut sums = [Lanes::ZERO; 6];
         for (k, strip) in space.strips.iter().enumerate() {
             let step = &b.steps[place * space.strips.len() + k];
             for lane in 0..LANES {
                 let x = strip.place * b.frames[place].half_length_m.0[lane];
                 let friction = step.friction.get(lane);
-                let moment = step.mean.moment.0[lane];
-                let force = [friction.along, friction.across, moment];
+                let force = [friction.along, friction.across, friction.moment];
                 traction.add(lane, force, x, curvature.0[lane]);
-                let [aa, ac, cc] = stiffness(&friction, safe.0[lane] > 0.0);
-                let arm = x * b.inverse_radius.0[lane];
-                sums[0].0[lane] += aa;
-                sums[1].0[lane] += ac;
-                sums[2].0[lane] += cc;
-                sums[3].0[lane] += arm * aa;
-                sums[4].0[lane] += arm * ac;
-                sums[5].0[lane] += arm * arm * aa;
+                let phi = Stiffness::of(&friction, slopes, safe.0[lane] > 0.0);
+                let inverse = b.inverse_radius.0[lane];
+                sums[0].0[lane] += phi.along_along;
+                sums[1].0[lane] += phi.along_across;
+                sums[2].0[lane] += phi.across_across;
+                sums[3].0[lane] += inverse * (x * phi.along_along + phi.along_shear);
+                sums[4].0[lane] += inverse * (x * phi.along_across + phi.across_shear);
+                sums[5].0[lane] += inverse
+                    * inverse
+                    * (x * (x * phi.along_along + 2.0 * phi.along_shear) + phi.shear_shear);
             }
         }
         for lane in 0..LANES {
@@ -253,37 +280,61 @@ pub(super) fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut Spac
     let mut matrix = [[Lanes::ZERO; SIZE]; SIZE];
     let mut change = [Lanes::ZERO; SIZE];
     for iteration in 0..MAX_ITERATIONS {
-        slide(friction, space, b, iteration == 0);
-        equations(space, b, h_s, &safe, &mut matrix, &mut change);
+        slide(friction, space, b);
+        let (slopes, last_step) = match iteration {
+            0 => (Slopes::Apart, LAST_STEP),
+            _ => (Slopes::Joint, LAST_JOINT_STEP),
+        };
+        equations(space, b, h_s, (slopes, &safe), &mut matrix, &mut change);
         cholesky::solve_lanes(&mut matrix, &mut change);
         let (mut moves, mut passes) = (Lanes::ZERO, Lanes::ZERO);
         for &place in b.places {
             for (k, strip) in space.strips.iter().enumerate() {
                 let step = &mut b.steps[place * space.strips.len() + k];
-                let [mut along, mut across] = [Lanes::ZERO; 2];
+                let mean = &mut step.mean;
                 for lane in 0..LANES {
                     let frame = b.frames[place].get(lane);
                     let inverse_radius = b.inverse_radius.0[lane];
                     let by =
                         frame.sliding(of_lane(&change, lane), inverse_radius, &Default::default());
                     let x = strip.place * frame.half_length_m;
-                    let (a, b) = (by.along + x * by.spin, by.across);
+                    let (a, b, turn) = (by.along + x * by.spin, by.across, by.spin);
                     let [c, d] = of_lane(&step.slip, lane);
-                    let inverse_knee = step.inverse_knee.0[lane];
-                    let moved = (a * a + b * b).sqrt() * inverse_knee;
-                    let speed = (c * c + d * d).sqrt() * inverse_knee;
+                    let shear = step.shear.0[lane];
+                    let friction = step.friction.get(lane);
+                    let moved = (a * a + b * b).sqrt() * friction.inverse_knee;
+                    let speed = (c * c + d * d).sqrt() * friction.inverse_knee;
+                    let turned = turn.abs() * friction.inverse_shear;
                     let slides = (speed > SLIDING) & (moved <= LAST_TURN * speed);
                     let bears = frame.friction_normal_n > 0.0;
-                    let goes_on = bears & !((moved <= LAST_STEP) | slides);
-                    let crosses = bears & (speed > 1.0) & (c * (c + a) + d * (d + b) < 0.0);
-                    moves.0[lane] = larger(moves.0[lane], if goes_on { 1.0 } else { 0.0 });
-                    passes.0[lane] = larger(passes.0[lane], if crosses { 1.0 } else { 0.0 });
-                    let friction = step.friction.get(lane);
-                    let [aa, ac, cc] = stiffness(&friction, safe.0[lane] > 0.0);
-                    along.0[lane] = friction.along - aa * a - ac * b;
-                    across.0[lane] = friction.across - ac * a - cc * b;
+                    let ends = ((moved <= last_step) & (turned <= last_step)) | slides;
+                    let crosses = (speed > 1.0) & (c * (c + a) + d * (d + b) < 0.0)
+                        | (shear.abs() * friction.inverse_shear > SPINS)
+                            & (shear * (shear + turn) < 0.0);
+                    moves.0[lane] = larger(moves.0[lane], f64::from(u8::from(bears & !ends)));
+                    passes.0[lane] = larger(passes.0[lane], f64::from(u8::from(bears & crosses)));
+                    let (safe, finished) = (safe.0[lane] > 0.0, done.0[lane] > 0.0);
+                    let phi = Stiffness::of(&friction, slopes, safe);
+                    let joint = (slopes == Slopes::Joint) & !safe;
+                    let of = |slope: f64| if joint { slope } else { 0.0 };
+                    let [pull, push] = [of(friction.along_shear), of(friction.across_shear)];
+                    let ratio = friction.moment_ratio;
+                    let along = phi.along_along * a + phi.along_across * b + pull * turn;
+                    let across = phi.along_across * a + phi.across_across * b + push * turn;
+                    let moment = phi.shear_shear * turn + ratio * (pull * a + push * b);
+                    // A solution that has converged stays.
+                    let before = mean.get(lane);
+                    let kept = |before: f64, now: f64| if finished { before } else { now };
+                    mean.put(
+                        lane,
+                        KnownStrip {
+                            along: kept(before.along, friction.along - along),
+                            across: kept(before.across, friction.across - across),
+                            moment: kept(before.moment, friction.moment - moment),
+                            secant: 0.0,
+                        },
+                    );
                 }
-                (step.mean.along, step.mean.across) = (along, across);
             }
         }
         let mut all_done = true;

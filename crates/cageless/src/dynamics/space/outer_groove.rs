@@ -11,7 +11,7 @@ use crate::numerics::lanes::lane_struct;
 use crate::raceway::{Piece, Raceway, Slot, SlotSection};
 
 /// Flank angle below which the raceway is the plain groove, rad.
-const PLAIN_RAD: f64 = 1e-5;
+const PLAIN_RAD: f64 = 1e-8;
 
 /// A stretch of a discrete raceway as the equations in space use it.
 #[derive(Debug, Clone, PartialEq)]
@@ -339,7 +339,7 @@ impl OuterGroove {
         // s = ln 2/(−ln cos αc).
         let inverse = match &here.slot {
             Some(slot) => slot.inverse_exponent[0],
-            None => -cos.ln() / LN_2,
+            None => -0.5 * (-sin * sin).ln_1p() / LN_2,
         };
         let exponent = 1.0 / inverse;
         let log = (delta[least] / delta[most]).ln();

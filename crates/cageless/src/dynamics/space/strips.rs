@@ -108,24 +108,45 @@ pub(crate) fn strips(count: usize) -> Vec<Strip> {
 }
 
 lane_struct! {
-    /// Friction of one strip at a sliding velocity.
+    /// Friction of one strip at a sliding velocity **s** and the shear γ, and its slopes.
+    ///
+    /// Of the slopes of the law along **s** none is below 0, also where friction falls beyond a peak.
     pub(crate) struct StripFriction per lane StripFrictionLanes {
         /// Force on the ball along τ, N.
         along,
         /// Force on the ball along l, N.
         across,
-        /// Φ = −∂f/∂s along τ, N·s/m; of a law that falls beyond its peak no less than 0 along s.
+        /// Moment on the ball within the strip, N·m.
+        moment,
+        /// −∂f/∂s along τ, N·s/m.
         along_along,
-        /// Φ between τ and l, N·s/m.
+        /// −∂f/∂s between τ and l, N·s/m.
         along_across,
-        /// Φ along l, N·s/m.
+        /// −∂f/∂s along l, N·s/m.
         across_across,
+        /// −∂f/∂γ along τ, N·s.
+        along_shear,
+        /// −∂f/∂γ along l, N·s.
+        across_shear,
+        /// −∂m/∂γ at the same F′ k, N·m·s.
+        shear_shear,
+        /// −∂m/∂γ by the change of F′ k, N·m·s.
+        widening,
+        /// −∂m/∂s over −∂f/∂γ.
+        moment_ratio,
         /// |f|/|s|, −∂f/∂s across the sliding velocity, N·s/m.
         secant,
-        /// −∂f/∂s along the sliding velocity, N·s/m.
-        steepness,
+        /// |m|/|γ|, N·m·s.
+        moment_secant,
+        /// 1/k, s/m.
+        inverse_knee,
+        /// 1/√(γ² + γs²), s.
+        inverse_shear,
     }
 }
+
+/// Keeps 0/0 out of contacts that do not bear, m.
+const NO_LENGTH_M: f64 = 1e-30;
 
 /// The contact that a strip is part of.
 #[derive(Debug, Clone, Copy)]
@@ -146,56 +167,61 @@ impl<L: Law> Patch<L> {
         strip.place * self.half_length_m
     }
 
-    /// 1 over the speed at which the law has its knee in a strip, s/m.
+    /// Friction of a strip that slides with `slip` and shears at `shear`.
+    ///
+    /// With F the law under w N, k = √(vs² + (hγ)²) its knee, u = |s|/k and F′ = ∂F/∂|s|,
+    ///
+    ///   **f** = −F **s**/|s|,   m = −c (F′ k) γ/√(γ² + γs²),
+    ///
+    ///   ∂F/∂γ = −F′ u h²γ/k,   ∂m/∂|s| = 2 c F′ tanh u γ/√(γ² + γs²),
+    ///
+    /// these two as of the smooth law, for which F′ k = μ w N sech² u.
     #[inline(always)]
-    pub fn inverse_knee(&self, strip: &Strip, shear: f64) -> f64 {
+    pub fn friction(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
         let knee = 1.0 / self.law.inverse_regularisation_speed();
-        let spread = strip.half_width * self.half_length_m * shear;
-        1.0 / (knee * knee + spread * spread).sqrt()
-    }
-
-    /// Friction of a strip that slides with `slip` where the knee is at this speed.
-    #[inline(always)]
-    pub fn force(&self, strip: &Strip, slip: [f64; 2], inverse_knee: f64) -> StripFriction {
+        let half = strip.half_width * self.half_length_m;
+        let spread = half * shear;
+        let wide = (knee * knee + spread * spread).sqrt();
+        let inverse_knee = 1.0 / wide;
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
         let normal = strip.weight * self.normal_n;
-        let [size, steepness] = self.law.force_with_knee(speed, normal, inverse_knee);
-        let slides = speed * inverse_knee > 1e-9;
+        let [size, slope] = self.law.force_with_knee(speed, normal, inverse_knee);
+        let in_knees = speed * inverse_knee;
+        let slides = in_knees > 1e-9;
         let inverse = if slides { 1.0 / speed } else { 0.0 };
-        let secant = if slides { size * inverse } else { steepness };
+        let secant = if slides { size * inverse } else { slope };
         let [a, b] = [slip[0] * inverse, slip[1] * inverse];
-        let more = if steepness > 0.0 { steepness } else { 0.0 } - secant;
+        let steepness = if slope > 0.0 { slope } else { 0.0 };
+        let more = steepness - secant;
+        // Within the strip.
+        let slow = strip.knee * knee / (half + NO_LENGTH_M);
+        let inverse_shear = 1.0 / (shear * shear + slow * slow).sqrt();
+        let turning = shear * inverse_shear;
+        let arm = strip.lever * self.half_length_m;
+        let level = arm * steepness * wide;
+        let largest = self.law.coefficient() * normal;
+        let tanh = if size < largest { size } else { largest };
+        let tanh = if largest > 0.0 { tanh / largest } else { 0.0 };
+        let widening = half * half * inverse_knee * in_knees;
+        let narrowing = 2.0 * arm * tanh;
+        let coupling = -steepness * widening * shear;
         StripFriction {
             along: -secant * slip[0],
             across: -secant * slip[1],
+            moment: -level * turning,
             along_along: secant + more * a * a,
             along_across: more * a * b,
             across_across: secant + more * b * b,
+            along_shear: coupling * a,
+            across_shear: coupling * b,
+            shear_shear: level * (slow * inverse_shear).powi(2) * inverse_shear,
+            widening: steepness * narrowing * widening * shear * turning,
+            moment_ratio: narrowing * inverse_shear / (widening + f64::MIN_POSITIVE),
             secant,
-            steepness,
+            moment_secant: level * inverse_shear,
+            inverse_knee,
+            inverse_shear,
         }
-    }
-
-    /// Moment within a strip whose force has this steepness.
-    #[inline(always)]
-    pub fn moment(
-        &self,
-        strip: &Strip,
-        shear: f64,
-        friction: &StripFriction,
-        inverse_knee: f64,
-    ) -> f64 {
-        let knee = 1.0 / self.law.inverse_regularisation_speed();
-        let half = strip.half_width * self.half_length_m;
-        let slow = strip.knee * knee / half;
-        // The steepness over μ·N/v is sech².
-        let steepness = if friction.steepness > 0.0 {
-            friction.steepness
-        } else {
-            0.0
-        };
-        let level = strip.lever * self.half_length_m * steepness / inverse_knee;
-        -level * shear / (shear * shear + slow * slow).sqrt()
     }
 }
 
@@ -238,12 +264,10 @@ mod tests {
         for strip in &strips(count) {
             let x = patch.place(strip);
             let (slip, shear) = (sliding.at(x, curvature), sliding.shear(x, curvature));
-            let inverse_knee = patch.inverse_knee(strip, shear);
-            let f = patch.force(strip, slip, inverse_knee);
-            let moment = patch.moment(strip, shear, &f, inverse_knee);
+            let f = patch.friction(strip, slip, shear);
             sums[0] += f.along;
-            sums[1] += x * f.along + moment;
-            sums[2] -= f.along * slip[0] + f.across * slip[1] + moment * shear;
+            sums[1] += x * f.along + f.moment;
+            sums[2] -= f.along * slip[0] + f.across * slip[1] + f.moment * shear;
         }
         sums
     }

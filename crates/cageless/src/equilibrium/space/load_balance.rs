@@ -8,8 +8,9 @@
 
 use super::ball::{Rest, Ring, SpatialBall};
 use crate::case::Tilt;
+use crate::control::Control;
 use crate::equilibrium::EquilibriumError;
-use crate::numerics::minimum::{ITERATIONS, Local, minimum, norm};
+use crate::numerics::minimum::{Local, norm, try_minimum};
 
 /// Coordinate of the ring along the axis among **R**, p, q.
 pub(super) const Z: usize = 2;
@@ -250,7 +251,14 @@ impl LoadBalance {
 
     /// The lowest minimum that is reached from the right, the left and below at `depth_m` and from
     /// the middle; of two that are level to rounding the first.
-    pub fn settle(&self, depth_m: f64) -> Result<Balanced, EquilibriumError> {
+    ///
+    /// # Errors
+    /// There is none, or `control` ended the search.
+    pub fn settle(
+        &self,
+        depth_m: f64,
+        control: &mut dyn FnMut() -> Control,
+    ) -> Result<Balanced, EquilibriumError> {
         let [p, q] = match self.tilt {
             Tilt::Held { x_rad, y_rad } => [y_rad * self.arm_m, -x_rad * self.arm_m],
             Tilt::Free { .. } => [0.0; 2],
@@ -268,14 +276,15 @@ impl LoadBalance {
         let mut failed = EquilibriumError::Unsupported;
         for [x, y] in sides {
             let start = [x * depth_m, y * depth_m, z, p, q];
-            let found = minimum(|place| self.at(place), start, self.longest_m);
+            let watched = |place| match control() {
+                Control::Continue(()) => Ok(self.at(place)),
+                Control::Break(()) => Err(EquilibriumError::Interrupted),
+            };
+            let found = try_minimum(watched, start, self.longest_m)?;
             let residual_n = norm(found.gradient);
             if !(residual_n <= FORCE_TOLERANCE * forces) {
                 if !fallen(&found) {
-                    failed = EquilibriumError::NotConverged {
-                        residual_n,
-                        iterations: ITERATIONS,
-                    };
+                    failed = EquilibriumError::NotConverged { residual_n };
                 }
                 continue;
             }

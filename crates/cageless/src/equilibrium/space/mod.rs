@@ -27,6 +27,7 @@ pub mod outer_section;
 
 use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
+use crate::control::Control;
 use crate::equilibrium::{
     Equilibrium, EquilibriumError, ball_outer_geometry, effective_radius_m, start_angles_rad,
 };
@@ -93,9 +94,20 @@ const TURNING_TOLERANCE: f64 = 1e-12;
 /// The case is impossible, a contact leaves its groove, no ball carries a tilted ring, or the
 /// iteration does not converge.
 pub fn solve(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+    solve_controlled(case, &mut || Control::Continue(()))
+}
+
+/// [`solve`], with `control` called before every place of the ring that is tried.
+///
+/// # Errors
+/// Those of [`solve`], or `control` ended the search.
+pub fn solve_controlled(
+    case: &Case,
+    control: &mut dyn FnMut() -> Control,
+) -> Result<SpatialEquilibrium, EquilibriumError> {
     case.check()?;
-    case.check_constant_operation("a static equilibrium in space")?;
-    let (balance, settled) = settled(case, false)?;
+    case.check_without_rotor()?;
+    let (balance, settled) = settled(case, false, control)?;
     let (solved, beyond) = result(case, &balance, &settled);
     check(case, &solved)?;
     match beyond {
@@ -108,10 +120,13 @@ pub fn solve(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
 pub(super) fn settled(
     case: &Case,
     planar: bool,
+    control: &mut dyn FnMut() -> Control,
 ) -> Result<(LoadBalance, Balanced), EquilibriumError> {
     let depth = contact_depth_m(case);
     let inner_speed = case.operation.inner_speed_rad_s;
-    rolling(case, planar, inner_speed, |balance| balance.settle(depth))
+    rolling(case, planar, inner_speed, |balance| {
+        balance.settle(depth, control)
+    })
 }
 
 /// Balls that roll at the speeds that their contact angles give, where `seat` puts them.
@@ -119,7 +134,7 @@ pub(super) fn rolling<E>(
     case: &Case,
     planar: bool,
     inner_speed_rad_s: f64,
-    seat: impl Fn(&LoadBalance) -> Result<Balanced, E>,
+    mut seat: impl FnMut(&LoadBalance) -> Result<Balanced, E>,
 ) -> Result<(LoadBalance, Balanced), E> {
     let mut balance = balance(case, planar, inner_speed_rad_s);
     let mut seated = seat(&balance)?;
@@ -281,7 +296,7 @@ fn inner_contact(case: &Case, contact_angle_rad: f64, force_n: f64) -> RacewayCo
 fn flanks(case: &Case, angle_rad: f64, sign: f64) -> Option<Flanks> {
     let d = case.bearing.dimensions();
     let raceway = case.raceways.iter().find(|r| r.contains(angle_rad))?;
-    let [flank, _] = raceway.contact_angle_rad(raceway.local_angle_rad(angle_rad));
+    let flank = raceway.met_angle_rad(raceway.local_angle_rad(angle_rad));
     Some(Flanks {
         angle_rad: flank,
         section_angle_rad: sign * raceway.section_angle_rad(),
@@ -306,7 +321,7 @@ fn contact_depth_m(case: &Case) -> f64 {
 }
 
 /// Arms of rolling at the outer and the inner contact of a ball, and the inner contact angle: the
-/// axis of rotation lies along the force at the outer raceway, in the plane along the bearing's.
+/// axis of rotation lies across the force at the outer raceway, in the plane along that of the bearing.
 fn arms_m(case: &Case, ball: &SpatialBall, place: [f64; 2], ring: Ring) -> ([f64; 2], f64) {
     if ball.planar {
         let arm_m = effective_radius_m(case, ball.number, ball.angle_rad, ball.distance_m(place));

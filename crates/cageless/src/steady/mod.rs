@@ -1,0 +1,29 @@
+//! Steady operation of a bearing with real balls: what a discrete raceway or one ball fewer is judged by.
+//!
+//! Balls of one size keep whatever spacing they start with. Real ones differ by fractions of a micrometre, and a
+//! larger one orbits faster: dω/ω = dR/(Ro − R), some 0.1 °/s for 0.1 µm at 12 000 rpm. On a conventional ring the
+//! faster catch up with the slower; touching balls move on together, at the mean of their speeds. By the cycle lemma
+//! exactly one ball can lead all the others: no group at the head of the queue is faster than the rest
+//! ([`leading_ball`]). That queue is where every conventional ring ends, after minutes from an even start. A run of
+//! steady operation begins there, and leaves out the orbits in which a raceway spreads the balls or the queue closes.
+//!
+//! ```
+//! use cageless::steady::leading_ball;
+//!
+//! // Ball 3 is the slowest, and the balls behind it, 2, 1 and 4, push it along.
+//! assert_eq!(leading_ball(&[0.0, 2.0, -3.0, 1.0]), 2);
+//! ```
+
+mod operation;
+mod queue;
+mod recorder;
+mod stationarity;
+mod summary;
+
+pub use operation::{
+    GRADE, MEASURED_ORBITS, SteadyDraw, SteadyOperation, SteadyStart, TRANSIENT_ORBITS,
+};
+pub use queue::leading_ball;
+pub use recorder::{SteadyBlock, SteadyRecorder};
+pub use stationarity::{Settling, Stationarity};
+pub use summary::SteadySummary;
