@@ -49,6 +49,15 @@ impl Estimate {
         })
     }
 
+    /// The same in a unit in which numbers are `factor` times as large.
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            mean: factor * self.mean,
+            standard_error: factor * self.standard_error,
+            ..*self
+        }
+    }
+
     /// Mean of the differences `values` − `reference`, start by start.
     pub fn of_differences(values: &[f64], reference: &[f64]) -> Option<Self> {
         let pairs = values.iter().zip(reference);

@@ -1,5 +1,7 @@
 //! Files of the program's own, under names that others can guess.
 
+#[cfg(unix)]
+use std::fs::Metadata;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::path::Path;
@@ -19,10 +21,34 @@ pub fn open_locked(path: &Path) -> io::Result<Option<File>> {
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Ok(None);
         }
-        // Renamed or removed by another process since it was opened, it is no longer the file.
-        if path.exists() {
+        // Renamed, removed or replaced by another process since it was opened, it is no longer the file.
+        if is_at(&file, path) {
             return Ok(Some(file));
         }
+    }
+}
+
+/// Removes a file of the program's own that no process has locked; where there are no locks, none.
+pub(crate) fn remove_abandoned(path: &Path) {
+    if open(path).is_ok_and(|file| file.try_lock().is_ok() && is_at(&file, path)) {
+        // Nobody is left to hear of a failure.
+        let _ = std::fs::remove_file(path);
+    }
+}
+
+/// Whether an open file is the one at a path.
+fn is_at(file: &File, path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let number = |m: &Metadata| (m.dev(), m.ino());
+        let (open, there) = (file.metadata(), path.symlink_metadata());
+        open.is_ok_and(|open| there.is_ok_and(|there| number(&open) == number(&there)))
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = file;
+        path.exists()
     }
 }
 

@@ -40,10 +40,11 @@ pub mod results;
 pub mod rotor_file;
 mod system;
 mod terminal;
+mod text_file;
 pub mod touchdown_template;
 
 #[cfg(feature = "files")]
 pub use files::open_locked;
 pub use option_error::OptionError;
 pub use system::io_error_message;
-pub use terminal::on_terminal;
+pub use terminal::{bounded, on_terminal};

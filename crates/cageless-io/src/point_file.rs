@@ -8,8 +8,10 @@
 use std::path::Path;
 
 use crate::case_file::unit::Unit;
-use crate::io_error_message;
+use crate::text_file::{excerpt, read_text};
 
+/// Larger files are of no measuring machine: this is some two million points.
+const SIZE_MAX: u64 = 128 << 20;
 /// Names of the coordinates.
 const COORDINATES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
@@ -19,11 +21,11 @@ const COORDINATES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 /// A message with file and line.
 pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
     let name = path.display();
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| format!("{name}: {}", io_error_message(&error)))?;
+    let text = read_text(path, "file of points", SIZE_MAX)
+        .map_err(|problem| format!("{name}: {problem}"))?;
     let mut columns = [0, 1, 2];
     let (mut points, mut head) = (vec![], 0);
-    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+    let lines = text.lines().enumerate();
     let lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
     for (nth, (index, line)) in lines.enumerate() {
         let cells = cells(line);
@@ -56,8 +58,9 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
         let decimal_commas = cells.len() == 2 * head;
         let ([Some(x), Some(y), Some(z)], false) = (point, decimal_commas) else {
             return Err(format!(
-                "{name}:{}: {line:?} is not possible: it must be x, y and z in mm{}",
+                "{name}:{}: \"{}\" is not possible: it must be x, y and z in mm{}",
                 index + 1,
+                excerpt(line),
                 match line.contains(',') {
                     true => "; a decimal sign is a point, or a comma between semicolons",
                     false => "",

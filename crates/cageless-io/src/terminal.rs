@@ -22,6 +22,23 @@ pub fn on_terminal(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
+/// Longest message about a text that is not ours, in characters.
+const MESSAGE_MAX: usize = 2000;
+
+/// A message that holds text that is not ours: without its middle if that is long.
+pub fn bounded(message: String) -> String {
+    let count = message.chars().count();
+    if count <= MESSAGE_MAX {
+        return message;
+    }
+    let half: usize = MESSAGE_MAX / 2;
+    let ends = |from: usize| message.chars().skip(from).take(half);
+    ends(0)
+        .chain(" … ".chars())
+        .chain(ends(count - half))
+        .collect()
+}
+
 fn commands(c: char) -> bool {
     let turns =
         matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
@@ -40,5 +57,14 @@ mod tests {
         let json = format!("\"{shown}\"");
         assert_eq!(serde_json::from_str::<String>(&json).unwrap(), text);
         assert_eq!(on_terminal("ε = 1°\t\n"), "ε = 1°\t\n");
+    }
+
+    #[test]
+    fn long_messages_lose_their_middle() {
+        let text = |n: usize| format!("a{}b", "ε".repeat(n));
+        assert_eq!(bounded(text(MESSAGE_MAX - 2)), text(MESSAGE_MAX - 2));
+        let short = bounded(text(1 << 20));
+        assert_eq!(short.chars().count(), MESSAGE_MAX + 3);
+        assert!(short.starts_with("aε") && short.ends_with("εb") && short.contains("ε … ε"));
     }
 }

@@ -56,6 +56,7 @@ fn advice_names_keys_that_the_case_can_have() {
             let stop = Stop {
                 time_s: 1e-3,
                 step_s: 1e-6,
+                automatic_step_s: if drop { 1e-7 } else { 1e-6 },
                 drop,
                 cause: cause.clone(),
             };

@@ -8,6 +8,7 @@ mod common;
 mod crossing;
 mod damaged_files;
 mod derived_files;
+mod derived_files_for_editors;
 mod designation;
 mod edited;
 mod fit;

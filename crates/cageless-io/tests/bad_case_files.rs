@@ -50,13 +50,13 @@ const EDITS: &[Row] = &[
     ("# seed = 0", "seed = -1", "solver.seed", &["= -1", "a whole number, 0 or more"]),
     ("# seed = 0", "seed = 99999999999999999999", "solver.seed", &["below 2^63"]),
     ("# step_us = \"auto\"", "step_us = \"fast\"", "solver.step_us", &["\"auto\" or a number"]),
-    ("# step_us = \"auto\"", "step_us = true", "solver.step_us", &["a number in us"]),
+    ("# step_us = \"auto\"", "step_us = true", "solver.step_us", &["a number in µs"]),
     ("# step_us = \"auto\"", "step_us = 20.0", "solver.step_us", &["= 20.0", "unstable beyond it"]),
     ("# tolerance = 1.0e-8", "tolerance = 0.0", "solver.tolerance", &["more than 0"]),
     ("[material]", "[[material]]", "material", &["once only"]),
     ("schema = 1", "schema = 1\nhousing = 5", "housing", &["= 5 ", "a section, [housing]"]),
-    (START, "[start]\ngaps = \"equal\" #", "start.gaps", &["\"equal\"", "\"random\" or a list of gaps in deg"]),
-    (START, "[start]\ngaps = [1.8, \"a\"] #", "start.gaps", &["\"a\"", "a number in deg"]),
+    (START, "[start]\ngaps = \"equal\" #", "start.gaps", &["\"equal\"", "\"random\" or a list of gaps in °"]),
+    (START, "[start]\ngaps = [1.8, \"a\"] #", "start.gaps", &["\"a\"", "a number in °"]),
     // Search.
     (START, "[search]\ninner_speed_rpm = [12000, 3000] #", "search.inner_speed_rpm", &["= [12000, 3000]", "a number, or [lowest, highest]"]),
     (START, "[search]\ninner_speed_rpm = [0, 3000] #", "search.inner_speed_rpm", &["more than 0 rpm"]),
@@ -64,22 +64,21 @@ const EDITS: &[Row] = &[
     (START, "[search]\nradial_load_n = [1, 2, 3] #", "search.radial_load_n", &["a number, or [lowest, highest]"]),
     (START, "[search]\nradial_load_n = \"much\" #", "search.radial_load_n", &["a number in N"]),
     (START, "[search]\naxial_span_mm = [0, 5] #", "search.axial_span_mm", &["more than 0 mm"]),
-    (START, "[search]\nhalf_angle_deg = [20, 90] #", "search.half_angle_deg", &["less than 90 deg"]),
-    (START, "[search]\ncentre_angle_deg = 270 #", "search.centre_angle_deg", &["between -180 and 180 deg"]),
+    (START, "[search]\nhalf_angle_deg = [20, 90] #", "search.half_angle_deg", &["less than 90°"]),
+    (START, "[search]\ncentre_angle_deg = 270 #", "search.centre_angle_deg", &["between -180 and 180°"]),
     (START, "[search]\nraceways_max = 5 #", "search.raceways_max", &["from 1 to 4"]),
     (START, "[search]\nraceways_max = 1.5 #", "search.raceways_max", &["a whole number from 1 to 4"]),
     (START, "[search]\ninitial_states = \"two\" #", "search.initial_states", &["a whole number from 1 to 64"]),
-    ("axial_span_mm = 5.1", "depth_um = -1.0\naxial_span_mm = 5.1", "raceway.depth_um", &["at least 0 um"]),
-    ("axial_span_mm = 5.1", "depth_um = 300.0\naxial_span_mm = 5.1", "raceway.depth_um", &["between 0 um and 190.5 um", "curvature radius exceeds the ball's"]),
+    ("axial_span_mm = 5.1", "depth_um = -1.0\naxial_span_mm = 5.1", "raceway.depth_um", &["at least 0 µm"]),
+    ("axial_span_mm = 5.1", "depth_um = 300.0\naxial_span_mm = 5.1", "raceway.depth_um", &["between 0 µm and 190.5 µm", "curvature radius exceeds the ball's"]),
     (START, "[search]\nshapes = \"steady\" #", "search.shapes", &["\"own\" or \"all\""]),
     (START, "[search]\nshapes = \"all\"\nedge_radius_mm = 0.3 #", "search.edge_radius_mm", &["0.3", "motion = \"space\""]),
     (START, "[search]\nedge_radius_mm = 0.0 #", "search.edge_radius_mm", &["more than 0 mm"]),
-    ("formulation = \"physical\"", "formulation = \"physical\"\nmotion = \"space\"\n[search]\nedge_radius_mm = 0.3 #", "search.edge_radius_mm", &["search.shapes = \"all\""]),
-    ("# shape = \"quartic\"", "shape = \"slot\"\nedge_radius_mm = 0.3\n[search]\nshapes = \"all\"\nedge_radius_mm = 0.4 #", "search.edge_radius_mm", &["raceway.edge_radius_mm"]),
+    ("flanks = \"rigid\"", "motion = \"space\"\n[search]\nedge_radius_mm = 0.3 #", "search.edge_radius_mm", &["search.shapes = \"all\""]),
+    ("blend_mm = 0.0", "shape = \"slot\"\nedge_radius_mm = 0.3\n[search]\nshapes = \"all\"\nedge_radius_mm = 0.4 #", "search.edge_radius_mm", &["raceway.edge_radius_mm"]),
     (START, "[search]\nruns_max = 0.5 #", "search.runs_max", &["a whole number, 32 or more"]),
     (START, "[search]\ncritical_gap_min_fraction = 1.0 #", "search.critical_gap_min_fraction", &["less than 1"]),
     (START, "[search]\naxial_load_max_n = -1.0 #", "search.axial_load_max_n", &["at least 0 N"]),
-    ("formulation = \"physical\"", "formulation = \"paper\"\n[search]\naxial_load_max_n = 100.0 #", "search.axial_load_max_n", &["100", "0 in the formulation \"paper\""]),
     (START, "[search]\ninitial_states = 0 #", "search.initial_states", &["from 1 to 64"]),
     (START, "[search]\ninitial_states = 64\nruns_max = 1000 #", "search.runs_max", &["1024 or more with search.initial_states = 64"]),
     (START, "[search]\nmap_speed_rpm = [0] #", "search.map_speed_rpm", &["more than 0 rpm"]),
@@ -95,7 +94,7 @@ const EDITS: &[Row] = &[
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 0.0", "operation.inner_speed_rpm", &["other than 0"]),
     ("radial_load_n = 1500.0", "radial_load_n = -1500.0", "operation.radial_load_n", &["at least 0 N"]),
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 0.0", "bearing.inner_ring_mass_kg", &["more than 0 kg"]),
-    ("damping_n_s_m1_5 = 2.0e5", "damping_n_s_m1_5 = -1.0", "contact.damping_n_s_m1_5", &["at least 0 N s/m^1.5"]),
+    ("damping_n_s_m1_5 = 2.0e5", "damping_n_s_m1_5 = -1.0", "contact.damping_n_s_m1_5", &["at least 0 N·s/m^1.5"]),
     ("# inner_stiffness_n_m1_5 = 2.8e10", "inner_stiffness_n_m1_5 = 0", "contact.inner_stiffness_n_m1_5", &["more than 0 N/m^1.5"]),
     ("poisson_ratio = 0.3", "poisson_ratio = 0.5", "material.poisson_ratio", &["= 0.5", "less than 0.5"]),
     ("# ball_restitution = 0.95", "ball_friction_factor = -0.5", "contact.ball_friction_factor", &["= -0.5", "at least 0"]),
@@ -105,8 +104,8 @@ const EDITS: &[Row] = &[
     // What is meant in another unit.
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 206000", "material.youngs_modulus_gpa", &["= 206000", "at most 1300 GPa", "steel has 206 GPa"]),
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 0.206", "material.youngs_modulus_gpa", &["= 0.206", "at least 0.5 GPa"]),
-    ("density_kg_m3 = 7850.0", "density_kg_m3 = 7.85", "material.density_kg_m3", &["= 7.85", "at least 500 kg/m^3", "steel has 7850"]),
-    ("density_kg_m3 = 7850.0", "density_kg_m3 = 7.85e6", "material.density_kg_m3", &["at most 25000 kg/m^3"]),
+    ("density_kg_m3 = 7850.0", "density_kg_m3 = 7.85", "material.density_kg_m3", &["= 7.85", "at least 500 kg/m³", "steel has 7850"]),
+    ("density_kg_m3 = 7850.0", "density_kg_m3 = 7.85e6", "material.density_kg_m3", &["at most 25000 kg/m³"]),
     ("poisson_ratio = 0.3", "poisson_ratio = 30", "material.poisson_ratio", &["= 30", "less than 0.5"]),
     ("ball_radius_mm = 4.7625", "ball_radius_mm = 0.0047625", "bearing.ball_radius_mm", &["at least 0.05 mm", "diameters"]),
     ("ball_radius_mm = 4.7625", "ball_radius_mm = 4762.5", "bearing.ball_radius_mm", &["at most 500 mm"]),
@@ -114,7 +113,7 @@ const EDITS: &[Row] = &[
     ("outer_ring_width_mm = 16.0", "outer_ring_width_mm = 16000", "bearing.outer_ring_width_mm", &["= 16000", "at most 555.3 mm", "groove"]),
     ("outer_ring_outer_radius_mm = 31.0", "outer_ring_outer_radius_mm = 31000", "bearing.outer_ring_outer_radius_mm", &["= 31000", "at most 277.65 mm", "groove"]),
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 2e7", "bearing.inner_ring_mass_kg", &["at most 1000000 kg"]),
-    ("gravity_m_s2 = 9.81", "gravity_m_s2 = 9810", "operation.gravity_m_s2", &["= 9810", "at most 1000 m/s^2"]),
+    ("gravity_m_s2 = 9.81", "gravity_m_s2 = 9810", "operation.gravity_m_s2", &["= 9810", "at most 1000 m/s²"]),
     ("friction_coefficient = 0.007", "friction_coefficient = 7.0", "contact.friction_coefficient", &["= 7.0", "at most 2", "no percentage"]),
     ("regularisation_speed_m_s = 0.02", "regularisation_speed_m_s = 20", "contact.regularisation_speed_m_s", &["= 20", "at most 10 m/s"]),
     ("# inner_stiffness_n_m1_5 = 2.8e10", "inner_stiffness_n_m1_5 = 8.9e5", "contact.inner_stiffness_n_m1_5", &["at least 1000000 N/m^1.5"]),
@@ -131,8 +130,8 @@ const EDITS: &[Row] = &[
     (SPAN, "axial_span_mm = 8.0", "raceway.axial_span_mm", &["= 8.0", "less than 7.4017", "mm", "Eq. (8)"]),
     (SPAN, "axial_span_mm = 0", "raceway.axial_span_mm", &["more than 0 mm"]),
     (THETA, "half_angle_deg = 60", "raceway.half_angle_deg", &["= 60", "Eq. (9)", "axial_span_mm = 5.1"]),
-    (THETA, "half_angle_deg = 90", "raceway.half_angle_deg", &["= 90", "less than 90 deg"]),
-    (THETA, "half_angle_deg = -5", "raceway.half_angle_deg", &["more than 0 deg"]),
+    (THETA, "half_angle_deg = 90", "raceway.half_angle_deg", &["= 90", "less than 90°"]),
+    (THETA, "half_angle_deg = -5", "raceway.half_angle_deg", &["more than 0°"]),
     ("# shape = \"quartic\"", "shape = \"oval\"", "raceway.shape", &["= \"oval\"", "\"quartic\", \"ellipse\", \"shuttle\", \"steady\", \"measured\", \"spline\" or \"slot\""]),
     (SPAN, "", "raceway.axial_span_mm", &["(or profile) is missing in [raceway]", "lC"]),
     ("[raceway]", "[[raceway]]\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["missing in [raceway]"]),
@@ -145,19 +144,19 @@ const EDITS: &[Row] = &[
     ("# shape = \"quartic\"", "profile = [[0, 20], [5, 19], [10, 16], [15, 12], [20, 7], [25, 0]]", "raceway.profile", &["left out, or shape = \"measured\" or \"spline\""]),
     ("# shape = \"quartic\"", "shape = \"spline\"\nprofile = [[0, 20], [25, 0]]", "raceway.profile", &["5 to 30 rows of ψ and flank angle"]),
     ("# shape = \"quartic\"", "shape = \"measured\"\nprofile = [[0, 20], [25, 0]]", "raceway.profile", &["5 to 20000 rows of ψ and flank angle"]),
-    ("# shape = \"quartic\"", "shape = \"measured\"\nprofile = [0, 20, 25, 0, 5]", "raceway.profile", &["rows of [ψ in deg, flank angle in deg]"]),
+    ("# shape = \"quartic\"", "shape = \"measured\"\nprofile = [0, 20, 25, 0, 5]", "raceway.profile", &["rows of [ψ in °, flank angle in °]"]),
     ("# shape = \"quartic\"", "shape = \"measured\"\nprofile = [[0, 20], [5, 19], [10, 16], [15, 12], [20, 7]]", "raceway.profile", &["up to an end of the raceway, where the flank angle is 0"]),
     ("# shape = \"quartic\"", "shape = \"measured\"\nprofile = [[0, 2], [5, 4], [10, 8], [15, 16], [20, 20], [25, 0]]", "raceway.profile", &["fall steadily from the middle to 0 at the ends"]),
     ("# shape = \"quartic\"", "shape = \"measured\"\nprofile = [[0, 200], [5, 19], [10, 16], [15, 12], [20, 7], [25, 0]]", "raceway.profile", &["less than 90°"]),
-    ("# blend_mm = 0.0", "blend_mm = -0.5", "raceway.blend_mm", &["= -0.5", "at least 0 mm"]),
-    ("# blend_mm = 0.0", "blend_mm = 0.01", "raceway.blend_mm", &["= 0.01", "between 0.02", "mm", "or 0"]),
-    ("# blend_mm = 0.0", "blend_mm = 9", "raceway.blend_mm", &["= 9", "a quarter of the length"]),
-    ("# centre_angle_deg = 0.0", "centre_angle_deg = 400", "raceway.centre_angle_deg", &["between -360 deg and 360 deg"]),
-    ("[raceway]", "[[raceway]]\naxial_span_mm = 5.1\nhalf_angle_deg = 20\ncentre_angle_deg = 30\n[[raceway]]", "raceway.2.centre_angle_deg", &["45.2 deg or more away from the middle of raceway 1"]),
+    ("blend_mm = 0.0", "blend_mm = -0.5", "raceway.blend_mm", &["= -0.5", "at least 0 mm"]),
+    ("blend_mm = 0.0", "blend_mm = 0.01", "raceway.blend_mm", &["= 0.01", "between 0.02", "mm", "or 0"]),
+    ("blend_mm = 0.0", "blend_mm = 9", "raceway.blend_mm", &["= 9", "a quarter of the length"]),
+    ("# centre_angle_deg = 0.0", "centre_angle_deg = 400", "raceway.centre_angle_deg", &["between -360° and 360°"]),
+    ("[raceway]", "[[raceway]]\naxial_span_mm = 5.1\nhalf_angle_deg = 20\ncentre_angle_deg = 30\n[[raceway]]", "raceway.2.centre_angle_deg", &["45.2° or more away from the middle of raceway 1"]),
     ("[raceway]", "[[raceway]]\naxial_span_mm = 9\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["= 9 ", "less than 7.4017"]),
     ("outer_ring_outer_radius_mm = 31.0", "outer_ring_outer_radius_mm = 27.0", "bearing.outer_ring_outer_radius_mm", &["= 27.0", "more than 27.765 mm"]),
     ("outer_ring_width_mm = 16.0", "outer_ring_width_mm = 0", "bearing.outer_ring_width_mm", &["more than 0 mm"]),
-    ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["47.625 um", "1 % of the ball radius"]),
+    ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["47.625 µm", "1 % of the ball radius"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0]", "bearing.ball_radius_deviation_um", &["a list of 14 numbers"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = 0", "bearing.ball_radius_deviation_um", &["a list of numbers"]),
     ("outer_groove_curvature_radius_mm = 4.953", "outer_groove_curvature_radius_mm = 4.81\nball_radius_deviation_um = [40, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["less than", "um", "both flanks of the raceway"]),
@@ -168,14 +167,14 @@ const EDITS: &[Row] = &[
     ("damping_n_s_m1_5 = 2.0e5", "damping_n_s_m1_5 = 1e300", "solver.step_us", &["\"auto\"", "3e-301 s", "too many for solver.duration_s"]),
     // Start.
     (START, "[start]\ngaps = [1.8, 1.8] #", "start.gaps", &["= [1.8, 1.8]", "a list of 14 gaps", "these are 2"]),
-    (START, "[start]\ngaps = [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2] #", "start.gaps", &["add up to 25.4251 deg", "these add up to 28.0000"]),
-    (START, "[start]\ngaps = [-1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2.4251] #", "start.gaps", &["0 deg or more", "gap 1 is -1"]),
-    (START, "[start]\ngaps = [inf, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2.4251] #", "start.gaps", &["a finite number of deg"]),
+    (START, "[start]\ngaps = [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2] #", "start.gaps", &["add up to 25.4251°", "these add up to 28.0000"]),
+    (START, "[start]\ngaps = [-1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2.4251] #", "start.gaps", &["0° or more", "gap 1 is -1"]),
+    (START, "[start]\ngaps = [inf, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2.4251] #", "start.gaps", &["a finite number of °"]),
     (START, "[start]\nring_y_um = -10 #", "start.ring_y_um", &["= -10", "left out unless start.state = \"rolling\""]),
     (START, "[start]\nring_x_um = 0 #", "start.ring_x_um", &["left out unless"]),
-    (START, "[start]\nstate = \"rolling\"\nring_y_um = -2200 #", "start.ring_y_um", &["= -2200", "between -476.25 um and 476.25 um"]),
+    (START, "[start]\nstate = \"rolling\"\nring_y_um = -2200 #", "start.ring_y_um", &["= -2200", "between -476.25 µm and 476.25 µm"]),
     (START, "[start]\nstate = \"rollin\" #", "start.state", &["\"rollin\"", "\"rolling\" or \"at-rest\""]),
-    (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of deg"]),
+    (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of °"]),
     // Choices.
     ("formulation = \"physical\"", "formulation = \"realistic\"", "model.formulation", &["\"realistic\"", "\"physical\" or \"paper\""]),
     ("friction_law = \"smooth\"", "friction_law = \"viscous\"", "contact.friction_law", &["\"viscous\"", "\"smooth\", \"coulomb\", \"stribeck\" or \"table\""]),
@@ -191,13 +190,13 @@ const EDITS: &[Row] = &[
     ("schema = 1", "schema = 2", "schema", &["= 2 ", "the only schema"]),
     ("schema = 1", "schema = \"1\"", "schema", &["\"1\""]),
     // Run.
-    ("# step_us = \"auto\"", "step_us = 0", "solver.step_us", &["= 0 ", "more than 0 us"]),
-    ("# step_us = \"auto\"", "step_us = -1.0", "solver.step_us", &["= -1.0", "more than 0 us"]),
+    ("# step_us = \"auto\"", "step_us = 0", "solver.step_us", &["= 0 ", "more than 0 µs"]),
+    ("# step_us = \"auto\"", "step_us = -1.0", "solver.step_us", &["= -1.0", "more than 0 µs"]),
     ("duration_s = 0.5", "duration_s = 0.5\n[[limit]]\nresult = \"rotor_force_max_n\"\nvalue = 1.0\nsource = \" \"", "limit.source", &["whose limit it is"]),
     ("duration_s = 0.5", "duration_s = 2e8", "solver.duration_s", &["= 2e8", "1e12 steps are the limit"]),
     ("duration_s = 0.5", "duration_s = 1e-300", "solver.duration_s", &["at least", "nothing moves in less"]),
     ("duration_s = 0.5", "duration_s = -0.5", "solver.duration_s", &["more than 0 s"]),
-    ("interval_us = 100.0", "interval_us = 0.0", "output.interval_us", &["more than 0 us"]),
+    ("interval_us = 100.0", "interval_us = 0.0", "output.interval_us", &["more than 0 µs"]),
 ];
 
 /// An override of the template, the key that the message must name and fragments.
@@ -241,6 +240,18 @@ fn every_bad_value_is_named_with_its_line_and_what_is_allowed() {
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn the_published_equations_have_no_axial_load() {
+    let text = edited("[contact]", "[search]\naxial_load_max_n = 100.0\n[contact]");
+    let error = refused(&text, &["model.formulation=paper"]);
+    assert_eq!(error.key(), Some("search.axial_load_max_n"));
+    let message = error.to_string();
+    assert!(
+        message.contains("0 in the formulation \"paper\""),
+        "{message}"
+    );
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 use crate::common::refused;
 use cageless::Gaps;
+use cageless_io::case_file::MaterialHeat;
 use cageless_io::case_file::{CaseFile, MaterialPreset};
 use cageless_io::plan_file::PlanFile;
 
@@ -213,12 +214,14 @@ fn balls_start_in_one_group_or_anywhere_by_seed() {
         Gaps::Uniform => panic!("uniform"),
     };
     let bunched = gaps(&["start.gaps=bunched"]);
-    assert!(bunched[..13].iter().all(|g| *g == 0.0) && bunched[13] > 0.4);
+    let room: f64 = bunched.iter().sum();
+    let within = 0.05 * room / 14.0;
+    assert!(bunched[..13].iter().all(|g| (g - within).abs() < 1e-12) && bunched[13] > 0.4);
     let random = |seed: &str| gaps(&["start.gaps=random", seed]);
     let one = random("seed=1");
     assert_eq!(one, random("seed=1"));
     assert_ne!(one, random("seed=2"));
-    assert!((one.iter().sum::<f64>() - bunched[13]).abs() < 1e-12);
+    assert!((one.iter().sum::<f64>() - room).abs() < 1e-12);
 }
 
 /// A result file with the case as it was run gives the same case, to the bit.
@@ -329,4 +332,87 @@ fn keys_of_a_plan_may_stand_in_quotes() {
     );
     let error = plan("\"solver.duration_s\" = 0.1\nsolver.duration_s = 0.2").unwrap_err();
     assert!(error.message().contains("given twice"), "{error}");
+}
+
+/// Every material by name with its numbers, one by one: density, E and ν of data sheets (100Cr6: 7.81 g/cm³, 210 GPa; M50:
+/// 7.87 g/cm³, 203 GPa; 440C: 7.7 g/cm³, 200 GPa; Cronidur 30: 7.72 g/cm³, 213 GPa; Si3N4: 3.24 g/cm³, 310 GPa), specific
+/// heat, expansion and the temperature that softens it by the sources at `MaterialPreset`.
+#[test]
+fn materials_by_name_have_the_numbers_of_their_sources() {
+    let steel = Some(200.0);
+    let known = [
+        ("100Cr6", [7810.0, 210.0, 0.3], [460.0, 12.5e-6], steel),
+        ("M50", [7870.0, 203.0, 0.29], [470.0, 11.8e-6], Some(316.0)),
+        ("440C", [7700.0, 200.0, 0.28], [460.0, 10.2e-6], steel),
+        (
+            "X30CrMoN15-1",
+            [7720.0, 213.0, 0.28],
+            [460.0, 10.5e-6],
+            steel,
+        ),
+        ("Si3N4", [3240.0, 310.0, 0.27], [800.0, 3.2e-6], None),
+    ];
+    let names: Vec<&str> = MaterialPreset::all().map(|(name, _)| name).collect();
+    assert_eq!(names, known.map(|(name, ..)| name));
+    for ((name, numbers, [specific, expansion], softening_c), (_, preset)) in
+        known.into_iter().zip(MaterialPreset::all())
+    {
+        assert_eq!(preset.numbers(), numbers, "{name}");
+        let heat = MaterialHeat {
+            specific_heat_j_kg_k: specific,
+            expansion_per_k: expansion,
+            softening_c,
+        };
+        assert_eq!(preset.heat(), heat, "{name}");
+        // As a case has them, of the balls alone and of all.
+        let [density, gigapascals, ratio] = numbers;
+        let found = |sets: &[&str]| {
+            let file = parse(SHORT, sets);
+            let materials = *file.case().bearing.materials();
+            (materials, file.case().thermal.clone(), file.softening_c())
+        };
+        let key = format!("ball_material.preset={name}");
+        let (materials, thermal, softening) = found(&[&key]);
+        let own = materials.ball;
+        let expected = [density, 1e9 * gigapascals, ratio];
+        assert_eq!(
+            [own.density_kg_m3, own.youngs_modulus_pa, own.poisson_ratio],
+            expected,
+            "{name}"
+        );
+        assert_eq!(materials.ring.youngs_modulus_pa, 206e9, "{name}");
+        assert_eq!(thermal.ball_specific_heat_j_kg_k, Some(specific), "{name}");
+        assert_eq!(thermal.ring_specific_heat_j_kg_k, None, "{name}");
+        assert_eq!(softening, [steel, softening_c, steel], "{name}");
+        let key = format!("material.preset={name}");
+        let (materials, thermal, softening) = found(&[&key]);
+        let [ring, ball] = [materials.ring, materials.ball];
+        assert_eq!(ring, ball, "{name}");
+        assert_eq!(ring.youngs_modulus_pa, 1e9 * gigapascals, "{name}");
+        assert_eq!(thermal.ring_specific_heat_j_kg_k, Some(specific), "{name}");
+        assert_eq!(softening, [softening_c; 3], "{name}");
+    }
+    // Another material than steel by numbers needs its thermal ones, with the speed of regularisation given or not.
+    let ceramic = [
+        "ball_material.density_kg_m3=3200",
+        "ball_material.youngs_modulus_gpa=300",
+        "ball_material.poisson_ratio=0.26",
+    ];
+    for more in [&[][..], &["contact.regularisation_speed_m_s=0.02"]] {
+        let file = parse(SHORT, &[&ceramic, more].concat());
+        let missing = [
+            "thermal.ball_specific_heat_j_kg_k",
+            "fit.ball_expansion_per_k",
+        ];
+        assert_eq!(file.missing_of_heat(true), missing);
+        assert_eq!(file.missing_of_heat(false), missing[..1]);
+        assert_eq!(file.softening_c(), [steel, None, steel]);
+    }
+    // Bearing steel where nothing is said.
+    let steel = parse(SHORT, &[]);
+    let own = steel.case().bearing.materials().ring;
+    assert_eq!(
+        [own.density_kg_m3, own.youngs_modulus_pa, own.poisson_ratio],
+        [7850.0, 206e9, 0.3]
+    );
 }

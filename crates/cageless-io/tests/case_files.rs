@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::common::edited;
-use cageless::{Formulation, FrictionLaw, Gaps, IntegrationMethod, Start, StartState};
+use cageless::{FlankModel, Formulation, FrictionLaw, Gaps, IntegrationMethod, Start, StartState};
 use cageless_io::case_file::{CaseFile, CaseValue, Source, template, unit};
 use proptest::prelude::*;
 
@@ -75,6 +75,85 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     assert_eq!((case.seed, &case.housing), (0, &None));
 }
 
+/// A file that says nothing of flanks and ends is a real bearing, as it is machined; one in the paper's formulation, or
+/// with a law that sticks, has the rigid flanks that alone these have, and rigid flanks have sharp ends.
+#[test]
+fn flanks_and_ends_are_those_of_a_real_bearing_unless_given() {
+    let silent = template(false)
+        .replace("flanks = ", "# flanks = ")
+        .replace("blend_mm = ", "# blend_mm = ");
+    let read = |sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        let file = CaseFile::parse(&silent, "case.toml", &sets).unwrap();
+        let run = file.document_as_run();
+        assert_eq!(
+            run.number("raceway.blend_mm"),
+            Some(file.case().raceways[0].blend_m() / 1e-3)
+        );
+        assert!(file.defaults().iter().any(|key| key == "raceway.blend_mm"));
+        (file.case().flanks, file.case().raceways[0].blend_m())
+    };
+    assert_eq!(read(&[]), (FlankModel::Elastic, 0.5e-3));
+    assert_eq!(
+        read(&["operation.axial_load_n=100"]),
+        (FlankModel::Elastic, 0.5e-3)
+    );
+    assert_eq!(read(&["model.flanks=rigid"]), (FlankModel::Rigid, 0.0));
+    assert_eq!(read(&["model.formulation=paper"]), (FlankModel::Rigid, 0.0));
+    assert_eq!(
+        read(&["contact.friction_law=coulomb"]),
+        (FlankModel::Rigid, 0.0)
+    );
+    let (_, short_m) = read(&["raceway.half_angle_deg=4", "raceway.axial_span_mm=3"]);
+    assert!((short_m - 0.2 * 4f64.to_radians() * 27.765e-3).abs() < 1e-15);
+}
+
+/// Without a regularisation speed it is a thousandth of the speed of rolling balls, ωi Ri/(Ri + Ro)·Rm, at most
+/// 0.02 m/s, at any speed that replaces the one of the file; a drop, in which balls slide, has 0.02.
+#[test]
+fn the_regularisation_speed_follows_the_rolling_speed() {
+    let silent = template(false).replace(
+        "\nregularisation_speed_m_s = ",
+        "\n# regularisation_speed_m_s = ",
+    );
+    let read = |text: &str, sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        CaseFile::parse(text, "case.toml", &sets).unwrap()
+    };
+    let knee = |file: &CaseFile| file.case().contact.friction.regularisation_speed_m_s;
+    // Rm = (Ro + Ri)/2.
+    let rolling = |rpm: f64| rpm * std::f64::consts::TAU / 60.0 * 18.24e-3 / 2.0;
+    let file = read(&silent, &[]);
+    assert!((knee(&file) / (1e-3 * rolling(12_000.0)) - 1.0).abs() < 1e-12);
+    let run = file.document_as_run();
+    assert_eq!(
+        run.number("contact.regularisation_speed_m_s"),
+        Some(knee(&file))
+    );
+    // The document keeps it open, for another speed.
+    let mut slow = file.document().clone();
+    slow.set("operation.inner_speed_rpm", 600.0);
+    let slow = CaseFile::from_document(slow, "case").unwrap();
+    assert!((knee(&slow) / (1e-3 * rolling(600.0)) - 1.0).abs() < 1e-12);
+    assert_eq!(
+        knee(&read(&silent, &["operation.inner_speed_rpm=60000"])),
+        0.02
+    );
+    assert_eq!(
+        knee(&read(&template(false), &["operation.inner_speed_rpm=600"])),
+        0.02
+    );
+    let drop = include_str!("../../../cases/touchdown-d.toml");
+    assert!(
+        !drop
+            .split("[rotor]")
+            .next()
+            .unwrap()
+            .contains("\nregularisation")
+    );
+    assert_eq!(knee(&read(drop, &[])), 0.02);
+}
+
 #[test]
 fn defaults_that_were_filled_in_are_listed() {
     assert_eq!(
@@ -83,7 +162,6 @@ fn defaults_that_were_filled_in_are_listed() {
             "bearing.assembly",
             "raceway.centre_angle_deg",
             "raceway.shape",
-            "raceway.blend_mm",
             "raceway.depth_um",
             "raceway.depth_error_um",
             "contact.outer_friction_factor",
@@ -94,7 +172,6 @@ fn defaults_that_were_filled_in_are_listed() {
             "contact.outer_stiffness_n_m1_5",
             "contact.ball_stiffness_n_m1_5",
             "model.motion",
-            "model.flanks",
             "start.state",
             "start.gaps",
             "start.lead_ball_angle_deg",
@@ -259,10 +336,14 @@ fn a_document_goes_to_toml_and_back() {
         let given = file.document().to_toml_without(file.defaults()).unwrap();
         let given = parse(&given);
         assert_eq!(given.case(), file.case(), "{toml}");
-        // Raceways and rows are complete, so theirs are given.
-        let mut defaults = file.defaults().to_vec();
-        defaults.retain(|key| !["raceway", "row."].iter().any(|own| key.starts_with(own)));
-        assert_eq!(given.defaults(), defaults, "{toml}");
+        // Raceways and rows are complete, so theirs are given, but for what follows from the rest.
+        let of_lists = |key: &str| ["raceway", "row."].iter().any(|own| key.starts_with(own));
+        let [defaults, given] = [&file, &given].map(|file| {
+            let mut defaults = file.defaults().to_vec();
+            defaults.retain(|key| !of_lists(key));
+            defaults
+        });
+        assert_eq!(given, defaults, "{toml}");
         let again = CaseFile::from_document(file.document().clone(), "document").unwrap();
         assert_eq!(again.case(), file.case());
         // What is recorded as run parses too, and its stiffnesses are those of Hertz.
@@ -450,13 +531,18 @@ fn sections_that_are_left_out_take_the_values_of_the_template() {
     });
     assert!(!short.contains("youngs_modulus_gpa =") && !short.contains("\n[output]"));
     let short = CaseFile::parse(&short, "short.toml", &[]).unwrap();
-    let full = CaseFile::parse(&template(false), "full.toml", &[]).unwrap();
+    // The flanks of the paper are not those of a real bearing, the regularisation speed is one for all.
+    let real = template(false).replace("flanks = ", "# flanks = ").replace(
+        "\nregularisation_speed_m_s = ",
+        "\n# regularisation_speed_m_s = ",
+    );
+    let full = CaseFile::parse(&real, "full.toml", &[]).unwrap();
     assert_eq!(short.document(), full.document());
     assert_eq!(short.case(), full.case());
     for key in [
         "material.youngs_modulus_gpa",
         "operation.gravity_m_s2",
-        "contact.regularisation_speed_m_s",
+        "contact.damping_n_s_m1_5",
         "model.formulation",
         "solver.duration_s",
         "output.interval_us",
@@ -543,5 +629,33 @@ fn a_profile_has_its_own_dimensions() {
         let d = *file.case().raceways[0].dimensions();
         assert!((d.axial_span_m - span).abs() < 1e-7);
         assert!((d.half_angle_rad.to_degrees() - half_angle).abs() < 1e-12);
+    }
+}
+
+/// Rows are a list in JSON and TOML, also one of them; a single raceway is a section.
+#[test]
+fn one_row_is_a_list() {
+    let text = template(false) + "\n[[row]]\naxial_position_mm = 0\n";
+    let file = CaseFile::parse(&text, "template", &[]).unwrap();
+    let json = serde_json::to_value(file.document()).unwrap();
+    assert_eq!(json["row"].as_array().map(Vec::len), Some(1), "{json}");
+    assert!(json["raceway"].is_object(), "{json}");
+    for text in [json.to_string(), file.document().to_toml().unwrap()] {
+        let again = CaseFile::parse(&text, "again", &[]).unwrap();
+        assert_eq!(again.case(), file.case(), "{text}");
+    }
+}
+
+/// Bunched balls sit at different contact angles under an axial load, and touch a little deeper than in the plane.
+#[test]
+fn bunched_balls_settle_under_an_axial_load() {
+    for axial in ["300", "2000"] {
+        let sets = [
+            "start.gaps=bunched".to_owned(),
+            format!("operation.axial_load_n={axial}"),
+            "model.motion=space".to_owned(),
+        ];
+        let file = CaseFile::parse(&template(false), "template", &sets).unwrap();
+        cageless::initial_conditions::initial_state(file.case()).unwrap();
     }
 }

@@ -1,5 +1,5 @@
 //! Files of the repository that follow from the declaration of the case file: the table of the
-//! documentation, the JSON schema of editors and the Python classes. `CAGELESS_WRITE=1 cargo test -p cageless-io --test
+//! documentation and the Python classes. Schemas of editors: `derived_files_for_editors`. `CAGELESS_WRITE=1 cargo test -p cageless-io --test
 //! derived_files` writes them after a key was added.
 
 use std::fmt::Write;
@@ -7,7 +7,7 @@ use std::path::Path;
 
 use cageless_io::case_file::{CaseValue, Key, Kind, Presence, RangeEnd, SectionTable, reference};
 
-fn in_step(path: &str, expected: &str) {
+pub fn in_step(path: &str, expected: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../..")
         .join(path);
@@ -17,7 +17,7 @@ fn in_step(path: &str, expected: &str) {
     let found = std::fs::read_to_string(&path).unwrap();
     assert!(
         found == expected,
-        "{} is not what the declaration of the case file gives: \
+        "{} is not what the declarations give: \
          CAGELESS_WRITE=1 cargo test -p cageless-io --test all derived_files",
         path.display()
     );
@@ -83,7 +83,10 @@ fn the_table_of_the_documentation_has_every_key() {
          are; an end in parentheses is not allowed itself.\n\n\
          Editors with a TOML language server complete keys and mark impossible values by the JSON \
          schema [case-file.schema.json](case-file.schema.json): its path, or that of a copy, goes \
-         into the first line of the case file, `#:schema case-file.schema.json`.\n",
+         into the first line of the case file, `#:schema case-file.schema.json`. Plans and rotor \
+         files have [plan.schema.json](plan.schema.json) and \
+         [rotor-file.schema.json](rotor-file.schema.json). Releases have all three in `docs`, the \
+         Python package in the folder `schemas` of its files.\n",
     );
     for section in reference() {
         let heading = match (section.name, section.optional) {
@@ -242,101 +245,6 @@ fn python_has_a_class_for_every_section() {
          \"\"\"Keywords of a case: its sections, or mappings of their keys.\"\"\"\n\n{arguments}"
     );
     in_step("crates/cageless-py/python/cageless/sections.py", &text);
-}
-
-/// JSON schema of the value of a key.
-fn schema_of(section: &SectionTable, key: &Key) -> serde_json::Value {
-    use serde_json::{Value, json};
-    let [low, high] = section.range(key);
-    let ends = [
-        (low, ["exclusiveMinimum", "minimum"]),
-        (high, ["exclusiveMaximum", "maximum"]),
-    ];
-    let number = |kind: &str| {
-        let mut number = json!({ "type": kind });
-        for (end, names) in ends {
-            if let Some(end) = end {
-                number[names[usize::from(end.included)]] = json!(end.at);
-            }
-        }
-        number
-    };
-    let list = |items: Value| json!({ "type": "array", "items": items });
-    let row =
-        |items: Value| json!({ "type": "array", "items": items, "minItems": 2, "maxItems": 2 });
-    let plain = json!({ "type": "number" });
-    let any_of = |one: Value, other: Value| json!({ "anyOf": [one, other] });
-    let mut schema = match key.kind {
-        Kind::Number => number("number"),
-        Kind::Whole => number("integer"),
-        Kind::Text => json!({ "type": "string" }),
-        Kind::Numbers => list(number("number")),
-        Kind::Range => any_of(number("number"), row(number("number"))),
-        Kind::OverTime => any_of(number("number"), list(row(plain))),
-        Kind::Rows(_) => list(row(plain)),
-        Kind::Choice(names) => json!({ "enum": names() }),
-        Kind::NumberOr(names) => any_of(json!({ "enum": names }), number("number")),
-        Kind::NumbersOr(names) => any_of(json!({ "enum": names }), list(number("number"))),
-    };
-    let unit = match key.unit() {
-        "" => String::new(),
-        unit => format!(" ({unit})"),
-    };
-    schema["description"] = json!(format!("{}{unit}", key.meaning));
-    if let Presence::Default(value) = (key.presence)() {
-        schema["default"] = json!(value);
-    }
-    schema
-}
-
-/// JSON schema of a section.
-fn schema_of_section(section: &SectionTable) -> serde_json::Value {
-    use serde_json::{Map, json};
-    let mut keys = Map::new();
-    for key in section.keys {
-        keys.insert(key.name.to_owned(), schema_of(section, key));
-        if !key.formerly.is_empty() {
-            let mut former = schema_of(section, key);
-            former["deprecated"] = json!(true);
-            former["description"] = json!(format!("former name of {}", key.name));
-            keys.insert(key.formerly.to_owned(), former);
-        }
-    }
-    let required = section.keys.iter();
-    let required = required.filter(|key| key.is_required() && key.formerly.is_empty());
-    let required: Vec<_> = required.map(|key| key.name).collect();
-    json!({
-        "type": "object",
-        "description": section.meaning,
-        "properties": keys,
-        "required": required,
-        "additionalProperties": false,
-    })
-}
-
-/// JSON schema of a case file.
-fn schema() -> serde_json::Value {
-    use serde_json::json;
-    let mut sections = reference();
-    let mut schema = schema_of_section(&sections.next().unwrap());
-    for section in sections {
-        let one = schema_of_section(&section);
-        schema["properties"][section.name] = match section.several {
-            true => json!({ "anyOf": [one, { "type": "array", "items": one }] }),
-            false => one,
-        };
-    }
-    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
-    schema["title"] = json!("Case file of Cageless");
-    schema["description"] = json!("one bearing, its operating conditions and the simulation");
-    schema["required"] = json!(["bearing"]);
-    schema
-}
-
-#[test]
-fn editors_have_a_schema_of_the_case_file() {
-    let text = serde_json::to_string_pretty(&schema()).unwrap() + "\n";
-    in_step("docs/case-file.schema.json", &text);
 }
 
 /// Changes by which a case can have a key.

@@ -72,6 +72,57 @@ fn load_ratings_are_those_of_the_catalogue() {
     );
 }
 
+/// Ratings of the case that `new` writes against the catalogue: within 1 % of Cr where it has the
+/// catalogue's number of balls, else off by the percentages that its note and its head give.
+#[test]
+fn a_case_with_other_balls_states_how_far_its_ratings_are_off() {
+    let ratings = ratings();
+    let mut others = Vec::new();
+    for bearing in designations() {
+        let name = &bearing.designation;
+        let Some((dynamic_n, ..)) = ratings.get(name) else {
+            continue;
+        };
+        let text = bearing.case_file(false);
+        let file = CaseFile::parse(&text, name, &[]).unwrap();
+        let found_n = BasicRatings::new(&file.case().bearing).dynamic_n;
+        let off = 100.0 * (found_n / dynamic_n - 1.0);
+        let note = bearing.source_of_balls(false);
+        let stated = |text: &str| {
+            let (_, after) = text.split_once("Cr is ")?;
+            let (percent, after) = after.split_once(" % ")?;
+            let sign = if after.starts_with("below") {
+                -1.0
+            } else {
+                1.0
+            };
+            Some(sign * percent.parse::<f64>().ok()?)
+        };
+        assert_eq!(stated(&note), stated(&text), "{name}");
+        assert!(
+            (off - stated(&note).unwrap_or(0.0)).abs() < 1.0,
+            "{name}: {off} {note}"
+        );
+        assert_eq!(
+            stated(&note).is_some(),
+            !note.contains("as NSK"),
+            "{name}: {note}"
+        );
+        others.extend(stated(&note).map(|_| name.clone()));
+    }
+    assert!(
+        others.contains(&"16010".to_owned()) && others.len() == 22,
+        "{others:?}"
+    );
+    let full = find("16010").unwrap();
+    assert!(
+        full.source_of_balls(true)
+            .contains("28 fill the pitch circle"),
+        "{}",
+        full.source_of_balls(true)
+    );
+}
+
 /// Case Western Reserve University publishes multiples of the speed of its two bearings; they
 /// give Z and Dw/Dpw without any rating. Paderborn's 6203 has the same BPFI and BPFO.
 #[test]
@@ -164,8 +215,18 @@ fn a_case_states_where_its_balls_are_from() {
         text("6810").contains("formula") && text("6810").contains("ball_diameter_mm = 4.365625 ")
     );
     assert!(text("626").contains("with one 6") && text("626").contains("balls = 7 "));
-    assert!(find("6208").unwrap().source_of_balls().contains("as NSK"));
-    assert!(find("6810").unwrap().source_of_balls().contains("formula"));
+    assert!(
+        find("6208")
+            .unwrap()
+            .source_of_balls(false)
+            .contains("as NSK")
+    );
+    assert!(
+        find("6810")
+            .unwrap()
+            .source_of_balls(false)
+            .contains("formula")
+    );
 }
 
 /// Angular contact bearings have the boundary dimensions of deep groove ones of their size, the contact angle of
@@ -266,7 +327,7 @@ fn bore_and_outside_are_those_of_the_case() {
 /// The note on ratings by the formula names the number of balls that catalogues rate, where it is another.
 #[test]
 fn ratings_by_the_formula_are_of_the_balls_of_a_cage() {
-    let note = |name: &str| find(name).unwrap().source_of_balls();
+    let note = |name: &str| find(name).unwrap().source_of_balls(false);
     assert!(
         note("623").contains("with the 6 that a cage leaves room for"),
         "{}",

@@ -61,7 +61,6 @@ fn comments_and_order_stay() {
             "half_angle_deg = 24.06                      # θ",
             "centre_angle_deg = 0.0",
             "shape = \"quartic\"",
-            "blend_mm = 0.0",
             "depth_um = 0.0",
             "depth_error_um = 0.0",
             "inner_speed_rpm = 9000.0",
@@ -81,7 +80,6 @@ fn comments_and_order_stay() {
         [
             "centre_angle_deg = 0.0",
             "shape = \"quartic\"",
-            "blend_mm = 0.0",
             "depth_um = 0.0",
             "depth_error_um = 0.0"
         ]

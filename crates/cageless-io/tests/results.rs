@@ -6,7 +6,9 @@ use std::path::Path;
 
 use cageless::{Collision, RingSnapshot, Snapshot};
 use cageless_io::case_file::{CaseFile, template};
-use cageless_io::results::{Metadata, ResultError, RunWriter, write_atomically};
+use cageless_io::results::{
+    Metadata, ResultError, ResultFolder, RunWriter, summary_of_tables, write_atomically,
+};
 use parquet::basic::{Compression, Type};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -92,16 +94,42 @@ fn case() -> CaseFile {
     CaseFile::parse(&template(false), "template", &[]).unwrap()
 }
 
-fn writer(dir: &Path) -> Result<RunWriter, ResultError> {
-    RunWriter::create(
-        dir,
+/// A run that is written into a folder.
+#[derive(Debug)]
+struct Writing {
+    folder: ResultFolder,
+    tables: RunWriter,
+}
+
+impl Writing {
+    /// Completes the run with its summary.
+    fn finish(mut self) -> Result<(), ResultError> {
+        self.folder.add_tables(self.tables, false)?;
+        self.folder
+            .commit("summary.json", "{\n  \"schema\": 1\n}\n")
+    }
+}
+
+fn writer(dir: &Path) -> Result<Writing, ResultError> {
+    let folder = ResultFolder::open(dir)?;
+    let tables = folder.tables(
+        "",
         &Metadata {
             isa: "avx2+fma",
             case: &serde_json::to_string(case().document()).unwrap(),
             in_space: false,
         },
-    )
+    )?;
+    Ok(Writing { folder, tables })
 }
+
+/// What a run leaves.
+const FILES: [&str; 4] = [
+    "balls.parquet",
+    "collisions.parquet",
+    "ring.parquet",
+    "summary.json",
+];
 
 fn open(path: &Path) -> SerializedFileReader<File> {
     SerializedFileReader::new(File::open(path).unwrap()).unwrap()
@@ -170,24 +198,24 @@ fn tables_read_back_as_they_were_written() {
     let out = dir.path().join("deep/out");
     let mut run = writer(&out).unwrap();
     for k in 0..3 {
-        run.snapshot(&snapshot(f64::from(k) * 100.0, 14)).unwrap();
+        run.tables
+            .snapshot(&snapshot(f64::from(k) * 100.0, 14))
+            .unwrap();
     }
-    run.collision(&Collision {
-        start_s: 0.5,
-        duration_s: 45e-6,
-        ball: 13,
-        next_ball: 0,
-        angle_rad: -1.25,
-        approach_speed_m_s: 0.1,
-        peak_force_n: 77.0,
-        impulse_n_s: 3e-3,
-    })
-    .unwrap();
+    run.tables
+        .collision(&Collision {
+            start_s: 0.5,
+            duration_s: 45e-6,
+            ball: 13,
+            next_ball: 0,
+            angle_rad: -1.25,
+            approach_speed_m_s: 0.1,
+            peak_force_n: 77.0,
+            impulse_n_s: 3e-3,
+        })
+        .unwrap();
     run.finish().unwrap();
-    assert_eq!(
-        files(&out),
-        ["balls.parquet", "collisions.parquet", "ring.parquet"]
-    );
+    assert_eq!(files(&out), FILES);
 
     for (file, names) in [
         ("balls", BALL_COLUMNS),
@@ -268,7 +296,7 @@ fn a_long_run_goes_to_disk_in_groups_of_rows() {
     let mut run = writer(dir.path()).unwrap();
     let snapshots = 16_000;
     for k in 0..snapshots {
-        run.snapshot(&snapshot(f64::from(k), 14)).unwrap();
+        run.tables.snapshot(&snapshot(f64::from(k), 14)).unwrap();
     }
     let partial = dir.path().join(".balls.parquet.partial");
     assert!(std::fs::metadata(partial).unwrap().len() > 1_000_000);
@@ -305,54 +333,153 @@ fn a_run_without_rows_leaves_tables_that_can_be_read() {
 fn an_unfinished_run_leaves_the_earlier_one_alone() {
     let dir = tempfile::tempdir().unwrap();
     let mut run = writer(dir.path()).unwrap();
-    run.snapshot(&snapshot(1.0, 3)).unwrap();
+    run.tables.snapshot(&snapshot(1.0, 3)).unwrap();
     run.finish().unwrap();
 
     let mut run = writer(dir.path()).unwrap();
-    run.snapshot(&snapshot(2.0, 3)).unwrap();
+    run.tables.snapshot(&snapshot(2.0, 3)).unwrap();
     assert!(files(dir.path()).contains(&".ring.parquet.partial".to_owned()));
     // A second run in the same folder would mix its rows with ours.
     let error = writer(dir.path()).unwrap_err();
     assert!(matches!(error, ResultError::Busy { .. }), "{error}");
     drop(run);
-    assert_eq!(
-        files(dir.path()),
-        ["balls.parquet", "collisions.parquet", "ring.parquet"]
-    );
+    assert_eq!(files(dir.path()), FILES);
     assert_eq!(rows(&open(&dir.path().join("ring.parquet")))[0][0], 1.0);
 
     // What a killed run left is taken over.
     std::fs::write(dir.path().join(".ring.parquet.partial"), vec![b'x'; 5000]).unwrap();
     let mut run = writer(dir.path()).unwrap();
-    run.snapshot(&snapshot(3.0, 3)).unwrap();
+    run.tables.snapshot(&snapshot(3.0, 3)).unwrap();
     run.finish().unwrap();
     assert_eq!(rows(&open(&dir.path().join("ring.parquet")))[0][0], 3.0);
 }
 
-/// One table cannot take its name: it is named, and nothing says that the others are of the
-/// run that the summary was of.
+/// A table cannot take its name: it is named, and the result before stays.
 #[test]
-fn tables_of_two_runs_never_look_complete() {
+fn a_name_that_is_taken_leaves_the_folder_as_it_was() {
     let dir = tempfile::tempdir().unwrap();
-    let about = ["summary.json", "report.html", "report.json"];
     let mut run = writer(dir.path()).unwrap();
-    run.snapshot(&snapshot(1.0, 3)).unwrap();
+    run.tables.snapshot(&snapshot(1.0, 3)).unwrap();
     run.finish().unwrap();
-    for name in about {
-        std::fs::write(dir.path().join(name), "of the first run").unwrap();
-    }
     let mut run = writer(dir.path()).unwrap();
-    run.snapshot(&snapshot(2.0, 3)).unwrap();
+    run.tables.snapshot(&snapshot(2.0, 3)).unwrap();
     let ring = dir.path().join("ring.parquet");
     std::fs::remove_file(&ring).unwrap();
     std::fs::create_dir_all(ring.join("full")).unwrap();
     let message = run.finish().unwrap_err().to_string();
     assert!(message.contains("ring.parquet: "), "{message}");
     assert!(!message.contains("balls.parquet"), "{message}");
-    assert!(message.contains("are not of one run"), "{message}");
+    assert!(message.contains("is as it was"), "{message}");
+    assert_eq!(files(dir.path()), FILES);
+    assert_eq!(rows(&open(&dir.path().join("balls.parquet")))[0][0], 1.0);
+}
+
+/// The summary lists the checksums of its tables, and is refused beside others.
+#[test]
+fn tables_belong_to_their_summary() {
+    let dir = tempfile::tempdir().unwrap();
+    let [one, other] = ["one", "other"].map(|name| dir.path().join(name));
+    for (out, time) in [(&one, 1.0), (&other, 2.0)] {
+        let mut run = writer(out).unwrap();
+        run.tables.snapshot(&snapshot(time, 3)).unwrap();
+        run.finish().unwrap();
+    }
+    let read = |dir: &Path| {
+        let text = std::fs::read_to_string(dir.join("summary.json")).unwrap();
+        summary_of_tables(dir, &text, &[String::new()])
+    };
+    assert_eq!(read(&one).unwrap(), "{\n  \"schema\": 1\n}\n");
+    let balls = footer(&open(&one.join("balls.parquet")))["file_crc32"].clone();
+    let summary = std::fs::read_to_string(one.join("summary.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(json["tables"]["balls.parquet"], balls.as_str());
+    for name in ["balls.parquet", "ring.parquet", "rotor.parquet"] {
+        let path = one.join(name);
+        let before = std::fs::read(&path).ok();
+        std::fs::copy(other.join("ring.parquet"), &path).unwrap();
+        let message = read(&one).unwrap_err().to_string();
+        for said in [
+            &*path.to_string_lossy(),
+            "summary.json",
+            "is of another computation",
+        ] {
+            assert!(message.contains(said), "{message}");
+        }
+        match before {
+            Some(bytes) => std::fs::write(&path, bytes).unwrap(),
+            None => std::fs::remove_file(&path).unwrap(),
+        }
+    }
+    read(&one).unwrap();
+    std::fs::remove_file(one.join("collisions.parquet")).unwrap();
+    let message = read(&one).unwrap_err().to_string();
+    assert!(
+        message.contains("collisions.parquet: cannot be read"),
+        "{message}"
+    );
+    std::fs::write(one.join("summary.json"), "{}").unwrap();
+    let message = read(&one).unwrap_err().to_string();
+    assert!(message.contains("lacks `tables`"), "{message}");
+}
+
+/// Results of more bearings, and of a run, go with what is said about them; what is a result of its own stays.
+#[test]
+fn tables_of_an_earlier_result_go() {
+    let dir = tempfile::tempdir().unwrap();
+    let metadata = Metadata {
+        isa: "avx2+fma",
+        case: "{}",
+        in_space: false,
+    };
+    let write = |places: &[&str]| {
+        let mut folder = ResultFolder::open(dir.path()).unwrap();
+        for place in places {
+            let tables = folder.tables(place, &metadata).unwrap();
+            folder.add_tables(tables, true).unwrap();
+        }
+        folder
+            .commit("summary.json", "{\n  \"schema\": 1\n}\n")
+            .unwrap();
+    };
+    write(&[""]);
+    let left = files(dir.path());
+    assert!(left.contains(&"balls.csv".to_owned()), "{left:?}");
+    std::fs::write(dir.path().join("report.json"), "").unwrap();
+    write(&["bearing-1", "bearing-2", "bearing-3"]);
+    let bearings = ["bearing-1", "bearing-2", "bearing-3", "summary.json"];
+    assert_eq!(files(dir.path()), bearings);
+    std::fs::write(dir.path().join("bearing-2/mine.txt"), "").unwrap();
+    std::fs::write(dir.path().join("bearing-3/summary.json"), "of its own").unwrap();
+    std::fs::write(dir.path().join("bearing-1/.ring.csv.partial"), "half").unwrap();
+    write(&["bearing-1"]);
+    assert_eq!(files(dir.path()), bearings);
+    assert_eq!(files(&dir.path().join("bearing-1")).len(), 6);
+    assert_eq!(files(&dir.path().join("bearing-2")), ["mine.txt"]);
+    assert_eq!(files(&dir.path().join("bearing-3")).len(), 7);
+}
+
+/// What killed processes left goes with the next result; what is in use or nobody's stays.
+#[test]
+fn half_written_files_of_killed_processes_go() {
+    let dir = tempfile::tempdir().unwrap();
+    for name in [
+        ".balls.parquet.partial",
+        ".report.html.partial",
+        ".film.mkv.partial",
+    ] {
+        std::fs::write(dir.path().join(name), "half").unwrap();
+    }
+    let used = dir.path().join(".a.csv.partial");
+    let file = cageless_io::open_locked(&used).unwrap().unwrap();
+    let mut folder = ResultFolder::open(dir.path()).unwrap();
+    let busy = ResultFolder::open(dir.path()).unwrap_err();
+    assert!(matches!(busy, ResultError::Busy { .. }), "{busy}");
+    folder.add("b.csv", b"x").unwrap();
+    folder.commit_files().unwrap();
+    drop((folder, file));
     assert_eq!(
         files(dir.path()),
-        ["balls.parquet", "collisions.parquet", "ring.parquet"]
+        [".a.csv.partial", ".film.mkv.partial", "b.csv"]
     );
 }
 
@@ -383,7 +510,7 @@ fn a_ragged_snapshot_is_refused() {
     let mut run = writer(dir.path()).unwrap();
     let mut s = snapshot(1.0, 3);
     s.gap_rad.pop();
-    let message = run.snapshot(&s).unwrap_err().to_string();
+    let message = run.tables.snapshot(&s).unwrap_err().to_string();
     assert!(message.contains("1 s"), "{message}");
 }
 

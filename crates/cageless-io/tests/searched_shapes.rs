@@ -1,6 +1,6 @@
 //! Shapes that a search is asked for.
 
-use cageless::{Raceway, RacewayForm, RacewayShape};
+use cageless::{Ends, Raceway, RacewayForm, RacewayShape};
 use cageless_io::case_file::{CaseFile, template};
 
 /// All shapes of a search: slots where their edges are given, every other one without edges.
@@ -28,13 +28,16 @@ fn a_search_tries_slots_with_the_edges_that_it_is_given() {
     let with_slots = forms(&given);
     assert_eq!(names(&with_slots)[..4], own);
     for form in &with_slots[..4] {
-        assert_eq!([form.blend_m, form.edge_radius_m], [0.5e-3, 0.0]);
+        assert_eq!(
+            (form.ends, form.edge_radius_m),
+            (Ends::Blended(0.5e-3), 0.0)
+        );
     }
     let [slot] = &with_slots[4..] else {
         panic!("{with_slots:?}")
     };
     assert_eq!(slot.shape, RacewayShape::Slot);
-    assert_eq!([slot.blend_m, slot.edge_radius_m], [0.0, 0.4e-3]);
+    assert_eq!((slot.ends, slot.edge_radius_m), (Ends::default(), 0.4e-3));
     let of_slot = forms(&["raceway.shape=slot", "raceway.edge_radius_mm=0.3"]);
     assert_eq!(
         names(&of_slot),

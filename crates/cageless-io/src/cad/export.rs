@@ -5,18 +5,15 @@ use std::path::Path;
 
 use super::format::Format;
 use super::numbers::{ExportNumbers, RingFile};
+use super::part21::{DateError, now};
 use super::{points, step, stl};
 use crate::OptionError;
 use crate::case_file::{CaseError, CaseFile};
 use crate::results::{PartialFile, ResultError};
 use cageless::error::Allowed;
 use cageless::surface::OuterRing;
-use cageless::{Case, Formulation, InputError, Raceway};
+use cageless::{Case, Ends, Formulation, InputError, Raceway};
 
-/// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
-const BLEND_MM: f64 = 0.5;
-/// Share of half a raceway that the default blend takes at most.
-const BLEND_FRACTION: f64 = 0.2;
 const TOLERANCE_UM: f64 = 0.01;
 /// Finer is below the rounding of coordinates, coarser no longer a STEP of precision.
 const TOLERANCE_RANGE_UM: [f64; 2] = [1e-4, 1.0];
@@ -67,6 +64,9 @@ pub enum ExportError {
         /// Value requested.
         given: Format,
     },
+    /// The date that the environment gives files is not one.
+    #[error(transparent)]
+    Date(#[from] DateError),
 }
 
 /// The outer ring, ready to be written as a file.
@@ -92,15 +92,24 @@ impl Export {
     /// # Errors
     /// The file cannot be written.
     pub fn write_file(&self, path: &Path) -> Result<ExportNumbers, ResultError> {
+        let (file, numbers) = self.write_partial(path)?;
+        file.commit()?;
+        Ok(numbers)
+    }
+
+    /// Writes the file that is to be at `path`, which lacks only its name then, and returns its numbers.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write_partial(&self, path: &Path) -> Result<(PartialFile, ExportNumbers), ResultError> {
         let mut file = PartialFile::create(path)?;
         let written = self.write(&mut file);
         let mut numbers = written.map_err(|source| ResultError::Out {
             path: path.to_owned(),
             source,
         })?;
-        file.commit()?;
         numbers.file = Some(path.display().to_string());
-        Ok(numbers)
+        Ok((file, numbers))
     }
 
     /// Writes the file and returns its numbers.
@@ -200,14 +209,16 @@ pub fn export(
 /// Raceways without a blend of their own that could have one.
 fn kinked(case: &Case) -> impl Iterator<Item = &Raceway> {
     let raceways = case.raceways.iter();
-    raceways.filter(|raceway| raceway.form().blend_m == 0.0 && raceway.slot().is_none())
+    raceways.filter(|raceway| raceway.blend_m() == 0.0 && raceway.slot().is_none())
 }
 
 fn default_blend_mm(case: &Case) -> f64 {
     let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
-    kinked(case)
-        .map(|raceway| BLEND_FRACTION * raceway.half_angle_rad() * bottom_m * 1e3)
-        .fold(BLEND_MM, f64::min)
+    let half_spans_m = kinked(case).map(|raceway| raceway.half_angle_rad() * bottom_m);
+    let blends_m = half_spans_m
+        .chain([f64::INFINITY])
+        .map(|half| Ends::Machined.blend_m(half));
+    blends_m.fold(f64::INFINITY, f64::min) * 1e3
 }
 
 /// A sentence about the blend that an export adds to the raceways of a case unless told otherwise, and that
@@ -235,7 +246,7 @@ fn not_simulated(case: &Case, blend_mm: f64) -> Option<String> {
 fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
     let case = file.case();
     if let Some(mm) = options.blend_mm
-        && case.raceways.iter().any(|r| r.form().blend_m > 0.0)
+        && case.raceways.iter().any(|r| r.blend_m() > 0.0)
     {
         let allowed = "left out, the case has its own, raceway.blend_mm";
         return Err(OptionError::not_possible("blend_mm", plain(mm), allowed).into());
@@ -261,18 +272,22 @@ fn contents(
         Format::Step => {
             let tolerance_um = options.tolerance_um.unwrap_or(TOLERANCE_UM);
             within("tolerance_um", tolerance_um, TOLERANCE_RANGE_UM, "µm")?;
+            if options.blend_mm == Some(0.0) {
+                blend_where_needed(file.case())?;
+            }
             let title = match file.case().title.as_str() {
                 "" => "outer ring",
                 title => title,
             };
-            let step = step::write(ring, title, tolerance_um).map_err(|error| OptionError {
-                option: "tolerance_um",
-                value: tolerance_um.to_string(),
-                problem: format!(
-                    "is out of reach: the finest B-spline is still {:.3e} µm off the surface",
-                    error.reached_m * 1e6
-                ),
-            })?;
+            let step =
+                step::write(ring, title, tolerance_um, &now()?).map_err(|error| OptionError {
+                    option: "tolerance_um",
+                    value: tolerance_um.to_string(),
+                    problem: format!(
+                        "is out of reach: the finest B-spline is still {:.3e} µm off the surface",
+                        error.reached_m * 1e6
+                    ),
+                })?;
             Ok(Contents::Whole(step))
         }
         Format::Stl => {
@@ -287,6 +302,19 @@ fn contents(
             Ok(Contents::Points { spacing_mm })
         }
     }
+}
+
+/// Refuses raceways without a blend whose ends no smooth surface follows.
+fn blend_where_needed(case: &Case) -> Result<(), OptionError> {
+    if !kinked(case).any(Raceway::is_designed_at_right_angle) {
+        return Ok(());
+    }
+    let allowed = format!(
+        "more than 0 mm for STEP, such as {}: raceways of this shape end at a right angle, which a B-spline \
+         does not follow",
+        plain(default_blend_mm(case))
+    );
+    Err(OptionError::not_possible("blend_mm", plain(0.0), &allowed))
 }
 
 fn within(

@@ -15,3 +15,4 @@ mod stl;
 pub use export::{Export, ExportError, ExportOptions, blend_not_simulated, export, names_file};
 pub use format::Format;
 pub use numbers::{Counts, ExportNumbers, SlotNumbers};
+pub use part21::DateError;

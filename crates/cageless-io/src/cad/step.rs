@@ -16,7 +16,7 @@ const MM: f64 = 1e3;
 const UNCERTAINTY_MM: f64 = 1e-5;
 
 /// The ring as a solid: B-splines within `tolerance_um` for discrete raceways, exact
-/// tori, cylinders and planes for the rest, ASCII. The same ring gives the same bytes.
+/// tori, cylinders and planes for the rest, ASCII. The same ring and date give the same bytes.
 ///
 /// # Errors
 /// A [`PatchError`] if the tolerance is out of reach.
@@ -24,6 +24,7 @@ pub(super) fn write(
     ring: &OuterRing,
     name: &str,
     tolerance_um: f64,
+    date: &str,
 ) -> Result<RingFile, PatchError> {
     let solid = Solid::new(ring, tolerance_um * 1e-6)?;
     let mut data = Part21::default();
@@ -41,7 +42,7 @@ pub(super) fn write(
         bytes: format!(
             "ISO-10303-21;\nHEADER;\n\
              FILE_DESCRIPTION(('Outer ring of a ball bearing'),'2;1');\n\
-             FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'Cageless {VERSION}','Cageless {VERSION}','');\n\
+             FILE_NAME({name},'{date}',(''),(''),'Cageless {VERSION}','Cageless {VERSION}','');\n\
              FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\n\
              ENDSEC;\nDATA;\n{}ENDSEC;\nEND-ISO-10303-21;\n",
             data.text()

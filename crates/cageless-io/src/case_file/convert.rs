@@ -5,16 +5,19 @@ mod material;
 mod operation;
 mod search;
 mod start;
+mod steady;
 
 use cageless::design::search::Request;
 use cageless::rotor::SupportStop;
+use cageless::steady::SteadyOperation;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
 use cageless::{
-    Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Row, Solver, Support,
+    Bearing, Case, Ends, FlankModel, FrictionParameters, InputError, Raceway, RacewayDimensions,
+    RacewayForm, Row, Solver, Support,
 };
 
-use cageless_results::{DROP, Kind, SUCCESSION};
+use cageless_results::{DROP, Kind, Quantity, SUCCESSION};
 
 use super::converter::Converter;
 use super::document::CaseDocument;
@@ -33,16 +36,49 @@ const NO_STEP_S: f64 = 1e-12;
 /// Step of a case whose step is still to be chosen.
 const PROVISIONAL_STEP_S: f64 = 1e-6;
 
+/// Key of the regularisation speed of the balls, which follows from the rolling speed unless given.
+pub(super) const REGULARISATION: &str = "contact.regularisation_speed_m_s";
+/// That of a case whose regularisation speed is still to be chosen, and of drops, in which balls slide.
+const PROVISIONAL_SPEED_M_S: f64 = 0.02;
+
 /// A check of a case.
 pub(super) type Check = fn(&Case) -> Result<(), InputError>;
 
+/// A document with the keys that its sections need.
+pub(super) fn completed(document: &CaseDocument) -> CaseDocument {
+    let mut completed = document.clone();
+    if !completed.has(REGULARISATION) {
+        completed.set(REGULARISATION, PROVISIONAL_SPEED_M_S);
+    }
+    completed
+}
+
+/// What a document asks for.
+pub(super) struct Converted {
+    /// The case.
+    pub case: Case,
+    /// The request of its search.
+    pub search: Request,
+    /// Its steady operation.
+    pub steady: SteadyOperation,
+}
+
 /// Converts and checks, with `check` as last word on the case.
-pub(super) fn case(document: &CaseDocument, check: Check) -> Result<(Case, Request), CaseError> {
-    let sections = &CaseSections::read(&document.tree)?;
-    let converter = Converter { sections, document };
+pub(super) fn converted(document: &CaseDocument, check: Check) -> Result<Converted, CaseError> {
+    let regularised = document.has(REGULARISATION);
+    let completed = completed(document);
+    let sections = &CaseSections::read(&completed.tree)?;
+    let converter = Converter {
+        sections,
+        document: &completed,
+        regularised,
+    };
     let case = converter.case(check)?;
-    let search = converter.search(&case)?;
-    Ok((case, search))
+    Ok(Converted {
+        search: converter.search(&case)?,
+        steady: converter.steady()?,
+        case,
+    })
 }
 
 impl Converter<'_> {
@@ -69,6 +105,7 @@ impl Converter<'_> {
                 step_s: s.solver.step_s.0.unwrap_or(PROVISIONAL_STEP_S),
                 tolerance: s.solver.tolerance,
                 duration_s: s.solver.duration_s,
+                transient_s: s.solver.transient_s,
             },
             seed: s.solver.seed,
             housing: s.housing.clone(),
@@ -77,10 +114,16 @@ impl Converter<'_> {
             rows,
             fit,
             lubrication: s.lubrication.clone(),
-            thermal: s.thermal.clone().unwrap_or_default(),
+            thermal: self.thermal(),
             limits: self.limits()?,
             output: s.output.clone(),
         };
+        if !self.regularised && case.rotor.is_none() {
+            let rolling_m_s =
+                case.rolling_orbit_speed_rad_s().abs() * case.bearing.pitch_radius_m();
+            case.contact.friction.regularisation_speed_m_s =
+                FrictionParameters::regularisation_of_rolling_m_s(rolling_m_s);
+        }
         let automatic = s.solver.step_s.0.is_none();
         if automatic {
             let step_s = StepLimits::new(&case).automatic_s(case.solver.method);
@@ -121,8 +164,8 @@ impl Converter<'_> {
                 let [change, left, most] =
                     [change_m, row.preload_m, most_m].map(|m| Micrometre.of_si(m));
                 let message = format!(
-                    "[fit] changes the preload of row {} by {change:.2} um to {left:.2} um: it must be \
-                     from 0 to {most:.2} um (preload_um, which two opposed rows may share between them)",
+                    "[fit] changes the preload of row {} by {change:.2} µm to {left:.2} µm: it must be \
+                     from 0 to {most:.2} µm (preload_um, which two opposed rows may share between them)",
                     index + 1
                 );
                 return Err(self.document.tree.error("fit", message));
@@ -156,12 +199,16 @@ impl Converter<'_> {
 
     /// The discrete raceways.
     fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, CaseError> {
+        let unless_given = match self.sections.model.flanks {
+            FlankModel::Elastic => Ends::Machined,
+            FlankModel::Rigid => Ends::default(),
+        };
         let raceways = self.sections.raceway.iter().enumerate();
         let raceways = raceways.map(|(index, raceway)| {
             let section = nth("raceway", index, self.sections.raceway.len());
             let mut form = RacewayForm {
                 shape: raceway.shape,
-                blend_m: raceway.blend_m,
+                ends: raceway.blend_m.map_or(unless_given, Ends::Blended),
                 depth_m: raceway.depth_m,
                 edge_radius_m: raceway.edge_radius_m.unwrap_or(0.0),
                 slot_depth_m: raceway.slot_depth_m,
@@ -208,6 +255,15 @@ impl Converter<'_> {
             if limit.source.trim().is_empty() {
                 let path = join(&nth("limit", index, limits.len()), "source");
                 return Err(self.refuse(&path, "whose limit it is, which the verdict names"));
+            }
+            let found = DROP
+                .iter()
+                .chain(SUCCESSION)
+                .find(|q| q.name == limit.result);
+            if limit.value < 0.0 && found.is_some_and(Quantity::is_limited_in_magnitude) {
+                let path = join(&nth("limit", index, limits.len()), "value");
+                let allowed = "0 or more: the most that this result may be in magnitude";
+                return Err(self.refuse(&path, allowed));
             }
             if names().any(|name| name == limit.result) {
                 continue;

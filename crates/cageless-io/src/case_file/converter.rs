@@ -15,6 +15,8 @@ use super::{keys, messages};
 pub(crate) struct Converter<'a> {
     pub sections: &'a CaseSections,
     pub document: &'a CaseDocument,
+    /// Whether the file gives the regularisation speed of the balls.
+    pub regularised: bool,
 }
 
 impl Converter<'_> {

@@ -220,6 +220,12 @@ impl Serialize for CaseDocument {
     }
 }
 
+/// Whether the sections of a name are a list, also where there is only one.
+fn is_list(name: &str) -> bool {
+    let mut sections = CASE_FILE.sections.iter();
+    name != "raceway" && sections.any(|section| section.name == name && section.several)
+}
+
 /// Keys and values as a map.
 struct Keys<'a>(&'a SectionValues);
 
@@ -251,7 +257,7 @@ impl Serialize for Without<'_> {
             }
             match each.as_slice() {
                 [] => {}
-                [one] => map.serialize_entry(name, &Keys(one))?,
+                [one] if !is_list(name) => map.serialize_entry(name, &Keys(one))?,
                 several => {
                     let several: Vec<_> = several.iter().map(Keys).collect();
                     map.serialize_entry(name, &several)?;

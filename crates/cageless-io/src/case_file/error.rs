@@ -1,5 +1,7 @@
 //! The one message that a bad case file ends in.
 
+use crate::terminal::bounded;
+
 /// Error of a case file: place, key, given value and what is
 /// allowed, in the unit of the file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -31,7 +33,7 @@ impl CaseError {
             place: name.to_owned(),
             line: None,
             key: None,
-            message,
+            message: bounded(message),
         }
     }
 
@@ -46,7 +48,7 @@ impl CaseError {
             place,
             line,
             key,
-            message,
+            message: bounded(message),
         }
     }
 
@@ -54,7 +56,7 @@ impl CaseError {
     pub(crate) fn of_override(text: &str, key: Option<String>, message: String) -> Self {
         Self {
             key,
-            ..Self::of_file(&format!("{OPTION}{text}"), message)
+            ..Self::of_file(&bounded(format!("{OPTION}{text}")), message)
         }
     }
 

@@ -87,7 +87,7 @@ field!([f64; 2], Kind::Range, |reader, name, node| {
 field!(Step, Kind::NumberOr(&["auto"]), |reader, name, node| {
     match &node.value {
         Value::Text(text) if text == "auto" => Ok(Self(None)),
-        Value::Text(_) => Err(reader.refuse(name, node, "\"auto\" or a number of us")),
+        Value::Text(_) => Err(reader.refuse(name, node, "\"auto\" or a number of µs")),
         _ => Ok(Self(Some(reader.number(name, node)?))),
     }
 });
@@ -95,7 +95,7 @@ field!(Step, Kind::NumberOr(&["auto"]), |reader, name, node| {
 const GAPS: Kind = Kind::NumbersOr(&["uniform", "bunched", "random"]);
 
 field!(GivenGaps, GAPS, |reader, name, node| {
-    let allowed = "\"uniform\", \"bunched\", \"random\" or a list of gaps in deg";
+    let allowed = "\"uniform\", \"bunched\", \"random\" or a list of gaps in °";
     let text = match &node.value {
         Value::List(_) => return Ok(Self::List(reader.list(name, node)?)),
         Value::Text(text) => text.as_str(),
@@ -147,7 +147,7 @@ field!(FrictionTable, Kind::Rows(FRICTION), |reader, name, node| {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FlankRows(pub Vec<[f64; 2]>);
 
-const FLANK: &str = "[ψ in deg, flank angle in deg]";
+const FLANK: &str = "[ψ in °, flank angle in °]";
 
 field!(FlankRows, Kind::Rows(FLANK), |reader, name, node| {
     let rows = pairs(reader, name, node, FLANK)?.into_iter();

@@ -7,7 +7,7 @@ use super::reader::Reader;
 use super::spanned_toml::{Node, Section, Tree, Value, join, nth};
 
 /// The only schema of every format so far.
-pub(crate) const SCHEMA: u64 = 1;
+pub const SCHEMA: u64 = 1;
 
 /// A file format.
 #[derive(Debug)]
@@ -355,11 +355,15 @@ impl Tree {
 /// The candidate that `given` was most likely meant to be.
 pub fn nearest<'a>(given: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     // A third of the letters wrong is no longer a slip of the pen, nor are two of three.
-    let most = match given.chars().count() {
+    let length = given.chars().count();
+    let most = match length {
         0..=3 => 1,
         count => (count / 3).max(2),
     };
+    // A name may be as long as the file.
+    let is_near = |c: &&str| c.chars().count().abs_diff(length) <= most;
     candidates
+        .filter(is_near)
         .map(|c| (strsim::damerau_levenshtein(&given.to_lowercase(), c), c))
         .filter(|&(distance, _)| distance <= most)
         .min()

@@ -7,7 +7,8 @@ use super::error::CaseError;
 use super::former;
 use super::key::{Key, Presence};
 use super::keys;
-use super::spanned_toml::{Node, Origin, Section, Value, excerpt, join};
+use super::spanned_toml::{Node, Origin, Section, Value, join};
+use crate::text_file::excerpt;
 
 /// Parses a document.
 pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
@@ -17,7 +18,7 @@ pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     })?;
     if json.get("bearings").is_some_and(Json::is_array) {
         let why = "has the results of a rotor on several bearings and their cases, not the rotor itself: \
-                   give the rotor file, with the same --set";
+                   give the rotor file, or the rotor.toml of the same folder";
         return Err(CaseError::of_file(name, why.to_owned()));
     }
     let case = match json.get("case") {
@@ -66,5 +67,5 @@ fn node(json: &Json, path: &str) -> Node {
         Json::Null | Json::Bool(_) => Value::Other,
     };
     let written = json.to_string();
-    Node::new(value, Origin::File, excerpt(&written, 0..written.len()))
+    Node::new(value, Origin::File, excerpt(&written))
 }

@@ -153,13 +153,13 @@ pub struct Key {
 
 impl Key {
     /// Unit as it is printed; empty if there is none.
-    pub fn unit(&self) -> &'static str {
+    pub fn unit(&self) -> String {
         self.unit.printed()
     }
 
     /// Meaning of the key, with its unit.
     pub(crate) fn describe(&self) -> String {
-        match self.unit.symbol() {
+        match self.unit().as_str() {
             "" => self.meaning.to_owned(),
             unit => format!("{}, in {unit}", self.meaning),
         }

@@ -60,18 +60,18 @@ pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> String {
     };
     if gaps.len() != n {
         return format!(
-            "a list of {n} gaps in deg, one per ball; these are {}",
+            "a list of {n} gaps in °, one per ball; these are {}",
             gaps.len()
         );
     }
     if let Some((k, gap)) = gaps.iter().enumerate().find(|(_, gap)| **gap < 0.0) {
         return format!(
-            "0 deg or more each, balls cannot overlap; gap {} is {gap}",
+            "0° or more each, balls cannot overlap; gap {} is {gap}",
             k + 1
         );
     }
     format!(
-        "gaps that add up to {:.4} deg, which is 360 - {n} ε (Zhao 2022, Eq. (10)); these add up \
+        "gaps that add up to {:.4}°, which is 360 - {n} ε (Zhao 2022, Eq. (10)); these add up \
          to {:.4}",
         n as f64 * Unit::Degree.of_si(bearing.nominal_gap_rad()),
         gaps.iter().sum::<f64>()
@@ -118,7 +118,7 @@ pub(super) fn origin_of(
 pub(super) fn ring(bearing: &Bearing) -> String {
     let most = 0.5 * bearing.radial_internal_clearance_m() + 0.1 * bearing.ball_radius_m();
     let most = round(Unit::Micrometre.of_si(most), Side::Upper);
-    format!("between -{most} um and {most} um (the clearance and a tenth of the ball's radius)")
+    format!("between -{most} µm and {most} µm (the clearance and a tenth of the ball's radius)")
 }
 
 /// The first raceway that overlaps one before it, and how far apart they must be.

@@ -18,6 +18,7 @@ pub(crate) mod error;
 mod fields;
 pub(crate) mod format;
 pub(crate) mod former;
+mod heat;
 mod json;
 pub(crate) mod key;
 pub(crate) mod keys;
@@ -28,6 +29,7 @@ pub(crate) mod overrides;
 pub(crate) mod read;
 pub(crate) mod reader;
 mod reference;
+mod resting;
 mod ring;
 pub(crate) mod sections;
 mod source;
@@ -40,19 +42,20 @@ use std::path::Path;
 
 pub use document::{CaseDocument, SectionValues};
 pub use error::CaseError;
-pub use format::{SectionTable, nearest};
+pub use format::{SCHEMA, SectionTable, nearest};
 pub use former::on_former_name;
 pub use key::{Key, Kind, Presence};
 pub use keys::{is_spatial, missing_rotor};
 pub use overrides::Change;
 pub use reference::{RangeEnd, reference};
 pub use sections::bearing::Assumption;
-pub use sections::material::MaterialPreset;
+pub use sections::material::{MaterialHeat, MaterialPreset};
 pub(crate) use source::read_named;
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
 use cageless::design::search::{Request, uneven_gaps_rad};
+use cageless::steady::{SteadyDraw, SteadyOperation};
 use cageless::step_limits;
 use convert::Check;
 use spanned_toml::{Origin, join, nth};
@@ -63,6 +66,7 @@ use unit::Unit;
 pub struct CaseFile {
     case: cageless::Case,
     search: Request,
+    steady: SteadyOperation,
     document: CaseDocument,
     defaults: Vec<String>,
     /// The text that was read; `None` of a document that was made by other means.
@@ -119,10 +123,15 @@ impl CaseFile {
 
     fn checked_by(mut document: CaseDocument, check: Check) -> Result<Self, CaseError> {
         let defaults = read::complete(&mut document)?;
-        let (case, search) = convert::case(&document, check)?;
+        let convert::Converted {
+            case,
+            search,
+            steady,
+        } = convert::converted(&document, check)?;
         Ok(Self {
             case,
             search,
+            steady,
             document,
             defaults,
             text: None,
@@ -143,6 +152,14 @@ impl CaseFile {
             defaults: Vec::new(),
             ..Self::of(document)?
         })
+    }
+
+    /// The case, of which is a default what is one in `other` with the same value.
+    #[cfg(feature = "files")]
+    pub(crate) fn with_defaults_of(mut self, other: &Self) -> Self {
+        let same = |key: &&String| self.value(key) == other.value(key);
+        self.defaults = other.defaults.iter().filter(same).cloned().collect();
+        self
     }
 
     /// The case in SI units.
@@ -211,6 +228,12 @@ impl CaseFile {
         for (index, raceway) in raceways.iter().enumerate() {
             let section = nth("raceway", index, raceways.len());
             let d = raceway.dimensions();
+            if raceway.slot().is_none() {
+                let blend_mm = Unit::Millimetre.of_si(raceway.blend_m());
+                document
+                    .tree
+                    .set_missing(&join(&section, "blend_mm"), blend_mm);
+            }
             for (key, value) in [
                 ("axial_span_mm", Unit::Millimetre.of_si(d.axial_span_m)),
                 ("half_angle_deg", Unit::Degree.of_si(d.half_angle_rad)),
@@ -218,6 +241,8 @@ impl CaseFile {
                 document.tree.set_missing(&join(&section, key), value);
             }
         }
+        let knee_m_s = self.case.contact.friction.regularisation_speed_m_s;
+        document.tree.set_missing(convert::REGULARISATION, knee_m_s);
         if self.has_automatic_step() {
             // Steps are chosen in decimals of a microsecond; the product has rounding in it.
             let step_us = (self.case.solver.step_s * 1e15).round() / 1e9;
@@ -245,6 +270,65 @@ impl CaseFile {
         self.with_document(document)
     }
 
+    /// Steady operation of `[steady]`; without the section, the default.
+    pub fn steady(&self) -> &SteadyOperation {
+        &self.steady
+    }
+
+    /// The case with the balls and the start of one draw of its steady operation, for as long.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the case cannot start so.
+    pub fn with_draw(&self, seed: u64, draw: u64) -> Result<Self, CaseError> {
+        let SteadyDraw {
+            deviations_m,
+            gaps_rad,
+            lead_ball_angle_rad,
+        } = self.steady.draw(&self.case, seed, draw);
+        let list = |values: Vec<f64>, unit: Unit| {
+            CaseValue::Numbers(values.into_iter().map(|v| unit.of_si(v)).collect())
+        };
+        let mut document = self.document.clone();
+        document.set(
+            "bearing.ball_radius_deviation_um",
+            list(deviations_m, Unit::Micrometre),
+        );
+        document.set("start.gaps", list(gaps_rad, Unit::Degree));
+        document.set(
+            "start.lead_ball_angle_deg",
+            Unit::Degree.of_si(lead_ball_angle_rad),
+        );
+        document.set("solver.duration_s", self.steady.duration_s(&self.case));
+        document.set("solver.transient_s", self.steady.transient_s(&self.case));
+        self.with_document(document)
+    }
+
+    /// The case with the simulated time of another, without a transient of its own.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the case cannot be so.
+    pub fn for_as_long_as(&self, other: &Self) -> Result<Self, CaseError> {
+        let mut document = self.document.clone();
+        document.set("solver.duration_s", other.case.solver.duration_s);
+        document.remove("solver.transient_s");
+        self.with_document(document)
+    }
+
+    /// The case with another number of balls in a row, without what depends on it.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the bearing does not take them.
+    pub fn with_balls(&self, balls: usize) -> Result<Self, CaseError> {
+        let mut document = self.document.clone();
+        document.set("bearing.balls", balls as i64);
+        if let Some(given) = self.case.bearing.ball_radius_deviations_m().get(..balls) {
+            let um = given.iter().map(|v| Unit::Micrometre.of_si(*v)).collect();
+            document.set("bearing.ball_radius_deviation_um", CaseValue::Numbers(um));
+        }
+        document.remove("start.gaps");
+        self.with_document(document)
+    }
+
     /// The case with a conventional outer ring, without discrete raceways, and the step of this
     /// one.
     ///
@@ -256,11 +340,18 @@ impl CaseFile {
         self.with_document(document)
     }
 
-    /// The case without its raceways and what does not change the motion: equal for two cases that
-    /// differ in nothing but the raceway.
-    pub fn apart_from_raceway(&self) -> CaseDocument {
+    /// The case without its raceways, the number of its balls and what does not change the motion: equal for two
+    /// cases that differ in nothing but these.
+    pub fn apart_from_remedies(&self) -> CaseDocument {
         let mut document = self.document_as_run();
         document.remove("raceway");
+        for of_balls in [
+            "bearing.balls",
+            "bearing.ball_radius_deviation_um",
+            "start.gaps",
+        ] {
+            document.remove(of_balls);
+        }
         document.set("title", "");
         document.remove("search");
         // An automatic step follows the raceway.
@@ -333,10 +424,10 @@ cageless::named_enum! {
 }
 
 /// The unit of a dotted key as it is printed; empty if it has none.
-pub fn unit(key: &str) -> &'static str {
+pub fn unit(key: &str) -> String {
     let section = key.split_once('.').map_or("", |(section, _)| section);
     let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
-    keys::find(section, name).map_or("", Key::unit)
+    keys::find(section, name).map_or_else(String::new, Key::unit)
 }
 
 /// Every key of a case file with its dotted name, `raceway.axial_span_mm`, in the order of the file

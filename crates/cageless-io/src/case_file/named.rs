@@ -2,7 +2,7 @@
 
 use cageless::{
     Assembly, FlankModel, Formulation, FrictionLaw, IntegrationMethod, Lubricant, Motion,
-    RacewayShape, Shaft, SkfSeries,
+    RacewayShape, Shaft, SkfSeries, steady::SteadyStart,
 };
 use cageless_results::Computation;
 
@@ -101,5 +101,6 @@ named!(
     SearchedShapes,
     Shaft,
     SkfSeries,
-    StartKind
+    StartKind,
+    SteadyStart
 );

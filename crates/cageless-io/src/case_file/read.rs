@@ -1,5 +1,7 @@
 //! Completion of a document: its keys are known, none is missing, and defaults are filled in.
 
+use cageless::{FlankModel, Formulation, FrictionLaw};
+
 use super::document::CaseDocument;
 use super::error::CaseError;
 use super::missing;
@@ -55,6 +57,14 @@ fn complete_sections(document: &mut CaseDocument, defaults: &mut Vec<String>) {
                 defaults.retain(|d| *d != key);
             }
         }
+    }
+    let published = document.value("model.formulation") == Some(Formulation::Paper.name().into());
+    let law = document.value("contact.friction_law");
+    let sticks = FrictionLaw::NAMES
+        .iter()
+        .any(|(name, of)| of.sticks() && law == Some((*name).into()));
+    if is_default("model.flanks", defaults) && (published || sticks) {
+        document.set("model.flanks", FlankModel::Rigid.name());
     }
     if document.count("rotor") > 0 && is_default("start.state", defaults) {
         document.set("start.state", "at-rest");

@@ -74,7 +74,7 @@ impl<'a> Reader<'a> {
         let (unit, limit) = (self.unit(name), self.limit(name));
         let si = unit.to_si(value);
         if !si.is_finite() {
-            let allowed = match unit.symbol() {
+            let allowed = match unit.printed().as_str() {
                 "" => "a finite number".to_owned(),
                 symbol => format!("a finite number of {symbol}"),
             };
@@ -94,7 +94,7 @@ impl<'a> Reader<'a> {
             // -0.0 is 0: friction would have no direction otherwise.
             Value::Number(f) => Ok(f + 0.0),
             _ => {
-                let allowed = match self.unit(name).symbol() {
+                let allowed = match self.unit(name).printed().as_str() {
                     "" => "a number, without quotes".to_owned(),
                     unit => format!("a number in {unit}, without quotes and unit"),
                 };

@@ -1,6 +1,6 @@
-//! The file format described as data: what documentation and other languages are made of.
+//! File formats described as data: what documentation and other languages are made of.
 
-use super::format::{Heading, SectionTable};
+use super::format::{Format, Heading, SectionTable};
 use super::key::{Key, Limit};
 use super::sections::CASE_FILE;
 use super::unit::{Side, round};
@@ -15,17 +15,24 @@ pub struct RangeEnd {
     pub included: bool,
 }
 
-/// Every section of the file format with its keys; the head of the file first, without a name.
+/// Every section of the case file with its keys; the head of the file first, without a name.
 pub fn reference() -> impl Iterator<Item = SectionTable> {
-    let head = SectionTable {
-        name: "",
-        meaning: "head of the file",
-        keys: CASE_FILE.head,
-        optional: false,
-        several: false,
-        heading: Heading::Absent,
-    };
-    std::iter::once(head).chain(CASE_FILE.sections.iter().copied())
+    CASE_FILE.reference()
+}
+
+impl Format {
+    /// Every section with its keys; the head of the file first, without a name.
+    pub(crate) fn reference(&self) -> impl Iterator<Item = SectionTable> + use<> {
+        let head = SectionTable {
+            name: "",
+            meaning: "head of the file",
+            keys: self.head,
+            optional: false,
+            several: false,
+            heading: Heading::Absent,
+        };
+        std::iter::once(head).chain(self.sections.iter().copied())
+    }
 }
 
 impl SectionTable {
@@ -46,7 +53,9 @@ impl SectionTable {
             if limit.least.is_finite() {
                 low = in_unit(limit.least, Side::Lower);
             }
-            high = in_unit(limit.most, Side::Upper);
+            if limit.most.is_finite() {
+                high = in_unit(limit.most, Side::Upper);
+            }
         }
         [low, high]
     }

@@ -24,7 +24,10 @@ impl CaseFile {
                 .ok_or_else(|| self.missing_for_export(name))
         };
         Ok(OuterRingDimensions {
-            outer_ring_outer_radius_m: required("outer_ring_outer_radius_mm")?,
+            outer_ring_outer_radius_m: match self.case.bearing.outside_radius_m() {
+                Some(radius_m) => radius_m,
+                None => required("outer_ring_outer_radius_mm")?,
+            },
             outer_ring_width_m: required("outer_ring_width_mm")?,
             blend_m,
         })

@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::error::CaseError;
-use crate::on_terminal;
+use crate::text_file::excerpt;
 
 /// Keys of a section with their values.
 pub(crate) type Section = BTreeMap<String, Node>;
@@ -303,7 +303,7 @@ fn node(
     text: &str,
     origin: &OriginOf<'_>,
 ) -> Node {
-    let written = excerpt(text, value.span());
+    let written = excerpt(text.get(value.span()).unwrap_or(""));
     Node::new(
         convert(value.get_ref(), text, origin),
         origin(&span),
@@ -343,27 +343,6 @@ impl Lines {
     }
 }
 
-/// Longest excerpt of a file in a message, in characters.
-const EXCERPT_MAX: usize = 60;
-
-/// A value as it is written, on one line and of at most [`EXCERPT_MAX`] characters.
-pub(crate) fn excerpt(text: &str, span: Range<usize>) -> String {
-    let mut written = String::new();
-    let mut characters = 0;
-    // Only the words that are shown are read: a value may be as long as the file.
-    for word in text.get(span).unwrap_or("").split_whitespace() {
-        let space = (characters > 0).then_some(' ');
-        for c in space.into_iter().chain(word.chars()) {
-            if characters == EXCERPT_MAX {
-                return on_terminal(&written).into_owned() + "…";
-            }
-            written.push(c);
-            characters += 1;
-        }
-    }
-    on_terminal(&written).into_owned()
-}
-
 fn syntax_error(text: &str, name: &str, error: &toml::de::Error) -> CaseError {
     let Some(span) = error.span() else {
         return CaseError::of_file(name, format!("is not TOML: {}", error.message()));
@@ -377,7 +356,7 @@ fn syntax_error(text: &str, name: &str, error: &toml::de::Error) -> CaseError {
     let message = format!(
         "is not TOML: {}: `{}`{hint}",
         error.message(),
-        excerpt(source, 0..source.len())
+        excerpt(source)
     );
     CaseError::on_line(name, line, key_on_line(text, line), message)
 }

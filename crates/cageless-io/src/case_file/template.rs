@@ -13,7 +13,8 @@ const INTRODUCTION: &str = "\
 
 const DEFAULTS: &str = "
 # The sections bearing and operation are required. A key of the sections material, contact, model,
-# solver and output that is left out takes the value that is written here, and so does gravity_m_s2.
+# solver and output that is left out takes the value that is written here, and so does gravity_m_s2;
+# flanks are elastic then.
 ";
 
 /// Line of a template that stands for the section `[raceway]`.

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use cageless_results::{unit_text, with_unit};
+
 /// Unit of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unit {
@@ -37,21 +39,8 @@ impl Unit {
     }
 
     /// [`Unit::symbol`] as it is set in print.
-    pub(crate) fn printed(self) -> &'static str {
-        match self {
-            Self::Micrometre => "µm",
-            Self::Degree => "°",
-            Self::Microsecond => "µs",
-            Self::SquareMillimetrePerSecond => "mm²/s",
-            Self::Si("C") => "°C",
-            Self::Si("N s/m") => "N·s/m",
-            Self::Si("N s/m^1.5") => "N·s/m^1.5",
-            Self::Si("N m") => "N·m",
-            Self::Si("kg m^2") => "kg·m²",
-            Self::Si("kg/m^3") => "kg/m³",
-            Self::Si("m/s^2") => "m/s²",
-            unit => unit.symbol(),
-        }
+    pub(crate) fn printed(self) -> String {
+        unit_text(self.symbol())
     }
 
     /// From the file's unit to SI. 0.2 us is the same number as 2e-7 s, so that a case
@@ -90,10 +79,7 @@ impl Unit {
 
     /// A number in this unit with its symbol.
     pub(super) fn with(self, value: f64) -> String {
-        match self.symbol() {
-            "" => decimal(value),
-            symbol => format!("{} {symbol}", decimal(value)),
-        }
+        with_unit(&decimal(value), &self.printed())
     }
 }
 
@@ -198,7 +184,7 @@ mod tests {
         assert_eq!(round(0.0, Side::Lower), 0.0);
         assert_eq!(
             Unit::Degree.show(std::f64::consts::FRAC_PI_2, Side::Upper),
-            "90 deg"
+            "90°"
         );
     }
 }

@@ -15,20 +15,59 @@ fn formula_ratings(balls: usize, caged_balls: usize) -> String {
     }
 }
 
+impl InternalGeometry {
+    /// How far the load ratings of another number of the maker's balls are off its catalogue: Cr ∝ bm Z^(2/3), C0r ∝ Z.
+    fn maker_ratings(&self) -> String {
+        let [ball_m, pitch_m] =
+            [self.ball_diameter_mm, self.pitch_diameter_mm].map(|mm| 0.5e-3 * mm);
+        let assembly = Assembly::of(self.balls, ball_m, pitch_m);
+        let ratio = self.balls as f64 / self.caged_balls as f64;
+        let bm = assembly.rating_factor() / Assembly::WithoutSlot.rating_factor();
+        let off = |factor: f64| match 100.0 * (factor - 1.0) {
+            less if less < 0.0 => format!("{:.1} % below", -less),
+            more => format!("{more:.1} % above"),
+        };
+        let slot = match assembly {
+            Assembly::FillingSlot => ", through a filling slot",
+            Assembly::WithoutSlot => "",
+        };
+        format!(
+            "{} balls of NSK's diameter{slot} in place of the {} with a cage: Cr is {}, C0r {} NSK's",
+            self.balls,
+            self.caged_balls,
+            off(bm * ratio.powf(2.0 / 3.0)),
+            off(ratio)
+        )
+    }
+}
+
 impl BoundaryDimensions {
     /// Source of the balls in a sentence.
-    pub fn source_of_balls(&self) -> String {
+    pub fn source_of_balls(&self, full_complement: bool) -> String {
         let name = &self.designation;
+        let geometry = self.internal_geometry(full_complement);
         let InternalGeometry {
             source,
             balls,
             caged_balls,
             ..
-        } = self.internal_geometry(false);
+        } = geometry;
         match source {
-            BallSource::Maker => format!(
+            BallSource::Maker if full_complement => format!(
+                "balls of {name}: {balls} fill the pitch circle; their diameter is NSK's, from its load ratings with \
+                 {caged_balls} in a cage; other makers differ"
+            ),
+            BallSource::Maker if balls == caged_balls => format!(
                 "balls of {name} as NSK: number and diameter follow from the load ratings of its \
-                 catalogue; other makers have other balls"
+                 catalogue; other makers differ"
+            ),
+            BallSource::Maker => format!(
+                "{name} has {}; fewer would let the inner ring fall out",
+                geometry.maker_ratings()
+            ),
+            BallSource::AngularContact if full_complement => format!(
+                "balls of {name}: {balls} fill the pitch circle; their diameter is that of the deep groove bearing of \
+                 this size"
             ),
             BallSource::AngularContact => format!(
                 "balls of {name}: diameter as in the deep groove bearing of this size, as many as a cage leaves \
@@ -43,6 +82,7 @@ impl BoundaryDimensions {
 
     /// A case file with the source of every number in a comment.
     pub fn case_file(&self, full_complement: bool) -> String {
+        let geometry = self.internal_geometry(full_complement);
         let InternalGeometry {
             ball_diameter_mm: ball,
             pitch_diameter_mm: pitch,
@@ -50,7 +90,7 @@ impl BoundaryDimensions {
             caged_balls,
             source,
             clearance_um,
-        } = self.internal_geometry(full_complement);
+        } = geometry;
         let (name, d, big, width) = (
             &self.designation,
             self.bore_mm,
@@ -80,11 +120,19 @@ impl BoundaryDimensions {
             BallSource::AngularContact => "(assumed) Dw of the deep groove bearing of this size",
         };
         let head = match source {
-            BallSource::Maker => {
-                "# No standard fixes the balls. What is marked (derived) gives the load ratings Cr and C0r and the
-# factor f0 of NSK's bearing of this size (catalogue E1102f) by ISO 281 and ISO 76; the bearing of
-# another maker has other balls."
+            BallSource::Maker if full_complement => {
+                "# No standard fixes the balls. Their diameter, marked (derived), reproduces NSK's ratings of the bearing
+# with a cage (catalogue E1102f, by ISO 281 and ISO 76); other makers differ."
             }
+            BallSource::Maker if balls == caged_balls => {
+                "# No standard fixes the balls. Balls marked (derived) reproduce NSK's ratings (catalogue E1102f, by
+# ISO 281 and ISO 76); other makers differ."
+            }
+            BallSource::Maker => &format!(
+                "# No standard fixes the balls. These are {}
+# (catalogue E1102f). Other makers differ.",
+                geometry.maker_ratings()
+            ),
             BallSource::AngularContact => {
                 "# No standard fixes the balls. Boundary dimensions and contact angle are those of the designation; two
 # bearings back to back, as a single one bears no radial load without an axial one: without both [[row]]
@@ -114,7 +162,7 @@ impl BoundaryDimensions {
             true => "0: the contact angle is that without load",
             false => "(assumed) Gr, middle of group Normal of ISO 5753-1",
         };
-        let rows_or_flanks = match angular {
+        let rows = match angular {
             true => format!(
                 "\
 [[row]]
@@ -131,12 +179,7 @@ preload_um = 5
                 -0.5 * width,
                 0.5 * width
             ),
-            false => "\
-[model]
-flanks = \"elastic\"                             # as in a real bearing; \"rigid\" as published, and faster
-
-"
-            .to_owned(),
+            false => String::new(),
         };
         let assembly = if full_complement && !angular {
             format!(
@@ -177,13 +220,12 @@ outer_ring_width_mm = {width:<24} # B
 # [ball_material]                              # hybrid bearing: ceramic balls in steel rings
 # preset = \"Si3N4\"
 
-{rows_or_flanks}\
+{rows}\
 # A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
 # `cageless design --search` looks for the best one.
 # [raceway]
 # axial_span_mm =
 # half_angle_deg =
-# blend_mm = 0.5                               # ends as `export` machines them
 
 [operation]
 inner_speed_rpm = {speed:<28} # (assumed) n·Dpw of 300,000 mm/min

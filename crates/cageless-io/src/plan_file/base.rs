@@ -150,6 +150,17 @@ impl VariantFile {
         }
     }
 
+    /// The rotor file with its cases and matrices, which needs no other; `None` of a case.
+    ///
+    /// # Errors
+    /// None that a file can cause.
+    pub fn rotor_toml(&self) -> Result<Option<String>, CaseError> {
+        match self {
+            Self::Case(_) => Ok(None),
+            Self::Rotor(file) => file.document().to_toml().map(Some),
+        }
+    }
+
     /// The case of each bearing.
     pub fn cases(&self) -> &[CaseFile] {
         match self {

@@ -23,13 +23,18 @@ mod read_axis;
 
 use cageless_results::Computation;
 
-use crate::case_file::CaseError;
 use crate::case_file::named::named;
+use crate::case_file::{CaseError, SectionTable};
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits};
 pub use base::{PlanBase, VariantFile};
 pub use key::{BALL_DEVIATIONS, GAPS, is_per_ball, is_whole, key_in_case, unit};
 pub use normal::{difference, shortened, text_of};
+
+/// Every section of a plan with its keys; the head of the file first, without a name.
+pub fn reference() -> impl Iterator<Item = SectionTable> {
+    keys::PLAN.reference()
+}
 
 /// A plan that was read and checked.
 #[derive(Debug, Clone)]

@@ -6,8 +6,8 @@ use super::axis::Axis;
 use super::{AxisValues, PlanFile, ScatterLaw};
 use crate::case_file::CaseError;
 use crate::case_file::format::SCHEMA;
-use crate::case_file::spanned_toml::excerpt;
 use crate::case_file::value::quoted;
+use crate::text_file::excerpt;
 
 impl PlanFile {
     /// The plan as flat TOML: every default filled in, the case in it, one key per line,
@@ -130,5 +130,5 @@ pub fn difference(before: &str, now: &str) -> Vec<String> {
 
 /// A value of a plan for readers: the matrices of a rotor are as long as a book.
 pub fn shortened(value: &str) -> String {
-    excerpt(value, 0..value.len())
+    excerpt(value)
 }

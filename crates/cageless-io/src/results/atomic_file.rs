@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 use super::error::ResultError;
 use crate::files::open_locked;
 
+/// Ending of the hidden name of a file in the making.
+pub(super) const PARTIAL: &str = ".partial";
+
 /// A file that grows as `.NAME.partial` beside its place and takes its name when it
 /// is [committed](Self::commit). Dropped before, it is removed. (Temporary files of the `tempfile`
 /// crate would be readable by their owner alone.)
@@ -39,7 +42,7 @@ impl PartialFile {
         if path.is_dir() {
             return Err(fail(io::ErrorKind::IsADirectory.into()));
         }
-        let partial = path.with_file_name(format!(".{}.partial", name.to_string_lossy()));
+        let partial = path.with_file_name(format!(".{}{PARTIAL}", name.to_string_lossy()));
         let file = open_locked(&partial).map_err(|source| match source.kind() {
             io::ErrorKind::InvalidInput => ResultError::Occupied {
                 path: path.to_owned(),
@@ -139,24 +142,6 @@ impl Drop for PartialFile {
             let _ = std::fs::remove_file(&self.partial);
         }
     }
-}
-
-/// Writes files of one result, as name in `dir` and content: all are complete on the disk before
-/// the first takes its name.
-///
-/// # Errors
-/// If a file cannot be written; previous files of these names are then untouched.
-pub fn write_together(dir: &Path, files: &[(&str, &str)]) -> Result<(), ResultError> {
-    let mut complete = vec![];
-    for (name, text) in files {
-        let path = dir.join(name);
-        let mut file = PartialFile::create(&path)?;
-        file.write_all(text.as_bytes())
-            .map_err(|source| ResultError::out(&path, source))?;
-        file.sync()?;
-        complete.push(file);
-    }
-    complete.into_iter().try_for_each(PartialFile::rename)
 }
 
 /// Writes a file that other programs see complete or not at all.

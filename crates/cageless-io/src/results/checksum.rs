@@ -61,6 +61,15 @@ pub(super) fn seal(
     Ok(file)
 }
 
+/// The eight digits.
+pub(super) fn digits(file: &mut File) -> Result<[u8; 8], Fault> {
+    let place = digits_at(file)?;
+    file.seek(SeekFrom::Start(place))?;
+    let mut digits = *BLANK;
+    file.read_exact(&mut digits)?;
+    Ok(digits)
+}
+
 /// Checks that the file has the bytes that were written.
 pub(super) fn verify(file: &mut File) -> Result<(), Fault> {
     let place = digits_at(file)?;

@@ -18,10 +18,10 @@ pub enum ResultError {
         /// Error of the operating system.
         source: io::Error,
     },
-    /// Another run is writing to the same folder.
-    #[error("--out {}: another run is writing there; choose another folder or wait", path.display())]
+    /// Another process is writing to the same place.
+    #[error("--out {}: another process is writing a result there; wait for it or choose another folder", path.display())]
     Busy {
-        /// The file in question.
+        /// The folder, or the file in it.
         path: PathBuf,
     },
     /// The hidden file that is to grow into a result cannot be used.
@@ -42,6 +42,20 @@ pub enum ResultError {
         /// Description of the error.
         message: String,
     },
+    /// A table does not belong to the summary beside it.
+    #[error(
+        "{}: is of another computation than {}, {why}: run the case again with --out to an empty folder",
+        path.display(),
+        summary.display()
+    )]
+    Foreign {
+        /// The table.
+        path: PathBuf,
+        /// The summary.
+        summary: PathBuf,
+        /// Difference.
+        why: String,
+    },
     /// Rows could not be written.
     #[error("cannot write {}: {}", path.display(), of_parquet(.source))]
     Table {
@@ -50,10 +64,10 @@ pub enum ResultError {
         /// Error of Parquet.
         source: ParquetError,
     },
-    /// The tables of a run could not all be written; and what is there now.
+    /// The files of a result could not all be written; and what is there now.
     #[error("{}; {left}", joined(.errors))]
     Run {
-        /// One for each table.
+        /// One for each file.
         errors: Vec<Self>,
         /// Contents of the folder.
         left: String,
@@ -87,7 +101,10 @@ impl ResultError {
     /// Whether what was asked for is at fault, not the machine.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Busy { .. } | Self::Occupied { .. } | Self::Unreadable { .. } => true,
+            Self::Busy { .. }
+            | Self::Occupied { .. }
+            | Self::Unreadable { .. }
+            | Self::Foreign { .. } => true,
             Self::Out { source, .. } => is_unusable(source),
             Self::Run { errors, .. } => errors.iter().all(Self::is_input),
             Self::Table { .. } | Self::Ragged { .. } => false,

@@ -13,18 +13,20 @@
 //! (instruction set), `case` (JSON, as run), for each column `unit:<column>`, and `file_crc32`, the
 //! CRC-32 of the whole file with these eight digits as zeros.
 //!
-//! Tables grow under a hidden name and take their own when all of them are complete, so
-//! that a file that is there can be read, and a `summary.json` stands beside the tables of its
-//! own run. Memory does not grow with the run.
+//! A [`ResultFolder`] has one writer at a time. Tables grow under a hidden name and take their own when
+//! all files of the result are complete, so that a file that is there can be read. `summary.json` comes last and
+//! lists the checksums of its tables as `tables`: beside others it is refused. Memory does not grow with the run.
 
 mod atomic_file;
 mod checksum;
 mod columns;
 mod csv;
 mod error;
+mod folder;
 mod reader;
 mod run_tables;
 mod table;
+mod table_list;
 mod values_csv;
 
 use std::iter::{once, repeat_n};
@@ -32,13 +34,14 @@ use std::path::{Path, PathBuf};
 
 use cageless::{Collision, RotorSnapshot, Snapshot};
 
-pub use atomic_file::{PartialFile, write_atomically, write_together};
+pub use atomic_file::{PartialFile, write_atomically};
 pub use columns::{COLLISIONS, run_columns};
-pub use csv::write_csv;
 pub use error::{ResultError, is_unusable};
+pub use folder::{ResultFolder, bearing_folder};
 pub use reader::TableReader;
 pub use run_tables::read_run_table;
 pub use table::{Column, ColumnKind, Row, TableWriter, VERSION};
+pub use table_list::summary_of_tables;
 pub use values_csv::values_csv;
 
 use run_tables::GROUP_ROWS;
@@ -46,16 +49,17 @@ use run_tables::GROUP_ROWS;
 /// Version of the layout of results.
 pub const SCHEMA: u64 = 1;
 
-/// Files that say something about the tables beside them, written after these.
-pub const ABOUT_TABLES: [&str; 7] = [
-    "summary.json",
-    "report.html",
-    "report.json",
-    "balls.csv",
-    "ring.csv",
-    "rotor.csv",
-    "collisions.csv",
-];
+/// Numbers of a run or drop, the file that speaks for its tables.
+pub const SUMMARY: &str = "summary.json";
+
+/// The rotor file of a drop in several bearings, which repeats it.
+pub const ROTOR: &str = "rotor.toml";
+
+/// Files that say something about the tables beside them.
+const ABOUT_TABLES: [&str; 5] = [SUMMARY, "summary.csv", "report.html", "report.json", ROTOR];
+
+/// Tables of a run, without their ending.
+const TABLES: [&str; 4] = ["balls", "ring", "collisions", "rotor"];
 
 /// Metadata of a run in the footer of every table.
 #[derive(Debug, Clone, Copy)]
@@ -83,11 +87,12 @@ pub fn collision_values(c: &Collision) -> [f64; COLLISIONS.len()] {
     ]
 }
 
-/// Writes the tables of one run as it goes. Without [`RunWriter::finish`] it leaves
-/// nothing behind.
+/// Writes the tables of one run as it goes; [`ResultFolder::add_tables`] completes them. Without it they
+/// leave nothing behind.
 #[derive(Debug)]
 pub struct RunWriter {
     dir: PathBuf,
+    place: String,
     balls: TableWriter,
     ring: TableWriter,
     ring_columns: usize,
@@ -99,33 +104,37 @@ pub struct RunWriter {
 }
 
 impl RunWriter {
-    /// Opens the tables in `dir`, which is created if missing. Tables of an earlier
-    /// run stay until this one is finished.
-    ///
-    /// # Errors
-    /// If `dir` cannot be created or written to, or another run is writing there.
-    pub fn create(dir: &Path, metadata: &Metadata<'_>) -> Result<Self, ResultError> {
-        std::fs::create_dir_all(dir).map_err(|source| ResultError::out(dir, source))?;
+    /// Opens the tables in the folder `place` within `dir`, which is created if missing. Tables of an
+    /// earlier run stay until this one is finished.
+    fn create(dir: &Path, place: &str, metadata: &Metadata<'_>) -> Result<Self, ResultError> {
+        let dir = dir.join(place);
+        std::fs::create_dir_all(&dir).map_err(|source| ResultError::out(&dir, source))?;
         let footer = [
             ("schema", SCHEMA.to_string()),
             ("version", VERSION.to_owned()),
             ("isa", metadata.isa.to_owned()),
             ("case", metadata.case.to_owned()),
         ];
-        let open = |name: &str, columns| {
-            TableWriter::in_groups(&dir.join(name), columns, &footer, GROUP_ROWS)
-        };
         let [balls, ring, rotor_columns] = run_columns(metadata.in_space);
+        let open = |name, columns| {
+            TableWriter::in_groups(&table_path(&dir, name), columns, &footer, GROUP_ROWS)
+        };
         Ok(Self {
-            dir: dir.to_owned(),
-            balls: open("balls.parquet", balls)?,
-            ring: open("ring.parquet", ring)?,
+            balls: open("balls", balls)?,
+            ring: open("ring", ring)?,
             ring_columns: ring.len(),
             rotor_columns,
-            collisions: open("collisions.parquet", COLLISIONS)?,
+            collisions: open("collisions", COLLISIONS)?,
             rotor: None,
             footer: footer.to_vec(),
+            place: place.to_owned(),
+            dir,
         })
+    }
+
+    /// Folder of the tables within that of the result.
+    fn place(&self) -> &str {
+        &self.place
     }
 
     /// Adds the rows of one output time.
@@ -153,15 +162,12 @@ impl RunWriter {
     fn rotor(&mut self, time_s: f64, rotor: &RotorSnapshot) -> Result<(), ResultError> {
         let table = match &mut self.rotor {
             Some(table) => table,
-            none => {
-                let path = self.dir.join("rotor.parquet");
-                none.insert(TableWriter::in_groups(
-                    &path,
-                    self.rotor_columns,
-                    &self.footer,
-                    GROUP_ROWS,
-                )?)
-            }
+            none => none.insert(TableWriter::in_groups(
+                &table_path(&self.dir, "rotor"),
+                self.rotor_columns,
+                &self.footer,
+                GROUP_ROWS,
+            )?),
         };
         let values = once(time_s).chain(rotor.values());
         table.row(values.take(self.rotor_columns.len()))
@@ -175,37 +181,24 @@ impl RunWriter {
         self.collisions.row(collision_values(c))
     }
 
-    /// Completes the tables and gives them their names, after a run that stopped
-    /// early as well: they hold all rows up to then. Nothing takes a name before all
-    /// tables are complete on the disk; then [`ABOUT_TABLES`] of an earlier run go first.
-    ///
-    /// # Errors
-    /// If writing fails: the folder is then as it was, but for its hidden files. If a
-    /// complete table cannot take its name, those that could have theirs, and nothing in
-    /// the folder claims that they are one run's. All tables that failed are named.
-    pub fn finish(self) -> Result<(), ResultError> {
-        let tables = [self.balls, self.ring, self.collisions];
-        let closed = tables.into_iter().chain(self.rotor).map(TableWriter::close);
-        let dir = &self.dir;
-        let tables = all(closed).map_err(|errors| ResultError::Run {
-            errors,
-            left: format!("{} is as it was", dir.display()),
-        })?;
-        for name in ABOUT_TABLES {
-            let path = dir.join(name);
-            match std::fs::remove_file(&path) {
-                Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-                    return Err(ResultError::out(&path, error));
-                }
-                _ => {}
-            }
-        }
-        let renamed = all(tables.into_iter().map(PartialFile::rename));
-        renamed.map(drop).map_err(|errors| {
-            let left = format!("the tables in {} are not of one run", dir.display());
-            ResultError::Run { errors, left }
-        })
+    /// Completes the tables, which lack only their names then, by the names of [`TABLES`]; or the errors of all that
+    /// cannot be written.
+    fn close(self) -> Result<Vec<(&'static str, PartialFile)>, Vec<ResultError>> {
+        let tables = [
+            Some(self.balls),
+            Some(self.ring),
+            Some(self.collisions),
+            self.rotor,
+        ];
+        let tables = TABLES.into_iter().zip(tables);
+        let tables = tables.filter_map(|(name, table)| Some((name, table?)));
+        all(tables.map(|(name, table)| Ok((name, table.close()?))))
     }
+}
+
+/// File of a table.
+fn table_path(dir: &Path, name: &str) -> PathBuf {
+    dir.join(name).with_extension("parquet")
 }
 
 /// Results of all items, or all their errors.

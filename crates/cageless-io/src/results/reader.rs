@@ -13,7 +13,7 @@ use parquet::file::metadata::ParquetMetaData;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::TypePtr;
 
-use super::checksum::{CHECKSUM, Fault, verify};
+use super::checksum::{CHECKSUM, Fault, digits, verify};
 use super::error::ResultError;
 use super::table::{Column, ColumnKind, GROUP_ROWS, Row, UNIT};
 use crate::system::io_error_message;
@@ -32,7 +32,7 @@ impl TableReader {
     /// # Errors
     /// If the file cannot be read, is damaged or is not a table of this kind.
     pub fn open(path: &Path) -> Result<Self, ResultError> {
-        let reader = checked(path, GROUP_ROWS)?;
+        let reader = checked(opened(path)?, path, GROUP_ROWS)?;
         let metadata = reader.metadata().file_metadata();
         let footer: BTreeMap<_, _> = metadata
             .key_value_metadata()
@@ -160,8 +160,8 @@ fn is_readable(metadata: &ParquetMetaData, bytes: u64, rows_max: usize) -> bool 
     rows == metadata.file_metadata().num_rows()
 }
 
-/// Opens a Parquet file of ours, with at most `rows` in a group, once its checksum is right.
-pub(super) fn checked(path: &Path, rows: usize) -> Result<SerializedFileReader<File>, ResultError> {
+/// Opens a file that may be a table.
+pub(super) fn opened(path: &Path) -> Result<File, ResultError> {
     let unreadable = |e: std::io::Error| ResultError::unreadable(path, io_error_message(&e));
     // A pipe would be waited for.
     let kind = std::fs::metadata(path).map_err(unreadable)?;
@@ -171,12 +171,28 @@ pub(super) fn checked(path: &Path, rows: usize) -> Result<SerializedFileReader<F
     if !kind.is_file() {
         return Err(ResultError::unreadable(path, "it is not a file"));
     }
-    let mut file = File::open(path).map_err(unreadable)?;
+    File::open(path).map_err(unreadable)
+}
+
+/// Checksum of a table as its footer has it.
+pub(super) fn checksum(path: &Path) -> Result<String, ResultError> {
+    let digits = digits(&mut opened(path)?).map_err(|fault| of_fault(path, fault))?;
+    Ok(String::from_utf8_lossy(&digits).into_owned())
+}
+
+/// A Parquet file of ours, with at most `rows` in a group, once its checksum is right.
+pub(super) fn checked(
+    mut file: File,
+    path: &Path,
+    rows: usize,
+) -> Result<SerializedFileReader<File>, ResultError> {
+    let unreadable = |e: std::io::Error| ResultError::unreadable(path, io_error_message(&e));
+    let bytes = file.metadata().map_err(unreadable)?.len();
     // First, since Parquet panics at some damage and believes other.
     verify(&mut file).map_err(|fault| of_fault(path, fault))?;
     let reader =
         SerializedFileReader::new(file).map_err(|e| ResultError::damaged(path, &e, NOT_PARQUET))?;
-    if !is_readable(reader.metadata(), kind.len(), rows) {
+    if !is_readable(reader.metadata(), bytes, rows) {
         return Err(ResultError::unreadable(
             path,
             "its groups of rows are impossible",

@@ -9,7 +9,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use super::columns::run_columns;
 use super::error::ResultError;
-use super::reader::{checked, of_length};
+use super::reader::{checked, of_length, opened};
 use super::table::Column;
 
 /// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
@@ -28,7 +28,12 @@ pub(super) struct RunTable<'c> {
 impl<'c> RunTable<'c> {
     /// Opens the table, which has `columns`, or in the plane the first of them.
     pub fn open(path: &'c Path, columns: &'c [Column]) -> Result<Self, ResultError> {
-        let reader = checked(path, GROUP_ROWS + SNAPSHOT_ROWS)?;
+        Self::of(opened(path)?, path, columns)
+    }
+
+    /// The table in an open file.
+    pub fn of(file: File, path: &'c Path, columns: &'c [Column]) -> Result<Self, ResultError> {
+        let reader = checked(file, path, GROUP_ROWS + SNAPSHOT_ROWS)?;
         let fields = reader.metadata().file_metadata().schema().get_fields();
         let has = |some: &&[Column]| {
             let names = some.iter().map(|column| &*column.name);

@@ -4,6 +4,7 @@ use cageless_results::{Quantity, quantities, result_at};
 use serde_json::{Map, Value};
 
 use crate::declared::units;
+use crate::on_terminal;
 
 /// Statistics of the result or the deviation that a row of a list is about.
 const OF_ROW: [&str; 14] = [
@@ -106,11 +107,14 @@ fn result_named(row: &Map<String, Value>) -> Option<&'static Quantity> {
     quantities().find(|q| q.name == name)
 }
 
+/// Text as a cell. An apostrophe comes before what a spreadsheet would take for a formula.
 fn quoted(text: &str) -> String {
-    match text.is_empty() {
-        true => String::new(),
-        false => format!("\"{}\"", text.replace('"', "\"\"")),
+    if text.is_empty() {
+        return String::new();
     }
+    let formula = text.trim_start().starts_with(['=', '+', '-', '@']);
+    let mark = if formula { "'" } else { "" };
+    format!("\"{mark}{}\"", on_terminal(text).replace('"', "\"\""))
 }
 
 #[cfg(test)]
@@ -130,6 +134,7 @@ mod tests {
     fn parts_lists_and_quotes_are_lines() {
         let result = json!({
             "critical_gap_deg": 1.5, "beta0_deg": null, "reasons": ["5 \"%\", at most"],
+            "titles": ["=HYPERLINK(1)", "+1", "-1", "@a", " =1", "a\u{1b}[2J=1"],
             "raceways": [{ "passes": true, "axial_span_mm": 5.1 }], "inner_force_n": [0.25],
             "case": { "material": { "youngs_modulus_gpa": 206.0 } },
         });
@@ -143,6 +148,12 @@ mod tests {
                 "raceways[1].axial_span_mm,5.1,mm,\"axial span lC\"",
                 "raceways[1].passes,true,,\"passes\"",
                 "reasons[1],\"5 \"\"%\"\", at most\",,",
+                "titles[1],\"'=HYPERLINK(1)\",,",
+                "titles[2],\"'+1\",,",
+                "titles[3],\"'-1\",,",
+                "titles[4],\"'@a\",,",
+                "titles[5],\"' =1\",,",
+                "titles[6],\"a\\u001b[2J=1\",,",
             ]
         );
     }

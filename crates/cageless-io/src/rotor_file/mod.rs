@@ -31,13 +31,18 @@ use cageless::Case;
 use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 
-use crate::case_file::{CaseFile, CaseValue};
+use crate::case_file::{CaseFile, CaseValue, SectionTable};
 use address::{Address, address};
 
 pub use base::RotorBase;
 pub use description::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 pub use document::RotorFileDocument;
 pub use matrices::{MATRICES_SCHEMA, read_matrices, write_matrices};
+
+/// Every section of a rotor file with its keys; the head of the file first, without a name.
+pub fn reference() -> impl Iterator<Item = SectionTable> {
+    keys::ROTOR_FILE.reference()
+}
 
 /// A rotor with its bearings, read and checked.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,7 +108,7 @@ impl RotorFile {
             }
             let carried = CaseFile::from_document(document, &format!("bearing {}", k + 1))
                 .map_err(|error| RotorError::Bearings(error.to_string()))?;
-            bearings.push(carried);
+            bearings.push(carried.with_defaults_of(file));
         }
         Ok(Self {
             document,

@@ -2,7 +2,7 @@
 
 use cageless::error::Allowed;
 use cageless::{
-    Bearing, BearingDimensions, InnerRingBore, InputError, Materials, OperatingClearance,
+    Bearing, BearingDimensions, Fit, InnerRingBore, InputError, Materials, OperatingClearance,
 };
 
 use crate::case_file::converter::{Converter, refused_in};
@@ -17,6 +17,9 @@ const INNER_RING_DAMPING_N_S_M: f64 = 2000.0;
 
 /// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
 const OUTER_RADII_MAX: f64 = 10.0;
+
+/// Difference of two diameters that are one, as a fraction.
+const SAME: f64 = 1e-6;
 
 impl Converter<'_> {
     /// The bearing, with the clearance in operation, and what fits and temperatures made of it.
@@ -43,14 +46,15 @@ impl Converter<'_> {
         }
         let fits = self.sections.fit.as_ref();
         let half = |diameter: Option<f64>| diameter.map(|diameter| diameter / 2.0);
-        let bore_m = half(fits.and_then(|fit| fit.bore_diameter_m)).or(b.inner_ring_bore_radius_m);
+        let bore_m = half(fits.and_then(|fit| fit.bore_diameter_m));
+        let bore_m = b.inner_ring_bore_radius_m.or(bore_m);
         let outside_m = half(fits.and_then(|fit| fit.outside_diameter_m));
         let outside_m = b.outer_ring_outer_radius_m.or(outside_m);
         bearing = bearing
             .with_boundary_radii(bore_m, outside_m)
             .map_err(refused)?;
         // The bore that is to catch a rotor.
-        let (inertia, radius) = (b.inner_ring_polar_inertia_kg_m2, b.inner_ring_bore_radius_m);
+        let (inertia, radius) = (b.inner_ring_polar_inertia_kg_m2, bore_m);
         if inertia.is_some() || radius.is_some() && self.sections.rotor.is_some() {
             let bore = InnerRingBore {
                 polar_inertia_kg_m2: self.need("inner_ring_polar_inertia_kg_m2", inertia)?,
@@ -62,7 +66,7 @@ impl Converter<'_> {
             return Ok((bearing, fit));
         };
         if deviations_m.len() != b.balls {
-            let allowed = format!("a list of {} numbers in um, one per ball", b.balls);
+            let allowed = format!("a list of {} numbers in µm, one per ball", b.balls);
             return Err(self.refuse("bearing.ball_radius_deviation_um", &allowed));
         }
         bearing
@@ -139,12 +143,17 @@ impl Converter<'_> {
             inner_ring_mass_kg: 0.0,
             inner_ring_damping_n_s_m: b.inner_ring_damping_n_s_m.unwrap_or(usual_damping),
         };
-        let fit = self.sections.fit.as_ref();
-        if let (Some(_), Some(angle)) = (fit, b.contact_angle_rad) {
+        let fit = self.mounted()?;
+        if let (Some(_), Some(angle)) = (&fit, b.contact_angle_rad) {
             dimensions.open_to(angle, 0.0);
         }
+        // The inner ring of a drop is at rest when the rotor meets it.
+        let speed_rad_s = match (&fit, &self.sections.rotor) {
+            (Some(_), None) => self.operation()?.largest_inner_speed_rad_s(),
+            _ => 0.0,
+        };
         let fit = fit
-            .map(|fit| fit.operating_clearance(&dimensions, materials))
+            .map(|fit| fit.operating_clearance(&dimensions, materials, speed_rad_s))
             .transpose()
             .map_err(|e| self.refused_fit(&e))?;
         if let Some(fit) = &fit {
@@ -167,6 +176,39 @@ impl Converter<'_> {
         Ok((dimensions, fit))
     }
 
+    /// The fit, with the diameters that the bearing has.
+    fn mounted(&self) -> Result<Option<Fit>, CaseError> {
+        let Some(mut fit) = self.fit() else {
+            return Ok(None);
+        };
+        let b = &self.sections.bearing;
+        for (diameter_m, name, radius_m, own) in [
+            (
+                &mut fit.bore_diameter_m,
+                "bore_diameter_mm",
+                b.inner_ring_bore_radius_m,
+                "inner_ring_bore_radius_mm",
+            ),
+            (
+                &mut fit.outside_diameter_m,
+                "outside_diameter_mm",
+                b.outer_ring_outer_radius_m,
+                "outer_ring_outer_radius_mm",
+            ),
+        ] {
+            let Some(of_bearing_m) = radius_m.map(|radius| 2.0 * radius) else {
+                continue;
+            };
+            let given_m = *diameter_m.get_or_insert(of_bearing_m);
+            if (given_m - of_bearing_m).abs() > SAME * of_bearing_m {
+                let twice = Millimetre.show(of_bearing_m, Side::Lower);
+                let allowed = format!("{twice}, twice bearing.{own}, or left out");
+                return Err(self.refuse(&join("fit", name), &allowed));
+            }
+        }
+        Ok(Some(fit))
+    }
+
     /// Error of the bearing; where its clearance is too far below zero, in terms of that key.
     fn refused_interference(
         &self,
@@ -179,8 +221,8 @@ impl Converter<'_> {
         {
             let [operating, least] = [fit.operating_m(), least_m].map(|m| Micrometre.of_si(m));
             let message = format!(
-                "[fit] leaves a radial internal clearance of {operating:.2} um in operation: it must \
-                 be at least {least:.2} um, beyond which the contacts are no longer elastic"
+                "[fit] leaves a radial internal clearance of {operating:.2} µm in operation: it must \
+                 be at least {least:.2} µm, beyond which the contacts are no longer elastic"
             );
             return self.document.tree.error("fit", message);
         }
@@ -206,7 +248,7 @@ impl Converter<'_> {
         }
         let change = Micrometre.of_si(error.value);
         let message = format!(
-            "[fit] enlarges the clearance by {change:.0} um: it must be {}",
+            "[fit] enlarges the clearance by {change:.0} µm: it must be {}",
             error.allowed
         );
         self.document.tree.error("fit", message)

@@ -1,6 +1,5 @@
 //! Initial state of a case.
 
-use cageless::numerics::random::RandomStream;
 use cageless::{Bearing, Gaps, Start, StartState};
 
 use crate::case_file::converter::Converter;
@@ -13,8 +12,8 @@ impl Converter<'_> {
         let s = &self.sections.start;
         let gaps = match &s.gaps {
             GivenGaps::Uniform => Gaps::Uniform,
-            GivenGaps::Bunched => Gaps::List(bunched(bearing)),
-            GivenGaps::Random => Gaps::List(random(bearing, self.sections.solver.seed)),
+            GivenGaps::Bunched => Gaps::bunched(bearing),
+            GivenGaps::Random => Gaps::random(bearing, self.sections.solver.seed),
             GivenGaps::List(list) => Gaps::List(list.clone()),
         };
         if s.state != StartKind::Rolling {
@@ -36,29 +35,4 @@ impl Converter<'_> {
         };
         Ok(Start::new(state, gaps, s.lead_ball_angle_rad))
     }
-}
-
-/// Angle that the balls leave free.
-fn room_rad(bearing: &Bearing) -> f64 {
-    bearing.balls() as f64 * bearing.mean_gap_rad()
-}
-
-/// Balls in one group, which begins with ball 1.
-fn bunched(bearing: &Bearing) -> Vec<f64> {
-    let mut gaps = vec![0.0; bearing.balls()];
-    if let Some(last) = gaps.last_mut() {
-        *last = room_rad(bearing);
-    }
-    gaps
-}
-
-/// Gaps of which every division of the free angle is equally likely: exponential numbers over
-/// their sum.
-fn random(bearing: &Bearing, seed: u64) -> Vec<f64> {
-    /// Number of this use of random numbers among all.
-    const START: u64 = 101;
-    let mut stream = RandomStream::new(seed, START, 0, 0);
-    let shares: Vec<_> = (0..bearing.balls()).map(|_| stream.exponential()).collect();
-    let scale = room_rad(bearing) / shares.iter().sum::<f64>();
-    shares.iter().map(|share| share * scale).collect()
 }

@@ -1,7 +1,6 @@
 //! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
 use cageless::bearing::{BALLS_MIN, SHOULDER_HEIGHT};
-use cageless::rating::bore_radius_estimate_m;
 use cageless::{Assembly, Bearing, BearingDimensions};
 use serde::Serialize;
 
@@ -173,7 +172,7 @@ pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> V
 fn ring_mass_kg(d: &BearingDimensions, width_m: Option<f64>) -> f64 {
     let diameter = 2.0 * d.ball_radius_m;
     let bottom = d.inner_groove_bottom_radius_m;
-    let bore = bore_radius_estimate_m(d);
+    let bore = d.bore_radius_estimate_m();
     let shoulder = bottom + d.inner_shoulder_height_m();
     let width = width_m.unwrap_or(WIDTH * diameter);
     RING_DENSITY_KG_M3 * std::f64::consts::PI * (shoulder.powi(2) - bore.powi(2)) * width

@@ -3,13 +3,13 @@
 use crate::case_file::declaration::prelude::*;
 
 section! {
-    /// `[fit]`: fits and temperatures, which make the clearance in operation of that of the bearing by itself.
+    /// `[fit]`: fits, temperatures and speed, which make the clearance in operation of that of the bearing by itself.
     impl cageless::Fit {
         bore_diameter_mm => bore_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
-            "d, bore diameter of the inner ring; needed with a fit on the shaft",
+            "d, bore diameter of the inner ring; twice bearing.inner_ring_bore_radius_mm unless given; needed with a fit on the shaft",
             Commented("30.0", "d of the inner ring");
         outside_diameter_mm => outside_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
-            "D, outside diameter of the outer ring; needed with a fit in the housing",
+            "D, outside diameter of the outer ring; twice bearing.outer_ring_outer_radius_mm unless given; needed with a fit in the housing",
             Commented("62.0", "D of the outer ring");
         shaft_interference_um => shaft_interference_m: f64 = default(0.0), Micrometre,
             "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap",

@@ -21,7 +21,7 @@ macro_rules! section_with_friction {
             coefficient: $coefficient:expr, $coefficient_line:expr;
             law: $law_line:expr;
             table: $left_out:literal;
-            regularisation: $speed:expr, $speed_line:expr;
+            regularisation: $speed:expr, $unless_given:literal, $speed_line:expr;
         }
         { $($after:tt)* }
     ) => {
@@ -45,7 +45,7 @@ macro_rules! section_with_friction {
                     regularisation_speed_m_s formerly slip_scale_m_s => regularisation_speed_m_s: f64 = $speed,
                         Si("m/s"); Above(0.0),
                         concat!("regularisation speed v_s: friction reaches 76 % of ", $symbol,
-                            " N at ΔV = v_s; \"coulomb\" does not use it"), $speed_line;
+                            " N at ΔV = v_s", $unless_given, "; \"coulomb\" does not use it"), $speed_line;
                 }
                 $($after)*
             }

@@ -18,6 +18,7 @@ pub(crate) mod row;
 pub(crate) mod search;
 pub(crate) mod solver;
 pub(crate) mod start;
+pub(crate) mod steady;
 pub(crate) mod support;
 pub(crate) mod thermal;
 
@@ -59,6 +60,8 @@ sections! {
     lubrication: Option<cageless::Lubrication>, "the lubricant, for modified life and minimum load of `static`",
         Heading::Commented("lubricant, for modified life and minimum load of `static`");
     output: cageless::Output, "what a run writes", Heading::Shown("");
+    steady: Option<steady::SteadySection>, "steady operation with real balls, for `compare`",
+        Heading::Commented("steady operation with real balls, for `cageless compare`");
     search: Option<search::SearchSection>, "what a search for the raceway looks at",
         Heading::Commented("ranges of `design --search`");
 }}

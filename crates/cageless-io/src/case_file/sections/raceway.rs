@@ -20,12 +20,13 @@ section! {
         shape => shape: RacewayShape = default(RacewayShape::Quartic.name()), Plain,
             RacewayShape::DESCRIPTION,
             Commented("\"quartic\"", "path of the paper; \"ellipse\", \"shuttle\", \"steady\",\n\
-                \"measured\" or \"spline\" (profile = [[ψ, angle in deg], …])");
+                \"measured\" or \"spline\" (profile = [[ψ, angle in °], …])");
         profile => profile: Option<FlankRows> = Optional, Plain,
             "flank angle over ψ from the middle of the raceway up to the ends, where it is 0: of shape = \"measured\", fitted to 5 rows or more of one side or both; of shape = \"spline\", met by 5 to 30 rows of one side from the middle, ψ = 0", Absent;
-        blend_mm => blend_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
-            "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\"",
-            Commented("0.0", "length of the blend before each end; 0: ends as the shape has them");
+        blend_mm => blend_m: Option<f64> = Derived, Millimetre; AtLeast(0.0),
+            "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; unless given that of `export` on elastic flanks, 0.5 or a fifth of half the raceway, and 0 on rigid ones; more than 0 only in \"physical\"",
+            Shown("0.0", "(paper) blend before each end; elastic flanks have\n\
+                that of `export`, at most 0.5, unless given");
         depth_um => depth_m: f64 = default(0.0), Micrometre; AtLeast(0.0),
             "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\"",
             Commented("0.0", "how much deeper a ball in the middle sits than on the plain raceway");

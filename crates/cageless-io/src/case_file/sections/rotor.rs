@@ -26,7 +26,7 @@ section_with_friction! {
         coefficient: Required, Shown("0.15", "between journal and bore");
         law: Absent;
         table: "";
-        regularisation: default(0.05), Shown("0.05", "");
+        regularisation: default(0.05), "", Shown("0.05", "");
     }
     {
         shaft => shaft: Shaft = default(Shaft::Horizontal.name()), Plain,

@@ -1,6 +1,7 @@
 //! The section `[search]`, ranges of `design --search`.
 
-use cageless::design::search::{BUDGET, BUDGET_LEAST, CRITICAL_GAP_MIN_FRACTION};
+use cageless::design::CRITICAL_GAP_MIN_FRACTION;
+use cageless::design::search::{BUDGET, BUDGET_LEAST};
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::named::SearchedShapes;

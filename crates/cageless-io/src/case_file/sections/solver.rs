@@ -19,6 +19,9 @@ section! {
             Commented("1.0e-8", "error per step, only for \"adaptive\"");
         duration_s => duration_s: f64 = default(0.5), Si("s"); Above(0.0),
             "simulated time", Shown("0.5", "simulated time");
+        transient_s => transient_s: Option<f64> = Optional, Si("s"); AtLeast(0.0),
+            "time at the start that results leave out; two orbits of the balls, at most half, unless given",
+            Absent;
         seed => seed: u64 = default(0), Plain,
             "seed of random starts (run --verify, design --search) and samples (tolerance, drop)",
             Commented("0", "of the random starts and samples of run --verify,\n\

@@ -1,0 +1,21 @@
+//! `[steady]`.
+
+use cageless::steady::{GRADE, MEASURED_ORBITS, SteadyStart, TRANSIENT_ORBITS};
+
+use crate::case_file::declaration::prelude::*;
+
+section! {
+    /// `[steady]`: steady operation with real balls, by which `compare` judges rings.
+    struct SteadySection {
+        grade => grade: u64 = default(GRADE), Plain,
+            "grade of the balls by ISO 3290-1: radii evenly within a lot, unless bearing.ball_radius_deviation_um gives them",
+            Commented("10", "grade of the balls by ISO 3290-1");
+        start => start: SteadyStart = default(SteadyStart::Queue.name()), Plain,
+            "start: all balls in the queue in which a conventional ring ends, or random gaps",
+            Commented("\"queue\"", "all balls behind one, as a conventional ring ends; or \"random\"");
+        transient_orbits => transient_orbits: f64 = default(TRANSIENT_ORBITS), Plain; AtLeast(0.0),
+            "orbits of the balls that are left out", Commented("120.0", "orbits of the balls that are left out");
+        measured_orbits => measured_orbits: f64 = default(MEASURED_ORBITS), Plain; Above(0.0),
+            "orbits of the balls that are measured", Commented("320.0", "orbits of the balls that are measured");
+    }
+}
