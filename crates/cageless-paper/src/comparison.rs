@@ -16,7 +16,8 @@ use cageless_report::run_report::filter_note;
 use cageless_report::{
     ComparisonCell, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison, RingNumbers,
 };
-use cageless_study::{SAMPLING_HZ, StudyError, Work, provenance};
+use cageless_study::threads::each;
+use cageless_study::{SAMPLING_HZ, StudyError, Task, Work, provenance};
 use rayon::prelude::*;
 
 use outcome::{Outcome, outcome};
@@ -26,13 +27,13 @@ use crate::error::housing;
 use crate::experiment::{STRETCHES, Stretch};
 use crate::load_zone::load_zone_rad;
 
-/// Seconds on one core, roughly.
-pub const WORK: f64 = 24.0;
-
 /// Seed of starts and lots.
 const SEED: u64 = 5;
 /// Starts per combination: as many as run side by side.
 const STARTS: u64 = 8;
+/// Starts of equal balls in the conventional ring, whose contacts are counted over ψ: the error of the density is
+/// then well below its distance from chance.
+pub const TRANSITION_STARTS: u64 = 32;
 /// Bunches of balls at the start.
 const BUNCHES: usize = 4;
 /// Gap within a bunch.
@@ -92,13 +93,8 @@ struct Plan {
 /// Runs every combination of equal balls and of lots of these grades.
 pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, StudyError> {
     let plans = plans(grades)?;
-    let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
-    let found: Vec<Vec<Outcome>> = plans
-        .par_iter()
-        .map(|plan| {
-            let units = WORK * plan.case.solver.duration_s / total_s;
-            outcomes(plan, progress, units)
-        })
+    let found: Vec<Vec<Outcome>> = each(&plans)
+        .map(|plan| outcomes(plan, progress, plan.steps()))
         .collect::<Result<_, StudyError>>()?;
     let rings = plans.len() / SPEEDS.len() / (1 + grades.len());
     let cells = plans
@@ -131,6 +127,14 @@ pub fn compute(progress: &Work<'_>, grades: &[u32]) -> Result<RingComparison, St
         left_out: LEFT_OUT.map(str::to_owned).to_vec(),
         provenance: source(&plans),
     })
+}
+
+/// Adds every combination to a task.
+pub fn add_to(task: Task, grades: &[u32]) -> Result<Task, StudyError> {
+    let plans = plans(grades)?;
+    let steps = plans.iter().map(Plan::steps).sum();
+    let case = plans[0].start(0)?;
+    Ok(task.with_together(&case, STARTS as usize, steps, plans.len()))
 }
 
 /// The combinations, by speed, lot and ring.
@@ -177,6 +181,18 @@ fn with_raceway(case: &Case, speed: &Speed) -> Result<Case, StudyError> {
 }
 
 impl Plan {
+    fn starts(&self) -> u64 {
+        match (self.ring, self.grade) {
+            (CONVENTIONAL, None) => TRANSITION_STARTS,
+            _ => STARTS,
+        }
+    }
+
+    /// Steps of all starts.
+    fn steps(&self) -> f64 {
+        self.starts() as f64 * self.case.solver.steps()
+    }
+
     fn settled_after_s(&self) -> f64 {
         self.case.solver.duration_s / 2.0
     }
@@ -254,7 +270,7 @@ impl Observer for OrbitMeter {
 
 /// Runs every start of a combination, side by side.
 fn outcomes(plan: &Plan, progress: &Work<'_>, units: f64) -> Result<Vec<Outcome>, StudyError> {
-    let cases: Vec<Case> = (0..STARTS)
+    let cases: Vec<Case> = (0..plan.starts())
         .map(|k| plan.start(k))
         .collect::<Result<_, _>>()?;
     let mut outcomes = vec![];
@@ -349,9 +365,10 @@ fn numbers(
 
 fn cell(
     plan: &Plan,
-    outcomes: &[Outcome],
+    all: &[Outcome],
     conventional: Option<&Vec<Outcome>>,
 ) -> Result<ComparisonCell, StudyError> {
+    let outcomes = &all[..STARTS as usize];
     let difference = conventional.map(|conventional| {
         numbers(|of| Estimate::of_differences(&values(outcomes, of), &values(conventional, of)))
     });
@@ -379,7 +396,7 @@ fn cell(
         approach_speed_m_s: estimate(outcomes, |o| o.approach_speed_m_s),
         impulse_n_s: estimate(outcomes, |o| o.impulse_n_s),
         transition_density: [0, 1, 2].map(|part| {
-            estimate(outcomes, |o| {
+            estimate(all, |o| {
                 let [found, chance] = o.transition_shares[part];
                 found / chance
             })

@@ -13,10 +13,11 @@ use crate::cases;
 use crate::error::housing;
 use crate::load_zone::{load_zone_rad, transition_shares};
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
+use cageless_study::threads;
 use cageless_study::{SAMPLING_HZ, StudyError, Work, provenance};
 
-/// Seconds on one core, roughly.
-pub const WORK: f64 = 1.2;
+/// Steps, about.
+pub const WORK: f64 = 2.0e6;
 
 /// Motion is shown so far: the paper's last photograph is at 0.2 s.
 const SHOWN_S: f64 = 0.25;
@@ -93,7 +94,7 @@ struct One {
 pub fn compute(progress: &Work<'_>) -> Result<Experiment, StudyError> {
     let both = cases::experiment()?;
     let names = ["conventional", "discrete raceway"];
-    let ones = rayon::join(
+    let ones = threads::both(
         || one(&both[0], names[0], progress),
         || one(&both[1], names[1], progress),
     );

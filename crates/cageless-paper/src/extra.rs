@@ -3,12 +3,13 @@
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::{StartingPoint, starting_point};
 use cageless::{Formulation, FrictionLaw};
+use cageless_study::threads::both;
 use cageless_study::{StudyError, Work};
 
 use crate::cases::{self, READINGS};
 
-/// Seconds on one core, roughly.
-pub const WORK: f64 = 0.7;
+/// Steps, about.
+pub const WORK: f64 = 6.4e5;
 
 /// Structures whose critical gap is measured at two speeds: (d) and (h).
 const AT_SPEEDS: [usize; 2] = [3, 7];
@@ -45,9 +46,9 @@ pub fn compute(progress: &Work<'_>) -> Result<Extra, StudyError> {
         let _ = progress.add(WORK / 6.0);
         Ok::<_, StudyError>(gaps_deg)
     };
-    let ((published, consistent), (d, h)) = rayon::join(
-        || rayon::join(|| usable(READINGS[0]), || usable(READINGS[1])),
-        || rayon::join(|| at_speeds(AT_SPEEDS[0]), || at_speeds(AT_SPEEDS[1])),
+    let ((published, consistent), (d, h)) = both(
+        || both(|| usable(READINGS[0]), || usable(READINGS[1])),
+        || both(|| at_speeds(AT_SPEEDS[0]), || at_speeds(AT_SPEEDS[1])),
     );
     Ok(Extra {
         starting_points: [published?, consistent?],

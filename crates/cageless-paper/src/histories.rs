@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
+use cageless::numerics::angle::wrap_angle_rad;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::run;
 use cageless::snapshot::Snapshot;
@@ -12,10 +13,11 @@ use cageless::{Case, Formulation, FrictionLaw};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 
 use crate::cases::{self, READINGS, label};
+use cageless_study::threads::both;
 use cageless_study::{StudyError, Work, provenance};
 
-/// Seconds on one core, roughly.
-pub const WORK: f64 = 0.6;
+/// Steps, about.
+pub const WORK: f64 = 6.0e5;
 
 /// Sampling.
 const INTERVAL_S: f64 = 10e-6;
@@ -25,8 +27,8 @@ const COARSE: usize = 10;
 const SETTLED_AFTER_S: f64 = 0.1;
 /// An inner contact that carries more than this is in the load zone, N.
 const LOADED_N: f64 = 1.0;
-/// Index of a ball that starts in the upper half: its gap feels only the start.
-const FAR_FROM_RACEWAY: usize = 6;
+/// The beginning, in which Fig. 6 of the paper falls rapidly.
+const BEGINNING_S: f64 = 1e-3;
 /// Fig. 7 begins and ends this much outside the passage.
 const MARGIN_S: f64 = 3e-4;
 
@@ -52,8 +54,9 @@ pub struct Stages {
     pub loaded_change_deg: f64,
     /// Largest sliding speed of the trailing ball there over the speed of the inner raceway.
     pub loaded_slip: f64,
-    /// Change of the gap in the first millisecond, degrees.
-    pub first_change_deg: f64,
+    /// Largest fall of a gap in the first millisecond, degrees: of pairs of which a ball is in the raceway, and of all
+    /// others.
+    pub first_fall_deg: [f64; 2],
     /// Passages with both collisions of the paper's Fig. 7.
     pub double_passages: usize,
 }
@@ -61,7 +64,7 @@ pub struct Stages {
 /// Runs structure (a) under both readings.
 pub fn compute(progress: &Work<'_>) -> Result<[History; 2], StudyError> {
     let [published, consistent] = READINGS;
-    let both = rayon::join(|| one(published, progress), || one(consistent, progress));
+    let both = both(|| one(published, progress), || one(consistent, progress));
     Ok([both.0?, both.1?])
 }
 
@@ -87,26 +90,33 @@ fn one(reading: (Formulation, FrictionLaw), progress: &Work<'_>) -> Result<Histo
     let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
     let (neighbours, ball, double_passages) = neighbours(&case, &snapshots, &collisions, &source);
     let (gap, stages) = gap_history(&case, &snapshots, ball, source);
-    let first = |s: &&Snapshot| s.time_s <= 1e-3;
-    let early: Vec<f64> = snapshots
-        .iter()
-        .take_while(first)
-        .map(|s| s.gap_rad[FAR_FROM_RACEWAY])
-        .collect();
-    let first_change_deg = early
-        .iter()
-        .map(|g| (g - early[0]).abs())
-        .fold(0.0, f64::max)
-        .to_degrees();
+    let first_fall_deg = first_fall_deg(&case, &snapshots);
     Ok(History {
         gap,
         neighbours,
         stages: Stages {
-            first_change_deg,
+            first_fall_deg,
             double_passages,
             ..stages
         },
     })
+}
+
+/// Largest fall of a gap in the beginning, as in [`Stages::first_fall_deg`].
+fn first_fall_deg(case: &Case, snapshots: &[Snapshot]) -> [f64; 2] {
+    let theta = case.raceways[0].half_angle_rad();
+    let early = || snapshots.iter().take_while(|s| s.time_s <= BEGINNING_S);
+    let balls = case.bearing.balls();
+    let inside = |k: usize| early().any(|s| wrap_angle_rad(s.angle_rad[k]).abs() < theta);
+    let mut falls = [0.0; 2];
+    for k in 0..balls {
+        let mut gaps = early().map(|s| s.gap_rad[k].to_degrees());
+        let first = gaps.next().unwrap_or(f64::NAN);
+        let fall = gaps.fold(0.0, |fall, gap| f64::max(fall, first - gap));
+        let apart = usize::from(!inside(k) && !inside((k + 1) % balls));
+        falls[apart] = f64::max(falls[apart], fall);
+    }
+    falls
 }
 
 /// When ball `k` passes ψ = `angle` (plus whole turns) nearest to `near_s`, on the side
@@ -139,7 +149,7 @@ fn load_zone_rad(snapshots: &[Snapshot]) -> f64 {
         .flat_map(|s| {
             (0..s.balls())
                 .filter(|&k| s.inner_force_n[k] > LOADED_N)
-                .map(|k| cageless::numerics::angle::wrap_angle_rad(s.angle_rad[k]).abs())
+                .map(|k| wrap_angle_rad(s.angle_rad[k]).abs())
         })
         .collect();
     angles.sort_by(f64::total_cmp);

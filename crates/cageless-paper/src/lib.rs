@@ -19,7 +19,8 @@ mod table2;
 
 use cageless_report::run_report::ball_pass_mark;
 use cageless_report::{DesignCurve, ReproduceData, RingComparison};
-use cageless_study::{Progress, StudyError, Work};
+use cageless_study::threads::in_order;
+use cageless_study::{Progress, StudyError, Task, Work};
 
 use cases::READINGS;
 use error::not_computed;
@@ -32,7 +33,9 @@ pub use cases::{ODD_ROW, PUBLISHED, Published, experiment, structure, structures
 /// [`StudyError::Interrupted`] if `progress` ended the work; else the first computation that
 /// failed.
 pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, StudyError> {
-    let progress = progress.begin("reproduce", WORK);
+    let task = task(&comparison::GRADES)?;
+    progress.whole(std::slice::from_ref(&task));
+    let progress = progress.begin(TASK, task.steps());
     let progress = &progress;
     let computed = Simulations::new(progress, &comparison::GRADES)?;
     let file_d = cases::structure_file(3, READINGS[1], &[])?;
@@ -88,7 +91,7 @@ impl Simulations {
         let mut comparison = not_computed();
         // The threads take up the parts in this order: those that divide worst come first, the
         // many small tasks of Table 2 last, so that no thread waits long for another at the end.
-        rayon::scope_fifo(|scope| {
+        in_order(|scope| {
             scope.spawn_fifo(|_| extra = extra::compute(progress));
             scope.spawn_fifo(|_| comparison = comparison::compute(progress, grades));
             scope.spawn_fifo(|_| experiment = experiment::compute(progress));
@@ -131,11 +134,22 @@ impl Simulations {
     }
 }
 
-/// Units of work for the progress bar, about a second each on one core.
+/// Name of the task of a reproduction.
+const TASK: &str = "reproduce";
+
+/// The task of a reproduction with balls of these grades.
+fn task(grades: &[u32]) -> Result<Task, StudyError> {
+    let case = cases::structure(3, READINGS[1], &[])?;
+    let alone = Task::new(TASK).with(&case, WORK, PIECES);
+    comparison::add_to(alone, grades)
+}
+
+/// Pieces of what runs alone, about: structures, histories and gaps.
+const PIECES: usize = 60;
+/// Steps of what runs alone, about.
 const WORK: f64 = table2::WORK
     + structures::WORK
     + structures::WORK_BETWEEN
     + histories::WORK
     + experiment::WORK
-    + comparison::WORK
     + extra::WORK;

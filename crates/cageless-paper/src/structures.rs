@@ -8,6 +8,7 @@ use cageless::design::{
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::numerics::angle::wrap_angle_rad;
 use cageless::numerics::moments::Moments;
+use cageless::passage::{Passage, PassageRecorder};
 use cageless::recorder::{Recorder, keeping};
 use cageless::snapshot::Snapshot;
 use cageless::{Case, Formulation, FrictionLaw, RacewayForm};
@@ -15,17 +16,21 @@ use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Pr
 use rayon::prelude::*;
 
 use crate::cases::{self, PUBLISHED, Published, READINGS, label};
+use crate::printed::PRINTED;
+use cageless_study::threads::each;
 use cageless_study::{StudyError, Work, provenance};
 
-/// Seconds on one core, roughly.
-pub const WORK: f64 = 6.2;
-/// Seconds on one core for [`between`], roughly.
-pub const WORK_BETWEEN: f64 = 3.1;
+/// Steps, about.
+pub const WORK: f64 = 8.7e6;
+/// Steps of [`between`], about.
+pub const WORK_BETWEEN: f64 = 4.1e6;
 
 /// Sampling of portraits and passages.
 const INTERVAL_S: f64 = 20e-6;
 /// Orbits in a portrait.
 const PORTRAIT_ORBITS: f64 = 6.0;
+/// Width of the places at which speeds are compared from passage to passage, degrees.
+const PLACE_DEG: f64 = 0.25;
 /// Fig. 9 shows this much on either side of the raceway's middle, degrees.
 const WINDOW_DEG: f64 = 60.0;
 
@@ -61,11 +66,23 @@ pub struct Steady {
     pub gap_outside_deviation_deg: f64,
     /// Mean gap between balls inside it, degrees; NaN if no two are inside at once.
     pub gap_inside_mean_deg: f64,
+    /// RMS deviation of the orbital speed at one place in the raceway from passage to passage, over the drop of a
+    /// rolling ball.
+    pub speed_scatter: f64,
+    /// Pairs that enter the raceway with another gap than β0, and those of them that keep the rule of Section 2.3:
+    /// they touch in it if their gap is below β0, and do not if it is above.
+    pub pairs: [usize; 2],
 }
 
 impl Steady {
-    /// From the contacts that begin within `orbits` orbits and snapshots of the same motion.
-    fn new(case: &Case, contacts: &[Collision], orbits: f64, snapshots: &[Snapshot]) -> Self {
+    /// From the contacts that begin within `orbits` orbits, and passages and snapshots of the same motion.
+    fn new(
+        case: &Case,
+        contacts: &[Collision],
+        orbits: f64,
+        passages: &[Passage],
+        snapshots: &[Snapshot],
+    ) -> Self {
         let theta = case.raceways[0].half_angle_rad();
         let outside = theta + case.bearing.ball_angle_rad() / 2.0;
         let ball_orbits = case.bearing.balls() as f64 * orbits;
@@ -92,8 +109,44 @@ impl Steady {
             } else {
                 f64::NAN
             },
+            speed_scatter: speed_scatter(case, snapshots),
+            pairs: pairs(case, passages),
         }
     }
+}
+
+/// [`Steady::pairs`] of the balls of passages with those behind; gaps within what the paper neglects are β0.
+fn pairs(case: &Case, passages: &[Passage]) -> [usize; 2] {
+    let beyond_deg = |p: &Passage| (p.gap_behind_rad - case.bearing.nominal_gap_rad()).to_degrees();
+    let others = || {
+        passages
+            .iter()
+            .filter(|p| beyond_deg(p).abs() > PRINTED.neglected_deg)
+    };
+    let kept = others().filter(|p| (p.collisions_behind > 0) == (beyond_deg(p) < 0.0));
+    [others().count(), kept.count()]
+}
+
+fn speed_scatter(case: &Case, snapshots: &[Snapshot]) -> f64 {
+    let theta_deg = case.raceways[0].half_angle_rad().to_degrees();
+    let places = (2.0 * theta_deg / PLACE_DEG) as usize;
+    let mut speeds = vec![Moments::default(); places + 1];
+    for s in snapshots {
+        for k in 0..s.balls() {
+            let from_deg = wrap_angle_rad(s.angle_rad[k]).to_degrees() + theta_deg;
+            if (0.0..2.0 * theta_deg).contains(&from_deg) {
+                speeds[(from_deg / PLACE_DEG) as usize].add(s.orbit_speed_rad_s[k], 1.0);
+            }
+        }
+    }
+    let mut squares = Moments::default();
+    for place in speeds.iter().filter(|place| place.weight() > 1.0) {
+        squares.add(place.deviation().powi(2), place.weight());
+    }
+    let rolling = |r| rolling_orbit_speed_rad_s(&case.bearing, case.operation.inner_speed_rad_s, r);
+    let drop =
+        rolling(case.bearing.ball_radius_m()) - rolling(case.raceways[0].effective_radius_m(0.0));
+    squares.mean().sqrt() / drop
 }
 
 /// A structure that no threshold of a verdict was fitted to.
@@ -111,8 +164,7 @@ pub struct Between {
 /// `paper`, to whose ten verdicts the thresholds of a verdict were fitted.
 pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, StudyError> {
     let pairs: Vec<&[Published]> = PUBLISHED.windows(2).collect();
-    pairs
-        .par_iter()
+    each(&pairs)
         .map(|pair| {
             let axial_span_mm = 0.5 * (pair[0].axial_span_mm + pair[1].axial_span_mm);
             let bearing = &cases::structure(0, READINGS[0], &[])?.bearing;
@@ -146,8 +198,7 @@ type One = (Found, PhasePortrait, OrbitSpeed);
 pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], StudyError> {
     let tasks: Vec<(usize, usize)> = (0..2).flat_map(|r| (0..10).map(move |k| (r, k))).collect();
     let share = WORK / tasks.len() as f64;
-    let mut found: Vec<One> = tasks
-        .par_iter()
+    let mut found: Vec<One> = each(&tasks)
         .map(|&(reading, k)| one(READINGS[reading], k, progress, share))
         .collect::<Result<_, StudyError>>()?;
     let physical = found.split_off(10);
@@ -167,14 +218,16 @@ fn one(
     let from_s = (end_s - PORTRAIT_ORBITS * orbit_s).max(steady_after_s(&case));
     let mut snapshots: Vec<Snapshot> = vec![];
     let mut contacts: Vec<Collision> = vec![];
+    let mut passages: Vec<Passage> = vec![];
     let after_s = steady_after_s(&case);
     let judgement = {
         let mut detector = CollisionDetector::new(keeping(&mut contacts, |c| c.start_s > after_s));
         let mut recorder =
             Recorder::new(INTERVAL_S, keeping(&mut snapshots, |s| s.time_s >= from_s));
+        let mut ways = PassageRecorder::new(keeping(&mut passages, |p| p.enter_s > after_s));
         judge_watched(
             &case,
-            &mut [&mut recorder, &mut detector],
+            &mut [&mut recorder, &mut detector, &mut ways],
             &mut progress.run_control(1.0, share),
         )?
     };
@@ -203,7 +256,8 @@ fn one(
         speed_deg_s,
         rolling_deg_s,
     };
-    let steady = Steady::new(&case, &contacts, (end_s - after_s) / orbit_s, &snapshots);
+    let orbits = (end_s - after_s) / orbit_s;
+    let steady = Steady::new(&case, &contacts, orbits, &passages, &snapshots);
     Ok((Found { judgement, steady }, portrait, speed))
 }
 
@@ -283,9 +337,51 @@ mod tests {
             x_m: vec![0.0; 5],
             angle_rad: vec![-0.2, 0.2, 1.0, 2.0, 3.0],
             gap_rad: [1f64, 2.0, 3.0, 5.0, 7.0].map(f64::to_radians).to_vec(),
+            orbit_speed_rad_s: vec![500.0; 5],
             ..Snapshot::default()
         };
-        let steady = Steady::new(&case, &contacts, 2.0, &[snapshot]);
+        let pair = |gap_deg: f64, collisions_behind| Passage {
+            ball: 0,
+            raceway: 0,
+            enter_s: 0.0,
+            leave_s: 0.0,
+            gap_enter_rad: 0.0,
+            gap_behind_rad: gap_deg.to_radians(),
+            gap_min_rad: 0.0,
+            gap_leave_rad: 0.0,
+            collisions_ahead: 0,
+            collisions_behind,
+            sliding_max_m_s: 0.0,
+            unloaded_s: 0.0,
+            orbit_speed_range_rad_s: [0.0; 2],
+            inside_at_largest_s: 0.0,
+            slowest_at_largest_rad_s: 0.0,
+            angle_rad: 0.0,
+            way_here: None,
+        };
+        // By the rule of Section 2.3 with β0 = 1.816°: kept, kept, broken twice; at β0 nothing.
+        let passages = [
+            pair(1.7, 1),
+            pair(1.9, 0),
+            pair(1.7, 0),
+            pair(1.9, 2),
+            pair(1.8, 0),
+        ];
+        let faster = Snapshot {
+            orbit_speed_rad_s: vec![510.0; 5],
+            gap_rad: vec![0.5; 5],
+            ..snapshot.clone()
+        };
+        let scatter = Steady::new(&case, &[], 2.0, &[], &[snapshot.clone(), faster]).speed_scatter;
+        let steady = Steady::new(&case, &contacts, 2.0, &passages, &[snapshot]);
+        assert_eq!(steady.pairs, [4, 2]);
+        // ±5 rad/s of the drop Ω(Rw) − Ω(r), r = √(Rw² − lC²/4).
+        let r = (4.7625f64.powi(2) - 2.55f64.powi(2)).sqrt();
+        let speed = |r: f64| 400.0 * std::f64::consts::PI * 18.24 / 23.0025 * r / (r + 4.7625);
+        assert!(
+            (scatter * (speed(4.7625) - speed(r)) / 5.0 - 1.0).abs() < 1e-3,
+            "{scatter}"
+        );
         assert!((steady.contacts_outside - 1.0 / 28.0).abs() < 1e-12);
         assert!((steady.contacts - 3.0 / 28.0).abs() < 1e-12);
         assert!((steady.contact_duration_s - 2e-5).abs() < 1e-12);

@@ -2,10 +2,12 @@
 
 use cageless::Case;
 use cageless::design::{
-    AxialLag, ContactAngleEstimate, Judgement, Recommendation, seats, span_angle_curve,
+    AxialLag, AxialLimit, ContactAngleEstimate, Judgement, Recommendation, axial_load_keeping,
+    seats, span_angle_curve,
 };
 use cageless::equilibrium::{settle, solve};
 
+use crate::number_text::significant;
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
     AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, PROFILE, Part, RACEWAY, Record,
@@ -63,9 +65,54 @@ pub fn design_record(
         .with_part("curve", Some(curve))
 }
 
-/// Results of motion in space at the points of [`cageless::design::axial_points`].
+/// Results of motion in space at the points of [`cageless::design::axial_points`]: `findings` says what the
+/// limits are, or why there are none, and which runs stopped.
 pub fn axial_record(lags: &[AxialLag]) -> Record {
+    // Where one limit is no load, those that leave less of the lag are none for the same reason.
+    let limits = SHARES.iter();
+    let mut limits = limits.map(|(share, text)| (axial_load_keeping(lags, *share), text));
+    let without = limits.find(|(limit, _)| limit.load_n().is_none());
+    let without = without.and_then(|(limit, share)| limit_text(&limit, share));
+    let with_reason = |at| Some((at, AxialLag::stopped(at)?));
+    let stopped: Vec<(&AxialLag, String)> = lags.iter().filter_map(with_reason).collect();
+    let stopped = stopped.first().map(|(at, reason)| {
+        format!(
+            "{} of {} loads and tilts lack results, as a run stopped. The first, {} N and {} mrad: {reason}.",
+            stopped.len(),
+            lags.len(),
+            significant(at.axial_load_n, DIGITS),
+            significant(1e3 * at.tilt_x_rad, DIGITS)
+        )
+    });
     Record::of(AXIAL, Subject::Axial(lags))
+        .with_sentences("findings", without.into_iter().chain(stopped).collect())
+}
+
+/// Digits of loads and tilts.
+const DIGITS: usize = 6;
+
+/// Shares of the lag whose axial loads are results.
+const SHARES: [(f64, &str); 3] = [(0.75, "three quarters"), (0.5, "half"), (0.0, "nothing")];
+
+/// Why a limit is no load; `None` if it is one.
+fn limit_text(limit: &AxialLimit, share: &str) -> Option<String> {
+    Some(match limit {
+        AxialLimit::Load(_) => return None,
+        AxialLimit::EveryLoad => {
+            format!("More than {share} of the lag is left under every axial load.")
+        }
+        AxialLimit::EveryLoadBorne(load_n) => format!(
+            "More than {share} of the lag is left up to {} N; the bearing does not bear the next axial load.",
+            significant(*load_n, DIGITS)
+        ),
+        AxialLimit::Unknown {
+            axial_load_n,
+            reason,
+        } => format!(
+            "The axial load that leaves {share} of the lag is not known: at {} N {reason}.",
+            significant(*axial_load_n, DIGITS)
+        ),
+    })
 }
 
 /// What a contact angle leaves of the first raceway, its balls pressed in as the most loaded one.
@@ -106,26 +153,19 @@ impl Recommended<'_> {
     pub fn sentence(self) -> String {
         let number = |name| self.0.results.number(name);
         let start = ["starting_axial_span_mm", "starting_half_angle_deg"].map(number);
-        let size = |[span, angle]: [f64; 2]| format!("lC {span:.3} mm, θ {angle:.3}°");
         let is_start = self.dimensions() == start;
-        let (size, start) = (size(self.dimensions()), size(start));
-        let judged = number("judged");
-        let range = format!(
-            "the usable range of θ on the curve of Eq. (11), {:.2}° (sliding) to {:.2}° (three \
-             balls inside)",
-            number("half_angle_min_deg"),
-            number("half_angle_max_deg")
-        );
-        match (self.passes(), is_start) {
-            (Some(true), true) => format!("recommended: {size}, in the middle of {range}"),
-            (Some(true), false) => format!(
-                "recommended: {size}, near the starting point {start} in the middle of {range}, \
-                 which fails; {judged} raceways judged"
+        let [span, angle] = self.dimensions();
+        let size = format!("lC {span:.3} mm, θ {angle:.3}°");
+        match self.passes() {
+            Some(true) if is_start => format!(
+                "Recommended: {size} (the middle of the usable range of θ on the curve of Eq. (11), {:.2} to {:.2}°)",
+                number("half_angle_min_deg"),
+                number("half_angle_max_deg")
             ),
+            Some(true) => format!("Recommended: {size} (best of {} tried)", number("judged")),
             _ => format!(
-                "nothing recommended; starting point, which fails: {size}, in the middle of \
-                 {range}; {judged} raceways near it were judged and none passes; design --search \
-                 looks further"
+                "No suggestion from the closed form: none of {} raceways near {size} passes. Use design --search",
+                number("judged")
             ),
         }
     }

@@ -2,7 +2,7 @@
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::rating::BasicRatings;
-use cageless::simulation::{RotorOutcome, RunOutcome};
+use cageless::simulation::{Ending, RESIDUAL_FRACTION, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropSummary, EndState};
 use cageless::{Case, Support};
 
@@ -10,9 +10,6 @@ use crate::Stopped;
 use crate::cell::Cell;
 use crate::kind::Kind;
 use crate::number_text::short;
-
-/// Largest energy balance error, relative, of numbers that can be trusted.
-pub const RESIDUAL_FRACTION: f64 = 0.01;
 
 /// Verdict on a drop.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -84,7 +81,7 @@ impl DropJudgement {
         let mut kept = vec![];
         let mut unjudged = vec![];
         match Stopped::of(case, outcome) {
-            Some(stopped) if stopped.is_interrupted() => {
+            Some(stopped) if !gave_way(outcome) => {
                 unjudged.push((String::new(), stopped.reason(case)));
             }
             Some(stopped) => failed.push(stopped.reason(case)),
@@ -95,10 +92,14 @@ impl DropJudgement {
             ("at the outer raceway", summary.outer_pressure_max_pa),
             ("between balls", summary.ball_pressure_max_pa),
         ];
-        let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
+        let mpa = |pa: f64| 1e-6 * pa;
+        let limit_mpa = mpa(STRESS_LIMIT_PA);
         for (place, pressure_pa) in pressures {
-            if pressure_pa > STRESS_LIMIT_PA {
-                let pressure_mpa = 1e-6 * pressure_pa;
+            if pressure_pa.is_nan() {
+                let text = format!("the contact pressure {place} is not known");
+                unjudged.push((String::new(), text));
+            } else if pressure_pa > STRESS_LIMIT_PA {
+                let pressure_mpa = mpa(pressure_pa);
                 failed.push(format!(
                     "contact pressure {place} {pressure_mpa:.0} MPa, above {limit_mpa:.0} MPa \
                      (ISO 76)"
@@ -107,7 +108,7 @@ impl DropJudgement {
         }
         let most_mpa = pressures
             .iter()
-            .fold(0.0, |most: f64, p| most.max(1e-6 * p.1));
+            .fold(0.0, |most: f64, p| most.max(mpa(p.1)));
         kept.push(format!(
             "largest contact pressure {most_mpa:.0} MPa (limit {limit_mpa:.0} MPa, ISO 76)"
         ));
@@ -126,7 +127,6 @@ impl DropJudgement {
                 short(summary.end_whirl_hz.abs())
             ));
         }
-        failed.extend(unbalanced("", outcome.energy_residual_relative));
         Self {
             touched: summary.end_state != EndState::Falling,
             failed,
@@ -193,14 +193,29 @@ impl DropJudgement {
                 all.kept.extend(bearing.kept.iter().map(number));
             }
         }
+        all.with_rotor(Some(rotor))
+    }
+
+    /// The verdict with that on the planes and the energy balance of a linear rotor.
+    pub(crate) fn with_rotor(mut self, rotor: Option<&RotorOutcome>) -> Self {
+        let Some(rotor) = rotor else {
+            return self;
+        };
         for plane in &rotor.planes {
             let (clearance, most_m) = (&plane.clearance, plane.displacement_max_m);
-            let lists = [&mut all.kept, &mut all.failed];
+            let lists = [&mut self.kept, &mut self.failed];
             displaced(&clearance.name, most_m, clearance.radial_m, lists);
         }
         let residual = rotor.energy_residual_relative;
-        all.failed.extend(unbalanced(" of the rotor", residual));
-        all
+        self.failed.extend(unbalanced(residual));
+        self.unjudged.extend(not_balanced(residual));
+        self
+    }
+
+    /// The verdict with limits that are exceeded besides.
+    pub fn failed(mut self, reasons: impl IntoIterator<Item = String>) -> Self {
+        self.failed.extend(reasons);
+        self
     }
 }
 
@@ -219,15 +234,26 @@ fn displaced(what: &str, most_m: f64, limit_m: f64, [kept, failed]: [&mut Vec<St
     ));
 }
 
-fn unbalanced(what: &str, residual: f64) -> Option<String> {
+/// Whether the bearing gave way; else its computation failed or was interrupted.
+fn gave_way(outcome: &RunOutcome) -> bool {
+    matches!(&outcome.ending, Ending::Stopped(stop) if stop.cause.gives_way())
+}
+
+fn unbalanced(residual: f64) -> Option<String> {
     (residual.abs() > RESIDUAL_FRACTION).then(|| {
         format!(
-            "energy balance error{what} {:.1} %, above {:.0} %: the step is too long for these \
+            "energy balance error of the rotor {:.1} %, above {:.0} %: the step is too long for these \
              numbers",
             100.0 * residual.abs(),
             100.0 * RESIDUAL_FRACTION
         )
     })
+}
+
+/// A balance without a number.
+fn not_balanced(residual: f64) -> Option<(String, String)> {
+    let text = "the energy balance error of the rotor is not known".to_owned();
+    residual.is_nan().then(|| (String::new(), text))
 }
 
 /// Why bearing or support cannot carry the weight of the rotor once it rests.

@@ -2,8 +2,8 @@
 
 use cageless::verification::{Convergence, Judgement};
 
-use crate::number_text::rounded;
-use crate::unit::{printed, unit_text};
+use crate::number_text::{rounded, significant};
+use crate::unit::{printed, unit_text, with_unit};
 
 /// Name, label and unit of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,17 +39,16 @@ impl JudgedResult {
     /// The reason of the verdict as a sentence, in the unit of readers.
     pub(crate) fn reason(&self) -> String {
         let (j, z_limit) = (&self.judgement, self.z_limit);
-        let (factor, suffix) = match printed(&j.quantity.unit_text()) {
-            (factor, unit) if unit.is_empty() => (factor, unit),
-            (factor, unit) => (factor, format!(" {unit}")),
-        };
-        let [mean, error, spread] = [j.mean, j.standard_error, j.spread].map(|v| factor * v);
-        let [step, start] = [j.step_change, j.start_change].map(|v| factor * v);
-        let (half_step, allowed) = (factor * j.half_step_mean - mean, factor * j.tolerance);
+        let (factor, unit) = printed(&j.quantity.unit_text());
+        let two = |v: f64| with_unit(&significant(factor * v, 2), &unit);
+        let half_step = j.half_step_mean - j.mean;
+        let sign = if half_step > 0.0 { "+" } else { "" };
         let known = format!(
-            "{} ± {error:.1e}{suffix} over {} starts, each ± {spread:.1e}{suffix}",
-            rounded(mean, error),
+            "{} ± {} over {} starts, each ± {}",
+            rounded(factor * j.mean, factor * j.standard_error),
+            two(j.standard_error),
             self.replicas,
+            two(j.spread),
         );
         match j.verdict {
             Convergence::Converged => {
@@ -58,8 +57,10 @@ impl JudgedResult {
                     false => String::new(),
                 };
                 format!(
-                    "changes by {step:.1e}{suffix} with the step and {start:.1e}{suffix} with the start, \
-                     at most {allowed:.1e}{suffix} allowed{systematic}"
+                    "changes by {} with the step and {} with the start, at most {} allowed{systematic}",
+                    two(j.step_change),
+                    two(j.start_change),
+                    two(j.tolerance)
                 )
             }
             Convergence::Statistical if j.beyond_predictability => format!(
@@ -72,13 +73,16 @@ impl JudgedResult {
                 j.z
             ),
             Convergence::StepBiased if j.z.abs() < 1e3 => format!(
-                "half the step changes the mean by {half_step:+.1e}{suffix}, z = {:.1} beyond \
-                 ±{z_limit:.1}; {known}",
+                "half the step changes the mean by {sign}{}, z = {:.1} beyond ±{z_limit:.1}; {known}",
+                two(half_step),
                 j.z
             ),
             Convergence::StepBiased => format!(
-                "half the step changes it by {step:.1e}{suffix}, more than the {allowed:.1e}{suffix} allowed \
-                 and far more than the perturbed starts ({spread:.1e}{suffix})"
+                "half the step changes it by {}, more than the {} allowed and far more than the perturbed \
+                 starts ({})",
+                two(j.step_change),
+                two(j.tolerance),
+                two(j.spread)
             ),
         }
     }
@@ -104,5 +108,58 @@ impl VerifiedDrop {
     pub(crate) fn count(&self, verdict: Convergence) -> usize {
         let of_verdict = self.judgements.iter().filter(|j| j.verdict == verdict);
         of_verdict.count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn reason(verdict: Convergence, unit: &'static str, [mean, change]: [f64; 2]) -> String {
+        let quantity = Named {
+            name: "a_result",
+            label: "a result",
+            unit,
+        };
+        let judgement = Judgement {
+            quantity,
+            verdict,
+            value: mean,
+            half_step_value: mean,
+            tolerance: 1e-3,
+            step_change: change,
+            start_change: 0.0,
+            mean,
+            half_step_mean: mean + change,
+            spread: 2e-4,
+            standard_error: 1e-4,
+            z: 3.0,
+            beyond_predictability: false,
+        };
+        let result = JudgedResult {
+            judgement,
+            replicas: 5,
+            z_limit: 2.5,
+            diverges: false,
+        };
+        result.reason()
+    }
+
+    /// Changes are numbers for readers, torques in N·mm, angles without a space before their sign.
+    #[test]
+    fn reasons_have_the_numbers_and_units_of_readers() {
+        assert_eq!(
+            reason(Convergence::Converged, "N m", [0.02, 0.0]),
+            "changes by 0 N·mm with the step and 0 N·mm with the start, at most 1 N·mm allowed"
+        );
+        assert_eq!(
+            reason(Convergence::Converged, "deg", [1.0, 2.5e-7]),
+            "changes by 2.5 × 10⁻⁷° with the step and 0° with the start, at most 0.001° allowed"
+        );
+        assert_eq!(
+            reason(Convergence::StepBiased, "um", [3.0, -0.125]),
+            "half the step changes the mean by −0.12 µm, z = 3.0 beyond ±2.5; 3.00000 ± 0.0001 µm over 5 \
+             starts, each ± 0.0002 µm"
+        );
     }
 }

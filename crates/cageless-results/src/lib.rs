@@ -40,7 +40,7 @@ pub use across::Across;
 pub use cell::Cell;
 pub use computation::Computation;
 pub use design_result::{Recommended, axial_record, design_record};
-pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
+pub use drop_judgement::DropJudgement;
 pub use drop_result::{DropResult, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
@@ -56,16 +56,18 @@ pub use source::{
     JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop,
     Tolerated,
 };
-pub use static_result::{equilibrium_record, static_record};
+pub use static_result::{
+    equilibrium_record, equilibrium_record_noted, lubrication_left_out, static_record,
+};
 pub use stopped::Stopped;
 pub use successive_drop::succession_record;
 pub use table::{
     AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE, LUBRICATION, MAP, MOTION,
     PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION,
-    RUN, SEARCH, SLOT, SPACE, STATIC, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT, of_column,
-    of_kind, quantities,
+    RUN, SEARCH, SLOT, SPACE, STATIC, STEADY, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT,
+    of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
-pub use unit::unit_text;
+pub use unit::{unit_text, with_unit};
 pub use verification_result::{step_warning, verification_record};
 pub use view::{heading, table_of, table_of_judgements};

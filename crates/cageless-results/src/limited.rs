@@ -42,15 +42,29 @@ pub(crate) fn limited_in_succession(
 
 fn add(judgement: &mut DropJudgement, limit: &Limit, quantity: &Quantity, results: &Results) {
     let least = quantity.aim == Some(Aim::High);
-    let side = if least { "at least" } else { "at most" };
+    let by_magnitude = quantity.is_limited_in_magnitude();
+    let negative = results
+        .value(quantity.name)
+        .is_some_and(|value| value < 0.0);
+    let side = match (least, by_magnitude && negative) {
+        (true, _) => "at least",
+        (false, true) => "in magnitude at most",
+        (false, false) => "at most",
+    };
     let text = |value: f64| quantity.with_unit(value);
     let (label, source) = (quantity.label.trim(), &limit.source);
     let allowed = format!("{side} {} ({source})", text(limit.value));
     if let Some(value) = results.value(quantity.name) {
-        let exceeded = if least {
-            value < limit.value
-        } else {
-            value > limit.value
+        if value.is_nan() {
+            let text =
+                format!("{label} is not known, so that its limit cannot be judged: {allowed}");
+            judgement.not_judged(quantity.name, text);
+            return;
+        }
+        let exceeded = match (least, by_magnitude) {
+            (true, _) => value < limit.value,
+            (false, true) => value.abs() > limit.value,
+            (false, false) => value > limit.value,
         };
         judgement.limit(exceeded, format!("{label} {}, {allowed}", text(value)));
         return;

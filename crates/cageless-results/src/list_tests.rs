@@ -23,7 +23,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 41] = [
+const SECTIONS: [(&[Quantity], &str, &str); 42] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (DEFECTS, "Static equilibrium: frequencies of defects", "In `cageless static --json`, `static.json` and its page, next to those above: the table for vibration analysts, in pure rolling. A bearing without a cage has the orbital frequency of its balls in the place of a cage's."),
     (FIT, "Static equilibrium with fits and temperatures", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with `[fit]`."),
@@ -57,7 +57,8 @@ const SECTIONS: [(&[Quantity], &str, &str); 41] = [
     (TOLERANCE, "Tolerance analysis", "In `cageless tolerance --json`, `tolerance.json` and its page."),
     (INFLUENCE, "Tolerance analysis: one influence at a time", "Under `influences` of `tolerance.json`, with the list `verdicts`. Ranges are over the bearings with this deviation and the nominal one."),
     (SAMPLES, "Tolerance analysis: everything at once", "Under `samples` of `tolerance.json`."),
-    (COMPARED, "Comparison of outer rings", "In `cageless compare --json` and `compare.json`, with the results of a run: means over the starts with their standard errors, differences and what is better. `verdicts` has verdict, `passes`, criterion and margin of each ring, by the means over its starts."),
+    (STEADY, "Steady operation", "In `cageless compare --json` and `compare.json`: means over the draws of balls with their standard errors."),
+    (COMPARED, "Comparison of outer rings", "In `cageless compare --json` and `compare.json`, with the results of a run and of steady operation: means over the draws with their standard errors, differences and what is better. `benefits` has `benefit`, `benefit_reasons`, score and criteria of each ring against the first, `verdicts` whether single balls are slowed as intended."),
     (VERIFICATION, "Verification of a run", "Under `verification` of `cageless run --verify --json` and `summary.json`."),
     (VERIFIED, "Verification of a run: results that are judged", "Under `verification.numbers`."),
     (DROP_VERIFICATION, "Verification of a drop", "Under `verification` of `cageless drop --verify --json` and `summary.json`; of a rotor on several bearings under `verification.bearings`."),

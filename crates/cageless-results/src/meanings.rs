@@ -16,7 +16,7 @@ pub(crate) const ENERGY_RESIDUAL: &str = "error of the energy balance over the s
 pub(crate) const ELLIPSE_EDGE: &str = "contact angle with the half length of the ellipse over the radius of the ball, |α| + a/R; beyond the shoulder the ellipse is cut off; in space";
 pub(crate) const FORCE_ANGLE: &str = "angle between the sum of all forces of the balls there and the radius, each in its meridian plane and positive on the side of the contact sign of its row; of a run in space";
 pub(crate) const FTF: &str = "fundamental train frequency: orbits of the ball set per second";
-pub(crate) const KEEPS: &str = "at no tilt, by linear interpolation between the loads of the list; none if the balls keep as much under every load";
+pub(crate) const KEEPS: &str = "at no tilt, by linear interpolation between the loads of the list; none if the balls keep as much under every load, or if a run before it has no lag: `findings` has the reason";
 pub(crate) const LAG: &str = "what a ball loses in one discrete raceway against its mean orbital speed outside: that speed times the time of the passage, less the angle of the raceway";
 pub(crate) const LAG_FRACTION: &str = "lag per pass over that of rolling on rigid flanks without a contact angle";
 pub(crate) const HERTZ_PRESSURE: &str = "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa";
@@ -25,4 +25,4 @@ pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure 
 pub(crate) const SIMULATED: &str = "time at which the simulation ended";
 pub(crate) const UNLOADED: &str = "the inner ring does not drive a ball then; 0 where it drives all of them all the time";
 pub(crate) const STIFFNESS: &str = "K in F = K δ^1.5";
-pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `slips`, on elastic flanks and in space `loses-lag`, `overloaded`, or `infeasible`";
+pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `too-shallow`, `too-deep`, `slips`, on elastic flanks and in space `loses-lag`, `overloaded`, `infeasible`, or `not-judged`";

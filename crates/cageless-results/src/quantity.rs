@@ -7,7 +7,7 @@ use crate::judged::Named;
 use crate::kind::Kind;
 use crate::number_text::significant;
 use crate::source::{Source, Subject};
-use crate::unit::printed;
+use crate::unit::{printed, with_unit};
 
 /// A scalar result.
 #[derive(Debug, Clone, Copy)]
@@ -57,6 +57,12 @@ pub fn bearing_in_column(name: &str) -> Option<(usize, &str)> {
 }
 
 impl Quantity {
+    /// Whether a limit is the most of the magnitude: the sign of a speed or a force is its sense. A temperature counts
+    /// with its sign, and of what is better higher a limit is the least.
+    pub fn is_limited_in_magnitude(&self) -> bool {
+        self.aim != Some(Aim::High) && self.unit != "C"
+    }
+
     /// The computation of a sweep that it is part of, or that rests on it.
     pub fn computation(&self) -> Computation {
         match self.of {
@@ -64,7 +70,7 @@ impl Quantity {
             Source::Design(_) | Source::ContactAngle(_) | Source::Axial(_) | Source::Curve(_) => {
                 Computation::Design
             }
-            Source::Run(_) | Source::Vibration(_) => Computation::Run,
+            Source::Run(_) | Source::Steady(_) | Source::Vibration(_) => Computation::Run,
             Source::Drop(_) | Source::RotorDrop(_) | Source::Plane(_) => Computation::Drop,
             _ => Computation::Verdict,
         }
@@ -100,9 +106,12 @@ impl Quantity {
         !self.is_of_bearing() || self.across.is_some()
     }
 
-    /// Factor and unit of values in tables for readers.
+    /// Factor and unit of values in tables for readers; fractions are percentages there.
     pub fn printed(&self) -> (f64, String) {
-        printed(&self.unit_text())
+        match self.unit.is_empty() && self.name.ends_with("_fraction") {
+            true => (100.0, "%".to_owned()),
+            false => printed(&self.unit_text()),
+        }
     }
 
     /// A number for readers, in [`Quantity::printed_unit`].
@@ -120,10 +129,7 @@ impl Quantity {
 
     /// A number for readers with its unit.
     pub fn with_unit(&self, value: f64) -> String {
-        let text = self.number_text(value);
-        format!("{text} {}", self.printed_unit())
-            .trim_end()
-            .to_owned()
+        with_unit(&self.number_text(value), &self.printed_unit())
     }
 
     /// Unit of [`value_text`](crate::value_text).

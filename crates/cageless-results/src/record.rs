@@ -81,8 +81,9 @@ impl Record {
         Results::of(rows, subject).into()
     }
 
-    /// Adds a list of sentences.
+    /// Adds a list of sentences, in place of one of the same name.
     pub fn with_sentences(mut self, name: &'static str, sentences: Vec<String>) -> Self {
+        self.sentences.retain(|(known, _)| *known != name);
         self.sentences.push((name, sentences));
         self
     }

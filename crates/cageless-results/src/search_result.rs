@@ -11,7 +11,11 @@ const STRUCTURES: Shape = Shape {
     parts: &[(
         "points",
         &Shape {
-            parts: &[("motion", &MOTIONS), ("errors", &MOTIONS)],
+            parts: &[
+                ("motion", &MOTIONS),
+                ("errors", &MOTIONS),
+                ("bunched", &MOTIONS),
+            ],
             ..Shape::of(STRUCTURE_AT)
         },
     )],
@@ -19,7 +23,7 @@ const STRUCTURES: Shape = Shape {
 };
 
 /// What a search holds: `own` and `recommended` structure from more initial states and from the usual
-/// ones, candidates that are `unconfirmed` by more initial states, the Pareto `front`, every structure of the `band` and `maps`.
+/// ones, candidates that are `unconfirmed` by more initial states, what is rejected by least (`closest`), the Pareto `front`, every structure of the `band` and `maps`.
 pub const SEARCH_SHAPE: Shape = Shape {
     values: SEARCH,
     sentences: &["findings"],
@@ -31,6 +35,7 @@ pub const SEARCH_SHAPE: Shape = Shape {
         ("own", &STRUCTURES),
         ("recommended_from_usual_starts", &STRUCTURES),
         ("own_from_usual_starts", &STRUCTURES),
+        ("closest", &STRUCTURES),
         ("front", &STRUCTURES),
         ("band", &STRUCTURES),
         ("rejections", &Shape::of(REJECTION)),

@@ -1,7 +1,7 @@
 //! What results are computed from.
 
 use cageless::RacewayForm;
-use cageless::design::search::{Evaluation, Found, Motion, OperatingPoint, SpeedMap};
+use cageless::design::search::{Evaluation, Excluded, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
     AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
     RacewayVerdict, Recommendation, RunVerdict,
@@ -12,10 +12,11 @@ use cageless::passage::PassageTally;
 use cageless::raceway::MeasuredFlanks;
 use cageless::rating::Rating;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
+use cageless::steady::SteadySummary;
 use cageless::summary::Summary;
 use cageless::surface::{MeasuredSlot, PointDeviation};
 use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
-use cageless::touchdown::{DropSummary, PARTS, SpinDown};
+use cageless::touchdown::{DropSummary, PARTS};
 use cageless::verification::{Distance, Verification};
 use cageless::{Case, Raceway};
 
@@ -107,8 +108,12 @@ pub struct SuccessiveDrop<'a> {
     pub case: &'a Case,
     /// Heat of all interfaces in the drop, J.
     pub heat_j: f64,
-    /// Spin-down after it; `None` where the rotor does not come to rest.
-    pub spin_down: Option<SpinDown>,
+    /// Time from its end to the standstill of the rotor, s; `None` without an estimate.
+    pub spin_down_s: Option<f64>,
+    /// Heat of this bearing in that time, J.
+    pub spin_down_heat_j: Option<f64>,
+    /// A linear rotor with its planes.
+    pub rotor: Option<&'a RotorOutcome>,
     /// Temperatures of inner ring, balls and outer ring after that, °C; `None` without heat capacities.
     pub standstill_c: Option<[f64; PARTS]>,
     /// Verdict on it.
@@ -240,10 +245,11 @@ sources! {
     Structure(Evaluation, Evaluation) "One of its structures.",
     StructureAt(AtPoint<'_>, AtPoint<'a>) "A structure at an operating point.",
     Motion((Motion, f64), (Motion, f64)) "A motion of all balls, and the steady-state gap, rad.",
-    Rejection((&'static str, usize), (&'static str, usize)) "A requirement and the number of structures it excludes.",
+    Rejection(Excluded, Excluded) "A requirement and the number of structures it excludes.",
     Placement(SearchedPlacement<'_>, SearchedPlacement<'a>) "Angular positions that are tried.",
     Map(SpeedMap, SpeedMap) "Critical gaps and verdicts over lC and θ.",
     Paper((String, [f64; 2]), (String, [f64; 2])) "Letter, lC (mm) and θ (°) of a structure of the paper.",
+    Steady(SteadySummary, SteadySummary) "Contacts and forces of steady operation.",
     Vibration(f64, f64) "RMS of the acceleration of the housing, m/s².",
     Verified(Verification, Verification) "The verification of a run.",
     DropVerified(VerifiedDrop, VerifiedDrop) "The verification of a drop in one bearing.",

@@ -35,6 +35,20 @@ pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
     Ok(static_record(case, &settle(case)?))
 }
 
+/// [`equilibrium_record`] of a bearing with a further note.
+///
+/// # Errors
+/// Those of [`equilibrium_record`].
+pub fn equilibrium_record_noted(
+    case: &Case,
+    note: Option<String>,
+) -> Result<Record, EquilibriumError> {
+    let record = equilibrium_record(case)?;
+    let notes = record.sentences("notes").iter().cloned();
+    let notes = note.into_iter().chain(notes).collect();
+    Ok(record.with_sentences("notes", notes))
+}
+
 fn notes(solved: &Solved<'_>) -> Vec<String> {
     let case = solved.case;
     let mut notes = vec![
@@ -106,16 +120,20 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     notes
 }
 
+/// Why the static equilibrium of a case has no ratings with its lubricant, and what has them; `None` where it has.
+pub fn lubrication_left_out(case: &Case) -> Option<&'static str> {
+    (case.lubrication.is_some() && case.moves_in_space()).then_some(
+        "[lubrication]: modified life, minimum load and SKF's friction are for radial loads in the plane and \
+         left out in space; model.motion = \"auto\" without axial load, moments, tilt, contact angle and [[row]] \
+         has them",
+    )
+}
+
 /// What the ratings with a lubricant leave out.
 fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
-    if solved.case.lubrication.is_none() {
-        return vec![];
-    }
+    let left_out = lubrication_left_out(solved.case);
     let Some(rating) = &solved.rating.lubricated else {
-        return vec![
-            "[lubrication]: modified life and minimum load are for radial loads at speed and left out"
-                .to_owned(),
-        ];
+        return left_out.map(str::to_owned).into_iter().collect();
     };
     let load_n = solved.case.operation.radial_load_n;
     let thin = (rating.viscosity_ratio < VISCOSITY_RATIO_MIN).then(|| {

@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 
 use cageless::Case;
 use cageless::design::{
-    AxialLag, Judgement, PassageStatistics, RacewayTallies, RacewayVerdict, RunVerdict,
+    AxialLag, Judgement, LagAndAngle, NoLag, PassageStatistics, RacewayVerdict, RunVerdict,
 };
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::raceway::MeasuredFlanks;
-use cageless::simulation::{Control, run};
+use cageless::simulation::{Cause, Control, Stop, run};
 use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::SummaryRecorder;
 use cageless::surface::{
@@ -21,6 +21,8 @@ use cageless_io::case_file::{CaseFile, template};
 use super::*;
 
 mod drops;
+mod statics;
+mod verdicts;
 
 #[test]
 fn names_are_unique_and_end_with_their_unit() {
@@ -263,20 +265,26 @@ fn results_of_a_verdict_are_its_fields() {
     assert_eq!(results.get("passages"), Some(&Cell::Integer(41)));
 }
 
-#[test]
-fn results_under_axial_load_are_the_points() {
-    let at = |axial_load_n, tilt_x_rad, lag_and_angle_rad| AxialLag {
+fn axial_lag(axial_load_n: f64, tilt_x_rad: f64, lag: Result<[f64; 2], NoLag>) -> AxialLag {
+    AxialLag {
         axial_load_n,
         tilt_x_rad,
-        lag_and_angle_rad,
-        critical_gap_rad: lag_and_angle_rad.map(|_| 0.25 * PI),
-    };
+        critical_gap_rad: lag.is_ok().then_some(Ok(0.25 * PI)),
+        lag: lag.map(|[lag_rad, inner_contact_angle_rad]| LagAndAngle {
+            lag_rad,
+            inner_contact_angle_rad,
+        }),
+    }
+}
+
+#[test]
+fn results_under_axial_load_are_the_points() {
     let lags = [
-        at(0.0, 0.0, Some([0.04, 0.0])),
-        at(100.0, 0.0, Some([-0.04, 0.25 * PI])),
-        at(100.0, 1e-3, None),
+        axial_lag(0.0, 0.0, Ok([0.04, 0.0])),
+        axial_lag(100.0, 0.0, Ok([-0.04, 0.25 * PI])),
+        axial_lag(100.0, 1e-3, Err(NoLag::NoPassage)),
     ];
-    let results = Results::of(AXIAL, Subject::Axial(&lags));
+    let results = axial_record(&lags);
     let expected = [
         ("axial_load_three_quarters_n", 12.5),
         ("axial_load_half_n", 25.0),
@@ -293,6 +301,43 @@ fn results_under_axial_load_are_the_points() {
     assert_eq!(angles[..2], [0.0, 45.0]);
     let gaps = results.values("critical_gap_deg");
     assert!(gaps[..2] == [45.0; 2] && gaps[2].is_nan());
+    assert!(results.sentences("findings").is_empty());
+}
+
+/// A limit beyond a run that stopped is none, and says so with the reason; the number of such runs is stated.
+#[test]
+fn an_axial_load_without_result_has_its_reason() {
+    let stop = Stop {
+        time_s: 0.002,
+        step_s: 1e-6,
+        drop: false,
+        automatic_step_s: 1e-6,
+        cause: Cause::NotFinite,
+    };
+    let lags = [
+        axial_lag(0.0, 0.0, Ok([0.04, 0.0])),
+        axial_lag(100.0, 0.0, Ok([0.028, 0.1])),
+        axial_lag(200.0, 0.0, Err(NoLag::Stopped(stop.clone()))),
+        axial_lag(300.0, 0.0, Ok([0.01, 0.1])),
+        axial_lag(0.0, 1e-3, Err(NoLag::Stopped(stop))),
+    ];
+    let record = axial_record(&lags);
+    assert!(record.number("axial_load_three_quarters_n") < 100.0);
+    assert_eq!(record.value("axial_load_half_n"), None);
+    assert_eq!(record.value("axial_load_none_n"), None);
+    let [limit, count] = record.sentences("findings") else {
+        panic!("{:?}", record.sentences("findings"));
+    };
+    assert!(
+        limit.starts_with(
+            "The axial load that leaves half of the lag is not known: at 200 N the run stopped at t = 0.002000 s"
+        ),
+        "{limit}"
+    );
+    assert!(
+        count
+            .starts_with("2 of 5 loads and tilts lack results, as a run stopped. The first, 200 N")
+    );
 }
 
 /// Orders by the closed forms with Dw = 9.525 mm, Dpw = 46.005 mm, 14 balls and 200 Hz.
@@ -337,11 +382,15 @@ fn results_with_a_fit_are_its_fields() {
     let um = 1e6;
     let expected = [
         ("initial_clearance_um", fit.initial_m * um),
-        ("effective_shaft_interference_um", 9.0),
+        (
+            "effective_shaft_interference_um",
+            fit.shaft_interference_m * um,
+        ),
         ("effective_housing_interference_um", 4.0),
         ("shaft_reduction_um", fit.shaft_reduction_m * um),
         ("housing_reduction_um", fit.housing_reduction_m * um),
         ("thermal_clearance_change_um", fit.thermal_change_m * um),
+        ("speed_reduction_um", fit.speed_reduction_m * um),
         (
             "operating_clearance_um",
             case.bearing.radial_internal_clearance_m() * um,
@@ -356,6 +405,48 @@ fn results_with_a_fit_are_its_fields() {
         record.results.number("operating_clearance_um"),
         results.number("operating_clearance_um")
     );
+}
+
+/// A lubricant that has no effect is said to have none, with the key that gives it one.
+#[test]
+fn ratings_with_a_lubricant_are_there_or_said_to_be_left_out() {
+    let lubricant = [
+        "lubrication.viscosity_mm2_s=6",
+        "lubrication.contamination_factor=0.3",
+    ];
+    for (set, key) in [
+        ("model.motion=\"auto\"", None),
+        ("model.motion=\"space\"", Some("model.motion = \"auto\"")),
+        (
+            "operation.axial_load_n=200",
+            Some("model.motion = \"auto\""),
+        ),
+    ] {
+        let sets = [lubricant[0], lubricant[1], set].map(str::to_owned);
+        let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+        let case = file.case();
+        let record = static_record(case, &cageless::equilibrium::settle(case).unwrap());
+        let has_life = record.results.number("viscosity_ratio").is_finite();
+        let notes = record.sentences("notes");
+        let said = notes.iter().find(|note| note.starts_with("[lubrication]"));
+        assert_eq!(has_life, key.is_none(), "{set}: {notes:?}");
+        assert_eq!(
+            lubrication_left_out(case),
+            said.map(String::as_str),
+            "{set}"
+        );
+        assert_eq!(
+            key.is_some(),
+            said.is_some_and(|s| s.contains(key.unwrap_or(""))),
+            "{set}: {said:?}"
+        );
+    }
+    let bare = CaseFile::parse(
+        &template(false),
+        "case.toml",
+        &["model.motion=\"space\"".to_owned()],
+    );
+    assert_eq!(lubrication_left_out(bare.unwrap().case()), None);
 }
 
 #[test]
@@ -457,7 +548,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         outcome: &outcome,
         summary: Some(&s),
         passages: &tally,
-        verdict: &RunVerdict::from_case(&case, &RacewayTallies::new(&case)),
+        verdict: &RunVerdict::unfinished(&case, "a test"),
         wall_s: 77.0,
     };
     let turns = case.operation.inner_speed_rad_s / (2.0 * PI);

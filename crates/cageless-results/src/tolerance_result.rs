@@ -52,9 +52,14 @@ pub fn tolerance_record(
             .with_sentences("verdicts", verdicts.collect())
     });
     let samples = assessment.samples.as_ref().map(|samples| {
-        // What only space or high loads have is listed where it came out.
-        let rare = [RacewayVerdict::LosesLag, RacewayVerdict::Overloaded];
-        let listed = |at: &&(RacewayVerdict, usize)| !rare.contains(&at.0) || at.1 > 0;
+        // The others are listed where they came out.
+        let usual = [
+            RacewayVerdict::Smooth,
+            RacewayVerdict::DoubleCollision,
+            RacewayVerdict::Slips,
+            RacewayVerdict::Infeasible,
+        ];
+        let listed = |at: &&(RacewayVerdict, usize)| usual.contains(&at.0) || at.1 > 0;
         let verdicts = samples.verdicts.iter().filter(listed).map(|(verdict, _)| {
             let outcomes = samples.outcomes.iter().filter(|o| o.verdict == *verdict);
             let counted = CountedVerdict {

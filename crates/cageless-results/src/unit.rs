@@ -1,4 +1,4 @@
-//! Units of results, for readers.
+//! Units of keys and results, for readers.
 
 use std::f64::consts::TAU;
 
@@ -9,9 +9,14 @@ pub fn unit_text(unit: &str) -> String {
         "C" => "°C".to_owned(),
         "um" => "µm".to_owned(),
         "us" => "µs".to_owned(),
-        "m/s^2" => "m/s²".to_owned(),
-        unit => unit.replace(' ', "·"),
+        unit => (unit.replace(' ', "·").replace("^2", "²")).replace("^3", "³"),
     }
+}
+
+/// A number with a unit in its symbols: `12.5 µm`, `90°`.
+pub fn with_unit(number: &str, unit: &str) -> String {
+    let space = if matches!(unit, "" | "°") { "" } else { " " };
+    format!("{number}{space}{unit}")
 }
 
 /// Factor and unit for readers of values in a unit with its symbols: one unit for pressures, one for torques, one for

@@ -35,8 +35,9 @@ fn in_unit<Q>(j: &Judgement<Q>, quantity: &'static Quantity) -> Judgement<Named>
 /// Results of the verification of a run, with the judgement of each of the `numbers` by its name and
 /// the `distance` of the replicas over time.
 pub fn verification_record(v: &Verification) -> Record {
-    let numbers = v.judgements.iter().zip(VERIFIED);
-    let numbers = numbers.fold(Record::default(), |numbers, (judgement, quantity)| {
+    let numbers = v.judgements.iter();
+    let numbers = numbers.fold(Record::default(), |numbers, judgement| {
+        let quantity = &VERIFIED[judgement.quantity as usize];
         let result = JudgedResult {
             judgement: in_unit(judgement, quantity),
             replicas: v.replicas,

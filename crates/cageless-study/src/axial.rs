@@ -1,27 +1,29 @@
 //! What axial load and tilt leave of the lag in the raceways of a case, point by point in parallel.
 
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::{AxialLag, axial_critical_gap_rad, axial_lag, axial_points};
+use cageless::design::{
+    AxialLag, AxialLimit, axial_critical_gap_rad, axial_lag, axial_load_keeping, axial_points,
+    axial_sample,
+};
 use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::task::Task;
+use crate::threads::each_of;
 
 /// Name of the task of [`axial_lags`].
 const TASK: &str = "axial load";
-/// One point takes about as long as so many verdicts on a raceway.
-const POINT_WORK: f64 = 6.0;
-/// The part of it that the lag takes.
-const LAG_WORK: f64 = 5.0;
-
-/// The task of [`axial_lags`] with its work, for `Progress::whole`.
+/// The task of [`axial_lags`], for `Progress::whole`.
 ///
 /// # Errors
 /// The case cannot be computed, see [`axial_points`].
-pub fn task(file: &CaseFile) -> Result<(String, f64), StudyError> {
+pub fn task(file: &CaseFile) -> Result<Task, StudyError> {
     let points = file.checked(axial_points)?;
-    Ok((TASK.to_owned(), POINT_WORK * points.len() as f64))
+    let (sample, steps) = axial_sample(file.case(), points[0]);
+    let all = points.len() as f64 * steps.iter().sum::<f64>();
+    Ok(Task::new(TASK).with(&sample, all, points.len()))
 }
 
 /// Lags and critical gaps at the points of [`axial_points`], in their order.
@@ -30,29 +32,39 @@ pub fn task(file: &CaseFile) -> Result<(String, f64), StudyError> {
 /// The case cannot be computed, or the progress ended the work.
 pub fn axial_lags(file: &CaseFile, progress: &dyn Progress) -> Result<Vec<AxialLag>, StudyError> {
     let points = file.checked(axial_points)?;
-    let task = progress.begin(TASK, POINT_WORK * points.len() as f64);
-    let lags: Result<Vec<AxialLag>, StudyError> = points
-        .into_par_iter()
+    let task = progress.begin(TASK, self::task(file)?.steps());
+    let lags: Result<Vec<AxialLag>, StudyError> = each_of(points)
         .map(|point| {
             let case = file.case();
-            let lag = axial_lag(case, point, &mut task.run_control(1.0, LAG_WORK));
-            let lag = lag.map_err(|error| StudyError::of_run(file, error.into()))?;
-            let mut control = task.run_control(1.0, POINT_WORK - LAG_WORK);
-            if lag.lag_and_angle_rad.is_none() {
+            let (_, [lag_steps, gap_steps]) = axial_sample(case, point);
+            let lag = axial_lag(case, point, &mut task.run_control(1.0, lag_steps));
+            let lag = lag.map_err(|error| of_run(file, error))?;
+            let mut control = task.run_control(1.0, gap_steps);
+            if lag.lag.is_err() {
                 return Ok(lag);
             }
-            match axial_critical_gap_rad(case, point, &mut *control) {
-                Ok(critical_gap_rad) => Ok(AxialLag {
-                    critical_gap_rad,
-                    ..lag
-                }),
-                Err(CriticalGapError::Interrupted) => Err(StudyError::Interrupted),
-                Err(error) => Err(StudyError::of_run(file, error)),
-            }
+            let gap = axial_critical_gap_rad(case, point, &mut *control);
+            Ok(AxialLag {
+                critical_gap_rad: Some(gap.map_err(|error| of_run(file, error))?),
+                ..lag
+            })
         })
         .collect();
     match progress.interrupted() {
         true => Err(StudyError::Interrupted),
         false => lags,
+    }
+}
+
+/// Whether a limit under axial load is not known because a run has no lag.
+pub fn stops_a_limit(lags: &[AxialLag]) -> bool {
+    // Where any limit is unknown the smallest share is.
+    matches!(axial_load_keeping(lags, 0.0), AxialLimit::Unknown { .. })
+}
+
+fn of_run(file: &CaseFile, error: CriticalGapError) -> StudyError {
+    match error {
+        CriticalGapError::Interrupted => StudyError::Interrupted,
+        error => StudyError::of_run(file, error),
     }
 }

@@ -4,7 +4,10 @@ use std::path::Path;
 
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
+use cageless::design::{
+    Judgement, Recommendation, judge_watched, recommend, recommendation_steps, steady_case,
+    verdict_steps,
+};
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::Stop;
@@ -18,7 +21,8 @@ use crate::entered::{entered, entered_raceway};
 use crate::error::StudyError;
 use crate::progress::Progress;
 use crate::structure::RacewayLabel;
-use crate::{axial, search};
+use crate::task::Task;
+use crate::{axial, rings, search};
 
 /// Results of `design`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -72,39 +76,67 @@ pub struct Designed {
     pub stopped: Option<Stop>,
     /// Why a search recommends nothing.
     pub none_found: Option<String>,
+    /// Why an axial load that was asked for is not known.
+    pub axial_unknown: Option<String>,
+    /// Whether the progress ended the work after the verdict: what was to follow is left out.
+    pub interrupted: bool,
 }
 
 /// Judges the raceways of a case, finds one near the curve of Eq. (11) that passes, and does what else is
 /// asked.
 ///
 /// # Errors
-/// The case is impossible, a run did not converge, or the progress ended the work.
+/// The case is impossible, a run did not converge, or the progress ended the work before the verdict, or in a search,
+/// which resumes.
 pub fn design(
     file: &CaseFile,
     asked: Asked<'_>,
     progress: &dyn Progress,
 ) -> Result<Designed, StudyError> {
     file.checked(Case::check_motion)?;
-    let mut tasks = vec![(TASK.to_owned(), 1.0 + RECOMMENDATION_WORK)];
+    let case = file.case();
+    let mut tasks = vec![Task::new(TASK).with(case, verdict_steps(case), 1)];
+    if asked.search.is_none() {
+        let steps = recommendation_steps(case);
+        tasks.push(Task::new(RECOMMENDATION).with(case, steps, 1));
+    }
     if asked.axial {
         tasks.push(axial::task(file)?);
     }
-    if asked.search.is_some() {
-        tasks.extend(search::tasks(file));
+    if asked.search.is_some() && progress.workload().is_some() {
+        tasks.extend(search::tasks(file, progress.announces())?);
+    }
+    if asked.folder.is_some() {
+        tasks.push(rings::task(case));
     }
     progress.whole(&tasks);
-    let (judgement, near, snapshots) = judged(file, progress)?;
+    let (judgement, snapshots) = judged(file, progress)?;
+    // A search finds better, and one recommendation is enough.
+    let mut interrupted = false;
+    let near = match asked.search {
+        None => unless_interrupted(recommended(file, progress), &mut interrupted)?.flatten(),
+        Some(_) => None,
+    };
+    let judgement = judgement.map_err(|error| StudyError::of_run(file, error))?;
     let mut designed = Designed {
         result: DesignResult::new(file.case(), &judgement, near.as_ref()),
         snapshots,
         stopped: judgement.stopped,
         none_found: None,
+        axial_unknown: None,
+        interrupted,
     };
-    if asked.axial {
-        let lags = axial::axial_lags(file, progress)?;
-        designed.result.axial = Some(axial_record(&lags));
+    let lags = match asked.axial && !designed.interrupted {
+        true => unless_interrupted(axial::axial_lags(file, progress), &mut designed.interrupted)?,
+        false => None,
+    };
+    if let Some(lags) = lags {
+        let record = axial_record(&lags);
+        let unknown = axial::stops_a_limit(&lags);
+        designed.axial_unknown = unknown.then(|| record.sentences("findings")[0].clone());
+        designed.result.axial = Some(record);
     }
-    if let Some(paper) = asked.search {
+    if let Some(paper) = asked.search.filter(|_| !designed.interrupted) {
         let (found, record) = search::run(file, asked.folder, paper, progress)?;
         designed.none_found = search::refusal(file, &found);
         designed.result.search = Some(record);
@@ -112,51 +144,76 @@ pub fn design(
     Ok(designed)
 }
 
+/// What was found; `None` if the progress ended the work, which is noted.
+fn unless_interrupted<T>(
+    found: Result<T, StudyError>,
+    interrupted: &mut bool,
+) -> Result<Option<T>, StudyError> {
+    match found {
+        Err(StudyError::Interrupted) => {
+            *interrupted = true;
+            Ok(None)
+        }
+        found => found.map(Some),
+    }
+}
+
 /// Orbits of the balls whose motion is kept.
 pub const PORTRAIT_ORBITS: f64 = 3.0;
 /// Moments of the motion that are kept.
 const SNAPSHOTS: f64 = 400.0;
 
-/// A recommendation takes as long as the verdict on the case's own raceway if the starting point
-/// passes, and up to five times as long as a rule if it does not.
-const RECOMMENDATION_WORK: f64 = 1.5;
-
-/// Name of the task of the verdict.
+/// Names of the tasks of the verdict and of the recommendation.
 const TASK: &str = "design";
+const RECOMMENDATION: &str = "recommendation";
 
-/// The verdict on the raceways of a case, a recommendation, and the end of the run that was judged.
+/// The verdict on the raceways of a case, and the end of the run that was judged.
 fn judged(
     file: &CaseFile,
     progress: &dyn Progress,
-) -> Result<(Judgement, Option<Recommendation>, Vec<Snapshot>), StudyError> {
+) -> Result<(Result<Judgement, CriticalGapError>, Vec<Snapshot>), StudyError> {
     let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
     let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
-    let task = progress.begin(TASK, 1.0 + RECOMMENDATION_WORK);
+    let steps = verdict_steps(case);
+    let task = progress.begin(TASK, steps);
     let mut snapshots = vec![];
     let judgement = {
         let interval_s = (end_s - from_s) / SNAPSHOTS;
         let kept = keeping(&mut snapshots, |s: &Snapshot| s.time_s >= from_s);
         let mut recorder = Recorder::new(interval_s, kept);
-        judge_watched(case, &mut [&mut recorder], &mut task.run_control(1.0, 1.0))
+        judge_watched(
+            case,
+            &mut [&mut recorder],
+            &mut task.run_control(1.0, steps),
+        )
     };
-    if progress.interrupted() {
-        return Err(StudyError::Interrupted);
+    match progress.interrupted() {
+        true => Err(StudyError::Interrupted),
+        false => Ok((judgement, snapshots)),
     }
+}
+
+/// A raceway near the curve of Eq. (11).
+fn recommended(
+    file: &CaseFile,
+    progress: &dyn Progress,
+) -> Result<Option<Recommendation>, StudyError> {
+    let case = file.case();
+    let steps = recommendation_steps(case);
+    let task = progress.begin(RECOMMENDATION, steps);
     let entered = |dimensions: RacewayDimensions| {
         let depth_error_um = file.document().number("raceway.1.depth_error_um");
         let raceway = entered_raceway(&dimensions, depth_error_um.unwrap_or(0.0));
         entered(file, &[raceway], None)
     };
-    let mut control = task.run_control(1.0, RECOMMENDATION_WORK);
-    let recommendation = match recommend(case, &entered, &mut *control) {
-        Ok(found) => found,
-        Err(CriticalGapError::Interrupted) => return Err(StudyError::Interrupted),
-        Err(error @ CriticalGapError::Case(_)) => return Err(StudyError::of_run(file, error)),
+    let mut control = task.run_control(1.0, steps);
+    match recommend(case, &entered, &mut *control) {
+        Ok(found) => Ok(found),
+        Err(CriticalGapError::Interrupted) => Err(StudyError::Interrupted),
+        Err(error @ CriticalGapError::Case(_)) => Err(StudyError::of_run(file, error)),
         // No run of a pair can be judged here; the verdict says why.
-        Err(_) => None,
-    };
-    let judgement = judgement.map_err(|error| StudyError::of_run(file, error))?;
-    Ok((judgement, recommendation, snapshots))
+        Err(_) => Ok(None),
+    }
 }

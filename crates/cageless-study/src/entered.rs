@@ -62,7 +62,7 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let keys = [
         (SHAPE, form.shape != paper.shape),
         ("profile", form.profile_rad().is_some()),
-        (BLEND, form.blend_m != paper.blend_m),
+        (BLEND, true),
         (DEPTH, form.depth_m != paper.depth_m),
         (EDGE, form.edge_radius_m != paper.edge_radius_m),
         ("slot_depth_mm", form.slot_depth_m.is_some()),
@@ -117,6 +117,7 @@ pub fn entered(
 
 #[cfg(test)]
 mod tests {
+    use cageless::Ends;
     use cageless_io::case_file::template;
 
     use super::*;
@@ -163,6 +164,6 @@ mod tests {
         let slot = RacewayForm::default().reshaped(RacewayShape::Slot, 0.4e-3);
         assert_eq!(form(&searched, Some("slot")), slot);
         let steady = form(&searched, Some("steady"));
-        assert_eq!((steady.blend_m, steady.depth_m), (0.5e-3, 3e-6));
+        assert_eq!((steady.ends, steady.depth_m), (Ends::Blended(0.5e-3), 3e-6));
     }
 }

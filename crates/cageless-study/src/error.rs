@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cageless::InputError;
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::{Ending, ObserverError};
+use cageless::simulation::{Ending, ObserverError, Stop};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::journal::JournalError;
 use cageless_io::results::ResultError;
@@ -33,6 +33,14 @@ pub enum StudyError {
     /// A run that everything rests on left the physical range, or did not converge.
     #[error(transparent)]
     Run(#[from] CriticalGapError),
+    /// One of many runs that everything rests on left the physical range.
+    #[error("{run}: {stop}")]
+    Stopped {
+        /// Which run it was.
+        run: String,
+        /// Time and cause.
+        stop: Stop,
+    },
     /// Rows of a run could not be stored.
     #[error("{0}")]
     Rows(ObserverError),
@@ -93,6 +101,19 @@ impl StudyError {
         }
     }
 
+    /// Error of threads that did not start.
+    pub fn threads(error: &dyn std::fmt::Display) -> Self {
+        Self::Threads(error.to_string())
+    }
+
+    /// Names the run that stopped.
+    pub(crate) fn in_run(self, run: impl FnOnce() -> String) -> Self {
+        match self {
+            Self::Run(CriticalGapError::Stopped(stop)) => Self::Stopped { run: run(), stop },
+            other => other,
+        }
+    }
+
     /// Error of a file or folder of results in the making.
     pub(crate) fn out(path: &Path, source: io::Error) -> Self {
         Self::Files(ResultError::out(path, source))
@@ -108,7 +129,10 @@ impl StudyError {
 
 impl From<EquilibriumError> for StudyError {
     fn from(error: EquilibriumError) -> Self {
-        Self::Run(error.into())
+        match error {
+            EquilibriumError::Interrupted => Self::Interrupted,
+            error => Self::Run(error.into()),
+        }
     }
 }
 

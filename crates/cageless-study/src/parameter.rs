@@ -42,7 +42,7 @@ pub fn parameters(file: &CaseFile) -> Vec<Parameter> {
     flatten("", &document, &mut |key, value| {
         lines.push(Parameter {
             source: file.source(key).name().to_owned(),
-            ..parameter(key, value, unit(key))
+            ..parameter(key, value, &unit(key))
         });
     });
     lines

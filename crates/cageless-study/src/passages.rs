@@ -3,10 +3,10 @@
 use std::collections::VecDeque;
 
 use cageless::Case;
-use cageless::design::{RacewayTallies, RunVerdict};
+use cageless::design::{RacewayTallies, RunEvidence, RunVerdict};
 use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::simulation::{Observer, RunOutcome};
-use cageless::summary::transient_s;
+use cageless::summary::{Summary, transient_s};
 use cageless_results::Stopped;
 
 /// Most of the last passages that are kept one by one.
@@ -49,12 +49,21 @@ impl Passages {
         })
     }
 
-    /// Verdict on the passages of a run with this outcome; one that ended early is not judged.
-    pub fn verdict(&self, case: &Case, outcome: &RunOutcome) -> RunVerdict {
-        match Stopped::of(case, outcome) {
-            Some(stopped) => RunVerdict::unfinished(case, &stopped.reason(case)),
-            None => RunVerdict::from_case(case, &self.of_raceway),
+    /// Verdict on a run with this outcome and summary; one that ended early is not judged.
+    pub fn verdict(
+        &self,
+        case: &Case,
+        outcome: &RunOutcome,
+        summary: Option<&Summary>,
+    ) -> RunVerdict {
+        if let Some(stopped) = Stopped::of(case, outcome) {
+            return RunVerdict::unfinished(case, &stopped.reason(case));
         }
+        let run = RunEvidence {
+            passages: &self.of_raceway,
+            pressure_max_pa: summary.map(|s| s.peaks.pressure_max_pa()),
+        };
+        RunVerdict::new(case, &run)
     }
 }
 
@@ -108,12 +117,11 @@ mod tests {
         assert_eq!([first, second], [0, 1].map(|k| tally(Some(k))));
         assert_ne!(first, second);
         assert!(passages.recent.iter().eq(&late[late.len() - 60..]));
-        let verdict = passages.verdict(case, &outcome);
-        assert_eq!(verdict, RunVerdict::from_case(case, &passages.of_raceway));
+        let verdict = passages.verdict(case, &outcome, None);
         assert!(verdict.deciding.is_some());
         // The same passages of a longer run that was ended are no verdict on it.
         outcome.ending = Ending::Interrupted;
-        let verdict = passages.verdict(case, &outcome);
+        let verdict = passages.verdict(case, &outcome, None);
         assert_eq!(
             verdict.headline,
             "not judged: interrupted after 0.1 s of 0.1 s"

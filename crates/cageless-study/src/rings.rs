@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use cageless::Case;
 use cageless::collision::CollisionDetector;
 use cageless::design::pressure_at_rest_pa;
-use cageless::design::search::from_uneven_start;
+use cageless::design::search::{UnevenStart, from_uneven_start};
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::{Ending, Observer, run};
 use cageless::snapshot::Snapshot;
@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::task::Task;
 
 /// Orbits of the balls in each run; the second half counts.
 const ORBITS: f64 = 20.0;
@@ -26,6 +27,9 @@ const SNAPSHOTS: f64 = 40.0;
 pub struct RingNumbers {
     /// Name: `recommended`, `initial design`, `conventional`.
     pub name: String,
+    /// Why a run stopped, so that there are no numbers of the motion.
+    #[serde(default)]
+    pub stopped: Option<String>,
     /// Contacts between balls per ball and orbit.
     pub contacts: Option<f64>,
     /// Smallest gap, degrees.
@@ -51,6 +55,22 @@ struct Motion {
     ring: f64,
 }
 
+/// Name of the task of [`rings`].
+const TASK: &str = "rings";
+/// Rings that there are at most: the recommended, the case's own and a conventional one.
+const RINGS_MAX: f64 = 3.0;
+
+/// Steps of one start of a ring.
+fn start_steps(case: &Case) -> f64 {
+    ORBITS * case.rolling_orbit_s() / case.solver.step_s
+}
+
+/// The task of [`rings`] like one of a case.
+pub(crate) fn task(case: &Case) -> Task {
+    let steps = RINGS_MAX * STARTS as f64 * start_steps(case);
+    Task::new(TASK).with(case, steps, 1)
+}
+
 /// Each ring, run from the same uneven starts.
 ///
 /// # Errors
@@ -59,15 +79,19 @@ pub fn rings(
     cases: &[(&str, Case)],
     progress: &dyn Progress,
 ) -> Result<Vec<RingNumbers>, StudyError> {
-    let task = progress.begin("rings", cases.len() as f64);
+    let steps = |case: &Case| STARTS as f64 * start_steps(case);
+    let task = progress.begin(TASK, cases.iter().map(|(_, case)| steps(case)).sum());
     let mut found = vec![];
     for (name, case) in cases {
-        let mut motions = vec![];
+        let (mut motions, mut stopped) = (vec![], None);
         for start in 0..STARTS {
-            let mut control =
-                task.run_control(ORBITS * case.rolling_orbit_s(), 1.0 / STARTS as f64);
-            let case = from_uneven_start(case, start, ORBITS);
-            motions.extend(motion(&case, &mut *control));
+            let duration_s = ORBITS * case.rolling_orbit_s();
+            let mut control = task.run_control(duration_s, start_steps(case));
+            let case = from_uneven_start(case, UnevenStart::Drawn(start), ORBITS);
+            match motion(&case, &mut *control) {
+                Ok(motion) => motions.push(motion),
+                Err(reason) => stopped = stopped.or(Some(reason)),
+            }
             if progress.interrupted() {
                 return Err(StudyError::Interrupted);
             }
@@ -80,6 +104,7 @@ pub fn rings(
         let at_rest = pressure_at_rest_pa(case).ok();
         found.push(RingNumbers {
             name: (*name).to_owned(),
+            stopped,
             contacts: mean(|m| m.contacts),
             gap_min_deg: mean(|m| m.gap_min.to_degrees()),
             spacing_scatter: mean(|m| m.scatter),
@@ -92,8 +117,11 @@ pub fn rings(
     Ok(found)
 }
 
-/// Runs a case; `None` if it stops.
-fn motion(case: &Case, control: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<Motion> {
+/// Runs a case.
+///
+/// # Errors
+/// The reason for which it stops, or cannot start.
+fn motion(case: &Case, control: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Motion, String> {
     let half_s = case.solver.duration_s / 2.0;
     let (mut contacts, mut snapshots) = (0u32, Vec::<Snapshot>::new());
     let outcome = {
@@ -105,15 +133,17 @@ fn motion(case: &Case, control: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Optio
         let mut recorder =
             Recorder::new(interval_s, keeping(&mut snapshots, |s| s.time_s > half_s));
         let mut observers: Vec<&mut dyn Observer> = vec![&mut collisions, &mut recorder];
-        run(case, &mut observers, control).ok()?
+        run(case, &mut observers, control).map_err(|error| error.to_string())?
     };
-    if !matches!(outcome.ending, Ending::Complete) || snapshots.is_empty() {
-        return None;
+    match outcome.ending {
+        Ending::Complete if !snapshots.is_empty() => {}
+        Ending::Stopped(stop) => return Err(stop.reason()),
+        _ => return Err("it did not come to its end".to_owned()),
     }
     let gaps: Vec<f64> = snapshots.iter().flat_map(|s| s.gap_rad.clone()).collect();
     let (gap_mean, gap_deviation) = moments(&gaps);
     let over = |of: fn(&Snapshot) -> f64| moments(&snapshots.iter().map(of).collect::<Vec<_>>()).1;
-    Some(Motion {
+    Ok(Motion {
         contacts: f64::from(contacts) / (case.bearing.balls() as f64 * ORBITS / 2.0),
         gap_min: gaps.iter().copied().fold(f64::INFINITY, f64::min),
         scatter: gap_deviation / gap_mean,

@@ -18,6 +18,7 @@ use crate::passages::Passages;
 use crate::progress::Progress;
 use crate::ring_path::{RingPathRecorder, RingPosition};
 use crate::summary::RunSummary;
+use crate::task::Task;
 use crate::verification::VerificationRuns;
 use cageless_results::Finished;
 
@@ -141,9 +142,10 @@ pub fn run(
         });
         let mut passing = passages.recorder(case);
         if let Some(verification) = &verification {
-            progress.whole(&[(TASK.to_owned(), 1.0), verification.task()]);
+            let own = Task::new(TASK).with(case, case.solver.steps(), 1);
+            progress.whole(&[own, verification.task(case)]);
         }
-        let work = progress.begin(TASK, 1.0);
+        let work = progress.begin(TASK, case.solver.steps());
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
         if !case.raceways.is_empty() {
             observers.push(&mut passing);
@@ -158,7 +160,7 @@ pub fn run(
         if let Some(verification) = &mut verification {
             observers.push(verification.observer());
         }
-        let mut control = work.run_control(case.solver.duration_s, 1.0);
+        let mut control = work.run_control(case.solver.duration_s, case.solver.steps());
         let outcome = simulate(case, &mut observers, &mut *control)?;
         collisions.close(outcome.end_s).map_err(StudyError::Rows)?;
         outcome
@@ -171,7 +173,7 @@ pub fn run(
         outcome: &outcome,
         summary: statistics.as_ref(),
         passages: &passages.all,
-        verdict: &passages.verdict(case, &outcome),
+        verdict: &passages.verdict(case, &outcome, statistics.as_ref()),
         wall_s,
     };
     Ok(RunRecord {

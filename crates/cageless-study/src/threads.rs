@@ -1,7 +1,11 @@
-//! Threads of a study's own.
+//! Threads of studies: the only place that starts any, or one thread where none can be started.
 
+use std::error::Error;
 use std::num::NonZeroUsize;
+use std::sync::OnceLock;
 
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator};
+use rayon::slice::ParallelSlice;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::error::StudyError;
@@ -56,7 +60,7 @@ pub fn pool(threads: Option<NonZeroUsize>) -> Result<ThreadPool, StudyError> {
     ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
-        .map_err(|error| StudyError::Threads(error.to_string()))
+        .map_err(|error| StudyError::threads(&error))
 }
 
 /// Does `work` on a [`pool`] of its own.
@@ -68,4 +72,68 @@ pub fn on_threads<T: Send>(
     work: impl FnOnce() -> T + Send,
 ) -> Result<T, StudyError> {
     Ok(pool(threads)?.install(work))
+}
+
+/// Makes sure that work in parallel from this thread has threads. Where the system starts none, as under a limit of
+/// processes, this thread does all work itself.
+fn ready() {
+    static STARTED: OnceLock<bool> = OnceLock::new();
+    if rayon::current_thread_index().is_some() {
+        return;
+    }
+    let started = STARTED.get_or_init(|| {
+        let built = ThreadPoolBuilder::new().build_global();
+        // Without a cause of the system there are threads already.
+        built.map_or_else(|error| error.source().is_none(), |()| true)
+    });
+    if !started {
+        let alone = ThreadPoolBuilder::new().num_threads(1).use_current_thread();
+        // It starts no thread.
+        let _ = alone.build();
+    }
+}
+
+/// Items that are worked on in parallel.
+pub fn each<T: Sync>(items: &[T]) -> rayon::slice::Iter<'_, T> {
+    ready();
+    items.par_iter()
+}
+
+/// Items that are worked on in parallel and used up.
+pub fn each_of<I: IntoParallelIterator>(items: I) -> I::Iter {
+    ready();
+    items.into_par_iter()
+}
+
+/// Groups of so many items that are worked on in parallel.
+pub fn groups_of<T: Sync>(items: &[T], count: usize) -> rayon::slice::Chunks<'_, T> {
+    ready();
+    items.par_chunks(count)
+}
+
+/// Two pieces of work in parallel.
+pub fn both<A: Send, B: Send>(
+    one: impl FnOnce() -> A + Send,
+    other: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    ready();
+    rayon::join(one, other)
+}
+
+/// Pieces of work in parallel that are begun in the order in which they are spawned.
+pub fn in_order<'s, T: Send>(work: impl FnOnce(&rayon::ScopeFifo<'s>) -> T + Send) -> T {
+    ready();
+    rayon::scope_fifo(work)
+}
+
+/// The same work on all threads at once.
+pub fn on_each<T: Send>(work: impl Fn() -> T + Sync) -> Vec<T> {
+    ready();
+    rayon::broadcast(|_| work())
+}
+
+/// Number of threads that work in parallel.
+pub fn count() -> usize {
+    ready();
+    rayon::current_num_threads()
 }

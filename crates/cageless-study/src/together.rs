@@ -41,7 +41,7 @@ impl RunRecorder {
             outcome,
             summary: summary.as_ref(),
             passages: &self.passages.all,
-            verdict: &self.passages.verdict(case, outcome),
+            verdict: &self.passages.verdict(case, outcome, summary.as_ref()),
             wall_s: f64::NAN,
         })
     }
@@ -88,6 +88,7 @@ pub(crate) fn run_together<'c, R: Record>(
         for ((k, outcome), record) in members.iter().zip(outcomes).zip(records) {
             done[*k] = Some(match outcome {
                 Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => return None,
+                Err(EquilibriumError::Interrupted) => return None,
                 outcome => outcome.map(|outcome| (record, outcome)),
             });
         }

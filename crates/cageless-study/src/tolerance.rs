@@ -1,17 +1,19 @@
 //! Sensitivity of the verdict on a raceway to machining errors, scatter and operation.
 
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::judge;
+use cageless::design::{RacewayVerdict, judge, verdict_steps};
 use cageless::tolerance::{BALL_GRADES, Outcome, Tolerances, Trial, assess, ball_grade, trials};
 use cageless::{Case, Raceway};
 use cageless_io::OptionError;
 use cageless_results::number_text::significant;
-use cageless_results::{Record, tolerance_record};
+use cageless_results::{Record, tolerance_record, with_unit};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::task::Task;
+use crate::threads::each;
 
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;
@@ -76,22 +78,46 @@ pub fn tolerance(
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
     let assessment = assess(&trials, &judge_all(case, &trials, progress)?);
-    let warning = assessment.is_interrupted().then(|| {
+    let interrupted = assessment.is_interrupted().then(|| {
         let [judged, asked] = [assessment.judged, assessment.asked];
         let left_out: Vec<&str> = assessment.incomplete.iter().map(|i| i.name()).collect();
         let left_out = match left_out.as_slice() {
             [] => String::new(),
             names => format!("; one at a time, these lack bearings: {}", names.join(", ")),
         };
-        format!("interrupted: these are {judged} of {asked} bearings{left_out}")
+        format!("{INTERRUPTED}these are {judged} of {asked} bearings{left_out}")
+    });
+    let stopped = assessment.stopped().map(|(count, first)| match count {
+        1 => format!("a bearing neither passes nor fails, as {first}"),
+        _ => format!(
+            "{count} bearings neither pass nor fail, as a run stopped; of the first {first}"
+        ),
     });
     Ok(tolerance_record(
         case,
         request.ball_grade,
         &tolerances,
         &assessment,
-        warning.into_iter().collect(),
+        interrupted.into_iter().chain(stopped).collect(),
     ))
+}
+
+/// Beginning of the warning of an analysis that was interrupted.
+const INTERRUPTED: &str = "interrupted: ";
+
+/// Warning that an analysis was interrupted, if it was.
+pub fn interruption(record: &Record) -> Option<&str> {
+    let warnings = record.sentences("warnings").iter().map(String::as_str);
+    warnings
+        .into_iter()
+        .find(|warning| warning.starts_with(INTERRUPTED))
+}
+
+/// Why there is no verdict on the nominal bearing; `None` where there is one.
+pub fn nominal_stopped(record: &Record) -> Option<&str> {
+    let headline = record.text("headline");
+    let open = record.text("nominal_verdict") == RacewayVerdict::NotJudged.name();
+    open.then_some(headline)
 }
 
 impl Request {
@@ -125,12 +151,12 @@ impl Request {
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
                 let unit = match option.rsplit('_').next() {
-                    Some("um") => " um",
-                    Some("deg") => " deg",
-                    Some("percent") => " %",
+                    Some("um") => "µm",
+                    Some("deg") => "°",
+                    Some("percent") => "%",
                     _ => "",
                 };
-                let allowed = format!("from 0 to {}{unit}", significant(most, 6));
+                let allowed = format!("from 0 to {}", with_unit(&significant(most, 6), unit));
                 return Err(OptionError::not_possible(option, value, &allowed).into());
             }
         }
@@ -187,23 +213,29 @@ impl Request {
     }
 }
 
+/// Name of the task of an analysis.
+const TASK: &str = "tolerance";
+
 /// Outcomes of the trials; `None` of those that the progress ended, of which the first, nominal, is none.
 fn judge_all(
     case: &Case,
     trials: &[Trial],
     progress: &dyn Progress,
 ) -> Result<Vec<Option<Outcome>>, StudyError> {
-    let task = progress.begin("tolerance", trials.len() as f64);
+    let steps = verdict_steps(case);
+    let all = trials.len() as f64 * steps;
+    progress.whole(&[Task::new(TASK).with(case, all, trials.len())]);
+    let task = progress.begin(TASK, all);
     let outcome = |trial: &Trial| {
         if progress.interrupted() {
             return Ok(None);
         }
         let judged = match trial.deviation.apply(case) {
             Err(error) => {
-                let _ = task.add(1.0);
+                let _ = task.add(steps);
                 return Ok(Some(Outcome::impossible(error.to_string())));
             }
-            Ok(varied) => judge(&varied, &mut task.run_control(1.0, 1.0)),
+            Ok(varied) => judge(&varied, &mut task.run_control(1.0, steps)),
         };
         match judged {
             Ok(judgement) => Ok(Some(Outcome::judged(&judgement))),
@@ -212,7 +244,7 @@ fn judge_all(
             Err(error) => Err(StudyError::from(error)),
         }
     };
-    let outcomes: Result<Vec<_>, _> = trials.par_iter().map(outcome).collect();
+    let outcomes: Result<Vec<_>, _> = each(trials).map(outcome).collect();
     let outcomes = outcomes?;
     match outcomes[0] {
         Some(_) => Ok(outcomes),

@@ -10,6 +10,8 @@ use rayon::prelude::*;
 
 use crate::progress::Progress;
 use crate::summary::RunSummary;
+use crate::task::Task;
+use crate::threads::each;
 
 /// Replicas of a verification; the first is the run itself.
 pub struct VerificationRuns {
@@ -20,9 +22,10 @@ pub struct VerificationRuns {
 /// Name of the task of a verification.
 const TASK: &str = "verify";
 
-/// Work of a replica over that of the run.
-fn work(replica: &Replica) -> f64 {
-    if replica.role.half_step { 2.0 } else { 1.0 }
+/// Steps of replicas.
+fn steps(replicas: &[Replica]) -> f64 {
+    let steps = replicas.iter().map(|replica| replica.case.solver.steps());
+    steps.sum()
 }
 
 impl VerificationRuns {
@@ -33,9 +36,10 @@ impl VerificationRuns {
         Self { replicas, observer }
     }
 
-    /// The task of [`VerificationRuns::finish`] with its work in runs.
-    pub fn task(&self) -> (String, f64) {
-        (TASK.to_owned(), self.replicas[1..].iter().map(work).sum())
+    /// The task of [`VerificationRuns::finish`] for a run of `case`.
+    pub fn task(&self, case: &Case) -> Task {
+        let others = &self.replicas[1..];
+        Task::new(TASK).with(case, steps(others), others.len())
     }
 
     /// Observer of the run itself.
@@ -76,13 +80,13 @@ impl VerificationRuns {
     ) -> Result<Verification, ReplicaError> {
         let first = self.observer.record(outcome)?;
         let others = &self.replicas[1..];
-        let task = progress.begin(TASK, others.iter().map(work).sum());
+        let task = progress.begin(TASK, steps(others));
         // Computed in any order, collected in order.
-        let records: Result<Vec<_>, ReplicaError> = others
-            .par_iter()
+        let records: Result<Vec<_>, ReplicaError> = each(others)
             .with_max_len(1)
             .map(|replica| {
-                replica.run(&mut task.run_control(case.solver.duration_s, work(replica)))
+                let steps = replica.case.solver.steps();
+                replica.run(&mut task.run_control(case.solver.duration_s, steps))
             })
             .collect();
         let mut all = vec![first];

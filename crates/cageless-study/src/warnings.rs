@@ -6,12 +6,11 @@ use cageless::contact::flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::equilibrium;
 use cageless::rating::speed_warning;
-use cageless::simulation::Ending;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod, Raceway};
 
 use cageless_results::number_text::short;
-use cageless_results::{DropResult, Finished, RESIDUAL_FRACTION, Stopped};
+use cageless_results::{DropResult, Finished};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
@@ -20,10 +19,6 @@ const UNDAMPED_STEP_S: f64 = 0.5e-6;
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);
     warnings.extend(beyond_bearings(run));
-    // A run that stopped says so itself.
-    if !matches!(run.outcome.ending, Ending::Stopped(_)) {
-        warnings.extend(unbalanced(run.outcome.energy_residual_relative, run.case));
-    }
     if run.summary.is_none() {
         warnings.push("the run ended within its transient: no statistics".to_owned());
     }
@@ -38,13 +33,6 @@ pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
     let mut warnings = of_case(case);
     warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
     warnings.extend(DROP_EDGES.into_iter().enumerate().filter_map(truncated));
-    if drop.stopped.as_ref().is_none_or(Stopped::is_interrupted) {
-        let residual = drop
-            .results
-            .value("energy_residual_relative")
-            .unwrap_or(0.0);
-        warnings.extend(unbalanced(residual, case));
-    }
     warnings
 }
 
@@ -67,8 +55,6 @@ pub(crate) fn of_scattered<'d>(
     for (ring, name) in DROP_EDGES.into_iter().enumerate() {
         found.extend(worst(name).map(|(number, edge)| (number, truncated(case, ring, Some(edge)))));
     }
-    let residual = worst("energy_residual_relative");
-    found.extend(residual.map(|(number, residual)| (number, unbalanced(residual, case))));
     let texts = found.into_iter().filter_map(|(number, text)| {
         text.map(|text| format!("in scattered drop {number}, the worst: {text}"))
     });
@@ -95,23 +81,13 @@ fn truncated(case: &Case, ring: usize, edge_deg: Option<f64>) -> Option<String> 
 }
 
 fn over_pressure(place: &str, pressure_pa: f64) -> Option<String> {
+    let mpa = |pa: f64| 1e-6 * pa;
     (pressure_pa > STRESS_LIMIT_PA).then(|| {
         format!(
             "the contact pressure {place} reaches {:.0} MPa, above the {:.0} MPa that leave a \
              lasting indentation (ISO 76)",
-            pressure_pa * 1e-6,
-            STRESS_LIMIT_PA * 1e-6
-        )
-    })
-}
-
-fn unbalanced(residual: f64, case: &Case) -> Option<String> {
-    (residual.abs() > RESIDUAL_FRACTION).then(|| {
-        format!(
-            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
-             solver.step_us to less than the {} µs of this run",
-            100.0 * residual,
-            case.solver.step_s * 1e6
+            mpa(pressure_pa),
+            mpa(STRESS_LIMIT_PA)
         )
     })
 }
@@ -158,14 +134,14 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
     );
     for (place, peak) in contacts {
         if peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K {
-            let limit = peak.pressure_velocity_pa_m_s / peak.flash_temperature_k
-                * FLASH_TEMPERATURE_LIMIT_K;
+            let reached = 1e-6 * peak.pressure_velocity_pa_m_s;
+            let limit = reached / peak.flash_temperature_k * FLASH_TEMPERATURE_LIMIT_K;
             warnings.push(format!(
                 "pressure × sliding speed {place} reaches {} MPa·m/s, above the {} that heat the \
                  surface for a moment by {FLASH_TEMPERATURE_LIMIT_K} K (Blok's flash temperature, \
                  here {:.0} K; tempered bearing steel softens above)",
-                short(peak.pressure_velocity_pa_m_s * 1e-6),
-                short(limit * 1e-6),
+                short(reached),
+                short(limit),
                 peak.flash_temperature_k
             ));
         }

@@ -1,5 +1,6 @@
 //! All tests of the studies, as one program.
 
+mod announced;
 mod design_result;
 mod drops;
 mod random_cases;

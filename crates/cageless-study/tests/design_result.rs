@@ -119,7 +119,11 @@ fn every_number_is_in_its_unit() {
     assert_eq!(found.text("criterion"), "deceleration");
     close(found.number("margin"), -0.2, 1e-12);
     assert_eq!(record.sentences("reasons"), ["reason 5"]);
-    assert!(found.text("headline").starts_with("FAIL: "));
+    assert!(
+        found
+            .text("headline")
+            .starts_with("FAIL from evenly spaced balls: ")
+    );
     assert_passages(record, 15.0);
     for (raceway, (span, angle, centre, beta0, number)) in record.parts("raceways").iter().zip([
         (5.1, 25.2, 0.0, 1.8171, 6.0),
@@ -145,7 +149,10 @@ fn every_number_is_in_its_unit() {
     assert_eq!(r.number("judged"), 9.0);
     assert_eq!(near.0.sentences("reasons"), ["reason 7"]);
     let sentence = near.sentence();
-    assert!(sentence.starts_with("recommended: lC 5.012 mm, θ 24.345°, near"));
+    assert_eq!(
+        sentence,
+        "Recommended: lC 5.012 mm, θ 24.345° (best of 9 tried)"
+    );
     let mut start = recommendation.clone();
     start.dimensions = RacewayDimensions {
         axial_span_m: 5.123e-3,
@@ -157,10 +164,13 @@ fn every_number_is_in_its_unit() {
         let result = DesignResult::new(case, &judgement(RacewayVerdict::Slips, 5.0), Some(near));
         result.recommendation().unwrap().sentence()
     };
-    let in_the_middle = "recommended: lC 5.123 mm, θ 23.457°, in the middle";
+    let in_the_middle = "Recommended: lC 5.123 mm, θ 23.457° (the middle of the usable range of θ";
     assert!(sentence(&start).starts_with(in_the_middle));
     start.judgement = judgement(RacewayVerdict::Slips, 7.0);
-    assert!(sentence(&start).starts_with("nothing recommended"));
+    assert_eq!(
+        sentence(&start),
+        "No suggestion from the closed form: none of 9 raceways near lC 5.123 mm, θ 23.457° passes. Use design --search"
+    );
 
     let curve = &record.part("curve").unwrap().results;
     let at = curve

@@ -128,50 +128,45 @@ fn end(index: u64) -> Result<End, String> {
     };
     let duration = (STEPS * file.case().solver.step_s).min(0.02);
     let file = parsed(&[format!("solver.duration_s={duration}")]).map_err(|e| e.to_string())?;
-    let (outcome, warnings) = if let Some(drop) = RotorDrop::of_case(file.case()) {
-        match study(
-            &file.clone().into(),
-            drop,
-            DropRequest::default(),
-            vec![None],
-            &Silent,
-        ) {
-            Ok(found) => (found.record.into_last_outcome(), found.warnings),
-            Err(_) => return Ok(End::Refused),
-        }
-    } else {
-        let options = Options {
-            rows: None,
-            verify: false,
-        };
-        match run(&file, options, &Silent) {
-            Ok(record) => (record.outcome, record.summary.warnings),
-            Err(_) => return Ok(End::Refused),
-        }
+    let Some(outcome) = outcome(&file) else {
+        return Ok(End::Refused);
     };
-    let judged = judged(&file, &outcome, &warnings);
+    let judged = judged(&file, &outcome);
     if let (Err(_), Ending::Stopped(stop)) = (&judged, &outcome.ending) {
         let half = format!("solver.step_us={}", 0.5e6 * stop.step_s);
         let sets = [format!("solver.duration_s={duration}"), half];
-        if matches!(stop.cause, Cause::EnergyFromNowhere { .. }) && balanced(&parsed(&sets)) {
+        let energy = matches!(
+            stop.cause,
+            Cause::EnergyFromNowhere { .. } | Cause::Unbalanced { .. }
+        );
+        if energy && balanced(&parsed(&sets)) {
             return Ok(End::Coarse);
         }
     }
     judged.map_err(|wrong| format!("{wrong}\n{text}"))
 }
 
-/// Whether a drop completes with its energy accounted for.
-fn balanced(file: &Result<CaseFile, CaseError>) -> bool {
-    let Ok(file) = file else { return false };
-    let drop = RotorDrop::of_case(file.case()).expect("a rotor");
-    let variant = file.clone().into();
-    study(&variant, drop, DropRequest::default(), vec![None], &Silent).is_ok_and(|found| {
-        let outcome = &found.record.bearings[0].outcome;
-        matches!(outcome.ending, Ending::Complete) && outcome.energy_residual_relative.abs() < 1e-3
-    })
+/// What comes of a run or drop; `None` if it is refused.
+fn outcome(file: &CaseFile) -> Option<RunOutcome> {
+    if let Some(drop) = RotorDrop::of_case(file.case()) {
+        let variant = file.clone().into();
+        let found = study(&variant, drop, DropRequest::default(), vec![None], &Silent).ok()?;
+        return Some(found.record.into_last_outcome());
+    }
+    let options = Options {
+        rows: None,
+        verify: false,
+    };
+    Some(run(file, options, &Silent).ok()?.outcome)
 }
 
-fn judged(file: &CaseFile, outcome: &RunOutcome, warnings: &[String]) -> Result<End, String> {
+/// Whether a run or drop completes with its energy accounted for.
+fn balanced(file: &Result<CaseFile, CaseError>) -> bool {
+    let outcome = file.as_ref().ok().and_then(outcome);
+    outcome.is_some_and(|outcome| matches!(outcome.ending, Ending::Complete))
+}
+
+fn judged(file: &CaseFile, outcome: &RunOutcome) -> Result<End, String> {
     match &outcome.ending {
         Ending::Complete => {
             let (inner, outer) = (
@@ -183,17 +178,17 @@ fn judged(file: &CaseFile, outcome: &RunOutcome, warnings: &[String]) -> Result<
                 return Err(format!("the rings overlap: {off:e} m"));
             }
             let residual = outcome.energy_residual_relative;
-            let unsaid = !warnings.iter().any(|w| w.contains("unaccounted"));
-            if residual.abs() > 0.01 && unsaid {
-                return Err(format!("a residual of {residual:e} without a warning"));
+            if residual.abs() > 0.01 {
+                return Err(format!("a residual of {residual:e}"));
             }
             Ok(End::Complete)
         }
         Ending::Stopped(stop) => match stop.cause {
             Cause::RingsMeet { .. } => Ok(End::Fallen),
-            Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => {
-                Err(format!("a false alarm: {stop}"))
-            }
+            Cause::NotFinite
+            | Cause::EnergyFromNowhere { .. }
+            | Cause::Unbalanced { .. }
+            | Cause::NotResolved => Err(format!("a false alarm: {stop}")),
             _ => Ok(End::Overloaded),
         },
         other => Err(format!("{other:?}")),
@@ -223,6 +218,9 @@ fn random_runs_and_drops_end_as_they_say() {
          {coarse} steps too long, {refused} refused, {} wrong",
         wrong.len()
     );
+    let too_long = ends.iter().filter(|(_, end)| *end == Ok(End::Coarse));
+    let too_long: Vec<u64> = too_long.map(|(index, _)| *index).collect();
+    println!("steps too long: {too_long:?}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
     // Forces that nobody can tell beforehand, as of a rotor in dry backward whirl.
     assert!(
@@ -234,12 +232,18 @@ fn random_runs_and_drops_end_as_they_say() {
 }
 
 /// Random cases whose automatic step was too long: few balls, or unevenly spaced ones at
-/// rest, below a falling rotor.
+/// rest, below a falling rotor, or a ring that is lighter than its balls.
 #[test]
 fn the_automatic_step_resolves_the_impact_of_a_rotor_on_few_balls() {
     for index in [167, 391, 731, 1399] {
         assert_eq!(end(index), Ok(End::Complete), "case {index}");
     }
-    // Dry backward whirl, whose force nothing but the run tells: the alarm is true.
+    // At half the step next to nothing is unaccounted for.
+    let file = |sets: &[String]| CaseFile::parse(&text(1399), "case.toml", sets).unwrap();
+    let half = format!("solver.step_us={}", 0.5e6 * file(&[]).case().solver.step_s);
+    let file = file(&[half, "solver.duration_s=0.006".to_owned()]);
+    let residual = outcome(&file).unwrap().energy_residual_relative;
+    assert!(residual.abs() < 1e-3, "{residual}");
+    // Dry backward whirl, whose force nothing but the run tells: the alarm is true, and half the step balances.
     assert_eq!(end(407), Ok(End::Coarse));
 }

@@ -185,6 +185,123 @@ fn cancelled_drops_leave_the_drop_itself() {
     assert!(matches!(done, Err(StudyError::Interrupted)));
 }
 
+/// Cancels once a fraction of the whole is done.
+struct Until {
+    fraction: f64,
+    workload: Mutex<Workload>,
+    over: AtomicBool,
+}
+
+impl Progress for Until {
+    fn interrupted(&self) -> bool {
+        self.over.load(Ordering::Relaxed)
+    }
+
+    fn workload(&self) -> Option<&Mutex<Workload>> {
+        Some(&self.workload)
+    }
+
+    fn show(&self, _: &str, fraction: f64) {
+        let over = fraction > self.fraction;
+        self.over.fetch_or(over, Ordering::Relaxed);
+    }
+}
+
+/// Whatever follows the drop itself, a study that is cancelled in it says so and keeps the verdict on the drop; of
+/// drops one after the other the verdict is on all of them.
+#[test]
+fn a_study_that_is_cancelled_after_its_drop_says_so() {
+    let near = ["solver.duration_s=0.001", "solver.step_us=0.2"];
+    let request = DropRequest::default();
+    let rests = [
+        // The second of two equal drops.
+        (
+            DropRequest {
+                compare: true,
+                ..request
+            },
+            0.6,
+        ),
+        // A hundred more.
+        (
+            DropRequest {
+                samples: Some(100),
+                ..request
+            },
+            0.1,
+        ),
+        (
+            DropRequest {
+                verify: true,
+                ..request
+            },
+            0.5,
+        ),
+    ];
+    let file: VariantFile = bearing("touchdown-d.toml", &near).into();
+    for (file, cases) in [(file, 1), (two_bearings(&near).into(), 2)] {
+        let studied = |request: DropRequest, progress: &dyn Progress| {
+            let drop = file.drop().unwrap();
+            let rows = (0..cases).map(|_| None).collect();
+            study(&file, drop, request, rows, progress).unwrap()
+        };
+        let alone = studied(request, &Silent);
+        assert_eq!(
+            alone.judgement.passes(),
+            Some(true),
+            "{:?}",
+            alone.judgement
+        );
+        assert!(!alone.interrupted);
+        for (request, fraction) in rests {
+            let progress = Until {
+                fraction,
+                workload: Mutex::default(),
+                over: AtomicBool::new(false),
+            };
+            let found = studied(request, &progress);
+            assert!(found.interrupted, "{request:?}");
+            assert!(matches!(found.record.ending(), Ending::Complete));
+            assert_eq!(found.judgement, alone.judgement, "{request:?}");
+        }
+    }
+}
+
+/// A later drop that is cancelled leaves all of them without a verdict, and nothing else is begun.
+#[test]
+fn drops_in_succession_that_are_cancelled_are_not_judged() {
+    let sets = [
+        "rotor.y_um=0",
+        "rotor.vy_m_s=0",
+        "solver.duration_s=0.05",
+        "rotor.drive_torque_n_m=-4.0",
+        "rotor.speed_rpm=300",
+        "bearing.inner_ring_polar_inertia_kg_m2=5e-6",
+    ];
+    let file: VariantFile = bearing("touchdown-d.toml", &sets).into();
+    let request = DropRequest {
+        drops: Some(2),
+        compare: true,
+        ..DropRequest::default()
+    };
+    let progress = Until {
+        // In the second of three equal drops.
+        fraction: 0.4,
+        workload: Mutex::default(),
+        over: AtomicBool::new(false),
+    };
+    let drop = file.drop().unwrap();
+    let found = study(&file, drop, request, vec![None], &progress).unwrap();
+    assert_eq!(found.succession.later.len(), 1);
+    assert!(found.interrupted && found.conventional.is_none());
+    assert_eq!(found.judgement.passes(), None, "{:?}", found.judgement);
+    let reasons = found.judgement.reasons();
+    assert!(
+        reasons.len() == 1 && reasons[0].starts_with("drop 2: interrupted after "),
+        "{reasons:?}"
+    );
+}
+
 /// Cancels at once.
 struct Ended;
 

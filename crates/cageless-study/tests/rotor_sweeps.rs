@@ -265,7 +265,11 @@ fn the_normal_form_holds_the_rotor_its_matrices_and_its_cases() {
     );
     let again = PlanFile::parse(&normal, "", Path::new("")).unwrap();
     assert_eq!(again.normal().unwrap(), normal);
-    let of = |plan| Sweep::new(plan).unwrap().file(1).unwrap();
+    let of = |plan| {
+        let file = Sweep::new(plan).unwrap().file(1).unwrap();
+        let cases: Vec<_> = file.cases().iter().map(|c| c.case().clone()).collect();
+        (cases, file.drop())
+    };
     let here = PlanFile::parse(text, "plan", folder.path()).unwrap();
     assert_eq!(of(again), of(here));
 

@@ -22,7 +22,7 @@ fn json(summary: &RunSummary) -> Value {
 
 #[test]
 fn summary_and_tables_are_views_of_one_table() {
-    let summary = summary(false, &["solver.duration_s=0.04"]);
+    let summary = summary(false, &["solver.duration_s=0.09"]);
     let json = json(&summary);
     for name in [
         "friction_torque_n_m",
@@ -99,7 +99,7 @@ fn a_conventional_ring_is_not_judged() {
     let summary = summary(true, &["solver.duration_s=0.004"]);
     let json = json(&summary);
     assert_eq!(json["verdict"], "not-judged");
-    assert!(json["passes"].is_null() && json["margin"].is_null());
+    assert!(json["passes"].is_null());
     assert!(summary.headline().starts_with("not judged"));
 }
 

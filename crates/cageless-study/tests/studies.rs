@@ -5,6 +5,7 @@ use std::sync::Mutex;
 
 use cageless_io::case_file::{CaseFile, template};
 use cageless_results::Record;
+use cageless_study::design::{Asked, design};
 use cageless_study::run::{Options, run};
 use cageless_study::tolerance::{Request, tolerance};
 use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Workload, on_threads, search};
@@ -17,12 +18,20 @@ struct Listener {
     enough: Option<usize>,
     /// Fraction of the work after which it ends.
     until: Option<f64>,
+    /// Task at whose begin it ends.
+    last: Option<&'static str>,
 }
 
 impl Progress for Listener {
     fn interrupted(&self) -> bool {
         let told = self.told.lock().unwrap();
         let done = told.last().map_or(0.0, |(_, fraction)| *fraction);
+        if told
+            .last()
+            .is_some_and(|(task, _)| Some(task.as_str()) == self.last)
+        {
+            return true;
+        }
         self.enough.is_some_and(|enough| told.len() > enough)
             || self.until.is_some_and(|until| done > until)
     }
@@ -89,6 +98,37 @@ fn what_is_told_to_end_has_no_result() {
     // Nothing more was begun.
     let told = listener.told.into_inner().unwrap();
     assert!(told.iter().all(|(task, _)| *task == told[0].0), "{told:?}");
+}
+
+/// A design that is ended after its verdict keeps it.
+#[test]
+fn a_design_keeps_the_verdict_that_was_reached() {
+    let file = case(&["solver.method=verlet", "solver.step_us=auto"]);
+    for (last, near) in [("recommendation", false), ("axial load", true)] {
+        let listener = Listener {
+            last: Some(last),
+            ..Listener::default()
+        };
+        let asked = Asked {
+            axial: true,
+            ..Asked::default()
+        };
+        let designed = design(&file, asked, &listener).unwrap();
+        assert!(designed.interrupted, "{last}");
+        assert_eq!(designed.result.record.flag("passes"), Some(true));
+        assert_eq!(designed.result.recommendation().is_some(), near, "{last}");
+        assert_eq!(
+            (designed.result.axial, designed.axial_unknown),
+            (None, None)
+        );
+    }
+    // Before the verdict there is nothing to be kept.
+    let listener = Listener {
+        last: Some("design"),
+        ..Listener::default()
+    };
+    let designed = design(&file, Asked::default(), &listener);
+    assert!(matches!(designed, Err(StudyError::Interrupted)));
 }
 
 /// What was judged until tolerances are ended is kept, and says that it is a part.

@@ -320,3 +320,48 @@ fn stiffness_has_its_unit_and_rounding_no_share() {
     let constant = data.constants.iter().find(|c| c.name == coupling);
     assert_eq!(constant.map(|c| c.value.as_str()), Some("0"));
 }
+
+/// A run that stopped leaves its level, its cell and all shares of the output open; what did not run for want of a
+/// possible case is left out.
+#[test]
+fn nothing_is_the_mean_of_the_runs_that_did_not_stop() {
+    // Six balls in a bunch let the loaded ring fall.
+    let plan = "compute = [\"design\", \"run\"]\n[set]\nstart.state = \"rolling\"\nstart.gaps = \"bunched\"\nsolver.method = \"verlet\"\n\
+                solver.step_us = \"auto\"\nsolver.duration_s = 0.0095\n[grid]\nbearing.balls = [6, 14]\n\
+                operation.radial_load_n = [1.0, 1500.0]\n";
+    let (sweep, rows, data) = analysed(plan, &[]);
+    let column = sweep.column("run_power_loss_w").unwrap();
+    let values: Vec<Option<f64>> = rows.iter().map(|row| row[column].number()).collect();
+    let [Some(light), None, Some(a), Some(b)] = values[..] else {
+        panic!("{values:?}");
+    };
+    let output = |name: &str| {
+        let mut outputs = data.outputs.iter();
+        outputs.find(|o| o.quantity.name == name).unwrap()
+    };
+    let loss = output("run_power_loss_w");
+    assert_eq!((loss.count, loss.missing), (3, 1));
+    assert!(loss.mean.is_nan() && loss.shares == [None, None]);
+    let balls = &loss.effects[0];
+    assert_eq!(balls.input.name, "bearing_balls");
+    for of_level in [&balls.mean, &balls.min, &balls.max] {
+        assert!(of_level[0].is_nan(), "{of_level:?}");
+    }
+    close(balls.mean[1], mean(&[a, b]), "14 balls");
+    let loads = &loss.effects[1];
+    assert_eq!(loads.levels, Levels::Numbers(vec![1.0, 1500.0]));
+    assert!(loads.mean[1].is_nan());
+    close(loads.mean[0], mean(&[light, a]), "light");
+    let map = loss.map.as_ref().unwrap();
+    assert!(map.mean[1][0].is_nan());
+    close(map.mean[0][0], light, "a cell");
+    // What needs no run has all of its values.
+    let gap = output("design_uniform_gap_deg");
+    assert_eq!(gap.missing, 0);
+    close(gap.shares[0].unwrap(), 1.0, "share");
+    let [warning] = data.warnings.as_slice() else {
+        panic!("{:?}", data.warnings);
+    };
+    let said = "1 of 4 variants lack results, as a computation failed, the most frequent reason: run: at t = ";
+    assert!(warning.starts_with(said), "{warning}");
+}

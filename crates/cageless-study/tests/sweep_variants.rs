@@ -316,3 +316,86 @@ fn every_ball_gets_a_radius_of_its_own() {
     let ring = numbers(&sweep, &rows, "static_ring_y_um");
     assert!(ring.iter().any(|y| *y != ring[0]), "radii must matter");
 }
+
+/// Every sample and every repeat of it has deviations of its own, which are the same at all nodes of the grid; what a
+/// sample varies is the same in all of its repeats.
+#[test]
+fn samples_and_repeats_have_deviations_of_their_own() {
+    let (nodes, samples, repeats) = (2, 3, 4);
+    let text = "\
+compute = [\"design\"]
+seed = 3
+[grid]
+operation.inner_speed_rpm = [6000, 12000]
+[samples]
+method = \"random\"
+count = 3
+contact.friction_coefficient = { from = 0.01, to = 0.1 }
+[scatter]
+repeats = 4
+bearing.inner_ring_mass_kg = { uniform = 0.05 }
+contact.regularisation_speed_m_s = { normal = 0.001 }
+";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    assert_eq!(rows.len(), nodes * samples * repeats);
+    let varied = numbers(&sweep, &rows, "contact_friction_coefficient");
+    for (k, value) in varied.iter().enumerate() {
+        assert_eq!(
+            *value,
+            varied[(k % (samples * repeats)) / repeats * repeats]
+        );
+    }
+    let distinct = |values: &[f64]| {
+        let mut values = values.to_vec();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values.len()
+    };
+    assert_eq!(distinct(&varied), samples);
+    let mut both = vec![];
+    for name in [
+        "bearing_inner_ring_mass_kg",
+        "contact_regularisation_speed_m_s",
+    ] {
+        let scattered = numbers(&sweep, &rows, name);
+        let (one, other) = scattered.split_at(samples * repeats);
+        assert_eq!(one, other, "{name}");
+        assert_eq!(distinct(one), samples * repeats, "{name}: {one:?}");
+        // In the order of their size, which two independent samples do not have in common.
+        let mut order: Vec<usize> = (0..one.len()).collect();
+        order.sort_by(|a, b| one[*a].total_cmp(&one[*b]));
+        both.push(order);
+    }
+    assert_ne!(both[0], both[1]);
+}
+
+/// Each item of a list is drawn as often as any other: samples of a Latin hypercube fall into as many equal parts, and
+/// a power of two of Sobol's sequence into two or four halves.
+#[test]
+fn every_item_of_a_list_is_drawn() {
+    for (method, items, count) in [
+        ("latin-hypercube", 3, 12),
+        ("latin-hypercube", 5, 5),
+        ("sobol", 2, 16),
+        ("sobol", 4, 16),
+        ("random", 3, 60),
+    ] {
+        let list: Vec<f64> = (1..=items).map(|k| 100.0 * f64::from(k as u8)).collect();
+        let text = format!(
+            "compute = [\"design\"]\nseed = 11\n[samples]\nmethod = \"{method}\"\n\
+             count = {count}\noperation.radial_load_n = {list:?}\n"
+        );
+        let sweep = Sweep::new(plan(&text)).expect("a sweep");
+        let drawn = numbers(&sweep, &rows(&sweep), "operation_radial_load_n");
+        for item in list {
+            let times = drawn.iter().filter(|value| **value == item).count();
+            let share = count / items;
+            match method {
+                // Four standard deviations of a binomial distribution of 60 and 1/3.
+                "random" => assert!(times.abs_diff(share) < 15, "{item}: {times}"),
+                _ => assert_eq!(times, share, "{method}: {item}"),
+            }
+        }
+    }
+}

@@ -9,6 +9,8 @@ use crate::structures::Found;
 
 /// Fraction of the theoretical drop of orbital speed from which on it is called reached.
 const REACHED: f64 = 0.95;
+/// Scatter of the orbital speed over its theoretical drop up to which passages are said to repeat.
+const REPEATS: f64 = 0.02;
 /// Contacts per passage up to which balls are said not to collide.
 const NO_CONTACTS: f64 = 0.05;
 
@@ -18,6 +20,7 @@ pub fn claims(e: &Evidence) -> Vec<Claim> {
         twice(e),
         smooth(e),
         slide(e),
+        repeats(e),
         plain_raceway(e),
         speed_drop(e),
     ]
@@ -169,6 +172,31 @@ fn slide(e: &Evidence) -> Claim {
             3
         ))
     ))
+}
+
+fn repeats(e: &Evidence) -> Claim {
+    let scatter =
+        |found: &[Found]| -> Vec<f64> { found.iter().map(|f| f.steady.speed_scatter).collect() };
+    let mut criterion = of_both(&e.structures, |found| {
+        let quantity = "scatter of the orbital speed over its drop, least of (g) and (h)";
+        Requirement::at_least(quantity, least(scatter(&found[6..8])), REPEATS, "")
+            .says("In (g) and (h) passages [differ|repeat as well] in {name}.")
+    });
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "scatter of the orbital speed over its drop, most of (i) and (j)";
+        Requirement::at_most(quantity, largest(scatter(&found[8..])), REPEATS, "")
+            .says("In (i) and (j) they [repeat|differ] in {name}.")
+    }));
+    Claim::of_the_model(
+        "Section 4.3, Fig. 8g–j",
+        "The speed of a ball in the raceway is chaotic in (g) and (h) and periodic in (i) and (j).",
+        criterion,
+    )
+    .remark("All balls at every place in the raceway over six orbits, balls evenly spaced at the start.")
+    .numbers(&both(e, "scatter over the drop, (a) to (j)", |found| {
+        let each: Vec<String> = scatter(found).iter().map(|s| format!("{s:.3}")).collect();
+        each.join(" ")
+    }))
 }
 
 fn plain_raceway(e: &Evidence) -> Claim {

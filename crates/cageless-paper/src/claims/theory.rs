@@ -2,13 +2,21 @@
 
 use cageless_report::{Claim, Requirement};
 
-use super::evidence::{Evidence, largest, least};
+use super::evidence::{Evidence, largest, least, of_both};
+use crate::structures::Found;
 
 /// Half of the last of four printed decimals, degrees.
 pub const ROUNDING_DEG: f64 = 5e-5;
 
 pub fn claims(e: &Evidence) -> Vec<Claim> {
-    vec![eq_10(e), eq_11(e), angle_of_eq_11(e), speed(e), inverse(e)]
+    vec![
+        eq_10(e),
+        eq_11(e),
+        angle_of_eq_11(e),
+        pairs(e),
+        speed(e),
+        inverse(e),
+    ]
 }
 
 fn eq_10(e: &Evidence) -> Claim {
@@ -64,6 +72,45 @@ fn angle_of_eq_11(e: &Evidence) -> Claim {
     .numbers(&format!(
         "β0 with ψ less β0 with φ: {low:.4}° to {high:.4}°"
     ))
+}
+
+/// Share of the pairs of which a rule is said to hold, %.
+const RULE_PERCENT: f64 = 95.0;
+
+/// The rule of pairs of Section 2.3, of a pair alone and of all balls.
+fn pairs(e: &Evidence) -> Claim {
+    let (t, neglected) = (&e.table2, e.printed.neglected_deg);
+    // The critical gap is the largest with which a pair alone touches.
+    let alone = |column: usize, name: &str| {
+        let off = |k: usize| (t.gap_deg(column, k) - e.printed.nominal_gap_deg).abs();
+        let kept = (0..t.table.rows.len())
+            .filter(|k| off(*k) <= neglected)
+            .count();
+        let quantity =
+            format!("structures in which a pair alone touches up to β0 within {neglected}°");
+        Requirement::in_all(&quantity, kept, t.table.rows.len())
+            .says("A pair alone keeps the rule [|not ]in all structures in {name}.")
+            .on(name)
+    };
+    // Balls slide in (g) to (j).
+    let kept_percent = |found: &Vec<Found>| {
+        let share = |f: &Found| f.steady.pairs[1] as f64 / f.steady.pairs[0] as f64;
+        100.0 * least(found[..6].iter().map(share))
+    };
+    let mut criterion = vec![alone(0, "`paper`"), alone(3, "`physical`")];
+    criterion.extend(of_both(&e.structures, |found| {
+        let quantity = "pairs of the running bearing that keep it, least of (a) to (f)";
+        Requirement::at_least(quantity, kept_percent(found), RULE_PERCENT, " %").says(
+            "Among all balls [nearly every pair keeps it|many pairs do not keep it, as their neighbours hit them and \
+             their gaps change in the raceway by more than it has,] in {name}.",
+        )
+    }));
+    Claim::of_the_model(
+        "Section 2.3",
+        "Two balls whose gap is below β0 before the raceway collide in it; with a larger gap they do not.",
+        criterion,
+    )
+    .remark(&format!("Of all balls, pairs count whose gap differs from β0 by more than {neglected}°."))
 }
 
 fn speed(e: &Evidence) -> Claim {

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use cageless::Case;
 use cageless::design::{
-    AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, axial_load_keeping_n,
+    AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, LagAndAngle, axial_load_keeping,
     balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::kinematics::speed_change_max;
@@ -76,14 +76,14 @@ pub const SLOT: &[Quantity] = &[
 /// What axial load and tilt leave of the lag, by motion in space; lists are over pairs of both.
 #[rustfmt::skip]
 pub const AXIAL: &[Quantity] = &[
-    means(KEEPS, part(high(quantity("axial_load_three_quarters_n", "N", "axial load that leaves three quarters of the lag", Axial(|l| axial_load_keeping_n(l, 0.75).into()))))),
-    means(KEEPS, part(high(quantity("axial_load_half_n", "N", "axial load that leaves half of the lag", Axial(|l| axial_load_keeping_n(l, 0.5).into()))))),
-    means(KEEPS, part(high(quantity("axial_load_none_n", "N", "axial load that leaves nothing of the lag", Axial(|l| axial_load_keeping_n(l, 0.0).into()))))),
+    means(KEEPS, part(high(quantity("axial_load_three_quarters_n", "N", "axial load that leaves three quarters of the lag", Axial(|l| axial_load_keeping(l, 0.75).load_n().into()))))),
+    means(KEEPS, part(high(quantity("axial_load_half_n", "N", "axial load that leaves half of the lag", Axial(|l| axial_load_keeping(l, 0.5).load_n().into()))))),
+    means(KEEPS, part(high(quantity("axial_load_none_n", "N", "axial load that leaves nothing of the lag", Axial(|l| axial_load_keeping(l, 0.0).load_n().into()))))),
     part(list("axial_load_n", "N", "axial load", Axial(|l| Cell::Numbers(l.iter().map(|at| at.axial_load_n).collect())))),
     part(list("tilt_x_mrad", "mrad", "tilt about the horizontal axis", Axial(|l| Cell::Numbers(l.iter().map(|at| at.tilt_x_rad * 1e3).collect())))),
-    means(LAG, part(list("lag_per_pass_deg", "deg", "lag of a ball per pass of the raceway, mean", Axial(|l| lags(l, 0))))),
-    means("nothing where a contact leaves its groove or the run stops", part(list("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Axial(|l| lags(l, 1))))),
-    means("of the first raceway, by runs of pairs in space; nothing where the gap of a pair never closes or always does, or the run stops", part(list("critical_gap_deg", "deg", "critical gap", Axial(|l| Cell::Numbers(l.iter().map(|at| at.critical_gap_rad.map_or(f64::NAN, f64::to_degrees)).collect()))))),
+    means(LAG, part(list("lag_per_pass_deg", "deg", "lag of a ball per pass of the raceway, mean", Axial(|l| lags(l, |found| found.lag_rad))))),
+    means("nothing where a contact leaves its groove or the run stops", part(list("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Axial(|l| lags(l, |found| found.inner_contact_angle_rad))))),
+    means("of the first raceway, by runs of pairs in space; nothing where the gap of a pair never closes or always does, or the run stops", part(list("critical_gap_deg", "deg", "critical gap", Axial(|l| Cell::Numbers(l.iter().map(|at| match at.critical_gap_rad { Some(Ok(gap_rad)) => gap_rad.to_degrees(), _ => f64::NAN }).collect()))))),
 ];
 
 /// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.
@@ -104,9 +104,9 @@ pub const VERDICT: &[Quantity] = &[
 pub const PASSAGES: &[Quantity] = &[
     integer("passages", "passages", Passages(|p| count(p.passages))),
     means("contacts of a ball with its neighbours during one passage of the raceway", low(quantity("collisions_mean", "", "contacts with neighbours per passage, mean", Passages(|p| some(p.collisions_mean))))),
-    means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Passages(|p| some(p.double_collision_fraction))))),
+    means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "passages with a double collision", Passages(|p| some(p.double_collision_fraction))))),
     means("the largest sliding speed of a ball in each passage, averaged over the passages", low(quantity("sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.sliding_mean_m_s))))),
-    means("1 for a ball that rolls, less for one that slides", high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Passages(|p| some(p.speed_drop_fraction))))),
+    means("1 for a ball that rolls, less for one that slides", high(quantity("speed_drop_fraction", "", "speed reduction achieved, share of rolling", Passages(|p| some(p.speed_drop_fraction))))),
     means(LAG, high(quantity("lag_per_pass_deg", "deg", "lag of a ball per pass of the raceway, mean", Passages(|p| degrees(p.lag_mean_rad))))),
     high(quantity("gap_leave_min_deg", "deg", "smallest gap on leaving", Passages(|p| some(p.gap_leave_min_rad.to_degrees())))),
     quantity("gap_leave_max_deg", "deg", "largest gap on leaving", Passages(|p| some(p.gap_leave_max_rad.to_degrees()))),
@@ -156,11 +156,8 @@ fn estimated(
     angle.map(f64::to_degrees).into()
 }
 
-fn lags(lags: &[AxialLag], which: usize) -> Cell {
-    let angle = |at: &AxialLag| {
-        at.lag_and_angle_rad
-            .map_or(f64::NAN, |both| both[which].to_degrees())
-    };
+fn lags(lags: &[AxialLag], angle_rad: fn(&LagAndAngle) -> f64) -> Cell {
+    let angle = |at: &AxialLag| at.lag.as_ref().map_or(f64::NAN, angle_rad).to_degrees();
     Cell::Numbers(lags.iter().map(angle).collect())
 }
 

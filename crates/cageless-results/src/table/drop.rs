@@ -25,7 +25,7 @@ pub const DROP: &[Quantity] = &[
     means("`at-rest`, `pendulum`, `bouncing`, `settling`, `forward-whirl`, `backward-whirl` or `falling`", across(WorstState, text("end_state", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.name().to_owned()))))),
     awaited(across(Smallest, quantity("first_contact_ms", "ms", "first contact", Drop(|d| d.summary.first_contact_s.map(milliseconds).into())))),
     means("contacts of the rotor, by its journal or a shoulder, with the inner ring", across(Sum, integer("impacts", "impacts of the rotor", Drop(|d| Cell::Integer(d.summary.impacts as i64))))),
-    means("fraction of the time after the first contact in which the rotor touches the inner ring", across(Largest, quantity("contact_fraction", "", "time in contact after the first, fraction", Drop(|d| some(d.summary.contact_fraction))))),
+    means("fraction of the time after the first contact in which the rotor touches the inner ring", across(Largest, quantity("contact_fraction", "", "time in contact after the first, share", Drop(|d| some(d.summary.contact_fraction))))),
     across(Largest, low(quantity("rotor_force_max_n", "N", "largest force on the rotor", Drop(|d| some(d.summary.rotor_force_max_n))))),
     across(Largest, low(quantity("rotor_force_max_over_weight", "", "largest force on the rotor / its weight", Drop(|d| weights(d, Some(d.summary.rotor_force_max_n)))))),
     means("between a shoulder and the face of the inner ring; of a rotor with an axial touch-down clearance", across(Largest, low(quantity("shoulder_force_max_n", "N", "  largest axial force of a shoulder", Drop(|d| d.summary.shoulder_force_max_n.into()))))),
@@ -108,16 +108,16 @@ pub const SUCCESSION: &[Quantity] = &[
     file_only(means("of the balls of each row on its outer ring, along z, at the start of the drop, before anything loads the bearing: the preload, of which that of held rings changes with the expansion and that of a spring does not; in space", few("row_axial_force_n", "N", "axial force of the rows", Succession(|s| preload_n(s.case))))),
     part(means("at the start of the drop, radial, with the expansion of the inner ring", quantity("touchdown_clearance_um", "um", "touch-down clearance", Succession(|s| s.case.rotor.as_ref().map(|r| 1e6 * r.radial_clearance_m).into())))),
     part(low(quantity("dissipated_j", "J", "heat of all interfaces", Succession(|s| some(s.heat_j))))),
-    part(means("time to standstill from the end of the simulated time, at the torques of its end: those of the contacts and `rotor.drive_torque_n_m`, once every inner ring has come up to speed; 0 of a slow rotor, with the heat of all its rotational energy", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down.map(|d| d.time_s).into())))),
-    part(means("of all bearings of the rotor", low(quantity("spin_down_heat_j", "J", "heat of the spin-down", Succession(|s| s.spin_down.map(|d| d.heat_j).into()))))),
+    part(means("time to standstill from the end of the simulated time, braked by `rotor.drive_torque_n_m` and by each bearing as at that end, but by ½ μ P d of SKF at least (μ = 0.0015), once every inner ring has come up to speed; 0 of a slow rotor, with the heat of all its rotational energy", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down_s.into())))),
+    part(means("of this bearing", low(quantity("spin_down_heat_j", "J", "heat of the spin-down", Succession(|s| s.spin_down_heat_j.into()))))),
     part(means(STANDSTILL, low(quantity("inner_ring_standstill_c", "C", "inner ring at standstill", Succession(|s| s.standstill_c.map(|c| c[0]).into()))))),
     part(means(STANDSTILL, low(quantity("ball_standstill_c", "C", "balls at standstill", Succession(|s| s.standstill_c.map(|c| c[1]).into()))))),
     part(means(STANDSTILL, low(quantity("outer_ring_standstill_c", "C", "outer ring at standstill", Succession(|s| s.standstill_c.map(|c| c[2]).into()))))),
-    part(means("`pass`, `fail` or `not-judged`: that of the drop and the limits on these rows", in_tables(text("verdict", "verdict", Succession(|s| Cell::Text(s.judgement.name().to_owned())))))),
+    part(means("`pass`, `fail` or `not-judged`: that of the drop onto this bearing, with the planes of the rotor, the limits on these rows and the heat", in_tables(text("verdict", "verdict", Succession(|s| Cell::Text(s.judgement.name().to_owned())))))),
 ];
 
 const INTO_PART: &str = "half of the friction between two bodies, half of the damping of the balls' contacts into the balls and a quarter into each ring; mean over the last fifth of the time after the first contact";
-const STANDSTILL: &str = "at standstill of the rotor, all heat of drop and spin-down kept; the heat of the spin-down is shared as that of the end of the drop";
+const STANDSTILL: &str = "at standstill of the rotor, all heat of drop and spin-down kept; a part takes as much of the heat of the spin-down as at the end of the drop, of rolling a quarter into each ring and half into the balls";
 const ADIABATIC: &str =
     "start and heat of the drop over the heat capacity of the part, none of which is lost";
 

@@ -5,6 +5,7 @@ mod drop;
 mod run;
 mod search;
 mod statics;
+mod steady;
 mod tolerance;
 pub(crate) mod unit;
 mod verification;
@@ -21,6 +22,7 @@ pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
 };
 pub use statics::{DEFECTS, FIT, LUBRICATION, SPACE, STATIC};
+pub use steady::STEADY;
 pub use tolerance::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 pub use verification::{
     DISTANCE, DROP_VERIFICATION, JUDGEMENT, ROTOR_VERIFICATION, VERIFICATION, VERIFIED,
@@ -67,6 +69,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         INFLUENCE,
         SAMPLES,
         VERDICT_COUNT,
+        STEADY,
         COMPARED,
         VERIFICATION,
         VERIFIED,

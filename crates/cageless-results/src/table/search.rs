@@ -15,7 +15,7 @@ use crate::{AtPoint, SearchedPlacement};
 /// The search as a whole.
 #[rustfmt::skip]
 pub const SEARCH: &[Quantity] = &[
-    part(quantity("critical_gap_min_fraction", "", "smallest critical gap, fraction of the steady-state gap", Search(|s| some(s.found.request.critical_gap_min_fraction)))),
+    part(quantity("critical_gap_min_fraction", "", "smallest critical gap, share of the steady-state gap", Search(|s| some(s.found.request.critical_gap_min_fraction)))),
     part(quantity("axial_load_max_n", "N", "largest axial load", Search(|s| some(s.found.request.axial_load_max_n)))),
     part(integer("starts", "uneven initial states of each structure", Search(|s| s.found.request.starts.into()))),
     part(integer("seed", "seed", Search(|s| s.case.seed.into()))),
@@ -44,8 +44,8 @@ pub const STRUCTURE: &[Quantity] = &[
     part(high(flag("passes", "passes", Structure(|e| flagged((status(e) != "left out").then_some(status(e) == "accepted")))))),
     part(text("reason", "requirement that is missed", Structure(|e| e.rejection.as_ref().map_or(Cell::Null, |r| Cell::Text(r.cause.name().to_owned()))))),
     part(text("why", "the reason in words", Structure(|e| Cell::Text(match (&e.rejection, status(e)) {
-        (Some(rejection), _) => rejection.cause.to_string(),
-        (None, "left out") => "not run: the budget was spent on others".to_owned(),
+        (Some(rejection), _) => rejection.to_string(),
+        (None, "left out") => "not tried: search.runs_max was reached".to_owned(),
         _ => String::new(),
     })))),
     part(flag("on_front", "on the Pareto front", Structure(|e| flagged(Some(e.on_front))))),
@@ -70,13 +70,13 @@ pub const STRUCTURE_AT: &[Quantity] = &[
 pub const MOTION: &[Quantity] = &[
     part(low(quantity("collisions", "", "collisions per ball and orbit", Motion(|(m, _)| some(m.collisions))))),
     part(low(quantity("collisions_late", "", "collisions per ball and orbit in steady state", Motion(|(m, _)| some(m.collisions_late))))),
-    part(low(means(DOUBLE_COLLISIONS, quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Motion(|(m, _)| some(m.double_collision_fraction)))))),
+    part(low(means(DOUBLE_COLLISIONS, quantity("double_collision_fraction", "", "passages with a double collision", Motion(|(m, _)| some(m.double_collision_fraction)))))),
     part(low(quantity("impulse_mn_s", "mN s", "impulse between balls per ball and orbit", Motion(|(m, _)| some(m.impulse_n_s * 1e3))))),
     part(means("standard deviation of the gaps on arrival over the steady-state gap", low(quantity("spacing_scatter", "", "spacing scatter on arrival", Motion(|(m, steady)| some(m.gap_deviation_rad / steady)))))),
     part(high(quantity("gap_min_deg", "deg", "smallest gap on arrival", Motion(|(m, _)| degrees(m.gap_min_rad))))),
     part(means("largest in a passage, mean over the passages", low(quantity("sliding_m_s", "m/s", "sliding speed", Motion(|(m, _)| some(m.sliding_m_s)))))),
-    part(high(means("1 for a ball that rolls, less for one that slides", quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Motion(|(m, _)| some(m.speed_drop_fraction)))))),
-    part(means(LAG_FRACTION, high(quantity("lag_fraction", "", "lag of the row and raceway with the least, fraction of that of rolling", Motion(|(m, _)| some(m.lag_fraction)))))),
+    part(high(means("1 for a ball that rolls, less for one that slides", quantity("speed_drop_fraction", "", "speed reduction achieved, share of rolling", Motion(|(m, _)| some(m.speed_drop_fraction)))))),
+    part(means(LAG_FRACTION, high(quantity("lag_fraction", "", "lag of the row and raceway with the least, share of rolling", Motion(|(m, _)| some(m.lag_fraction)))))),
     part(means("standard deviation of the force of the balls on the outer ring", low(quantity("force_deviation_n", "N", "vibration", Motion(|(m, _)| some(m.force_deviation_n)))))),
     part(low(quantity("friction_w", "W", "power of sliding friction, whole run", Motion(|(m, _)| some(m.friction_w))))),
 ];
@@ -84,9 +84,9 @@ pub const MOTION: &[Quantity] = &[
 /// Structures that a requirement excludes.
 #[rustfmt::skip]
 pub const REJECTION: &[Quantity] = &[
-    part(in_tables(text("reason", "requirement", Rejection(|r| Cell::Text(r.0.to_owned()))))),
-    part(in_tables(text("meaning", "meaning", Rejection(|r| Cell::Text(rejection_text(r.0).to_owned()))))),
-    part(integer("count", "structures", Rejection(|r| count(r.1)))),
+    part(in_tables(text("reason", "requirement", Rejection(|r| Cell::Text(r.kind.name.to_owned()))))),
+    part(in_tables(text("meaning", "meaning", Rejection(|r| Cell::Text(r.kind.meaning.to_owned()))))),
+    part(integer("count", "structures", Rejection(|r| count(r.count)))),
 ];
 
 /// Angular positions, shapes and contact angles of the raceways that are tried.
@@ -163,25 +163,4 @@ fn least_shortfall(placement: &SearchedPlacement<'_>) -> Cell {
         all?.into_iter().reduce(f64::max)
     });
     worst.reduce(f64::min).into()
-}
-
-fn rejection_text(name: &str) -> &'static str {
-    match name {
-        "eq-8" => "the contact points leave the groove (Zhao 2022, Eq. (8))",
-        "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
-        "slot" => "the edges leave no slot between them, or its ends alone take up 2θ",
-        "overlap" => "two raceways overlap",
-        "insufficient-separation" => {
-            "critical gap too small a fraction of the steady-state gap: raceway too shallow"
-        }
-        "slips" => "critical gap too far below β0: excessive sliding",
-        "excessive-separation" => "raceway too deep: evenly spaced balls collide",
-        "stress" => "contact pressure above 4200 MPa (ISO 76)",
-        "gross-sliding" => "gross sliding over the raceway",
-        "loses-lag" => "load, contact angle and sliding leave too little of the lag",
-        "gap-not-retained" => "gap lost before the load zone",
-        "axial-load" => "too little of the lag left under the largest axial load",
-        "double-collision" => "double collisions in too many passages",
-        _ => "a run failed",
-    }
 }

@@ -31,7 +31,7 @@ pub const STATIC: &[Quantity] = &[
     integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
 
     high(quantity("static_safety_factor", "", "static safety factor s0 = C0r/Fr (ISO 76)", Static(|s| s.rating.static_safety_factor.into()))),
-    high(quantity("pressure_safety", "", "load to the pressure limit, (4200 MPa/p)³", Static(|s| s.rating.pressure_safety.into()))),
+    high(quantity("pressure_safety", "", "load factor until 4200 MPa", Static(|s| s.rating.pressure_safety.into()))),
     in_tables(file_only(text("assembly", "way of assembly", Static(|s| Cell::Text(s.case.bearing.assembly().name().to_owned()))))),
     quantity("rating_factor", "", "rating factor bm of ISO 281 for it", Static(|s| some(s.case.bearing.assembly().rating_factor()))),
     high(quantity("basic_dynamic_rating_n", "N", "basic dynamic radial load rating Cr (ISO 281)", Static(|s| some(s.rating.basic.dynamic_n)))),
@@ -81,12 +81,13 @@ pub const DEFECTS: &[Quantity] = &[
 /// Further results of a static equilibrium with fits and temperatures.
 #[rustfmt::skip]
 pub const FIT: &[Quantity] = &[
-    means("Gr of the file, at 20 °C", part(quantity("initial_clearance_um", "um", "radial internal clearance before mounting", Static(|s| fitted(s, |f| f.initial_m * 1e6))))),
-    means("at the temperatures of the parts; 0 or below: a gap", part(quantity("effective_shaft_interference_um", "um", "interference of shaft and bore", Static(|s| fitted(s, |f| f.shaft_interference_m * 1e6))))),
+    means("Gr of the file, at 20 °C and at rest", part(quantity("initial_clearance_um", "um", "radial internal clearance before mounting", Static(|s| fitted(s, |f| f.initial_m * 1e6))))),
+    means("at temperatures and speed of the parts; 0 or below: a gap", part(quantity("effective_shaft_interference_um", "um", "interference of shaft and bore", Static(|s| fitted(s, |f| f.shaft_interference_m * 1e6))))),
     means("at the temperatures of the parts; 0 or below: a gap", part(quantity("effective_housing_interference_um", "um", "interference of outer ring and housing", Static(|s| fitted(s, |f| f.housing_interference_m * 1e6))))),
     means("Lamé, the ring up to the bottom of its groove", part(quantity("shaft_reduction_um", "um", "reduction of the clearance by the fit on the shaft", Static(|s| fitted(s, |f| f.shaft_reduction_m * 1e6))))),
     means("Lamé, the ring up to the bottom of its groove", part(quantity("housing_reduction_um", "um", "reduction of the clearance by the fit in the housing", Static(|s| fitted(s, |f| f.housing_reduction_m * 1e6))))),
     means("by the expansion of free rings and balls over 20 °C", part(quantity("thermal_clearance_change_um", "um", "change of the clearance by temperatures", Static(|s| fitted(s, |f| f.thermal_change_m * 1e6))))),
+    means("the inner raceway of a free ring, from its bore on; the fit on the shaft has what the speed leaves of it", part(quantity("speed_reduction_um", "um", "reduction of the clearance by the speed", Static(|s| fitted(s, |f| f.speed_reduction_m * 1e6))))),
     means("with which everything is computed; below 0: preload", part(quantity("operating_clearance_um", "um", "radial internal clearance in operation", Static(|s| fitted(s, |f| f.operating_m() * 1e6))))),
     part(quantity("shaft_fit_pressure_mpa", "MPa", "pressure between shaft and bore", Static(|s| fitted(s, |f| f.shaft_pressure_pa * 1e-6)))),
     part(quantity("housing_fit_pressure_mpa", "MPa", "pressure between outer ring and housing", Static(|s| fitted(s, |f| f.housing_pressure_pa * 1e-6)))),

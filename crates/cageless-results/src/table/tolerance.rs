@@ -19,11 +19,11 @@ pub const TOLERANCE: &[Quantity] = &[
     part(integer("ball_grade", "grade of the balls (ISO 3290-1), 0 for equal balls", Tolerance(|t| Cell::Integer(t.ball_grade.into())))),
     part(high(flag("passes", "passes", Tolerance(|t| flagged(t.assessment.passes()))))),
     part(text("headline", "verdict with its reason", Tolerance(|t| Cell::Text(t.assessment.headline())))),
-    part(high(flag("nominal_passes", "nominal bearing passes", Tolerance(|t| flagged(Some(t.assessment.nominal.passes())))))),
+    part(high(flag("nominal_passes", "nominal bearing passes", Tolerance(|t| flagged(t.assessment.nominal.passes()))))),
     part(in_tables(means(VERDICT_NAMES, text("nominal_verdict", "verdict on the nominal bearing", Tolerance(|t| Cell::Text(t.assessment.nominal.verdict.name().to_owned())))))),
     part(means(CRITICAL_GAP, quantity("nominal_critical_gap_deg", "deg", "critical gap, nominal", Tolerance(|t| t.assessment.nominal.critical_gap_rad.map(f64::to_degrees).into())))),
-    part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, fraction of that of rolling, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.lag_fraction).into()))))),
-    part(low(means(DOUBLE_COLLISIONS, quantity("nominal_double_collision_fraction", "", "double collisions, fraction of the passages, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.double_collision_fraction).into()))))),
+    part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, share of rolling, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.lag_fraction).into()))))),
+    part(low(means(DOUBLE_COLLISIONS, quantity("nominal_double_collision_fraction", "", "passages with a double collision, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.double_collision_fraction).into()))))),
     part(low(quantity("nominal_sliding_m_s", "m/s", "largest sliding speed in a passage, mean, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.sliding_mean_m_s).into())))),
     part(quantity("uniform_gap_deg", "deg", "nominal gap", Tolerance(|t| degrees(t.case.bearing.nominal_gap_rad())))),
 ];
@@ -39,8 +39,8 @@ pub const INFLUENCE: &[Quantity] = &[
     part(integer("trials", "bearings", Influence(|i| count(i.result.trials)))),
     part(integer("passed", "pass", Influence(|i| count(i.result.passed)))),
     part(range("critical_gap_deg", "deg", "critical gap", Influence(|i| ends(i.result.critical_gap_rad.map(|r| r.map(f64::to_degrees)))))),
-    part(range("lag_fraction", "", "lag, fraction", Influence(|i| ends(i.result.lag_fraction)))),
-    part(range("double_collision_fraction", "", "double collisions, fraction", Influence(|i| ends(i.result.double_collision_fraction)))),
+    part(range("lag_fraction", "", "lag, share of rolling", Influence(|i| ends(i.result.lag_fraction)))),
+    part(range("double_collision_fraction", "", "passages with a double collision", Influence(|i| ends(i.result.double_collision_fraction)))),
     part(range("sliding_mean_m_s", "m/s", "sliding speed", Influence(|i| ends(i.result.sliding_mean_m_s)))),
 ];
 
@@ -50,10 +50,10 @@ pub const SAMPLES: &[Quantity] = &[
     part(integer("count", "bearings of the Monte Carlo sample", Samples(|s| count(s.samples.count)))),
     part(integer("seed", "seed", Samples(|s| s.seed.into()))),
     part(integer("passed", "bearings that pass", Samples(|s| count(s.samples.passed)))),
-    part(quantity("pass_probability", "", "probability of passing", Samples(|s| some(s.samples.pass_probability)))),
+    part(means("none where a run stopped", quantity("pass_probability", "", "probability of passing", Samples(|s| s.samples.pass_probability.into())))),
     part(range("pass_probability_interval", "", "  95 % interval (Wilson)", Samples(|s| ends(Some(s.samples.pass_probability_interval))))),
-    part(means("linear between the values of neighbouring ranks", range("critical_gap_quantiles_deg", "deg", "critical gap, 5 % … 50 % … 95 %", Samples(|s| s.samples.critical_gap_quantiles_rad.map_or(Cell::Null, |q| Cell::Numbers(q.map(f64::to_degrees).to_vec())))))),
-    part(text("first_impossible", "reason of the first infeasible bearing", Samples(|s| s.samples.outcomes.iter().find_map(|o| o.reason.clone()).map_or(Cell::Null, Cell::Text)))),
+    part(means("linear between the values of neighbouring ranks; none where a bearing has no critical gap", range("critical_gap_quantiles_deg", "deg", "critical gap, 5 % … 50 % … 95 %", Samples(|s| s.samples.critical_gap_quantiles_rad.map_or(Cell::Null, |q| Cell::Numbers(q.map(f64::to_degrees).to_vec())))))),
+    part(text("first_impossible", "reason of the first infeasible bearing", Samples(|s| s.samples.outcomes.iter().filter(|o| !o.is_open()).find_map(|o| o.reason.clone()).map_or(Cell::Null, Cell::Text)))),
 ];
 
 /// Bearings of the sample with one verdict.

@@ -5,6 +5,7 @@ use cageless::verification::{Convergence, DECORRELATED, Loss, TOLERANCE as ALLOW
 use crate::cell::Cell;
 use crate::declare::*;
 use crate::meanings::*;
+use crate::number_text::significant;
 use crate::quantity::Quantity;
 use crate::source::Source::{Distance, DropVerified, Judged, RotorVerified, Si, Verified};
 
@@ -61,6 +62,11 @@ pub const VERIFIED: &[Quantity] = &[
     part(quantity("ring_y_um_std", "um", "standard deviation of the displacement of the inner ring, y", Si(|v| some(v * 1e6)))),
     part(quantity("orbit_speed_rad_s_mean", "rad/s", "orbital speed of the balls, mean", Si(|v| some(*v)))),
     part(quantity("rotation_rad_s_mean", "rad/s", "rotational speed of the balls, mean", Si(|v| some(*v)))),
+    part(quantity("inner_force_max_n", "N", "largest force at the inner raceway", Si(|v| some(*v)))),
+    part(quantity("outer_force_max_n", "N", "largest force at the outer raceway", Si(|v| some(*v)))),
+    part(quantity("power_loss_w", "W", "power loss, mean", Si(|v| some(*v)))),
+    part(quantity("friction_torque_n_m", "N m", "friction torque, mean", Si(|v| some(*v)))),
+    part(means(LAG, quantity("lag_per_pass_deg", "deg", "lag of a ball per pass of a discrete raceway, mean", Si(|v| degrees(*v))))),
     part(quantity("ring_x_um_end", "um", "displacement of the inner ring at the end, x", Si(|v| some(v * 1e6)))),
     part(quantity("ring_y_um_end", "um", "displacement of the inner ring at the end, y", Si(|v| some(v * 1e6)))),
     part(quantity("ball_1_angle_deg_end", "deg", "angular position ψ of ball 1 at the end", Si(|v| degrees(*v)))),
@@ -116,8 +122,8 @@ fn predictability(c: &Verification) -> String {
     };
     let limit = match (d.predictability_time_s, d.loss) {
         (Some(time), Some(loss)) => format!(
-            "trajectories predictable for {:.2} ms, until {} reaches {DECORRELATED} of the scales",
-            time * 1e3,
+            "trajectories predictable for {} ms, until {} reaches {DECORRELATED} of the scales",
+            significant(time * 1e3, 3),
             match loss {
                 Loss::Step => "the distance to the run at half the step",
                 Loss::Start => "the distance of perturbed runs",

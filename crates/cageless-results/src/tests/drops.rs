@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
-use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit, SpinDown};
+use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit};
 
 use super::*;
 use crate::number_text::short;
@@ -12,7 +12,7 @@ use crate::number_text::short;
 const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
 
 /// A drop whose numbers all differ, and differ from those of another `counter`.
-fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
+pub(super) fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
     let sets = [
         "solver.duration_s=0.0001",
         "rotor.clearance_limit_um=437",
@@ -333,21 +333,20 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
     assert_eq!(result.judgement.passes(), None, "no succession");
     for (ball_c, verdict) in [(89.0, "pass"), (91.0, "fail")] {
         let mut result = result.clone();
-        let spin_down = SpinDown {
-            time_s: 17.0,
-            heat_j: 333.0,
-        };
         let ended = SuccessiveDrop {
             number: 3,
             bearing: 1,
             case: &case,
             heat_j: 271.0,
-            spin_down: Some(spin_down),
+            spin_down_s: Some(17.0),
+            spin_down_heat_j: Some(333.0),
+            rotor: None,
             standstill_c: Some([61.0, ball_c, 43.0]),
             judgement: DropJudgement::default(),
         };
         let record = succession_record(ended, &mut result);
         assert_eq!(record.text("verdict"), verdict);
+        assert_eq!(result.results.text("verdict"), verdict);
         assert_eq!(
             record.sentences("reasons").len(),
             usize::from(ball_c > 90.0)
@@ -371,6 +370,52 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
         assert_eq!(record.get("drop"), Some(&Cell::Integer(3)));
         assert_eq!(record.get("bearing"), Some(&Cell::Integer(2)));
     }
+}
+
+/// A row does not pass where the rotor meets a seal in its drop, though its bearing does.
+#[test]
+fn a_row_fails_with_a_plane_of_the_rotor() {
+    let (mut case, mut s, mut outcome) = drop(&mut 0.2);
+    outcome.energy_residual_relative = 0.0;
+    (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
+    (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
+    (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
+    case.limits = vec![];
+    let row = |displacement_max_m: f64| {
+        let mut result = DropResult::new(&case, &s, &outcome);
+        let clearance = Clearance {
+            name: "seal".to_owned(),
+            radial_m: 3e-4,
+        };
+        let rotor = RotorOutcome {
+            energy_residual_relative: 0.0,
+            planes: vec![PlaneDisplacement {
+                clearance,
+                displacement_max_m,
+            }],
+        };
+        let ended = SuccessiveDrop {
+            number: 1,
+            bearing: 0,
+            case: &case,
+            heat_j: 1.0,
+            spin_down_s: None,
+            spin_down_heat_j: None,
+            rotor: Some(&rotor),
+            standstill_c: None,
+            judgement: DropJudgement::default(),
+        };
+        let record = succession_record(ended, &mut result);
+        assert_eq!(result.judgement.passes(), Some(true), "the bearing");
+        (
+            record.text("verdict").to_owned(),
+            record.sentences("reasons").join("; "),
+        )
+    };
+    assert_eq!(row(2.9e-4).0, "pass");
+    let (verdict, reasons) = row(3.1e-4);
+    assert_eq!(verdict, "fail");
+    assert!(reasons.starts_with("seal displaced by 310 µm"), "{reasons}");
 }
 
 /// A limit on a result without a value does not pass, except one from above on what does not occur: it fails where the event has not come by the limit,

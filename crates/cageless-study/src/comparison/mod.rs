@@ -1,104 +1,150 @@
-//! Outer rings compared fairly: each runs from the same uneven starts, and a difference is its
-//! mean over the starts with its standard error. Ideal balls that start evenly all roll at one
-//! speed and keep their gaps with any ring, so that one even start compares nothing.
+//! Outer rings compared fairly: each runs in steady operation with the same draws of real balls
+//! ([`cageless::steady`]), and a difference is its mean over the draws with its standard error. Ideal balls all roll
+//! at one speed and keep their gaps with any ring, so that they compare nothing.
 
+mod benefit;
+mod remedies;
 mod result;
+mod ring_results;
+mod sampling;
 mod verdict;
 
 use cageless::Case;
 use cageless::design::RunVerdict;
+use cageless::equilibrium::settle;
 use cageless::simulation::Observer;
+use cageless::steady::{Stationarity, SteadyBlock, SteadyRecorder, SteadySummary};
 use cageless::summary::transient_s;
 use cageless::vibration::VibrationRecorder;
-use cageless_io::OptionError;
 use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
-pub use result::{ComparedResult, RingComparison, RingResults, Starts};
+pub use benefit::{Benefit, BenefitCriterion, BenefitWord};
+pub use remedies::remedies;
+pub use result::{ComparedResult, RingComparison};
+pub use ring_results::RingResults;
+pub use sampling::{DRAWS, Draws, Sampling};
 pub use verdict::RingVerdict;
 
 use crate::error::StudyError;
 use crate::histories::SAMPLING_HZ;
 use crate::progress::{Progress, Work};
 use crate::run::{Options, RunRecord, run};
+use crate::task::Task;
+use crate::threads::{both, each, groups_of};
 use crate::together::{Record, RunRecorder, run_together};
-use cageless_results::{COMPARED, RUN, Results, Subject};
-
-/// Starts of each ring unless asked for otherwise: as many as run side by side.
-pub const STARTS: u64 = 8;
-/// More would take days.
-const STARTS_MAX: u64 = 10_000;
+use cageless_results::{COMPARED, RUN, Results, STATIC, STEADY, Solved, Subject};
 
 /// A ring after all its runs.
 pub struct ComparedRing {
-    /// The case of the first start.
+    /// The case with the first draw.
     pub file: CaseFile,
-    /// Its run, for figures.
+    /// Its run from the start, as long as the case says, for figures.
     pub record: RunRecord,
-    /// Its scalar results from every start.
+    /// Its scalar results with every draw.
     pub results: RingResults,
 }
 
-/// Runs each named case from `count` uneven starts under the seed of the first case, with which the
-/// others are compared.
+/// Runs each named case with every sample under the seed of the first case, with which the others are compared.
 ///
 /// # Errors
-/// `count` is not possible, a case cannot start, a run left the physical range, or the progress
+/// The number of samples is not possible, a case cannot start, a run left the physical range, or the progress
 /// ended the work.
 pub fn compare(
-    rings: &[(&str, CaseFile)],
-    count: u64,
+    rings: &[(String, CaseFile)],
+    sampling: Sampling,
     progress: &dyn Progress,
 ) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
-    if !(2..=STARTS_MAX).contains(&count) {
-        let allowed = format!("from 2 to {STARTS_MAX}");
-        return Err(OptionError::not_possible("starts", count, &allowed).into());
-    }
+    sampling.check()?;
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
-    let work = progress.begin("compare", rings.len() as f64 * (count + 1) as f64);
+    let task = task(rings, sampling)?;
+    progress.whole(std::slice::from_ref(&task));
+    let work = progress.begin(TASK, task.steps());
     let work = &work;
-    let compared: Vec<ComparedRing> = rings
-        .par_iter()
-        .map(|(name, file)| ring(name, file, seed, count, work))
+    let compared: Vec<ComparedRing> = each(rings)
+        .map(|(name, file)| ring(name, file, sampling, seed, work))
         .collect::<Result<_, _>>()?;
     let results: Vec<RingResults> = compared.iter().map(|ring| ring.results.clone()).collect();
-    let starts = Starts {
-        count,
-        seed: Some(seed),
-    };
-    Ok((compared, RingComparison::new(&results, starts)))
+    let draws = Draws::of(&rings[0].1, sampling);
+    Ok((compared, RingComparison::new(&results, draws)))
+}
+
+/// Name of the task of a comparison.
+const TASK: &str = "compare";
+
+/// The task of a comparison: each ring once alone, with its histories, and with every draw side by side.
+fn task(rings: &[(String, CaseFile)], sampling: Sampling) -> Result<Task, StudyError> {
+    let (mut task, count) = (Task::new(TASK), sampling.count());
+    for (_, file) in rings {
+        let first = sampling.sample(file, 0, 0)?;
+        let (alone, case) = (file.case(), first.case());
+        let blocks = count.div_ceil(DRAWS);
+        // A ring alone is a piece beside the blocks of others.
+        let pieces = rings.len() * (blocks as usize + 1);
+        task = task.with(alone, alone.solver.steps(), pieces).with_batch(
+            case,
+            count.min(DRAWS) as usize,
+            count as f64 * case.solver.steps(),
+            pieces,
+        );
+    }
+    Ok(task)
 }
 
 fn ring(
     name: &str,
     file: &CaseFile,
+    sampling: Sampling,
     seed: u64,
-    count: u64,
     work: &Work<'_>,
 ) -> Result<ComparedRing, StudyError> {
-    let starts: Vec<CaseFile> = (0..count)
-        .map(|start| file.with_uneven_start(seed, start))
+    let draws: Vec<CaseFile> = (0..sampling.count())
+        .map(|draw| sampling.sample(file, seed, draw))
         .collect::<Result<_, _>>()?;
-    let first = starts[0].clone();
+    let first = draws[0].for_as_long_as(file)?;
     // A block for each thread; who runs beside whom changes no bit.
-    let (record, found) = rayon::join(
+    let (record, found) = both(
         || recorded(&first, work),
         || {
-            let blocks = starts.par_chunks(STARTS as usize);
-            let found: Result<Vec<_>, _> = blocks.map(|block| outcomes(block, work)).collect();
-            found
+            let blocks = groups_of(&draws, DRAWS as usize).enumerate();
+            let found = blocks.map(|(k, block)| {
+                let first = k * DRAWS as usize;
+                let named = |at: usize| format!("{name}, draw {}", first + at + 1);
+                outcomes(block, work, &named)
+            });
+            found.collect::<Result<Vec<_>, _>>()
         },
     );
-    let (values, verdicts): (Vec<_>, Vec<_>) = found?.into_iter().flatten().unzip();
-    let verdict = RunVerdict::of_starts(first.case(), &verdicts);
+    let drawn: Vec<DrawOutcome> = found?.into_iter().flatten().collect();
+    let verdicts: Vec<RunVerdict> = drawn.iter().map(|d| d.verdict.clone()).collect();
+    let verdict = RunVerdict::of_starts(draws[0].case(), &verdicts);
+    let blocks: Vec<&[SteadyBlock]> = drawn.iter().map(|d| d.blocks.as_slice()).collect();
+    let at_rest = at_rest(file)?;
+    let values = drawn
+        .iter()
+        .map(|d| [d.values.clone(), at_rest.clone()].concat());
+    let values: Vec<Values> = values.collect();
     Ok(ComparedRing {
-        file: first,
         record: record?,
-        results: RingResults::of_starts(name, file, &values, verdict.into()),
+        results: RingResults::of_draws(name, file, &values, verdict.into())
+            .settled_by(Stationarity::all(&blocks)),
+        file: first,
     })
 }
 
-/// The run of the first start with its histories.
+/// What the number of balls changes at rest.
+fn at_rest(file: &CaseFile) -> Result<Values, StudyError> {
+    let settled = settle(file.case())?;
+    let solved = Solved::new(file.case(), &settled);
+    let results = Results::of(STATIC, Subject::Static(&solved));
+    let values = results
+        .iter()
+        .filter(|(q, _)| ring_results::AT_REST.contains(&q.name));
+    let values = values.filter_map(|(q, cell)| Some((q.name, cell.number()?)));
+    Ok(values.collect())
+}
+
+/// The run with the first draw and its histories.
 fn recorded(file: &CaseFile, work: &Work<'_>) -> Result<RunRecord, StudyError> {
     let mut rows = ();
     let options = Options {
@@ -106,7 +152,7 @@ fn recorded(file: &CaseFile, work: &Work<'_>) -> Result<RunRecord, StudyError> {
         verify: false,
     };
     let record = run(file, options, &Part(work))?;
-    let _ = work.add(1.0);
+    let _ = work.add(file.case().solver.steps());
     StudyError::unless_complete(&record.outcome.ending)?;
     Ok(record)
 }
@@ -120,15 +166,17 @@ impl Progress for Part<'_> {
     }
 }
 
-/// What is measured of one start.
-struct StartRecorder {
+/// What is measured with one draw.
+struct DrawRecorder {
     run: RunRecorder,
+    steady: SteadyRecorder,
     vibration: Option<VibrationRecorder>,
 }
 
-impl Record for StartRecorder {
+impl Record for DrawRecorder {
     fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
         let mut observers = self.run.observers(case);
+        observers.push(Box::new(&mut self.steady));
         if let Some(vibration) = &mut self.vibration {
             observers.push(Box::new(vibration));
         }
@@ -139,33 +187,52 @@ impl Record for StartRecorder {
 /// Scalar results of a run by name.
 type Values = Vec<(&'static str, f64)>;
 
-/// Results and verdict of each start of a block, side by side.
-fn outcomes(block: &[CaseFile], work: &Work<'_>) -> Result<Vec<(Values, RunVerdict)>, StudyError> {
+/// What came out with one draw.
+struct DrawOutcome {
+    values: Values,
+    verdict: RunVerdict,
+    blocks: Vec<SteadyBlock>,
+}
+
+/// Outcomes with each draw of a block, side by side.
+fn outcomes(
+    block: &[CaseFile],
+    work: &Work<'_>,
+    named: &dyn Fn(usize) -> String,
+) -> Result<Vec<DrawOutcome>, StudyError> {
     let cases: Vec<Case> = block.iter().map(|file| file.case().clone()).collect();
-    let record = |case: &Case| StartRecorder {
+    let record = |case: &Case| DrawRecorder {
         run: RunRecorder::new(case),
+        steady: SteadyRecorder::new(),
         vibration: (case.housing.as_ref())
             .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, transient_s(case))),
     };
     let duration_s = cases[0].solver.duration_s;
-    let control = |runs: usize| work.run_control(duration_s, runs as f64);
+    let steps = cases[0].solver.steps();
+    let control = |runs: usize| work.run_control(duration_s, runs as f64 * steps);
     let runs = run_together(&cases, record, control).ok_or(StudyError::Interrupted)?;
-    let outcomes = runs.into_iter().zip(&cases).map(|(run, case)| {
+    let outcomes = runs.into_iter().zip(&cases).enumerate();
+    let outcomes = outcomes.map(|(k, (run, case))| {
         let (recorder, outcome) = run?;
-        StudyError::unless_complete(&outcome.ending)?;
+        StudyError::unless_complete(&outcome.ending).map_err(|e| e.in_run(|| named(k)))?;
         let (results, verdict) = (recorder.run).finished(case, &outcome, |run| {
             (Results::of(RUN, Subject::Run(run)), run.verdict.clone())
         });
-        let results = match &recorder.vibration {
-            Some(vibration) => {
-                let rms_m_s2 = vibration.measurements()[1].rms();
-                results.and(Results::of(COMPARED, Subject::Vibration(&rms_m_s2)))
-            }
-            None => results,
-        };
+        let blocks = recorder.steady.blocks().to_vec();
+        let force_n = recorder.steady.transient_force_max_n();
+        let steady = SteadySummary::new(&case.bearing, &blocks, force_n);
+        let mut results = results.and(Results::of(STEADY, Subject::Steady(&steady)));
+        if let Some(vibration) = &recorder.vibration {
+            let rms_m_s2 = vibration.measurements()[1].rms();
+            results = results.and(Results::of(COMPARED, Subject::Vibration(&rms_m_s2)));
+        }
         let values = results.iter();
         let values = values.filter_map(|(quantity, cell)| Some((quantity.name, cell.number()?)));
-        Ok((values.collect(), verdict))
+        Ok(DrawOutcome {
+            values: values.collect(),
+            verdict,
+            blocks,
+        })
     });
     outcomes.collect()
 }

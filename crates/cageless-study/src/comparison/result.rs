@@ -1,35 +1,33 @@
 //! Results of rings side by side, with the differences that are significant.
 
-use std::collections::BTreeMap;
-
-use cageless_io::case_file::{CaseDocument, CaseFile};
-use cageless_io::estimate::{Change, Estimate, SIGNIFICANCE};
+use cageless_io::estimate::{Change, Estimate};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
-use serde_json::{Map, Value};
 
-use cageless_results::{Aim, COMPARED, Kind, Quantity, RUN};
+use cageless_results::{Aim, Quantity};
 
-use super::RingVerdict;
+use super::ring_results::{RingResults, compared};
+use super::{Benefit, Draws, RingVerdict};
 
 /// What a discrete raceway is there to change, and what it costs, in the order of the verdict.
-const SUBJECT: [&str; 6] = [
+const SUBJECT: [&str; 16] = [
+    "contact_rate_hz",
+    "contact_rate_above_0_1_m_s_hz",
+    "contact_rate_above_0_5_m_s_hz",
+    "impulse_rate_n",
     "gap_deviation_deg",
-    "vibration_rms_m_s2",
+    "gap_min_deg",
     "outer_ring_force_deviation_n",
-    "collisions",
-    "power_loss_w",
+    "turning_force_n",
+    "passing_force_n",
+    "vibration_rms_m_s2",
     "ball_pressure_max_mpa",
+    "transient_ball_pressure_mpa",
+    "power_loss_ball_friction_w",
+    "power_loss_w",
+    "l10r_at_speed_h",
+    "basic_static_rating_n",
 ];
-
-/// Results that are compared.
-fn compared() -> impl Iterator<Item = &'static Quantity> {
-    let scalar = |q: &&Quantity| matches!(q.kind, Kind::Number | Kind::Integer);
-    RUN.iter()
-        .chain(COMPARED)
-        .filter(|q| q.in_tables)
-        .filter(scalar)
-}
 
 /// Name and unit of a result.
 fn named<S: Serializer>(quantity: &Quantity, serializer: S) -> Result<S::Ok, S::Error> {
@@ -37,66 +35,6 @@ fn named<S: Serializer>(quantity: &Quantity, serializer: S) -> Result<S::Ok, S::
     map.serialize_entry("name", quantity.name)?;
     map.serialize_entry("unit", &quantity.unit_text())?;
     map.end()
-}
-
-/// Scalar results of a ring, a value for each start; of a finished run one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RingResults {
-    name: String,
-    /// The case without what does not change the motion and without its raceways.
-    apart_from_raceway: Option<CaseDocument>,
-    has_raceway: bool,
-    verdict: RingVerdict,
-    values: BTreeMap<String, Vec<f64>>,
-}
-
-impl RingResults {
-    /// Results of a ring from its starts.
-    pub(super) fn of_starts(
-        name: &str,
-        file: &CaseFile,
-        starts: &[Vec<(&'static str, f64)>],
-        verdict: RingVerdict,
-    ) -> Self {
-        let mut values: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-        for (k, start) in starts.iter().enumerate() {
-            for (name, value) in start {
-                let all = values.entry((*name).to_owned());
-                // A result that this start lacks is no number.
-                let all = all.or_insert_with(|| vec![f64::NAN; starts.len()]);
-                all[k] = *value;
-            }
-        }
-        Self {
-            name: name.to_owned(),
-            apart_from_raceway: Some(file.apart_from_raceway()),
-            has_raceway: !file.case().raceways.is_empty(),
-            verdict,
-            values,
-        }
-    }
-
-    /// Results of one run from its `summary.json`.
-    pub fn of_summary(name: &str, summary: &Map<String, Value>) -> Self {
-        let numbers = summary.iter();
-        let numbers = numbers.filter_map(|(name, v)| Some((name.clone(), vec![v.as_f64()?])));
-        Self {
-            name: name.to_owned(),
-            apart_from_raceway: None,
-            has_raceway: false,
-            verdict: RingVerdict::of_summary(summary),
-            values: numbers.collect(),
-        }
-    }
-}
-
-/// Starts of a comparison.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Starts {
-    /// Runs of each ring.
-    pub count: u64,
-    /// Seed of their gaps; `None` where each run has the start of its case.
-    pub seed: Option<u64>,
 }
 
 /// A scalar result of every ring.
@@ -119,9 +57,11 @@ pub struct ComparedResult {
 pub struct RingComparison {
     /// Names of the rings; differences are from the first.
     pub runs: Vec<String>,
-    /// Starts of each ring.
-    pub starts: Starts,
-    /// Verdicts in the order of the rings.
+    /// Draws of each ring.
+    pub draws: Draws,
+    /// Benefit of each ring against the first, `None` of that itself and of finished runs.
+    pub benefits: Vec<Option<Benefit>>,
+    /// Verdicts in the order of the rings: whether single balls are slowed as intended.
     pub verdicts: Vec<RingVerdict>,
     /// What changes, in sentences.
     pub statement: String,
@@ -131,17 +71,16 @@ pub struct RingComparison {
 
 impl RingComparison {
     /// Differences of rings; the first is what the others are compared with.
-    pub fn new(rings: &[RingResults], starts: Starts) -> Self {
+    pub fn new(rings: &[RingResults], draws: Draws) -> Self {
         let alike: Vec<bool> = rings
             .iter()
             .map(|ring| {
-                let cases = rings[0].apart_from_raceway.as_ref();
-                cases.is_some() && cases == ring.apart_from_raceway.as_ref()
+                let cases = rings[0].apart_from_remedies.as_ref();
+                cases.is_some() && cases == ring.apart_from_remedies.as_ref()
             })
             .collect();
         let results = compared().filter_map(|quantity| {
-            let of =
-                |ring: &RingResults| ring.values.get(quantity.name).cloned().unwrap_or_default();
+            let of = |ring: &RingResults| ring.of(quantity.name).to_vec();
             let values: Vec<Vec<f64>> = rings.iter().map(of).collect();
             let means: Vec<_> = values.iter().map(|v| Estimate::new(v)).collect();
             means.iter().any(Option::is_some).then(|| {
@@ -165,15 +104,27 @@ impl RingComparison {
                 }
             })
         });
-        let mut comparison = Self {
-            runs: rings.iter().map(|ring| ring.name.clone()).collect(),
-            starts,
-            verdicts: rings.iter().map(|ring| ring.verdict.clone()).collect(),
-            statement: String::new(),
-            results: results.collect(),
+        let statement = |benefits: &[Option<Benefit>]| {
+            let headlines = benefits
+                .iter()
+                .flatten()
+                .map(|b| format!("{}.", b.headline));
+            headlines.collect::<Vec<_>>().join(" ")
         };
-        comparison.statement = comparison.sentences(rings, &alike);
-        comparison
+        let benefits: Vec<Option<Benefit>> = (rings.iter().enumerate())
+            .map(|(k, ring)| (k > 0 && draws.grade.is_some()).then(|| Benefit::of(ring, &rings[0])))
+            .collect();
+        Self {
+            runs: rings.iter().map(|ring| ring.name.clone()).collect(),
+            statement: match draws.grade {
+                Some(_) => statement(&benefits),
+                None => draws.text(),
+            },
+            benefits,
+            draws,
+            verdicts: rings.iter().map(|ring| ring.verdict.clone()).collect(),
+            results: results.collect(),
+        }
     }
 
     /// What a raceway is there to change, and what it costs.
@@ -196,88 +147,28 @@ impl RingComparison {
         all
     }
 
-    /// How the rings were started.
-    pub fn starts_text(&self) -> String {
-        match self.starts.seed {
-            Some(seed) => format!(
-                "Every ring runs from the same {} starts: the gaps between the balls are drawn at \
-                 random, each between 0 and twice the mean (seed {seed}). Values are means over \
-                 the starts ± standard error, differences are taken start by start; significant \
-                 means Student's test at {} %, by which one in {} differences that are none is \
-                 called significant.",
-                self.starts.count,
-                100.0 * SIGNIFICANCE,
-                1.0 / SIGNIFICANCE
-            ),
-            None => {
-                "One run each, from the start of its own case, so that nothing is judged. Ideal \
-                     balls that start evenly all roll at one speed and keep their gaps with any \
-                     ring; after a contact the motion is chaotic, and counts and extremes scatter. \
-                     Compare case files instead of finished runs: they start alike and unevenly."
-                    .to_owned()
-            }
-        }
-    }
-
-    fn sentences(&self, rings: &[RingResults], alike: &[bool]) -> String {
-        if self.starts.seed.is_none() {
-            return self.starts_text();
-        }
-        let sentence = |k: usize| {
-            let (mut changes, mut same) = (vec![], vec![]);
-            for result in self.subject() {
-                let (Some(from), Some(to), Some(difference)) =
-                    (result.values[0], result.values[k], result.differences[k])
-                else {
-                    continue;
-                };
-                let word = match difference.change() {
-                    Change::Lower => "lowers",
-                    Change::Higher => "raises",
-                    Change::Undecided => {
-                        same.push(result.quantity.label.trim());
-                        continue;
-                    }
-                };
-                let (label, unit) = (result.quantity.label.trim(), result.quantity.unit_text());
-                let change = format!(
-                    "{word} the {label} from {} to {} {unit}",
-                    from.text(),
-                    to.text()
-                );
-                changes.push(change.trim_end().to_owned());
-            }
-            let first = &rings[0];
-            let subject = if alike[k] && rings[k].has_raceway && !first.has_raceway {
-                format!("The discrete raceway of {}", rings[k].name)
-            } else {
-                format!("{}, compared with {},", rings[k].name, first.name)
-            };
-            let mut text = match changes.as_slice() {
-                [] => format!("{subject} changes nothing of this significantly"),
-                changes => format!("{subject} {}", changes.join("; it ")),
-            };
-            if !same.is_empty() {
-                text += &format!("; no significant change: {}", same.join(", "));
-            }
-            text + "."
-        };
-        let all: Vec<String> = (1..rings.len()).map(sentence).collect();
-        all.join(" ")
-    }
-
     /// Rows for readers: result, value of the first ring, then value, difference and judgement of
     /// each other ring, unit.
     pub fn rows<'r>(&self, results: impl Iterator<Item = &'r ComparedResult>) -> Vec<Vec<String>> {
-        let text = |value: Option<Estimate>| value.map_or("–".to_owned(), |v| v.text());
+        // A mean over some of the draws is none over all.
+        let count = self.draws.count;
         let row = |result: &ComparedResult| {
+            let (factor, unit) = result.quantity.printed();
+            let scaled = |value: Option<Estimate>| value.map(|v| v.times(factor));
+            let text = |value| match scaled(value) {
+                None => "–".to_owned(),
+                Some(v) if (v.starts as u64) < count => {
+                    format!("{} ({} of {count})", v.text(), v.starts)
+                }
+                Some(v) => v.text(),
+            };
             let mut row = vec![result.quantity.label.to_owned(), text(result.values[0])];
             for k in 1..self.runs.len() {
                 row.push(text(result.values[k]));
-                row.push(signed(result.differences[k]));
+                row.push(signed(scaled(result.differences[k])));
                 row.push(judged(result.better[k]).to_owned());
             }
-            row.push(result.quantity.unit_text());
+            row.push(unit);
             row
         };
         results.map(row).collect()
@@ -313,6 +204,9 @@ fn judged(better: Option<bool>) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use cageless_io::case_file::CaseFile;
+    use serde_json::Map;
+
     use super::*;
 
     #[test]
@@ -341,13 +235,13 @@ mod tests {
             })
             .collect();
         let verdict = RingVerdict::of_summary(&Map::new());
-        RingResults::of_starts(name, &file, &starts, verdict)
+        RingResults::of_draws(name, &file, &starts, verdict)
     }
 
-    const STARTS: Starts = Starts {
-        count: 4,
-        seed: Some(1),
-    };
+    fn draws() -> Draws {
+        let file = CaseFile::parse(&cageless_io::case_file::template(false), "case", &[]).unwrap();
+        Draws::of(&file, crate::comparison::Sampling::Draws(4))
+    }
 
     /// The scatter falls by 0.6 ± 0.01 in pairs whose own scatter is 0.2; contacts scatter.
     #[test]
@@ -366,7 +260,7 @@ mod tests {
             [0.0, 0.21, 0.4, 0.59],
             [10.0, 9.0, 25.0, 14.0],
         );
-        let comparison = RingComparison::new(&[conventional.clone(), a], STARTS);
+        let comparison = RingComparison::new(&[conventional.clone(), a], draws());
         let found = |name: &str| {
             comparison
                 .results
@@ -376,11 +270,6 @@ mod tests {
         };
         assert_eq!(found("gap_deviation_deg").better, [None, Some(true)]);
         assert_eq!(found("collisions").better, [None, None]);
-        assert_eq!(
-            comparison.statement,
-            "The discrete raceway of A lowers the standard deviation of the gaps from \
-             0.90 ± 0.13 to 0.30 ± 0.13 °; no significant change: collisions between balls."
-        );
         // Another load: whatever differs does not follow from the raceway.
         let b = ring(
             "B",
@@ -389,13 +278,76 @@ mod tests {
             [0.0, 0.2, 0.4, 0.6],
             [9.0, 11.0, 10.0, 30.0],
         );
-        let comparison = RingComparison::new(&[conventional, b], STARTS);
+        let comparison = RingComparison::new(&[conventional, b], draws());
         assert!(comparison.results.iter().all(|r| r.better[1].is_none()));
-        assert!(
-            comparison
-                .statement
-                .starts_with("B, compared with conventional, lowers")
-        );
+    }
+
+    /// A result that some starts lack says over how many its mean is.
+    #[test]
+    fn a_mean_over_some_of_the_starts_says_so() {
+        let of = |gaps| ring("A", true, 1500.0, gaps, [1.0, 2.0, 3.0, 4.0]);
+        let part = [0.2, f64::NAN, 0.4, f64::NAN];
+        let comparison = RingComparison::new(&[of([0.1, 0.3, 0.1, 0.3]), of(part)], draws());
+        let rows = comparison.rows(comparison.results.iter());
+        let gaps = rows.iter().find(|row| row[0].contains("gaps")).unwrap();
+        assert_eq!(gaps[1..3], ["0.200 ± 0.058", "0.30 ± 0.10 (2 of 4)"]);
+        let whole = rows
+            .iter()
+            .find(|row| row[0].contains("collisions"))
+            .unwrap();
+        assert!(!whole[2].contains("of"), "{whole:?}");
+    }
+
+    /// A result that a start lacks takes part in no mean and no difference.
+    #[test]
+    fn a_result_that_a_start_lacks_is_left_out() {
+        let file = CaseFile::parse(&cageless_io::case_file::template(false), "case", &[]).unwrap();
+        let of = |starts: &[Vec<(&'static str, f64)>]| {
+            RingResults::of_draws("A", &file, starts, RingVerdict::of_summary(&Map::new()))
+        };
+        let (gaps, loss) = ("gap_deviation_deg", "power_loss_w");
+        let first = of(&[
+            vec![(gaps, 3.0), (loss, 10.0)],
+            vec![(gaps, 5.0)],
+            vec![(gaps, 4.0), (loss, 14.0)],
+            vec![(loss, 18.0)],
+        ]);
+        let second = of(&[
+            vec![(loss, 11.0), (gaps, 2.0)],
+            vec![(loss, 13.0), (gaps, 7.0)],
+            vec![(loss, 12.0)],
+            vec![(loss, 20.0), (gaps, 1.0)],
+        ]);
+        let comparison = RingComparison::new(&[first, second], draws());
+        let all = || comparison.results.iter();
+        let found = |name: &str| all().find(|r| r.quantity.name == name).unwrap();
+        let close = |estimate: Option<Estimate>, mean: f64, starts: usize| {
+            let found = estimate.unwrap();
+            let alike = (found.mean - mean).abs() < 1e-12;
+            assert!(alike && found.starts == starts, "{found:?} {mean}");
+        };
+        let (gaps, loss) = (found(gaps), found(loss));
+        close(gaps.values[0], 4.0, 3);
+        close(gaps.values[1], 10.0 / 3.0, 3);
+        close(loss.values[0], 14.0, 3);
+        // Start by start, over those that have both: 2 − 3 and 7 − 5; 11 − 10, 12 − 14 and 20 − 18.
+        close(gaps.differences[1], 0.5, 2);
+        close(loss.differences[1], 1.0 / 3.0, 3);
+    }
+
+    /// Rows for readers have the units of `run`: torque in N·mm.
+    #[test]
+    fn rows_have_the_units_of_readers() {
+        let summary =
+            |torque: f64| Map::from_iter([("friction_torque_n_m".to_owned(), torque.into())]);
+        let rings = [
+            RingResults::of_summary("A", &summary(2.5e-3)),
+            RingResults::of_summary("B", &summary(1.5e-3)),
+        ];
+        let comparison = RingComparison::new(&rings, Draws::finished());
+        let torque = |r: &&ComparedResult| r.quantity.name == "friction_torque_n_m";
+        let rows = comparison.rows(comparison.results.iter().filter(torque));
+        assert_eq!(rows[0][1..], ["2.5", "1.5", "\u{2212}1", "", "N·mm"]);
     }
 
     #[test]
@@ -405,11 +357,7 @@ mod tests {
             RingResults::of_summary("A", &summary(1.0)),
             RingResults::of_summary("B", &summary(0.5)),
         ];
-        let starts = Starts {
-            count: 1,
-            seed: None,
-        };
-        let comparison = RingComparison::new(&rings, starts);
+        let comparison = RingComparison::new(&rings, Draws::finished());
         assert_eq!(comparison.results[0].better, [None, None]);
         assert_eq!(comparison.results[0].differences[1].unwrap().mean, -0.5);
         assert!(comparison.statement.contains("keep their gaps"));

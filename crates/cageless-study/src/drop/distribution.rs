@@ -1,5 +1,6 @@
 //! Distributions over drops whose conditions scatter.
 
+use cageless::FrictionParameters;
 use cageless::numerics::proportion::wilson_interval;
 use cageless::numerics::quantile::quantile;
 use cageless::touchdown::{DrawnBearing, EndState};
@@ -7,7 +8,6 @@ use cageless_io::OptionError;
 use serde::{Serialize, Serializer};
 
 use crate::StudyError;
-use cageless_results::number_text::significant;
 use cageless_results::{DROP, DropResult, Kind, Quantity, ROTOR_DROP, end_state_text};
 
 /// Most drops of an ensemble.
@@ -21,17 +21,17 @@ pub struct Distribution {
     /// Probability that the rotor ends in backward whirl in this bearing.
     #[serde(flatten)]
     pub backward_whirl: WhirlProbability,
-    /// Distributions of the scalar results.
+    /// Distributions of the scalar results; empty if a drop stopped.
     pub quantiles: Vec<Quantiles>,
 }
 
 /// Probability that a drop ends in backward whirl.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct WhirlProbability {
-    /// Fraction of the completed drops; `None` without any.
+    /// Fraction of the drops; `None` if one stopped, or without any.
     #[serde(rename = "backward_whirl_probability")]
     pub fraction: Option<f64>,
-    /// 95 % interval (Wilson 1927).
+    /// 95 % interval (Wilson 1927), however the drops that stopped would end.
     #[serde(rename = "backward_whirl_interval")]
     pub interval: Option<[f64; 2]>,
 }
@@ -62,14 +62,17 @@ pub struct Quantiles {
 }
 
 impl Distribution {
-    /// Distributions of the results as a table for readers; the first row is the head.
+    /// Distributions of the results as a table for readers, empty without any; the first row is the head.
     pub fn rows(&self) -> Vec<Vec<String>> {
+        if self.quantiles.is_empty() {
+            return vec![];
+        }
         let head = ["result", "least", "median", "95 %", "most", "unit"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
         rows.extend(self.quantiles.iter().map(|q| {
             let mut row = vec![q.quantity.label.to_owned()];
-            row.extend([q.least, q.median, q.high, q.most].map(|v| significant(v, 5)));
-            row.push(q.quantity.unit_text());
+            row.extend([q.least, q.median, q.high, q.most].map(|v| q.quantity.number_text(v)));
+            row.push(q.quantity.printed_unit());
             row
         }));
         rows
@@ -85,8 +88,20 @@ fn name<S: Serializer>(quantity: &&Quantity, serializer: S) -> Result<S::Ok, S::
 pub struct BearingRow {
     /// Friction coefficient between rotor and inner ring.
     pub rotor_friction: f64,
+    /// μs of the Stribeck law there; `None` of any other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rotor_static_friction: Option<f64>,
+    /// Points of sliding speed, m/s, and μ there; `None` without a table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rotor_friction_table: Option<Vec<[f64; 2]>>,
     /// Friction coefficient of the balls.
     pub ball_friction: f64,
+    /// μs of the Stribeck law of the balls; `None` of any other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ball_static_friction: Option<f64>,
+    /// Points of sliding speed, m/s, and μ of the balls; `None` without a table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ball_friction_table: Option<Vec<[f64; 2]>>,
     /// Radial air gap, µm.
     pub radial_clearance_um: f64,
     /// Damping of the support, N·s/m; `None` without a support.
@@ -102,9 +117,18 @@ pub struct BearingRow {
 impl BearingRow {
     pub(super) fn new(drawn: &DrawnBearing, result: DropResult) -> Self {
         let arrangement = drawn.arrangement_rad.as_ref();
+        let (rotor, balls) = (&drawn.rotor_friction, &drawn.ball_friction);
+        let points = |friction: &FrictionParameters| {
+            let table = friction.table.as_ref();
+            table.map(|table| table.points().to_vec())
+        };
         Self {
-            rotor_friction: drawn.rotor_friction,
-            ball_friction: drawn.ball_friction,
+            rotor_friction: rotor.coefficient,
+            rotor_static_friction: rotor.static_coefficient,
+            rotor_friction_table: points(rotor),
+            ball_friction: balls.coefficient,
+            ball_static_friction: balls.static_coefficient,
+            ball_friction_table: points(balls),
             radial_clearance_um: 1e6 * drawn.radial_clearance_m,
             support_damping_n_s_m: drawn.support_damping_n_s_m,
             lead_ball_angle_deg: arrangement.map(|(_, lead_rad)| lead_rad.to_degrees()),
@@ -128,18 +152,27 @@ pub fn check_drops(option: &'static str, count: u64) -> Result<(), StudyError> {
 }
 
 impl WhirlProbability {
-    /// The probability where `whirls` of `completed` drops end so.
-    pub(super) fn new(whirls: usize, completed: usize) -> Self {
+    /// The probability where `whirls` of `completed` drops end so and `stopped` others might.
+    pub(super) fn new(whirls: usize, completed: usize, stopped: usize) -> Self {
+        let all = completed + stopped;
+        let interval = || {
+            let [least, most] = [whirls, whirls + stopped].map(|count| wilson_interval(count, all));
+            [least[0], most[1]]
+        };
         Self {
-            fraction: (completed > 0).then(|| whirls as f64 / completed as f64),
-            interval: (completed > 0).then(|| wilson_interval(whirls, completed)),
+            fraction: (completed > 0 && stopped == 0).then(|| whirls as f64 / completed as f64),
+            interval: (completed > 0).then(interval),
         }
     }
 
-    /// Percentages: "10.0 % (95 %: 0.6 to 40.4 %)"; `None` without a completed drop.
+    /// Percentages: "10.0 % (95 %: 0.6 to 40.4 %)", where drops stopped the interval alone; `None` without a
+    /// completed drop.
     pub fn percent(&self) -> Option<String> {
-        let (p, [low, high]) = (1e2 * self.fraction?, self.interval?.map(|p| 1e2 * p));
-        Some(format!("{p:.1} % (95 %: {low:.1} to {high:.1} %)"))
+        let [low, high] = self.interval?.map(|p| 1e2 * p);
+        Some(match self.fraction {
+            Some(p) => format!("{:.1} % (95 %: {low:.1} to {high:.1} %)", 1e2 * p),
+            None => format!("{low:.1} to {high:.1} % (95 %)"),
+        })
     }
 }
 
@@ -149,8 +182,8 @@ pub(super) fn whirls_backward(drop: &DropResult) -> bool {
 }
 
 impl Distribution {
-    /// The distribution over the results of completed drops.
-    pub(super) fn new(complete: &[&DropResult]) -> Self {
+    /// The distribution over the results of completed drops; so many others stopped.
+    pub(super) fn new(complete: &[&DropResult], stopped: usize) -> Self {
         let count = |state: EndState| {
             let ended = |d: &&&DropResult| d.end_state() == state.name();
             complete.iter().filter(ended).count()
@@ -163,8 +196,15 @@ impl Distribution {
                 })
                 .filter(|entry| entry.count > 0)
                 .collect(),
-            backward_whirl: WhirlProbability::new(count(EndState::BackwardWhirl), complete.len()),
-            quantiles: quantiles(complete),
+            backward_whirl: WhirlProbability::new(
+                count(EndState::BackwardWhirl),
+                complete.len(),
+                stopped,
+            ),
+            quantiles: match stopped {
+                0 => quantiles(complete),
+                _ => vec![],
+            },
         }
     }
 

@@ -8,10 +8,13 @@ use serde::Serialize;
 use cageless_results::{DropResult, DropRun};
 
 use super::distribution::whirls_backward;
-use super::side_by_side::{run_drops, worth_together};
+use super::record::steps;
+use super::side_by_side::{drop_task, run_drops, worth_together};
 use super::{BearingRow, Bearings, Distribution, WhirlProbability, check_drops};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
+use crate::task::Task;
+use crate::threads::groups_of;
 
 /// Drops whose conditions scatter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,6 +33,19 @@ pub struct Ensemble {
     pub bearings: Bearings<Distribution>,
     /// The drops, in the order of their numbers.
     pub drops: Vec<DropRow>,
+}
+
+impl Ensemble {
+    /// Number of drops that stopped, the reason of the first, and what lacks a result for it; `None` if none did.
+    pub fn stopped_text(&self) -> Option<String> {
+        let first = self.stopped.first()?;
+        Some(format!(
+            "{} of {} drops stopped, the first {first}: the probability is that of all drops whichever way they \
+             would have ended, and there are no quantiles",
+            self.stopped.len(),
+            self.drops.len(),
+        ))
+    }
 }
 
 /// One drop of an ensemble.
@@ -69,6 +85,16 @@ pub enum RotorRow {
     },
 }
 
+/// Name of the task of an ensemble.
+const TASK: &str = "drops";
+
+/// The task of [`ensemble`].
+pub(super) fn task(drop: &RotorDrop, count: u64) -> Task {
+    let (together, all) = (worth_together(drop), count as f64 * steps(drop));
+    let pieces = count.div_ceil(together as u64) as usize;
+    drop_task(Task::new(TASK), drop, count as usize, all, pieces)
+}
+
 /// Drops the rotor `count` times, on all threads; the result is the same on any number of them.
 ///
 /// # Errors
@@ -80,11 +106,10 @@ pub fn ensemble(
     progress: &dyn Progress,
 ) -> Result<Ensemble, StudyError> {
     check_drops("samples", count)?;
-    let task = progress.begin("drops", count as f64);
+    let work = progress.begin(TASK, count as f64 * steps(drop));
     let indices: Vec<u64> = (0..count).collect();
-    let rows: Result<Vec<Vec<DropRow>>, StudyError> = indices
-        .par_chunks(worth_together(drop))
-        .map(|chunk| together(drop, chunk, scatter, &task))
+    let rows: Result<Vec<Vec<DropRow>>, StudyError> = groups_of(&indices, worth_together(drop))
+        .map(|chunk| together(drop, chunk, scatter, &work))
         .collect();
     Ok(evaluate(drop, rows?.into_iter().flatten().collect()))
 }
@@ -93,12 +118,12 @@ fn together(
     drop: &RotorDrop,
     indices: &[u64],
     scatter: &Scatter,
-    task: &Work<'_>,
+    work: &Work<'_>,
 ) -> Result<Vec<DropRow>, StudyError> {
     let (drops, drawn): (Vec<RotorDrop>, Vec<Drawn>) =
         indices.iter().map(|k| scatter.draw(drop, *k)).unzip();
     let duration_s = drop.cases()[0].solver.duration_s;
-    let control = |drops: usize| task.run_control(duration_s, drops as f64);
+    let control = |drops: usize| work.run_control(duration_s, drops as f64 * steps(drop));
     let runs = run_drops(&drops, control).ok_or(StudyError::Interrupted)?;
     let rows = indices.iter().zip(&drawn).zip(runs);
     rows.map(|((index, drawn), run)| {
@@ -153,11 +178,12 @@ impl DropRow {
 fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
     let complete: Vec<&DropRow> = drops.iter().filter(|d| d.stopped().is_none()).collect();
     let whirls = complete.iter().filter(|d| d.whirls_backward()).count();
+    let stopped = drops.len() - complete.len();
     let of_bearing = |k: usize| {
         let results: Vec<&DropResult> = complete.iter().map(|d| &d.bearings[k].result).collect();
-        Distribution::new(&results)
+        Distribution::new(&results, stopped)
     };
-    let whirl = || WhirlProbability::new(whirls, complete.len());
+    let whirl = || WhirlProbability::new(whirls, complete.len(), stopped);
     Ensemble {
         seed: drop.cases()[0].seed,
         completed: complete.len(),
@@ -183,7 +209,11 @@ mod tests {
         ];
         BearingRow {
             rotor_friction: 0.1,
+            rotor_static_friction: None,
+            rotor_friction_table: None,
             ball_friction: 0.1,
+            ball_static_friction: None,
+            ball_friction_table: None,
             radial_clearance_um: 200.0,
             support_damping_n_s_m: None,
             lead_ball_angle_deg: None,
@@ -210,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn a_whirl_in_any_bearing_counts_once_and_a_drop_that_stopped_not_at_all() {
+    fn a_whirl_in_any_bearing_counts_once_and_a_drop_that_stopped_leaves_it_open() {
         let (whirl, bounce) = ("backward-whirl", "bouncing");
         let drops = vec![
             row(vec![bearing(whirl, 1.0), bearing(whirl, 5.0)], None),
@@ -230,6 +260,26 @@ mod tests {
         let many = evaluate(file.drop(), drops);
         assert_eq!((many.seed, many.completed), (3, 4));
         assert_eq!(many.stopped, ["in bearing 1 at t = 0.1 s"]);
+        // Nothing is the mean or a quantile of the rest: by Wilson 1927 from 2 of 5 to 3 of 5.
+        let any = many.in_any_bearing.unwrap();
+        let [low, high] = any.interval.unwrap();
+        assert!((low - 0.118).abs() < 1e-3 && (high - 0.882).abs() < 1e-3);
+        assert_eq!(
+            (any.fraction, any.percent().unwrap().as_str()),
+            (None, "11.8 to 88.2 % (95 %)")
+        );
+        let bearings = [0, 1].map(|k: usize| &many.bearings[k]);
+        assert!(bearings.iter().all(|b| b.backward_whirl.fraction.is_none()));
+        assert!(
+            bearings
+                .iter()
+                .all(|b| b.quantiles.is_empty() && b.rows().is_empty())
+        );
+        let text = many.stopped_text().unwrap();
+        assert!(text.starts_with("1 of 5 drops stopped, the first in bearing 1 at t = 0.1 s"));
+
+        let many = evaluate(file.drop(), many.drops[..4].to_vec());
+        assert_eq!(many.stopped_text(), None);
         assert_eq!(many.in_any_bearing.unwrap().fraction, Some(0.5));
         let fractions = [0, 1].map(|k: usize| many.bearings[k].backward_whirl.fraction);
         assert_eq!(fractions, [Some(0.25), Some(0.5)]);
@@ -238,5 +288,60 @@ mod tests {
         // Wilson 1927: 2 of 4.
         let [low, high] = many.in_any_bearing.unwrap().interval.unwrap();
         assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
+    }
+
+    /// Of 21 drops with 0, 1, …, 20: the middle one is the median, a twentieth lies above 19. A result that some drops
+    /// lack has the quantiles of the others.
+    #[test]
+    fn quantiles_are_those_of_the_result_that_they_name() {
+        let drops = (0..21u32).map(|k| {
+            // In any order.
+            let rank = f64::from(k * 8 % 21);
+            let mut one = bearing("bouncing", 1000.0 + 10.0 * rank);
+            let mut values = vec![
+                ("end_state", Cell::Text("bouncing".to_owned())),
+                ("rotor_force_max_n", Cell::Number(1000.0 + 10.0 * rank)),
+                ("inner_pressure_max_mpa", Cell::Number(rank * rank)),
+                ("impacts", Cell::Integer(21 - rank as i64)),
+            ];
+            if rank < 3.0 {
+                values.push(("spin_up_ms", Cell::Number(4.0 * rank)));
+            }
+            one.result.results = Results::only(DROP, &values);
+            row(vec![one, bearing("bouncing", 7.0)], None)
+        });
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../cases/rotors/two-bearings.toml"
+        );
+        let file = RotorFile::read(Path::new(path), &[]).unwrap();
+        let many = evaluate(file.drop(), drops.collect());
+        let found = &many.bearings[0].quantiles;
+        for (name, expected) in [
+            ("rotor_force_max_n", [1000.0, 1100.0, 1190.0, 1200.0]),
+            ("inner_pressure_max_mpa", [0.0, 100.0, 361.0, 400.0]),
+            ("impacts", [1.0, 11.0, 20.0, 21.0]),
+            ("spin_up_ms", [0.0, 4.0, 7.6, 8.0]),
+        ] {
+            let q = found.iter().find(|q| q.quantity.name == name).unwrap();
+            for (found, expected) in [q.least, q.median, q.high, q.most].iter().zip(expected) {
+                assert!(
+                    (found - expected).abs() < 1e-9,
+                    "{name}: {found} {expected}"
+                );
+            }
+        }
+        assert_eq!(found.len(), 4);
+        let rows = many.bearings[0].rows();
+        let pressure = found
+            .iter()
+            .position(|q| q.quantity.name == "inner_pressure_max_mpa");
+        let shown = &rows[1 + pressure.unwrap()];
+        assert_eq!(shown[1..], ["0", "100", "361", "400", "MPa"]);
+        let other = &many.bearings[1].quantiles[0];
+        assert_eq!(
+            [other.least, other.median, other.high, other.most],
+            [7.0; 4]
+        );
     }
 }

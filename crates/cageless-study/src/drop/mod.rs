@@ -6,6 +6,7 @@ mod distribution;
 mod ensemble;
 mod record;
 mod side_by_side;
+mod standstill;
 mod study;
 mod succession;
 mod summary;
@@ -16,7 +17,8 @@ pub use distribution::{
     BearingRow, DROPS_MAX, Distribution, EndStateCount, Quantiles, WhirlProbability, check_drops,
 };
 pub use ensemble::{DropRow, Ensemble, RotorRow, ensemble};
+pub(crate) use record::steps;
 pub use record::{BearingRecord, DropRecord};
-pub(crate) use side_by_side::run_drops;
-pub use study::{DropRequest, DropStudy, study, unloaded};
+pub(crate) use side_by_side::{drop_task, run_drops, worth_together};
+pub use study::{DropRequest, DropStudy, rests, study};
 pub use succession::Succession;

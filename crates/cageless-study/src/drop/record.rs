@@ -40,6 +40,14 @@ struct Kept<'r> {
     collisions: Vec<Collision>,
 }
 
+/// Name of the task of a drop.
+pub(super) const TASK: &str = "drop";
+
+/// Steps of all bearings of a drop.
+pub(crate) fn steps(drop: &RotorDrop) -> f64 {
+    drop.cases().iter().map(|case| case.solver.steps()).sum()
+}
+
 impl DropRecord {
     /// Drops a rotor on the calling thread; `rows` has a store for each bearing, or none.
     ///
@@ -52,8 +60,8 @@ impl DropRecord {
         progress: &dyn Progress,
     ) -> Result<Self, StudyError> {
         let cases = drop.cases();
-        let work = progress.begin("drop", 1.0);
-        let mut control = work.run_control(cases[0].solver.duration_s, 1.0);
+        let work = progress.begin(TASK, steps(drop));
+        let mut control = work.run_control(cases[0].solver.duration_s, steps(drop));
         let mut drops = recorders(drop);
         let kept: Vec<RefCell<Kept<'r>>> = (rows.into_iter())
             .map(|rows| {

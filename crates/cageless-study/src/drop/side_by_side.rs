@@ -7,6 +7,7 @@ use cageless::simulation::{Control, Ending, Observer, RotorDrop, RotorDropOutcom
 use cageless::touchdown::DropRecorder;
 use cageless_results::DropRun;
 
+use crate::task::Task;
 use crate::together::{Record, run_together};
 
 /// Number of drops like `drop` that are worth computing together: into one bearing each they go side
@@ -15,6 +16,20 @@ pub(crate) fn worth_together(drop: &RotorDrop) -> usize {
     match drop.rotor() {
         None => BATCH_WIDTH,
         Some(_) => 1,
+    }
+}
+
+/// `task` with so many drops like `drop`, those into one bearing side by side.
+pub(crate) fn drop_task(
+    task: Task,
+    drop: &RotorDrop,
+    drops: usize,
+    steps: f64,
+    pieces: usize,
+) -> Task {
+    match drop.rotor() {
+        None => task.with_batch(&drop.cases()[0], drops, steps, pieces),
+        Some(_) => task.with_drops(drop, steps, pieces),
     }
 }
 
@@ -67,6 +82,7 @@ fn run_alone(
         .collect();
     let outcome = match drop.run(&mut observers, control) {
         Ok(outcome) => outcome,
+        Err(EquilibriumError::Interrupted) => return None,
         Err(error) => return Some(Err(error)),
     };
     let mut endings = outcome.bearings.iter().map(|bearing| &bearing.ending);

@@ -8,11 +8,14 @@ use cageless_io::plan_file::VariantFile;
 use cageless_results::number_text::short;
 use cageless_results::{DropJudgement, DropResult, Record};
 
+use super::record::{TASK, steps};
+use super::side_by_side::drop_task;
 use super::verification::verify;
 use super::{BearingRecord, DropRecord, Ensemble, Succession, check_drops, ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::Rows;
+use crate::task::Task;
 use crate::warnings::{of_drop, of_scattered};
 
 /// What a study of a drop computes beside the drop.
@@ -24,15 +27,31 @@ pub struct DropRequest {
     pub samples: Option<u64>,
     /// Whether the drop is verified.
     pub verify: bool,
-    /// Number of drops one after the other; one unless given.
+    /// Number of drops one after the other, each with the spin-down after it; one without it unless
+    /// given.
     pub drops: Option<u64>,
 }
 
 impl DropRequest {
+    /// The tasks of [`study`].
+    fn tasks(&self, drop: &RotorDrop) -> Vec<Task> {
+        let drops = self.drops.unwrap_or(1) + u64::from(self.compare);
+        let one = drops as f64 * steps(drop);
+        let own = drop_task(Task::new(TASK), drop, 1, one, 1);
+        let samples = self.samples.map(|count| super::ensemble::task(drop, count));
+        let verification = self.verify.then(|| super::verification::task(drop));
+        [own]
+            .into_iter()
+            .chain(samples)
+            .chain(verification)
+            .collect()
+    }
+
     /// The drop of a file, which can be studied; `name` is what messages call the file.
     ///
     /// # Errors
-    /// The case has no rotor, or one that cannot be dropped, or the number of drops is impossible.
+    /// The case has no rotor, or one that cannot be dropped, the number of drops is impossible, or drops
+    /// one after the other lack numbers of a material.
     pub fn check(&self, file: &VariantFile, name: &str) -> Result<RotorDrop, StudyError> {
         let missing = || {
             StudyError::Input(format!(
@@ -45,7 +64,31 @@ impl DropRequest {
         for (option, count) in [("samples", self.samples), ("drops", self.drops)] {
             count.map_or(Ok(()), |count| check_drops(option, count))?;
         }
+        if let Some(drops) = self.drops {
+            check_heat(file, name, drops)?
+        }
         Ok(drop)
+    }
+}
+
+/// Passes a file with all numbers of materials that drops one after the other need.
+fn check_heat(file: &VariantFile, name: &str, drops: u64) -> Result<(), StudyError> {
+    let cases = (1..).zip(file.cases());
+    let missing = cases.flat_map(|(k, case)| {
+        let keys = case.missing_of_heat(drops > 1).into_iter();
+        keys.map(move |key| match file {
+            VariantFile::Case(_) => key.to_owned(),
+            VariantFile::Rotor(_) => format!("bearing.{k}.{key}"),
+        })
+    });
+    let missing: Vec<String> = missing.collect();
+    match missing.is_empty() {
+        true => Ok(()),
+        false => Err(StudyError::Input(format!(
+            "{name}: --drops needs {}: rings or balls are not of steel, and of no material by name \
+             (ball_material.preset, say)",
+            missing.join(", ")
+        ))),
     }
 }
 
@@ -61,7 +104,7 @@ pub struct DropStudy {
     pub conventional: Option<DropRecord>,
     /// Scattered drops.
     pub ensemble: Option<Ensemble>,
-    /// The drop, its spin-down to standstill and the drops after it.
+    /// The drop, its spin-down to standstill and the drops after it; empty of one drop alone.
     pub succession: Succession,
     /// Verification of the drop.
     pub verification: Option<Record>,
@@ -85,17 +128,28 @@ pub fn study<'r>(
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
     progress: &dyn Progress,
 ) -> Result<DropStudy, StudyError> {
+    if request != DropRequest::default() {
+        progress.whole(&request.tasks(&drop));
+    }
     let record = DropRecord::of(&drop, rows, progress)?;
     let mut study = DropStudy::new(drop, record);
     if !matches!(study.record.ending(), Ending::Complete) {
         return Ok(study);
     }
-    let drops = request.drops.unwrap_or(1);
-    study.succession = Succession::new(file, &study.drop, &mut study.record, drops, progress)?;
-    study.judge();
-    study.interrupted = study.succession.interrupted;
-    study.warnings.extend(study.succession.overheated());
-    study.warnings.extend(study.succession.cut_short.clone());
+    if let Some(drops) = request.drops {
+        study.succession = Succession::new(file, &study.drop, &mut study.record, drops, progress)?;
+        study.judge();
+        study.interrupted = study.succession.interrupted;
+        let Succession {
+            cut_short,
+            without_standstill,
+            ..
+        } = &study.succession;
+        let missing = [cut_short, without_standstill];
+        study
+            .warnings
+            .extend(missing.into_iter().flatten().cloned());
+    }
     if request.compare && !study.interrupted {
         let drop = study.drop.conventional();
         let none = drop.cases().iter().map(|_| None).collect();
@@ -121,7 +175,7 @@ pub fn study<'r>(
 impl DropStudy {
     /// A drop with nothing beside it.
     fn new(drop: RotorDrop, record: DropRecord) -> Self {
-        let mut warnings = unloaded(&drop);
+        let mut warnings = rests(&drop);
         for (k, (case, bearing)) in drop.cases().iter().zip(&record.bearings).enumerate() {
             let own = of_drop(case, &bearing.result).into_iter();
             warnings.extend(own.map(|text| in_bearing(&drop, k, &text)));
@@ -142,10 +196,14 @@ impl DropStudy {
     /// Judges the drop with those after it.
     fn judge(&mut self) {
         let Succession {
-            later, cut_short, ..
+            later,
+            cut_short,
+            runaway,
+            ..
         } = &self.succession;
         let first = self.record.judgement();
-        self.judgement = first.with_later(later, cut_short.as_ref());
+        let all = first.with_later(later, cut_short.as_ref());
+        self.judgement = all.failed(runaway.clone());
         if self.drop.rotor().is_none() {
             self.record.bearings[0].result.judge(self.judgement.clone());
         }
@@ -213,8 +271,34 @@ fn in_bearing(drop: &RotorDrop, k: usize, text: &str) -> String {
     }
 }
 
+/// Warnings of a linear rotor that rests in its bearings in another way than a drop has it.
+pub fn rests(drop: &RotorDrop) -> Vec<String> {
+    let mut warnings = unloaded(drop);
+    warnings.extend(held(drop));
+    warnings
+}
+
+/// Warning of springs of a horizontal linear rotor to the ground that carry it within all clearances.
+fn held(drop: &RotorDrop) -> Option<String> {
+    let rotor = drop.rotor().filter(|_| !drop.is_vertical())?;
+    let gravity_m_s2 = drop.cases()[0].operation.gravity_m_s2;
+    let sags_m = rotor.own_sags_m()?.into_iter().zip(drop.cases());
+    let sags = sags_m.map(|(sag_m, case)| {
+        let clearance_m = case.rotor.as_ref()?.radial_clearance_m;
+        let (sag_m, um) = (gravity_m_s2 * sag_m, 1e6);
+        let text = format!("{} of {} µm", short(um * sag_m), short(um * clearance_m));
+        (sag_m < clearance_m && gravity_m_s2 > 0.0).then_some(text)
+    });
+    let sags = sags.collect::<Option<Vec<_>>>()?.join(", ");
+    Some(format!(
+        "the rotor does not fall onto its touch-down bearings: springs in its own matrices carry it, and it \
+         sags by {sags} of the touch-down clearances. What stands for a magnetic bearing must be left out \
+         of the matrices"
+    ))
+}
+
 /// Warnings of bearings that carry nothing of a horizontal linear rotor at rest, or hold it down.
-pub fn unloaded(drop: &RotorDrop) -> Vec<String> {
+fn unloaded(drop: &RotorDrop) -> Vec<String> {
     let Some(rotor) = drop.rotor().filter(|_| !drop.is_vertical()) else {
         return vec![];
     };

@@ -1,12 +1,14 @@
 //! Drops one after the other, with the heat of those before.
 
 use cageless::simulation::{Ending, RotorDrop};
-use cageless::touchdown::{PARTS, SpinDown};
-use cageless_io::case_file::CaseError;
+use cageless::touchdown::PARTS;
+use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::VariantFile;
+use cageless_results::number_text::short;
 use cageless_results::{DropJudgement, Record, SuccessiveDrop, succession_record};
 
 use super::DropRecord;
+use super::standstill::{Standstill, spun_up};
 use crate::StudyError;
 use crate::progress::Progress;
 
@@ -21,6 +23,10 @@ pub struct Succession {
     pub later: Vec<DropJudgement>,
     /// Why there are fewer drops than were asked for.
     pub cut_short: Option<String>,
+    /// The heat that leaves the bearing no clearance for another drop.
+    pub runaway: Option<String>,
+    /// Why the last drop has no temperatures at standstill.
+    pub without_standstill: Option<String>,
     /// Whether the progress cancelled it.
     pub interrupted: bool,
 }
@@ -31,18 +37,13 @@ const TEMPERATURES: [&str; PARTS] = [
     "ball_temperature_c",
     "outer_ring_temperature_c",
 ];
-/// Results of the temperatures at standstill, and the parts.
-const STANDSTILL: [(&str, &str); PARTS] = [
-    ("inner_ring_standstill_c", "the inner ring"),
-    ("ball_standstill_c", "the balls"),
-    ("outer_ring_standstill_c", "the outer ring"),
-];
-/// Temperature above which bearing steel softens, °C: 100Cr6 is tempered at 150 to 200 °C (ISO 683-17).
-const SOFTENING_C: f64 = 200.0;
-/// Powers that warm them at the end of a drop.
-const POWERS: [&str; PARTS] = ["inner_ring_power_w", "ball_power_w", "outer_ring_power_w"];
+/// The parts.
+const NAMES: [&str; PARTS] = ["inner ring", "balls", "outer ring"];
 /// Key of the touch-down clearance.
 const CLEARANCE: &str = "rotor.radial_clearance_um";
+
+/// Temperatures of each bearing at standstill, or why there are none.
+type Warm = Result<Vec<[f64; PARTS]>, String>;
 
 impl Succession {
     /// The rotor of `file` dropped `count` times, the first time as in `first`. After each drop it spins
@@ -59,103 +60,93 @@ impl Succession {
         progress: &dyn Progress,
     ) -> Result<Self, StudyError> {
         let mut done = Self::default();
-        let mut warm_c = done.add(drop, first);
+        let mut warm = done.add(file.cases(), drop, first);
         done.earliest = first.judgement();
-        let mut spun_up = has_spun_up(first);
         for number in 2..=count {
-            let warm = match &warm_c {
-                Some(warm_c) => warmed(file, drop, warm_c),
-                None => {
-                    let reason = match spun_up {
-                        false => {
-                            "the inner ring has not come up to speed at its end, and what brakes \
-                                  the rotor then is not what brakes it afterwards: simulate longer \
-                                  (solver.duration_s)"
-                        }
-                        true => {
-                            "the rotor does not come to rest, or rings and balls have no specific \
-                                 heat (thermal.ring_specific_heat_j_kg_k, \
-                                 thermal.ball_specific_heat_j_kg_k)"
-                        }
-                    };
+            let warmed = match &warm {
+                Ok(standstill_c) => warmed(file, drop, standstill_c),
+                Err(reason) => {
                     let before = number - 1;
                     done.cut_short = Some(format!(
                         "drop {number} needs the temperatures after drop {before}: {reason}"
                     ));
-                    break;
+                    return Ok(done);
                 }
             };
-            let warm = match warm {
-                Ok(warm) => warm,
+            let warmed = match warmed {
+                Ok(warmed) => warmed,
                 Err(error) => {
-                    done.cut_short = Some(format!(
+                    let reason = format!(
                         "drop {number} is not possible at the temperatures after drop {}: {}",
                         number - 1,
                         error.message()
-                    ));
-                    break;
+                    );
+                    done.runaway = Some(format!("thermal runaway, {reason}"));
+                    done.cut_short = Some(reason);
+                    return Ok(done);
                 }
             };
-            let Some(drop) = warm.drop() else { break };
+            let Some(drop) = warmed.drop() else { break };
             let none = drop.cases().iter().map(|_| None).collect();
             let mut record = DropRecord::of(&drop, none, progress)?;
             if matches!(record.ending(), Ending::Complete) {
-                warm_c = done.add(&drop, &mut record);
-                spun_up = has_spun_up(&record);
+                slowed(first, &drop, &mut record);
+                warm = done.add(warmed.cases(), &drop, &mut record);
             }
             done.later.push(record.judgement());
             match record.ending() {
                 Ending::Complete => {}
                 Ending::Interrupted => {
                     done.interrupted = true;
-                    break;
+                    return Ok(done);
                 }
                 _ => {
                     let stopped = &record.bearings[record.last_index()].result.stopped;
                     let reason = stopped.as_ref().map(ToString::to_string);
                     let reason = reason.unwrap_or_default();
                     done.cut_short = Some(format!("drop {number} stopped {reason}"));
-                    break;
+                    return Ok(done);
                 }
             }
         }
+        let last = 1 + done.later.len();
+        let without = |reason| format!("no temperatures at standstill after drop {last}: {reason}");
+        done.without_standstill = warm.err().map(without);
         Ok(done)
     }
 
     /// Adds a drop; returns the temperatures of each bearing at standstill.
-    fn add(&mut self, drop: &RotorDrop, record: &mut DropRecord) -> Option<Vec<[f64; PARTS]>> {
+    fn add(&mut self, files: &[CaseFile], drop: &RotorDrop, record: &mut DropRecord) -> Warm {
         let number = 1 + self.records.len() / record.bearings.len();
-        let spin_down = spin_down(drop, record);
-        // A rotor makes all of its heat in all of its bearings.
-        let bearings = record.bearings.iter();
-        let power_w: f64 = bearings
-            .filter_map(|b| b.result.results.value("end_power_w"))
-            .sum();
+        let standstill = Standstill::after(drop, record);
+        let rotor = record.rotor.as_ref();
         let results = record.bearings.iter_mut().map(|b| &mut b.result);
-        let cases = drop.cases().iter().enumerate().zip(results);
+        let cases = drop.cases().iter().zip(files).zip(results).enumerate();
         let ended: Vec<_> = cases
-            .map(|((bearing, case), result)| {
-                let standstill_c = spin_down.and_then(|spin_down| {
+            .map(|(bearing, ((case, file), result))| {
+                let heat = standstill.as_ref().ok().map(|s| &s.bearings[bearing]);
+                let standstill_c = heat.and_then(|heat| {
                     let capacities = case
                         .thermal
                         .capacities_j_k(&case.bearing, case.rows.len())
                         .ok()?;
                     let mut parts_c = [0.0; PARTS];
                     for (k, part_c) in parts_c.iter_mut().enumerate() {
-                        // Of no heat at all a part has none.
-                        let share =
-                            result.results.value(POWERS[k])? / power_w.max(f64::MIN_POSITIVE);
-                        let rise_k = share * spin_down.heat_j / capacities[k];
+                        let rise_k = heat.shares[k] * heat.heat_j / capacities[k];
                         *part_c = result.results.value(TEMPERATURES[k])? + rise_k;
                     }
                     Some(parts_c)
                 });
+                let soft = standstill_c.and_then(|parts_c| softened(file, parts_c));
+                result.judge(result.judgement.clone().failed(soft));
                 let ended = SuccessiveDrop {
                     number,
                     bearing,
                     case,
                     heat_j: result.results.number("dissipated_j"),
-                    spin_down,
+                    spin_down_s: standstill.as_ref().ok().map(|s| s.time_s),
+                    spin_down_heat_j: heat.map(|heat| heat.heat_j),
+                    rotor,
                     standstill_c,
                     judgement: DropJudgement::default(),
                 };
@@ -163,25 +154,9 @@ impl Succession {
                 standstill_c
             })
             .collect();
-        ended.into_iter().collect()
-    }
-
-    /// Warning of the first drop after which a part is too hot for bearing steel.
-    pub fn overheated(&self) -> Option<String> {
-        self.records.iter().find_map(|record| {
-            let parts = STANDSTILL
-                .iter()
-                .filter_map(|(key, part)| Some((part, record.value(key)?)));
-            let (part, hottest_c) = parts.max_by(|a, b| a.1.total_cmp(&b.1))?;
-            (hottest_c > SOFTENING_C).then(|| {
-                format!(
-                    "after drop {} {part} would be at {hottest_c:.0} °C with all heat kept: bearing steel \
-                     softens above {SOFTENING_C} °C (100Cr6, ISO 683-17), and what follows are numbers of \
-                     parts that would have failed",
-                    record.number("drop")
-                )
-            })
-        })
+        standstill?;
+        let all: Option<_> = ended.into_iter().collect();
+        all.ok_or_else(|| "rings and balls have no specific heat".to_owned())
     }
 
     /// The first drop with this verdict, with the reasons.
@@ -196,36 +171,35 @@ impl Succession {
     }
 }
 
-/// Whether every inner ring has come up to the speed of the rotor.
-fn has_spun_up(record: &DropRecord) -> bool {
-    let mut bearings = record.bearings.iter();
-    bearings.all(|bearing| bearing.result.results.value("spin_up_ms").is_some())
+/// The hottest part beyond the temperature at which its material softens.
+fn softened(file: &CaseFile, standstill_c: [f64; PARTS]) -> Option<String> {
+    let limits_c = file.softening_c();
+    let beyond = (0..PARTS).filter_map(|k| {
+        let (part_c, limit_c) = (standstill_c[k], limits_c[k]?);
+        (part_c > limit_c).then_some((k, part_c, limit_c))
+    });
+    let (k, part_c, limit_c) = beyond.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(format!(
+        "{} at {part_c:.0} °C at standstill with all heat kept, above the {limit_c:.0} °C at which the \
+         steel softens",
+        NAMES[k]
+    ))
 }
 
-/// Spin-down of the rotor after a drop; `None` where it does not come to rest, or where an inner ring
-/// still slides on it at the end of the drop. A slow one stands at once.
-fn spin_down(drop: &RotorDrop, record: &DropRecord) -> Option<SpinDown> {
-    let all = |name: &str| -> Option<Vec<f64>> {
-        let bearings = record.bearings.iter();
-        bearings.map(|b| b.result.results.value(name)).collect()
-    };
-    let rotor = drop.cases()[0].rotor.as_ref()?;
-    let (inertia_kg_m2, speed_rad_s) = (
-        rotor.polar_inertia_kg_m2,
-        record.bearings[0].outcome.state.rotor_motion()?.speed,
-    );
-    let drive_n_m = -rotor.drive_torque_n_m * speed_rad_s.signum();
-    all("end_power_w")?;
-    let Some(torques_n_m) = all("braking_torque_n_m") else {
-        return (drive_n_m >= 0.0).then_some(SpinDown {
-            time_s: 0.0,
-            heat_j: 0.5 * inertia_kg_m2 * speed_rad_s * speed_rad_s,
-        });
-    };
-    let contacts_n_m = torques_n_m.iter().sum();
-    has_spun_up(record)
-        .then(|| SpinDown::new(inertia_kg_m2, speed_rad_s, contacts_n_m, drive_n_m))
-        .flatten()
+/// Fails the bearings of a warm drop whose inner ring no longer comes up to speed.
+fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
+    let cases = drop.cases().iter().zip(&first.bearings);
+    for ((case, cold), warm) in cases.zip(&mut record.bearings) {
+        if spun_up(&cold.result) && !spun_up(&warm.result) {
+            let reason = format!(
+                "thermal runaway: the inner ring, which came up to speed in the first drop, does not with \
+                 Gr {} µm",
+                short(1e6 * case.bearing.radial_internal_clearance_m())
+            );
+            warm.result
+                .judge(warm.result.judgement.clone().failed([reason]));
+        }
+    }
 }
 
 /// The file with the temperatures at which its bearings are after the pause, and what they make of the

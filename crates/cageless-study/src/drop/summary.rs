@@ -21,6 +21,7 @@ impl DropStudy {
             .zip(records)
             .map(|(file, record)| Bearing {
                 case: file.document_as_run(),
+                defaults: file.defaults(),
                 result: &record.result,
             });
         let summary = Summary {
@@ -74,6 +75,7 @@ struct Summary<'a> {
     conventional: Option<OfBearings<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a Ensemble>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
     succession: &'a [Record],
     #[serde(skip_serializing_if = "Option::is_none")]
     verification: Option<&'a Record>,
@@ -102,10 +104,11 @@ struct RotorNumbers {
     energy_residual_relative: f64,
 }
 
-/// One bearing: its case, below a linear rotor as one plane, and its results.
+/// One bearing: its case, below a linear rotor as one plane, what of it took its default, and its results.
 #[derive(Serialize)]
 struct Bearing<'a> {
     case: CaseDocument,
+    defaults: &'a [String],
     #[serde(flatten)]
     result: &'a DropResult,
 }

@@ -8,9 +8,12 @@ use cageless_results::{
 use rayon::prelude::*;
 
 use super::DropRecord;
-use super::side_by_side::{run_drops, worth_together};
+use super::record::steps;
+use super::side_by_side::{drop_task, run_drops, worth_together};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
+use crate::task::Task;
+use crate::threads::groups_of;
 
 /// Results that are no results of the drop.
 const LEFT_OUT: [&str; 2] = ["energy_residual_relative", "simulated_s"];
@@ -27,11 +30,11 @@ pub(super) fn verify(
 ) -> Result<Record, StudyError> {
     let case = &drop.cases()[0];
     let roles = Role::all(case.seed, LARGE_PERTURBATIONS);
-    let task = progress.begin("verify", roles[1..].iter().map(work).sum());
+    let task = progress.begin(TASK, replica_steps(drop, &roles[1..]));
     let (full, half): (Vec<Role>, Vec<Role>) = roles[1..].iter().partition(|r| !r.half_step);
     let together = worth_together(drop);
-    let groups: Result<Vec<_>, StudyError> = (half.par_chunks(together))
-        .chain(full.par_chunks(together))
+    let groups: Result<Vec<_>, StudyError> = groups_of(&half, together)
+        .chain(groups_of(&full, together))
         .map(|group| replicas(drop, group, &task))
         .collect();
     let replicas: Vec<(Role, DropRun)> = groups?.into_iter().flatten().collect();
@@ -87,9 +90,26 @@ fn judged(step_s: f64, drops: &[(Role, &DropResult)]) -> Record {
     verified.record()
 }
 
-/// Work of a replica, that of the drop being 1.
-fn work(role: &Role) -> f64 {
-    if role.half_step { 2.0 } else { 1.0 }
+/// Name of the task of a verification.
+const TASK: &str = "verify";
+
+/// The task of [`verify`].
+pub(super) fn task(drop: &RotorDrop) -> Task {
+    let roles = Role::all(drop.cases()[0].seed, LARGE_PERTURBATIONS);
+    let replicas = &roles[1..];
+    // Those at either step go side by side.
+    let pieces = match drop.rotor() {
+        None => 2,
+        Some(_) => replicas.len(),
+    };
+    let steps = replica_steps(drop, replicas);
+    drop_task(Task::new(TASK), drop, replicas.len() / 2, steps, pieces)
+}
+
+/// Steps of replicas of a drop.
+fn replica_steps(drop: &RotorDrop, roles: &[Role]) -> f64 {
+    let work = |role: &Role| if role.half_step { 2.0 } else { 1.0 };
+    steps(drop) * roles.iter().map(work).sum::<f64>()
 }
 
 /// Replicas of a drop at one step.
@@ -99,8 +119,11 @@ fn replicas(
     task: &Work<'_>,
 ) -> Result<Vec<(Role, DropRun)>, StudyError> {
     let drops: Vec<RotorDrop> = roles.iter().map(|role| drop.replica(*role)).collect();
-    let (units, duration_s) = (work(&roles[0]), drop.cases()[0].solver.duration_s);
-    let control = |runs: usize| task.run_control(duration_s, units * runs as f64);
+    let (steps, duration_s) = (
+        replica_steps(drop, &roles[..1]),
+        drop.cases()[0].solver.duration_s,
+    );
+    let control = |runs: usize| task.run_control(duration_s, steps * runs as f64);
     let runs = run_drops(&drops, control).ok_or(StudyError::Interrupted)?;
     let replicas = roles.iter().zip(runs).map(|(role, run)| {
         let run = run.map_err(|error| StudyError::Input(error.to_string()))?;

@@ -67,6 +67,7 @@ pub fn search_record(
             usual.map(|e| structure(e, None)),
         )
         .with_part("own_from_usual_starts", own_usual)
+        .with_part("closest", found.closest().map(|e| structure(e, None)))
         .with_part("front", front(found))
         .with_part("band", many(each))
         .with_part("rejections", many(rejections))
@@ -101,12 +102,15 @@ pub(super) fn structure(evaluation: &Evaluation, confirmed: Option<&Confirmed>) 
             .map(|(m, s)| motion(&m, s));
         let mean = statistics.map(|s| motion(&s.mean, steady_or_nan)).or(own);
         let errors = statistics.map(|s| motion(&s.error, steady_or_nan));
+        let bunched = confirmed.and_then(|c| c.bunched.get(point));
+        let bunched = bunched.map(|m| motion(m, steady_or_nan));
         Record::of(
             STRUCTURE_AT,
             Subject::StructureAt(&AtPoint { evaluation, point }),
         )
         .with_part("motion", mean)
         .with_part("errors", errors)
+        .with_part("bunched", bunched)
     });
     Record::of(STRUCTURE, Subject::Structure(evaluation)).with_part("points", many(points))
 }

@@ -5,10 +5,15 @@ mod narrative;
 mod task_runner;
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::search::{Found, SearchError, Stage, map_fraction, search};
-use cageless::design::{RacewayVerdict, judge};
+use cageless::design::search::{
+    Cause, ExpectedRuns, Found, OperatingPoint, Rejection, SearchError, Stage, expected_runs,
+    run_jobs, search,
+};
+use cageless::design::{RacewayVerdict, judge, verdict_steps};
+use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
@@ -16,7 +21,10 @@ use rayon::prelude::*;
 use crate::RacewayLabel;
 use crate::entered::{entered, entered_raceway, reshaped, turned};
 use crate::error::StudyError;
+use crate::interruption::break_if;
 use crate::progress::Progress;
+use crate::task::Task;
+use crate::threads::{each, each_of};
 use cageless_results::{Cell, Judged, Record, Results, Subject, VERDICT};
 use narrative::why_none;
 pub use narrative::{point_label, structure_label};
@@ -25,46 +33,87 @@ use task_runner::TaskRunner;
 
 /// Name of the task of the verdicts on the recommended structure.
 const VERDICT_TASK: &str = "search: verdict";
-/// Work of such a verdict over that of a run of all balls.
-const VERDICT_WORK: f64 = 2.0;
-/// Work of the map of one speed, as a rule.
-const MAP_WORK: f64 = 30.0;
-/// Work of the critical gaps of the candidates of one placement and shape at one operating point, as a rule.
-const CANDIDATES_WORK: f64 = 5.0;
-/// Fraction of the structures allowed that the optimiser tries, as a rule.
-const OPTIMISED: f64 = 0.6;
 
-/// The tasks of [`run`] with estimates of their work in runs of all balls, for
-/// `Progress::whole`.
-pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
+/// The tasks of [`run`], for `Progress::whole`; if they are `announced`, some candidates are looked at before.
+///
+/// # Errors
+/// The case or the operating range is impossible.
+pub fn tasks(file: &CaseFile, announced: bool) -> Result<Vec<Task>, StudyError> {
     let request = file.search();
-    let points = request.points.len() as f64;
-    let maps = points + request.map_speeds_rad_s.len() as f64;
-    let starts = request.starts as f64;
-    let of_structure = points * starts;
-    let confirmed = request.confirming_starts() as f64;
-    let structures = 1.0 + f64::from(u8::from(!file.case().raceways.is_empty()));
-    let stages = [
-        (Stage::Map, maps * MAP_WORK * map_fraction(request)),
-        (
-            Stage::Candidates,
-            points
-                * (request.placements.len() * request.sections().count()) as f64
-                * CANDIDATES_WORK,
-        ),
-        (
-            Stage::Motion,
-            request.front_structures() as f64 * of_structure,
-        ),
-        (
-            Stage::Polish,
-            OPTIMISED * request.optimised_structures() as f64 * of_structure,
-        ),
-        (Stage::Confirm, structures * points * confirmed),
-    ];
-    let stages = stages.map(|(stage, work)| (task_runner::task_name(stage), work));
-    let verdict = (VERDICT_TASK.to_owned(), points * VERDICT_WORK);
-    stages.into_iter().chain([verdict]).collect()
+    let expected = expected_runs(file.case(), request).map_err(|error| refused(file, error))?;
+    let mut tasks: Vec<Task> = vec![];
+    let empty = announced && nothing_is_acceptable(file, &expected);
+    for runs in &expected {
+        let name = task_runner::task_name(runs.stage);
+        let at = tasks.iter().position(|task| task.name == name);
+        let at = at.unwrap_or_else(|| {
+            tasks.push(Task::new(&name));
+            tasks.len() - 1
+        });
+        // One sample of a kind is timed for all stages.
+        let kind = |r: &&ExpectedRuns| (r.shared, r.case.moves_in_space());
+        let sample = expected.iter().find(|r| kind(r) == kind(&runs));
+        let case = &sample.unwrap_or(runs).case;
+        let most = if runs.shared { BATCH_WIDTH } else { 1 };
+        let count = runs.jobs.len();
+        // Nothing moves but what is judged in any case: the raceway of the case.
+        let steps = match (empty && runs.shared, runs.stage) {
+            (false, _) => runs.steps,
+            (true, Stage::Confirm) if !file.case().raceways.is_empty() => 0.5 * runs.steps,
+            (true, _) => 0.0,
+        };
+        let task = std::mem::replace(&mut tasks[at], Task::new(&name));
+        tasks[at] = task.with_batch(case, most, steps, count.div_ceil(most));
+    }
+    let points = request.points.len();
+    let verdict = Task::new(VERDICT_TASK);
+    tasks.push(match expected.last() {
+        Some(runs) => {
+            let steps = points as f64 * verdict_steps(&runs.case);
+            verdict.with(&runs.case, steps, points)
+        }
+        None => verdict,
+    });
+    Ok(tasks)
+}
+
+/// Candidates whose critical gaps are computed before the time of a search is announced, and the fewest that say
+/// whether any is acceptable.
+const PROBES: [usize; 2] = [36, 24];
+/// Time for which they are computed.
+const PROBED: Duration = Duration::from_millis(1500);
+
+/// Whether sliding and pressure leave none of the candidates of a search, by some of them.
+fn nothing_is_acceptable(file: &CaseFile, expected: &[ExpectedRuns]) -> bool {
+    let (case, request) = (file.case(), file.search());
+    let candidates = expected.iter().find(|runs| runs.stage == Stage::Candidates);
+    let Some(jobs) = candidates.map(|runs| runs.jobs.as_slice()) else {
+        return false;
+    };
+    let [most, least] = PROBES;
+    let began = Instant::now();
+    let count = jobs.len().min(most);
+    let found: Vec<bool> = each_of(0..count)
+        .with_max_len(1)
+        .filter_map(|k| {
+            let job = &jobs[k * jobs.len() / count];
+            let mut control = |_| break_if(began.elapsed() > PROBED);
+            let outcome = run_jobs(case, &[job], &mut control).pop()??;
+            job.is_acceptable(case, request, &outcome)
+        })
+        .collect();
+    found.len() >= least && !found.contains(&true)
+}
+
+/// Error of a search of a file.
+fn refused(file: &CaseFile, error: SearchError) -> StudyError {
+    match error {
+        SearchError::Impossible(message) => {
+            StudyError::Input(format!("no raceway can be recommended: {message}"))
+        }
+        SearchError::Case(error) => file.refused(&error).into(),
+        SearchError::Interrupted(_) => StudyError::Interrupted,
+    }
 }
 
 /// Searches for the best raceway of a case, as its section `[search]` asks; `paper` are the structures of
@@ -82,23 +131,25 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<(Found, Record), StudyError> {
     file.checked(cageless::Case::check_motion)?;
-    progress.whole(&tasks(file));
+    if progress.wants(VERDICT_TASK) {
+        progress.whole(&tasks(file, progress.announces())?);
+    }
     let mut runner = TaskRunner::new(file, folder, progress)?;
     let found = search(file.case(), file.search(), &mut |stage, jobs| {
         runner.execute(stage, jobs)
     });
     runner.check()?;
-    let found = match found {
-        Ok(found) => found,
-        Err(SearchError::Impossible(message)) => {
-            return Err(StudyError::Input(format!(
-                "no raceway can be recommended: {message}"
-            )));
-        }
-        Err(SearchError::Case(error)) => return Err(file.refused(&error).into()),
-        Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
-    };
-    let verdicts = verdicts(file, &found, progress)?;
+    let mut found = found.map_err(|error| refused(file, error))?;
+    let mut verdicts = verdicts(file, &found, progress)?;
+    let failing = verdicts.iter().position(|v| v.flag("passes") != Some(true));
+    if let Some(point) = failing {
+        found.reject_recommended(&Rejection {
+            cause: Cause::Verdict(verdicts[point].text("headline").to_owned()),
+            point: Some(point),
+            bunched: false,
+        });
+        verdicts.clear();
+    }
     let record = data::search_record(file, &found, verdicts, paper);
     Ok((found, record))
 }
@@ -131,9 +182,12 @@ fn verdicts(
         })
         .collect();
     let points = &found.request.points;
-    let task = progress.begin(VERDICT_TASK, points.len() as f64 * VERDICT_WORK);
-    points
-        .par_iter()
+    let steps = |point: &OperatingPoint| match entered(file, &raceways, Some(point)) {
+        Some(case) => verdict_steps(&case),
+        None => 0.0,
+    };
+    let task = progress.begin(VERDICT_TASK, points.iter().map(steps).sum());
+    each(points)
         .map(|point| {
             let Some(case) = entered(file, &raceways, Some(point)) else {
                 let text = |text: &str| Cell::Text(text.to_owned());
@@ -151,7 +205,7 @@ fn verdicts(
                 ];
                 return Ok(Results::only(VERDICT, &values).into());
             };
-            match judge(&case, &mut task.run_control(1.0, VERDICT_WORK)) {
+            match judge(&case, &mut task.run_control(1.0, verdict_steps(&case))) {
                 Ok(judgement) => {
                     let judged = Judged {
                         case: &case,

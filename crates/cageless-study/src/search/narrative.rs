@@ -2,10 +2,10 @@
 
 use cageless::RacewayShape;
 use cageless::design::search::{
-    CONFIRMING_STARTS, Confirmed, Evaluation, Found, Motion, Rejection, Role,
+    BUNCHED_TURNS, CONFIRMING_STARTS, Confirmed, Evaluation, Found, Motion, Rejection, Role,
 };
 use cageless_results::number_text::signed;
-use cageless_results::{Cell, POINT, REJECTION, Record, Results, STRUCTURE, Subject};
+use cageless_results::{Cell, POINT, Record, Results, STRUCTURE, Subject};
 
 /// Differences beyond this many standard errors count.
 const SIGNIFICANT: f64 = 2.0;
@@ -54,12 +54,13 @@ pub fn narrative(found: &Found, record: &Record) -> Vec<String> {
         return vec![why_none(found)];
     };
     let points = record.parts("points");
-    let verdicts = record.parts("recommended_verdicts");
-    let mut all = vec![recommendation(points, verdicts, best)];
+    let mut all = vec![recommendation(points, best), confirmation(found, best)];
     if let Some(others) = unconfirmed(found) {
-        all.push(format!("Rated better and not confirmed: {others}."));
+        all.push(format!(
+            "Better rated, but rejected by the same starts: {others}."
+        ));
     }
-    for (point, verdict) in points.iter().zip(verdicts) {
+    for (point, verdict) in points.iter().zip(record.parts("recommended_verdicts")) {
         all.push(format!(
             "At {}, with this raceway in the case: {}.",
             point_label(point),
@@ -85,62 +86,112 @@ pub fn narrative(found: &Found, record: &Record) -> Vec<String> {
     let band = record.parts("band");
     let number = |status| band.iter().filter(|s| s.text("status") == status).count();
     all.push(format!(
-        "{} designs are feasible, {} of them on the Pareto front; most frequent reasons for exclusion: {}.",
-        number("accepted"),
-        record.parts("front").len(),
-        counted(found, 3)
+        "{} meet every requirement from {}; the recommended one is the best compromise.",
+        raceways(number("accepted")),
+        counted_starts(found.request.starts, false)
     ));
+    all.extend(tried(found, 3));
     let left_out = number("left out");
     if left_out > 0 {
         all.push(format!(
-            "{left_out} designs were left out by search.runs_max."
+            "{} more could be tried with a larger search.runs_max.",
+            raceways(left_out)
         ));
     }
     let starts = found.request.confirming_starts();
     if starts < CONFIRMING_STARTS {
         all.push(format!(
-            "Means and standard errors are those of {starts} starts; a larger search.runs_max allows \
-             {CONFIRMING_STARTS}."
+            "The confirmation had {starts} random starts; a larger search.runs_max allows {CONFIRMING_STARTS}."
         ));
     }
     all
 }
 
-/// The most frequent reasons of rejections with their numbers of structures.
-fn counted(found: &Found, most: usize) -> String {
-    let rejections = found.rejections();
-    let texts = rejections.iter().take(most).map(|rejection| {
-        let results = Results::of(REJECTION, Subject::Rejection(rejection));
-        format!("{} ({})", results.text("meaning"), rejection.1)
-    });
-    texts.collect::<Vec<_>>().join("; ")
+/// `1 raceway`, `3 raceways`.
+fn raceways(count: usize) -> String {
+    match count {
+        1 => "1 raceway".to_owned(),
+        count => format!("{count} raceways"),
+    }
 }
 
-fn recommendation(points: &[Record], verdicts: &[Record], best: &Record) -> String {
+/// `12 random starts and a bunched one`.
+fn counted_starts(drawn: u64, bunched: bool) -> String {
+    let word = if drawn == 1 { "start" } else { "starts" };
+    let bunched = if bunched { " and a bunched one" } else { "" };
+    format!("{drawn} random {word}{bunched}")
+}
+
+/// Why raceways are excluded, which runs stopped, and that narrow ranges leave few.
+fn tried(found: &Found, most: usize) -> Vec<String> {
+    let mut all = vec![];
+    let rejections = found.rejections();
+    let reasons = rejections.iter().filter(|e| e.kind.name != FAILED);
+    let reasons = reasons.take(most);
+    let reasons = reasons.map(|e| format!("{} ({})", e.kind.meaning, e.count));
+    let reasons: Vec<String> = reasons.collect();
+    if !reasons.is_empty() {
+        all.push(format!(
+            "Reasons against other raceways, with their number: {}.",
+            reasons.join("; ")
+        ));
+    }
+    let stopped = rejections.iter().find(|e| e.kind.name == FAILED);
+    if let (Some(stopped), Some(first)) = (stopped, found.first_failure()) {
+        all.push(format!(
+            "{} could not be judged, as a run stopped; the first: {first}.",
+            raceways(stopped.count)
+        ));
+    }
+    let request = &found.request;
+    let ranged = request.axial_span_range_m.is_some() || request.half_angle_range_rad.is_some();
+    let candidates = found.evaluations.len();
+    if ranged && candidates <= FEW {
+        all.push(format!(
+            "The ranges search.axial_span_mm and search.half_angle_deg leave {} to be tried; wider ones leave more.",
+            raceways(candidates)
+        ));
+    }
+    all
+}
+
+/// Name of the kind of runs that stopped.
+const FAILED: &str = "failed";
+/// So many candidates are few: less than a line of constant θ has.
+const FEW: usize = 8;
+
+fn recommendation(points: &[Record], best: &Record) -> String {
     let steady = best.number("steady_gap_deg");
     let numbers = points.iter().zip(best.parts("points")).map(|(point, n)| {
-        let shortfall = n.number("slip_shortfall");
         format!(
-            "at {} it separates balls to about {:.3}°; available {steady:.3}°; reserve {:.3}°; \
-             {:.1} % {} β0",
+            "at {} balls leave about {:.3}° apart; even spacing would give {steady:.3}° (reserve {:.3}°)",
             point_label(point),
             n.number("critical_gap_deg"),
             n.number("margin_deg"),
-            100.0 * shortfall.abs(),
-            if shortfall < 0.0 { "above" } else { "below" },
         )
     });
     let numbers: Vec<String> = numbers.collect();
-    let failing = verdicts.iter().any(|v| v.flag("passes") != Some(true));
     format!(
-        "{}: {}; {}.",
-        if failing {
-            "Nothing recommended; starting point, which fails its verdict from even spacing"
-        } else {
-            "Recommended"
-        },
+        "Recommended: {}; {}.",
         structure_label(best),
-        numbers.join("; "),
+        numbers.join("; ")
+    )
+}
+
+/// Starts from which the recommendation was confirmed, with the passages in which balls are hit twice.
+fn confirmation(found: &Found, best: &Record) -> String {
+    let worst = |part: &'static str| {
+        let points = best.parts("points").iter();
+        let values = points.filter_map(|p| p.part(part)?.value("double_collision_fraction"));
+        values.fold(f64::NAN, f64::max)
+    };
+    format!(
+        "Confirmed from {}: double collisions in {:.1} % of the passages in the mean of the random starts, in \
+         {:.1} % from the bunch after {:.0} orbits.",
+        counted_starts(found.request.confirming_starts(), true),
+        100.0 * worst("motion"),
+        100.0 * worst("bunched"),
+        0.5 * BUNCHED_TURNS
     )
 }
 
@@ -188,7 +239,7 @@ fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> Strin
     parts.join("; ")
 }
 
-/// Candidates that are rejected from more starts, each with the reason; `None` without any.
+/// Candidates that the starts of the confirmation reject, each with the reason; `None` without any.
 fn unconfirmed(found: &Found) -> Option<String> {
     let text = |c: &Confirmed| {
         let structure = Results::of(STRUCTURE, Subject::Structure(&c.evaluation));
@@ -197,8 +248,7 @@ fn unconfirmed(found: &Found) -> Option<String> {
         format!("{}{why}", structure_label(&structure.into()))
     };
     let texts: Vec<String> = found.of_role(Role::Unconfirmed).map(text).collect();
-    let starts = found.request.confirming_starts();
-    (!texts.is_empty()).then(|| format!("from {starts} starts {}", texts.join("; ")))
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 /// Cause of a rejection with the operating point.
@@ -207,34 +257,59 @@ fn at_point(found: &Found, rejection: &Rejection) -> String {
         let point = Results::of(POINT, Subject::Point(&found.request.points[p]));
         format!(" at {}", point_label(&point.into()))
     });
-    format!("{}{place}", rejection.cause)
+    format!("{rejection}{place}")
 }
 
-/// Requirement that excludes all designs, as a sentence.
+/// Why nothing is recommended, and what to change.
 pub fn why_none(found: &Found) -> String {
-    if let Some(others) = unconfirmed(found) {
-        let own = found.of_role(Role::Own).next();
-        let own = own.filter(|c| c.evaluation.rejection.is_none());
-        return format!(
-            "no raceway is recommended: what is acceptable from the {} initial states of the search fails in \
-             its confirmation, the best first: {others}; set search.initial_states to more{}",
-            found.request.starts,
-            own.map_or("", |_| "; the initial design is acceptable")
-        );
+    let first = found.of_role(Role::Unconfirmed).next();
+    let (mut sentences, remedy) = match (first, unconfirmed(found)) {
+        (Some(first), Some(others)) => {
+            let accepted = found.evaluations.iter().filter(|e| e.objectives.is_some());
+            let passed = accepted.count() + found.of_role(Role::Unconfirmed).count();
+            let sentence = format!(
+                "no raceway is recommended: {} every requirement from {}, but {} from {}: {others}.",
+                match passed {
+                    1 => "1 raceway meets".to_owned(),
+                    passed => format!("{passed} raceways meet"),
+                },
+                counted_starts(found.request.starts, false),
+                match found.of_role(Role::Unconfirmed).count() {
+                    1 if passed == 1 => "it fails".to_owned(),
+                    1 => "the best fails".to_owned(),
+                    count => format!("the best {count} fail"),
+                },
+                counted_starts(found.request.confirming_starts(), true),
+            );
+            let cause = first.evaluation.rejection.as_ref().map(|r| r.cause.kind());
+            let remedy = cause.map_or("", |kind| kind.remedy);
+            let more = format!("{remedy}; or more starts for each raceway (search.initial_states)");
+            (vec![sentence], more)
+        }
+        _ => {
+            let closest = found.closest();
+            let mut sentences = vec!["no raceway meets every requirement.".to_owned()];
+            sentences.extend(closest.map(|e: &Evaluation| {
+                let why = (e.rejection.as_ref()).map_or(String::new(), |r| at_point(found, r));
+                let size = Results::of(STRUCTURE, Subject::Structure(e)).into();
+                format!(
+                    "The nearest to it, {}, fails: {why}.",
+                    structure_label(&size)
+                )
+            }));
+            sentences.extend(tried(found, usize::MAX));
+            let kind = match closest.and_then(|e| e.rejection.as_ref()) {
+                Some(rejection) => Some(rejection.cause.kind()),
+                None => found.rejections().first().map(|excluded| excluded.kind),
+            };
+            let remedy = kind.map_or("wider ranges in [search]", |kind| kind.remedy);
+            (sentences, remedy.to_owned())
+        }
+    };
+    let own = found.of_role(Role::Own).next();
+    if own.is_some_and(|c| c.evaluation.rejection.is_none()) {
+        sentences.push("The initial design is acceptable.".to_owned());
     }
-    let closest = found.closest().map_or(
-        "; the geometry (Zhao 2022, Eq. (8), (9)) or search.critical_gap_min_fraction excludes all of them"
-            .to_owned(),
-        |e: &Evaluation| {
-            let at = e.rejection.as_ref().map_or(String::new(), |r| at_point(found, r));
-            let size = Results::of(STRUCTURE, Subject::Structure(e));
-            let (span, angle) = (size.number("axial_span_mm"), size.number("half_angle_deg"));
-            let shape = size.text("shape");
-            format!("; the closest, {shape}, lC {span:.3} mm and θ {angle:.2}°, fails because {at}")
-        },
-    );
-    format!(
-        "no raceway meets every requirement; structures that each excludes: {}{closest}",
-        counted(found, usize::MAX)
-    )
+    sentences.push(format!("To change: {remedy}."));
+    sentences.join(" ")
 }

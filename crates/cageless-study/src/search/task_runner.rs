@@ -6,7 +6,7 @@ use std::sync::Mutex;
 
 use cageless::Case;
 use cageless::design::search::{
-    Interrupted, Job, Motion, Numbers, Outcome, PairSeparation, Stage, Task, run_jobs,
+    Interrupted, Job, Motion, Numbers, Outcome, PairSeparation, Stage, run_jobs,
 };
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless_io::case_file::CaseFile;
@@ -16,17 +16,10 @@ use rayon::prelude::*;
 
 use crate::error::StudyError;
 use crate::progress::{Progress, Work};
+use crate::threads::{count, each};
 
 /// Name of the journal in the folder of a search.
 pub const JOURNAL: &str = "search.journal";
-/// Work of a critical gap over that of a run of all balls.
-const SPACING_WORK: f64 = 0.08;
-/// Work of a critical gap in space, with its static equilibria, over that of a run of all balls.
-const SPACING_WORK_IN_SPACE: f64 = 0.3;
-
-/// Work of a run in space under axial load over that of a run of all balls.
-const AXIAL_WORK: f64 = 3.0;
-
 /// Name of the task of a stage.
 pub fn task_name(stage: Stage) -> String {
     format!("search: {}", stage.name())
@@ -78,21 +71,22 @@ impl<'c> TaskRunner<'c> {
         let todo: Vec<usize> = (0..jobs.len())
             .filter(|&k| !self.known.contains_key(&keys[k]) && seen.insert(&keys[k]))
             .collect();
-        let progress = self.progress.begin(
-            &task_name(stage),
-            todo.iter().map(|&k| self.work(&jobs[k])).sum(),
-        );
+        let steps = |job: &Job| job.expected(self.case).map_or(0.0, |(_, steps)| steps);
+        let steps: HashMap<usize, f64> = todo.iter().map(|&k| (k, steps(&jobs[k]))).collect();
+        let all = todo.iter().map(|k| steps[k]).sum();
+        let progress = self.progress.begin(&task_name(stage), all);
         let this = &*self;
-        let groups = groups(jobs, &todo, rayon::current_num_threads());
-        let done: Vec<Vec<Option<Outcome>>> = groups
-            .par_iter()
+        let groups = groups(jobs, &todo, count());
+        let done: Vec<Vec<Option<Outcome>>> = each(&groups)
             .with_max_len(1)
             .map(|group| {
                 let together: Vec<(&Job, &str)> = group
                     .iter()
                     .map(|&k| (&jobs[k], keys[k].as_str()))
                     .collect();
-                this.several(&together, &progress)
+                let done = this.several(&together, &progress);
+                let _ = progress.add(group.iter().map(|k| steps[k]).sum());
+                done
             })
             .collect();
         drop(progress);
@@ -112,7 +106,6 @@ impl<'c> TaskRunner<'c> {
         }
         let together: Vec<&Job> = jobs.iter().map(|(job, _)| *job).collect();
         let outcomes = run_jobs(self.case, &together, &mut |_| progress.control());
-        let _ = progress.add(together.iter().map(|job| self.work(job)).sum());
         let pairs = jobs.iter().zip(outcomes);
         pairs
             .map(|((_, key), outcome)| self.noted(key, outcome?))
@@ -129,15 +122,6 @@ impl<'c> TaskRunner<'c> {
             }
         }
         Some(outcome)
-    }
-
-    fn work(&self, job: &Job) -> f64 {
-        match job.task {
-            Task::PairSeparation if self.case.moves_in_space() => SPACING_WORK_IN_SPACE,
-            Task::PairSeparation => SPACING_WORK,
-            Task::Motion(_) => 1.0,
-            Task::AxialLag(_) => AXIAL_WORK,
-        }
     }
 
     fn failed(&self) -> bool {

@@ -165,7 +165,7 @@ impl Sweep {
         }
     }
 
-    fn wants(&self, computation: Computation) -> bool {
+    pub(super) fn wants(&self, computation: Computation) -> bool {
         let mut outputs = self.outputs.iter();
         outputs.any(|output| output.quantity.computation() == computation)
     }
@@ -299,6 +299,11 @@ impl Found<'_> {
         match judge(case, &mut |_| stop()) {
             Ok(judgement) => {
                 let judgement = &judgement;
+                let stopped = judgement.stopped.as_ref();
+                if let Some(stop) = stopped.filter(|stop| !stop.cause.gives_way()) {
+                    self.failed(Computation::Verdict, &stop.reason());
+                    return Some(());
+                }
                 self.fill(Subject::Verdict(&Judged { case, judgement }));
                 if let Some(passages) = &judgement.passages {
                     self.fill(Subject::Passages(passages));

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::variants::Variants;
 use crate::StudyError;
+use crate::threads::each_of;
 
 /// Variants that are tried at most, spread over the plan.
 const PROBES: u64 = 20_000;
@@ -15,7 +16,7 @@ pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), StudyError> {
     let index = |k: u64| (u128::from(k) * u128::from(count) / u128::from(probes)) as u64;
     let possible = |k: u64| variants.variant(index(k)).1.is_ok();
     // One of the first few, as a rule.
-    if (0..probes.min(4)).any(possible) || (0..probes).into_par_iter().any(possible) {
+    if (0..probes.min(4)).any(possible) || each_of(0..probes).any(possible) {
         return Ok(());
     }
     match variants.variant(0).1 {

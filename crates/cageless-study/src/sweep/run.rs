@@ -16,7 +16,7 @@ use super::collection::Collection;
 use super::evaluate::Sweep;
 use super::shard::Shard;
 use crate::StudyError;
-use crate::progress::break_if;
+use crate::interruption::break_if;
 
 /// Computations and output of a sweep.
 #[derive(Debug, Clone)]
@@ -83,6 +83,19 @@ const WAITING_MAX: usize = 65_536;
 pub fn run(
     sweep: &Sweep,
     job: &Job,
+    watch: impl FnMut(&Progress) -> Control,
+) -> Result<Done, StudyError> {
+    run_announced(sweep, job, None::<fn(f64, usize)>, watch)
+}
+
+/// [`run`], with the time, in s, that it takes on so many threads for `expects` before it starts.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn run_announced(
+    sweep: &Sweep,
+    job: &Job,
+    expects: Option<impl FnOnce(f64, usize)>,
     mut watch: impl FnMut(&Progress) -> Control,
 ) -> Result<Done, StudyError> {
     let started = Instant::now();
@@ -97,6 +110,9 @@ pub fn run(
         done_now: 0,
         elapsed: Duration::ZERO,
     };
+    if let Some(expects) = expects.filter(|_| left > 0) {
+        expects(sweep.expected_s(left, &pool), pool.current_num_threads());
+    }
     let mut waiting: Vec<Row> = Vec::new();
     let mut put_away = Instant::now();
     let worked = compute(sweep, missing, &pool, |rows| {

@@ -1,5 +1,5 @@
 use cageless::contact_peaks::{ContactPeak, ContactPeaks};
-use cageless::design::{RacewayTallies, RunVerdict};
+use cageless::design::RunVerdict;
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, RunOutcome, run};
 use cageless::summary::{Summary, SummaryRecorder};
@@ -39,7 +39,7 @@ impl Run {
             outcome: &self.outcome,
             summary: self.summary.as_ref(),
             passages: &PassageTally::new(),
-            verdict: &RunVerdict::from_case(&self.case, &RacewayTallies::new(&self.case)),
+            verdict: &RunVerdict::unfinished(&self.case, "a test"),
             wall_s: 1.0,
         })
     }
@@ -108,7 +108,7 @@ fn ellipses_that_a_shoulder_cuts_off_are_named() {
 }
 
 #[test]
-fn speed_heat_and_energy_have_their_limits() {
+fn speed_and_heat_have_their_limits() {
     let mut run = Run::new(&[]);
     // n·Dpw with Dpw = 18.24 + 27.765 mm.
     let rpm = |parameter: f64| parameter / (18.24 + 27.765);
@@ -124,21 +124,6 @@ fn speed_heat_and_energy_have_their_limits() {
     run.changes(true, text, |run| turning(run, -rpm(3e6 * (1.0 + 1e-9))));
 
     let mut run = Run::new(&[]);
-    for (residual, warned) in [
-        (0.01, false),
-        (-0.01, false),
-        (0.0101, true),
-        (-0.0101, true),
-    ] {
-        run.changes(
-            warned,
-            "1.0 % of all energy flows are unaccounted for",
-            |run| {
-                run.outcome.energy_residual_relative = residual;
-            },
-        );
-    }
-    run.outcome.energy_residual_relative = 0.0;
     run.changes(true, "ended within its transient: no statistics", |run| {
         run.summary = None
     });

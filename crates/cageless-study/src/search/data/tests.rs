@@ -55,6 +55,7 @@ fn found() -> (CaseFile, Found) {
     rejected.rejection = Some(Rejection {
         cause: Cause::Slips(0.09),
         point: Some(1),
+        bunched: false,
     });
     let mut far = evaluation(4.0, Some(0.9));
     far.placement = 1;
@@ -80,6 +81,7 @@ fn found() -> (CaseFile, Found) {
         role,
         evaluation: evaluation(number, None),
         statistics: vec![Statistics::new(vec![motion(number), motion(3.0 * number)]); 2],
+        bunched: vec![motion(20.0 * number), motion(21.0 * number)],
     };
     let found = Found {
         maps: vec![map.clone(), map.clone(), map],
@@ -261,7 +263,7 @@ fn differences_are_told_from_scatter() {
     let (file, mut found) = found();
     let sentence = |found: &Found| {
         let data = search_record(&file, found, vec![], &[]);
-        data.sentences("findings")[1].clone()
+        data.sentences("findings")[2].clone()
     };
     let runs = |values: [f64; 3]| {
         Statistics::new(
@@ -302,6 +304,7 @@ fn candidates_that_are_not_confirmed_are_named() {
     failed.evaluation.rejection = Some(Rejection {
         cause: Cause::DoubleCollision(0.338),
         point: Some(1),
+        bunched: true,
     });
     found.confirmed.insert(0, failed);
     let data = search_record(&file, &found, vec![], &[]);
@@ -311,10 +314,10 @@ fn candidates_that_are_not_confirmed_are_named() {
     let judged = ["status", "reason"].map(|name| unconfirmed.text(name));
     assert_eq!(judged, ["rejected", "double-collision"]);
     let named = "lC 5.060 mm, θ 26.00° at ψ = 0°, 30°, double collisions in 33.8 % of the passages (25 % \
-                 allowed) at 9549 rpm, 70 N";
-    let sentence = &data.sentences("findings")[1];
+                 allowed) from a bunched start at 9549 rpm, 70 N";
+    let sentence = &data.sentences("findings")[2];
     assert!(
-        sentence.starts_with("Rated better and not confirmed: from 12 starts"),
+        sentence.starts_with("Better rated, but rejected by the same starts: lC"),
         "{sentence}"
     );
     assert!(sentence.contains(named), "{sentence}");
@@ -323,13 +326,87 @@ fn candidates_that_are_not_confirmed_are_named() {
     let data = search_record(&file, &found, vec![], &[]);
     assert_eq!(data.part("recommended"), None);
     let sentence = &data.sentences("findings")[0];
+    let starts = "12 random starts and a bunched one";
+    let said = format!(
+        "no raceway is recommended: 3 raceways meet every requirement from 3 random starts, but \
+         the best fails from {starts}: {named}. The initial design is acceptable. To change: a lower speed, or balls \
+         with more room (bearing.balls); or more starts for each raceway (search.initial_states)."
+    );
+    assert_eq!(sentence, &said);
+}
+
+/// A recommendation says how far balls leave apart, and from which starts it is confirmed; reasons are there or
+/// left out, never empty; runs that stopped are counted with the first reason.
+#[test]
+fn findings_are_plain() {
+    let (file, mut found) = found();
+    let sentences = |found: &Found| {
+        let data = search_record(&file, found, vec![], &[]);
+        data.sentences("findings").to_vec()
+    };
+    let all = sentences(&found);
+    // 0.026 rad of 0.046, and 0.032 rad.
+    assert_eq!(
+        all[0],
+        "Recommended: lC 5.060 mm, θ 26.00° at ψ = 0°, 30°; at 12000 rpm, 1500 N balls leave about 1.490° apart; \
+         even spacing would give 2.636° (reserve 1.146°); at 9549 rpm, 70 N balls leave about 1.833° apart; even \
+         spacing would give 2.636° (reserve 0.802°)."
+    );
+    assert!(all[1].starts_with("Confirmed from 12 random starts and a bunched one: "));
+    let has = |all: &[String], text: &str| all.iter().any(|s| s.contains(text));
+    assert!(has(
+        &all,
+        "2 raceways meet every requirement from 3 random starts; the recommended"
+    ));
+    let reasons = "Reasons against other raceways, with their number: wider than the groove (Zhao 2022, Eq. (8)) (2); \
+                   balls slide too much to leave at the full distance (1).";
+    assert!(has(&all, reasons), "{all:?}");
+    assert!(!has(&all, "a run stopped") && !has(&all, "leave 4 raceways"));
+    // Without any reason there is no sentence for them, and narrow ranges are named.
+    found.request.axial_span_range_m = Some([5e-3, 5.1e-3]);
+    found.evaluations[2].rejection = Some(Rejection {
+        cause: Cause::Failed("stopped at 0.1 s".to_owned()),
+        point: Some(0),
+        bunched: false,
+    });
+    for cell in found.maps.iter_mut().flat_map(|map| &mut map.cells) {
+        cell.cause = None;
+    }
+    let all = sentences(&found);
+    assert!(!has(&all, "Reasons against"), "{all:?}");
+    assert!(has(
+        &all,
+        "1 raceway could not be judged, as a run stopped; the first: stopped at 0.1 s."
+    ));
+    assert!(has(
+        &all,
+        "search.half_angle_deg leave 4 raceways to be tried"
+    ));
+}
+
+/// A recommendation whose verdict fails is none.
+#[test]
+fn a_recommendation_that_fails_its_verdict_is_none() {
+    let (file, mut found) = found();
+    found.reject_recommended(&Rejection {
+        cause: Cause::Verdict("FAIL: slips".to_owned()),
+        point: Some(0),
+        bunched: false,
+    });
+    let data = search_record(&file, &found, vec![], &[]);
+    assert_eq!(
+        (data.part("recommended"), data.parts("unconfirmed").len()),
+        (None, 1)
+    );
+    assert!(data.part("recommended_from_usual_starts").is_none());
+    let sentence = &data.sentences("findings")[0];
     assert!(
-        sentence.starts_with("no raceway is recommended"),
+        sentence.contains("with evenly spaced balls FAIL: slips at 12000 rpm"),
         "{sentence}"
     );
-    assert!(sentence.contains(named), "{sentence}");
-    assert!(
-        sentence.ends_with("the initial design is acceptable"),
-        "{sentence}"
-    );
+    let fronts = data
+        .parts("front")
+        .iter()
+        .map(|s| s.number("half_angle_deg"));
+    assert_eq!(fronts.collect::<Vec<_>>(), [24.0]);
 }

@@ -23,10 +23,13 @@ struct Moments {
     squares: f64,
     min: f64,
     max: f64,
+    /// Rows that lack their value, as the computation failed.
+    missing: f64,
 }
 
 impl Moments {
     const NONE: Self = Self {
+        missing: 0.0,
         count: 0.0,
         sum: 0.0,
         squares: 0.0,
@@ -42,9 +45,25 @@ impl Moments {
         self.max = self.max.max(value);
     }
 
-    /// NaN without values.
+    /// Takes the value of a row, if it has one.
+    fn take(&mut self, value: Option<f64>) {
+        match value {
+            Some(value) => self.add(value),
+            None => self.missing += 1.0,
+        }
+    }
+
+    /// NaN without values, or if one is missing.
     fn mean(&self) -> f64 {
-        self.sum / self.count
+        self.of_all(self.sum / self.count)
+    }
+
+    /// NaN if a value is missing: that of the rest is none.
+    fn of_all(&self, value: f64) -> f64 {
+        match self.missing {
+            0.0 => value,
+            _ => f64::NAN,
+        }
     }
 }
 
@@ -76,11 +95,19 @@ impl Points {
 /// Moments of each output at each level of each input.
 type Levels = Vec<Vec<Vec<Moments>>>;
 
-/// Columns of the inputs, then of the outputs, then the number of the variant.
-fn wanted(quantities: &Quantities) -> Vec<usize> {
+/// Columns of the inputs, then of the outputs, then the reason of a failure and the number of the variant.
+fn wanted(table: &Table, quantities: &Quantities) -> Vec<usize> {
     let inputs = quantities.inputs.iter().map(|i| i.column);
     let outputs = quantities.outputs.iter().map(|o| o.column);
-    inputs.chain(outputs).chain([0]).collect()
+    inputs.chain(outputs).chain([table.reason, 0]).collect()
+}
+
+/// Value of an output in a row of [`wanted`] columns, `Some(None)` if the computation failed; `None` if it has none.
+fn value(row: &Row, output: &Output, column: usize) -> Option<Option<f64>> {
+    match output.value(&row[column]) {
+        Some(value) => Some(Some(value - output.origin)),
+        None => output.is_missing(&row[row.len() - 2]).then_some(None),
+    }
 }
 
 /// The outputs with the shares and effects of all inputs.
@@ -96,7 +123,7 @@ pub(super) fn gather(
     let mut all = vec![Moments::NONE; outputs.len()];
     // By the point of the samples, and by the draw of the scatter.
     let mut points = vec![[const { vec![] }; 2]; outputs.len()];
-    table.each(&wanted(quantities), |row| {
+    table.each(&wanted(table, quantities), |row| {
         let at: Vec<_> = inputs
             .iter()
             .zip(row)
@@ -105,19 +132,18 @@ pub(super) fn gather(
         let variant = row.last().and_then(Cell::number).unwrap_or(0.0) as u64;
         let shared = SHARED.map(|drawn| sampling.point(drawn, variant));
         for (k, output) in outputs.iter().enumerate() {
-            let Some(value) = output.value(&row[inputs.len() + k]) else {
+            let Some(value) = value(row, output, inputs.len() + k) else {
                 continue;
             };
-            let value = value - output.origin;
-            all[k].add(value);
+            all[k].take(value);
             for (points, at) in points[k].iter_mut().zip(shared) {
                 let Some(at) = at else { continue };
                 points.resize(points.len().max(at + 1), Moments::NONE);
-                points[at].add(value);
+                points[at].take(value);
             }
             for (moments, level) in levels[k].iter_mut().zip(&at) {
                 if let Some(level) = level {
-                    moments[*level].add(value);
+                    moments[*level].take(value);
                 }
             }
         }
@@ -125,6 +151,7 @@ pub(super) fn gather(
     let of_output = |(k, output): (usize, &Output)| {
         let (levels, all) = (&levels[k], &all[k]);
         let share = |(input, levels): (&Input, &Vec<Moments>)| match input.drawn {
+            _ if all.missing > 0.0 => None,
             None => share(levels, all),
             Some(drawn) => {
                 let shared = SHARED.iter().position(|d| *d == drawn);
@@ -133,15 +160,18 @@ pub(super) fn gather(
             }
         };
         let shares: Vec<_> = inputs.iter().zip(levels).map(share).collect();
+        // Without shares any input may matter.
+        let least = |k: &usize| all.missing > 0.0 || shares[*k].unwrap_or(0.0) >= SHARE_MIN;
         let effects = most(&shares, DRAWN)
             .into_iter()
-            .filter(|k| shares[*k].unwrap_or(0.0) >= SHARE_MIN)
+            .filter(least)
             .map(|k| effect(quantities, output, k, &levels[k]))
             .collect();
         SweepOutput {
             quantity: output.quantity.clone(),
             count: all.count as u64,
             mean: all.mean() + output.origin,
+            missing: all.missing as u64,
             shares,
             effects,
             map: None,
@@ -210,8 +240,8 @@ fn effect(
         input: input.quantity.clone(),
         levels: input.levels.clone(),
         mean: of(Moments::mean),
-        min: of(|m| m.min),
-        max: of(|m| m.max),
+        min: of(|m| m.of_all(m.min)),
+        max: of(|m| m.of_all(m.max)),
     }
 }
 
@@ -223,6 +253,8 @@ pub(super) fn maps(
 ) -> Result<Vec<Option<HeatMap>>, StudyError> {
     let inputs = &quantities.inputs;
     let pair = |output: &SweepOutput| match *most(&output.shares, 2) {
+        // Two inputs make a map, of which only cells lack values.
+        [x, y] if output.missing > 0 && inputs.len() == 2 => Some((x, y)),
         [x, y] if output.shares[x].unwrap_or(0.0) >= SHARE_MIN => Some((x, y)),
         _ => None,
     };
@@ -232,15 +264,15 @@ pub(super) fn maps(
         None => Vec::new(),
     };
     let mut grids: Vec<Vec<Vec<Moments>>> = pairs.iter().map(grid).collect();
-    table.each(&wanted(quantities), |row: &Row| {
+    table.each(&wanted(table, quantities), |row: &Row| {
         for (k, output) in quantities.outputs.iter().enumerate() {
-            let (Some((x, y)), Some(value)) = (pairs[k], output.value(&row[inputs.len() + k]))
+            let (Some((x, y)), Some(value)) = (pairs[k], value(row, output, inputs.len() + k))
             else {
                 continue;
             };
             if let (Some(column), Some(line)) = (inputs[x].level(&row[x]), inputs[y].level(&row[y]))
             {
-                grids[k][line][column].add(value - output.origin);
+                grids[k][line][column].take(value);
             }
         }
     })?;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::result::FailureGroup;
-use cageless_results::Cell;
+use cageless_results::{Cell, Computation};
 
 use super::table::Table;
 use crate::StudyError;
@@ -32,6 +32,17 @@ pub(super) fn groups(table: &Table) -> Result<Vec<FailureGroup>, StudyError> {
     let mut groups: Vec<_> = groups.into_values().collect();
     groups.sort_by_key(|group| (std::cmp::Reverse(group.count), group.variant));
     Ok(groups)
+}
+
+/// Whether the reason of a row says that this computation failed.
+pub(super) fn failed(reason: &str, computation: Computation) -> bool {
+    let own = format!("{}: ", computation.name());
+    reason.starts_with(&own) || reason.contains(&format!("; {own}"))
+}
+
+/// Whether the reason of a row says that a computation failed; else its case is impossible.
+pub(super) fn is_of_computation(reason: &str) -> bool {
+    Computation::ALL.iter().any(|c| failed(reason, *c))
 }
 
 /// Reason without its numbers.

@@ -183,20 +183,18 @@ fn passed(
     outputs: &[SweepOutput],
     constants: &[Parameter],
 ) -> Result<Option<[u64; 2]>, StudyError> {
-    if let Some(output) = outputs.iter().find(|o| o.quantity.name == PASSES) {
-        let count = output.count as f64;
-        return Ok(Some([(output.mean * count).round() as u64, output.count]));
-    }
-    let Some(all) = constants.iter().find(|c| c.name == PASSES) else {
+    let is_shown = outputs.iter().any(|o| o.quantity.name == PASSES)
+        || constants.iter().any(|c| c.name == PASSES);
+    let Some(column) = table.column(PASSES).filter(|_| is_shown) else {
         return Ok(None);
     };
-    let mut judged = 0;
-    if let Some(column) = table.column(PASSES) {
-        table.each(&[column], |row| {
-            judged += u64::from(row[0].number().is_some());
-        })?;
-    }
-    Ok(Some([if all.value == "1" { judged } else { 0 }, judged]))
+    let (mut passed, mut judged) = (0, 0);
+    table.each(&[column], |row| {
+        let passes = row[0].number();
+        judged += u64::from(passes.is_some());
+        passed += u64::from(passes == Some(1.0));
+    })?;
+    Ok(Some([passed, judged]))
 }
 
 fn lead(rows: u64, identity: &Identity, inputs: &[SweepQuantity]) -> String {
@@ -227,6 +225,23 @@ fn warnings(
         ));
     }
     let failed: u64 = failures.iter().map(|group| group.count).sum();
+    let (stopped, impossible): (Vec<_>, Vec<_>) =
+        (failures.iter()).partition(|group| failed::is_of_computation(&group.reason));
+    let count = |groups: &[&FailureGroup]| groups.iter().map(|group| group.count).sum::<u64>();
+    if let Some(first) = stopped.first() {
+        warnings.push(format!(
+            "{} of {rows} variants lack results, as a computation failed, the most frequent reason: {}. Means, \
+             shares and cells of maps that would need them have no value, and none of the best is one of them.",
+            count(&stopped),
+            first.reason
+        ));
+    }
+    if !impossible.is_empty() {
+        warnings.push(format!(
+            "{} of {rows} variants are impossible cases, which means leave out.",
+            count(&impossible)
+        ));
+    }
     if let Some(first) = failures.first().filter(|_| failed == rows) {
         warnings.push(format!("All variants failed: {}", first.reason));
     }

@@ -4,8 +4,9 @@ use super::result::{Levels, SweepQuantity};
 use crate::{Parameter, StudyError};
 use cageless_io::results::Column;
 use cageless_results::number_text::short;
-use cageless_results::{Cell, of_column};
+use cageless_results::{Cell, Computation, of_column};
 
+use super::failed::failed;
 use super::sampling::{Drawn, POINTS_MAX, Sampling};
 use super::table::Table;
 
@@ -77,6 +78,8 @@ pub(super) struct Output {
     factor: f64,
     /// A value of it, to count from: what is large and hardly varies loses no digits.
     pub origin: f64,
+    /// What has it.
+    computation: Option<Computation>,
 }
 
 /// The quantity of a column.
@@ -121,6 +124,14 @@ impl Output {
             (Some(_), _) => None,
             (None, cell) => cell.number().map(|value| self.factor * value),
         }
+    }
+
+    /// Whether a row without its value would have one, had the computation not failed.
+    pub(super) fn is_missing(&self, reason: &Cell) -> bool {
+        let Cell::Text(reason) = reason else {
+            return false;
+        };
+        self.computation.is_some_and(|c| failed(reason, c))
     }
 }
 
@@ -247,6 +258,7 @@ impl Quantities {
     }
 
     fn output(&mut self, spec: &Column, column: usize, mut seen: Seen) {
+        let computation = of_column(&spec.name).map(|(result, _)| result.computation());
         seen.names.truncate(NAMES_MAX);
         if seen.names.len() > 1 {
             let of_name = |name: &String| Output {
@@ -258,6 +270,7 @@ impl Quantities {
                 is_name: Some(name.clone()),
                 factor: 1.0,
                 origin: 0.0,
+                computation,
             };
             self.outputs.extend(seen.names.iter().map(of_name));
             return;
@@ -274,6 +287,7 @@ impl Quantities {
                     is_name: None,
                     factor,
                     origin: factor * low,
+                    computation,
                 })
             }
             range => {

@@ -91,9 +91,12 @@ pub struct SweepOutput {
     pub quantity: SweepQuantity,
     /// Number of its values.
     pub count: u64,
-    /// Mean of its values.
+    /// Number of variants that lack its value, as the computation failed.
+    #[serde(default)]
+    pub missing: u64,
+    /// Mean of its values; NaN if one is missing.
     pub mean: f64,
-    /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1: η² of an axis of the
+    /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1, `None` if a value is missing: η² of an axis of the
     /// grid; ε² of what is drawn, 0 within chance, `None` of fewer than 16 points.
     pub shares: Vec<Option<f64>>,
     /// Effects of the inputs that explain most, largest first.

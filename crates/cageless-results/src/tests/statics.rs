@@ -1,0 +1,230 @@
+//! Rows of a static equilibrium in space, of two rows of balls.
+
+use std::path::Path;
+
+use cageless::equilibrium::settle;
+use cageless::rating::{BasicRatings, PassingFrequencies, Rating};
+
+use super::*;
+
+const CASE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../cases/preloaded-pair.toml"
+);
+/// Balls of both rows.
+const BALLS: usize = 28;
+
+/// Every number of the equilibrium and its ratings another, each row against the field that it names.
+#[test]
+fn results_in_space_are_the_fields_of_the_equilibrium() {
+    let file = CaseFile::read(Path::new(CASE), &[]).unwrap();
+    let case = file.case();
+    let k = &mut 0.2;
+    let mut space = settle(case).unwrap();
+    let mut e = space.rest.clone();
+    for field in [
+        &mut e.ring_x_m,
+        &mut e.ring_y_m,
+        &mut e.inner_pressure_max_pa,
+        &mut e.outer_pressure_max_pa,
+        &mut e.inner_stiffness_n_m1_5,
+        &mut e.outer_stiffness_n_m1_5,
+        &mut space.ring_z_m,
+        &mut space.tilt_x_rad,
+        &mut space.tilt_y_rad,
+    ] {
+        *field = next(k);
+    }
+    space.ellipse_edge_max_rad = [next(k), next(k)];
+    for list in [
+        &mut e.ball_angle_rad,
+        &mut e.effective_radius_m,
+        &mut e.inner_force_n,
+        &mut e.outer_force_n,
+        &mut space.inner_contact_angle_rad,
+        &mut space.outer_contact_angle_rad,
+        &mut space.orbit_speed_rad_s,
+    ] {
+        *list = (0..BALLS).map(|_| next(k)).collect();
+    }
+    for contact in e.inner_contact.iter_mut().chain(&mut e.outer_contact) {
+        contact.pressure_pa = next(k);
+        contact.semi_axes_m = [next(k), next(k)];
+    }
+    // Without load, and the largest of both lists not in the same place.
+    (e.inner_force_n[3], e.inner_force_n[9]) = (0.0, 99.0);
+    e.outer_force_n[17] = 77.0;
+    e.stiffness_n_m = Some([[next(k), next(k)], [next(k), next(k)]]);
+    space.flank_force_n = (0..BALLS).map(|_| [next(k), next(k)]).collect();
+    (space.row_preload_m, space.row_axial_force_n) =
+        (vec![next(k), next(k)], vec![next(k), next(k)]);
+    let matrix: [[f64; 5]; 5] = std::array::from_fn(|_| std::array::from_fn(|_| next(k)));
+    space.stiffness = Some(matrix);
+    space.rest = e.clone();
+    let mut number = || Some(next(k));
+    let rating = Rating {
+        basic: BasicRatings {
+            dynamic_n: number().unwrap(),
+            static_n: number().unwrap(),
+        },
+        l10_mrev: number(),
+        l10r_mrev: number(),
+        l10r_at_speed_mrev: number(),
+        static_safety_factor: number(),
+        pressure_safety: number(),
+        passing: PassingFrequencies {
+            ftf_hz: number().unwrap(),
+            bpfo_hz: number().unwrap(),
+            bpfi_hz: number().unwrap(),
+            bsf_hz: number().unwrap(),
+            raceway_ftf_hz: number().unwrap(),
+        },
+        loaded_contact_angle_rad: Some(0.31),
+        speed_factor_mm_rpm: number().unwrap(),
+        ..Rating::in_space(case, &space)
+    };
+    let solved = Solved {
+        case,
+        equilibrium: &e,
+        rating: rating.clone(),
+        space: Some(&space),
+    };
+    let results = [STATIC, SPACE, DEFECTS].map(|rows| Results::of(rows, Subject::Static(&solved)));
+    let [plane, in_space, defects] = results;
+    let results = plane.and(in_space).and(defects);
+    let turns = case.operation.inner_speed_rad_s / (2.0 * PI);
+    // Million revolutions over revolutions an hour.
+    let hours = |life: Option<f64>| life.unwrap() * 1e6 / (3600.0 * turns);
+    // Frequencies at 0.31 rad: γ = Dw cos α/Dpw.
+    let d = case.bearing.dimensions();
+    let pitch_m = d.inner_groove_bottom_radius_m + d.outer_groove_bottom_radius_m;
+    let gamma = 2.0 * d.ball_radius_m * 0.31f64.cos() / pitch_m;
+    let plane = e.stiffness_n_m.unwrap();
+    let passing = rating.passing;
+    let expected = [
+        ("ring_x_um", e.ring_x_m / MICROMETRE),
+        ("ring_y_um", e.ring_y_m / MICROMETRE),
+        ("stiffness_xx_n_m", plane[0][0]),
+        ("stiffness_yy_n_m", plane[1][1]),
+        ("stiffness_xy_n_m", plane[0][1]),
+        ("inner_pressure_max_mpa", e.inner_pressure_max_pa / MPA),
+        ("outer_pressure_max_mpa", e.outer_pressure_max_pa / MPA),
+        ("inner_force_max_n", 99.0),
+        ("outer_force_max_n", 77.0),
+        ("static_safety_factor", rating.static_safety_factor.unwrap()),
+        ("pressure_safety", rating.pressure_safety.unwrap()),
+        ("basic_dynamic_rating_n", rating.basic.dynamic_n),
+        ("basic_static_rating_n", rating.basic.static_n),
+        ("l10_mrev", rating.l10_mrev.unwrap()),
+        ("l10_h", hours(rating.l10_mrev)),
+        ("l10r_mrev", rating.l10r_mrev.unwrap()),
+        ("l10r_h", hours(rating.l10r_mrev)),
+        ("l10r_at_speed_mrev", rating.l10r_at_speed_mrev.unwrap()),
+        ("l10r_at_speed_h", hours(rating.l10r_at_speed_mrev)),
+        ("ftf_hz", passing.ftf_hz),
+        ("bpfo_hz", passing.bpfo_hz),
+        ("bpfi_hz", passing.bpfi_hz),
+        ("bsf_hz", passing.bsf_hz),
+        ("raceway_ftf_hz", passing.raceway_ftf_hz),
+        ("speed_factor_mm_rpm", rating.speed_factor_mm_rpm),
+        ("inner_stiffness_n_m1_5", e.inner_stiffness_n_m1_5),
+        ("outer_stiffness_n_m1_5", e.outer_stiffness_n_m1_5),
+        ("ftf_order", passing.ftf_hz / turns),
+        ("bpfo_order", passing.bpfo_hz / turns),
+        ("bpfi_order", passing.bpfi_hz / turns),
+        ("bsf_order", passing.bsf_hz / turns),
+        ("bsf_twice_order", 2.0 * passing.bsf_hz / turns),
+        ("bsf_twice_hz", 2.0 * passing.bsf_hz),
+        ("ring_z_um", space.ring_z_m / MICROMETRE),
+        ("tilt_x_mrad", space.tilt_x_rad / 0.001),
+        ("tilt_y_mrad", space.tilt_y_rad / 0.001),
+        ("stiffness_zz_n_m", matrix[2][2]),
+        ("stiffness_xz_n_m", matrix[0][2]),
+        ("stiffness_yz_n_m", matrix[1][2]),
+        ("tilt_stiffness_xx_n_m_rad", matrix[3][3]),
+        ("tilt_stiffness_yy_n_m_rad", matrix[4][4]),
+        ("loaded_contact_angle_deg", 0.31 / DEGREE),
+        ("loaded_ftf_hz", 0.5 * turns * (1.0 - gamma)),
+        ("loaded_bpfo_hz", 7.0 * turns * (1.0 - gamma)),
+        ("loaded_bpfi_hz", 7.0 * turns * (1.0 + gamma)),
+        (
+            "loaded_bsf_hz",
+            0.5 * turns * pitch_m / (2.0 * d.ball_radius_m) * (1.0 - gamma * gamma),
+        ),
+        (
+            "inner_ellipse_edge_max_deg",
+            space.ellipse_edge_max_rad[0] / DEGREE,
+        ),
+        (
+            "outer_ellipse_edge_max_deg",
+            space.ellipse_edge_max_rad[1] / DEGREE,
+        ),
+    ];
+    compare(&results, &expected, &["rating_factor"], 1e-12);
+    let loaded = results.get("loaded_balls");
+    assert_eq!(loaded, Some(&Cell::Integer(BALLS as i64 - 1)));
+    let contacts =
+        |contacts: &[cageless::raceway_contact::RacewayContact], of: usize| -> Vec<f64> {
+            let axis = |c: &cageless::raceway_contact::RacewayContact| match of {
+                0 => c.pressure_pa / MPA,
+                of => c.semi_axes_m[of - 1] / 1e-3,
+            };
+            contacts.iter().map(axis).collect()
+        };
+    let scaled = |list: &[f64], unit: f64| list.iter().map(|v| v / unit).collect::<Vec<f64>>();
+    let pitch_radius_m = 0.5 * pitch_m;
+    let rotation = |k: usize| {
+        space.orbit_speed_rad_s[k] * pitch_radius_m
+            / e.effective_radius_m[k]
+            / REVOLUTION_PER_MINUTE
+    };
+    let flank = |side: usize| space.flank_force_n.iter().map(|f| f[side]).collect();
+    let lists: [(&str, Vec<f64>); 19] = [
+        ("ball_angle_deg", scaled(&e.ball_angle_rad, DEGREE)),
+        ("effective_radius_mm", scaled(&e.effective_radius_m, 1e-3)),
+        ("inner_force_n", e.inner_force_n.clone()),
+        ("outer_force_n", e.outer_force_n.clone()),
+        ("inner_pressure_mpa", contacts(&e.inner_contact, 0)),
+        ("outer_pressure_mpa", contacts(&e.outer_contact, 0)),
+        ("inner_semi_axis_along_mm", contacts(&e.inner_contact, 1)),
+        ("inner_semi_axis_across_mm", contacts(&e.inner_contact, 2)),
+        ("outer_semi_axis_along_mm", contacts(&e.outer_contact, 1)),
+        ("outer_semi_axis_across_mm", contacts(&e.outer_contact, 2)),
+        (
+            "ball_orbit_rpm",
+            scaled(&space.orbit_speed_rad_s, REVOLUTION_PER_MINUTE),
+        ),
+        ("ball_rotation_rpm", (0..BALLS).map(rotation).collect()),
+        (
+            "inner_contact_angle_deg",
+            scaled(&space.inner_contact_angle_rad, DEGREE),
+        ),
+        (
+            "outer_contact_angle_deg",
+            scaled(&space.outer_contact_angle_rad, DEGREE),
+        ),
+        ("flank_plus_force_n", flank(0)),
+        ("flank_minus_force_n", flank(1)),
+        ("row_preload_um", scaled(&space.row_preload_m, MICROMETRE)),
+        ("row_axial_force_n", space.row_axial_force_n.clone()),
+        ("stiffness_matrix", matrix.concat()),
+    ];
+    for (name, expected) in &lists {
+        let found = results.values(name);
+        assert_eq!(found.len(), expected.len(), "{name}");
+        for (a, b) in found.iter().zip(expected) {
+            assert!((a - b).abs() <= 1e-12 * b.abs(), "{name}: {a} {b}");
+        }
+    }
+    let rows = results.values("row");
+    assert!(rows[..14].iter().all(|row| *row == 1.0) && rows[14..].iter().all(|row| *row == 2.0));
+    // No list is left out.
+    let known = |name: &str| name == "row" || lists.iter().any(|(list, _)| *list == name);
+    for (quantity, cell) in results.iter() {
+        assert!(
+            !matches!(cell, Cell::Numbers(_)) || known(quantity.name),
+            "{}",
+            quantity.name
+        );
+    }
+}

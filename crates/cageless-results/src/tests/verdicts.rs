@@ -1,0 +1,219 @@
+//! Verdicts of drops: how each of them ends, and how those of bearings and of later drops combine.
+
+use cageless::linear_rotor::Clearance;
+use cageless::simulation::{
+    Ending, PlaneDisplacement, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
+};
+use cageless::touchdown::{DropSummary, EndState};
+
+use super::drops::drop;
+use super::*;
+
+/// How a drop went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Went {
+    Well,
+    /// The rotor has not touched.
+    InTheAir,
+    /// A pressure without a number.
+    Unknown,
+    Interrupted,
+    Overloaded,
+    /// Left the physical range after it touched.
+    Stopped,
+    /// Left the physical range before it touched.
+    StoppedInTheAir,
+}
+
+/// Every way with its verdict.
+const WAYS: [(Went, Option<bool>); 7] = [
+    (Went::Well, Some(true)),
+    (Went::InTheAir, None),
+    (Went::Unknown, None),
+    (Went::Interrupted, None),
+    (Went::Overloaded, Some(false)),
+    (Went::Stopped, Some(false)),
+    (Went::StoppedInTheAir, Some(false)),
+];
+
+/// A drop that keeps every limit.
+fn good() -> (Case, DropSummary, RunOutcome) {
+    let (case, mut s, mut outcome) = drop(&mut 0.2);
+    outcome.energy_residual_relative = 0.0;
+    (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
+    (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
+    (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (2e9, 3e9);
+    (case, s, outcome)
+}
+
+fn verdict(went: Went) -> DropJudgement {
+    let (mut case, mut s, mut outcome) = good();
+    let stop = Stop {
+        time_s: 0.0123,
+        step_s: 1e-6,
+        automatic_step_s: 1e-6,
+        drop: true,
+        cause: Cause::OffSupport,
+    };
+    match went {
+        Went::Well => {}
+        Went::InTheAir => s.end_state = EndState::Falling,
+        Went::Unknown => s.ball_pressure_max_pa = f64::NAN,
+        Went::Interrupted => {
+            case.solver.duration_s = 0.03;
+            (outcome.ending, outcome.end_s) = (Ending::Interrupted, 0.02);
+        }
+        Went::Overloaded => s.outer_pressure_max_pa = 4.3e9,
+        Went::Stopped => outcome.ending = Ending::Stopped(stop),
+        Went::StoppedInTheAir => {
+            outcome.ending = Ending::Stopped(stop);
+            s.end_state = EndState::Falling;
+        }
+    }
+    DropJudgement::of_drop(&case, &s, &outcome)
+}
+
+/// Word and reason of each ending.
+#[test]
+fn each_ending_of_a_drop_has_its_verdict_and_says_why() {
+    for (went, passes) in WAYS {
+        let found = verdict(went);
+        assert_eq!(found.passes(), passes, "{went:?}");
+        let (name, begins) = match went {
+            Went::Well => ("pass", "PASS: largest contact pressure 3000 MPa"),
+            Went::InTheAir => (
+                "not-judged",
+                "not judged: the rotor has not touched the inner ring",
+            ),
+            Went::Unknown => (
+                "not-judged",
+                "not judged: the contact pressure between balls is not known",
+            ),
+            Went::Interrupted => (
+                "not-judged",
+                "not judged: interrupted after 0.02 s of 0.03 s",
+            ),
+            Went::Overloaded => (
+                "fail",
+                "FAIL: contact pressure at the outer raceway 4300 MPa",
+            ),
+            Went::Stopped | Went::StoppedInTheAir => (
+                "fail",
+                "FAIL: stopped at t = 0.012300 s the outer ring left its support",
+            ),
+        };
+        assert_eq!(found.name(), name, "{went:?}");
+        assert!(found.headline().starts_with(begins), "{}", found.headline());
+    }
+}
+
+/// Every limit of a drop from both sides, at the limit itself it is kept.
+#[test]
+fn each_limit_of_a_drop_fails_beyond_it() {
+    type Change = fn(&mut DropSummary, f64);
+    let limits: [(&str, f64, Change); 4] = [
+        ("inner raceway", 4.2e9, |s, x| {
+            s.inner_pressure_max_pa = x;
+        }),
+        ("outer raceway", 4.2e9, |s, x| {
+            s.outer_pressure_max_pa = x;
+        }),
+        ("between balls", 4.2e9, |s, x| {
+            s.ball_pressure_max_pa = x;
+        }),
+        ("the journal displaced", 437e-6, |s, x| {
+            s.rotor_displacement_max_m = x;
+        }),
+    ];
+    for (what, limit, change) in limits {
+        for (share, passes) in [(0.999, true), (1.0, true), (1.001, false)] {
+            let (mut case, mut s, outcome) = good();
+            case.rotor.as_mut().unwrap().clearance_limit_m = Some(437e-6);
+            change(&mut s, share * limit);
+            let found = DropJudgement::of_drop(&case, &s, &outcome);
+            assert_eq!(found.passes(), Some(passes), "{what} {share}");
+            assert!(
+                passes || found.headline().contains(what),
+                "{}",
+                found.headline()
+            );
+        }
+    }
+    let (case, mut s, outcome) = good();
+    s.end_state = EndState::BackwardWhirl;
+    let found = DropJudgement::of_drop(&case, &s, &outcome);
+    assert_eq!(found.passes(), Some(false), "{}", found.headline());
+}
+
+/// Of bearings one that fails decides, else one that could not be judged; a rotor that touched one of them has
+/// touched.
+#[test]
+fn verdicts_of_bearings_combine() {
+    let rotor = |energy_residual_relative: f64, displacement_max_m: f64| RotorOutcome {
+        energy_residual_relative,
+        planes: vec![PlaneDisplacement {
+            clearance: Clearance {
+                name: "seal".to_owned(),
+                radial_m: 3e-4,
+            },
+            displacement_max_m,
+        }],
+    };
+    let still = rotor(0.0, 2.9e-4);
+    for (a, of_a) in WAYS {
+        assert_eq!(DropJudgement::of_bearings(&[&verdict(a)], None), verdict(a));
+        for (b, of_b) in WAYS {
+            let both = [verdict(a), verdict(b)];
+            let both = [&both[0], &both[1]];
+            let open = |went| [Went::Unknown, Went::Interrupted].contains(&went);
+            let expected = match (of_a, of_b) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                _ if open(a) || open(b) => None,
+                _ if a == Went::InTheAir && b == Went::InTheAir => None,
+                _ => Some(true),
+            };
+            let passes =
+                |rotor: &RotorOutcome| DropJudgement::of_bearings(&both, Some(rotor)).passes();
+            assert_eq!(passes(&still), expected, "{a:?} {b:?}");
+            assert_eq!(passes(&rotor(0.0, 3.1e-4)), Some(false), "{a:?} {b:?}");
+            let leaks = 1.001 * RESIDUAL_FRACTION;
+            assert_eq!(passes(&rotor(leaks, 0.0)), Some(false), "{a:?} {b:?}");
+            let unknown = expected.filter(|passes| !passes);
+            assert_eq!(passes(&rotor(f64::NAN, 0.0)), unknown, "{a:?} {b:?}");
+        }
+    }
+    let all = [verdict(Went::Well), verdict(Went::Overloaded)];
+    let all = DropJudgement::of_bearings(&[&all[0], &all[1]], Some(&still));
+    let reasons = all.reasons();
+    assert!(
+        reasons.len() == 1 && reasons[0].starts_with("bearing 2: contact pressure at the outer"),
+        "{reasons:?}"
+    );
+}
+
+/// Of drops one after the other all have to pass; the first that does not is named.
+#[test]
+fn verdicts_of_later_drops_combine() {
+    let missing = "drop 4 was left out".to_owned();
+    for (a, of_a) in WAYS {
+        assert_eq!(verdict(a).with_later(&[], None), verdict(a));
+        for (b, of_b) in WAYS {
+            let later = [verdict(Went::Well), verdict(b)];
+            let of = |missing| verdict(a).with_later(&later, missing);
+            let expected = match (of_a, of_b) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (None, _) | (_, None) => None,
+                _ => Some(true),
+            };
+            let all = of(None);
+            assert_eq!(all.passes(), expected, "{a:?} {b:?}");
+            let unfinished = expected.filter(|passes| !passes);
+            assert_eq!(of(Some(&missing)).passes(), unfinished, "{a:?} {b:?}");
+            let named = all.reasons().iter().any(|r| r.starts_with("drop 3: "));
+            let of_third = of_b == Some(false) || (of_b.is_none() && of_a != Some(false));
+            assert_eq!(named, of_third, "{a:?} {b:?}: {:?}", all.reasons());
+        }
+    }
+    let runaway = verdict(Went::Well).failed(["hot".to_owned()]);
+    assert_eq!(runaway.headline(), "FAIL: hot");
+}
