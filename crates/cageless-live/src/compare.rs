@@ -1,7 +1,7 @@
 //! A case compared with another from the same uneven starts.
 
 use cageless::Case;
-use cageless::design::{RacewayTallies, RunVerdict};
+use cageless::design::RunVerdict;
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, Ending, Observer, batches, run_batch};
 use cageless::summary::SummaryRecorder;
@@ -34,13 +34,8 @@ pub(crate) fn compare(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Value, Refusal> {
     let files = [read(reference)?, read(case)?];
-    if files
-        .iter()
-        .any(|file| !file.case().has_constant_operation())
-    {
-        return Err(Refusal::new(
-            "a comparison needs constant speed and load, and no rotor",
-        ));
+    for file in &files {
+        file.checked(|case| case.check_constant_operation("a comparison in the studio"))?;
     }
     let seed = files[0].case().seed;
     let [a, b] = [0usize, 1].map(|k| {
@@ -60,7 +55,7 @@ pub(crate) fn compare(
         });
         ((*name).to_owned(), result)
     });
-    let alike = files[0].apart_from_raceway() == files[1].apart_from_raceway();
+    let alike = files[0].apart_from_remedies() == files[1].apart_from_remedies();
     Ok(json!({
         "starts": STARTS,
         "seed": seed,
@@ -110,7 +105,7 @@ fn results(
                 outcome: &outcome,
                 summary: Some(&summary.ok_or_else(|| Refusal::new("the run is too short"))?),
                 passages: &PassageTally::new(),
-                verdict: &RunVerdict::from_case(case, &RacewayTallies::new(case)),
+                verdict: &RunVerdict::unfinished(case, "it is compared"),
                 wall_s: f64::NAN,
             };
             found.push(Results::of(RUN, Subject::Run(&finished)));

@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 
 use cageless::Case;
-use cageless::design::{Estimate, seats};
-use cageless::equilibrium::{EquilibriumError, settle};
+use cageless::design::{Estimate, seats_controlled};
+use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::raceway::Raceway;
+use cageless::simulation::Control;
 use cageless::surface::DrawnGroove;
-use cageless_io::case_file::CaseFile;
+use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_results::{DESIGN, Record, Results, Subject, static_record};
 use serde_json::{Value, json};
 
@@ -23,11 +24,19 @@ const ACROSS_SLOT: usize = 25;
 const BEYOND: f64 = 1.2;
 
 /// Document, dimensions, contact tracks, groove depths, closed forms and estimate of a case.
-pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
+pub(crate) fn geometry(
+    file: &CaseFile,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Value, Refusal> {
     let case = file.case();
     let bearing = &case.bearing;
     let d = bearing.dimensions();
-    let settled = settled(case);
+    let constant = constant(file).map_err(|error| error.to_string());
+    let settled = match constant.map(|()| settled(case, control)) {
+        Ok(Err(EquilibriumError::Interrupted)) => return Err(EquilibriumError::Interrupted.into()),
+        Ok(settled) => settled.map_err(|error| error.to_string()),
+        Err(refused) => Err(refused),
+    };
     let estimate = settled.as_ref().ok().map(|(_, estimate)| {
         let terms: Vec<Value> = estimate
             .terms()
@@ -50,7 +59,7 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
         }
         // A bearing under a falling rotor has none.
         Err(_) if case.rotor.is_some() => json!({}),
-        Err(error) => json!({ "error": error.to_string() }),
+        Err(error) => json!({ "error": error }),
     };
     Ok(json!({
         "document": file.document(),
@@ -79,10 +88,14 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
 }
 
 /// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.
-fn settled(case: &Case) -> Result<(Record, Estimate), EquilibriumError> {
-    let solved = settle(case)?;
+fn settled(
+    case: &Case,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<(Record, Estimate), EquilibriumError> {
+    let mut ask = || control(0.0);
+    let solved = settle_controlled(case, &mut ask)?;
     let estimate = match case.has_elastic_flanks() {
-        true => Estimate::elastic(case, &seats(case)?, Some(&solved.rest)),
+        true => Estimate::elastic(case, &seats_controlled(case, &mut ask)?, Some(&solved.rest)),
         false => Estimate::new(case, &solved.rest),
     };
     Ok((static_record(case, &solved), estimate))
@@ -171,6 +184,15 @@ fn rows(results: &Results) -> Value {
 }
 
 /// The static equilibrium of a case.
-pub(crate) fn equilibrium(case: &Case) -> Result<Value, Refusal> {
-    Ok(json!(settled(case)?.0))
+pub(crate) fn equilibrium(
+    file: &CaseFile,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Value, Refusal> {
+    constant(file)?;
+    Ok(json!(settled(file.case(), control)?.0))
+}
+
+/// Passes a case that has one equilibrium, not one for each time.
+fn constant(file: &CaseFile) -> Result<(), CaseError> {
+    file.checked(|case| case.check_constant_operation("a static equilibrium"))
 }

@@ -1,10 +1,8 @@
 //! Estimates over two keys of a case.
 
-use std::cell::OnceCell;
-
 use cageless::Case;
-use cageless::design::{Eq11, Estimate, seats, theoretical_gap_rad};
-use cageless::equilibrium;
+use cageless::design::{Eq11, Estimate, seats_controlled, theoretical_gap_rad};
+use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::simulation::Control;
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, Change};
 use serde::Deserialize;
@@ -47,20 +45,18 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
         return Err(Refusal::new(message));
     }
     let base = read(case)?;
-    // No raceway moves the balls on a plain ring, which take long to settle in space.
     let of_raceway = [across, up]
         .iter()
         .all(|axis| axis.key.starts_with("raceway."));
-    let rests = OnceCell::new();
-    let rests = || rests.get_or_init(|| seats(base.case()).ok()).as_deref();
+    let mut estimates = Estimates {
+        common: of_raceway.then(|| base.case()),
+        rests: None,
+    };
     let case = CaseDocument::parse(case, "case")?;
     let span = Span::of_key(&across.key, low, high)?;
     let (mut beta0, mut refused, mut ranges) = (vec![], vec![], vec![]);
     let mut margins: Map<String, Value> = Map::new();
     for (j, &value) in up.values.iter().enumerate() {
-        if control(j as f64 / up.values.len() as f64).is_break() {
-            return Err(Refusal::new("cancelled"));
-        }
         let mut row = case.clone();
         let value = CaseValue::Number(value);
         row.change(&[Change::new(&up.key, &value, ("map", 1))])?;
@@ -68,6 +64,10 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
         let mut beta0_row = vec![Value::Null; count];
         let mut refused_row = vec![Value::Null; count];
         for (k, &value) in across.values.iter().enumerate() {
+            let done = (j * count + k) as f64 / (count * up.values.len()) as f64;
+            if control(done).is_break() {
+                return Err(Refusal::new("cancelled"));
+            }
             let value = CaseValue::Number(value);
             let file = match row.with(&[Change::new(&across.key, &value, ("map", 1))]) {
                 Ok(file) => file,
@@ -77,7 +77,7 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
                 }
             };
             beta0_row[k] = json!(beta0_deg(&file));
-            let Some(estimate) = estimate(file.case(), of_raceway.then_some(&rests)) else {
+            let Some(estimate) = estimates.of(file.case(), &mut || control(done))? else {
                 continue;
             };
             for term in estimate.terms() {
@@ -93,23 +93,57 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
     Ok(json!({ "beta0_deg": beta0, "margins": margins, "refused": refused, "possible": ranges }))
 }
 
-/// Where the balls of all points of a map rest, if anywhere.
-type Rests<'a> = &'a dyn Fn() -> Option<&'a [[f64; 2]]>;
+/// Estimates of the points of a map; in space without the contact stress.
+struct Estimates<'a> {
+    /// The case of which all points have the plain ring, where the keys are those of raceways alone: no raceway
+    /// moves the balls on it, which take long to settle in space.
+    common: Option<&'a Case>,
+    /// Where its balls rest, if anywhere; `None` before the first point.
+    rests: Option<Option<Vec<[f64; 2]>>>,
+}
 
-/// The estimate of a point; in space without the contact stress, on elastic flanks from where the balls of all
-/// points rest if that is the same for all.
-fn estimate(case: &Case, rests: Option<Rests<'_>>) -> Option<Estimate> {
-    let solved = match case.moves_in_space() {
-        true => None,
-        false => Some(equilibrium::solve(case).ok()?),
-    };
-    if !case.has_elastic_flanks() {
-        return Some(Estimate::new(case, solved.as_ref()?));
+impl Estimates<'_> {
+    /// The estimate of a point; `None` without equilibrium.
+    ///
+    /// # Errors
+    /// `control` ended the search.
+    fn of(
+        &mut self,
+        case: &Case,
+        control: &mut dyn FnMut() -> Control,
+    ) -> Result<Option<Estimate>, EquilibriumError> {
+        let solved = match case.moves_in_space() {
+            true => None,
+            false => match found(settle_controlled(case, control))? {
+                None => return Ok(None),
+                Some(solved) => Some(solved.rest),
+            },
+        };
+        let solved = solved.as_ref();
+        if !case.has_elastic_flanks() {
+            return Ok(solved.map(|rest| Estimate::new(case, rest)));
+        }
+        let Some(common) = self.common else {
+            let seats = found(seats_controlled(case, control))?;
+            return Ok(seats.map(|seats| Estimate::elastic(case, &seats, solved)));
+        };
+        if self.rests.is_none() {
+            self.rests = Some(found(seats_controlled(common, control))?);
+        }
+        let rests = self.rests.as_ref().and_then(Option::as_ref);
+        Ok(rests.map(|rests| Estimate::elastic(case, rests, solved)))
     }
-    Some(match rests {
-        Some(rests) => Estimate::elastic(case, rests()?, solved.as_ref()),
-        None => Estimate::elastic(case, &seats(case).ok()?, solved.as_ref()),
-    })
+}
+
+/// A result, `None` where there is no equilibrium.
+///
+/// # Errors
+/// The search was ended.
+fn found<T>(result: Result<T, EquilibriumError>) -> Result<Option<T>, EquilibriumError> {
+    match result {
+        Err(EquilibriumError::Interrupted) => Err(EquilibriumError::Interrupted),
+        other => Ok(other.ok()),
+    }
 }
 
 fn beta0_deg(file: &CaseFile) -> Option<f64> {

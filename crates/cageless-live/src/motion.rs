@@ -7,7 +7,7 @@ use cageless::case::INTERVAL_MIN_S;
 use cageless::dynamics::layout::Layout;
 use cageless::dynamics::state::State;
 use cageless::equilibrium::space::{inner_point, outer_points};
-use cageless::initial_conditions::initial_state;
+use cageless::initial_conditions::initial_state_controlled;
 use cageless::recorder::Recorder;
 use cageless::rotor::Rotor;
 use cageless::simulation::{Control, Ending, run_from};
@@ -82,7 +82,7 @@ pub(crate) fn motion(
     let balls = case.balls();
     let (from_s, state, angles) = match &stretch.resume {
         None => {
-            let (state, angles) = initial_state(case)?;
+            let (state, angles) = initial_state_controlled(case, &mut || control(0.0))?;
             (0.0, state, angles)
         }
         Some(resume) => {

@@ -43,7 +43,10 @@ impl From<CaseError> for Refusal {
 
 impl From<EquilibriumError> for Refusal {
     fn from(error: EquilibriumError) -> Self {
-        Self::new(error.to_string())
+        match error {
+            EquilibriumError::Interrupted => Self::new("cancelled"),
+            error => Self::new(error.to_string()),
+        }
     }
 }
 
@@ -77,7 +80,19 @@ pub fn parsed<R: DeserializeOwned>(request: &str) -> Result<R, Refusal> {
     serde_json::from_str(request).map_err(refused)
 }
 
+/// Balls of all rows of a case, at most.
+const BALLS_MAX: usize = 2000;
+
 /// Reads the case of a request; its messages name the case file `case`.
 pub(crate) fn read(case: &str) -> Result<CaseFile, Refusal> {
-    Ok(CaseFile::parse(case, "case", &[])?)
+    let file = CaseFile::parse(case, "case", &[])?;
+    let rows = file.case().rows.len().max(1);
+    let balls = rows * file.case().bearing.balls();
+    match balls > BALLS_MAX {
+        // Its equilibrium takes minutes.
+        true => Err(Refusal::new(format!(
+            "the case has {balls} balls; the studio computes up to {BALLS_MAX}, the command has no such limit"
+        ))),
+        false => Ok(file),
+    }
 }

@@ -54,18 +54,19 @@ fn result(request: &str, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
     }
     match parsed(request)? {
         Request::About => Ok(keys::about()),
-        Request::Geometry(OfCase { case }) => geometry::geometry(&read(&case)?),
+        Request::Geometry(OfCase { case }) => geometry::geometry(&read(&case)?, control),
         Request::Ranges { case, controls } => ranges::ranges(&case, &controls, control),
         Request::Map(grid) => map::map(&grid, control),
-        Request::Static(OfCase { case }) => geometry::equilibrium(read(&case)?.case()),
+        Request::Static(OfCase { case }) => geometry::equilibrium(&read(&case)?, control),
         Request::Motion { case, stretch } => motion::motion(read(&case)?.case(), &stretch, control),
         Request::Compare { case, reference } => compare::compare(&case, &reference, control),
-        Request::Verdict(OfCase { case }) => verdict::verdict(read(&case)?.case(), control),
+        Request::Verdict(OfCase { case }) => verdict::verdict(&read(&case)?, control),
     }
 }
 
 /// Answers one request: `{"ok": …}` or `{"error": {"message", "line", "key"}}`. `control` is
-/// called with the fraction of the work that is done, 0 to 1, and can end it.
+/// called with the fraction of the work that is done, 0 to 1, and can end it; while an equilibrium is
+/// sought the fraction stays.
 pub fn answer(request: &str, control: &mut dyn FnMut(f64) -> Control) -> String {
     answered(result(request, control))
 }

@@ -1,8 +1,8 @@
 //! The simulated verdict on the raceways of a case.
 
-use cageless::Case;
 use cageless::design::{Criterion, judge};
 use cageless::simulation::Control;
+use cageless_io::case_file::CaseFile;
 use cageless_results::{Judged, PASSAGES, Results, Subject, VERDICT};
 use serde_json::{Value, json};
 
@@ -10,9 +10,11 @@ use crate::refusal::Refusal;
 
 /// Judges the raceways of a case as `cageless design` does.
 pub(crate) fn verdict(
-    case: &Case,
+    file: &CaseFile,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Value, Refusal> {
+    file.checked(|case| case.check_constant_operation("a verdict"))?;
+    let case = file.case();
     let judgement = judge(case, control)?;
     let worst = judgement
         .raceways

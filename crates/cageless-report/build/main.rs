@@ -1,9 +1,11 @@
-//! The engine of pages that compute: `cageless-wasm`, compiled for WebAssembly, compressed, and
+//! What pages embed: [`plotly`], and the engine of pages that compute, `cageless-wasm`, compiled for WebAssembly, compressed, and
 //! written to `$OUT_DIR/engine.rs` as a string, which is empty where it cannot be made.
 //!
 //! Optimised builds compile it, in a target folder of its own, if the target
 //! `wasm32-unknown-unknown` is installed. `CAGELESS_ENGINE` names a compiled engine to embed
 //! instead, in any profile.
+
+mod plotly;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -15,6 +17,9 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 const TARGET: &str = "wasm32-unknown-unknown";
+/// What gives pages an engine, in a clone and in a package from a registry.
+const REMEDY: &str = "`rustup target add wasm32-unknown-unknown`, and build with --release again";
+const REMEDY_OF_A_PACKAGE: &str = "take the command from a release, or install it from a clone by `cargo install --path crates/cageless-cli`";
 /// Small code for all but the physics: the engine is part of every page.
 const SMALL: [&str; 5] = [
     "profile.release.codegen-units=1",
@@ -36,6 +41,12 @@ fn main() {
     println!("cargo:rerun-if-env-changed=CAGELESS_ENGINE");
     println!("cargo:rerun-if-changed=build");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
+    plotly::embed(&out);
+    let remedy = match engine_manifest().is_some_and(|manifest| manifest.is_file()) {
+        true => REMEDY,
+        false => REMEDY_OF_A_PACKAGE,
+    };
+    println!("cargo:rustc-env=CAGELESS_ENGINE_REMEDY={remedy}");
     let wasm = match env::var_os("CAGELESS_ENGINE") {
         Some(path) => {
             println!("cargo:rerun-if-changed={}", Path::new(&path).display());
@@ -51,6 +62,12 @@ fn main() {
         base64::engine::general_purpose::STANDARD.encode(packed)
     });
     fs::write(out.join("engine.rs"), format!("{text:?}")).expect("OUT_DIR can be written");
+}
+
+/// The crate of the engine, in a clone.
+fn engine_manifest() -> Option<PathBuf> {
+    let own = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR")?);
+    Some(own.join("../cageless-wasm/Cargo.toml"))
 }
 
 /// Has cargo build again when a target is installed or removed, given the place of the libraries of one:
@@ -73,7 +90,7 @@ fn compiled(out: &Path) -> Option<Vec<u8>> {
         return None;
     }
     let crates = Path::new(&env::var_os("CARGO_MANIFEST_DIR")?).join("..");
-    let manifest = crates.join("cageless-wasm/Cargo.toml");
+    let manifest = engine_manifest()?;
     // A package from a registry stands alone.
     if !manifest.is_file() {
         return None;

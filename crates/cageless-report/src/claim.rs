@@ -32,7 +32,7 @@ pub enum ClaimStatus {
     NotConfirmed,
     /// The paper contradicts itself or mechanics: a requirement on what it prints is missed.
     Erratum,
-    /// No requirement has a number.
+    /// No requirement has a number that decides.
     NotTested,
 }
 
@@ -44,6 +44,8 @@ pub enum Holds {
     Met,
     /// Some cases of several do.
     InPart,
+    /// The number is nearer to its limit than its error.
+    Undecided,
     /// The number misses its limit.
     Missed,
     /// There is no number.
@@ -96,6 +98,21 @@ impl Requirement {
         Self::new(quantity, value, unit, words, value >= limit)
     }
 
+    /// `value` of `quantity`, known to ± `error`, must be more than `limit`; within its error it is undecided.
+    pub fn above(quantity: &str, value: f64, error: f64, limit: f64) -> Self {
+        let words = format!("more than {}", with_unit(limit, ""));
+        let found = Self::new(quantity, value, "", words, value - error > limit);
+        let decided = value.is_nan() || (value - limit).abs() > error;
+        Self {
+            shown: format!("{} ± {}", significant(value, 3), significant(error, 2)),
+            holds: match decided {
+                true => found.holds,
+                false => Holds::Undecided,
+            },
+            ..found
+        }
+    }
+
     /// Something must hold in all of `cases`; it holds in `value` of them.
     pub fn in_all(quantity: &str, value: usize, cases: usize) -> Self {
         let number = if cases == 0 { f64::NAN } else { value as f64 };
@@ -136,7 +153,7 @@ impl Requirement {
     fn sentence(&self) -> &str {
         match self.holds {
             Holds::Met => &self.sentences[0],
-            Holds::InPart | Holds::Missed => &self.sentences[1],
+            Holds::InPart | Holds::Undecided | Holds::Missed => &self.sentences[1],
             Holds::Unknown => "",
         }
     }
@@ -146,6 +163,7 @@ impl Requirement {
         let (mark, word) = match self.holds {
             Holds::Met => ("✓", "met"),
             Holds::InPart => ("~", "met in part"),
+            Holds::Undecided => ("?", "undecided"),
             Holds::Missed => ("✗", "missed"),
             Holds::Unknown => ("–", "no number"),
         };
@@ -197,11 +215,11 @@ impl Claim {
     /// A claim on how the bearing moves, which the model tests.
     pub fn of_the_model(place: &str, claim: &str, criterion: Vec<Requirement>) -> Self {
         let all = |of: &[Holds]| criterion.iter().all(|one| of.contains(&one.holds));
-        let status = if all(&[Holds::Unknown]) {
+        let status = if all(&[Holds::Unknown, Holds::Undecided]) {
             ClaimStatus::NotTested
         } else if all(&[Holds::Met]) {
             ClaimStatus::Confirmed
-        } else if all(&[Holds::Missed, Holds::Unknown]) {
+        } else if all(&[Holds::Missed, Holds::Unknown, Holds::Undecided]) {
             ClaimStatus::NotConfirmed
         } else {
             ClaimStatus::Partly
@@ -277,4 +295,37 @@ impl Claim {
 pub(crate) const RULE: &str = "Each status follows from the requirements listed with it: confirmed \
     if all are met, partly confirmed if some are, not confirmed if none is. What the paper prints \
     is an erratum if it misses a requirement of its own other numbers or of mechanics. A claim \
-    without a computed number is not tested.";
+    without a computed number beyond its error is not tested.";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is within its error of the limit decides nothing, by whatever side.
+    #[test]
+    fn a_number_within_its_error_is_undecided() {
+        let status = |values: &[(f64, f64)]| {
+            let above = |(value, error): &(f64, f64)| {
+                Requirement::above("density over chance", *value, *error, 1.0)
+                    .says("It is [|not clearly ]denser.")
+            };
+            let claim = Claim::of_the_model("§", "Denser.", values.iter().map(above).collect());
+            (claim.status(), claim.finding.clone())
+        };
+        let denser = "It is denser.".to_owned();
+        let not = "It is not clearly denser.".to_owned();
+        assert_eq!(status(&[(1.44, 0.2)]), (ClaimStatus::Confirmed, denser));
+        assert_eq!(
+            status(&[(1.44, 0.45)]),
+            (ClaimStatus::NotTested, not.clone())
+        );
+        assert_eq!(status(&[(0.8, 0.3)]), (ClaimStatus::NotTested, not.clone()));
+        assert_eq!(status(&[(0.7, 0.2)]), (ClaimStatus::NotConfirmed, not));
+        assert_eq!(
+            status(&[(0.7, 0.2), (1.1, 0.2)]).0,
+            ClaimStatus::NotConfirmed
+        );
+        assert_eq!(status(&[(1.4, 0.2), (1.1, 0.2)]).0, ClaimStatus::Partly);
+        assert_eq!(status(&[(f64::NAN, 0.2)]).0, ClaimStatus::NotTested);
+    }
+}

@@ -1,6 +1,6 @@
 //! Runs side by side: one page, the same axes, and their differences.
 
-use cageless_study::comparison::{ComparedResult, RingComparison};
+use cageless_study::comparison::{BenefitWord, ComparedResult, RingComparison};
 
 use crate::compared_run::{ComparedRun, provenance};
 use crate::data::Motion;
@@ -17,21 +17,31 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     let names = comparison.runs.join(", ");
     let software = runs.first().map_or("", |run| &run.data.software);
     // What is of one start says which.
-    let shown = |run: &ComparedRun| match comparison.starts.seed {
-        Some(_) => format!("{}, start 1 of {}", run.name, comparison.starts.count),
+    let shown = |run: &ComparedRun| match comparison.draws.seed {
+        Some(_) => format!("{}, draw 1 of {}", run.name, comparison.draws.count),
         None => run.name.clone(),
     };
     let lead: Vec<String> = (runs.iter())
         .map(|run| format!("{}: {}. {}", shown(run), run.data.title, run.data.lead))
         .collect();
     let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
-    let verdicts = comparison.runs.iter().zip(&comparison.verdicts);
-    let head = verdicts.fold(Head::default(), |head, (name, verdict)| {
-        let headline = match verdict.headline.as_str() {
-            "" => String::new(),
-            headline => format!("{name}: {headline}"),
+    let judged = comparison.benefits.iter().flatten().map(|benefit| {
+        let passes = match benefit.word() {
+            BenefitWord::Helps => Some(true),
+            BenefitWord::Harms => Some(false),
+            BenefitWord::NoMeasurableBenefit | BenefitWord::NotJudged => None,
         };
-        head.verdict(verdict.passes, &headline)
+        (passes, benefit.headline.clone())
+    });
+    let works = comparison.runs.iter().zip(&comparison.verdicts);
+    let works = works.map(|(name, verdict)| match verdict.headline.as_str() {
+        "" => (verdict.passes, String::new()),
+        headline => (verdict.passes, format!("{name}: {headline}")),
+    });
+    let unjudged = comparison.draws.grade.is_none();
+    let all = judged.chain(works.filter(|_| unjudged));
+    let head = all.fold(Head::default(), |head, (passes, text)| {
+        head.verdict(passes, &text)
     });
     page.head(&head);
     for run in runs {
@@ -42,16 +52,16 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     page.section("Differences");
     page.paragraph(&comparison.statement);
     let subject = comparison.subject_over_time();
-    if comparison.starts.seed.is_some() {
-        page.note(Note::Remark, &comparison.starts_text());
-        let label = "What a raceway changes";
+    if comparison.draws.seed.is_some() {
+        page.note(Note::Remark, &comparison.draws.text());
+        let label = "What a remedy changes";
         page.table(&table(label, runs, comparison, subject.iter().copied()));
     }
     let all = comparison.results.iter();
     page.table(&table("Results", runs, comparison, all));
     let section = |page: &mut Page, heading: &str| {
         page.section(heading);
-        if comparison.starts.seed.is_some() {
+        if comparison.draws.seed.is_some() {
             let start = of_start(comparison);
             page.note(Note::Remark, &format!("Figures show the runs{start}."));
         }
@@ -112,8 +122,8 @@ fn table<'r>(
 
 /// Which of several starts figures show.
 fn of_start(comparison: &RingComparison) -> String {
-    match comparison.starts.seed {
-        Some(_) => format!(" from start 1 of {}", comparison.starts.count),
+    match comparison.draws.seed {
+        Some(_) => format!(" with draw 1 of {}", comparison.draws.count),
         None => String::new(),
     }
 }

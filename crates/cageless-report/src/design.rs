@@ -64,6 +64,9 @@ pub struct DesignData {
     /// Lags under axial load, if they were asked for.
     #[serde(default)]
     pub axial: Option<AxialLoads>,
+    /// Limits under axial load that are no number, with the reason, and runs that stopped.
+    #[serde(default)]
+    pub axial_findings: Vec<String>,
     /// Result of a search, which is in `design.json`.
     #[serde(skip)]
     pub search: Option<Record>,
@@ -88,6 +91,15 @@ pub fn design_page(data: &DesignData) -> String {
     if data.rings.len() > 1 {
         page.section("Outer rings side by side");
         page.table(&rings_table(&data.rings, data.provenance.clone()));
+        for ring in &data.rings {
+            if let Some(reason) = &ring.stopped {
+                let text = format!(
+                    "{}: no numbers of the motion, as a run stopped {reason}.",
+                    ring.name
+                );
+                page.note(Note::Warning, &text);
+            }
+        }
     }
     if let Some(search) = &data.search {
         search_sections(&mut page, search);
@@ -95,13 +107,7 @@ pub fn design_page(data: &DesignData) -> String {
     page.section("The curve of Eq. (11)");
     if !data.recommendation.is_empty() {
         page.section("A raceway near the curve of Eq. (11)");
-        // Beside the result of a search it is no recommendation of its own.
-        if data.search.is_some() {
-            let without = format!("Without the search: {}", data.recommendation);
-            page.note(Note::Remark, &without);
-        } else {
-            page.verdict(data.recommendation_passes, &data.recommendation);
-        }
+        page.verdict(data.recommendation_passes, &data.recommendation);
     }
     let curve = data.curve.as_ref().map(design::curve);
     page.figures(curve.map(|figure| figure.labelled("Axial span and half angle")));
@@ -122,6 +128,7 @@ pub fn design_page(data: &DesignData) -> String {
         }
     }
     page.section("Axial load");
+    page.notes(Note::Remark, &data.axial_findings);
     let axial = data.axial.iter();
     page.figures(axial.flat_map(|axial| [axial_load(axial), axial_gap(axial)]));
     if let Some(motion) = &data.motion {

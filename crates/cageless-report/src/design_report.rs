@@ -93,6 +93,9 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
             let source = provenance(&steady, discarded);
             AxialLoads::new(axial, case.operation.radial_load_n, source)
         }),
+        axial_findings: (result.axial.iter())
+            .flat_map(|axial| axial.sentences("findings").to_vec())
+            .collect(),
         search: result.search.clone(),
         parameters: parameters(file),
         provenance: source,

@@ -13,8 +13,8 @@ pub(crate) fn balls(case: &Case) -> String {
     format!("{rows}{} balls", case.bearing.balls())
 }
 
-/// Speed and loads of a case: `6000 rpm, 800 N, axial load 300 N`; what is 0 but the radial load is left
-/// out.
+/// Speed and loads of a case: `6000 rpm, 800 N, axial load 300 N`, over time `0 to 6000 rpm`; what is 0 but the radial
+/// load is left out.
 pub(crate) fn operation(case: &Case) -> String {
     let of = &case.operation;
     let number = |value: f64| significant(value, 6);
@@ -34,9 +34,39 @@ pub(crate) fn operation(case: &Case) -> String {
             moment_y_n_m,
         } => axes("moment", "N·m", [moment_x_n_m, moment_y_n_m]),
     };
+    let range = |[low, high]: [f64; 2]| match low == high {
+        true => number(high),
+        false => format!("{} to {}", number(low), number(high)),
+    };
+    let rpm = |speed: f64| speed * 60.0 / std::f64::consts::TAU;
     format!(
         "{} rpm, {} N{axial}{turned}",
-        number(of.inner_speed_rad_s * 60.0 / std::f64::consts::TAU),
-        number(of.radial_load_n)
+        range(case.inner_speed_range_rad_s().map(rpm)),
+        range(case.radial_load_range_n())
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless_io::case_file::{CaseFile, template};
+
+    /// What changes over time has its range in the run, whatever its table has after that.
+    #[test]
+    fn an_operation_over_time_is_a_range() {
+        for (set, expected) in [
+            ("operation.radial_load_n=1500", "12000 rpm, 1500 N"),
+            (
+                "operation.inner_speed_rpm=[[0.0, 0.0], [0.01, 12000.0], [9.0, 99.0]]",
+                "0 to 12000 rpm, 1500 N",
+            ),
+            (
+                "operation.radial_load_n=[[0.0, 300.0], [0.04, 700.0]]",
+                "12000 rpm, 300 to 500 N",
+            ),
+        ] {
+            let changes = [set, "solver.duration_s=0.02"].map(str::to_owned);
+            let file = CaseFile::parse(&template(false), "case.toml", &changes).unwrap();
+            assert_eq!(super::operation(file.case()), expected);
+        }
+    }
 }

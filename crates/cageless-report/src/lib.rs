@@ -67,7 +67,7 @@ pub use run::run_page;
 pub use run_data::*;
 pub use run_json::{RunJsonError, run_from_json, run_json};
 pub use static_page::{load_distribution, static_page, static_sheet};
-pub use studio::{Opening, engine};
+pub use studio::{ENGINE_REMEDY, Opening, engine};
 pub use studio_page::studio_page;
 pub use sweep::*;
 pub use verification::VerificationTable;

@@ -1,7 +1,6 @@
 //! One self-contained HTML page: nothing is loaded from anywhere.
 
 use std::collections::HashSet;
-use std::sync::OnceLock;
 
 use crate::claim::{self, Claim};
 use crate::data::{Parameter, Provenance};
@@ -213,7 +212,7 @@ impl Page {
         };
         let mut scripts = String::new();
         if self.plots {
-            scripts.push_str(&format!("<script>{}</script>\n", plotly_js()));
+            scripts.push_str(&format!("<script>{}</script>\n", PLOTLY_JS));
         }
         scripts.push_str(&format!("<script>{}</script>\n", include_str!("page.js")));
         if self.motion || self.studio {
@@ -263,13 +262,5 @@ impl Page {
     }
 }
 
-/// plotly.js as the crate `plotly` carries it, without the MathJax beside it.
-fn plotly_js() -> &'static str {
-    static SOURCE: OnceLock<String> = OnceLock::new();
-    SOURCE.get_or_init(|| {
-        let both = plotly::Plot::offline_js_sources();
-        let first = both.split("</script>").next().unwrap_or_default();
-        let start = first.find('>').map_or(0, |at| at + 1);
-        first[start..].to_owned()
-    })
-}
+/// plotly.js.
+const PLOTLY_JS: &str = include_str!(env!("CAGELESS_PLOTLY_JS"));

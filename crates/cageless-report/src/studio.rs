@@ -4,6 +4,9 @@ use serde_json::json;
 
 use crate::text::script_json;
 
+/// What gives pages an engine where this build has none.
+pub const ENGINE_REMEDY: &str = env!("CAGELESS_ENGINE_REMEDY");
+
 /// The engine, compressed and as base64; `None` if this build has none.
 pub fn engine() -> Option<&'static str> {
     const ENGINE: &str = include!(concat!(env!("OUT_DIR"), "/engine.rs"));

@@ -30,13 +30,6 @@ pub fn sweep_page(data: &SweepData) -> String {
     for warning in &data.warnings {
         page.note(Note::Warning, warning);
     }
-    if data.failed > 0 {
-        let message = format!(
-            "{} of {} variants failed; they are left out of all means.",
-            data.failed, data.variants
-        );
-        page.note(Note::Warning, &message);
-    }
     page.section("Best variants");
     let tables = |page: &mut Page, best: &[BestVariants]| {
         best.iter().for_each(|b| page.table(&best_table(data, b)));
@@ -46,9 +39,12 @@ pub fn sweep_page(data: &SweepData) -> String {
     let summary = format!("Best variants by {} more outputs", others.len());
     page.fold(&summary, |page| tables(page, others));
     let given = |output: &SweepOutput| output.shares.iter().any(Option::is_some);
-    if data.outputs.iter().any(given) {
+    let drawn = |output: &SweepOutput| given(output) || output.map.is_some();
+    if data.outputs.iter().any(drawn) {
         page.section("Sensitivity (main effects)");
-        page.figure(&sweep::shares(data));
+        if data.outputs.iter().any(given) {
+            page.figure(&sweep::shares(data));
+        }
         let figures = |page: &mut Page, outputs: &[SweepOutput]| {
             outputs.iter().for_each(|o| output_figures(page, o, data));
         };
@@ -87,7 +83,7 @@ fn output_figures(page: &mut Page, output: &SweepOutput, data: &SweepData) {
     }
     // An input without an effect makes no map.
     if let Some(map) = &output.map
-        && output.effects.len() > 1
+        && (output.effects.len() > 1 || output.missing > 0)
     {
         page.figure(&sweep::map(output, map, &data.provenance));
     }

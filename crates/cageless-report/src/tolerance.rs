@@ -99,6 +99,18 @@ fn verdict_table(record: &Record, samples: &Record) -> Table {
     )
 }
 
+/// Colour of the bearings with a verdict.
+fn colour(verdict: &str) -> &'static str {
+    match verdict {
+        "smooth" => PALETTE[2],
+        "double-collision" => PALETTE[4],
+        "slips" => PALETTE[1],
+        "loses-lag" => PALETTE[3],
+        "overloaded" => PALETTE[5],
+        _ => GREY,
+    }
+}
+
 /// Critical gaps of the bearings of the Monte Carlo sample, by verdict.
 pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
     let mut plot = Plot::new(360)
@@ -118,7 +130,7 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
     let high = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // About the square root of the number, as bins.
     let bins = (all.len() as f64).sqrt().clamp(8.0, 40.0).round();
-    for (k, verdict) in verdicts.iter().enumerate() {
+    for verdict in verdicts {
         let gaps = verdict.values("critical_gap_deg");
         if gaps.is_empty() {
             continue;
@@ -127,7 +139,7 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
             "type": "histogram", "name": verdict.text("verdict"),
             "x": numbers(gaps),
             "xbins": { "start": number(low), "end": number(high * (1.0 + 1e-9)), "size": number((high - low) / bins) },
-            "marker": { "color": if k == 3 { GREY } else { PALETTE[[2, 4, 1][k]] } },
+            "marker": { "color": colour(verdict.text("verdict")) },
         }));
     }
     let caption = format!(

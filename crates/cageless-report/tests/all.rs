@@ -3,6 +3,7 @@
 mod attributes;
 mod design_page;
 mod drop;
+mod figure_data;
 mod pages;
 mod reproduce_page;
 mod run_data;

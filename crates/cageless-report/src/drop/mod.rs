@@ -98,8 +98,10 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     }
     page.section("Acceptance test");
     report::acceptance_test(&mut page, &bearings);
-    page.section("Drops in succession");
-    succession(&mut page, &bearings, &study.succession);
+    if !study.succession.records.is_empty() {
+        page.section("Drops in succession");
+        succession(&mut page, &bearings, &study.succession);
+    }
     if let VariantFile::Case(file) = file {
         let toml = file.document().to_toml().unwrap_or_default();
         studio_section(&mut page, &toml, "");

@@ -50,7 +50,7 @@ const FAILURE_MODES: [(&str, &[&str]); 6] = [
     ),
 ];
 /// What an acceptance test measures, with what, and the results to compare.
-const MEASUREMENTS: [(&str, &[&str]); 5] = [
+const MEASUREMENTS: [(&str, &[&str]); 4] = [
     (
         "Displacement probes of the magnetic bearing",
         &["rotor_displacement_max_um", "backward_whirl_hz"],
@@ -61,10 +61,6 @@ const MEASUREMENTS: [(&str, &[&str]); 5] = [
     ),
     ("Mark on the inner ring", &["spin_up_ms", "ring_speed_rpm"]),
     ("Speed of the rotor", &["rotor_speed_rpm", "spin_down_s"]),
-    (
-        "Thermocouple at the outer ring",
-        &["outer_ring_temperature_c", "outer_ring_standstill_c"],
-    ),
 ];
 
 /// Contact pressure that ISO 76 allows, MPa.
@@ -178,8 +174,8 @@ pub(super) fn requirements(page: &mut Page, file: &VariantFile, bearings: &[Bear
 /// Failure modes with the results that show them.
 pub(super) fn failure_modes(page: &mut Page, bearings: &[Bearing<'_>]) {
     let caption = "What can go wrong in a touch-down bearing, with the results that show it. The inner \
-                   ring slides on the journal until it has come up to speed; the temperatures are those \
-                   at standstill, with all heat kept.";
+                   ring slides on the journal until it has come up to speed. Temperatures are those at \
+                   standstill with all heat kept, of drops in succession (--drops).";
     let titles = ["Failure modes", caption, "Failure mode"];
     listed(page, bearings, titles, &FAILURE_MODES);
 }
@@ -201,8 +197,17 @@ fn listed(
     groups: &[(&str, &[&str])],
 ) {
     let mut rows = head(bearings, &[first, "Result"]);
+    // Results of drops in succession only where there are such drops.
+    let computed = |quantity: &&Quantity| {
+        let of_drop = DROP.iter().any(|q| q.name == quantity.name);
+        of_drop || bearings.iter().any(|b| b.succession.is_some())
+    };
     for (group, names) in groups {
-        for (row, quantity) in names.iter().filter_map(|name| quantity(name)).enumerate() {
+        let computed = names
+            .iter()
+            .filter_map(|name| quantity(name))
+            .filter(computed);
+        for (row, quantity) in computed.enumerate() {
             let group = if row == 0 { group } else { &"" };
             let values = bearings.iter().map(|bearing| value(bearing, quantity));
             let first = [(*group).to_owned(), quantity.label.trim().to_owned()];

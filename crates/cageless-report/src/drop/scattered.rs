@@ -5,7 +5,7 @@ use cageless_study::drop::{BearingRow, Distribution, Ensemble, WhirlProbability}
 
 use super::bearing::Bearing;
 use crate::figure::Figure;
-use crate::page::Page;
+use crate::page::{Note, Page};
 use crate::plot::{PALETTE, Plot, markers};
 use crate::table::Table;
 
@@ -16,6 +16,9 @@ const SCATTERED: &str =
 /// Tables and figures of scattered drops.
 pub(super) fn scattered(page: &mut Page, bearings: &[Bearing<'_>], ensemble: &Ensemble) {
     page.section("Scattered drops");
+    if let Some(stopped) = ensemble.stopped_text() {
+        page.note(Note::Warning, &stopped);
+    }
     if let Some(any) = &ensemble.in_any_bearing {
         page.table(&end_states(&bearings[0], ensemble, any));
     }
@@ -29,12 +32,10 @@ pub(super) fn scattered(page: &mut Page, bearings: &[Bearing<'_>], ensemble: &En
             ),
         };
         let (label, source) = (bearing.label("Distribution"), bearing.source.clone());
-        page.table(&Table::of(
-            &label,
-            &caption,
-            distribution.rows(),
-            Some(source),
-        ));
+        let rows = distribution.rows();
+        if !rows.is_empty() {
+            page.table(&Table::of(&label, &caption, rows, Some(source)));
+        }
         let rows = ensemble.drops.iter().map(|drop| &drop.bearings[k]);
         page.figure(&scatter(bearing, distribution, rows));
     }

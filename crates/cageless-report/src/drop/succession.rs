@@ -20,12 +20,10 @@ const PARTS: [(&str, &str); 3] = [
 /// Spin-down to standstill and the drops after it.
 pub(super) fn succession(page: &mut Page, bearings: &[Bearing<'_>], succession: &Succession) {
     let source = bearings[0].source.clone();
-    let caption = "After each drop the rotor spins down to standstill at the torques of the end of the \
-                   simulated time, and the bearing keeps the heat; the next drop has the clearances of \
-                   its temperatures. No heat flows from one part to another or away, except for the cooling \
-                   that the case gives ([thermal]). Balls that roll have no rolling friction in the plane, \
-                   and windage is not known: next to a drag of the drive (rotor.drive_torque_n_m) a \
-                   real bearing brakes and warms more.";
+    let caption = "After each drop the rotor spins down to standstill. Each bearing brakes it as at the end \
+                   of the simulated time, but by ½ μ P d of SKF at least, and keeps the heat; the next drop \
+                   has the clearances of its temperatures. No heat flows from one part to another or away, \
+                   except for the cooling of the case ([thermal]). Windage is not known.";
     let rows = table_of(&succession.records);
     page.table(&Table::of(
         "Drops in succession",

@@ -53,6 +53,8 @@ function ofNominal(name) {
   };
 }
 
+// Largest magnitude of a number, or of a table over time.
+const largest = (value) => Math.max(...(Array.isArray(value) ? value.map(([, v]) => v) : [value || 0]).map(Math.abs));
 const fixed = (low, high) => () => [low, high];
 const rowsOf = ({ document: { row } }) => [].concat(row || []);
 // From 0 to twice what the file says.
@@ -76,9 +78,9 @@ const CONTROLS = [
     range: (g) => [0, Math.max(30, 2 * Math.max(...rowsOf(g).map((row) => row.preload_um || 0)))],
     read: (g) => { const rows = rowsOf(g); return rows.length && !rows.some((row) => row.preload_n) ? rows[0].preload_um || 0 : undefined; },
     keys: (value, g) => Object.fromEntries(rowsOf(g).map((_, k) => ["row." + (k + 1) + ".preload_um", value])) },
-  { group: "Operation", id: "speed", label: "Speed n", unit: "rpm", step: 10, help: "speed of the inner ring; negative: clockwise, seen from the other face", range: (g) => { const most = Math.max(20000, 1.5 * Math.abs(g.document.operation.inner_speed_rpm)); return [-most, most]; }, ...ofKey("operation.inner_speed_rpm") },
-  { group: "Operation", id: "load", label: "Radial load Fr", unit: "N", step: 10, help: "load on the inner ring, downwards", range: (g) => [0, Math.max(5000, 2 * g.document.operation.radial_load_n)], ...ofKey("operation.radial_load_n") },
-  { group: "Operation", id: "axial", label: "Axial load Fa", unit: "N", step: 10, help: "load on the inner ring along its axis; not 0: in space", range: ({ document: { operation: o } }) => { const most = Math.max(1000, o.radial_load_n || 0, 2 * Math.abs(o.axial_load_n || 0)); return [-most, most]; },
+  { group: "Operation", id: "speed", label: "Speed n", unit: "rpm", step: 10, help: "speed of the inner ring; negative: clockwise, seen from the other face", range: (g) => { const most = Math.max(20000, 1.5 * largest(g.document.operation.inner_speed_rpm)); return [-most, most]; }, ...ofKey("operation.inner_speed_rpm") },
+  { group: "Operation", id: "load", label: "Radial load Fr", unit: "N", step: 10, help: "load on the inner ring, downwards", range: (g) => [0, Math.max(5000, 2 * largest(g.document.operation.radial_load_n))], ...ofKey("operation.radial_load_n") },
+  { group: "Operation", id: "axial", label: "Axial load Fa", unit: "N", step: 10, help: "load on the inner ring along its axis; not 0: in space", range: ({ document: { operation: o } }) => { const most = Math.max(1000, largest(o.radial_load_n), 2 * Math.abs(o.axial_load_n || 0)); return [-most, most]; },
     ...ofKey("operation.axial_load_n", 0), read: (g) => (g.rotor ? undefined : g.document.operation.axial_load_n ?? 0) },
   { group: "Operation", id: "friction", label: "Friction μ", unit: "", step: 0.001, help: "coefficient of friction", range: fixed(0, 0.2), ...ofKey("contact.friction_coefficient") },
   ...[

@@ -132,7 +132,7 @@ function drawRow(c, k, g, frame, title, row, [width, height]) {
   });
   c.fillStyle = k.ink; c.textAlign = "center";
   c.fillText(title, x, y - 8);
-  if (g.document.operation.inner_speed_rpm < 0) c.fillText("from the other face", x, y + 28);
+  if ([g.document.operation.inner_speed_rpm].flat(2).some((v) => v < 0)) c.fillText("from the other face", x, y + 28);
   c.fillText(frame ? "t = " + (frame.t * 1000).toFixed(2) + " ms" : "at rest", x, y + 10);
 }
 

@@ -6,6 +6,7 @@ const MAP_RATIO = 0.86;
 const MAP_REGIONS = [
   ["pass", "passes the estimate", [0, 158, 115, 150]],
   ["separation", "too shallow: β0 below what even spacing needs", [86, 180, 233, 90]],
+  ["depth", "too deep: evenly spaced balls collide", [240, 228, 66, 110]],
   ["sliding", "too steep: balls slide", [230, 159, 0, 110]],
   ["lag", "the contact angle takes the lag", [0, 114, 178, 110]],
   ["both-neighbours", "too long: double collisions", [204, 121, 167, 120]],

@@ -2,6 +2,8 @@
 // of the case; the controls change the text.
 
 const QUIET_MS = 350;
+// Time that a case which was replaced may still take to be settled, ms.
+const SOON_MS = 500;
 const UNDO_MAX = 200;
 
 class Studio {
@@ -75,8 +77,15 @@ class Studio {
   async update() {
     if (this.text.value !== this.toml) this.text.value = this.toml;
     this.toolbar.show(this);
-    if (this.busy) { this.again = true; return; }
+    if (this.busy) {
+      this.again = true;
+      // In space an equilibrium takes up to minutes: that of a case which was replaced ends.
+      const { settling } = this;
+      setTimeout(() => settling.abort(), SOON_MS);
+      return;
+    }
     this.busy = true;
+    const settling = this.settling = new AbortController();
     const toml = this.toml, began = performance.now();
     clearTimeout(this.quiet);
     if (this.judging) this.judging.abort();
@@ -84,7 +93,7 @@ class Studio {
     // What is shown is older than the controls until the answer is there.
     this.root.classList.add("pending");
     try {
-      const g = await this.engine.request("quick", { op: "geometry", case: toml });
+      const g = await this.engine.request("quick", { op: "geometry", case: toml }, { signal: settling.signal });
       this.g = g;
       this.good = toml;
       this.impossible = null;

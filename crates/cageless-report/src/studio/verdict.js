@@ -5,10 +5,10 @@ const PROGRESS_STEP = 0.05;
 const SIMULATED = {
   separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
   "both-neighbours": "passages with double collision", lag: "lag per pass, of that of rolling on rigid flanks",
-  pressure: "contact pressure at rest, of 4200 MPa (ISO 76)",
+  pressure: "contact pressure at rest, of 4200 MPa (ISO 76)", "steady-gap": "critical gap, of the gap outside the raceway (80 to 100 %)",
 };
 const ESTIMATED = {
-  separation: "β0 over the gap outside the raceway", sliding: "friction demand over that available",
+  separation: "β0 over the gap outside the raceway", depth: "the same, beyond which evenly spaced balls collide", sliding: "friction demand over that available",
   "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4200 MPa (ISO 76)", lag: "lag of rolling over that on rigid flanks",
 };
 
@@ -42,7 +42,7 @@ class Verdict {
     lamp.dataset.kind = judged ? "simulated" : "estimate";
     if (judged) lamp.replaceChildren(mark + judged.headline);
     else {
-      const found = passes === null ? "nothing to judge" : passes ? "passes" : "fails";
+      const found = passes === null ? (g.raceways.length && estimate ? "not judged: a number is not known" : "nothing to judge") : passes ? "passes" : "fails";
       lamp.replaceChildren(mark + "Estimate from closed forms: " + found, g.raceways.length ? element("progress", { max: 1, value: 0, "aria-label": "Simulated verdict" }) : "");
     }
     const { kind, rows } = this.rows();

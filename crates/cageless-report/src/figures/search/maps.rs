@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::OWN;
+use cageless::design::search::Cause;
 use cageless_results::{Cell, Record};
 use cageless_study::search::{point_label, structure_label};
 
@@ -15,22 +16,18 @@ use crate::sampling::range;
 const VERDICTS: [(&str, &str, &str); 11] = [
     ("smooth", "#009e73", "works"),
     ("insufficient-separation", "#dcdcdc", "too shallow"),
-    ("slips", "#d55e00", "slips"),
+    ("slips", "#d55e00", "balls slide too much"),
     (
         "excessive-separation",
         "#56b4e9",
-        "collision at even spacing",
+        "too deep: three balls meet",
     ),
     ("double-collision", "#f0e442", "double collision"),
     ("stress", "#cc79a7", "contact pressure"),
-    ("gross-sliding", "#7f3b08", "gross-sliding"),
+    ("gross-sliding", "#7f3b08", "balls slide over it"),
     ("loses-lag", "#0072b2", "lag lost"),
-    (
-        "gap-not-retained",
-        "#999999",
-        "gap lost before the load zone",
-    ),
-    ("failed", "#444444", "run failed"),
+    ("gap-not-retained", "#999999", "balls close up again"),
+    ("failed", "#444444", "a run stopped"),
     ("eq-9", "#ffffff", ""),
 ];
 
@@ -184,13 +181,23 @@ fn tried(search: &Record) -> Trace {
         angles.push(structure.number("half_angle_deg"));
         colours.push(shown.1);
         let label = structure_label(structure);
-        texts.push(plain(&format!("{label}: {}", shown.2)));
+        let why = match structure.text("why") {
+            "" => shown.2,
+            why => why,
+        };
+        texts.push(plain(&format!("{label}: {why}")));
     }
     markers("structures tried", &spans, &angles, "#ffffff").with(json!({
         "showlegend": false,
         "marker": { "size": 6, "color": colours, "line": { "width": 0.8, "color": "#000" } },
         "text": texts, "hovertemplate": "%{text}<extra></extra>",
     }))
+}
+
+/// What is wrong with the structures of a verdict.
+fn in_words(verdict: &str) -> &str {
+    let kind = Cause::KINDS.iter().find(|kind| kind.name == verdict);
+    kind.map_or(VERDICTS[0].2, |kind| kind.meaning)
 }
 
 /// A trace over the cells of a map.
@@ -220,8 +227,10 @@ pub fn verdicts(search: &Record) -> Figure {
         let verdicts = verdicts_of(map);
         let codes = verdicts.iter().map(|row| row.iter().map(code).collect());
         let codes: Vec<Vec<Option<f64>>> = codes.collect();
+        let words = |row: &Vec<&str>| row.iter().map(|name| plain(in_words(name))).collect();
+        let texts: Vec<Value> = verdicts.iter().map(words).collect();
         plot = plot.trace(cells(panel, map, json!({
-            "type": "heatmap", "z": codes, "text": verdicts, "zmin": 0, "zmax": count, "colorscale": scale,
+            "type": "heatmap", "z": codes, "text": texts, "zmin": 0, "zmax": count, "colorscale": scale,
             "showscale": false, "name": "verdict",
             "hovertemplate": "lC %{x} mm, θ %{y}°: %{text}<extra></extra>",
         })));
@@ -244,9 +253,7 @@ pub fn verdicts(search: &Record) -> Figure {
         }
     }
     let caption = format!(
-        "Feasible designs and reasons for exclusion: too shallow to spread \
-                  the balls, sliding balls, a critical gap above the steady gap, or double \
-                  collisions. Blank: excluded by Eq. (8) or (9), or \
+        "Raceways that work, and what is wrong with others. Blank: excluded by Eq. (8) or (9), or \
                   raceways that overlap. Cells have the verdict of their middle; circles are structures that \
                   were tried, each at its own place, with all requirements at all operating \
                   points.{} Double-click to see all spans.",
