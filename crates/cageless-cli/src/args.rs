@@ -63,8 +63,7 @@ pub enum Command {
     /// Drop a rotor onto its bearing, or that of a rotor file onto several: impacts, whirl, spin-up,
     /// loads and heat.
     Drop(DropArgs),
-    /// Compare two cases, or a case with its conventional ring, from the same uneven starts; or two
-    /// finished runs.
+    /// Does it help? Rings or remedies in steady operation with the same real balls; or finished runs side by side.
     Compare(CompareArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
@@ -184,17 +183,20 @@ pub struct DropArgs {
 /// `compare`.
 #[derive(Debug, Group)]
 pub struct CompareArgs {
-    /// Case file (TOML or JSON), or the folder of a finished run.
-    #[arg(value_name = "A")]
-    pub a: PathBuf,
-    /// Case file or folder to compare A with; differences are B less A.
-    #[arg(value_name = "B", required_unless_present = "with_conventional")]
-    pub b: Option<PathBuf>,
-    /// Run A with a conventional outer ring as well; differences are from that.
+    /// Case files (TOML or JSON), or folders of finished runs; all are compared with the first.
+    #[arg(value_name = "CASE", required = true, num_args = 1..)]
+    pub cases: Vec<PathBuf>,
+    /// Compare the only case with its conventional ring, which comes first.
     #[arg(long)]
     pub with_conventional: bool,
-    /// Uneven starts of each ring, the same for all. Default: 8; a finished run has its own alone.
+    /// Compare the only case with its remedies: plain ring, raceway, one and two balls fewer.
+    #[arg(long, conflicts_with = "with_conventional")]
+    pub remedies: bool,
+    /// Draws of real balls, the same for every ring. Default: 8.
     #[arg(long, value_parser = whole, allow_negative_numbers = true, value_name = "N")]
+    pub draws: Option<u64>,
+    /// Short runs from so many uneven starts of the balls of the case instead; nothing is judged.
+    #[arg(long, value_parser = whole, allow_negative_numbers = true, value_name = "N", conflicts_with = "draws")]
     pub starts: Option<u64>,
     /// Replace a value of the case files; may be repeated.
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
@@ -404,7 +406,7 @@ pub struct DesignArgs {
     #[arg(long)]
     pub search: bool,
 
-    /// Simulate in space up to which axial load and tilt the raceway of the case slows the balls.
+    /// Find the axial load and tilt up to which the raceway still works, by motion in space.
     #[arg(long)]
     pub axial: bool,
 }

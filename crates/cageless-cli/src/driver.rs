@@ -1,12 +1,14 @@
 //! The driver of commands that compute: folder, progress, files, text, page and exit code.
 
-use std::io::{ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::io::Write;
+use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::VariantFile;
-use cageless_io::results::{Metadata, RunWriter, values_csv, write_csv, write_together};
+use cageless_io::results::{
+    Metadata, ResultError, ResultFolder, RunWriter, bearing_folder, values_csv,
+};
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::Progress;
 use cageless_study::run::Rows;
@@ -15,7 +17,8 @@ use serde::Serialize;
 use crate::args::{CaseArgs, Output};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{Bars, catch_interrupt, is_quiet, message};
+use crate::interrupt::Interrupt;
+use crate::progress::{Bars, is_quiet, message};
 
 /// Page in the folder of `--out`.
 pub const PAGE: &str = "report.html";
@@ -37,6 +40,8 @@ pub struct Answer {
     pub csv: bool,
     /// Further files of the folder.
     pub files: Files,
+    /// File of which nothing is needed any longer once the answer is there.
+    pub journal: Option<&'static str>,
     /// Ending of the command once all is delivered.
     pub ending: Result<(), Failure>,
 }
@@ -50,6 +55,7 @@ impl Answer {
             text,
             csv: false,
             files: vec![],
+            journal: None,
             ending: Ok(()),
         }
     }
@@ -68,39 +74,65 @@ impl Output {
         files: &[&str],
         compute: impl FnOnce(&dyn Progress) -> Result<Answer, Failure>,
     ) -> Result<(), Failure> {
-        if let Some(dir) = &self.out {
-            make_folder(dir)?;
+        self.drive_into(files, |_, bars| compute(bars))
+    }
+
+    /// [`Self::drive`] of what writes tables into the folder while it computes.
+    pub fn drive_into(
+        &self,
+        files: &[&str],
+        compute: impl FnOnce(&mut Option<ResultFolder>, &dyn Progress) -> Result<Answer, Failure>,
+    ) -> Result<(), Failure> {
+        let mut folder = self.folder()?;
+        if let Some(folder) = &folder {
             files
                 .iter()
-                .try_for_each(|name| writable(&dir.join(name)))?;
+                .try_for_each(|name| writable(&folder.dir().join(name)))?;
         }
-        let stop = catch_interrupt();
+        let stop = Interrupt::caught();
         let bars = Bars::new(&stop);
-        let answer = compute(&bars)?;
+        let answer = compute(&mut folder, &bars)?;
         drop(bars);
-        self.deliver(answer)
+        self.deliver_into(folder, answer)
+    }
+
+    /// The folder of `--out`, which nobody else writes to until the answer is delivered.
+    fn folder(&self) -> Result<Option<ResultFolder>, ResultError> {
+        self.out.as_deref().map(ResultFolder::open).transpose()
     }
 
     /// Writes the files, prints JSON or text and opens the page.
-    pub fn deliver(&self, mut answer: Answer) -> Result<(), Failure> {
-        if let Some(dir) = &self.out {
-            make_folder(dir)?;
-            let mut complete = vec![(answer.name, answer.json.as_str())];
-            let further = answer.files.iter();
-            complete.extend(further.filter_map(|(name, text)| Some((*name, text.as_deref()?))));
+    pub fn deliver(&self, answer: Answer) -> Result<(), Failure> {
+        self.deliver_into(self.folder()?, answer)
+    }
+
+    fn deliver_into(
+        &self,
+        folder: Option<ResultFolder>,
+        mut answer: Answer,
+    ) -> Result<(), Failure> {
+        if let Some(mut folder) = folder {
+            for (name, text) in &answer.files {
+                match text {
+                    Some(text) => folder.add(name, text.as_bytes())?,
+                    None => folder.remove(name),
+                }
+            }
             let kind = answer.name.trim_end_matches(".json");
             let as_csv = format!("{kind}.csv");
-            let values = (answer.csv || self.csv).then(|| serde_json::from_str(&answer.json));
-            let values = values.transpose()?.map(|values| values_csv(kind, &values));
-            match &values {
-                Some(values) => complete.push((as_csv.as_str(), values.as_str())),
+            match answer.csv || self.csv {
+                true => {
+                    let values = values_csv(kind, &serde_json::from_str(&answer.json)?);
+                    folder.add(&as_csv, values.as_bytes())?;
+                }
                 // Page data are no result.
-                None if answer.name == PAGE_DATA => {}
-                None => remove(&dir.join(&as_csv))?,
+                false if answer.name == PAGE_DATA => {}
+                false => folder.remove(&as_csv),
             }
-            write_together(dir, &complete)?;
-            for (name, _) in answer.files.iter().filter(|(_, text)| text.is_none()) {
-                remove(&dir.join(name))?;
+            folder.commit(answer.name, &answer.json)?;
+            if let Some(journal) = answer.journal {
+                // It is in nobody's way if it stays.
+                let _ = std::fs::remove_file(folder.dir().join(journal));
             }
         }
         let written = |(name, _): &&(&str, Option<String>)| *name == PAGE;
@@ -154,32 +186,35 @@ impl Output {
     }
 }
 
-/// Tables of a run or drop, those of each bearing in a folder of their own.
-pub struct Tables(Vec<(PathBuf, Option<RunWriter>)>);
+/// Tables of a run or drop in the making; none without a folder.
+pub struct Tables(Vec<Option<RunWriter>>);
 
 impl Tables {
-    /// Opens the tables of bearings in folders of `out`; without it there are none.
+    /// Opens the tables of bearings, those of each in a folder of its own if they are `below` a linear rotor.
     pub fn create<'c>(
-        out: Option<&Path>,
-        bearings: impl IntoIterator<Item = (String, &'c CaseFile)>,
+        folder: Option<&ResultFolder>,
+        bearings: impl IntoIterator<Item = &'c CaseFile>,
+        below: bool,
     ) -> Result<Self, Failure> {
         let isa = InstructionSet::chosen().name();
-        let open = |(name, file): (String, &CaseFile)| -> Result<_, Failure> {
-            let Some(dir) = out.map(|dir| dir.join(name)) else {
-                return Ok((PathBuf::new(), None));
+        let open = |(number, file): (usize, &CaseFile)| -> Result<_, Failure> {
+            let Some(folder) = folder else {
+                return Ok(None);
             };
-            make_folder(&dir)?;
             let case = serde_json::to_string(&file.document_as_run())?;
             let metadata = Metadata {
                 isa,
                 case: &case,
                 in_space: file.case().moves_in_space(),
             };
-            let writer = RunWriter::create(&dir, &metadata)?;
-            Ok((dir, Some(writer)))
+            let place = match below {
+                true => bearing_folder(number),
+                false => String::new(),
+            };
+            Ok(Some(folder.tables(&place, &metadata)?))
         };
-        bearings
-            .into_iter()
+        (1..)
+            .zip(bearings)
             .map(open)
             .collect::<Result<_, _>>()
             .map(Self)
@@ -187,20 +222,17 @@ impl Tables {
 
     /// Receivers of the rows of each bearing.
     pub fn rows(&mut self) -> Vec<Option<&mut (dyn Rows + Send)>> {
-        let writers = self.0.iter_mut().map(|(_, writer)| writer.as_mut());
+        let writers = self.0.iter_mut().map(Option::as_mut);
         writers
             .map(|writer| writer.map(|writer| writer as &mut (dyn Rows + Send)))
             .collect()
     }
 
-    /// Completes the tables, and writes them as CSV, too, if `csv`.
-    pub fn finish(self, csv: bool) -> Result<(), Failure> {
-        for (dir, writer) in self.0 {
-            if let Some(writer) = writer {
-                writer.finish()?;
-                if csv {
-                    write_csv(&dir)?;
-                }
+    /// Completes the tables, and those as CSV, too, if `csv`.
+    pub fn finish(self, folder: &mut Option<ResultFolder>, csv: bool) -> Result<(), Failure> {
+        if let Some(folder) = folder {
+            for writer in self.0.into_iter().flatten() {
+                folder.add_tables(writer, csv)?;
             }
         }
         Ok(())
@@ -234,7 +266,8 @@ fn of_case(path: &Path, file: VariantFile) -> Result<CaseFile, Failure> {
         VariantFile::Case(file) => Ok(*file),
         VariantFile::Rotor(_) => Err(Failure::Input(format!(
             "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \
-             check` and the plans of `cageless sweep` take; each of its bearings is a case of its own",
+             check` and the plans of `cageless sweep` take; for any other command give the case of one \
+             bearing, the file that its [[bearing]] names as case",
             path.display()
         ))),
     }
@@ -275,14 +308,4 @@ pub fn writable(path: &Path) -> Result<(), Failure> {
         )));
     }
     Ok(())
-}
-
-/// Removes a file that an earlier call has left.
-fn remove(path: &Path) -> Result<(), Failure> {
-    match std::fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::Other(
-            anyhow::Error::new(error).context(format!("{}: cannot be removed", path.display())),
-        )),
-        _ => Ok(()),
-    }
 }

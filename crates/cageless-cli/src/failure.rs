@@ -132,6 +132,7 @@ impl From<StudyError> for Failure {
                 error.problem
             )),
             StudyError::Run(error) => error.into(),
+            error @ StudyError::Stopped { .. } => Self::Unphysical(error.to_string()),
             StudyError::Rows(error) => Self::Other(anyhow::anyhow!(error)),
             StudyError::Input(message) | StudyError::Foreign(message) => Self::Input(message),
             StudyError::Interrupted => {
@@ -159,5 +160,79 @@ impl From<ResultError> for Failure {
         }
         // The message has its cause in it.
         Self::Other(anyhow::Error::msg(error.to_string()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use cageless::simulation::{Cause, Control, Ending, RunOutcome, Stop, run};
+    use cageless_io::case_file::{CaseFile, template};
+
+    use super::Failure;
+
+    /// Exit code and message of each ending, alone and with more that was interrupted.
+    #[test]
+    fn each_ending_has_its_exit_code() {
+        let short = ["solver.duration_s=0.0001".to_owned()];
+        let file = CaseFile::parse(&template(false), "case", &short).unwrap();
+        let done = || run(file.case(), &mut [], &mut |_| Control::Continue(())).unwrap();
+        assert!(matches!(done().ending, Ending::Complete));
+        let stop = Stop {
+            time_s: 0.5,
+            step_s: 1e-6,
+            automatic_step_s: 1e-6,
+            drop: false,
+            cause: Cause::NotFinite,
+        };
+        let rest = "interrupted: the drop itself is complete.";
+        let folder = Path::new("out/folder");
+        let endings: [(&dyn Fn() -> Ending, _, _, _); 4] = [
+            (
+                &|| Ending::Complete,
+                None,
+                Some(1),
+                "the drop itself is complete.",
+            ),
+            (
+                &|| Ending::Interrupted,
+                Some(1),
+                Some(1),
+                "interrupted at t = 0.000100 s.",
+            ),
+            (
+                &|| Ending::Stopped(stop.clone()),
+                Some(3),
+                Some(3),
+                "at t = 0.500000 s a state",
+            ),
+            (
+                &|| Ending::ObserverFailed("no space".into()),
+                Some(1),
+                Some(1),
+                "no space",
+            ),
+        ];
+        for (ending, alone, with_rest, says) in endings {
+            for (rest, code) in [(None, alone), (Some(rest), with_rest)] {
+                for out in [None, Some(folder)] {
+                    let outcome = RunOutcome {
+                        ending: ending(),
+                        ..done()
+                    };
+                    let failure = Failure::of_outcome(outcome, rest, out).err();
+                    let found = failure.as_ref().map(Failure::exit_code);
+                    assert_eq!(found, code, "{failure:?}");
+                    let Some(failure) = failure else { continue };
+                    let (text, kept) = (failure.to_string(), "is in out/folder.");
+                    assert!(text.contains(says), "{text}");
+                    // What could not be written is nowhere.
+                    let has = out.is_some() && !text.contains("no space");
+                    assert_eq!(text.contains(kept), has, "{text}");
+                }
+            }
+        }
+        assert_eq!(Failure::Input(String::new()).exit_code(), 2);
     }
 }

@@ -5,14 +5,13 @@ use std::io::Read;
 use std::path::Path;
 
 use cageless_io::io_error_message;
+use cageless_io::results::{SUMMARY, summary_of_tables};
 use cageless_report::{RunData, run_from_json};
 use serde_json::{Map, Value};
 
 use crate::driver::PAGE_DATA;
 use crate::failure::Failure;
 
-/// Numbers of a run.
-pub const SUMMARY: &str = "summary.json";
 /// Larger files are not of a run: histories are decimated.
 const BYTES_MAX: u64 = 256 << 20;
 
@@ -28,6 +27,7 @@ impl FinishedRun {
     /// Reads the folder of a run.
     pub fn read(dir: &Path) -> Result<Self, Failure> {
         let (page_data, summary) = (text(dir, PAGE_DATA)?, text(dir, SUMMARY)?);
+        let summary = summary_of_tables(dir, &summary, &[String::new()])?;
         let refused = |name: &str, problem: String| {
             Failure::Input(format!("{}: {problem}", dir.join(name).display()))
         };

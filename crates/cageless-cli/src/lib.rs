@@ -10,6 +10,7 @@ mod driver;
 mod failure;
 mod finished_run;
 mod format;
+mod interrupt;
 mod progress;
 mod studio;
 mod suggestion;
@@ -17,6 +18,7 @@ mod suggestion;
 use std::ffi::OsString;
 use std::io::Write;
 
+use cageless_io::bounded;
 use clap::Parser;
 
 pub use failure::Failure;
@@ -29,7 +31,7 @@ pub fn command<W: Into<OsString> + Clone>(words: impl IntoIterator<Item = W>) ->
         Ok(args) => match commands::dispatch(args) {
             Ok(()) => 0,
             Err(failure) => {
-                progress::message(&format!("error: {failure}"));
+                progress::message(&bounded(format!("error: {failure}")));
                 failure.exit_code()
             }
         },

@@ -25,7 +25,7 @@ fn no_step_is_asked_for_without_motion() {
     for command in ["check", "run", "design", "tolerance"] {
         let answer = call_on(command, &case, &overload, &[]);
         assert_eq!(answer.code, Some(2), "{command}: {answer:?}");
-        let said = "zhao-d.toml:46: solver.step_us = 1.0 is not possible: it must be at most";
+        let said = "zhao-d.toml:48: solver.step_us = 1.0 is not possible: it must be at most";
         assert!(answer.stderr.contains(said), "{command}: {answer:?}");
     }
 }

@@ -265,7 +265,7 @@ fn options_that_are_no_numbers() {
             "a whole number, 0 or more",
         ),
         (
-            &["compare", case, case, "--starts", "-1"],
+            &["compare", case, case, "--draws", "-1"],
             "a whole number, 0 or more",
         ),
         (

@@ -51,7 +51,7 @@ fn drops_that_are_not_possible_are_missed() {
     assert_eq!(answer.code, Some(3), "{answer:?}");
     assert_eq!(answer.json()["succession"].as_array().unwrap().len(), 1);
     let reason =
-        "drop 2 needs the temperatures after drop 1: the inner ring has not come up to speed";
+        "drop 2 needs the temperatures after drop 1: the rotor has not touched every inner ring";
     assert!(answer.stderr.contains(reason), "{answer:?}");
 }
 

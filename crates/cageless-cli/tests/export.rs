@@ -81,6 +81,33 @@ fn a_folder_gets_the_file_and_its_numbers() {
     assert_eq!(json_file(&out.join("export.json"))["bspline_faces"], 6);
 }
 
+/// The date of reproducible builds is one or is refused, and nothing is written.
+#[test]
+fn a_malformed_date_of_the_environment_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = SIZE.map(|set| format!("--set={set}"));
+    let answer = |date: &str, format: &str| {
+        let mut command = cageless();
+        command.env("SOURCE_DATE_EPOCH", date);
+        command
+            .arg("export")
+            .arg(repository_case("zhao-d.toml"))
+            .args(&sets);
+        command
+            .args(["--format", format, "--out"])
+            .arg(dir.path().join("ring.step"));
+        Answer::from(command.output().unwrap())
+    };
+    let refused = answer("2026-01-01", "step");
+    let named =
+        "SOURCE_DATE_EPOCH = \"2026-01-01\" is not possible: it must be a whole number of seconds";
+    assert_refused(&refused, &[named]);
+    assert!(names(dir.path()).is_empty());
+    assert_eq!(answer("951782400", "step").code, Some(0));
+    let text = std::fs::read_to_string(dir.path().join("ring.step")).unwrap();
+    assert!(text.contains("'2000-02-29T00:00:00'"), "{}", &text[..400]);
+}
+
 /// A slot has no blend; its width, depth and edges are numbers of the ring in every format.
 #[test]
 fn the_ring_of_a_slot_is_written() {
@@ -315,4 +342,37 @@ fn short_raceways_have_short_blends() {
         (blend - 0.2 * 3f64.to_radians() * 27.765).abs() < 1e-9,
         "{blend}"
     );
+}
+
+/// The header has the date of the export, or that of reproducible builds.
+#[test]
+fn a_step_file_has_its_date() {
+    let answer = export(&[], &["--format", "step"]);
+    assert!(
+        answer.stdout.contains(",'2000-02-29T00:00:00',"),
+        "{answer:?}"
+    );
+}
+
+/// An end at a right angle is no matter of the tolerance.
+#[test]
+fn ends_at_right_angles_need_a_blend() {
+    let ellipse = ["raceway.shape=ellipse"];
+    for format in ["stl", "csv"] {
+        let answer = export(&ellipse, &["--format", format, "--blend-mm", "0", "--json"]);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+    }
+    let answer = export(&ellipse, &["--format", "step", "--blend-mm", "0"]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    let said = ["--blend-mm 0", "such as 0.5", "right angle"];
+    assert!(
+        said.iter().all(|part| answer.stderr.contains(part)),
+        "{answer:?}"
+    );
+    assert!(!answer.stderr.contains("tolerance"), "{answer:?}");
+    let answer = export(
+        &ellipse,
+        &["--format", "step", "--blend-mm", "0.5", "--json"],
+    );
+    assert_eq!(answer.code, Some(0), "{answer:?}");
 }

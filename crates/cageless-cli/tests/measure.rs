@@ -203,7 +203,11 @@ fn what_is_no_raceway_is_refused() {
     assert!(paper.stderr.contains(said), "{paper:?}");
     let plain = repository_case("conventional.toml");
     for (case, points, said) in [
-        (&case, dir.path().join("none.csv"), "none.csv: no such file"),
+        (
+            &case,
+            dir.path().join("none.csv"),
+            "none.csv: cannot be opened: no such file",
+        ),
         (
             &case,
             file("few.csv", &few.join("\n")),

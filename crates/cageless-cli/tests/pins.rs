@@ -40,7 +40,7 @@ pins! {
     drop_compared: "drop cases/touchdown-d.toml +solver.duration_s=0.01 --compare conventional --samples 2 --csv --out OUT";
     drop_verified: "drop cases/touchdown-6205.toml +solver.duration_s=0.01 --verify --out OUT";
     drop_rotor: "drop cases/rotors/two-bearings.toml +solver.duration_s=0.005 --compare conventional --samples 2 --verify --csv --out OUT";
-    compare: "compare cases/zhao-d.toml --with-conventional --starts 2 +solver.duration_s=0.02 --out OUT";
+    compare: "compare cases/zhao-d.toml --with-conventional --draws 2 +solver.duration_s=0.02 +steady.transient_orbits=1 +steady.measured_orbits=3 --out OUT";
     export_step: "export cases/zhao-d.toml --format step +bearing.outer_ring_outer_radius_mm=31 +bearing.outer_ring_width_mm=16 --out OUT";
     export_others: "export cases/zhao-d.toml --format stl --chord-um 50 +bearing.outer_ring_outer_radius_mm=31 +bearing.outer_ring_width_mm=16 --out OUT/ring.stl; export cases/zhao-d.toml --format csv +bearing.outer_ring_outer_radius_mm=31 +bearing.outer_ring_width_mm=16 --json --out OUT/ring.csv";
     sweep: "sweep OUT/plan.toml --out OUT; report OUT --high static_inner_force_max_n";
@@ -146,10 +146,11 @@ fn folded(text: &str) -> String {
 }
 
 /// Beginnings of what depends on the machine, the time or the version, up to the next of its ends.
-const REDACTED: [(&str, &str); 7] = [
+const REDACTED: [(&str, &str); 8] = [
     ("\"isa\": \"", "\""),
     ("\"software\": \"", "\""),
     ("\"version\": \"", "\""),
+    (".parquet\": \"", "\""),
     ("wall_s\": ", ",\n"),
     ("variants_per_s\": ", ",\n"),
     ("\nrate ", "\n"),

@@ -157,7 +157,12 @@ fn nothing_to_recommend_is_an_outcome_with_a_reason() {
     assert_eq!(answer.code, Some(3), "{answer:?}");
     assert_eq!(answer.stderr.lines().count(), 1, "{}", answer.stderr);
     let maps = format!("{} has the maps", out.join("report.html").display());
-    for said in ["no raceway meets", "raceway too shallow", &maps] {
+    for said in [
+        "no raceway meets every requirement. Reasons against other raceways",
+        "too shallow: balls leave too close together (",
+        "To change: ",
+        &maps,
+    ] {
         assert!(answer.stderr.contains(said), "{}", answer.stderr);
     }
     // The map shows why, and the numbers are there for programs.
@@ -175,6 +180,27 @@ fn nothing_to_recommend_is_an_outcome_with_a_reason() {
         for said in said {
             assert!(answer.stderr.contains(said), "{}", answer.stderr);
         }
+    }
+}
+
+/// One recommendation, with what it says of its starts; a few raceways are named as such.
+#[test]
+fn a_search_recommends_one_raceway_in_plain_words() {
+    let case = repository_case("zhao-d.toml");
+    let answer = call_on("design", &case, &SMALL, &["--search"]);
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    let text = answer.stdout.as_str();
+    assert_eq!(text.matches("ecommended: ").count(), 1, "{text}");
+    for said in [
+        "Confirmed from 2 random starts and a bunched one: double collisions in ",
+        " of the passages in the mean of the random starts, in ",
+        " from the bunch after 128 orbits.",
+        "every requirement from 1 random start; the recommended one is the best compromise.",
+    ] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    for internal in ["Pareto", "excessive-separation", "eq-9", "exclusion: ."] {
+        assert!(!text.contains(internal), "{internal}: {text}");
     }
 }
 
@@ -215,34 +241,61 @@ fn every_raceway_of_a_case_is_judged() {
     );
 }
 
-/// Long work says early how long it will take, and nothing where that is unwanted.
+/// Long work says before it starts how long it will take, then how far it is, in plain lines.
 #[test]
 fn a_long_search_says_how_long_it_takes() {
+    let long = |out: &Path, more: &[&str]| {
+        (cageless().env("RAYON_NUM_THREADS", "1"))
+            .arg("design")
+            .arg(repository_case("zhao-d.toml"))
+            .args(["--search", "--set", "search.runs_max=2000"])
+            .args(more)
+            .arg("--out")
+            .arg(out)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap()
+    };
     let dir = tempfile::tempdir().unwrap();
-    let mut child = (cageless().env("RAYON_NUM_THREADS", "1"))
-        .arg("design")
-        .arg(repository_case("zhao-d.toml"))
-        .args(["--search", "--set", "search.runs_max=2000", "--out"])
-        .arg(dir.path())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut said = String::new();
+    let mut child = long(dir.path(), &[]);
+    let [mut first, mut second] = [String::new(), String::new()];
     let mut lines = BufReader::new(child.stderr.take().unwrap());
-    lines.read_line(&mut said).unwrap();
+    lines.read_line(&mut first).unwrap();
+    lines.read_line(&mut second).unwrap();
     child.kill().unwrap();
     child.wait().unwrap();
-    let times: Vec<&str> = said.trim_end().rsplit(", ").take(2).collect();
-    assert!(said.starts_with("progress: "), "{said}");
+    assert!(first.starts_with("takes about "), "{first}");
+    assert!(first.ends_with(" on 1 thread\n"), "{first}");
+    assert!(second.starts_with("progress: "), "{second}");
+    let times: Vec<&str> = second.trim_end().rsplit(", ").take(2).collect();
+    let [left, so_far] = times[..] else {
+        panic!("{second}");
+    };
     assert!(
-        times[0].ends_with(" left") && !times[0].starts_with("00:00:0"),
-        "{said}"
+        left.ends_with(" left") && !left.starts_with("00:00:0"),
+        "{second}"
     );
     assert!(
-        times[1].starts_with("00:00:") && times[1].ends_with(" elapsed"),
-        "{said}"
+        so_far.starts_with("00:00:") && so_far.ends_with(" elapsed"),
+        "{second}"
     );
+    assert!(!(first + &second).contains(['\u{1b}', '\r']));
+
+    // Quiet, it has begun once there is a journal, and has said nothing.
+    let dir = tempfile::tempdir().unwrap();
+    let mut child = long(dir.path(), &["--quiet"]);
+    let patience = Instant::now();
+    while !dir.path().join("search.journal").exists() && patience.elapsed().as_secs() < 300 {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    let said = child.wait_with_output().unwrap();
+    assert!(
+        dir.path().join("search.journal").exists(),
+        "killed too early"
+    );
+    assert_eq!(String::from_utf8(said.stderr).unwrap(), "");
 }
 
 /// A search over all shapes enters the shape that it found, blended as that of the case, and judges

@@ -25,7 +25,7 @@ fn check_and_the_readme_state_the_limits_of_the_model() {
         assert!(text.contains(statement), "{statement}: {text}");
     }
     for word in [
-        "planar",
+        "in the plane",
         "axial load",
         "tilt",
         "preload",
@@ -106,4 +106,29 @@ fn the_folder_of_a_run_is_no_sweep_and_report_says_so() {
         );
         assert!(answer.stderr.contains(&said), "{}", answer.stderr);
     }
+}
+
+/// `check` states the expansion of a fast inner ring that the clearance leaves out: above 1 µm, or a tenth of the
+/// clearance; a fit takes it off, but not of a ring that a drop meets at rest.
+#[test]
+fn check_states_the_expansion_that_the_clearance_leaves_out() {
+    let of = |case: &str, sets: &[&str]| {
+        let answer = call_on("check", &repository_case(case), sets, &["--json"]);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+        let sentence = answer.json()["speed_expansion_left_out"]
+            .as_str()
+            .map(str::to_owned);
+        sentence.unwrap_or_default()
+    };
+    let fast = "operation.inner_speed_rpm=30000";
+    assert!(of("zhao-d.toml", &[fast]).starts_with("3.5 µm at the largest speed"));
+    assert_eq!(of("zhao-d.toml", &[]), "");
+    assert_eq!(of("zhao-d.toml", &[fast, "fit.bore_diameter_mm=30"]), "");
+    assert!(of("touchdown-d.toml", &[]).contains("the clearance is that at rest"));
+    let radii = [
+        "bearing.inner_groove_bottom_radius_mm=18.239",
+        "bearing.outer_groove_bottom_radius_mm=27.765",
+    ];
+    // 0.56 µm of a clearance of 2.
+    assert!(of("zhao-d.toml", &radii).starts_with("0.6 µm"));
 }

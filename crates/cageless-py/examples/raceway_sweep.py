@@ -21,7 +21,9 @@ plan = cageless.Plan(
 result = cageless.sweep(plan)
 print(result.data_variants().describe())
 
-report = result.report(high=["run_gap_min_deg"])
+report = result.report(
+    high=["run_gap_min_deg"], low=["run_collisions", "run_gap_max_deg", "static_outer_pressure_max_mpa"]
+)
 print(report.data_best().head())
 report.plot_shares().write_html("shares.html")
 report.plot_effects("run_gap_min_deg").write_html("effects.html")

@@ -5,9 +5,10 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Mutex, PoisonError};
+use std::thread::Builder;
 use std::time::{Duration, Instant};
 
-use cageless_study::{Progress, Workload, on_threads};
+use cageless_study::{Progress, StudyError, Workload, on_threads};
 use pyo3::prelude::*;
 
 use crate::errors::{Found, input};
@@ -42,10 +43,13 @@ impl Background {
             std::thread::scope(|scope| {
                 let (sender, receiver) = sync_channel(1);
                 let relay = &relay;
-                scope.spawn(move || {
+                let started = Builder::new().spawn_scoped(scope, move || {
                     // The receiver waits for nothing else.
                     let _ = sender.send(on_threads(threads, || work(relay)));
                 });
+                if let Err(error) = started {
+                    return Some(Err(StudyError::threads(&error)));
+                }
                 let mut reported = Instant::now();
                 loop {
                     let done = match receiver.recv_timeout(EVERY) {

@@ -1,10 +1,10 @@
 //! Computations of a case or a rotor, each with the files that the command leaves.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
+use cageless_io::results::{ROTOR, ResultFolder};
 use cageless_paper::structures_of;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::compared_runs;
@@ -13,7 +13,7 @@ use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
 use cageless_report::to_json;
-use cageless_results::{Aim, equilibrium_record};
+use cageless_results::{Aim, equilibrium_record_noted};
 use cageless_study::design::{Asked, Designed, design as study_design};
 use cageless_study::drop::{DropRequest, study};
 use cageless_study::rings::rings;
@@ -27,7 +27,7 @@ use serde::Serialize;
 use crate::background::Background;
 use crate::documents::File;
 use crate::errors::{Error, Found, input};
-use crate::result::{Computed, Content, Files, PAGE, PAGE_DATA, files, write_folder};
+use crate::result::{Computed, Content, Files, PAGE, PAGE_DATA, files};
 use crate::tables::Tables;
 
 /// Text of `--json`.
@@ -90,15 +90,18 @@ pub fn drop(
     let tables = study.record.bearings.iter().map(Tables::of_drop);
     let (tables, values) = (tables.collect::<Found<_>>()?, study.to_json(&file)?);
     with_seed(py, "drop", values, tables, move || {
-        Ok(files([(PAGE, drop_page(&file, &study))]))
+        let rotor = file.rotor_toml()?.map(|text| (ROTOR, text));
+        Ok(files(
+            [(PAGE, drop_page(&file, &study))].into_iter().chain(rotor),
+        ))
     })
 }
 
 /// Solves the static equilibrium of a case.
 #[pyfunction]
 pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
-    let file = file.case().clone();
-    let record = py.detach(|| equilibrium_record(file.case()))?;
+    let (file, note) = file.case().clone().resting()?;
+    let record = py.detach(|| equilibrium_record_noted(file.case(), note))?;
     with_seed(py, "static", pretty(&record)?, vec![], move || {
         Ok(files([("case.toml", file.document().to_toml()?)]))
     })
@@ -128,8 +131,12 @@ pub fn design(
             result,
             snapshots,
             stopped,
+            interrupted,
             ..
         } = study_design(&file, asked, progress)?;
+        if interrupted {
+            return Err(StudyError::Interrupted.into());
+        }
         let mut data = design_data(&file, &result, &snapshots);
         data.rings = rings(&rings_of(&file, &result), progress)?;
         Ok::<_, Error>((result, data, stopped))
@@ -157,23 +164,30 @@ pub fn design(
     })
 }
 
-/// Compares the ring of a case with that of another, or with a conventional one, from the same
-/// uneven starts.
+/// Compares the ring of a case with that of another, with a conventional one or with its remedies, in
+/// steady operation with the same draws of balls.
 #[pyfunction]
 pub fn compare(
     py: Python<'_>,
     file: &File,
     reference: Option<&File>,
-    starts: u64,
+    remedies: bool,
+    draws: u64,
     background: Background,
 ) -> Found<Computed> {
     let case: &CaseFile = file.case();
-    let reference = match reference {
-        Some(other) => ("reference", other.case().clone()),
-        None => ("conventional", case.with_conventional_ring()?),
+    let own = ("case".to_owned(), case.clone());
+    let rings = match reference {
+        _ if remedies => comparison::remedies(case)?,
+        Some(other) => vec![("reference".to_owned(), other.case().clone()), own],
+        None => vec![
+            ("conventional".to_owned(), case.with_conventional_ring()?),
+            own,
+        ],
     };
-    let rings = [reference, ("case", case.clone())];
-    let work = |progress: &dyn Progress| comparison::compare(&rings, starts, progress);
+    let work = |progress: &dyn Progress| {
+        comparison::compare(&rings, comparison::Sampling::Draws(draws), progress)
+    };
     let (compared, comparison) = background.run(py, work)??;
     with_seed(py, "comparison", pretty(&comparison)?, vec![], move || {
         let page = compare_page(&compared_runs(&compared, &comparison), &comparison);
@@ -239,10 +253,27 @@ pub fn export(
         let made = formats.iter().map(|&f| ring(file.case(), f, &options));
         let made: Vec<_> = made.collect::<Result<_, _>>()?;
         // Only now, so that bad input leaves no folder behind.
-        folder.map_or(Ok(()), |folder| write_folder(folder, BTreeMap::new()))?;
-        let write = |(made, (_, path)): (&Export, &(String, PathBuf))| {
-            Ok(serde_json::to_string_pretty(&made.write_file(path)?)?)
+        let mut folder = folder.as_deref().map(ResultFolder::open).transpose()?;
+        let write = |(made, (_, path)): (&Export, &(String, PathBuf))| -> Found<String> {
+            let numbers = match &mut folder {
+                None => made.write_file(path)?,
+                Some(folder) => {
+                    let (file, numbers) = made.write_partial(path)?;
+                    folder.add_file(file)?;
+                    numbers
+                }
+            };
+            Ok(serde_json::to_string_pretty(&numbers)?)
         };
-        made.iter().zip(&targets).map(write).collect()
+        let numbers = made.iter().zip(&targets).map(write);
+        let numbers = numbers.collect::<Found<Vec<_>>>()?;
+        if let Some(folder) = &mut folder {
+            let text = match &numbers[..] {
+                [one] => one.clone(),
+                several => format!("[{}]", several.join(",\n")),
+            };
+            folder.commit("export.json", &format!("{text}\n"))?;
+        }
+        Ok(numbers)
     })
 }

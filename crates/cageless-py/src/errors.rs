@@ -120,6 +120,7 @@ impl From<ExportError> for Error {
             ExportError::Case(error) => return of_values(error),
             ExportError::Option(ref of) => of.option,
             ExportError::Format { option, .. } => option,
+            ExportError::Date(error) => return refused(error.to_string(), None, None),
         };
         refused(error.to_string(), Some(key), None)
     }

@@ -30,11 +30,11 @@ mod _cageless {
         command,
         compute::{analyse, compare, design, drop, export, run, static_equilibrium, tolerance},
         documents::{File, designated, instruction_set, template},
-        result::{Computed, figures, quantities, units, write, write_folder},
+        result::{Computed, figures, quantities, units, write, write_folder, write_result},
         rotor::LinearRotor,
         sweep::{Collection, Sweep, merge},
         table::read_table,
-        tables::{read_tables, table_units, write_tables},
+        tables::{read_tables, table_units},
     };
 
     #[pymodule_init]

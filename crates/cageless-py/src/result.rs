@@ -6,7 +6,7 @@ use std::sync::{LazyLock, OnceLock};
 
 use cageless_io::case_file::CaseFile;
 use cageless_io::declared;
-use cageless_io::results::{is_unusable, values_csv, write_atomically, write_together};
+use cageless_io::results::{ResultFolder, values_csv, write_atomically};
 use cageless_report::figures::sweep;
 use cageless_report::figures::{
     DESIGN, Named, RUN, SEARCH, SWEEP, TOLERANCE, in_page, of_kind as figures_of_kind,
@@ -24,7 +24,7 @@ use pyo3::types::{PyDict, PyList};
 use serde::de::DeserializeOwned;
 
 use crate::errors::{Error, Found, input, other};
-use crate::tables::Tables;
+use crate::tables::{Recorded, Tables};
 
 /// Page in the folder of a result.
 pub const PAGE: &str = "report.html";
@@ -158,16 +158,31 @@ pub fn write(path: PathBuf, content: &[u8]) -> Found<()> {
 
 /// Makes a folder and those above it, and writes files that take their names together.
 #[pyfunction]
-pub fn write_folder(path: PathBuf, files: Files) -> Found<()> {
-    std::fs::create_dir_all(&path).map_err(|error| {
-        let message = format!("{}: {error}", path.display());
-        match is_unusable(&error) {
-            true => input(message),
-            false => other(message),
-        }
-    })?;
-    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (&**n, &**t)).collect();
-    Ok(write_together(&path, &files)?)
+pub fn write_folder(path: PathBuf, files: BTreeMap<String, Vec<u8>>) -> Found<()> {
+    let mut folder = ResultFolder::open(&path)?;
+    for (name, content) in &files {
+        folder.add(name, content)?;
+    }
+    Ok(folder.commit_files()?)
+}
+
+/// Writes a result: the file `name` that speaks for it, the others, and the tables of each bearing.
+#[pyfunction]
+pub fn write_result(
+    path: PathBuf,
+    name: &str,
+    text: &str,
+    files: Files,
+    tables: Vec<Recorded<'_>>,
+) -> Found<()> {
+    let mut folder = ResultFolder::open(&path)?;
+    for bearing in &tables {
+        bearing.write(&mut folder)?;
+    }
+    for (name, text) in &files {
+        folder.add(name, text.as_bytes())?;
+    }
+    Ok(folder.commit(name, text)?)
 }
 
 impl Computed {

@@ -125,6 +125,11 @@ impl LinearRotor {
         )
     }
 
+    /// Natural frequencies at rest without damping, Hz.
+    fn frequencies_hz(&self) -> Vec<f64> {
+        self.rotor.frequencies_hz()
+    }
+
     /// Real and imaginary parts of the eigenvalues at a speed, 1/s.
     fn eigenvalues(&self, speed_rpm: f64) -> Found<Vec<(f64, f64)>> {
         let values = self.rotor.eigenvalues(speed_rpm * PI / 30.0);

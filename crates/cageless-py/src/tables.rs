@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use cageless::simulation::ObserverError;
 use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
 use cageless_io::results::{
-    COLLISIONS, Column, ColumnKind, Metadata, RunWriter, collision_values, read_run_table,
-    run_columns,
+    COLLISIONS, Column, ColumnKind, Metadata, ResultFolder, collision_values, read_run_table,
+    run_columns, summary_of_tables,
 };
 use cageless_study::drop::BearingRecord;
 use cageless_study::run::Rows;
@@ -205,40 +205,58 @@ impl Tables {
     }
 }
 
-/// Arrays of the tables of a folder.
+/// Text of `summary.json` in a folder without its list of tables, and the arrays of the tables in each of the folders
+/// `places` within, which are those of the list.
 #[pyfunction]
-pub fn read_tables(py: Python<'_>, dir: PathBuf) -> Found<Py<PyDict>> {
-    py.detach(|| Tables::read(&dir))?.into_arrays(py)
+pub fn read_tables(
+    py: Python<'_>,
+    dir: PathBuf,
+    summary: &str,
+    places: Vec<String>,
+) -> Found<(String, Vec<Py<PyDict>>)> {
+    let (summary, tables) = py.detach(|| -> Found<_> {
+        let summary = summary_of_tables(&dir, summary, &places)?;
+        let tables = places.iter().map(|place| Tables::read(&dir.join(place)));
+        Ok((summary, tables.collect::<Found<Vec<_>>>()?))
+    })?;
+    let arrays = tables.into_iter().map(|tables| tables.into_arrays(py));
+    Ok((summary, arrays.collect::<Found<_>>()?))
 }
 
-/// Writes the arrays of a run or a drop as the tables of a folder, with the case as run.
-#[pyfunction]
-pub fn write_tables(dir: PathBuf, arrays: &Bound<'_, PyDict>, isa: &str, case: &str) -> Found<()> {
-    let tables = Tables::of_arrays(arrays)?;
-    let [_, ring, collisions, _] = &tables.0;
-    let metadata = Metadata {
-        isa,
-        case,
-        in_space: tables.in_space(),
-    };
-    let mut writer = RunWriter::create(&dir, &metadata)?;
-    for row in 0..ring[0].len() {
-        writer.snapshot(&tables.snapshot_of(row))?;
+/// Arrays of a run or of a bearing of a drop, with its folder, instruction set and case as run.
+#[derive(FromPyObject)]
+pub struct Recorded<'py>(String, Bound<'py, PyDict>, String, String);
+
+impl Recorded<'_> {
+    /// Writes the arrays as tables of a folder.
+    pub fn write(&self, folder: &mut ResultFolder) -> Found<()> {
+        let Self(place, arrays, isa, case) = self;
+        let tables = Tables::of_arrays(arrays)?;
+        let [_, ring, collisions, _] = &tables.0;
+        let metadata = Metadata {
+            isa,
+            case,
+            in_space: tables.in_space(),
+        };
+        let mut writer = folder.tables(place, &metadata)?;
+        for row in 0..ring[0].len() {
+            writer.snapshot(&tables.snapshot_of(row))?;
+        }
+        for row in 0..collisions[0].len() {
+            let value = |column: usize| collisions[column][row];
+            writer.collision(&Collision {
+                start_s: value(0),
+                duration_s: value(1),
+                ball: value(2) as usize - 1,
+                next_ball: value(3) as usize - 1,
+                angle_rad: value(4),
+                approach_speed_m_s: value(5),
+                peak_force_n: value(6),
+                impulse_n_s: value(7),
+            })?;
+        }
+        Ok(folder.add_tables(writer, false)?)
     }
-    for row in 0..collisions[0].len() {
-        let value = |column: usize| collisions[column][row];
-        writer.collision(&Collision {
-            start_s: value(0),
-            duration_s: value(1),
-            ball: value(2) as usize - 1,
-            next_ball: value(3) as usize - 1,
-            angle_rad: value(4),
-            approach_speed_m_s: value(5),
-            peak_force_n: value(6),
-            impulse_n_s: value(7),
-        })?;
-    }
-    Ok(writer.finish()?)
 }
 
 fn frozen<'py, T: Element, D: Dimension>(

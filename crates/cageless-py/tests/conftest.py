@@ -95,6 +95,13 @@ def made(spec: str) -> Any:
     return found
 
 
+def summary_of(folder: Path) -> Any:
+    """The values of a result that the command wrote, without the checksums of its tables."""
+    values = numbers((folder / "summary.json").read_text())
+    values.pop("tables", None)
+    return values
+
+
 def numbers(text: str) -> Any:
     """JSON."""
     return json.loads(text)

@@ -14,6 +14,9 @@ import pytest
 from cageless import sections
 from conftest import ROOT, Command, figures, made, numbers
 
+#: Where the case of the template is that of the paper and no default.
+OF_THE_PAPER = {"model.flanks": "rigid", "contact.regularisation_speed_m_s": 0.02}
+
 
 def test_keywords_make_the_case_that_the_file_makes() -> None:
     read = cageless.Case.from_toml(cageless.template())
@@ -52,7 +55,7 @@ def test_only_bearing_and_operation_are_required() -> None:
     made = cageless.Case(
         title=full.title, bearing=full.bearing, operation=full.operation, raceway=full.raceways
     )
-    assert made == full
+    assert made.replace(OF_THE_PAPER) == full
     with pytest.raises(TypeError, match="operation"):
         cageless.Case(bearing=full.bearing)  # type: ignore[call-arg]
 
@@ -107,7 +110,7 @@ def test_the_radial_clearance_is_in_micrometres() -> None:
 
 
 def test_a_key_of_the_case_is_no_argument_of_run() -> None:
-    case = cageless.Case.from_toml(cageless.template())
+    case: Any = cageless.Case.from_toml(cageless.template())
     with pytest.raises(TypeError, match=r"Case\.run.*replace\(solver__duration_s=0\.01\)"):
         case.run(duration_s=0.01)
 
@@ -133,7 +136,7 @@ def test_materials_of_balls_and_rings_apart() -> None:
         ball_material=cageless.Material(preset="Si3N4"),
         ring_material=cageless.Material(preset="M50"),
     )
-    assert hybrid == case.replace(
+    assert hybrid.replace(OF_THE_PAPER) == case.replace(
         ball_material__preset="Si3N4", ring_material={"preset": "M50"}
     )
     assert hybrid.ball_material is not None and hybrid.ball_material.preset == "Si3N4"
@@ -321,10 +324,10 @@ def test_what_is_left_out_takes_the_default_of_the_case_file() -> None:
         raceway=full.raceways,
         operation=cageless.Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
     )
-    assert made == full
+    assert made.replace(OF_THE_PAPER) == full
     given = cageless.Contact(friction_coefficient=0.03, friction_law="coulomb")
     made = cageless.Case(bearing=full.bearing, operation=full.operation, contact=given)
-    assert made.contact.regularisation_speed_m_s == full.contact.regularisation_speed_m_s
+    assert made.contact.regularisation_speed_m_s != full.contact.regularisation_speed_m_s
     assert made.contact.friction_coefficient == 0.03
 
 

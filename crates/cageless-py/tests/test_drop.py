@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import cageless
 import numpy as np
 import pandas as pd
 import pytest
-from conftest import ROOT, Command, falling
+from cageless.frames import successive
+from conftest import ROOT, Command, falling, summary_of
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +28,7 @@ def both(
 
 def test_a_drop_is_that_of_the_command(both: tuple[cageless.Drop, Path], tmp_path: Path) -> None:
     drop, folder = both
-    assert drop.values == json.loads((folder / "summary.json").read_text())
+    assert drop.values == summary_of(folder)
     saved = drop.save(tmp_path / "saved")
     for name in ["rotor", "ring", "balls", "collisions"]:
         written = pd.read_parquet(folder / f"{name}.parquet")
@@ -96,7 +96,7 @@ def test_what_cannot_drop_is_refused() -> None:
     with pytest.raises(cageless.InputError, match="samples"):
         falling().drop(samples=0)
     with pytest.raises(cageless.InputError, match=r"\[rotor\] must be left out"):
-        falling().static()
+        falling().design()
 
 
 def test_a_sweep_has_drops_as_columns() -> None:
@@ -127,3 +127,9 @@ def test_drops_in_succession_have_a_row_each() -> None:
     assert drop.plot_temperatures().data
     with pytest.raises(cageless.InputError, match="from 1 to"):
         falling().drop(drops=0)
+
+
+def test_the_verdict_of_a_row_is_not_that_of_the_drop_in_it() -> None:
+    row = {"drop": 1, "bearing": 1, "verdict": "fail", "result": {"verdict": "pass", "impacts": 3}}
+    frame = successive({"succession": [row]})
+    assert (frame.verdict[0], frame.impacts[0], frame["drop"][0]) == ("fail", 3, 1)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
+from importlib import resources
 from importlib.metadata import entry_points
 from pathlib import Path
 
@@ -28,6 +30,12 @@ def check(*args: object) -> None:
 def test_types_hold_in_package_tests_and_examples() -> None:
     assert (Path(cageless.__file__).parent / "py.typed").exists()
     check("mypy", "--config-file", SETTINGS, HERE.parent / "python", HERE, *EXAMPLES)
+
+
+@pytest.mark.parametrize("name", ["case-file", "rotor-file", "plan"])
+def test_the_schemas_of_files_come_with_the_package(name: str) -> None:
+    schema = json.loads((resources.files(cageless) / f"schemas/{name}.schema.json").read_text("utf-8"))
+    assert schema["properties"]["schema"]["const"] == 1
 
 
 @pytest.mark.parametrize("name", sorted(cageless.__all__))

@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 import plotly.graph_objects as go
 import pytest
-from conftest import Command, figures, numbers
+from conftest import Command, figures, summary_of
 
 
 @pytest.fixture(scope="module")
@@ -52,7 +52,7 @@ def test_tables_have_the_bits_of_the_command(both: tuple[cageless.Run, Path]) ->
 
 def test_the_summary_is_that_of_the_command(both: tuple[cageless.Run, Path]) -> None:
     run, folder = both
-    written = numbers((folder / "summary.json").read_text())
+    written = summary_of(folder)
     assert written.pop("wall_s") > 0.0
     assert {k: v for k, v in run.values.items() if k != "wall_s"} == written
     assert run.collisions == written["collisions"] > 0

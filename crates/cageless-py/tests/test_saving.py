@@ -28,6 +28,13 @@ def quick() -> cageless.Case:
     return template(solver={"method": "verlet", "step_us": "auto", "duration_s": 0.01})
 
 
+FEW_ORBITS = {
+    "solver__duration_s": 0.002,
+    "steady__transient_orbits": 1.0,
+    "steady__measured_orbits": 2.0,
+}
+
+
 def a_search() -> cageless.SearchResult:
     return quick().search(axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), initial_states=1, runs_max=32)
 
@@ -51,7 +58,7 @@ MADE: dict[str, Callable[[], Any]] = {
     "design": lambda: template().design(),
     "search": a_search,
     "tolerance": lambda: quick().tolerance(samples=3, groove_depth_um=3.0, threads=2),
-    "comparison": lambda: template(solver__duration_s=0.002).compare(starts=2),
+    "comparison": lambda: template(**FEW_ORBITS).compare(draws=2),
     "sweep": a_sweep,
     "report": lambda: a_sweep().report(high=["static_ring_y_um"]),
 }
@@ -211,9 +218,9 @@ SAME: dict[str, tuple[Callable[[], Any], list[object], Callable[[Any], Any]]] = 
     ),
     "tolerance": (quick, ["tolerance", "--samples", 0], lambda case: case.tolerance(samples=0)),
     "comparison": (
-        lambda: template().replace(SHORT),
-        ["compare", "--with-conventional", "--starts", 2],
-        lambda case: case.compare(starts=2),
+        lambda: template(**FEW_ORBITS),
+        ["compare", "--with-conventional", "--draws", 2],
+        lambda case: case.compare(draws=2),
     ),
 }
 
@@ -325,11 +332,37 @@ def test_folders_that_are_no_result_are_refused(tmp_path: Path) -> None:
     (broken / "summary.json").write_text('{"bearings": 7, "stopped": {}}')
     with pytest.raises(cageless.InputError, match="parquet"):
         cageless.load(broken)
-    loaded = cageless.load(result("drop").save(tmp_path / "other"))
-    summary = {key: value for key, value in loaded.values.items() if key != "isa"}
-    (tmp_path / "other" / "summary.json").write_text(json.dumps(summary))
+    text = result("drop").save(tmp_path / "other") / "summary.json"
+    summary = {key: value for key, value in json.loads(text.read_text()).items() if key != "isa"}
+    text.write_text(json.dumps(summary))
     with pytest.raises(cageless.InputError, match="no isa"):
         cageless.load(tmp_path / "other").save(tmp_path / "third")
+
+
+@pytest.mark.parametrize("kind", ["run", "rotor"])
+def test_tables_of_another_result_are_refused(
+    kind: str, left: Callable[[str], tuple[Path, Any]], tmp_path: Path
+) -> None:
+    folder = left(kind)[1].save(tmp_path / "one")
+    place = folder / "bearing-2" if kind == "rotor" else folder
+    other = lively().replace(solver__duration_s=0.001).run().save(tmp_path / "other")
+    (place / "ring.parquet").write_bytes((other / "ring.parquet").read_bytes())
+    with pytest.raises(cageless.InputError, match=r"ring.parquet: is of another computation than .*summary.json"):
+        cageless.load(folder)
+
+
+def test_a_folder_has_one_writer(tmp_path: Path) -> None:
+    import fcntl
+
+    folder = result("static").save(tmp_path)
+    with open(folder / ".cageless.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        with pytest.raises(cageless.InputError, match="another process is writing a result there"):
+            result("run").save(folder)
+        with pytest.raises(cageless.InputError, match="another process is writing a result there"):
+            result("run").to_csv(folder)
+    assert {path.name for path in folder.iterdir()} >= {"static.json"}
+    result("static").save(folder)
 
 
 @pytest.mark.parametrize("kind", MADE)
@@ -345,6 +378,18 @@ def test_tables_as_csv_have_all_digits(kind: str, tmp_path: Path) -> None:
             assert np.array_equal(
                 read[name].to_numpy(float), frame[name].to_numpy(float), equal_nan=True
             ), name
+
+
+def test_texts_in_csv_are_texts() -> None:
+    from cageless import files
+
+    texts = ["=HYPERLINK(1)", "a\x1b[31m", "-1", "5 - 3", None]
+    frame = pd.DataFrame({"=name": texts, "value": [-1.0, 2.0, 3.0, 4.0, np.nan]})
+    shown = ["'=HYPERLINK(1)", "a\\u001b[31m", "'-1", "5 - 3", ""]
+    values = ["-1.0", "2.0", "3.0", "4.0", ""]
+    lines = [f"{text},{value}" for text, value in zip(shown, values, strict=True)]
+    for each in (frame, frame.set_index("=name")):
+        assert files.spreadsheet(each).splitlines()[1:] == lines
 
 
 @pytest.mark.parametrize("kind", MADE)
@@ -429,6 +474,7 @@ def test_a_mean_and_its_error_are_two_columns() -> None:
     for name in ("impulse_mn_s", "friction_w"):
         assert frame[name][0] == point["motion"][name]
         assert frame[f"{name}_error"][0] == point["errors"][name]
+        assert frame[f"bunched_{name}"][0] == point["bunched"][name]
 
 
 @pytest.mark.parametrize("kind", MADE)
@@ -449,7 +495,7 @@ def test_the_short_form_is_one_line(kind: str) -> None:
     if kind == "design":
         assert text.startswith("<Design: PASS")
     if kind == "static":
-        assert text.startswith("<Static: ring_x_um ")
+        assert text.startswith("<Static: inner_pressure_max_mpa ")
     if kind == "report":
         assert "15 variants, 5 failed" in text
 
@@ -457,7 +503,9 @@ def test_the_short_form_is_one_line(kind: str) -> None:
 def test_summaries_saved_are_json_of_the_command(tmp_path: Path) -> None:
     run = result("run")
     run.save(tmp_path)
-    assert json.loads((tmp_path / "summary.json").read_text()) == run.values
-    names = {path.name for path in tmp_path.iterdir()}
     tables = {"balls.parquet", "ring.parquet", "collisions.parquet"}
+    summary = json.loads((tmp_path / "summary.json").read_text())
+    assert summary.pop("tables").keys() == tables
+    assert summary == run.values
+    names = {path.name for path in tmp_path.iterdir()}
     assert names == tables | {"summary.json", "report.html", "report.json"}

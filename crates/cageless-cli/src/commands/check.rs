@@ -7,8 +7,9 @@ use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument};
 use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::RotorFile;
+use cageless_results::lubrication_left_out;
 use cageless_results::number_text::significant;
-use cageless_study::drop::unloaded;
+use cageless_study::drop::rests;
 use serde::Serialize;
 
 use super::drop::listed;
@@ -76,6 +77,12 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
     if let Some(sentence) = &blend_not_simulated {
         lines.push(("blend of the exported ring", sentence.clone()));
     }
+    let speed_expansion_left_out = expansion_left_out([file.case()]);
+    lines.extend(expansion_line(&speed_expansion_left_out));
+    // A drop takes its friction from the lubricant, wherever the balls move.
+    let of_static = Some(file.case()).filter(|case| case.rotor.is_none());
+    let lubrication_left_out = of_static.and_then(lubrication_left_out);
+    lines.extend(lubrication_left_out.map(|sentence| ("lubricant", sentence.to_owned())));
     lines.push(("steps of a run", steps_text(file.case())));
     let notes = check_warnings([file.case()]);
     let assumptions = file.assumptions();
@@ -105,6 +112,10 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         motion: &'static str,
         #[serde(skip_serializing_if = "Option::is_none")]
         blend_not_simulated: Option<String>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        speed_expansion_left_out: Option<String>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        lubrication_left_out: Option<&'static str>,
         warnings: &'a [String],
     }
     let result = Checked {
@@ -118,6 +129,8 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
             false => "plane",
         },
         blend_not_simulated,
+        speed_expansion_left_out,
+        lubrication_left_out,
         warnings: &notes,
     };
     let text = pairs(&lines) + &warnings(&notes);
@@ -151,6 +164,8 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
         mass_shares_kg: Vec<f64>,
         step_us: f64,
         natural_frequencies_hz: Vec<f64>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        speed_expansion_left_out: Option<String>,
         warnings: Vec<String>,
     }
     let (rotor, cases) = (file.rotor(), file.drop().cases());
@@ -170,7 +185,8 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
     frequencies.truncate(FREQUENCIES);
     let shares = rotor.mass_shares_kg();
     let step_us = 1e6 * cases[0].solver.step_s;
-    let lines = [
+    let speed_expansion_left_out = expansion_left_out(cases);
+    let mut lines = vec![
         ("rotor", format!("{} is valid", args.case.display())),
         ("bearings", cases.len().to_string()),
         ("mass", format!("{} kg", significant(rotor.mass_kg(), 4))),
@@ -187,8 +203,9 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
         ),
         ("steps of a drop", steps_text(&cases[0])),
     ];
+    lines.extend(expansion_line(&speed_expansion_left_out));
     let mut notes = check_warnings(cases);
-    notes.extend(unloaded(file.drop()));
+    notes.extend(rests(file.drop()));
     let checked = Checked {
         valid: true,
         cases: file
@@ -200,10 +217,45 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
         mass_shares_kg: shares,
         step_us,
         natural_frequencies_hz: frequencies,
+        speed_expansion_left_out,
         warnings: notes,
     };
     let text = pairs(&lines) + &warnings(&checked.warnings);
     (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&checked)?, text))
+}
+
+/// Expansion of the inner raceway by its speed that a clearance may leave out unsaid, m.
+const EXPANSION_UNSAID_M: f64 = 1e-6;
+/// The same over the clearance.
+const EXPANSION_UNSAID: f64 = 0.1;
+
+/// Largest expansion by speed that the clearances of cases leave out, in a sentence, where it is not small.
+fn expansion_left_out<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Option<String> {
+    let left_out = cases.into_iter().filter_map(|case| {
+        let (growth_m, clearance_m) = (
+            case.speed_expansion_m(),
+            case.bearing.radial_internal_clearance_m(),
+        );
+        let share = EXPANSION_UNSAID * clearance_m.abs();
+        let is_said = growth_m > EXPANSION_UNSAID_M || clearance_m != 0.0 && growth_m > share;
+        // A fit takes the expansion off, but from the clearance of a ring that a drop meets at rest.
+        let is_left_out = case.fit.is_none() || case.rotor.is_some();
+        (is_said && is_left_out).then_some((growth_m, case.rotor.is_some()))
+    });
+    let (growth_m, drops) = left_out.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let remedy = match drops {
+        true => "the clearance is that at rest",
+        false => "[fit] takes it off the clearance",
+    };
+    Some(format!(
+        "{} µm at the largest speed, a free ring; left out: {remedy}",
+        fixed(1e6 * growth_m, 1)
+    ))
+}
+
+fn expansion_line(left_out: &Option<String>) -> Option<(&'static str, String)> {
+    let sentence = left_out.clone()?;
+    Some(("expansion of the inner raceway", sentence))
 }
 
 /// Natural frequencies that a check lists.

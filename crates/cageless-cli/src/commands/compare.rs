@@ -1,19 +1,20 @@
 //! `cageless compare`.
 
-use std::path::PathBuf;
-
 use cageless_io::case_file::CaseFile;
+use cageless_io::results::SUMMARY;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::{ComparedRun, compared_runs};
 use cageless_report::run_report::run_data;
 use cageless_study::Progress;
-use cageless_study::comparison::{RingComparison, RingResults, STARTS, Starts, compare as study};
+use cageless_study::comparison::{
+    DRAWS, Draws, RingComparison, RingResults, Sampling, compare as study, remedies,
+};
 use cageless_study::run::{Options, run};
 
 use crate::args::CompareArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case};
 use crate::failure::Failure;
-use crate::finished_run::{FinishedRun, SUMMARY};
+use crate::finished_run::FinishedRun;
 use crate::format::{columns, judged, pairs};
 
 const NUMBERS: &str = "compare.json";
@@ -23,14 +24,18 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
     // All are read before anything is computed; bad input leaves no folder behind.
     let sides = sides(args)?;
     let cases = sides.iter().map(|(name, side)| match side {
-        Side::Case(file) => Some((*name, CaseFile::clone(file))),
+        Side::Case(file) => Some((name.clone(), CaseFile::clone(file))),
         Side::Run(_) => None,
     });
     let cases: Option<Vec<_>> = cases.collect();
     args.output.drive(&[NUMBERS, PAGE], |bars| {
         let (runs, comparison) = match cases {
             Some(cases) => {
-                let (rings, comparison) = study(&cases, args.starts.unwrap_or(STARTS), bars)?;
+                let sampling = match args.starts {
+                    Some(starts) => Sampling::UnevenStarts(starts),
+                    None => Sampling::Draws(args.draws.unwrap_or(DRAWS)),
+                };
+                let (rings, comparison) = study(&cases, sampling, bars)?;
                 (compared_runs(&rings, &comparison), comparison)
             }
             None => finished(sides, bars)?,
@@ -50,13 +55,22 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
     let verdicts: Vec<_> = (comparison.runs.iter().zip(&comparison.verdicts))
         .map(|(name, verdict)| (name, judged(verdict.passes, &verdict.headline)))
         .collect();
-    let mut text = format!("{}\n{}\n", pairs(&titles), pairs(&verdicts));
-    if comparison.starts.seed.is_some() {
-        text += &format!("{}\n\n", comparison.statement);
-    }
+    let mut text = format!("{}\n", pairs(&titles));
+    let subject: Vec<_> = match comparison.draws.grade {
+        // Whether single balls are slowed as intended is a step on the way.
+        Some(_) => {
+            let headlines = comparison.benefits.iter().flatten();
+            headlines.for_each(|benefit| text += &format!("{}\n", benefit.headline));
+            comparison.subject()
+        }
+        None => {
+            text += &format!("{}\n", pairs(&verdicts));
+            comparison.results.iter().collect()
+        }
+    };
     let mut rows = vec![comparison.headings()];
-    rows.extend(comparison.rows(comparison.results.iter()));
-    text + &format!("{}\n{}\n", columns(&rows), comparison.starts_text())
+    rows.extend(comparison.rows(subject.into_iter()));
+    text + &format!("\n{}\n{}\n", columns(&rows), comparison.draws.text())
 }
 
 /// A side of a comparison: a case, to be run beside a finished run once and beside others from the same
@@ -67,25 +81,32 @@ enum Side {
 }
 
 /// What is compared, the ring that the others are compared with first.
-fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
-    let given: Vec<(&'static str, &PathBuf)> = std::iter::once(("A", &args.a))
-        .chain(args.b.iter().map(|b| ("B", b)))
-        .collect();
+fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
     let for_cases = [
         ("--set", !args.set.is_empty()),
+        ("--draws", args.draws.is_some()),
         ("--starts", args.starts.is_some()),
+        ("--remedies", args.remedies),
     ];
-    let folder = given.iter().find(|(_, path)| path.is_dir());
+    let folder = args.cases.iter().find(|path| path.is_dir());
     let option = for_cases.iter().find(|(_, given)| *given);
-    if let (Some((_, folder)), Some((option, _))) = (folder, option) {
+    if let (Some(folder), Some((option, _))) = (folder, option) {
         return Err(Failure::Input(format!(
             "{option}: {} is a finished run, which cannot be run again; give the case file, or its \
              {SUMMARY}",
             folder.display()
         )));
     }
+    if args.cases.len() == 1 && !args.with_conventional && !args.remedies {
+        return Err(Failure::Input(
+            "one case alone is compared with --with-conventional or --remedies".to_owned(),
+        ));
+    }
+    if args.cases.len() > 1 && args.remedies {
+        return Err(Failure::Input("--remedies: give one case".to_owned()));
+    }
     let mut sides = vec![];
-    for (name, path) in given {
+    for (k, path) in args.cases.iter().enumerate() {
         let side = if path.is_dir() {
             Side::Run(Box::new(FinishedRun::read(path)?))
         } else {
@@ -93,29 +114,50 @@ fn sides(args: &CompareArgs) -> Result<Vec<(&'static str, Side)>, Failure> {
             file.checked(cageless::Case::check_motion)?;
             Side::Case(Box::new(file))
         };
-        sides.push((name, side));
+        sides.push((lettered(k), side));
+    }
+    if args.remedies {
+        let Side::Case(file) = &sides[0].1 else {
+            unreachable!("a folder was refused")
+        };
+        let of = |(name, file)| (name, Side::Case(Box::new(file)));
+        return Ok(remedies(file)?.into_iter().map(of).collect());
     }
     if args.with_conventional {
         let a = match &sides[0].1 {
             Side::Case(file) => CaseFile::clone(file),
-            Side::Run(_) => CaseFile::read(&args.a.join(SUMMARY), &[])?,
+            Side::Run(_) => CaseFile::read(&args.cases[0].join(SUMMARY), &[])?,
         };
         if a.case().raceways.is_empty() {
             return Err(Failure::Input(format!(
                 "--with-conventional: the outer ring of {} is conventional itself; leave the option out, or \
                  give a case with a [raceway]",
-                args.a.display()
+                args.cases[0].display()
             )));
         }
         let conventional = a.with_conventional_ring()?;
-        sides.insert(0, ("conventional", Side::Case(Box::new(conventional))));
+        sides.insert(
+            0,
+            (
+                "conventional".to_owned(),
+                Side::Case(Box::new(conventional)),
+            ),
+        );
     }
     Ok(sides)
 }
 
+/// Name of ring `k` from 0: A to Z, then numbers.
+fn lettered(k: usize) -> String {
+    match u8::try_from(k) {
+        Ok(k) if k < 26 => char::from(b'A' + k).to_string(),
+        _ => (k + 1).to_string(),
+    }
+}
+
 /// Takes finished runs, and runs the cases beside them once.
 fn finished(
-    sides: Vec<(&'static str, Side)>,
+    sides: Vec<(String, Side)>,
     bars: &dyn Progress,
 ) -> Result<(Vec<ComparedRun>, RingComparison), Failure> {
     let (mut runs, mut results) = (vec![], vec![]);
@@ -124,17 +166,10 @@ fn finished(
             Side::Run(run) => *run,
             Side::Case(file) => once(&file, bars)?,
         };
-        results.push(RingResults::of_summary(name, &summary));
-        runs.push(ComparedRun {
-            name: name.to_owned(),
-            data,
-        });
+        results.push(RingResults::of_summary(&name, &summary));
+        runs.push(ComparedRun { name, data });
     }
-    let starts = Starts {
-        count: 1,
-        seed: None,
-    };
-    Ok((runs, RingComparison::new(&results, starts)))
+    Ok((runs, RingComparison::new(&results, Draws::finished())))
 }
 
 fn once(file: &CaseFile, bars: &dyn Progress) -> Result<FinishedRun, Failure> {

@@ -21,6 +21,9 @@ const CASE: &str = "case.toml";
 /// The case with the recommended raceway.
 const RECOMMENDED: &str = "recommended.toml";
 
+/// Failure of a design that was interrupted after its verdict.
+const INTERRUPTED: &str = "interrupted: the verdict is complete; what was to follow is left out";
+
 /// Analyses the case's raceways; searches for a better one if asked to.
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let output = &args.case.output;
@@ -42,19 +45,23 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
             snapshots,
             stopped,
             none_found,
+            axial_unknown,
+            interrupted,
         } = study(&file, asked, bars).map_err(|error| match args.search {
             true => search_failed(error, out),
             false => error.into(),
         })?;
         let recommended = recommended_document(&file, &result);
-        let mut text = text(&result, file.case().moves_in_space());
+        let mut text = text(&result);
         if let (Some(dir), Some(_)) = (out, &recommended) {
             let path = dir.join(RECOMMENDED).display().to_string();
             text += &pairs(&[("case with the raceway", path)]);
         }
         let files = output.files(|| {
             let mut data = design_data(&file, &result, &snapshots);
-            data.rings = rings(&rings_of(&file, &result), bars)?;
+            if !interrupted {
+                data.rings = rings(&rings_of(&file, &result), bars)?;
+            }
             let recommended = recommended.map(|case| file.edited(&case));
             let mut files = vec![
                 (PAGE, Some(design_page(&data))),
@@ -62,26 +69,27 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
                 (RECOMMENDED, recommended.transpose()?),
             ];
             if args.search {
-                // With the case the folder is a result that can be read back; its journal is done with.
+                // With the case the folder is a result that can be read back.
                 files.push((CASE, Some(file.document().to_toml()?)));
-                files.push((search::JOURNAL, None));
             }
             Ok(files)
         })?;
         let ending = match (none_found, stopped) {
+            _ if interrupted => Err(Failure::Interrupted(INTERRUPTED.to_owned())),
             (Some(message), _) => {
                 text.clear();
                 let page = out.map(|dir| dir.join(PAGE));
-                let maps = page.map(|page| format!("; {} has the maps", page.display()));
+                let maps = page.map(|page| format!(" {} has the maps.", page.display()));
                 Err(Failure::Unphysical(message + &maps.unwrap_or_default()))
             }
             // A search does not need the case's own raceway.
             (None, Some(stop)) if !args.search => Err(Failure::stopped(&stop, "")),
-            _ => Ok(()),
+            _ => axial_unknown.map_or(Ok(()), |reason| Err(Failure::Unphysical(reason))),
         };
         Ok(Answer {
             csv: true,
             files,
+            journal: args.search.then_some(search::JOURNAL),
             ending,
             ..Answer::new(NUMBERS, pretty(&result)?, text)
         })
@@ -102,7 +110,7 @@ fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
     }
 }
 
-fn text(r: &DesignResult, in_space: bool) -> String {
+fn text(r: &DesignResult) -> String {
     let record = &r.record;
     let mut lines = vec![];
     for raceway in record.parts("raceways") {
@@ -127,31 +135,20 @@ fn text(r: &DesignResult, in_space: bool) -> String {
     );
     lines.push(("verdict", judged(passes, headline)));
     let mut text = pairs(&lines) + &bullets(record.sentences("reasons"));
-    // The search knows better.
-    let by = if r.search.is_some() {
-        "near the curve of Eq. (11), "
-    } else {
-        ""
-    };
     text += &match r.recommendation() {
+        // A search has a recommendation of its own.
+        _ if r.search.is_some() => String::new(),
         Some(near) => format!(
-            "{by}{}\n  - its verdict: {}\n",
+            "{}\n  - its verdict: {}\n",
             near.sentence(),
             judged(near.passes(), near.0.results.text("headline"))
         ),
-        None if in_space => {
-            "balls in space do not reach β0 of Eq. (11), whose curve recommends nothing here; \
-             design --search looks for a raceway\n"
-                .to_owned()
-        }
-        None => format!(
-            "{by}nothing recommended: on the curve of Eq. (11) balls slide too much wherever three \
-             do not fit inside at once; design --search looks further\n"
-        ),
+        None => "No suggestion from the closed form. Use design --search\n".to_owned(),
     };
     text += &warnings(record.sentences("warnings"));
     if let Some(axial) = &r.axial {
         text += &("axial load, by motion in space:\n".to_owned() + &pairs(&values(axial)));
+        text += &bullets(axial.sentences("findings"));
     }
     if let Some(search) = &r.search {
         text += &("search:\n".to_owned() + &bullets(search.sentences("findings")));

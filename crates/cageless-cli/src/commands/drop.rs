@@ -1,6 +1,7 @@
 //! `cageless drop`.
 
 use cageless_io::plan_file::VariantFile;
+use cageless_io::results::{ROTOR, SUMMARY};
 use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
 use cageless_results::{DropJudgement, DropResult, Record, plane_records, table_of};
@@ -12,7 +13,6 @@ use super::run::verified;
 use crate::args::{DropArgs, Reference};
 use crate::driver::{Answer, PAGE, Tables};
 use crate::failure::Failure;
-use crate::finished_run::SUMMARY;
 use crate::format::{columns, judged, pairs, values, warnings};
 
 /// Failure of a drop whose samples or verification were interrupted.
@@ -31,17 +31,18 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let drop = request.check(&file, &path.display().to_string())?;
     let linear = drop.rotor().is_some();
     let output = &args.case.output;
-    output.drive(&[SUMMARY, PAGE], |bars| {
+    output.drive_into(&[SUMMARY, PAGE, ROTOR], |folder, bars| {
         let out = output.out.as_deref();
-        let folders = (1..).map(|k| match linear {
-            true => format!("bearing-{k}"),
-            false => String::new(),
-        });
-        let mut tables = Tables::create(out, folders.zip(file.cases()))?;
+        let mut tables = Tables::create(folder.as_ref(), file.cases(), linear)?;
         let study = study(&file, drop, request, tables.rows(), bars)?;
-        tables.finish(output.csv)?;
+        tables.finish(folder, output.csv)?;
         let (json, text) = (study.to_json(&file)?, text(&study));
-        let files = output.files(|| Ok(vec![(PAGE, Some(drop_page(&file, &study)))]))?;
+        let files = output.files(|| {
+            Ok(vec![
+                (PAGE, Some(drop_page(&file, &study))),
+                (ROTOR, file.rotor_toml()?),
+            ])
+        })?;
         let rest_interrupted = study.interrupted.then_some(REST_INTERRUPTED);
         let place = match linear {
             true => format!("bearing {}: ", study.record.last_index() + 1),
@@ -146,7 +147,7 @@ fn ensemble_text(many: &Ensemble) -> String {
         drops += &format!(": {}", many.bearings[0].end_states_text());
     }
     let mut lines = vec![("drops".to_owned(), drops)];
-    let stopped = || (many.stopped.iter()).map(|reason| ("stopped".to_owned(), reason.clone()));
+    let stopped = || many.stopped_text().map(|text| ("stopped".to_owned(), text));
     let whirl = |name: String, probability: &WhirlProbability| {
         probability.percent().map(|percent| (name, percent))
     };

@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use cageless_io::cad::{
     Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
 };
-use cageless_io::results::write_atomically;
+use cageless_io::results::ResultFolder;
 
 use crate::args::ExportArgs;
-use crate::driver::{make_folder, print, read_case_at_rest, tell};
+use crate::driver::{pretty, print, read_case_at_rest, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::message;
@@ -27,22 +27,24 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     options.check(&[format])?;
     let made = ring(&file, format, &options)?;
     // Only now, so that bad input leaves no folder behind.
-    let path = target(args, format)?;
-    let numbers = match &path {
-        Some(path) => made.write_file(path)?,
-        None if args.json => made.write(&mut std::io::sink())?,
-        None => match made.write(&mut std::io::stdout().lock()) {
+    let target = target(args, format)?;
+    let numbers = match &target {
+        Target::File(path) => made.write_file(path)?,
+        Target::Folder(dir) => {
+            let mut folder = ResultFolder::open(dir)?;
+            let path = dir.join(format!("outer_ring.{}", format.name()));
+            let (file, numbers) = made.write_partial(&path)?;
+            folder.add_file(file)?;
+            folder.commit("export.json", &pretty(&numbers)?)?;
+            numbers
+        }
+        Target::Nowhere => made.write(&mut std::io::sink())?,
+        Target::Stdout => match made.write(&mut std::io::stdout().lock()) {
             // A closed pipe is not an error.
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => return Ok(()),
             other => other?,
         },
     };
-    let json = serde_json::to_string_pretty(&numbers)? + "\n";
-    if let (Some(dir), Some(path)) = (&args.out, &path)
-        && dir != path
-    {
-        write_atomically(&dir.join("export.json"), json.as_bytes())?;
-    }
     if file
         .case()
         .raceways
@@ -54,30 +56,41 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
              machining; raceway.depth_um is the depth of the drawing",
         );
     }
-    match (path, args.json) {
-        (_, true) => print(&json),
-        (Some(_), false) => tell(&text(&numbers)),
-        (None, false) => {
+    match target {
+        _ if args.json => print(&pretty(&numbers)?),
+        Target::File(_) | Target::Folder(_) => tell(&text(&numbers)),
+        Target::Nowhere | Target::Stdout => {
             message(text(&numbers).trim_end());
             Ok(())
         }
     }
 }
 
-/// The file to write; `None` for stdout or, with `--json`, nowhere.
-fn target(args: &ExportArgs, format: Format) -> Result<Option<PathBuf>, Failure> {
+/// Where the ring goes.
+enum Target {
+    File(PathBuf),
+    /// With the numbers beside it.
+    Folder(PathBuf),
+    Stdout,
+    Nowhere,
+}
+
+fn target(args: &ExportArgs, format: Format) -> Result<Target, Failure> {
     let Some(out) = &args.out else {
         let binary = format == Format::Stl && !args.json;
         if binary && std::io::stdout().is_terminal() {
             let message = "--out FILE is needed: an STL is binary, and stdout is a terminal";
             return Err(Failure::Input(message.to_owned()));
         }
-        return Ok(None);
+        return Ok(match args.json {
+            true => Target::Nowhere,
+            false => Target::Stdout,
+        });
     };
     if names_file(out) {
         let refuse = |why: String| Err(Failure::Input(format!("--out {}: {why}", out.display())));
         return match Format::from_path(out) {
-            Some(named) if named == format => Ok(Some(out.clone())),
+            Some(named) if named == format => Ok(Target::File(out.clone())),
             Some(named) => refuse(format!(
                 "is the name of a file of --format {}, not of {}",
                 named.name(),
@@ -90,8 +103,7 @@ fn target(args: &ExportArgs, format: Format) -> Result<Option<PathBuf>, Failure>
             )),
         };
     }
-    make_folder(out)?;
-    Ok(Some(out.join(format!("outer_ring.{}", format.name()))))
+    Ok(Target::Folder(out.clone()))
 }
 
 impl From<ExportError> for Failure {
@@ -99,6 +111,7 @@ impl From<ExportError> for Failure {
         let flag = |option: &str| format!("--{}", option.replace('_', "-"));
         match error {
             ExportError::Case(error) => error.into(),
+            ExportError::Date(error) => Self::Input(error.to_string()),
             ExportError::Option(error) => Self::Input(format!(
                 "{} {}: {}",
                 flag(error.option),

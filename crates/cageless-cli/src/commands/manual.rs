@@ -1,12 +1,12 @@
 //! `cageless completions` and `cageless man`.
 
-use cageless_io::results::{VERSION, write_atomically};
+use cageless_io::results::{ResultFolder, VERSION};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::args::{Args, ManArgs};
-use crate::driver::{make_folder, print, tell};
+use crate::driver::{print, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
 
@@ -23,11 +23,11 @@ pub fn man(args: &ManArgs) -> Result<(), Failure> {
     root.build();
     let pages = pages(&root);
     if let Some(dir) = &args.out {
-        make_folder(dir)?;
+        let mut folder = ResultFolder::open(dir)?;
         for page in &pages {
-            let name = format!("{}.1", name(page));
-            write_atomically(&dir.join(name), &rendered(page)?)?;
+            folder.add(&format!("{}.1", name(page)), &rendered(page)?)?;
         }
+        folder.commit_files()?;
         let written = format!("{} in {}", pages.len(), dir.display());
         return tell(&pairs(&[("man pages", written)]));
     }

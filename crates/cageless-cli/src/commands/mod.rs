@@ -90,7 +90,8 @@ fn new(args: &New) -> Result<(), Failure> {
     }
     write_atomically(path, text.as_bytes())?;
     if let Some(found) = found.filter(|_| !is_quiet()) {
-        message(&format!("note: {}", found.source_of_balls()));
+        let note = found.source_of_balls(args.full_complement);
+        message(&format!("note: {note}"));
     }
     print(&format!("{}\n", path.display()))
 }

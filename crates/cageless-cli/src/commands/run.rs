@@ -3,6 +3,7 @@
 use cageless::Case;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
+use cageless_io::results::SUMMARY;
 use cageless_report::run_report::run_data;
 use cageless_report::{run_json, run_page};
 use cageless_results::{Record, table_of_judgements};
@@ -12,7 +13,6 @@ use cageless_study::run::{Options, run as study};
 use crate::args::RunArgs;
 use crate::driver::{Answer, PAGE, PAGE_DATA, Tables};
 use crate::failure::Failure;
-use crate::finished_run::SUMMARY;
 use crate::format::{columns, judged, pairs, values, warnings};
 
 /// Simulates a case.
@@ -21,9 +21,9 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let file = args.case.read(cageless::Case::check_motion)?;
     // A case that cannot start must not touch the folder.
     initial_state(file.case())?;
-    output.drive(&[SUMMARY, PAGE, PAGE_DATA], |bars| {
+    output.drive_into(&[SUMMARY, PAGE, PAGE_DATA], |folder, bars| {
         let out = output.out.as_deref();
-        let mut tables = Tables::create(out, [(String::new(), &file)])?;
+        let mut tables = Tables::create(folder.as_ref(), [&file], false)?;
         let rows = tables.rows().remove(0);
         let mut record = study(&file, Options { rows, verify }, bars)?;
         if let (Ending::ObserverFailed(error), Some(dir)) = (&record.outcome.ending, out) {
@@ -32,7 +32,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
                 "{error}; {dir} is as it was"
             )));
         }
-        tables.finish(output.csv)?;
+        tables.finish(folder, output.csv)?;
         record.verify(&file, bars);
         let json = record.summary.to_json()?;
         let files = output.files(|| {

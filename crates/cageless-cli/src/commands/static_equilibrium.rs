@@ -1,7 +1,7 @@
 //! `cageless static`.
 
 use cageless_report::{static_page, static_sheet};
-use cageless_results::equilibrium_record;
+use cageless_results::equilibrium_record_noted;
 
 use crate::args::CaseArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case_at_rest};
@@ -10,12 +10,9 @@ use crate::format::{columns, notes, pairs, values, warnings};
 
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
-    let file = read_case_at_rest(&args.case, &args.set)?;
-    // Where a rotor drives the ring, that is what is said.
-    if file.case().rotor.is_none() {
-        file.checked(|case| case.check_constant_operation("a static equilibrium"))?;
-    }
-    let record = equilibrium_record(file.case())?;
+    let (file, note) = read_case_at_rest(&args.case, &args.set)?.resting()?;
+    file.checked(|case| case.check_constant_operation("a static equilibrium"))?;
+    let record = equilibrium_record_noted(file.case(), note)?;
     let text = pairs(&values(&record.results))
         + "\n"
         + &columns(&record.results.columns())

@@ -5,12 +5,13 @@ use std::io::IsTerminal;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::io_error_message;
 use cageless_io::results::{ResultError, write_atomically};
-use cageless_report::{engine, studio_page};
+use cageless_report::{ENGINE_REMEDY, engine, studio_page};
 
 use crate::args::StudioArgs;
 use crate::driver::{print, read_case};
 use crate::failure::Failure;
-use crate::progress::{catch_interrupt, message};
+use crate::interrupt::Interrupt;
+use crate::progress::message;
 use crate::studio::{Server, Token};
 
 /// Serves the studio on the loopback address until Ctrl-C, or writes its page.
@@ -26,8 +27,8 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
     if let Some(path) = &args.page {
         if engine().is_none() {
             return Err(Failure::Other(anyhow::anyhow!(
-                "this build has no engine for pages: `rustup target add wasm32-unknown-unknown`, \
-                 build with --release again, or use `cageless studio` without --page"
+                "this build has no engine for pages: {ENGINE_REMEDY}; `cageless studio` without --page \
+                 needs none"
             )));
         }
         write_atomically(path, page.as_bytes()).map_err(|error| match error {
@@ -40,7 +41,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
         })?;
         return print(&format!("{}\n", path.display()));
     }
-    let stop = catch_interrupt();
+    let stop = Interrupt::caught();
     let server = Server::bind(page, Token::random()?, &stop)?;
     let address = server.address();
     print(&format!("{address}\n"))?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use cageless_io::plan_file::PlanFile;
-use cageless_study::sweep::{self, Failures, Job, Shard, Sweep, failures, merge, run};
+use cageless_study::sweep::{self, Failures, Job, Shard, Sweep, failures, merge, run_announced};
 use cageless_study::{Progress, break_if};
 use serde::Serialize;
 
@@ -11,7 +11,8 @@ use crate::args::{MergeArgs, SweepArgs, SweepCommand, SweepOutput};
 use crate::driver::{make_folder, print, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{Bars, catch_interrupt};
+use crate::interrupt::Interrupt;
+use crate::progress::{Bars, announce_long};
 
 /// `sweep --json`.
 #[derive(Debug, Serialize)]
@@ -41,9 +42,10 @@ pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
         shard: args.shard,
         threads: args.threads,
     };
-    let stop = catch_interrupt();
+    let stop = Interrupt::caught();
     let bars = Bars::new(&stop);
-    let done = run(&sweep, &job, |progress| {
+    let expects = bars.announces().then_some(announce_long);
+    let done = run_announced(&sweep, &job, expects, |progress| {
         let (done, total, rate) = (progress.done, progress.total, shown_rate(progress.rate()));
         let text = format!("{done} of {total} variants, {rate} per second");
         bars.show(&text, progress.fraction());

@@ -3,12 +3,12 @@
 use cageless_report::to_json;
 use cageless_report::tolerance::tolerance_page;
 use cageless_results::{Record, table_of};
-use cageless_study::tolerance::{Request, tolerance as study};
+use cageless_study::tolerance::{Request, interruption, nominal_stopped, tolerance as study};
 
 use crate::args::ToleranceArgs;
 use crate::driver::{Answer, PAGE};
 use crate::failure::Failure;
-use crate::format::{columns, judged, pairs, values};
+use crate::format::{columns, judged, pairs, values, warnings};
 
 const NUMBERS: &str = "tolerance.json";
 
@@ -33,11 +33,12 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     output.drive(&[PAGE, NUMBERS], |bars| {
         let data = study(file.case(), &name, &request, bars)?;
-        let interrupted = data.sentences("warnings").first();
-        let interrupted = interrupted.map(|warning| Failure::Interrupted(warning.clone()));
+        let interrupted = interruption(&data).map(|why| Failure::Interrupted(why.to_owned()));
+        let stopped = nominal_stopped(&data).map(|why| Failure::Unphysical(why.to_owned()));
+        let failed = interrupted.or(stopped);
         Ok(Answer {
             files: output.files(|| Ok(vec![(PAGE, Some(tolerance_page(&data)))]))?,
-            ending: interrupted.map_or(Ok(()), Err),
+            ending: failed.map_or(Ok(()), Err),
             ..Answer::new(NUMBERS, to_json(&data)? + "\n", text(&data))
         })
     })
@@ -51,5 +52,11 @@ fn text(record: &Record) -> String {
         text += &format!("\n{}", pairs(&values(samples)));
         text += &format!("\n{}", columns(&table_of(samples.parts("verdicts"))));
     }
-    text
+    let interrupted = interruption(record);
+    let shown = record.sentences("warnings").iter();
+    let shown: Vec<String> = shown
+        .filter(|w| Some(w.as_str()) != interrupted)
+        .cloned()
+        .collect();
+    text + &warnings(&shown)
 }

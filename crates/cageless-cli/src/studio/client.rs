@@ -9,7 +9,7 @@ use cageless_live::Control;
 use cageless_study::{Progress, Workload, break_if};
 use tokio::sync::mpsc;
 
-use crate::progress::StopFlag;
+use crate::interrupt::StopFlag;
 
 /// Time between two reports of progress.
 const PROGRESS_EVERY: Duration = Duration::from_millis(100);

@@ -6,6 +6,7 @@ mod connections;
 mod requests;
 
 use std::net::{Ipv4Addr, SocketAddr};
+use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -18,15 +19,18 @@ use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use cageless_live::{REQUEST_BYTES_MAX, Refusal, answered};
+use cageless_study::pool;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
 
 use crate::failure::Failure;
-use crate::progress::StopFlag;
+use crate::interrupt::StopFlag;
 use client::{Client, Lines};
 use connections::{FAREWELL, serve};
 
+/// Threads that speak with the pages.
+const WORKERS: usize = 2;
 /// Requests that are computed at once; further ones are refused.
 const COMPUTING_MAX: usize = 8;
 /// Longest time that a request may take to arrive.
@@ -75,6 +79,8 @@ struct Shared {
 impl Server {
     /// Binds to a free port of the loopback address; the server ends once `stop` is set.
     pub fn bind(page: String, token: Token, stop: &StopFlag) -> Result<Self, Failure> {
+        // Where there are no threads, the runtime would panic.
+        drop(pool(NonZeroUsize::new(WORKERS + COMPUTING_MAX))?);
         let failed = |e: std::io::Error| {
             Failure::Other(anyhow::anyhow!("no port of 127.0.0.1 can be opened: {e}"))
         };
@@ -104,7 +110,7 @@ impl Server {
     pub fn serve(self) -> Result<(), Failure> {
         let failed = |e: std::io::Error| Failure::Other(anyhow::anyhow!("the server failed: {e}"));
         let runtime = tokio::runtime::Builder::new_multi_thread()
-            .worker_threads(2)
+            .worker_threads(WORKERS)
             .max_blocking_threads(COMPUTING_MAX + 1)
             .enable_all()
             .build()

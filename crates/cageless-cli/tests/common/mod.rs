@@ -15,6 +15,8 @@ use serde_json::Value;
 pub fn cageless() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_cageless"));
     command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    // The date of files that have one.
+    command.env("SOURCE_DATE_EPOCH", "951782400");
     command
 }
 
@@ -24,6 +26,17 @@ pub fn on_full_disk(kilobytes: u32) -> Command {
     let mut command = Command::new("bash");
     let limited = format!("trap '' XFSZ; ulimit -f {kilobytes}; exec \"$@\"");
     command.args(["-c", &limited, "bash", env!("CARGO_BIN_EXE_cageless")]);
+    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    command
+}
+
+/// The binary where no thread can be started, as under a limit of processes; root has no limit.
+#[cfg(target_os = "linux")]
+pub fn without_threads() -> Command {
+    let mut command = Command::new("bash");
+    let limited = "user=(); ((EUID)) || user=(setpriv --reuid=65534 --regid=65534 --clear-groups); \
+                   exec \"${user[@]}\" bash -c 'ulimit -u 1; exec \"$@\"' bash \"$@\"";
+    command.args(["-c", limited, "bash", env!("CARGO_BIN_EXE_cageless")]);
     command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
     command
 }
@@ -51,15 +64,18 @@ impl Answer {
     }
 }
 
+/// Starts of lines that depend on how busy the machine is.
+const BUSY: [&str; 3] = ["progress: ", "estimate: ", "takes about "];
+
 impl From<Output> for Answer {
     fn from(output: Output) -> Self {
         let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
         Self {
             code: output.status.code(),
             stdout: text(output.stdout),
-            // Lines of progress depend on how busy the machine is.
+            // Whether a time is announced and progress is told depends on how busy the machine is.
             stderr: (text(output.stderr).split_inclusive('\n'))
-                .filter(|line| !line.starts_with("progress: ") && !line.starts_with("estimate: "))
+                .filter(|line| !BUSY.iter().any(|start| line.starts_with(start)))
                 .collect(),
         }
     }

@@ -83,9 +83,9 @@ class RunAttributes:
     passage_duration_mean_ms: float  # time of a passage, mean, ms
     lag_per_pass_deg: float  # lag of a ball per pass of a discrete raceway, mean, deg
     passage_collisions_mean: float  # contacts per passage, mean
-    double_collision_fraction: float  # double collisions, fraction of the passages
+    double_collision_fraction: float  # passages with a double collision
     passage_sliding_mean_m_s: float  # largest sliding speed in a passage, mean, m/s
-    passage_unloaded_fraction: float  # time in raceways without force at the inner raceway, fraction
+    passage_unloaded_fraction: float  # time in raceways without force at the inner raceway, share
     passage_gap_min_mean_deg: float  # smallest gap ahead in a passage, mean, deg
     settled_after_s: float  # end of the transient, s
     averaged_orbits: int | None  # orbits of mean powers and speeds
@@ -119,7 +119,7 @@ class DropAttributes:
     end_state: str  # state at the end
     first_contact_ms: float  # first contact, ms
     impacts: int | None  # impacts of the rotor
-    contact_fraction: float  # time in contact after the first, fraction
+    contact_fraction: float  # time in contact after the first, share
     rotor_force_max_n: float  # largest force on the rotor, N
     rotor_force_max_over_weight: float  # largest force on the rotor / its weight
     shoulder_force_max_n: float  # largest axial force of a shoulder, N
@@ -198,7 +198,7 @@ class StaticAttributes:
     outer_force_max_n: float  # largest force at the outer raceway, N
     loaded_balls: int | None  # balls under load
     static_safety_factor: float  # static safety factor s0 = C0r/Fr (ISO 76)
-    pressure_safety: float  # load to the pressure limit, (4200 MPa/p)³
+    pressure_safety: float  # load factor until 4200 MPa
     assembly: str  # way of assembly
     rating_factor: float  # rating factor bm of ISO 281 for it
     basic_dynamic_rating_n: float  # basic dynamic radial load rating Cr (ISO 281), N
@@ -241,6 +241,7 @@ class StaticAttributes:
     shaft_reduction_um: float  # reduction of the clearance by the fit on the shaft, um
     housing_reduction_um: float  # reduction of the clearance by the fit in the housing, um
     thermal_clearance_change_um: float  # change of the clearance by temperatures, um
+    speed_reduction_um: float  # reduction of the clearance by the speed, um
     operating_clearance_um: float  # radial internal clearance in operation, um
     shaft_fit_pressure_mpa: float  # pressure between shaft and bore, MPa
     housing_fit_pressure_mpa: float  # pressure between outer ring and housing, MPa
@@ -319,7 +320,7 @@ class DesignAttributes:
 class SearchAttributes:
     """Attributes of a result of this kind."""
 
-    critical_gap_min_fraction: float  # smallest critical gap, fraction of the steady-state gap
+    critical_gap_min_fraction: float  # smallest critical gap, share of the steady-state gap
     axial_load_max_n: float  # largest axial load, N
     starts: int | None  # uneven initial states of each structure
     seed: int | None  # seed
@@ -341,8 +342,8 @@ class ToleranceAttributes:
     nominal_passes: bool | None  # nominal bearing passes
     nominal_verdict: str  # verdict on the nominal bearing
     nominal_critical_gap_deg: float  # critical gap, nominal, deg
-    nominal_lag_fraction: float  # lag of the row and raceway with the least, fraction of that of rolling, nominal
-    nominal_double_collision_fraction: float  # double collisions, fraction of the passages, nominal
+    nominal_lag_fraction: float  # lag of the row and raceway with the least, share of rolling, nominal
+    nominal_double_collision_fraction: float  # passages with a double collision, nominal
     nominal_sliding_m_s: float  # largest sliding speed in a passage, mean, nominal, m/s
     uniform_gap_deg: float  # nominal gap, deg
     plot_influences: Callable[..., go.Figure]  # range of the critical gap over each influence

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _cageless, sections
+from .arguments import checked
 from .computations import Computations
 from .section import Section, table
 from .sections import Limit, Raceway, Row
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["Case", "template"]
 
 
+@checked
 def template(conventional: bool = False) -> str:
     """A commented case file, that of ``cageless new``, `conventional` without a discrete raceway.
 

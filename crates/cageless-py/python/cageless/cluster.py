@@ -12,10 +12,12 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _cageless
+from .errors import CagelessError
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -66,12 +68,27 @@ def pieces(
             yield at, min(at + size, end)
 
 
+def check(client: Client) -> None:
+    """Refuses workers that lack the package: none of its functions would start on them, and the
+    cluster would wait for ever."""
+    # A function of the standard library, which every worker has.
+    found = client.run(find_spec, "cageless", on_error="return")
+    lacking = [name for name, spec in found.items() if spec is None or isinstance(spec, Exception)]
+    if lacking:
+        listed = ", ".join(lacking[:3]) + (f" and {len(lacking) - 3} more" if len(lacking) > 3 else "")
+        raise CagelessError(
+            f"the package cageless is not installed on {len(lacking)} of {len(found)} workers of Dask "
+            f"({listed}): pip install the same wheel there"
+        )
+
+
 def compute(
     plan: Plan, result: Path, client: Client, *, shared: bool, task_seconds: float
 ) -> None:
     """Computes what is missing of a result on the workers of a client."""
     from distributed import as_completed
 
+    check(client)
     collection = plan._file.collect(os.fspath(result.absolute()))
     futures: list[Any] = []
     try:

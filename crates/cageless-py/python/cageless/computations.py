@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -26,18 +26,6 @@ __all__ = ["Measured"]
 FORMATS = {".step": "step", ".stp": "step", ".stl": "stl", ".csv": "csv"}
 
 
-def refuse(method: str, unknown: Mapping[str, Any]) -> None:
-    """Refuses keywords that a method does not have; keys of the case belong to ``replace``."""
-    for name, value in unknown.items():
-        hint = ""
-        for section in sections.Section.__subclasses__():
-            if name in section.__annotations__:
-                key = f"{section.__name__.lower()}__{name}"
-                hint = f"; a key of the case is changed by replace({key}={value!r})"
-                break
-        raise TypeError(f"Case.{method}() has no argument {name!r}{hint}")
-
-
 class Measured(NamedTuple):
     """A ring that has been measured."""
 
@@ -56,13 +44,21 @@ class Computations(Document):
     leaves the physical range raises an ``UnphysicalError``, whose ``result`` has what was computed.
     """
 
+    @staticmethod
+    def _hint(argument: str, value: object) -> str:
+        """What to do with the name of a key in place of an argument."""
+        for section in sections.Section.__subclasses__():
+            if argument in section.__annotations__:
+                key = f"{section.__name__.lower()}__{argument}"
+                return f"; a key of the case is changed by replace({key}={value!r})"
+        return ""
+
     def run(
         self,
         *,
         verify: bool = False,
         threads: int | None = None,
         progress: Progress | None = None,
-        **unknown: Any,
     ) -> Run:
         """Simulates the case.
 
@@ -77,9 +73,8 @@ class Computations(Document):
             >>> run.angle_rad.shape  # times × balls
             (21, 14)
             >>> case.run(verify=True).verification
-            <Verification: 13 converged, 0 statistical, 0 step-biased>
+            <Verification: 17 converged, 0 statistical, 0 step-biased>
         """
-        refuse("run", unknown)
         return complete(Run(_cageless.run(self._file, verify, background(threads, progress))))
 
     def static(self) -> Static:
@@ -162,27 +157,30 @@ class Computations(Document):
         self,
         reference: Case | None = None,
         *,
-        starts: int = 8,
+        remedies: bool = False,
+        draws: int = 8,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> RingComparison:
-        """Compares the ring with that of another case, as ``cageless compare`` does: both run from
-        the same uneven starts.
+        """Compares the ring with that of another case, as ``cageless compare`` does: both run in steady
+        operation with the same draws of real balls.
 
         Args:
             reference: What to compare with; the same bearing with a conventional outer ring by
                 default.
-            starts: Uneven starts of each ring.
+            remedies: Compare plain ring, raceway, and one and two balls fewer instead.
+            draws: Draws of balls of each ring.
 
         Examples:
             >>> import cageless
-            >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
-            >>> results = case.compare(starts=2).data_results()
-            >>> bool(results.loc["gap_deviation_deg", "case_error"] > 0.0)
-            True
+            >>> short = {"steady.transient_orbits": 2.0, "steady.measured_orbits": 4.0}
+            >>> case = cageless.Case.from_toml(cageless.template(), short)
+            >>> found = case.compare(draws=2)
+            >>> found.values["benefits"][1]["benefit"]
+            'not-judged'
         """
         other = None if reference is None else reference._file
-        asked = (other, whole("starts", starts), background(threads, progress))
+        asked = (other, remedies, whole("draws", draws), background(threads, progress))
         return RingComparison(_cageless.compare(self._file, *asked))
 
     def tolerance(
@@ -297,7 +295,4 @@ class Computations(Document):
         options = (blend_mm, tolerance_um, chord_um, spacing_mm)
         folder = None if is_file else path
         made = _cageless.export(self._file, folder, targets, list(options))
-        if not is_file:
-            text = made[0] if len(made) == 1 else "[" + ",\n".join(made) + "]"
-            _cageless.write(path / "export.json", f"{text}\n".encode())
         return Export([json.loads(text) for text in made])

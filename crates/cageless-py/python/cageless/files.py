@@ -16,13 +16,32 @@ from .errors import CagelessError
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = ["matlab", "write"]
+__all__ = ["matlab", "spreadsheet", "write"]
+
+#: Beginnings of what spreadsheets take for a formula.
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+#: Characters that command a terminal.
+CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
 def write(path: str | os.PathLike[str], content: bytes) -> Path:
     """Writes a file, which takes its name when it is complete."""
     _cageless.write(os.fspath(path), content)
     return Path(path)
+
+
+def spreadsheet(frame: pd.DataFrame) -> str:
+    """A frame as CSV, whose texts neither a spreadsheet takes for a formula nor a terminal for a command."""
+
+    def cell(value: Any) -> Any:
+        if not isinstance(value, str):
+            return value
+        shown = CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", value)
+        return f"'{shown}" if value.startswith(FORMULA) else shown
+
+    whole = frame if frame.index.names == [None] else frame.reset_index()
+    texts = {str(name): column.map(cell) for name, column in whole.items() if column.dtype.kind not in "biuf"}
+    return whole.assign(**texts).to_csv(index=False)
 
 
 def matlab(tables: dict[str, pd.DataFrame]) -> bytes:

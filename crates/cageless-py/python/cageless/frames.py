@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _cageless
-from .units import with_units
+from .units import unit, with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -38,6 +38,8 @@ def flat(row: Row) -> Row:
             found |= {key: value["mean"], f"{key}_error": value.get("standard_error")}
         elif key == "errors":
             found |= {f"{name}_error": error for name, error in (value or {}).items()}
+        elif key == "bunched":
+            found |= {f"bunched_{name}": number for name, number in (value or {}).items()}
         elif isinstance(value, dict):
             found |= flat(value) if key != "case" else {}
         elif isinstance(value, list) and value and isinstance(value[0], str):
@@ -68,7 +70,19 @@ def frame(
     import pandas as pd
 
     found = pd.DataFrame([flat(row) for row in rows], columns=columns)
+    # A number that no row has is none, too.
+    known = {name for name in found if name in numbers() or unit(str(name))}
+    empty = [name for name in found if name in known and found[name].isna().all()]
+    found = found.astype(dict.fromkeys(empty, float))
     return with_units(found.set_index(index) if index and len(found) else found)
+
+
+@cache
+def numbers() -> set[str]:
+    """Names of all results that are numbers."""
+    from .result import KINDS, quantities
+
+    return {name for kind in KINDS for name, row in quantities(kind).items() if row[2]}
 
 
 def columns(values: Row) -> pd.DataFrame:
@@ -97,12 +111,12 @@ def summary(result: Result) -> pd.DataFrame:
     import pandas as pd
 
     from .result import quantities
-    from .units import unit
 
     known = quantities(result.kind)
     rows = []
     for name, value in scalars(result.values).items():
-        symbol, label, _ = known.get(name, (unit(name), "", False))
+        symbol, label, numeric = known.get(name, (unit(name), "", False))
+        value = np.nan if numeric and value is None else value
         rows.append({"name": name, "value": value, "unit": symbol, "label": label.strip()})
     found = pd.DataFrame(rows, columns=["name", "value", "unit", "label"], dtype=object)
     return with_units(found.set_index("name"))
@@ -199,8 +213,9 @@ def structures(values: Row, listed: Iterable[tuple[Row, Row]]) -> pd.DataFrame:
 
 
 def lists(found: Row) -> pd.DataFrame:
-    """Lists of equal length of a result with a row per element."""
-    columns = {key: value for key, value in found.items() if isinstance(value, list)}
+    """Lists of numbers of a result, which are of equal length, with a row per element."""
+    lists = {key: value for key, value in found.items() if isinstance(value, list) and value}
+    columns = {key: value for key, value in lists.items() if not isinstance(value[0], str)}
     return frame(dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True))
 
 
@@ -216,9 +231,9 @@ def cells(found: Row) -> pd.DataFrame:
 
 
 def compared(values: Row) -> pd.DataFrame:
-    """A row per result: means over the starts of each run with standard errors, difference of the
-    last from the first, start by start. ``better`` is None where the difference is not
-    significant, has no better direction, or the cases differ in more than the raceway."""
+    """A row per result: means over the draws of each run with standard errors, difference of the
+    last from the first, draw by draw. ``better`` is None where the difference is not
+    significant, has no better direction, or the cases differ in more than raceway and balls."""
     rows = []
     for result in values["results"]:
         row = {"name": result["name"], "unit": result["unit"]}

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from . import _cageless
-from .arguments import names, whole
+from .arguments import checked, names, whole
 from .case import Case
 from .document import Written
 from .errors import InputError
@@ -20,6 +20,7 @@ from .toml import toml
 __all__ = ["Plan", "span"]
 
 
+@checked
 def span(
     low: float, high: float, count: int | None = None, scale: Literal["linear", "log"] = "linear"
 ) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from . import _cageless, files, frames
-from .arguments import Fixed, given, plain, refused, span, whole
+from .arguments import Fixed, given, plain, refused, span, unitless, whole
 from .errors import ColumnError, InputError
 from .figures import figure
 from .section import table
@@ -143,8 +143,11 @@ class Result(Fixed):
     kind: ClassVar[str] = ""
     _instead = "it is a result; replace() of the case gives another to compute"
     _parts: ClassVar[dict[str, type[Result]]] = {}
+    #: Numbers that say in a line what a result is.
+    _shown: ClassVar[tuple[str, ...]] = ()
 
     def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
         KINDS[cls.kind] = cls
 
     def __init__(self, core: Any, place: Place = ()) -> None:
@@ -258,6 +261,7 @@ class Result(Fixed):
         return sorted({*super().__dir__(), *self.values, *columns, *plots, *data})
 
     def _plot(self, name: str, *of: str, title: str | None = None, **options: Any) -> go.Figure:
+        unitless(f"plot_{name}", options)
         takes = TAKES.get(self.kind, {})
         known = takes.get(name, takes.get("", ()))
         if of:
@@ -303,16 +307,17 @@ class Result(Fixed):
             raise InputError("a part of a result is saved with the whole")
         core = self._core
         values = json.loads(core.values, parse_float=Number)
-        texts = {VALUES[self.kind]: core.values} | core.files()
-        _cageless.write_folder(os.fspath(folder), {})
+        name, files = VALUES[self.kind], core.files()
+        # The values of a search are a part of its file.
+        text = files.pop(name, core.values)
         bearings = values.get("bearings", [values])
+        tables = []
         for number, (arrays, bearing) in enumerate(zip(core.tables, bearings, strict=False), 1):
-            place = Path(folder) / f"bearing-{number}" if "bearings" in values else Path(folder)
+            place = f"bearing-{number}" if "bearings" in values else ""
             if not {"case", "isa"} <= {*bearing, *values}:
-                raise InputError(f"{VALUES[self.kind]} of this result has no case or no isa")
-            case = written(bearing["case"])
-            _cageless.write_tables(os.fspath(place), arrays, values["isa"], case)
-        _cageless.write_folder(os.fspath(folder), texts)
+                raise InputError(f"{name} of this result has no case or no isa")
+            tables.append((place, arrays, values["isa"], written(bearing["case"])))
+        _cageless.write_result(os.fspath(folder), name, text, files, tables)
         return Path(folder)
 
     def to_csv(self, folder: str | os.PathLike[str]) -> list[Path]:
@@ -325,7 +330,7 @@ class Result(Fixed):
             InputError: If the folder cannot be used.
         """
         texts = {
-            f"{name}.csv": frame.to_csv(index=frame.index.names != [None])
+            f"{name}.csv": files.spreadsheet(frame).encode()
             for name, frame in frames.filled(self).items()
         }
         _cageless.write_folder(os.fspath(folder), texts)
@@ -366,8 +371,9 @@ class Result(Fixed):
             if found := self.values.get(key):
                 return str(found[0] if isinstance(found, list) else found)
         summary = frames.scalars(self.values).items()
-        numbers = [(k, v) for k, v in summary if type(v) in (int, float)]
-        return ", ".join(f"{name} {value:.5g}" for name, value in numbers[:3])
+        numbers = {k: v for k, v in summary if type(v) in (int, float)}
+        shown = [name for name in self._shown if name in numbers] or list(numbers)[:3]
+        return ", ".join(f"{name} {numbers[name]:.5g}" for name in shown)
 
     def __repr__(self) -> str:
         text = self._headline()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _cageless, frames
 from . import attributes as of
-from .arguments import names
+from .arguments import checked, names
 from .errors import InputError, UnphysicalError
 from .result import KINDS, VALUES, Result
 from .sections import Raceway
@@ -31,7 +31,8 @@ R = TypeVar("R", bound=Result)
 #: File of a sweep.
 NAME = VALUES["sweep"]
 #: What folders hold beside values and tables.
-FILES = ("report.html", "report.json", "sheet.html", "case.toml", "recommended.toml", "static.csv", "design.csv")
+FILES: tuple[str, ...] = ("report.html", "report.json", "sheet.html", "case.toml", "rotor.toml", "recommended.toml")
+FILES += ("static.csv", "design.csv")
 
 
 class Verification(Result):
@@ -66,6 +67,7 @@ class Static(of.StaticAttributes, Result):
     """A static equilibrium and the ratings of the bearing; arrays are over the balls."""
 
     kind = "static"
+    _shown = ("inner_pressure_max_mpa", "outer_pressure_max_mpa", "l10r_h")
 
 
 class Design(of.DesignAttributes, Result):
@@ -157,7 +159,7 @@ class ToleranceResult(of.ToleranceAttributes, Result):
 
 
 class RingComparison(of.ComparisonAttributes, Result):
-    """Runs of two outer rings from the same uneven starts, and their differences."""
+    """Outer rings in steady operation with the same draws of balls, their differences and benefits."""
 
     kind = "comparison"
 
@@ -261,8 +263,7 @@ class SweepResult(Result):
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Writes a copy of the file, ``sweep.parquet``. :func:`load` reads it."""
-        _cageless.write_folder(os.fspath(folder), {})
-        _cageless.write(os.fspath(Path(folder) / NAME), self.path.read_bytes())
+        _cageless.write_folder(os.fspath(folder), {NAME: self.path.read_bytes()})
         return Path(folder)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -305,11 +306,12 @@ def complete(result: R) -> R:
 def read(path: Path) -> str:
     """The text of a file."""
     try:
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path}: cannot be read: {error}") from error
 
 
+@checked
 def load(path: str | os.PathLike[str]) -> Any:
     """Reads a result that ``save`` wrote, or the command with ``--out``: of the kind that the folder
     holds, equal to what was saved.
@@ -361,7 +363,8 @@ def load(path: str | os.PathLike[str]) -> Any:
         kind, text, files[name] = "search", json.dumps(values["search"]), text
     bearings = values.get("bearings")
     count = len(bearings) if isinstance(bearings, list) else 0
-    places = [path / f"bearing-{number}" for number in range(1, count + 1)] or [path]
-    recorded = places if kind in ("run", "drop") else []
-    tables = [_cageless.read_tables(os.fspath(place)) for place in recorded]
+    tables: list[Any] = []
+    if kind in ("run", "drop"):
+        places = [f"bearing-{number}" for number in range(1, count + 1)] or [""]
+        text, tables = _cageless.read_tables(os.fspath(path), text, places)
     return KINDS[kind](_cageless.Result(kind, text, tables, files))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,18 +15,13 @@ from .arguments import Fixed, number
 from .document import Document, dotted
 from .errors import InputError
 from .results import Drop
+from .ross_rotor import RossRotor
 from .section import table
 
 if TYPE_CHECKING:
     from .case import Case
 
 __all__ = ["LinearRotor", "RotorCase"]
-
-#: Lateral coordinates [x, y, α, β] among those of a node, by their number.
-LATERAL = {4: [0, 1, 2, 3], 6: [0, 1, 3, 4]}
-#: Rotation about the axis among the six coordinates of a node.
-TORSION = 5
-
 
 class LinearRotor(Fixed):
     """A rotor with linear lateral motion: rigid in up to two bearings, or any by its matrices.
@@ -137,49 +132,46 @@ class LinearRotor(Fixed):
         nodes: Sequence[int],
         *,
         frequency_rad_s: float = 0.0,
-        **options: Any,
+        kept_nodes: Sequence[int] = (),
+        unbalances: Iterable[tuple[int, float, float]] = (),
+        clearances: Iterable[tuple[str, int, float]] = (),
+        frequency_max_hz: float | None = None,
     ) -> LinearRotor:
         """A rotor of ROSS, or anything with its methods ``M()``, ``C()``, ``G()``, ``K()`` and
-        ``Ksdt()`` and four or six coordinates a node (``number_dof``).
+        ``Ksdt()`` and four or six coordinates a node (``number_dof``). ROSS 2.3 does not import with
+        Plotly 7: install ``plotly<7`` next to it.
 
-        ROSS 2.3.0 does not import with Plotly 7: install ``plotly<7`` next to it.
-
-        Its bearings should be what holds the rotor in the drop, so none or seals.
-        Axial motion and torsion are left out; the moment of inertia about the axis is that of the
-        torsion.
+        Mass, moment of inertia about the axis and the lowest natural frequencies are compared with
+        those of ROSS. Magnetic bearings, which have no power in a drop, and housings that nothing
+        connects with the shaft are left out, with a warning that names them; other bearings stay,
+        with a warning. Axial motion and torsion are left out.
 
         Args:
             nodes: Node of each touch-down bearing, from 0.
             frequency_rad_s: Frequency at which coefficients that depend on one are taken.
-            **options: ``kept_nodes``, ``unbalances``, ``clearances`` and ``frequency_max_hz`` of
-                :meth:`from_matrices`.
+            kept_nodes, unbalances, clearances, frequency_max_hz: As those of :meth:`from_matrices`.
 
         Raises:
-            InputError: As in :meth:`from_matrices`, or without a moment of inertia: four coordinates
-                a node and no attribute ``Ip``.
+            InputError: As in :meth:`from_matrices`, or if the rotor has several speeds (``MultiRotor``,
+                ``CoAxialRotor``), rests on housings, has seals with a mass, lateral motion that depends
+                on any other, no moment of inertia, or another mass, inertia or frequency than in ROSS.
         """
-        matrices = {
-            name: np.asarray(_at(getattr(rotor, name), frequency_rad_s), dtype=float)
-            for name in ("M", "C", "G", "K", "Ksdt")
-        }
-        size = matrices["M"].shape[0]
-        own = getattr(rotor, "number_dof", None)
-        per_node = 6 if own is None and size % 6 == 0 else 4 if own is None else int(own)
-        if per_node not in LATERAL or size % per_node:
-            raise InputError(
-                f"a rotor of {size} coordinates, {per_node} a node: nodes have 4 or 6 coordinates"
-            )
-        starts = per_node * np.arange(size // per_node)[:, np.newaxis]
-        lateral = (starts + LATERAL[per_node]).ravel()
-        if per_node == 6:
-            torsion = starts.ravel() + TORSION
-            inertia = float(matrices["M"][np.ix_(torsion, torsion)].sum())
-        elif hasattr(rotor, "Ip"):
-            inertia = float(np.sum(rotor.Ip))
-        else:
-            raise InputError("the rotor has neither torsion nor Ip: its moment of inertia is missing")
-        part = {name: matrix[np.ix_(lateral, lateral)] for name, matrix in matrices.items()}
-        return cls.from_matrices(**part, polar_inertia_kg_m2=inertia, nodes=nodes, **options)
+        found = RossRotor.of(rotor, number("frequency_rad_s", frequency_rad_s))
+        made = cls.from_matrices(
+            **found.matrices,
+            polar_inertia_kg_m2=found.polar_inertia_kg_m2,
+            nodes=nodes,
+            kept_nodes=kept_nodes,
+            unbalances=unbalances,
+            clearances=clearances,
+            frequency_max_hz=frequency_max_hz,
+        )
+        found.check_frequencies(made.frequencies_hz(), frequency_max_hz)
+        return made
+
+    def frequencies_hz(self) -> npt.NDArray[np.float64]:
+        """Natural frequencies at rest without contact and damping, of rigid motions 0."""
+        return np.array(self._rotor.frequencies_hz())
 
     def eigenvalues(self, speed_rpm: float) -> npt.NDArray[np.complex128]:
         """Eigenvalues of the lateral motion without contact at a speed, 1/s, by rising imaginary
@@ -276,10 +268,3 @@ def _node(node: int) -> int:
         raise InputError(f"node = {node} is not possible: it must be a whole number, 0 or more")
     return int(node)
 
-
-def _at(method: Callable[..., Any], frequency_rad_s: float) -> Any:
-    """The matrix at a frequency, of a method that takes one or none."""
-    try:
-        return method(frequency_rad_s)
-    except TypeError:
-        return method()

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from .rotors import LinearRotor
 
-__all__ = ["Bearing", "Contact", "Fit", "Housing", "Limit", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support", "Thermal"]
+__all__ = ["Bearing", "Contact", "Fit", "Housing", "Limit", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Steady", "Support", "Thermal"]
 
 Keys = Mapping[str, Any]
 
@@ -54,7 +54,7 @@ class Bearing(Section):
 class Material(Section):
     """`[material]`: elastic material of rings and balls."""
 
-    preset: Annotated[Literal["100Cr6", "M50", "440C", "X30CrMoN15-1", "Si3N4"] | None, "typical numbers of a bearing material, in place of the three"] = None
+    preset: Annotated[Literal["100Cr6", "M50", "440C", "X30CrMoN15-1", "Si3N4"] | None, "typical numbers of a bearing material, in place of the three; its specific heat and thermal expansion as well"] = None
     density_kg_m3: Annotated[float | None, "density; that of the balls decides"] = None
     youngs_modulus_gpa: Annotated[float | None, "E, Young's modulus"] = None
     poisson_ratio: Annotated[float | None, "ν, Poisson's ratio"] = None
@@ -69,7 +69,7 @@ class Raceway(Section):
     centre_angle_deg: Annotated[float | None, "angular position of raceway centre"] = None
     shape: Annotated[Literal["quartic", "ellipse", "shuttle", "steady", "measured", "spline", "slot"] | None, "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \"shuttle\": α0 (1 − (ψ/θ)²), \"steady\": orbital speed that changes at a constant rate, \"measured\": fitted to the profile, \"spline\": a spline through the rows of the profile, \"slot\": of a ball on the edges of a slot, all but the first only in \"physical\""] = None
     profile: Annotated[Sequence[Sequence[float]] | None, "flank angle over ψ from the middle of the raceway up to the ends, where it is 0: of shape = \"measured\", fitted to 5 rows or more of one side or both; of shape = \"spline\", met by 5 to 30 rows of one side from the middle, ψ = 0"] = None
-    blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\""] = None
+    blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; unless given that of `export` on elastic flanks, 0.5 or a fifth of half the raceway, and 0 on rigid ones; more than 0 only in \"physical\""] = None
     depth_um: Annotated[float | None, "how much deeper a ball in the middle sits than on the plain raceway, running out at the ends: in a deep raceway balls leave the inner ring; only in \"physical\""] = None
     edge_radius_mm: Annotated[float | None, "radius of the rounded edges on which balls roll, of shape = \"slot\", which is computed in space"] = None
     slot_depth_mm: Annotated[float | None, "depth of the floor below the bottom of the plain groove, of shape = \"slot\"; for `export` alone, balls do not reach it. At least edge_radius_mm and the depth by which a ball sinks between the edges; edge_radius_mm more unless given"] = None
@@ -115,10 +115,10 @@ class Contact(Section):
     static_friction_coefficient: Annotated[float | None, "μs of the Stribeck law"] = None
     stribeck_speed_m_s: Annotated[float | None, "sliding speed over which the Stribeck law falls from μs to μ"] = None
     friction_table: Annotated[Sequence[Sequence[float]] | None, "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ, also if it is left out"] = None
-    regularisation_speed_m_s: Annotated[float | None, "regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it"] = None
+    regularisation_speed_m_s: Annotated[float | None, "regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; a thousandth of the speed of rolling balls unless given, at most 0.02, and 0.02 in a drop; \"coulomb\" does not use it"] = None
     outer_friction_factor: Annotated[float | None, "friction at the outer raceway over that of the law, which holds at the inner raceway"] = None
     ball_friction_factor: Annotated[float | None, "friction between balls over that of the law"] = None
-    friction_strips: Annotated[int | None, "strips across the groove over which friction acts in space: 1 for motion, 3 or more where heat and torque matter"] = None
+    friction_strips: Annotated[int | None, "strips across the groove over which friction acts in space: with 1 there is no differential sliding, and the lag may be 8 % off; with 3 it is within 3.5 % of that of many"] = None
     damping_n_s_m1_5: Annotated[float | None, "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt"] = None
     ball_restitution: Annotated[float | None, "coefficient of restitution between balls"] = None
     inner_stiffness_n_m1_5: Annotated[float | None, "K at the inner raceway, in place of Hertz"] = None
@@ -132,7 +132,7 @@ class Model(Section):
 
     formulation: Annotated[Literal["physical", "paper"] | None, "formulation of the equations of motion"] = None
     motion: Annotated[Literal["auto", "space"] | None, "\"auto\": in the plane, or in space where axial load, tilt, moments or contact angles need it; \"space\": in space in any case"] = None
-    flanks: Annotated[Literal["rigid", "elastic"] | None, "flanks of the discrete raceways in the plane; \"elastic\": contact angle under load, sliding along the flanks and spin on them, only in \"physical\""] = None
+    flanks: Annotated[Literal["rigid", "elastic"] | None, "flanks of the discrete raceways in the plane; \"elastic\": contact angle under load, sliding along the flanks and spin on them; \"rigid\": as published, also unless given in \"paper\" and with friction_law = \"coulomb\", which have no others"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -154,6 +154,7 @@ class Solver(Section):
     step_us: Annotated[Literal["auto"] | float | None, "step of the integration, from the stiffest contact unless it is a number"] = None
     tolerance: Annotated[float | None, "error per step of the adaptive method"] = None
     duration_s: Annotated[float | None, "simulated time"] = None
+    transient_s: Annotated[float | None, "time at the start that results leave out; two orbits of the balls, at most half, unless given"] = None
     seed: Annotated[int | None, "seed of random starts (run --verify, design --search) and samples (tolerance, drop)"] = None
 
 
@@ -233,7 +234,7 @@ class Limit(Section):
     """`[limit]`: a limit on a result of a drop, with whose it is."""
 
     result: Annotated[str, "name of a number among the results of a drop or of drops in succession: rotor_force_max_n, ball_standstill_c, …"]
-    value: Annotated[float, "the most that it may be, in the unit of the result; the least where more is better"]
+    value: Annotated[float, "the most that it may be in magnitude, of a temperature with its sign, in the unit of the result; the least where more is better"]
     source: Annotated[str, "whose limit it is: a specification, a maker"]
 
 
@@ -241,8 +242,8 @@ class Limit(Section):
 class Fit(Section):
     """`[fit]`: fits and temperatures, from which the clearance in operation follows."""
 
-    bore_diameter_mm: Annotated[float | None, "d, bore diameter of the inner ring; needed with a fit on the shaft"] = None
-    outside_diameter_mm: Annotated[float | None, "D, outside diameter of the outer ring; needed with a fit in the housing"] = None
+    bore_diameter_mm: Annotated[float | None, "d, bore diameter of the inner ring; twice bearing.inner_ring_bore_radius_mm unless given; needed with a fit on the shaft"] = None
+    outside_diameter_mm: Annotated[float | None, "D, outside diameter of the outer ring; twice bearing.outer_ring_outer_radius_mm unless given; needed with a fit in the housing"] = None
     shaft_interference_um: Annotated[float | None, "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap"] = None
     housing_interference_um: Annotated[float | None, "effective interference of outer ring and housing on the diameter; below 0: a gap"] = None
     shaft_bore_diameter_mm: Annotated[float | None, "bore of a hollow shaft; 0: a solid one"] = None
@@ -282,6 +283,16 @@ class Output(Section):
     interval_us: Annotated[float | None, "time between rows of the result"] = None
 
 
+@dataclass(frozen=True, kw_only=True)
+class Steady(Section):
+    """`[steady]`: steady operation with real balls, for `compare`."""
+
+    grade: Annotated[int | None, "grade of the balls by ISO 3290-1: radii evenly within a lot, unless bearing.ball_radius_deviation_um gives them"] = None
+    start: Annotated[Literal["queue", "random"] | None, "start: all balls in the queue in which a conventional ring ends, or random gaps"] = None
+    transient_orbits: Annotated[float | None, "orbits of the balls that are left out"] = None
+    measured_orbits: Annotated[float | None, "orbits of the balls that are measured"] = None
+
+
 class OfCase:
     """Sections of a case, None where it has none."""
 
@@ -301,6 +312,7 @@ class OfCase:
     fit: Fit | None
     lubrication: Lubrication | None
     output: Output
+    steady: Steady | None
 
 
 class Arguments(TypedDict, total=False):
@@ -328,4 +340,5 @@ class Arguments(TypedDict, total=False):
     fit: Fit | Keys | None
     lubrication: Lubrication | Keys | None
     output: Output | Keys | None
+    steady: Steady | Keys | None
     search: Keys | None

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _cageless
-from .arguments import background
+from .arguments import background, checked, refused
 from .plan import Plan, read
 from .results import NAME, SweepReport, SweepResult
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["merge", "report", "sweep"]
 
 
+@checked
 def sweep(
     plan: Plan | str | os.PathLike[str],
     *,
@@ -60,6 +61,9 @@ def sweep(
         >>> result.data_variants()["static_ring_y_um"].is_monotonic_decreasing
         True
     """
+    if client is not None and not hasattr(client, "submit"):
+        allowed = f"a client of Dask, distributed.Client({client!r}) say"
+        raise refused("client", client, allowed)
     plan = read(plan)
     temporary = tempfile.TemporaryDirectory(prefix="cageless-") if out is None else None
     folder = Path(temporary.name if temporary is not None else os.fspath(out or ""))
@@ -78,6 +82,7 @@ def sweep(
     return SweepResult(path, _temporary=temporary)
 
 
+@checked
 def merge(
     shards: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str]
 ) -> SweepResult:
@@ -93,6 +98,7 @@ def merge(
     return SweepResult(path)
 
 
+@checked
 def report(
     result: SweepResult | str | os.PathLike[str],
     *,

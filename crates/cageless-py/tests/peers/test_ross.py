@@ -1,4 +1,4 @@
-"""A rotor of ROSS, the rotor dynamics package: eigenvalues, and its response in time."""
+"""A rotor of ROSS, the rotor dynamics package: mass, inertia, eigenvalues, and its response in time."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ for absent in ("ccp", "control"):
 
 import cageless
 import ross
+from scipy.linalg import eigh
 
 CASE = Path(__file__).resolve().parents[4] / "cases" / "touchdown-d.toml"
 SPEED_RPM = 12000.0
@@ -32,7 +33,7 @@ def rotor() -> ross.Rotor:
         ross.DiskElement(n=5, m=6.0, Id=0.02, Ip=0.035),
     ]
     # What still holds it after the magnets have let go: seals with some damping.
-    seals = [ross.BearingElement(n=n, kxx=2e5, kyy=3e5, cxx=50.0, cyy=80.0) for n in (0, 8)]
+    seals = [ross.SealElement(n=n, kxx=2e5, kyy=3e5, cxx=50.0, cyy=80.0) for n in (0, 8)]
     return ross.Rotor(shaft, disks, seals)
 
 
@@ -86,3 +87,88 @@ def test_a_rotor_without_contact_moves_as_in_ross(rotor: ross.Rotor) -> None:
             error = np.abs(bearing.array(column, "rotor") - expected).max() / scale
             # ross takes the force as linear over each 2 µs.
             assert error < 5e-6, (node, column, error)
+
+
+STEEL = ross.Material("steel", rho=7810, E=211e9, G_s=81.2e9)
+
+
+def bare(held: list[ross.BearingElement], masses: list[ross.PointMass]) -> ross.Rotor:
+    """A shaft with two discs, 52 kg."""
+    shaft = [ross.ShaftElement(0.1, 0.0, 0.06, material=STEEL) for _ in range(10)]
+    discs = [ross.DiskElement(n=n, m=15, Id=0.1, Ip=0.15) for n in (3, 7)]
+    return ross.Rotor(shaft, discs, held, masses)
+
+
+def on_housings(count: int, stiffness_n_m: float) -> ross.Rotor:
+    """The shaft in bearings of a stiffness, each on a housing."""
+    held = []
+    for k in range(count):
+        held += [
+            ross.BearingElement(n=1 + k, n_link=11 + k, kxx=stiffness_n_m, cxx=0),
+            ross.BearingElement(n=11 + k, kxx=1e8, cxx=1e3),
+        ]
+    return bare(held, [ross.PointMass(11 + k, m=5.0) for k in range(count)])
+
+
+def is_as_in_ross(found: cageless.LinearRotor, rotor: ross.Rotor) -> None:
+    """Mass, moment of inertia and first bending frequencies are those of ROSS."""
+    assert found.mass_kg == pytest.approx(rotor.m, rel=1e-9)
+    assert found.polar_inertia_kg_m2 == pytest.approx(rotor.Ip, rel=1e-9)
+    squares = eigh(rotor.K(0.0), rotor.M(0.0), eigvals_only=True)
+    own = np.sqrt(squares.clip(min=0.0)) / (2.0 * np.pi)
+    bending = found.frequencies_hz()[4:8]
+    assert bending.min() > 50.0
+    for frequency in bending:
+        assert np.abs(own - frequency).min() < 1e-6 * frequency
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 6])
+def test_housings_that_nothing_connects_are_left_out(count: int) -> None:
+    with pytest.warns(UserWarning, match=r"left out .* connects it with the shaft: Point Mass 0 \(node 11\)"):
+        found = cageless.Rotor.from_ross(on_housings(count, 0.0), nodes=[1, 9])
+    is_as_in_ross(found, bare([], []))
+    with pytest.raises(cageless.InputError, match=r"rests on housings \(Point Mass 0 .* by Bearing 0 \(node 1\)"):
+        cageless.Rotor.from_ross(on_housings(count, 1e7), nodes=[1, 9])
+
+
+def test_magnetic_bearings_have_no_power_in_a_drop() -> None:
+    constants = {"g0": 1e-3, "i0": 1.0, "ag": 1e-4, "nw": 200, "kxx": 1e6, "cxx": 100.0}
+    magnets = [ross.MagneticBearingElement(n, tag=f"AMB {n}", **constants) for n in (2, 8)]
+    with pytest.warns(UserWarning, match=r"magnetic bearing has no power in a drop: AMB 2 \(node 2\), AMB 8"):
+        found = cageless.Rotor.from_ross(bare(magnets, []), nodes=[1, 9])
+    is_as_in_ross(found, bare([], []))
+
+
+def test_bearings_that_stay_are_named_and_the_drop_is_warned_of() -> None:
+    held = [ross.BearingElement(n, kxx=1e7, cxx=100.0) for n in (2, 8)]
+    with pytest.warns(UserWarning, match=r"kept in the rotor.*: Bearing 0 \(node 2\), Bearing 1"):
+        found = cageless.Rotor.from_ross(bare(held, []), nodes=[1, 9])
+    case = cageless.Case.from_file(CASE, {"solver.duration_s": 1e-4})
+    drop = found.drop([case, case], speed_rpm=SPEED_RPM)
+    assert any("does not fall onto its touch-down bearings" in text for text in drop.warnings)
+
+
+def test_rotors_with_several_speeds_are_refused() -> None:
+    with pytest.raises(cageless.InputError, match="a CoAxialRotor is not possible"):
+        cageless.Rotor.from_ross(ross.coaxrotor_example(), nodes=[0, 5])
+    gears = []
+    for n, teeth in ((2, 40), (0, 20)):
+        shaft = [ross.ShaftElement(0.2, 0.0, 0.05, material=STEEL) for _ in range(2)]
+        gear = ross.GearElement(
+            n=n, m=5, Id=0.002, Ip=0.004, n_teeth=teeth, pitch_diameter=0.005 * teeth, pr_angle=0.35
+        )
+        ends = [ross.BearingElement(at, kxx=1e7, cxx=1e3) for at in (0, 2)]
+        gears.append(ross.Rotor(shaft, [gear], ends))
+    geared = ross.MultiRotor(*gears, coupled_nodes=(2, 0), gear_mesh_stiffness=1e8)
+    with pytest.raises(cageless.InputError, match="a MultiRotor is not possible: geared shafts"):
+        cageless.Rotor.from_ross(geared, nodes=[0, 2])
+
+
+def test_what_has_other_numbers_than_ross_is_refused() -> None:
+    seal = ross.SealElement(n=2, kxx=1e5, cxx=10.0, mxx=3.0)
+    with pytest.raises(cageless.InputError, match=r"Seal 0 \(node 2\) adds a mass"):
+        cageless.Rotor.from_ross(bare([seal], []), nodes=[1, 9])
+    rotor = bare([], [])
+    rotor.m += 1.0
+    with pytest.raises(cageless.InputError, match="the mass of the matrices is 52.08.* that of ROSS 53.08"):
+        cageless.Rotor.from_ross(rotor, nodes=[1, 9])
