@@ -15,9 +15,10 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+# At their places, so that links between them hold.
 WITH_THE_COMMAND = [
-    "README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE", "crates/cageless-py/THIRD-PARTY-LICENSES.txt",
-    "cases", "plans",
+    "README.md", "CHANGELOG.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE",
+    "crates/cageless-py/THIRD-PARTY-LICENSES.txt", "docs", "cases", "plans",
 ]  # fmt: skip
 
 
@@ -48,10 +49,9 @@ def archive(program, name, folder):
         inside.mkdir()
         shutil.copy2(program, inside)
         for part in WITH_THE_COMMAND:
-            if (ROOT / part).is_dir():
-                shutil.copytree(ROOT / part, inside / part)
-            else:
-                shutil.copy2(ROOT / part, inside)
+            (inside / part).parent.mkdir(parents=True, exist_ok=True)
+            copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy2
+            copy(ROOT / part, inside / part)
         kind = "zip" if program.suffix == ".exe" else "gztar"
         folder.mkdir(parents=True, exist_ok=True)
         return shutil.make_archive(str(folder / name), kind, root_dir=parent, base_dir=name)

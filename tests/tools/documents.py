@@ -7,6 +7,7 @@
         --missing            only rows without results
         --compare            compares with docs/results instead of replacing them
         --sample             with --compare: one row of each study, of drops the first one
+        --seed TEXT          of that sample, by default the commit: over commits every row has its turn
         --finished STUDY=DIR uses an earlier run of the command of a study
         --threads N          commands at the same time, default: one for each core
 
@@ -29,11 +30,12 @@ import sys
 import tomllib
 
 from checks import check, exit_code
-from studies import MACHINE, RESULTS, ROOT, NoResults, Program, studies
+from studies import MACHINE, RESULTS, ROOT, NoResults, Program, commit, studies
 
 DOCUMENTS = [
     "README.md",
     "docs/axial-load.md",
+    "docs/benefit.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
     "docs/greaseless.md",
@@ -143,8 +145,19 @@ def measured(result, ring):
 
 def searched(structure, name):
     """Motion of the structure that a search recommends, at the first operating point, with its standard error."""
+    if structure is None:
+        return "–"
     point = structure["points"][0]
     return f"{figures(point['motion'][name], 3)} ± {figures(point['errors'][name], 2)}"
+
+
+def of_search(structure, path, places=None, factor=1):
+    """A result of the structure that a search recommends; "–" if it recommends none."""
+    if structure is None:
+        return "–"
+    for key in path.split("."):
+        structure = structure[int(key) if key.isdigit() else key]
+    return structure if places is None else fixed(factor * structure, places)
 
 
 def against(row, name):
@@ -154,8 +167,32 @@ def against(row, name):
 
 
 def size(row, which="recommended"):
-    """Dimensions of a raceway."""
+    """Dimensions of a raceway; "none" if there is none."""
+    if row[which + "_axial_span_mm"] is None:
+        return "none"
     return f"{fixed(row[which + '_axial_span_mm'], 3)} mm, {fixed(row[which + '_half_angle_deg'], 2)}°"
+
+
+def critical_gap(row):
+    """Critical gap of the raceway that a search recommends, of its steady-state gap."""
+    critical, steady = row["recommended_critical_gap_deg"], row["recommended_steady_gap_deg"]
+    return "–" if critical is None else f"{fixed(critical, 3)} of {fixed(steady, 3)}"
+
+
+def share(fraction):
+    """A share of the passages."""
+    return "–" if fraction is None else percent(fraction, 1)
+
+
+def nearest(row):
+    """The raceway that misses by least where a search recommends none, with the reason."""
+    return f"{size(row, 'closest')}, {row['closest_why']}"
+
+
+def said(row):
+    """What a search says first."""
+    first = row["findings"][0]
+    return first[0].upper() + first[1:]
 
 
 def span(values):
@@ -177,7 +214,10 @@ def sector(row, k):
 
 WORDS = {
     of.__name__: of
-    for of in (against, changed, colliding, compared, digits, figures, fixed, measured, of_ring, percent, power, searched, sector, size, span, spun_up, wilson)
+    for of in (
+        (against, changed, colliding, compared, critical_gap, digits, figures, fixed, measured, nearest, of_ring, of_search)
+        + (percent, power, said, searched, sector, share, size, span, spun_up, wilson)
+    )
 }
 
 
@@ -378,7 +418,8 @@ def compute(options):
             rows = [(row, None) for study in chosen for row in study.rows]
             if options.sample:
                 chosen = [s for s in chosen if s.declared.get("sample") != "none" or s.name in finished]
-                rows = [(study.sampled_row(), 1) for study in chosen]
+                print(f"sample --seed {options.seed}: " + "; ".join(s.sampled_row(options.seed).name for s in chosen))
+                rows = [(study.sampled_row(options.seed), 1) for study in chosen]
             done = [pool.submit(compare, program, row, n, finished.get(row.study.name)) for row, n in rows]
             for row in done:
                 row.result()
@@ -408,6 +449,7 @@ def main():
     computed.add_argument("--missing", action="store_true")
     computed.add_argument("--compare", action="store_true")
     computed.add_argument("--sample", action="store_true")
+    computed.add_argument("--seed", default=commit())
     computed.add_argument("--finished", action="append", default=[], metavar="STUDY=DIR")
     computed.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()

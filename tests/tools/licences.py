@@ -7,6 +7,7 @@
 The list is that of `cargo metadata` for Linux on x86-64, the texts are those in the crates."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from checks import check, exit_code
 
 ROOT = Path(__file__).resolve().parents[2]
 NOTICE = ROOT / "crates/cageless-py/THIRD-PARTY-LICENSES.txt"
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 OWN = ["LICENSE-MIT", "LICENSE-APACHE", NOTICE.name]
 SHIPPED = ["cageless-cli", "cageless-py"]
 # Of several licences to choose from, the first of these is chosen.
@@ -93,7 +95,6 @@ def texts(package):
         holders = ", ".join(re.sub(r" <.*?>", "", a) for a in package["authors"])
         found = [f"Copyright (c) {holders or 'the authors of ' + package['name']}\n\n{MIT}"]
         assert chosen(package) in ("MIT", "Apache-2.0"), package["name"]
-    found += scripts(package, folder)
     return found
 
 
@@ -102,15 +103,15 @@ def read(path):
     return "\n".join(line.rstrip() for line in text.strip().splitlines())
 
 
-def scripts(package, folder):
-    """JavaScript that is part of a crate and of every page: plotly.js names its licence."""
-    if package["name"] != "plotly":
-        return []
-    found = [p.read_text(encoding="utf-8")[:2000] for p in sorted(folder.rglob("plotly.min.js"))]
-    heads = [re.match(r"/\*\*?(.*?)\*/", text, re.DOTALL) for text in found]
-    names = [re.sub(r"^[ *]+", "", h.group(1), flags=re.MULTILINE).strip() for h in heads if h]
-    assert names, "plotly.js has no head"
-    return [f"{name}\n\n{MIT}" for name in names]
+def plotly_js():
+    """Name, licence and text of plotly.js, which is part of every page: the file that the build found names them."""
+    built = sorted(TARGET.glob("*/build/cageless-report-*/out/plotly.min.js"), key=lambda p: p.stat().st_mtime)
+    if not built:
+        sys.exit(f"no plotly.min.js in {TARGET}: build the command first")
+    head = re.match(r"/\*\*?(.*?)\*/", built[-1].read_text(encoding="utf-8")[:2000], re.DOTALL)
+    name = re.sub(r"^[ *]+", "", head.group(1), flags=re.MULTILINE).strip()
+    assert "MIT" in name, "plotly.js names another licence"
+    return name.splitlines()[0], "MIT", f"{name}\n\n{MIT}"
 
 
 def notice(packages):
@@ -120,13 +121,16 @@ def notice(packages):
         "Made by tests/tools/licences.py from the dependencies of the command and the Python package.",
         "",
     ]
+    script, terms, script_text = plotly_js()
     rows = [(f"{p['name']} {p['version']}", expression(p)) for p in packages]
+    rows = sorted([*rows, (script, terms)])
     width = max(len(name) for name, _ in rows)
     lines += [f"{name:{width}}  {terms}" for name, terms in rows]
     users = {}
     for package in packages:
         for text in texts(package):
             users.setdefault(text, []).append(package["name"])
+    users.setdefault(script_text, []).append(script)
     for text, names in users.items():
         lines += ["", "=" * 80, ", ".join(dict.fromkeys(names)), "-" * 80, "", text]
     return "\n".join(lines) + "\n"

@@ -1,16 +1,22 @@
-"""The pictures of the README, with the numbers of their captions.
+"""The pictures of README and docs, with the numbers of their captions.
 
-    python picture.py path/to/cageless folder [write]
+    python picture.py path/to/cageless folder          draws them in the folder, compares both with what is stored
+    python picture.py path/to/cageless folder write    stores both
 
 Runs a conventional bearing and one with a discrete raceway from the same bunch of balls, draws
-both at the end of their runs with their gaps, and writes `motion.png`. Opens the studio of the latter,
-waits for its verdict and its map, and writes `studio.webp`. Compares the numbers with those of
-`docs/results/pictures.json`, from which `documents.py` writes the captions, or writes them there.
+both at the end of their runs with their gaps: `motion.png`. Opens the studio of the latter, waits for its
+verdict and its map: `studio.webp`. Runs an example of the Python package and takes two of its figures. Numbers
+are those of `docs/results/pictures.json`, from which `documents.py` writes the captions, with a checksum of each
+picture in `docs/images`. A picture that was not stored with these numbers is refused, and one that differs from what
+the program draws now.
 """
 
 import base64
+import hashlib
 import json
 import math
+import os
+import shutil
 import statistics
 import subprocess
 import sys
@@ -20,6 +26,14 @@ from pathlib import Path
 from browser import Browser
 from checks import check, exit_code
 from studies import RESULTS, ROOT, rounded
+
+IMAGES = ROOT / "docs" / "images"
+EXAMPLE = ROOT / "crates/cageless-py/examples/raceway_sweep.py"
+# Figures of the example, with the size of their pictures.
+FIGURES = {"shares": (900, 300), "effects": (900, 335)}
+PICTURES = ["motion.png", "studio.webp", *(f"python-{name}.png" for name in FIGURES)]
+# Share of the pixels that may differ clearly between two drawings, by other fonts.
+OTHER_FONTS = 0.03
 
 CASES = {"conventional": "conventional.toml", "discrete": "zhao-d.toml"}
 TITLES = {
@@ -142,41 +156,108 @@ def studio_picture(cageless, browser, folder):
     return {"headline": headline, "beta0_deg": beta0}
 
 
+def motion_picture(browser, bearings, folder):
+    """Writes `motion.png`."""
+    columns = "".join(
+        f"<div><h2>{TITLES[name]}</h2>{bearing.drawing(browser)}{bearing.bars()}</div>"
+        for name, bearing in bearings.items()
+    )
+    page = folder / "picture.html"
+    page.write_text(
+        "<!DOCTYPE html><meta charset='utf-8'><style>body{margin:0;display:flex;"
+        "font-family:DejaVu Sans,Helvetica,Arial,sans-serif;background:#fff;color:#222}"
+        "div{width:630px;text-align:center}h2{font-size:17px;margin:14px 0 0}"
+        "svg{display:block;margin:0 auto}h2+svg{margin-top:-50px}"
+        f"h2{{height:22px;line-height:22px;position:relative;z-index:1}}sub{{line-height:0}}</style>{columns}",
+        encoding="utf-8",
+    )
+    tab = browser.open(page.resolve().as_uri())
+    height = tab.js("Math.ceil(document.body.getBoundingClientRect().height)")
+    clip = {"x": 0, "y": 0, "width": 1260, "height": height + 8, "scale": 1}
+    tab.screenshot(folder / "motion.png", clip=clip, captureBeyondViewport=True)
+
+
+def python_pictures(browser, folder):
+    """Writes the pictures of figures of the Python package."""
+    done = subprocess.run([sys.executable, EXAMPLE], cwd=folder, capture_output=True, text=True)
+    check(f"picture: {EXAMPLE.name} runs", done.returncode == 0, done.stderr)
+    for name, (width, height) in FIGURES.items():
+        tab = browser.open((folder / f"{name}.html").resolve().as_uri())
+        tab.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        tab.wait_for("!!document.querySelector('.main-svg')")
+        tab.js(
+            "(async () => { const f = document.querySelector('.plotly-graph-div'); document.body.style.margin = 0;"
+            " document.head.insertAdjacentHTML('beforeend', '<style>.modebar { display: none }</style>');"
+            f" await Plotly.relayout(f, {{ width: {width}, height: {height}, autosize: false }});"
+            " await document.fonts.ready; })()"
+        )
+        tab.screenshot(folder / f"python-{name}.png", clip={"x": 0, "y": 0, "width": width, "height": height, "scale": 1})
+
+
+# Share of the pixels that differ clearly; 1 for pictures of different sizes.
+DIFFERENCE = """
+(async ([a, b]) => {
+  const pixels = async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]));
+    const canvas = new OffscreenCanvas(image.width, image.height), c = canvas.getContext("2d");
+    c.drawImage(image, 0, 0);
+    return c.getImageData(0, 0, image.width, image.height);
+  };
+  const [one, other] = [await pixels(a), await pixels(b)];
+  if (one.width !== other.width || one.height !== other.height) return 1;
+  let differ = 0;
+  for (let k = 0; k < one.data.length; k += 4) {
+    const far = (n) => Math.abs(one.data[k + n] - other.data[k + n]) > 48;
+    differ += far(0) || far(1) || far(2);
+  }
+  return differ / (one.data.length / 4);
+})"""
+
+
+def checksum(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def compare_pictures(browser, folder, stored):
+    """Compares stored pictures with their checksums and with what was drawn into the folder."""
+    tab = browser.open((folder / "picture.html").resolve().as_uri())
+    for name in PICTURES:
+        check(f"picture: {name} was stored with its numbers", checksum(IMAGES / name) == stored.get(name))
+        both = [base64.b64encode((at / name).read_bytes()).decode() for at in (IMAGES, folder)]
+        differ = tab.js(f"{DIFFERENCE}({json.dumps(both)})")
+        print(f"{name}: {100 * differ:.2f} % of the pixels differ", flush=True)
+        check(f"picture: {name} is what the program draws", differ < OTHER_FONTS, f"{100 * differ:.1f} % of it differ")
+
+
 def main():
-    cageless, folder = sys.argv[1], Path(sys.argv[2])
+    cageless, folder, write = sys.argv[1], Path(sys.argv[2]), "write" in sys.argv[3:]
     folder.mkdir(parents=True, exist_ok=True)
     bearings = {name: Bearing(cageless, name, folder) for name in CASES}
+    results = RESULTS / "pictures.json"
     with tempfile.TemporaryDirectory(dir=folder, ignore_cleanup_errors=True) as profile:
         with Browser(profile) as browser:
-            columns = "".join(
-                f"<div><h2>{TITLES[name]}</h2>{bearing.drawing(browser)}{bearing.bars()}</div>"
-                for name, bearing in bearings.items()
-            )
-            page = folder / "picture.html"
-            page.write_text(
-                "<!DOCTYPE html><meta charset='utf-8'><style>body{margin:0;display:flex;"
-                "font-family:DejaVu Sans,Helvetica,Arial,sans-serif;background:#fff;color:#222}"
-                "div{width:630px;text-align:center}h2{font-size:17px;margin:14px 0 0}"
-                f"svg{{display:block;margin:0 auto}}h2+svg{{margin-top:-50px}}h2{{height:22px;line-height:22px;position:relative;z-index:1}}sub{{line-height:0}}</style>{columns}",
-                encoding="utf-8",
-            )
-            tab = browser.open(page.resolve().as_uri())
-            height = tab.js("Math.ceil(document.body.getBoundingClientRect().height)")
-            clip = {"x": 0, "y": 0, "width": 1260, "height": height + 8, "scale": 1}
-            tab.screenshot(folder / "motion.png", clip=clip, captureBeyondViewport=True)
+            motion_picture(browser, bearings, folder)
             found = rounded(numbers(bearings) | studio_picture(cageless, browser, folder), 6)
-    size = (folder / "studio.webp").stat().st_size
-    check("picture: that of the studio is small", size < 150_000, size)
-    plain, discrete = bearings["conventional"], bearings["discrete"]
-    check("picture: the discrete raceway has spread the balls at the instant that is drawn",
-          discrete.deviation_at_end < plain.deviation_at_end / 3,
-          (discrete.deviation_at_end, plain.deviation_at_end))  # fmt: skip
-    touching = [sum(gap <= 0 for gap in b.gaps) for b in (plain, discrete)]
-    check("picture: no more pairs touch with it than without", touching[1] <= touching[0], touching)
-    results = RESULTS / "pictures.json"
-    if "write" in sys.argv[3:]:
-        results.write_text(json.dumps(found, ensure_ascii=False, indent=2) + "\n", encoding="utf-8")
-    stored = json.loads(results.read_text(encoding="utf-8"))
+            python_pictures(browser, folder)
+            plain, discrete = bearings["conventional"], bearings["discrete"]
+            check("picture: the discrete raceway has spread the balls at the instant that is drawn",
+                  discrete.deviation_at_end < plain.deviation_at_end / 3,
+                  (discrete.deviation_at_end, plain.deviation_at_end))  # fmt: skip
+            touching = [sum(gap <= 0 for gap in b.gaps) for b in (plain, discrete)]
+            check("picture: no more pairs touch with it than without", touching[1] <= touching[0], touching)
+            size = (folder / "studio.webp").stat().st_size
+            check("picture: that of the studio is small", size < 150_000, size)
+            if write:
+                for name in PICTURES:
+                    shutil.copy(folder / name, IMAGES / name)
+                document = found | {"files": {name: checksum(IMAGES / name) for name in PICTURES}}
+                text = json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+                part = results.with_suffix(".part")
+                part.write_text(text, encoding="utf-8")
+                os.replace(part, results)
+            stored = json.loads(results.read_text(encoding="utf-8"))
+            compare_pictures(browser, folder, stored.pop("files", {}))
     check("picture: the numbers are those of docs/results", found == stored, (found, stored))
     return exit_code()
 

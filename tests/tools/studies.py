@@ -182,12 +182,19 @@ class Study:
         part.write_text(text, encoding="utf-8")
         part.replace(self.path)
 
-    def sampled_row(self):
-        """The row that stands for all where only a sample is computed."""
-        if (places := self.declared.get("sample", "none")) != "none":
-            return self[places]
-        rows = self.of() or self.rows
-        return rows[zlib.crc32(self.name.encode()) % len(rows)]
+    def sampled_row(self, seed):
+        """The row that stands for all where only a sample is computed, another one for every seed."""
+        places = self.declared.get("sample", [])
+        # What an earlier run of its command has.
+        places = [] if places == "none" else places
+        rows = self.of(*places) or [row for row in self.rows if all(p in row.places.values() for p in places)]
+        return rows[zlib.crc32(f"{seed} {self.name}".encode()) % len(rows)]
+
+
+def commit():
+    """The commit of the tree, by which samples are drawn; empty without git."""
+    done = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, text=True)
+    return done.stdout.strip()
 
 
 def studies():

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from browser import in_browsers, thrown_text
 from pages import axe
+from studio_drawings import drawings
 from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
 from studio_map import axes, older, raceway_map
 from studio_space import space
@@ -128,7 +129,7 @@ def verdict(s):
     said = s.text("verdict")
     s.check("the simulated verdict replaces it", "PASS" in said or "FAIL" in said, said)
     rows = s.js("document.querySelectorAll('[data-part=terms] tbody tr').length")
-    s.check("with its margins", rows == 4, rows)
+    s.check("with its margins", rows == 5, rows)
     terms = s.text("terms")
     s.check("each with its limit and unit", all(part in terms for part in ("Simulated", "≤ 5", "≥ 80", "≤ 25", "%")), terms)
 
@@ -366,6 +367,7 @@ def studio(browser, name, url, screens):
         older(s)
         axes(s)
         times(s)
+        drawings(s)
         space(s, screens)
         drop(s, screens)
         studies(s) if served else alone(s)

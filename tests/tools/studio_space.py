@@ -53,7 +53,7 @@ def space(s, screens):
     s.check("nothing of it sticks out", over <= 0, over)
     s.judged()
     said = s.text("verdict")
-    s.check("the verdict is about the lag in space", "of the lag of rolling" in said and "lag per pass" in s.text("terms"), said)
+    s.check("the verdict is about the lag in space", "of the steady-state gap" in said and "lag per pass" in s.text("terms"), said)
     s.write("section", 15)
     s.check("a section is turned", "contact_angle_deg = 15" in s.toml() and s.js(f"{S}.g.raceways[0].flank_deg[0][40]") > 45)
     kept = s.js(f"{S}.g.estimate.terms.find((t) => t.name === 'lag').value")

@@ -3,7 +3,8 @@
     workflows.py CAGELESS FOLDER
 
 Of a workflow: the schema of the host, the names of jobs and matrices that it refers to, its shell scripts by
-shellcheck, and zizmor's audit, which wants every action pinned to a commit. Of a release: `.ci/release.py`.
+shellcheck, and zizmor's audit, which wants every action pinned to a commit. Of a release: `.ci/release.py`, and the
+schemas of files.
 """
 
 import importlib.util
@@ -12,8 +13,10 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
+import jsonschema
 from checks import check, exit_code
 from ruamel.yaml import YAML
 
@@ -77,7 +80,28 @@ def check_release(cageless, folder):
     shutil.unpack_archive(archive, folder / "unpacked")
     unpacked = folder / "unpacked/cageless-linux-x86_64"
     passes("release: the command with its cases", "./cageless", "check", "cases/rotors/two-bearings.toml", cwd=unpacked)
-    check("release: licences", len(list(unpacked.glob("*LICENSE*"))) == 3, list(unpacked.iterdir()))
+    check("release: licences", len(list(unpacked.rglob("*LICENSE*"))) == 3, list(unpacked.iterdir()))
+    text = (unpacked / "README.md").read_text(encoding="utf-8")
+    links = {link.split("#")[0] for link in re.findall(r"\]\(([^)\s]+)\)", text) if "://" not in link}
+    dead = sorted(link for link in links - {""} if not (unpacked / link).exists())
+    check("release: links of its README", len(links) > 20 and not dead, dead)
+    check_schemas(unpacked)
+
+
+def check_schemas(folder):
+    """JSON schemas of editors: each has the files of its format, and refuses a later version of it."""
+    for name, files in {"case-file": "cases/*.toml", "rotor-file": "cases/rotors/*.toml", "plan": "plans/*.toml"}.items():
+        text = (folder / f"docs/{name}.schema.json").read_text(encoding="utf-8")
+        of_wheel = ROOT / f"crates/cageless-py/python/cageless/schemas/{name}.schema.json"
+        check(f"schema: {name} of the wheel", of_wheel.read_text(encoding="utf-8") == text)
+        schema, found = jsonschema.Draft7Validator(json.loads(text)), sorted(folder.glob(files))
+        check(f"schema: {name}: files", found)
+        for path in found:
+            of_file = tomllib.loads(path.read_text(encoding="utf-8"))
+            wrong = [f"{error.json_path}: {error.message}"[:200] for error in schema.iter_errors(of_file)]
+            check(f"schema: {path.name}", not wrong, wrong)
+            for change in ({"schema": 99}, {"nonsense": 1}):
+                check(f"schema: {path.name} with {change}", not schema.is_valid(of_file | change), "is not refused")
 
 
 def main():
