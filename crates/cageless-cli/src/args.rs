@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use cageless::tolerance::BALL_GRADES;
+use cageless::tolerance::ball_grades_text;
 use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
 use cageless_study::sweep::Shard;
@@ -406,6 +406,11 @@ pub struct DesignArgs {
     #[arg(long)]
     pub search: bool,
 
+    /// Say whether the raceway helps in steady operation, against a plain ring and one ball fewer.
+    /// With --search find the one that helps most.
+    #[arg(long)]
+    pub benefit: bool,
+
     /// Find the axial load and tilt up to which the raceway still works, by motion in space.
     #[arg(long)]
     pub axial: bool,
@@ -478,8 +483,6 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
 
 /// The study validates the grade.
 fn ball_grade(text: &str) -> Result<u32, String> {
-    text.parse().map_err(|_| {
-        let grades: Vec<_> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
-        format!("allowed are 0 for balls all equal, {}", grades.join(", "))
-    })
+    text.parse()
+        .map_err(|_| format!("allowed are 0 for balls all equal, {}", ball_grades_text()))
 }

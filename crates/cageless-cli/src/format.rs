@@ -60,7 +60,7 @@ pub fn values(results: &Results) -> Vec<(&'static str, String)> {
         .collect()
 }
 
-/// PASS or FAIL with its reason, in green or red on a terminal.
+/// A verdict with its reason, in green or red on a terminal.
 pub fn judged(passes: Option<bool>, headline: &str) -> String {
     if !std::io::stdout().is_terminal() || std::env::var_os("NO_COLOR").is_some() {
         return headline.to_owned();
@@ -68,14 +68,15 @@ pub fn judged(passes: Option<bool>, headline: &str) -> String {
     coloured(passes, headline)
 }
 
-/// The first word of a headline and what precedes its reason in the colour of the verdict.
+/// The verdict at the head of a headline in its colour.
 fn coloured(passes: Option<bool>, headline: &str) -> String {
     let colour = match passes {
         Some(true) => "32",
         Some(false) => "31",
         None => return headline.to_owned(),
     };
-    let word = headline.find(|c: char| !c.is_alphabetic());
+    let ends = [" in ", " from ", ":", ";"];
+    let word = ends.iter().filter_map(|end| headline.find(end)).min();
     let (word, rest) = headline.split_at(word.unwrap_or(headline.len()));
     format!("\u{1b}[1;{colour}m{word}\u{1b}[0m{rest}")
 }
@@ -108,12 +109,12 @@ mod tests {
     #[test]
     fn a_verdict_has_the_colour_of_its_word() {
         assert_eq!(
-            coloured(Some(true), "PASS: smooth"),
-            "\u{1b}[1;32mPASS\u{1b}[0m: smooth"
+            coloured(Some(true), "works in this run: smooth"),
+            "\u{1b}[1;32mworks\u{1b}[0m in this run: smooth"
         );
         assert_eq!(
-            coloured(Some(false), "FAIL; slides"),
-            "\u{1b}[1;31mFAIL\u{1b}[0m; slides"
+            coloured(Some(false), "does not work; slides"),
+            "\u{1b}[1;31mdoes not work\u{1b}[0m; slides"
         );
         assert_eq!(
             coloured(None, "not judged: no raceway"),

@@ -3,6 +3,7 @@
 mod at_rest;
 mod bad_input;
 mod bad_plans;
+mod benefit;
 mod comfort;
 mod commands;
 mod common;

@@ -99,11 +99,12 @@ fn the_probability_is_that_of_passing() {
     assert_eq!(answer.code, Some(0), "{answer:?}");
     let headline = answer.stdout.lines().next().unwrap();
     assert!(
-        headline.starts_with("FAIL: 0 of 4 bearings pass"),
+        headline.starts_with("does not work: 0 of 4 bearings pass"),
         "{headline}"
     );
     assert!(
-        headline.contains("nominal design FAIL from evenly spaced balls: double collision"),
+        headline
+            .contains("nominal design does not work from evenly spaced balls: double collision"),
         "{headline}"
     );
     let json = json_file(&out.join("tolerance.json"));

@@ -66,10 +66,10 @@ fn a_starting_point_that_passes_is_recommended() {
         found.unwrap_or_else(|| panic!("no {start}: {}", answer.stdout))
     };
     assert!(
-        line("verdict").contains("PASS from evenly spaced balls: smooth; nearest to its limit: ")
+        line("verdict").contains("works from evenly spaced balls: smooth; nearest to its limit: ")
     );
     assert!(line("Recommended: lC ").contains("(the middle of the usable range of θ on the curve"));
-    assert!(line("- its verdict: ").contains("PASS from evenly spaced balls: smooth"));
+    assert!(line("- its verdict: ").contains("works from evenly spaced balls: smooth"));
 }
 
 /// All cases of the repository and twenty bearings drawn at random: takes minutes.
@@ -189,14 +189,16 @@ fn a_run_is_judged_by_its_passages() {
     let headline = data["headline"].as_str().unwrap();
     assert_eq!(data["passes"], false, "{headline}");
     assert!(
-        headline.starts_with("FAIL in this run from evenly spaced balls: double collision; "),
+        headline
+            .starts_with("does not work in this run from evenly spaced balls: double collision; "),
         "{headline}"
     );
     assert!(answer.stdout.contains(headline), "{}", answer.stdout);
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     assert!(
         page.contains("class=\"judged fail\"")
-            && page.contains("FAIL in this run from evenly spaced balls: double collision; ")
+            && page
+                .contains("does not work in this run from evenly spaced balls: double collision; ")
     );
 }
 

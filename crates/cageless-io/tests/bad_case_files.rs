@@ -119,6 +119,9 @@ const EDITS: &[Row] = &[
     ("# inner_stiffness_n_m1_5 = 2.8e10", "inner_stiffness_n_m1_5 = 8.9e5", "contact.inner_stiffness_n_m1_5", &["at least 1000000 N/m^1.5"]),
     ("# tolerance = 1.0e-8", "tolerance = 1.0", "solver.tolerance", &["at most 0.01"]),
     ("# [housing]", "[housing]\nmass_kg = 1.0\nstiffness_n_m = 100.0\ndamping_n_s_m = 500.0 #", "housing.stiffness_n_m", &["= 100.0", "at least 1000 N/m"]),
+    ("[raceway]", "[steady]\ngrade = 7\n[raceway]", "steady.grade", &["= 7", "3, 5, 10, 16"]),
+    ("[raceway]", "[steady]\nweight_spacing = -1\n[raceway]", "steady.weight_spacing", &["= -1", "at least 0"]),
+    ("[raceway]", "[steady]\nweight_contacts = 0\nweight_spacing = 0\nweight_force = 0\n[raceway]", "steady.weight_contacts", &["= 0", "more than 0 where steady.weight_spacing"]),
     // Geometry.
     ("balls = 14", "balls = 16", "bearing.balls", &["= 16", "at most 15", "do not fit"]),
     ("balls = 14", "balls = 2", "bearing.balls", &["= 2 ", "a whole number, 3 or more"]),

@@ -125,6 +125,7 @@ pub fn design(
         let asked = Asked {
             axial,
             search: search.then_some(&paper),
+            benefit: false,
             folder: folder.as_deref(),
         };
         let Designed {

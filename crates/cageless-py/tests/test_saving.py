@@ -493,7 +493,7 @@ def test_the_short_form_is_one_line(kind: str) -> None:
     assert text.startswith(f"<{type(result(kind)).__name__}: ") and text.endswith(">")
     assert "\n" not in text and len(text) < 200
     if kind == "design":
-        assert text.startswith("<Design: PASS")
+        assert text.startswith("<Design: works")
     if kind == "static":
         assert text.startswith("<Static: inner_pressure_max_mpa ")
     if kind == "report":

@@ -220,7 +220,7 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
     assert result.samples.pass_probability == verdicts["smooth"] / 3
     # Three bearings are too few to pass.
     assert result.passes is None if verdicts["smooth"] == 3 else not result.passes
-    assert result.headline.startswith("FAIL" if result.passes is False else "not judged")
+    assert result.headline.startswith("does not work" if result.passes is False else "not judged")
     assert result.headline[:60] in repr(result)
     [smooth] = [each for each in result.samples.verdicts if each.verdict == "smooth"]
     assert len(smooth.critical_gap_deg) == verdicts["smooth"]

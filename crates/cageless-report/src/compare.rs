@@ -1,9 +1,9 @@
 //! Runs side by side: one page, the same axes, and their differences.
 
-use cageless_study::comparison::{BenefitWord, ComparedResult, RingComparison};
+use cageless_study::comparison::{ComparedResult, RingComparison};
 
 use crate::compared_run::{ComparedRun, provenance};
-use crate::data::Motion;
+use crate::data::{Motion, Provenance};
 use crate::figures::compare as figures;
 use crate::head::Head;
 use crate::motion::MotionFigure;
@@ -25,14 +25,8 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         .map(|run| format!("{}: {}. {}", shown(run), run.data.title, run.data.lead))
         .collect();
     let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
-    let judged = comparison.benefits.iter().flatten().map(|benefit| {
-        let passes = match benefit.word() {
-            BenefitWord::Helps => Some(true),
-            BenefitWord::Harms => Some(false),
-            BenefitWord::NoMeasurableBenefit | BenefitWord::NotJudged => None,
-        };
-        (passes, benefit.headline.clone())
-    });
+    let judged = comparison.benefits.iter().flatten();
+    let judged = judged.map(|benefit| (benefit.benefit.helps(), benefit.headline.clone()));
     let works = comparison.runs.iter().zip(&comparison.verdicts);
     let works = works.map(|(name, verdict)| match verdict.headline.as_str() {
         "" => (verdict.passes, String::new()),
@@ -55,10 +49,11 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     if comparison.draws.seed.is_some() {
         page.note(Note::Remark, &comparison.draws.text());
         let label = "What a remedy changes";
-        page.table(&table(label, runs, comparison, subject.iter().copied()));
+        let of = provenance(runs);
+        page.table(&table(label, of, comparison, subject.iter().copied()));
     }
     let all = comparison.results.iter();
-    page.table(&table("Results", runs, comparison, all));
+    page.table(&table("Results", provenance(runs), comparison, all));
     let section = |page: &mut Page, heading: &str| {
         page.section(heading);
         if comparison.draws.seed.is_some() {
@@ -89,9 +84,15 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     page.html()
 }
 
+/// Table of what a remedy changes.
+pub(crate) fn subject_table(comparison: &RingComparison, source: Provenance) -> Table {
+    let subject = comparison.subject().into_iter();
+    table("What a remedy changes", source, comparison, subject)
+}
+
 fn table<'r>(
     label: &str,
-    runs: &[ComparedRun],
+    source: Provenance,
     comparison: &RingComparison,
     results: impl Iterator<Item = &'r ComparedResult>,
 ) -> Table {
@@ -115,7 +116,7 @@ fn table<'r>(
         ),
         columns: columns.map(|(k, name)| (name, kind(k))).collect(),
         rows: rows.map(Row::from).collect(),
-        provenance: Some(provenance(runs)),
+        provenance: Some(source),
         ..Table::default()
     }
 }

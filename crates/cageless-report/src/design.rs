@@ -6,8 +6,10 @@ use cageless::design::search::NEIGHBOURS_WIDER;
 pub use cageless_study::rings::RingNumbers;
 
 use cageless_results::Record;
+use cageless_study::benefit_search::BenefitSearch;
 use cageless_study::search::point_label;
 
+use crate::compare::subject_table;
 use crate::data::{Motion, Parameter, Provenance};
 use crate::figures::axial_load::{AxialLoads, axial_gap, axial_load};
 use crate::figures::search as figures;
@@ -39,7 +41,7 @@ pub struct DesignData {
     pub warnings: Vec<String>,
     /// Whether the case's own raceways pass; `None` without one.
     pub passes: Option<bool>,
-    /// PASS or FAIL with the reason and the margin.
+    /// Whether it works, with the reason and the margin.
     pub headline: String,
     /// Numbers of the case's own raceways.
     pub results: Vec<Parameter>,
@@ -70,6 +72,9 @@ pub struct DesignData {
     /// Result of a search, which is in `design.json`.
     #[serde(skip)]
     pub search: Option<Record>,
+    /// Benefit in steady operation, which is in `design.json`.
+    #[serde(skip)]
+    pub benefit: Option<BenefitSearch>,
     /// Case as computed, one line per key.
     pub parameters: Vec<Parameter>,
     /// Provenance of the verdict.
@@ -81,6 +86,12 @@ pub fn design_page(data: &DesignData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
     page.head(&head(data));
     page.notes(Note::Warning, &data.warnings);
+    if let Some(benefit) = &data.benefit {
+        page.section("Does it help?");
+        page.paragraph(&benefit.answer);
+        page.note(Note::Remark, &benefit.comparison.draws.text());
+        page.table(&subject_table(&benefit.comparison, data.provenance.clone()));
+    }
     if let Some(shown) = &data.shown {
         drawing_section(&mut page, shown);
     } else {
@@ -102,7 +113,7 @@ pub fn design_page(data: &DesignData) -> String {
         }
     }
     if let Some(search) = &data.search {
-        search_sections(&mut page, search);
+        search_sections(&mut page, search, data.benefit.is_some());
     }
     page.section("The curve of Eq. (11)");
     if !data.recommendation.is_empty() {
@@ -147,6 +158,14 @@ pub fn design_page(data: &DesignData) -> String {
 /// Verdict and key numbers of the recommended raceway, then the verdict on the case's own.
 fn head(data: &DesignData) -> Head {
     let mut head = Head::default();
+    let best = data
+        .shown
+        .as_ref()
+        .map_or(data.passes, |shown| shown.passes);
+    head = match &data.benefit {
+        Some(benefit) => head.verdict(benefit.helps(), &benefit.answer),
+        None => head.open_benefit(best),
+    };
     if let Some(shown) = &data.shown {
         head = head
             .verdict(
@@ -237,8 +256,13 @@ fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
     Table::of("Outer rings", caption, rows, Some(provenance))
 }
 
-fn search_sections(page: &mut Page, search: &Record) {
+fn search_sections(page: &mut Page, search: &Record, with_benefit: bool) {
     page.section("Search");
+    if with_benefit {
+        let text = "The search ranks by short runs of equal balls; of the raceways that it accepts the long runs of \
+                    real balls choose.";
+        page.paragraph(text);
+    }
     let points = search.parts("points");
     let several = points.len() > 1;
     for (point, verdict) in points.iter().zip(search.parts("recommended_verdicts")) {

@@ -4,13 +4,14 @@ use crate::figures::axial_load::AxialLoads;
 use crate::lead;
 use crate::recommended::{ShownRaceway, recommended_case};
 use crate::run_report::motion;
-use crate::text::pass_word;
 use crate::{
     ContactTrack, DesignCurve, DesignData, DesignLimit, LimitedQuantity, Parameter, Provenance,
     RacewayLabel, RacewaySurface,
 };
 use cageless::Case;
-use cageless::design::{AXIAL_ORBITS, span_angle_curve, steady_after_s, steady_case};
+use cageless::design::{
+    AXIAL_ORBITS, RacewayVerdict, span_angle_curve, steady_after_s, steady_case,
+};
 use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
@@ -40,8 +41,7 @@ pub fn rings_of(file: &CaseFile, result: &DesignResult) -> Vec<(&'static str, Ca
 
 /// Whether a raceway is recommended, by the search or near the curve of Eq. (11).
 fn recommends(result: &DesignResult) -> bool {
-    let search = result.search.as_ref();
-    let searched = search.is_some_and(|s| s.part("recommended").is_some());
+    let searched = result.found().is_some();
     let near = result.recommendation();
     searched || near.is_some_and(|r| r.passes() == Some(true))
 }
@@ -57,7 +57,11 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     let (record, results_of) = (&result.record, &result.record.results);
     let passes = results_of.flag("passes");
     let title = match passes {
-        Some(_) => format!("{}: {}", pass_word(passes), results_of.text("verdict")),
+        Some(_) => format!(
+            "{}: {}",
+            RacewayVerdict::works(passes),
+            results_of.text("verdict")
+        ),
         None => String::new(),
     };
     let near = result.recommendation();
@@ -97,6 +101,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
             .flat_map(|axial| axial.sentences("findings").to_vec())
             .collect(),
         search: result.search.clone(),
+        benefit: result.benefit.clone(),
         parameters: parameters(file),
         provenance: source,
     }
@@ -118,9 +123,9 @@ fn lead(case: &Case) -> String {
 fn results(r: &DesignResult) -> Vec<Parameter> {
     let record = &r.record;
     let rows = |record: &Record| lines(record.rows());
-    let name = |passes| pass_word(passes).to_owned();
+    let name = |passes| RacewayVerdict::works(passes).to_owned();
     let mut all = vec![
-        parameter("pass or fail", name(record.results.flag("passes")), ""),
+        parameter("works", name(record.results.flag("passes")), ""),
         parameter("verdict", record.results.text("verdict").to_owned(), ""),
     ];
     all.extend(rows(record));

@@ -1,5 +1,7 @@
 //! The box on top of a page: verdicts and key numbers.
 
+use cageless_results::open_benefit;
+
 use crate::data::Parameter;
 use crate::text::{escape, rich};
 
@@ -25,6 +27,14 @@ impl Head {
             self.verdicts.push((passes, headline.to_owned()));
         }
         self
+    }
+
+    /// Adds what the verdict on a raceway leaves open, if it works.
+    pub fn open_benefit(self, passes: Option<bool>) -> Self {
+        match open_benefit(passes) {
+            Some(open) => self.verdict(None, &format!("Benefit {open}")),
+            None => self,
+        }
     }
 
     /// Adds key numbers.

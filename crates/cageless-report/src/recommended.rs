@@ -16,7 +16,7 @@ pub struct ShownRaceway {
     pub name: String,
     /// Whether it passes; `None` if it was not judged.
     pub passes: Option<bool>,
-    /// PASS or FAIL with the reason and the margin.
+    /// Whether it works, with the reason and the margin.
     pub headline: String,
     /// Key numbers.
     pub facts: Vec<Parameter>,
@@ -40,7 +40,7 @@ fn recommended(file: &CaseFile, result: &DesignResult) -> Option<(&'static str, 
     let at = |span: f64, angle: f64, centre: f64| {
         raceway_section(rounded(span), rounded(angle), centre, 0.0)
     };
-    if let Some(found) = result.search.as_ref().and_then(|s| s.part("recommended")) {
+    if let Some(found) = result.found() {
         let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|name| found.number(name));
         let centres = found.items("centre_angles_deg").iter();
         let raceways = centres.filter_map(Cell::number).map(|c| {
@@ -98,7 +98,7 @@ impl ShownRaceway {
         let surface = RacewaySurface::sample(raceway, &case.bearing, label.clone());
         let [depth, _] = surface.depth_and_height_um();
         let (passes, headline) = verdict(result);
-        let found = result.search.as_ref().and_then(|s| s.part("recommended"));
+        let found = result.found();
         let point = found.and_then(|r| r.parts("points").first());
         let at_point = |name: &str| point.and_then(|numbers| numbers.value(name));
         let critical = match point {
@@ -145,6 +145,10 @@ impl ShownRaceway {
 }
 
 fn verdict(result: &DesignResult) -> (Option<bool>, String) {
+    // One that helps works at every operating point; the head says how it helps.
+    if let (Some(_), Some(benefit)) = (&result.search, &result.benefit) {
+        return (benefit.helps(), "helps in steady operation".to_owned());
+    }
     let searched = result
         .search
         .as_ref()

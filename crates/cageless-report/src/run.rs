@@ -13,7 +13,12 @@ use crate::text::short;
 /// The page of one run.
 pub fn run_page(data: &RunData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
-    page.head(&Head::new(data.passes, &data.headline).facts(data.facts.clone()));
+    page.head(
+        &Head::default()
+            .open_benefit(data.passes)
+            .verdict(data.passes, &data.headline)
+            .facts(data.facts.clone()),
+    );
     page.notes(Note::Warning, &data.warnings);
     for (title, figures) in RUN {
         page.section(title);

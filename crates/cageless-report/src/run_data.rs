@@ -22,7 +22,7 @@ pub struct RunData {
     pub warnings: Vec<String>,
     /// Whether the passages of the run keep the limits; `None` if none was judged.
     pub passes: Option<bool>,
-    /// PASS or FAIL with the reason and the margin; empty if there is nothing to say.
+    /// Whether it works, with the reason and the margin; empty if there is nothing to say.
     pub headline: String,
     /// Key numbers for the top of the page, the most important first.
     pub facts: Vec<Parameter>,

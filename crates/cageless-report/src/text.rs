@@ -49,15 +49,6 @@ pub fn capital(text: &str) -> String {
     }
 }
 
-/// PASS, FAIL, or that nothing was judged.
-pub fn pass_word(passes: Option<bool>) -> &'static str {
-    match passes {
-        Some(true) => "PASS",
-        Some(false) => "FAIL",
-        None => "not judged",
-    }
-}
-
 /// lC and β0 with a subscript, in text that is already escaped. A small l beside a
 /// capital C cannot be told from an I otherwise.
 pub(crate) fn symbols(escaped: &str) -> String {

@@ -348,13 +348,14 @@ fn the_label_of_what_is_discarded_begins_in_its_shade() {
 fn pages_say_what_passes() {
     let page = design_page(&crate::synthetic::design());
     for said in [
-        "<p class=\"judged pass\" role=\"status\">✔ PASS: smooth</p>",
+        "<p class=\"judged pass\" role=\"status\">✔ works: smooth</p>",
         "neighbours of the pair 40 % further off",
     ] {
         assert!(page.contains(said), "{said}");
     }
     assert!(
-        run_page(&crate::synthetic::run_data()).contains("✘ FAIL in this run: double collision")
+        run_page(&crate::synthetic::run_data())
+            .contains("✘ does not work in this run: double collision")
     );
 }
 
@@ -363,27 +364,34 @@ fn pages_say_what_passes() {
 fn the_result_is_on_top() {
     let (html, _) = split(&run_page(&crate::synthetic::run_data()));
     let (header, _) = html.split_once("</header>").expect("a header");
-    assert!(header.contains("class=\"head fail\"") && header.contains("✘ FAIL"));
+    assert!(header.contains("class=\"head fail\"") && header.contains("✘ does not work"));
     assert!(header.contains("<dt>Peak pressure</dt><dd>2100 <span class=\"unit\">MPa</span></dd>"));
     let data = DesignData {
         shown: Some(ShownRaceway {
             name: "recommended raceway".into(),
             passes: Some(true),
-            headline: "PASS: smooth".into(),
+            headline: "works: smooth".into(),
             toml: "[raceway]\naxial_span_mm = 5.1\n".into(),
             contact_track: crate::synthetic::design().contact_track.expect("a track"),
             surface: crate::synthetic::design().surface.expect("a surface"),
             ..ShownRaceway::default()
         }),
         passes: Some(false),
-        headline: "FAIL: slides".into(),
+        headline: "does not work: slides".into(),
         ..crate::synthetic::design()
     };
     let (html, _) = split(&design_page(&data));
     let (header, body) = html.split_once("</header>").expect("a header");
-    let recommended = header.find("Recommended raceway: PASS").expect("a verdict");
-    let own = header.find("Initial design: FAIL").expect("a verdict");
-    assert!(recommended < own && header.contains("class=\"head pass\""));
+    let recommended = header
+        .find("Recommended raceway: works")
+        .expect("a verdict");
+    let own = header
+        .find("Initial design: does not work")
+        .expect("a verdict");
+    // Not green: a raceway that works need not help.
+    let open = header.find("Benefit not judged").expect("a remark");
+    assert!(open < recommended && recommended < own);
+    assert!(header.contains("class=\"head unjudged\""));
     assert!(body.contains("[raceway]\naxial_span_mm = 5.1\n</pre>"));
     // The initial design has its figures, under names of their own.
     assert!(

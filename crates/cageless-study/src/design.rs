@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
+use cageless::design::search::Found;
 use cageless::design::{
     Judgement, Recommendation, judge_watched, recommend, recommendation_steps, steady_case,
     verdict_steps,
@@ -17,6 +18,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_results::{Recommended, Record, axial_record, design_record};
 use serde::Serialize;
 
+use crate::benefit_search::{self, BenefitSearch, Candidate, search_benefit};
 use crate::entered::{entered, entered_raceway};
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -36,6 +38,9 @@ pub struct DesignResult {
     /// Result of a search.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<Record>,
+    /// Benefit in steady operation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub benefit: Option<BenefitSearch>,
 }
 
 impl DesignResult {
@@ -45,6 +50,16 @@ impl DesignResult {
             record: design_record(case, judgement, near),
             axial: None,
             search: None,
+            benefit: None,
+        }
+    }
+
+    /// The structure that a search recommends: where benefit was asked for, the one that helps most.
+    pub fn found(&self) -> Option<&Record> {
+        let search = self.search.as_ref()?;
+        match &self.benefit {
+            Some(benefit) => benefit.recommended.as_ref(),
+            None => search.part("recommended"),
         }
     }
 
@@ -61,6 +76,8 @@ pub struct Asked<'a> {
     pub axial: bool,
     /// A search for a raceway, with the structures of the paper for the bearing.
     pub search: Option<&'a [RacewayLabel]>,
+    /// Steady operation of the raceway, or of those of the search, against a plain ring.
+    pub benefit: bool,
     /// Folder in which a search that was ended resumes.
     pub folder: Option<&'a Path>,
 }
@@ -106,7 +123,14 @@ pub fn design(
     if asked.search.is_some() && progress.workload().is_some() {
         tasks.extend(search::tasks(file, progress.announces())?);
     }
-    if asked.folder.is_some() {
+    if asked.benefit {
+        let count = match asked.search {
+            Some(_) => benefit_search::CANDIDATES,
+            None => usize::from(!case.raceways.is_empty()),
+        };
+        tasks.extend(benefit_search::tasks(file, count)?);
+    }
+    if asked.folder.is_some() && !asked.benefit {
         tasks.push(rings::task(case));
     }
     progress.whole(&tasks);
@@ -140,8 +164,44 @@ pub fn design(
         let (found, record) = search::run(file, asked.folder, paper, progress)?;
         designed.none_found = search::refusal(file, &found);
         designed.result.search = Some(record);
+        if asked.benefit {
+            most_helpful(file, &found, &mut designed, progress)?;
+        }
+    } else if asked.benefit && !designed.interrupted {
+        let own = Candidate {
+            name: "raceway".to_owned(),
+            file: file.clone(),
+        };
+        let own = match case.raceways.is_empty() {
+            true => vec![],
+            false => vec![own],
+        };
+        let found = search_benefit(file, &own, &|_| Ok(true), progress);
+        designed.result.benefit = unless_interrupted(found, &mut designed.interrupted)?;
     }
     Ok(designed)
+}
+
+/// Chooses the raceway of a search that helps most; without one nothing is recommended.
+fn most_helpful(
+    file: &CaseFile,
+    found: &Found,
+    designed: &mut Designed,
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    let (indices, candidates): (Vec<usize>, Vec<Candidate>) =
+        search::candidates(file, found)?.into_iter().unzip();
+    let works = |k: usize| search::works(file, found, indices[k], progress);
+    let mut benefit = search_benefit(file, &candidates, &works, progress)?;
+    let structure = |k: usize| search::structure(&found.evaluations[indices[k]]);
+    benefit.recommended = benefit.best.map(structure);
+    let none = || format!("no raceway is recommended. {}", benefit.answer);
+    designed.none_found = designed
+        .none_found
+        .take()
+        .or_else(|| benefit.best.is_none().then(none));
+    designed.result.benefit = Some(benefit);
+    Ok(())
 }
 
 /// What was found; `None` if the progress ended the work, which is noted.

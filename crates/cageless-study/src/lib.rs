@@ -6,6 +6,7 @@
 //! as made, [`comparison`] sets rings side by side from the same uneven starts, [`sweep`] computes many variants of a case. A [`Progress`] follows the progress and can end the work.
 
 mod axial;
+pub mod benefit_search;
 pub mod comparison;
 pub mod design;
 pub mod drop;

@@ -71,7 +71,7 @@ impl RunSummary {
         self.results.flag("passes")
     }
 
-    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    /// Whether it works, with the verdict, the criterion that decides, and its margin.
     pub fn headline(&self) -> &str {
         self.results.text("headline")
     }

@@ -2,7 +2,9 @@
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::{RacewayVerdict, judge, verdict_steps};
-use cageless::tolerance::{BALL_GRADES, Outcome, Tolerances, Trial, assess, ball_grade, trials};
+use cageless::tolerance::{
+    Outcome, Tolerances, Trial, assess, ball_grade, ball_grades_text, trials,
+};
 use cageless::{Case, Raceway};
 use cageless_io::OptionError;
 use cageless_results::number_text::significant;
@@ -162,8 +164,7 @@ impl Request {
         }
         let grade = ball_grade(self.ball_grade);
         if grade.is_none() && self.ball_grade != 0 {
-            let grades: Vec<String> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
-            let allowed = format!("a grade of ISO 3290-1 ({}), or 0", grades.join(", "));
+            let allowed = format!("a grade of ISO 3290-1 ({}), or 0", ball_grades_text());
             let given = self.ball_grade;
             return Err(OptionError::not_possible("ball_grade", given, &allowed).into());
         }

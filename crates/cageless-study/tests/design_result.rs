@@ -122,7 +122,7 @@ fn every_number_is_in_its_unit() {
     assert!(
         found
             .text("headline")
-            .starts_with("FAIL from evenly spaced balls: ")
+            .starts_with("does not work from evenly spaced balls: ")
     );
     assert_passages(record, 15.0);
     for (raceway, (span, angle, centre, beta0, number)) in record.parts("raceways").iter().zip([

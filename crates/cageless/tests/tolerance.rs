@@ -289,7 +289,7 @@ fn tolerances_are_judged_by_the_interval_of_the_probability() {
         (
             200,
             22,
-            "FAIL: 178 of 200 bearings pass, probability of passing 89.0 % (95 % interval 83.9 to 92.6 %, \
+            "does not work: 178 of 200 bearings pass, probability of passing 89.0 % (95 % interval 83.9 to 92.6 %, \
              95 % needed); nominal design headline 2",
         ),
         (
@@ -309,7 +309,7 @@ fn tolerances_are_judged_by_the_interval_of_the_probability() {
     }
     let none = sampled(0, 0, Smooth);
     assert!(none.passes() == Some(true) && none.samples.is_none());
-    assert_eq!(none.headline(), "PASS; nominal design headline 2");
+    assert_eq!(none.headline(), "works; nominal design headline 2");
 }
 
 /// A bearing whose run stopped neither passes nor fails: the interval holds whichever it would do, and nothing is
@@ -349,7 +349,7 @@ fn a_run_that_stopped_is_neither_a_pass_nor_a_failure() {
     assert!(one.influences[1].critical_gap_rad.is_some());
     assert!(
         one.headline()
-            .starts_with("PASS: 197 of 200 bearings pass, 3 are not judged, probability of")
+            .starts_with("works: 197 of 200 bearings pass, 3 are not judged, probability of")
     );
     // Fails if the stopped ones fail, passes if they pass.
     let open = found(190, 10, false);
@@ -403,7 +403,7 @@ fn an_interrupted_analysis_is_not_judged() {
     let fails = interrupted(RacewayVerdict::Slips, 4);
     assert_eq!(fails.passes(), Some(false));
     assert!(
-        fails.headline().starts_with("FAIL: interrupted"),
+        fails.headline().starts_with("does not work: interrupted"),
         "{}",
         fails.headline()
     );

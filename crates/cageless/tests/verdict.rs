@@ -105,7 +105,7 @@ fn what_is_recommended_passes_its_own_verdict() {
     assert!(fraction > 0.25, "{fraction}");
     let headline = judgement.headline();
     assert!(
-        headline.starts_with("FAIL from evenly spaced balls: double collision; "),
+        headline.starts_with("does not work from evenly spaced balls: double collision; "),
         "{headline}"
     );
     assert!(headline.contains("missed by"), "{headline}");
@@ -354,33 +354,33 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         (
             [good(0), good(1)],
             RacewayVerdict::Smooth,
-            "PASS in this run from evenly spaced balls: smooth; nearest to its limit: balls reach 98.0 %",
+            "works in this run from evenly spaced balls: smooth; nearest to its limit: balls reach 98.0 %",
         ),
         (
             [tally(0, 0.8 + 1e-9, 0), good(1)],
             RacewayVerdict::Smooth,
-            "PASS",
+            "works",
         ),
         (
             [tally(0, 0.8 - 1e-9, 0), good(1)],
             RacewayVerdict::Slips,
-            "FAIL in this run from evenly spaced balls: excessive sliding; balls reach",
+            "does not work in this run from evenly spaced balls: excessive sliding; balls reach",
         ),
         (
             [good(0), tally(1, 0.8 - 1e-9, 0)],
             RacewayVerdict::Slips,
-            "FAIL",
+            "does not work",
         ),
         // 3 of 12 are a quarter.
         (
             [good(0), tally(1, 0.98, 3)],
             RacewayVerdict::Smooth,
-            "PASS in this run from evenly spaced balls: smooth; nearest to its limit: 25.0 %",
+            "works in this run from evenly spaced balls: smooth; nearest to its limit: 25.0 %",
         ),
         (
             [good(0), tally(1, 0.98, 4)],
             RacewayVerdict::DoubleCollision,
-            "FAIL in this run from evenly spaced balls: double collision; 33.3 %",
+            "does not work in this run from evenly spaced balls: double collision; 33.3 %",
         ),
         (
             [vec![], good(1)],
@@ -397,7 +397,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         (
             [good(0), good(1)[..42].to_vec()],
             RacewayVerdict::Smooth,
-            "PASS",
+            "works",
         ),
         (
             [vec![], vec![]],
@@ -420,7 +420,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
     assert!((found.standard_error.unwrap() - 1.0 / 3.0).abs() < 1e-12);
     assert_eq!(
         found.headline,
-        "FAIL in the mean of 3 draws from evenly spaced balls: double collision; 33.3 % of the passages have a double collision (limit \
+        "does not work in the mean of 3 draws from evenly spaced balls: double collision; 33.3 % of the passages have a double collision (limit \
          25 %, missed by 8.3 percentage points), standard error 33.3 percentage points; for the critical gap run \
          `cageless design`"
     );

@@ -6,6 +6,7 @@ use cageless_paper::structures_of;
 use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
+use cageless_results::open_benefit;
 use cageless_study::design::{Asked, DesignResult, Designed, design as study};
 use cageless_study::rings::rings;
 use cageless_study::{StudyError, search};
@@ -13,7 +14,7 @@ use cageless_study::{StudyError, search};
 use crate::args::DesignArgs;
 use crate::driver::{Answer, PAGE, PAGE_DATA, pretty};
 use crate::failure::Failure;
-use crate::format::{judged, pairs, values, warnings};
+use crate::format::{columns, judged, pairs, values, warnings};
 
 /// Files in the folder of `--out`.
 const NUMBERS: &str = "design.json";
@@ -38,6 +39,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         let asked = Asked {
             axial: args.axial,
             search: args.search.then_some(&paper),
+            benefit: args.benefit,
             folder: out,
         };
         let Designed {
@@ -59,7 +61,8 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         }
         let files = output.files(|| {
             let mut data = design_data(&file, &result, &snapshots);
-            if !interrupted {
+            // Short runs of equal balls beside long ones of real balls would say the opposite about contacts.
+            if !interrupted && !args.benefit {
                 data.rings = rings(&rings_of(&file, &result), bars)?;
             }
             let recommended = recommended.map(|case| file.edited(&case));
@@ -77,7 +80,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         let ending = match (none_found, stopped) {
             _ if interrupted => Err(Failure::Interrupted(INTERRUPTED.to_owned())),
             (Some(message), _) => {
-                text.clear();
+                text = benefit(&result);
                 let page = out.map(|dir| dir.join(PAGE));
                 let maps = page.map(|page| format!(" {} has the maps.", page.display()));
                 Err(Failure::Unphysical(message + &maps.unwrap_or_default()))
@@ -134,7 +137,9 @@ fn text(r: &DesignResult) -> String {
         record.results.text("headline"),
     );
     lines.push(("verdict", judged(passes, headline)));
-    let mut text = pairs(&lines) + &bullets(record.sentences("reasons"));
+    let open = open_benefit(passes).filter(|_| r.benefit.is_none());
+    lines.extend(open.map(|open| ("benefit", open.to_owned())));
+    let mut text = benefit(r) + &pairs(&lines) + &bullets(record.sentences("reasons"));
     text += &match r.recommendation() {
         // A search has a recommendation of its own.
         _ if r.search.is_some() => String::new(),
@@ -151,9 +156,31 @@ fn text(r: &DesignResult) -> String {
         text += &bullets(axial.sentences("findings"));
     }
     if let Some(search) = &r.search {
-        text += &("search:\n".to_owned() + &bullets(search.sentences("findings")));
+        let what = match r.benefit {
+            Some(_) => {
+                "search, by short runs of equal balls; of what it accepts the long runs above choose:\n"
+            }
+            None => "search:\n",
+        };
+        text += &(what.to_owned() + &bullets(search.sentences("findings")));
     }
     text
+}
+
+/// What helps in steady operation, with the table of the rings.
+fn benefit(r: &DesignResult) -> String {
+    let Some(benefit) = &r.benefit else {
+        return String::new();
+    };
+    let comparison = &benefit.comparison;
+    let mut rows = vec![comparison.headings()];
+    rows.extend(comparison.rows(comparison.subject().into_iter()));
+    format!(
+        "{}\n\n{}\n{}\n\n",
+        benefit.answer,
+        columns(&rows),
+        comparison.draws.text()
+    )
 }
 
 fn bullets(sentences: &[String]) -> String {

@@ -6,6 +6,7 @@ use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::results::SUMMARY;
 use cageless_report::run_report::run_data;
 use cageless_report::{run_json, run_page};
+use cageless_results::open_benefit;
 use cageless_results::{Record, table_of_judgements};
 use cageless_study::RunSummary;
 use cageless_study::run::{Options, run as study};
@@ -60,7 +61,9 @@ fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
     if !case.title.is_empty() {
         lines.push(("case", case.title.clone()));
     }
-    lines.push(("verdict", judged(summary.passes(), summary.headline())));
+    let passes = summary.passes();
+    lines.push(("verdict", judged(passes, summary.headline())));
+    lines.extend(open_benefit(passes).map(|open| ("benefit", open.to_owned())));
     lines.extend(values(&summary.results));
     let speed = summary.results.number("wall_s") / outcome.end_s.max(1e-12);
     lines.push(("speed", format!("{speed:.2} s per simulated second")));

@@ -291,6 +291,9 @@ class Steady(Section):
     start: Annotated[Literal["queue", "random"] | None, "start: all balls in the queue in which a conventional ring ends, or random gaps"] = None
     transient_orbits: Annotated[float | None, "orbits of the balls that are left out"] = None
     measured_orbits: Annotated[float | None, "orbits of the balls that are measured"] = None
+    weight_contacts: Annotated[float | None, "weight of fewer contacts in the benefit of a remedy"] = None
+    weight_spacing: Annotated[float | None, "weight of even spacing in the benefit of a remedy"] = None
+    weight_force: Annotated[float | None, "weight of a steady force on the outer ring in the benefit of a remedy"] = None
 
 
 class OfCase:

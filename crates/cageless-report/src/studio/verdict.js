@@ -40,7 +40,10 @@ class Verdict {
     const mark = passes === null ? "" : passes ? "✔ " : "✘ ";
     lamp.className = "lamp judged " + (passes === null ? "unjudged" : passes ? "pass" : "fail") + (judged ? "" : " estimated");
     lamp.dataset.kind = judged ? "simulated" : "estimate";
-    if (judged) lamp.replaceChildren(mark + judged.headline);
+    if (judged) {
+      lamp.replaceChildren(mark + judged.headline);
+      if (judged.benefit) lamp.append(element("br"), "Benefit " + judged.benefit);
+    }
     else {
       const found = passes === null ? (g.raceways.length && estimate ? "not judged: a number is not known" : "nothing to judge") : passes ? "passes" : "fails";
       lamp.replaceChildren(mark + "Estimate from closed forms: " + found, g.raceways.length ? element("progress", { max: 1, value: 0, "aria-label": "Simulated verdict" }) : "");

@@ -72,7 +72,7 @@ pub fn design() -> DesignData {
         title: "Design <synthetic>".to_owned(),
         lead: "What was found.".to_owned(),
         passes: Some(true),
-        headline: "PASS: smooth".to_owned(),
+        headline: "works: smooth".to_owned(),
         recommendation_passes: None,
         recommendation: String::new(),
         reasons: vec!["critical gap 1.7 of 1.8".to_owned()],

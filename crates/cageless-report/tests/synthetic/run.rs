@@ -41,7 +41,7 @@ pub fn run_data() -> RunData {
         software: "cageless 0.1.0".into(),
         lead: "Synthetic data: nothing here was simulated.".into(),
         passes: Some(false),
-        headline: "FAIL in this run: double collision".into(),
+        headline: "does not work in this run: double collision".into(),
         warnings: vec!["A warning with <angle brackets> & an ampersand.".into()],
         parameters: table1(),
         results: vec![

@@ -2,30 +2,29 @@
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless_io::estimate::{Change, Estimate};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::ring_results::{RingResults, compared_named};
 use cageless_results::{Aim, with_unit};
 
-/// What a user asks of a remedy unless told otherwise, each with the same weight: fewer contacts, even spacing,
-/// steady force.
-const ASKED: [&str; 3] = [
-    "contact_rate_hz",
-    "gap_deviation_deg",
-    "outer_ring_force_deviation_n",
+/// What is asked of a remedy, in the order of [`RingResults::weights`], with its name in sentences.
+const ASKED: [(&str, &str); 3] = [
+    ("contact_rate_hz", "contacts"),
+    ("gap_deviation_deg", "scatter of the gaps"),
+    ("outer_ring_force_deviation_n", "variation of the force"),
 ];
 
-/// What it may cost.
-const COSTS: [&str; 9] = [
-    "contact_rate_above_0_1_m_s_hz",
-    "contact_rate_above_0_5_m_s_hz",
-    "impulse_rate_n",
-    "passing_force_n",
-    "vibration_rms_m_s2",
-    "ball_pressure_max_mpa",
-    "power_loss_w",
-    "l10r_at_speed_h",
-    "basic_static_rating_n",
+/// What it may cost, with its name in sentences; without one it stands in tables alone.
+const COSTS: [(&str, &str); 9] = [
+    ("contact_rate_above_0_1_m_s_hz", ""),
+    ("contact_rate_above_0_5_m_s_hz", "contacts above 0.5 m/s"),
+    ("impulse_rate_n", ""),
+    ("passing_force_n", ""),
+    ("vibration_rms_m_s2", "vibration of the housing"),
+    ("ball_pressure_max_mpa", "pressure between balls"),
+    ("power_loss_w", "losses"),
+    ("l10r_at_speed_h", "life L10r"),
+    ("basic_static_rating_n", ""),
 ];
 
 /// Pressures that a contact must not exceed; 4200 MPa leaves a permanent deformation of a ten-thousandth of the
@@ -54,7 +53,22 @@ cageless::named_enum! {
     }
 }
 
+impl Serialize for BenefitWord {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
 impl BenefitWord {
+    /// Whether it helps; `None` if that is not judged or cannot be measured.
+    pub fn helps(self) -> Option<bool> {
+        match self {
+            Self::Helps => Some(true),
+            Self::Harms => Some(false),
+            Self::NoMeasurableBenefit | Self::NotJudged => None,
+        }
+    }
+
     /// The word in sentences.
     pub fn label(self) -> &'static str {
         match self {
@@ -82,8 +96,8 @@ pub struct BenefitCriterion {
 /// Benefit of a ring against the first of a comparison.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Benefit {
-    /// Name of the [`BenefitWord`].
-    pub benefit: &'static str,
+    /// The word.
+    pub benefit: BenefitWord,
     /// One sentence.
     pub headline: String,
     /// What decides: gains, costs, limits that are broken, or what is missing.
@@ -92,6 +106,26 @@ pub struct Benefit {
     pub score: Option<Estimate>,
     /// What was compared.
     pub criteria: Vec<BenefitCriterion>,
+    /// Order among rings that are compared with one: lower is better, judged or not.
+    #[serde(skip)]
+    pub rank: BenefitRank,
+}
+
+/// Place of a ring among others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BenefitRank {
+    /// Whether it breaks a limit.
+    pub breaks_limit: bool,
+    /// Mean of the score; infinite without one.
+    pub score: f64,
+}
+
+impl BenefitRank {
+    /// Order by limits, then score.
+    pub fn compare(&self, other: &Self) -> std::cmp::Ordering {
+        let limits = self.breaks_limit.cmp(&other.breaks_limit);
+        limits.then(self.score.total_cmp(&other.score))
+    }
 }
 
 impl Benefit {
@@ -105,8 +139,8 @@ impl Benefit {
             })
             .collect();
         let score = score(ring, reference);
-        let criteria: Vec<BenefitCriterion> = (ASKED.iter().map(|name| (*name, 1.0)))
-            .chain(COSTS.iter().map(|name| (*name, 0.0)))
+        let criteria: Vec<BenefitCriterion> = (asked(reference))
+            .chain(COSTS.iter().map(|(name, _)| (*name, 0.0)))
             .filter_map(|(name, weight)| criterion(ring, reference, name, weight))
             .collect();
         let said = |weighted: bool, better: bool| {
@@ -143,12 +177,20 @@ impl Benefit {
             }
             _ => {
                 let worse = (losses.into_iter()).map(|text| format!("worse: {text}"));
-                let costs = costs.into_iter().map(|text| format!("cost: {text}"));
-                (broken.into_iter().chain(gains).chain(worse).chain(costs)).collect()
+                let costs = costs
+                    .into_iter()
+                    .map(|text| format!("at the cost of {text}"));
+                (broken
+                    .iter()
+                    .cloned()
+                    .chain(gains)
+                    .chain(worse)
+                    .chain(costs))
+                .collect()
             }
         };
         Self {
-            benefit: word.name(),
+            benefit: word,
             headline: format!(
                 "{}: {} against {}{}",
                 ring.name,
@@ -161,27 +203,33 @@ impl Benefit {
                 }
             ),
             benefit_reasons: reasons,
+            rank: BenefitRank {
+                breaks_limit: !broken.is_empty(),
+                score: score.map_or(f64::INFINITY, |score| score.mean),
+            },
             score: score.filter(|_| word != BenefitWord::NotJudged),
             criteria,
         }
     }
-
-    /// The word.
-    pub fn word(&self) -> BenefitWord {
-        let found = BenefitWord::NAMES
-            .iter()
-            .find(|(name, _)| *name == self.benefit);
-        found.map_or(BenefitWord::NotJudged, |(_, word)| *word)
-    }
 }
 
-/// Mean of ln(ratio) of what is asked for over the draws; `None` if a ring lacks one of them.
+/// What is asked for, with its weights.
+fn asked(reference: &RingResults) -> impl Iterator<Item = (&'static str, f64)> {
+    let names = ASKED.into_iter().map(|(name, _)| name);
+    names.zip(reference.weights)
+}
+
+/// Weighted mean of ln(ratio) of what is asked for over the draws; `None` if a ring lacks one of them.
 fn score(ring: &RingResults, reference: &RingResults) -> Option<Estimate> {
-    let draws = ASKED.map(|name| ring.of(name).len().min(reference.of(name).len()));
+    let draws = ASKED.map(|(name, _)| ring.of(name).len().min(reference.of(name).len()));
     let count = draws.into_iter().min().unwrap_or(0);
+    let all: f64 = asked(reference).map(|(_, weight)| weight).sum();
     let of_draw = |k: usize| {
         let ln = |name: &str| ratio(ring.of(name)[k], reference.of(name)[k]).ln();
-        ASKED.iter().map(|name| ln(name)).sum::<f64>() / ASKED.len() as f64
+        asked(reference)
+            .map(|(name, weight)| weight * ln(name))
+            .sum::<f64>()
+            / all
     };
     let values: Vec<f64> = (0..count).map(of_draw).collect();
     let complete = values.iter().all(|value| value.is_finite());
@@ -223,13 +271,14 @@ fn criterion(
     })
 }
 
-/// A result of both rings in words: `contacts 231 ± 8 instead of 610 ± 9 1/s`.
+/// A result of both rings in words, `contacts 231 ± 8 instead of 610 ± 9 Hz`; `None` of what stands in tables alone.
 fn changed(ring: &RingResults, reference: &RingResults, name: &str) -> Option<String> {
     let quantity = compared_named(name)?;
     let (factor, unit) = quantity.printed();
     let text = |r: &RingResults| Some(Estimate::new(r.of(name))?.times(factor).text());
     let (value, from) = (text(ring)?, text(reference)?);
-    let label = quantity.label.trim();
+    let named = ASKED.iter().chain(&COSTS).find(|(known, _)| *known == name);
+    let (_, label) = named.filter(|(_, label)| !label.is_empty())?;
     Some(format!(
         "{label} {value} instead of {}",
         with_unit(&from, &unit)
@@ -246,4 +295,82 @@ fn broken(ring: &RingResults, name: &str) -> Option<String> {
             quantity.label.trim()
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless_io::case_file::{CaseFile, template};
+    use serde_json::Map;
+
+    use super::*;
+    use crate::comparison::RingVerdict;
+
+    /// A ring with these contacts, scatters and forces of four draws, and pressure.
+    fn ring(name: &str, set: &str, asked: [f64; 3], pressure: f64) -> RingResults {
+        let file = CaseFile::parse(&template(false), "case", &[set.to_owned()]).unwrap();
+        let draws: Vec<Vec<(&'static str, f64)>> = [0.99, 1.01, 0.98, 1.02]
+            .iter()
+            .map(|scatter| {
+                let values = ASKED.iter().zip(asked);
+                let values = values.map(|((name, _), value)| (*name, scatter * value));
+                values
+                    .chain([("ball_pressure_max_mpa", pressure)])
+                    .collect()
+            })
+            .collect();
+        RingResults::of_draws(name, &file, &draws, RingVerdict::of_summary(&Map::new()))
+    }
+
+    const PLAIN: [f64; 3] = [500.0, 6.0, 20.0];
+    /// Half the contacts, half the scatter, and four times the variation of the force.
+    const MIXED: [f64; 3] = [250.0, 3.0, 80.0];
+
+    fn judged(set: &str, asked: [f64; 3], pressure: f64) -> Benefit {
+        let plain = ring("plain", set, PLAIN, 900.0);
+        Benefit::of(&ring("A", set, asked, pressure), &plain)
+    }
+
+    /// ln ½ + ln ½ + ln 4 = 0, with equal weights; with others their mean.
+    #[test]
+    fn the_weights_of_the_user_decide() {
+        let benefit = judged("title=x", MIXED, 900.0);
+        assert_eq!(benefit.benefit, BenefitWord::NoMeasurableBenefit);
+        for (set, word, score) in [
+            ("steady.weight_force=0", BenefitWord::Helps, 0.5f64.ln()),
+            (
+                "steady.weight_contacts=0",
+                BenefitWord::Harms,
+                0.5 * 2f64.ln(),
+            ),
+            (
+                "steady.weight_spacing=6",
+                BenefitWord::Helps,
+                (5.0 * 0.5f64.ln()) / 8.0,
+            ),
+        ] {
+            let benefit = judged(set, MIXED, 900.0);
+            assert_eq!(benefit.benefit, word, "{set}");
+            let found = benefit.score.unwrap().mean;
+            assert!((found - score).abs() < 1e-12, "{set}: {found} {score}");
+        }
+    }
+
+    /// A broken limit harms whatever is gained, and puts a ring behind all that keep theirs.
+    #[test]
+    fn a_broken_limit_harms() {
+        let better = PLAIN.map(|value| 0.5 * value);
+        let [kept, broken] = [4199.0, 4201.0].map(|pressure| judged("title=x", better, pressure));
+        assert_eq!(kept.benefit, BenefitWord::Helps);
+        assert_eq!(broken.benefit, BenefitWord::Harms);
+        assert!(
+            broken.benefit_reasons[0].contains("at most 4200 MPa"),
+            "{broken:?}"
+        );
+        let worse = judged("title=x", MIXED, 900.0);
+        assert_eq!(worse.rank.compare(&broken.rank), std::cmp::Ordering::Less);
+        assert_eq!(
+            kept.rank.compare(&judged("title=x", MIXED, 900.0).rank),
+            std::cmp::Ordering::Less
+        );
+    }
 }

@@ -19,7 +19,7 @@ use cageless::vibration::VibrationRecorder;
 use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
-pub use benefit::{Benefit, BenefitCriterion, BenefitWord};
+pub use benefit::{Benefit, BenefitCriterion, BenefitRank, BenefitWord};
 pub use remedies::remedies;
 pub use result::{ComparedResult, RingComparison};
 pub use ring_results::RingResults;
@@ -72,6 +72,46 @@ pub fn compare(
 /// Name of the task of a comparison.
 const TASK: &str = "compare";
 
+/// Results of rings with so many draws of balls under the seed of the first case, without histories.
+///
+/// # Errors
+/// Errors of [`compare`].
+pub(crate) fn judged_rings(
+    rings: &[(String, CaseFile)],
+    draws: u64,
+    task: &str,
+    progress: &dyn Progress,
+) -> Result<RingComparison, StudyError> {
+    let sampling = Sampling::Draws(draws);
+    let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
+    let work = progress.begin(task, steady_task(task, rings, draws)?.steps());
+    let work = &work;
+    let results: Vec<RingResults> = each(rings)
+        .with_max_len(1)
+        .map(|(name, file)| ring_results(name, file, sampling, seed, work))
+        .collect::<Result<_, _>>()?;
+    Ok(RingComparison::new(
+        &results,
+        Draws::of(&rings[0].1, sampling),
+    ))
+}
+
+/// The task of [`judged_rings`].
+pub(crate) fn steady_task(
+    name: &str,
+    rings: &[(String, CaseFile)],
+    draws: u64,
+) -> Result<Task, StudyError> {
+    let (mut task, pieces) = (Task::new(name), rings.len());
+    for (_, file) in rings {
+        let first = Sampling::Draws(draws).sample(file, 0, 0)?;
+        let case = first.case();
+        let steps = draws as f64 * case.solver.steps();
+        task = task.with_batch(case, draws.min(DRAWS) as usize, steps, pieces);
+    }
+    Ok(task)
+}
+
 /// The task of a comparison: each ring once alone, with its histories, and with every draw side by side.
 fn task(rings: &[(String, CaseFile)], sampling: Sampling) -> Result<Task, StudyError> {
     let (mut task, count) = (Task::new(TASK), sampling.count());
@@ -98,24 +138,38 @@ fn ring(
     seed: u64,
     work: &Work<'_>,
 ) -> Result<ComparedRing, StudyError> {
+    let first = sampling.sample(file, seed, 0)?.for_as_long_as(file)?;
+    let (record, results) = both(
+        || recorded(&first, work),
+        || ring_results(name, file, sampling, seed, work),
+    );
+    Ok(ComparedRing {
+        record: record?,
+        results: results?,
+        file: first,
+    })
+}
+
+/// Scalar results of a ring with every sample.
+fn ring_results(
+    name: &str,
+    file: &CaseFile,
+    sampling: Sampling,
+    seed: u64,
+    work: &Work<'_>,
+) -> Result<RingResults, StudyError> {
     let draws: Vec<CaseFile> = (0..sampling.count())
         .map(|draw| sampling.sample(file, seed, draw))
         .collect::<Result<_, _>>()?;
-    let first = draws[0].for_as_long_as(file)?;
     // A block for each thread; who runs beside whom changes no bit.
-    let (record, found) = both(
-        || recorded(&first, work),
-        || {
-            let blocks = groups_of(&draws, DRAWS as usize).enumerate();
-            let found = blocks.map(|(k, block)| {
-                let first = k * DRAWS as usize;
-                let named = |at: usize| format!("{name}, draw {}", first + at + 1);
-                outcomes(block, work, &named)
-            });
-            found.collect::<Result<Vec<_>, _>>()
-        },
-    );
-    let drawn: Vec<DrawOutcome> = found?.into_iter().flatten().collect();
+    let blocks = groups_of(&draws, DRAWS as usize).enumerate();
+    let found = blocks.map(|(k, block)| {
+        let first = k * DRAWS as usize;
+        let named = |at: usize| format!("{name}, draw {}", first + at + 1);
+        outcomes(block, work, &named)
+    });
+    let found = found.collect::<Result<Vec<_>, _>>()?;
+    let drawn: Vec<DrawOutcome> = found.into_iter().flatten().collect();
     let verdicts: Vec<RunVerdict> = drawn.iter().map(|d| d.verdict.clone()).collect();
     let verdict = RunVerdict::of_starts(draws[0].case(), &verdicts);
     let blocks: Vec<&[SteadyBlock]> = drawn.iter().map(|d| d.blocks.as_slice()).collect();
@@ -124,12 +178,8 @@ fn ring(
         .iter()
         .map(|d| [d.values.clone(), at_rest.clone()].concat());
     let values: Vec<Values> = values.collect();
-    Ok(ComparedRing {
-        record: record?,
-        results: RingResults::of_draws(name, file, &values, verdict.into())
-            .settled_by(Stationarity::all(&blocks)),
-        file: first,
-    })
+    Ok(RingResults::of_draws(name, file, &values, verdict.into())
+        .settled_by(Stationarity::all(&blocks)))
 }
 
 /// What the number of balls changes at rest.

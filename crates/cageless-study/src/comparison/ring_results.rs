@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cageless::steady::Stationarity;
+use cageless::steady::{Stationarity, WEIGHT};
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use serde_json::{Map, Value};
 
@@ -38,6 +38,8 @@ pub struct RingResults {
     pub(super) apart_from_remedies: Option<CaseDocument>,
     pub(super) verdict: RingVerdict,
     values: BTreeMap<String, Vec<f64>>,
+    /// Weights of what is asked of a remedy: contacts, spacing, force.
+    pub(super) weights: [f64; 3],
     /// Whether the measured time is stationary; of a finished run nothing.
     pub(super) settling: Vec<Stationarity>,
 }
@@ -59,11 +61,13 @@ impl RingResults {
                 all[k] = *value;
             }
         }
+        let weights = file.steady().weights;
         Self {
             name: name.to_owned(),
             apart_from_remedies: Some(file.apart_from_remedies()),
             verdict,
             values,
+            weights: [weights.contacts, weights.spacing, weights.force],
             settling: vec![],
         }
     }
@@ -87,6 +91,7 @@ impl RingResults {
             apart_from_remedies: None,
             verdict: RingVerdict::of_summary(summary),
             values: numbers.collect(),
+            weights: [WEIGHT; 3],
             settling: vec![],
         }
     }

@@ -11,7 +11,7 @@ pub struct RingVerdict {
     pub verdict: String,
     /// Whether it passes; `None` if it was not judged.
     pub passes: Option<bool>,
-    /// PASS or FAIL with the criterion that decides, and its margin.
+    /// Whether it works, with the criterion that decides, and its margin.
     pub headline: String,
     /// Name of this criterion.
     pub criterion: Option<String>,

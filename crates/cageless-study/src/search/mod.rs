@@ -9,17 +9,18 @@ use std::time::{Duration, Instant};
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::search::{
-    Cause, ExpectedRuns, Found, OperatingPoint, Rejection, SearchError, Stage, expected_runs,
-    run_jobs, search,
+    Cause, Evaluation, ExpectedRuns, Found, OperatingPoint, Rejection, Request, SearchError, Stage,
+    expected_runs, run_jobs, search,
 };
 use cageless::design::{RacewayVerdict, judge, verdict_steps};
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::raceway::RacewayDimensions;
-use cageless_io::case_file::CaseFile;
+use cageless_io::case_file::{CaseFile, SectionValues};
 use rayon::prelude::*;
 
 use crate::RacewayLabel;
-use crate::entered::{entered, entered_raceway, reshaped, turned};
+use crate::benefit_search::{CANDIDATES, Candidate};
+use crate::entered::{entered, entered_raceway, reshaped, turned, with_raceways};
 use crate::error::StudyError;
 use crate::interruption::break_if;
 use crate::progress::Progress;
@@ -140,7 +141,11 @@ pub fn run(
     });
     runner.check()?;
     let mut found = found.map_err(|error| refused(file, error))?;
-    let mut verdicts = verdicts(file, &found, progress)?;
+    let best = found.recommended.map(|k| &found.evaluations[k]);
+    let mut verdicts = match best {
+        Some(best) => verdicts(file, &found.request, best, progress)?,
+        None => vec![],
+    };
     let failing = verdicts.iter().position(|v| v.flag("passes") != Some(true));
     if let Some(point) = failing {
         found.reject_recommended(&Rejection {
@@ -154,34 +159,83 @@ pub fn run(
     Ok((found, record))
 }
 
-/// Verdict on the recommended structure at every operating point, as it is when the structure is
-/// entered as the case's own.
-fn verdicts(
+/// The record of a structure.
+pub fn structure(evaluation: &Evaluation) -> Record {
+    data::structure(evaluation, None)
+}
+
+/// The raceways of a structure as sections of a case file.
+fn sections(file: &CaseFile, evaluation: &Evaluation) -> Vec<SectionValues> {
+    let of = &evaluation.structure;
+    let section_angle_deg = structure(evaluation).number("contact_angle_deg");
+    let raceways = of.centres_rad.iter().map(|&centre_angle_rad| {
+        let dimensions = RacewayDimensions {
+            axial_span_m: of.axial_span_m,
+            half_angle_rad: of.half_angle_rad,
+            centre_angle_rad,
+        };
+        let mut values = entered_raceway(&dimensions, 0.0);
+        values.extend(reshaped(file, of.form.shape.name()));
+        values.extend(turned(file, section_angle_deg));
+        values
+    });
+    raceways.collect()
+}
+
+/// Raceways that meet every requirement of a search, for [`search_benefit`]: the recommended one first, then others
+/// with their critical gaps spread over the range. Their indices among the evaluations stand beside them.
+///
+/// # Errors
+/// A case cannot have such a raceway.
+///
+/// [`search_benefit`]: crate::benefit_search::search_benefit
+pub fn candidates(file: &CaseFile, found: &Found) -> Result<Vec<(usize, Candidate)>, StudyError> {
+    let gap = |k: &usize| found.evaluations[*k].spacing[0].map_or(0.0, |s| s.critical_gap_rad);
+    let accepted = |k: &usize| found.evaluations[*k].objectives.is_some();
+    let mut others: Vec<usize> = (0..found.evaluations.len())
+        .filter(|k| accepted(k) && Some(*k) != found.recommended)
+        .collect();
+    others.sort_by(|a, b| gap(a).total_cmp(&gap(b)));
+    let first: Vec<usize> = found.recommended.into_iter().collect();
+    let count = others.len().min(CANDIDATES - first.len());
+    let spread = (0..count).map(|k| match count {
+        1 => others[0],
+        _ => others[k * (others.len() - 1) / (count - 1)],
+    });
+    let chosen = first.into_iter().chain(spread);
+    let candidate = |k: usize| {
+        let document = with_raceways(file, &sections(file, &found.evaluations[k]));
+        let name = structure_label(&structure(&found.evaluations[k]));
+        let file = CaseFile::from_document(document, "case")?;
+        Ok((k, Candidate { name, file }))
+    };
+    chosen.map(candidate).collect()
+}
+
+/// Whether a structure passes its verdict at every operating point.
+///
+/// # Errors
+/// A run did not converge, or the progress ended the work.
+pub fn works(
     file: &CaseFile,
     found: &Found,
+    structure: usize,
+    progress: &dyn Progress,
+) -> Result<bool, StudyError> {
+    let evaluation = &found.evaluations[structure];
+    let verdicts = verdicts(file, &found.request, evaluation, progress)?;
+    Ok(verdicts.iter().all(|v| v.flag("passes") == Some(true)))
+}
+
+/// Verdict on a structure at every operating point, as it is when the structure is entered as the case's own.
+fn verdicts(
+    file: &CaseFile,
+    request: &Request,
+    evaluation: &Evaluation,
     progress: &dyn Progress,
 ) -> Result<Vec<Record>, StudyError> {
-    let Some(recommended) = found.recommended.map(|k| &found.evaluations[k]) else {
-        return Ok(vec![]);
-    };
-    let best = &recommended.structure;
-    let section_angle_deg = data::structure(recommended, None).number("contact_angle_deg");
-    let raceways: Vec<_> = best
-        .centres_rad
-        .iter()
-        .map(|&centre_angle_rad| {
-            let dimensions = RacewayDimensions {
-                axial_span_m: best.axial_span_m,
-                half_angle_rad: best.half_angle_rad,
-                centre_angle_rad,
-            };
-            let mut values = entered_raceway(&dimensions, 0.0);
-            values.extend(reshaped(file, best.form.shape.name()));
-            values.extend(turned(file, section_angle_deg));
-            values
-        })
-        .collect();
-    let points = &found.request.points;
+    let raceways = sections(file, evaluation);
+    let points = &request.points;
     let steps = |point: &OperatingPoint| match entered(file, &raceways, Some(point)) {
         Some(case) => verdict_steps(&case),
         None => 0.0,
@@ -196,7 +250,7 @@ fn verdicts(
                     ("passes", Cell::Integer(0)),
                     (
                         "headline",
-                        text("FAIL: no solution; the case cannot have this raceway"),
+                        text("does not work: no solution; the case cannot have this raceway"),
                     ),
                     ("criterion", Cell::Null),
                     ("margin", Cell::Null),

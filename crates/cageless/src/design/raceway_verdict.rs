@@ -41,6 +41,15 @@ impl RacewayVerdict {
         }
     }
 
+    /// Whether single balls are slowed as intended, in a word: what a raceway needs to help, and no more.
+    pub fn works(passes: Option<bool>) -> &'static str {
+        match passes {
+            Some(true) => "works",
+            Some(false) => "does not work",
+            None => "not judged",
+        }
+    }
+
     /// Wording for readers.
     pub fn label(self) -> &'static str {
         match self {

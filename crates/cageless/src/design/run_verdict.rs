@@ -31,7 +31,7 @@ pub struct RunVerdict {
     pub deciding: Option<Criterion>,
     /// Standard error of its value over several starts; `None` of one run.
     pub standard_error: Option<f64>,
-    /// PASS or FAIL with the verdict, the criterion that decides, and its margin; or why it is not judged.
+    /// Whether it works, with the verdict, the criterion that decides, and its margin; or why it is not judged.
     pub headline: String,
     /// Slowing and double collisions in each raceway, and the largest pressure; empty if the run is not judged.
     criteria: Vec<Criterion>,
@@ -127,10 +127,10 @@ impl RunVerdict {
                 format!("not judged: {reason}")
             }
             Some(criterion) => {
-                let (word, nearest) = if criterion.is_met() {
-                    ("PASS", "nearest to its limit: ")
-                } else {
-                    ("FAIL", "")
+                let word = RacewayVerdict::works(Some(criterion.is_met()));
+                let nearest = match criterion.is_met() {
+                    true => "nearest to its limit: ",
+                    false => "",
                 };
                 let error = standard_error.map_or(String::new(), |error| {
                     let shown = percent_beside(error, 0.0);

@@ -331,19 +331,20 @@ impl Judgement {
         self.verdict.passes()
     }
 
-    /// PASS or FAIL with the verdict, the criterion that decides, and its margin; or what is missing for a verdict.
+    /// Whether it works, with the verdict, the criterion that decides, and its margin; or what is missing for a verdict.
     pub fn headline(&self) -> String {
         let name = self.verdict.label();
         let reason = match &self.deciding {
             Some(criterion) => criterion.to_string(),
             None => self.missing().unwrap_or_else(|| self.reasons.join("; ")),
         };
+        let word = RacewayVerdict::works(self.passes());
         match self.passes() {
-            None => format!("not judged: {reason}"),
+            None => format!("{word}: {reason}"),
             Some(true) => {
-                format!("PASS from evenly spaced balls: {name}; nearest to its limit: {reason}")
+                format!("{word} from evenly spaced balls: {name}; nearest to its limit: {reason}")
             }
-            Some(false) => format!("FAIL from evenly spaced balls: {name}; {reason}"),
+            Some(false) => format!("{word} from evenly spaced balls: {name}; {reason}"),
         }
     }
 

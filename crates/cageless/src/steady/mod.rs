@@ -21,7 +21,8 @@ mod stationarity;
 mod summary;
 
 pub use operation::{
-    GRADE, MEASURED_ORBITS, SteadyDraw, SteadyOperation, SteadyStart, TRANSIENT_ORBITS,
+    BenefitWeights, GRADE, MEASURED_ORBITS, SteadyDraw, SteadyOperation, SteadyStart,
+    TRANSIENT_ORBITS, WEIGHT,
 };
 pub use queue::leading_ball;
 pub use recorder::{SteadyBlock, SteadyRecorder};

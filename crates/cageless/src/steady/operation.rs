@@ -24,8 +24,31 @@ pub const GRADE: i64 = 10;
 pub const TRANSIENT_ORBITS: f64 = 120.0;
 /// Orbits that are measured.
 pub const MEASURED_ORBITS: f64 = 320.0;
+/// Weight of each thing that is asked of a remedy.
+pub const WEIGHT: f64 = 1.0;
 
-/// Balls, start and length of runs of steady operation.
+/// Weights of what is asked of a remedy, 0 or more and not all 0; their sum does not matter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BenefitWeights {
+    /// Fewer contacts between balls.
+    pub contacts: f64,
+    /// Even spacing.
+    pub spacing: f64,
+    /// Steady force on the outer ring.
+    pub force: f64,
+}
+
+impl Default for BenefitWeights {
+    fn default() -> Self {
+        Self {
+            contacts: WEIGHT,
+            spacing: WEIGHT,
+            force: WEIGHT,
+        }
+    }
+}
+
+/// Balls, start and length of runs of steady operation, and what is asked of a remedy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteadyOperation {
     /// Grade of the balls.
@@ -36,6 +59,8 @@ pub struct SteadyOperation {
     pub transient_orbits: f64,
     /// Orbits of the balls that are measured.
     pub measured_orbits: f64,
+    /// Weights of what is asked of a remedy.
+    pub weights: BenefitWeights,
 }
 
 /// Balls and start of one run.
@@ -56,6 +81,7 @@ impl Default for SteadyOperation {
             start: SteadyStart::Queue,
             transient_orbits: TRANSIENT_ORBITS,
             measured_orbits: MEASURED_ORBITS,
+            weights: BenefitWeights::default(),
         }
     }
 }

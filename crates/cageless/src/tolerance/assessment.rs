@@ -16,7 +16,7 @@ pub struct Outcome {
     pub passages: Option<PassageStatistics>,
     /// Reason if infeasible or not judged.
     pub reason: Option<String>,
-    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    /// Whether it works, with the verdict, the criterion that decides, and its margin.
     pub headline: String,
 }
 
@@ -63,7 +63,11 @@ impl Outcome {
             verdict: RacewayVerdict::Infeasible,
             critical_gap_rad: None,
             passages: None,
-            headline: format!("FAIL: {}; {reason}", RacewayVerdict::Infeasible.label()),
+            headline: format!(
+                "{}: {}; {reason}",
+                RacewayVerdict::works(Some(false)),
+                RacewayVerdict::Infeasible.label()
+            ),
             reason: Some(reason),
         }
     }
@@ -187,13 +191,9 @@ impl Assessment {
         self.judged < self.asked
     }
 
-    /// PASS or FAIL with the probability of passing and the verdict on the nominal bearing, or why there is none.
+    /// Whether it works, with the probability of passing and the verdict on the nominal bearing, or why there is none.
     pub fn headline(&self) -> String {
-        let word = match self.passes() {
-            Some(true) => "PASS",
-            Some(false) => "FAIL",
-            None => "not judged",
-        };
+        let word = RacewayVerdict::works(self.passes());
         let nominal = &self.nominal.headline;
         let samples = self.samples.as_ref().map(|s| self.of_samples(s));
         let interrupted = self.is_interrupted().then(|| {

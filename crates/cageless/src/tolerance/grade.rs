@@ -17,7 +17,7 @@ const fn grade(number: u32, lot_variation_m: f64) -> BallGrade {
 }
 
 /// Variation of the ball lot diameter of every grade of the standard.
-pub const BALL_GRADES: [BallGrade; 11] = [
+const BALL_GRADES: [BallGrade; 11] = [
     grade(3, 0.13e-6),
     grade(5, 0.25e-6),
     grade(10, 0.5e-6),
@@ -30,6 +30,12 @@ pub const BALL_GRADES: [BallGrade; 11] = [
     grade(100, 5e-6),
     grade(200, 10e-6),
 ];
+
+/// Numbers of all grades for messages: `3, 5, 10, …`.
+pub fn ball_grades_text() -> String {
+    let numbers: Vec<String> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
+    numbers.join(", ")
+}
 
 /// The grade of a number; `None` if the standard has none.
 pub fn ball_grade(number: u32) -> Option<BallGrade> {

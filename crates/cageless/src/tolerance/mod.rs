@@ -14,4 +14,4 @@ mod grade;
 
 pub use assessment::{Assessment, InfluenceResult, Interval, Outcome, Samples, assess};
 pub use deviation::{Deviation, Influence, Tolerances, Trial, ball_lot_m, trials};
-pub use grade::{BALL_GRADES, BallGrade, ball_grade};
+pub use grade::{BallGrade, ball_grade, ball_grades_text};

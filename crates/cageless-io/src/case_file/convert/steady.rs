@@ -1,7 +1,7 @@
 //! Steady operation.
 
-use cageless::steady::SteadyOperation;
-use cageless::tolerance::{BALL_GRADES, ball_grade};
+use cageless::steady::{BenefitWeights, SteadyOperation};
+use cageless::tolerance::{ball_grade, ball_grades_text};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
@@ -14,15 +14,24 @@ impl Converter<'_> {
         };
         let grade = u32::try_from(steady.grade).ok().and_then(ball_grade);
         let grade = grade.ok_or_else(|| {
-            let grades: Vec<String> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
-            let allowed = format!("a grade of ISO 3290-1: {}", grades.join(", "));
+            let allowed = format!("a grade of ISO 3290-1: {}", ball_grades_text());
             self.refuse("steady.grade", &allowed)
         })?;
+        let weights = BenefitWeights {
+            contacts: steady.weight_contacts,
+            spacing: steady.weight_spacing,
+            force: steady.weight_force,
+        };
+        if weights.contacts + weights.spacing + weights.force <= 0.0 {
+            let allowed = "more than 0 where steady.weight_spacing and steady.weight_force are 0";
+            return Err(self.refuse("steady.weight_contacts", allowed));
+        }
         Ok(SteadyOperation {
             grade,
             start: steady.start,
             transient_orbits: steady.transient_orbits,
             measured_orbits: steady.measured_orbits,
+            weights,
         })
     }
 }

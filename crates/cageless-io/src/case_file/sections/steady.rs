@@ -1,6 +1,6 @@
 //! `[steady]`.
 
-use cageless::steady::{GRADE, MEASURED_ORBITS, SteadyStart, TRANSIENT_ORBITS};
+use cageless::steady::{GRADE, MEASURED_ORBITS, SteadyStart, TRANSIENT_ORBITS, WEIGHT};
 
 use crate::case_file::declaration::prelude::*;
 
@@ -17,5 +17,11 @@ section! {
             "orbits of the balls that are left out", Commented("120.0", "orbits of the balls that are left out");
         measured_orbits => measured_orbits: f64 = default(MEASURED_ORBITS), Plain; Above(0.0),
             "orbits of the balls that are measured", Commented("320.0", "orbits of the balls that are measured");
+        weight_contacts => weight_contacts: f64 = default(WEIGHT), Plain; AtLeast(0.0),
+            "weight of fewer contacts in the benefit of a remedy", Commented("1.0", "weight of fewer contacts in the benefit");
+        weight_spacing => weight_spacing: f64 = default(WEIGHT), Plain; AtLeast(0.0),
+            "weight of even spacing in the benefit of a remedy", Commented("1.0", "weight of even spacing");
+        weight_force => weight_force: f64 = default(WEIGHT), Plain; AtLeast(0.0),
+            "weight of a steady force on the outer ring in the benefit of a remedy", Commented("1.0", "weight of a steady force on the outer ring");
     }
 }

@@ -389,7 +389,7 @@ fn findings_are_plain() {
 fn a_recommendation_that_fails_its_verdict_is_none() {
     let (file, mut found) = found();
     found.reject_recommended(&Rejection {
-        cause: Cause::Verdict("FAIL: slips".to_owned()),
+        cause: Cause::Verdict("does not work: slips".to_owned()),
         point: Some(0),
         bunched: false,
     });
@@ -401,7 +401,7 @@ fn a_recommendation_that_fails_its_verdict_is_none() {
     assert!(data.part("recommended_from_usual_starts").is_none());
     let sentence = &data.sentences("findings")[0];
     assert!(
-        sentence.contains("with evenly spaced balls FAIL: slips at 12000 rpm"),
+        sentence.contains("with evenly spaced balls does not work: slips at 12000 rpm"),
         "{sentence}"
     );
     let fronts = data

@@ -511,7 +511,7 @@ mod tests {
             (Cause::Path, "eq-9"),
             (Cause::Slot, "slot"),
             (Cause::Overlap, "overlap"),
-            (Cause::Verdict("FAIL".to_owned()), "verdict"),
+            (Cause::Verdict("does not work".to_owned()), "verdict"),
             (Cause::Failed("no".to_owned()), "failed"),
         ] {
             assert_eq!((cause.name(), cause.excess(0.5)), (name, f64::INFINITY));

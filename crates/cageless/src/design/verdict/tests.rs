@@ -207,7 +207,7 @@ fn the_worst_raceway_decides() {
     let headline = all.headline();
     assert!(
         headline.starts_with(
-            "PASS from evenly spaced balls: smooth; nearest to its limit: balls reach 81.0 %"
+            "works from evenly spaced balls: smooth; nearest to its limit: balls reach 81.0 %"
         ),
         "{headline}"
     );
@@ -233,7 +233,7 @@ fn the_worst_raceway_decides() {
     assert_eq!(all.deciding, Some(Criterion::BothNeighbours(0.4)));
     let headline = all.headline();
     assert!(
-        headline.starts_with("FAIL from evenly spaced balls: double collision; 40.0 %"),
+        headline.starts_with("does not work from evenly spaced balls: double collision; 40.0 %"),
         "{headline}"
     );
     // A raceway that is not judged keeps all from passing, not from failing.

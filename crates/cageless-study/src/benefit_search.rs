@@ -1,0 +1,194 @@
+//! The raceway that helps most in steady operation, beside a plain ring and one ball fewer.
+
+use cageless_io::case_file::{CaseError, CaseFile};
+use cageless_results::Record;
+use serde::Serialize;
+
+use crate::comparison::{Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, steady_task};
+use crate::error::StudyError;
+use crate::progress::Progress;
+use crate::task::Task;
+
+/// Raceways of a search that short runs compare.
+pub const CANDIDATES: usize = 8;
+/// Raceways of these that long runs judge, beside the one that the search recommends.
+const FINALISTS: usize = 2;
+/// Draws of balls and measured orbits of short runs.
+const SHORT: (u64, f64) = (4, 80.0);
+
+/// Names of the tasks of short and long runs.
+const CHOICE: &str = "benefit: candidates";
+const JUDGEMENT: &str = "benefit";
+
+/// A raceway that may help: the case that has it.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// Name in tables and sentences.
+    pub name: String,
+    /// The case with it.
+    pub file: CaseFile,
+}
+
+/// Score of a candidate in short runs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CandidateScore {
+    /// Name.
+    pub name: String,
+    /// Weighted mean of ln(ratio) to the plain ring of what is asked for, below 0 better; `None` without results.
+    pub score: Option<f64>,
+}
+
+/// Benefit of raceways in steady operation.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BenefitSearch {
+    /// Benefit of the best raceway; `None` where there is none to judge.
+    pub benefit: Option<BenefitWord>,
+    /// What helps, in a sentence.
+    pub answer: String,
+    /// What decides about the best raceway.
+    pub benefit_reasons: Vec<String>,
+    /// Scores in short runs, best first; empty where all raceways were judged.
+    pub candidates: Vec<CandidateScore>,
+    /// Plain ring, one ball fewer and the best raceways in long runs.
+    pub comparison: RingComparison,
+    /// Index of the raceway that helps most among the candidates.
+    #[serde(skip)]
+    pub best: Option<usize>,
+    /// Structure of that raceway, of a search.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recommended: Option<Record>,
+}
+
+impl BenefitSearch {
+    /// Whether the best raceway helps; `None` if that is not judged or cannot be measured.
+    pub fn helps(&self) -> Option<bool> {
+        self.benefit.and_then(BenefitWord::helps)
+    }
+}
+
+/// The case as it runs here: with the integration of a search, which is several times as fast as others.
+fn quick(file: &CaseFile) -> Result<CaseFile, CaseError> {
+    let mut document = file.document().clone();
+    document.set("solver.method", "verlet");
+    document.set("solver.step_us", "auto");
+    CaseFile::from_document(document, "case")
+}
+
+/// The plain ring of a case and that with one ball fewer.
+fn plain_rings(file: &CaseFile) -> Result<Vec<(String, CaseFile)>, CaseError> {
+    let balls = file.case().bearing.balls();
+    let plain = match file.case().raceways.is_empty() {
+        true => quick(file)?,
+        false => quick(&file.with_conventional_ring()?)?,
+    };
+    let fewer = plain.with_balls(balls - 1)?;
+    Ok(vec![
+        (format!("plain, {balls} balls"), plain),
+        (format!("plain, {} balls", balls - 1), fewer),
+    ])
+}
+
+/// The rings of short runs: the plain one, then all candidates.
+fn short(rings: &[(String, CaseFile)]) -> Result<Vec<(String, CaseFile)>, CaseError> {
+    let shorter = rings.iter().map(|(name, file)| {
+        let mut document = file.document().clone();
+        document.set("steady.measured_orbits", SHORT.1);
+        Ok((name.clone(), CaseFile::from_document(document, "case")?))
+    });
+    shorter.collect()
+}
+
+/// The tasks of [`search_benefit`] of so many candidates, for `Progress::whole`.
+///
+/// # Errors
+/// The bearing does not take one ball fewer.
+pub fn tasks(file: &CaseFile, candidates: usize) -> Result<Vec<Task>, StudyError> {
+    let mut rings = plain_rings(file)?;
+    let own = ("raceway".to_owned(), quick(file)?);
+    let judged = candidates.min(FINALISTS + 1);
+    let mut tasks = vec![];
+    if candidates > judged {
+        let mut all = vec![rings[0].clone()];
+        all.resize(candidates + 1, own.clone());
+        tasks.push(steady_task(CHOICE, &short(&all)?, SHORT.0)?);
+    }
+    rings.resize(judged + 2, own);
+    tasks.push(steady_task(JUDGEMENT, &rings, DRAWS)?);
+    Ok(tasks)
+}
+
+/// Judges raceways in steady operation against the plain ring of a case, and one ball fewer beside them. Short runs
+/// leave the best of many; the first candidate is judged in any case. Those that do not work otherwise are left
+/// out.
+///
+/// # Errors
+/// A case cannot start, a run left the physical range, or the progress ended the work.
+pub fn search_benefit(
+    file: &CaseFile,
+    candidates: &[Candidate],
+    works: &dyn Fn(usize) -> Result<bool, StudyError>,
+    progress: &dyn Progress,
+) -> Result<BenefitSearch, StudyError> {
+    let mut rings = plain_rings(file)?;
+    let named = |c: &Candidate| Ok::<_, CaseError>((c.name.clone(), quick(&c.file)?));
+    let all: Vec<_> = candidates.iter().map(named).collect::<Result<_, _>>()?;
+    let mut judged: Vec<usize> = (0..candidates.len()).collect();
+    let mut scores = vec![];
+    if candidates.len() > FINALISTS + 1 {
+        let begun: Vec<_> = [&rings[..1], &all].concat();
+        let found = judged_rings(&short(&begun)?, SHORT.0, CHOICE, progress)?;
+        let mut ranked: Vec<(usize, &Benefit)> =
+            found.benefits.iter().flatten().enumerate().collect();
+        ranked.sort_by(|(_, a), (_, b)| a.rank.compare(&b.rank));
+        judged = vec![0];
+        for (k, _) in ranked.iter().filter(|(k, _)| *k != 0) {
+            if judged.len() <= FINALISTS && works(*k)? {
+                judged.push(*k);
+            }
+        }
+        let scored = ranked.iter().map(|(k, benefit)| CandidateScore {
+            name: candidates[*k].name.clone(),
+            score: Some(benefit.rank.score).filter(|score| score.is_finite()),
+        });
+        scores = scored.collect();
+    }
+    rings.extend(judged.iter().map(|&k| all[k].clone()));
+    let comparison = judged_rings(&rings, DRAWS, JUDGEMENT, progress)?;
+    let of_raceways = comparison.benefits[2..].iter().flatten().zip(&judged);
+    let helps = |benefit: &Benefit| benefit.benefit == BenefitWord::Helps;
+    let best = of_raceways.min_by(|(a, _), (b, _)| {
+        let last = helps(b).cmp(&helps(a));
+        last.then(a.rank.compare(&b.rank))
+    });
+    let fewer = comparison.benefits[1].as_ref();
+    let (raceway, fewer_helps) = (best.map(|(b, _)| b), fewer.is_some_and(helps));
+    let said = |benefit: Option<&Benefit>| benefit.map_or(String::new(), |b| b.headline.clone());
+    let answer = match raceway.map(|b| b.benefit) {
+        None => format!("There is no raceway to judge. {}.", said(fewer)),
+        Some(BenefitWord::Helps) => {
+            let fewer = fewer.map_or("", |b| b.benefit.label());
+            let one = &comparison.runs[1];
+            format!("{}. {one}: {fewer}.", said(raceway))
+        }
+        Some(_) if fewer_helps => {
+            format!(
+                "No raceway helps here, one ball fewer does. {}.",
+                said(fewer)
+            )
+        }
+        Some(BenefitWord::NotJudged) => format!("{}.", said(raceway)),
+        Some(_) => {
+            let both = format!("{}. {}", said(raceway), said(fewer));
+            format!("Neither a raceway nor one ball fewer helps here. {both}.")
+        }
+    };
+    Ok(BenefitSearch {
+        benefit: best.map(|(b, _)| b.benefit),
+        answer,
+        benefit_reasons: best.map_or(vec![], |(b, _)| b.benefit_reasons.clone()),
+        best: best.filter(|(b, _)| helps(b)).map(|(_, &k)| k),
+        recommended: None,
+        candidates: scores,
+        comparison,
+    })
+}
