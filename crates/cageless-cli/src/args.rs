@@ -186,10 +186,10 @@ pub struct CompareArgs {
     /// Case files (TOML or JSON), or folders of finished runs; all are compared with the first.
     #[arg(value_name = "CASE", required = true, num_args = 1..)]
     pub cases: Vec<PathBuf>,
-    /// Compare the only case with its conventional ring, which comes first.
+    /// Compare the cases with the conventional ring of the first, which stands before them.
     #[arg(long)]
     pub with_conventional: bool,
-    /// Compare the only case with its remedies: plain ring, raceway, one and two balls fewer.
+    /// Compare one case with its remedies: plain ring, raceway, one and two balls fewer.
     #[arg(long, conflicts_with = "with_conventional")]
     pub remedies: bool,
     /// Draws of real balls, the same for every ring. Default: 8.

@@ -20,7 +20,7 @@ fn a_design_says_first_whether_its_raceway_helps() {
     assert_eq!(done.code, Some(0), "{done:?}");
     let first = done.stdout.lines().next().unwrap();
     assert!(
-        first.starts_with("raceway: not judged against plain, 14 balls; "),
+        first.starts_with("raceway: not judged against plain, 14 balls: "),
         "{first}"
     );
     assert!(done.stdout.contains("works from evenly spaced balls"));

@@ -177,12 +177,12 @@ fn the_raceway_of_the_paper_helps_in_steady_operation() {
     // What harms stands beside what helps.
     let pressure = result(&found, "ball_pressure_max_mpa");
     assert_eq!(pressure["better"], serde_json::json!([null, false]));
-    let said = "A: helps against conventional; contacts ";
+    let said = "A: helps against conventional: contacts ";
     let statement = found["statement"].as_str().unwrap();
     assert!(statement.starts_with(said), "{statement}");
     assert!(
-        statement.contains("at the cost of pressure between balls ")
-            && statement.contains("at the cost of losses "),
+        statement.contains("; at the cost of pressure between balls ")
+            && statement.contains(", losses "),
         "{statement}"
     );
     assert!(done.stdout.contains(said), "{done:?}");

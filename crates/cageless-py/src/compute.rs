@@ -1,5 +1,6 @@
 //! Computations of a case or a rotor, each with the files that the command leaves.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
@@ -107,25 +108,25 @@ pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
     })
 }
 
-/// Judges the raceways of a case; with `axial` under axial loads, too; with `search` searches for the
-/// best one, or resumes that in the folder.
+/// Judges the raceways of a case. `asked` may hold `axial`, for axial loads, `search`, for a search or its
+/// resumption in the folder, and `benefit`, for steady operation beside a plain ring.
 #[pyfunction]
 pub fn design(
     py: Python<'_>,
     file: &File,
-    axial: bool,
-    search: bool,
+    asked: HashSet<String>,
     folder: Option<PathBuf>,
     background: Background,
 ) -> Found<Computed> {
     let file = file.case().clone();
-    let background = background.on_one(!axial && !search);
+    let [axial, search, benefit] = ["axial", "search", "benefit"].map(|name| asked.contains(name));
+    let background = background.on_one(asked.is_empty());
     let (result, data, stopped) = background.run(py, |progress| {
         let paper = structures_of(&file.case().bearing)?;
         let asked = Asked {
             axial,
             search: search.then_some(&paper),
-            benefit: false,
+            benefit,
             folder: folder.as_deref(),
         };
         let Designed {
@@ -139,7 +140,9 @@ pub fn design(
             return Err(StudyError::Interrupted.into());
         }
         let mut data = design_data(&file, &result, &snapshots);
-        data.rings = rings(&rings_of(&file, &result), progress)?;
+        if !benefit {
+            data.rings = rings(&rings_of(&file, &result), progress)?;
+        }
         Ok::<_, Error>((result, data, stopped))
     })??;
     if let (Some(stop), false) = (stopped, search) {
@@ -150,7 +153,13 @@ pub fn design(
     }
     let json = pretty(&result)?;
     let (kind, values) = match &result.search {
-        Some(found) => ("search", serde_json::to_string(found)?),
+        Some(found) => {
+            let mut values = serde_json::to_value(found)?;
+            if let (Some(values), Some(benefit)) = (values.as_object_mut(), &result.benefit) {
+                values.insert("benefit".to_owned(), serde_json::to_value(benefit)?);
+            }
+            ("search", values.to_string())
+        }
         None => ("design", json.clone()),
     };
     with_seed(py, kind, values, vec![], move || {

@@ -92,6 +92,24 @@ def test_a_search_that_was_ended_is_finished_by_the_command(
         assert made(found._core.figure(name, None, None, None)) in figures(tmp_path / "report.html"), name
 
 
+def test_a_raceway_that_is_not_judged_to_help_is_not_recommended() -> None:
+    """Steady operation far too short: the design says so, the search recommends nothing."""
+    short = {"steady.transient_orbits": 1, "steady.measured_orbits": 3}
+    case = small().replace(short)
+    design = case.design(benefit=True)
+    assert design.benefit.benefit == "not-judged"
+    assert design.benefit.answer.startswith("raceway: not judged against plain, 14 balls: ")
+    runs = design.benefit.comparison.values["runs"]
+    assert runs == ["plain, 14 balls", "plain, 13 balls", "raceway"]
+    with pytest.raises(cageless.UnphysicalError, match="not judged against plain") as ended:
+        case.search(**SMALL, benefit=True)
+    found = ended.value.result
+    assert isinstance(found, cageless.SearchResult)
+    assert found.recommended == () and found.values["recommended"] is not None
+    with pytest.raises(cageless.UnphysicalError, match="not judged against plain"):
+        _ = found.case
+
+
 def test_a_search_keeps_the_shape_and_the_blend() -> None:
     case = small().replace({"raceway.blend_mm": 1.0})
     found = case.search(**SMALL | {"axial_span_mm": 5.0, "half_angle_deg": [22.0, 24.0]}, shapes="all")

@@ -50,6 +50,7 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         page.note(Note::Remark, &comparison.draws.text());
         let label = "What a remedy changes";
         let of = provenance(runs);
+        page.figures(figures::benefit(comparison, &of));
         page.table(&table(label, of, comparison, subject.iter().copied()));
     }
     let all = comparison.results.iter();

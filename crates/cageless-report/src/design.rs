@@ -12,6 +12,7 @@ use cageless_study::search::point_label;
 use crate::compare::subject_table;
 use crate::data::{Motion, Parameter, Provenance};
 use crate::figures::axial_load::{AxialLoads, axial_gap, axial_load};
+use crate::figures::compare::benefit as benefit_figure;
 use crate::figures::search as figures;
 use crate::figures::{design, shape};
 use crate::geometry::{ContactTrack, RacewaySurface};
@@ -88,9 +89,12 @@ pub fn design_page(data: &DesignData) -> String {
     page.notes(Note::Warning, &data.warnings);
     if let Some(benefit) = &data.benefit {
         page.section("Does it help?");
-        page.paragraph(&benefit.answer);
         page.note(Note::Remark, &benefit.comparison.draws.text());
-        page.table(&subject_table(&benefit.comparison, data.provenance.clone()));
+        page.figures(benefit_figure(&benefit.comparison, &benefit.provenance));
+        page.table(&subject_table(
+            &benefit.comparison,
+            benefit.provenance.clone(),
+        ));
     }
     if let Some(shown) = &data.shown {
         drawing_section(&mut page, shown);

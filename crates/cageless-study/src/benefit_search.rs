@@ -1,7 +1,7 @@
 //! The raceway that helps most in steady operation, beside a plain ring and one ball fewer.
 
 use cageless_io::case_file::{CaseError, CaseFile};
-use cageless_results::Record;
+use cageless_results::{Provenance, Record, provenance};
 use serde::Serialize;
 
 use crate::comparison::{Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, steady_task};
@@ -51,6 +51,9 @@ pub struct BenefitSearch {
     pub candidates: Vec<CandidateScore>,
     /// Plain ring, one ball fewer and the best raceways in long runs.
     pub comparison: RingComparison,
+    /// Provenance of the long runs.
+    #[serde(skip)]
+    pub provenance: Provenance,
     /// Index of the raceway that helps most among the candidates.
     #[serde(skip)]
     pub best: Option<usize>,
@@ -154,6 +157,8 @@ pub fn search_benefit(
     }
     rings.extend(judged.iter().map(|&k| all[k].clone()));
     let comparison = judged_rings(&rings, DRAWS, JUDGEMENT, progress)?;
+    let orbits = file.steady().transient_orbits;
+    let discarded = format!("the first {orbits} orbits of each run");
     let of_raceways = comparison.benefits[2..].iter().flatten().zip(&judged);
     let helps = |benefit: &Benefit| benefit.benefit == BenefitWord::Helps;
     let best = of_raceways.min_by(|(a, _), (b, _)| {
@@ -188,6 +193,7 @@ pub fn search_benefit(
         benefit_reasons: best.map_or(vec![], |(b, _)| b.benefit_reasons.clone()),
         best: best.filter(|(b, _)| helps(b)).map(|(_, &k)| k),
         recommended: None,
+        provenance: provenance(rings[0].1.case(), discarded),
         candidates: scores,
         comparison,
     })

@@ -32,7 +32,7 @@ pub struct DesignResult {
     /// Closed forms, verdict and recommendation.
     #[serde(flatten)]
     pub record: Record,
-    /// What axial load and tilt leave of the lag.
+    /// Lags that axial load and tilt leave.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub axial: Option<Record>,
     /// Result of a search.
@@ -69,7 +69,7 @@ impl DesignResult {
     }
 }
 
-/// What is asked beside the verdict.
+/// Work beside the verdict.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Asked<'a> {
     /// Motion in space under axial loads and tilts.
@@ -204,7 +204,7 @@ fn most_helpful(
     Ok(())
 }
 
-/// What was found; `None` if the progress ended the work, which is noted.
+/// The finding; `None` if the progress ended the work, which is noted.
 fn unless_interrupted<T>(
     found: Result<T, StudyError>,
     interrupted: &mut bool,

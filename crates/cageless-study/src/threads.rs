@@ -126,7 +126,7 @@ pub fn in_order<'s, T: Send>(work: impl FnOnce(&rayon::ScopeFifo<'s>) -> T + Sen
     rayon::scope_fifo(work)
 }
 
-/// The same work on all threads at once.
+/// Work on all threads at once, each the same.
 pub fn on_each<T: Send>(work: impl Fn() -> T + Sync) -> Vec<T> {
     ready();
     rayon::broadcast(|_| work())

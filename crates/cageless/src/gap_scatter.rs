@@ -29,22 +29,19 @@ use crate::dynamics::layout::Balls;
 use crate::gap::Direction;
 use crate::numerics::moments::Moments;
 
-/// Variance of the gaps of one instant, averaged over each half of a stretch of time.
+/// Variance of the gaps between the balls of a model at one instant.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct GapScatter {
+pub(crate) struct GapVariance {
     /// Angle between the balls of each pair that touch less the mean of all pairs, rad.
     sizes_rad: Vec<f64>,
     /// Direction from ball to ball of equal gaps, and its angle.
     pitch: Direction,
     pitch_rad: f64,
-    last_s: f64,
-    half_s: f64,
-    variance: [Moments; 2],
 }
 
-impl GapScatter {
-    /// Scatter of the balls of a model from `from_s` to `to_s`.
-    pub fn new(model: &Model, from_s: f64, to_s: f64) -> Self {
+impl GapVariance {
+    /// Variance for the balls of a model.
+    pub fn new(model: &Model) -> Self {
         let (balls, pitch_rad) = (model.balls(), TAU / model.layout().row as f64);
         let touching = (0..balls).map(|k| model.pair_angle_rad(k));
         let mean_rad = touching.sum::<f64>() / balls as f64;
@@ -54,6 +51,36 @@ impl GapScatter {
             sizes_rad: (0..balls)
                 .map(|k| model.pair_angle_rad(k) - mean_rad)
                 .collect(),
+        }
+    }
+
+    /// Variance at these positions of the balls and of the centre of the outer ring, rad².
+    pub fn of(&self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) -> f64 {
+        // The gaps of a row leave what its balls leave of a turn: their mean is known.
+        let from_mean_rad = |(k, size_rad): (usize, &f64)| {
+            let direction = Direction::to_next(x_m, y_m, centre_m, k);
+            let angle_rad = direction.small_angle_from(self.pitch);
+            angle_rad.unwrap_or_else(|| direction.gap_rad(self.pitch_rad)) - size_rad
+        };
+        let gaps = self.sizes_rad.iter().enumerate().map(from_mean_rad);
+        gaps.map(|gap| gap * gap).sum::<f64>() / self.sizes_rad.len() as f64
+    }
+}
+
+/// Variance of the gaps, averaged over each half of a stretch of time.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct GapScatter {
+    instant: GapVariance,
+    last_s: f64,
+    half_s: f64,
+    variance: [Moments; 2],
+}
+
+impl GapScatter {
+    /// Scatter of the balls of a model from `from_s` to `to_s`.
+    pub fn new(model: &Model, from_s: f64, to_s: f64) -> Self {
+        Self {
+            instant: GapVariance::new(model),
             last_s: from_s,
             half_s: 0.5 * (from_s + to_s),
             variance: [Moments::default(); 2],
@@ -63,14 +90,7 @@ impl GapScatter {
     /// Takes the positions of the balls and of the centre of the outer ring at `time_s`, for the
     /// time since the last look.
     pub fn look(&mut self, time_s: f64, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
-        // The gaps of a row leave what its balls leave of a turn: their mean is known.
-        let from_mean_rad = |(k, size_rad): (usize, &f64)| {
-            let direction = Direction::to_next(x_m, y_m, centre_m, k);
-            let angle_rad = direction.small_angle_from(self.pitch);
-            angle_rad.unwrap_or_else(|| direction.gap_rad(self.pitch_rad)) - size_rad
-        };
-        let gaps = self.sizes_rad.iter().enumerate().map(from_mean_rad);
-        let variance = gaps.map(|gap| gap * gap).sum::<f64>() / self.sizes_rad.len() as f64;
+        let variance = self.instant.of(x_m, y_m, centre_m);
         let half = usize::from(time_s > self.half_s);
         self.variance[half].add(variance, time_s - self.last_s);
         self.last_s = time_s;

@@ -420,7 +420,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
     assert!((found.standard_error.unwrap() - 1.0 / 3.0).abs() < 1e-12);
     assert_eq!(
         found.headline,
-        "does not work in the mean of 3 draws from evenly spaced balls: double collision; 33.3 % of the passages have a double collision (limit \
+        "does not work in the mean of 3 runs from evenly spaced balls: double collision; 33.3 % of the passages have a double collision (limit \
          25 %, missed by 8.3 percentage points), standard error 33.3 percentage points; for the critical gap run \
          `cageless design`"
     );

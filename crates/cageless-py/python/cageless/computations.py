@@ -92,6 +92,7 @@ class Computations(Document):
         self,
         *,
         axial: bool = False,
+        benefit: bool = False,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Design:
@@ -102,12 +103,16 @@ class Computations(Document):
         Args:
             axial: Simulate in space what axial load and tilt leave of the lag, see ``data_axial``;
                 takes a minute.
+            benefit: Say whether the raceway helps in steady operation, against a plain ring and one ball
+                fewer: ``benefit.answer``, ``benefit.comparison``; takes a minute.
         """
-        return Design(_cageless.design(self._file, axial, False, None, background(threads, progress)))
+        asked = {name for name, wanted in [("axial", axial), ("benefit", benefit)] if wanted}
+        return Design(_cageless.design(self._file, asked, None, background(threads, progress)))
 
     def search(
         self,
         *,
+        benefit: bool = False,
         out: str | os.PathLike[str] | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
@@ -118,6 +123,7 @@ class Computations(Document):
         Takes minutes.
 
         Args:
+            benefit: Recommend the raceway that helps most in steady operation, or none.
             out: Folder that keeps what was computed until the search is over: after an
                 interruption the same call, or the command, continues from there.
             **asked: Keys of the section ``[search]`` of a case file with their values, in place of
@@ -125,7 +131,7 @@ class Computations(Document):
                 starts and runs.
 
         Raises:
-            UnphysicalError: If no raceway meets every requirement; its ``result`` has the maps that
+            UnphysicalError: If no raceway meets every requirement, or with ``benefit`` none helps; its ``result`` has the maps that
                 show why.
 
         Examples:
@@ -138,7 +144,8 @@ class Computations(Document):
         changes = {f"search.{key}": value for key, value in asked.items() if value is not None}
         file = (self.replace(changes) if changes else self)._file
         folder = None if out is None else os.fspath(out)
-        found = _cageless.design(file, False, True, folder, background(threads, progress))
+        wanted = {"search", "benefit"} if benefit else {"search"}
+        found = _cageless.design(file, wanted, folder, background(threads, progress))
         return complete(SearchResult(found))
 
     def measure(self, points: str | os.PathLike[str]) -> Measured:

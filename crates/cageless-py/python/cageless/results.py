@@ -96,12 +96,24 @@ class SearchResult(of.SearchAttributes, Result):
         return Case.from_toml(self._core.seed()["case.toml"])
 
     @property
+    def _chosen(self) -> dict[str, Any] | None:
+        """The recommended structure: with ``benefit`` the one that helps most."""
+        judged: dict[str, Any] = self.values.get("benefit") or self.values
+        return judged.get("recommended")
+
+    @property
+    def _why_none(self) -> str:
+        """The reason without a recommendation."""
+        none = self.values["recommended"] is None
+        return str(self.values["findings"][0] if none else self.values["benefit"]["answer"])
+
+    @property
     def stopped(self) -> str | None:
         """Why nothing is recommended, with the title of the case; None if something is."""
-        if self.values["recommended"]:
+        if self._chosen:
             return None
         title = self._searched.title
-        return f"{title}: {self.values['findings'][0]}" if title else str(self.values["findings"][0])
+        return f"{title}: {self._why_none}" if title else self._why_none
 
     @property
     def passes(self) -> bool | None:
@@ -113,15 +125,15 @@ class SearchResult(of.SearchAttributes, Result):
     @property
     def recommended(self) -> tuple[Raceway, ...]:
         """The recommended structure; empty if there is none."""
-        return self.case.raceways if self.values["recommended"] else ()
+        return self.case.raceways if self._chosen else ()
 
     @property
     def case(self) -> Case:
         """The case with the recommended structure, to be run; an ``UnphysicalError`` if there is none."""
         from .case import Case
 
-        if self.values["recommended"] is None:
-            raise UnphysicalError(self.values["findings"][0])
+        if self._chosen is None:
+            raise UnphysicalError(self._why_none)
         case = Case.from_toml(self._core.seed()["recommended.toml"])
         return case.replace({"title": f"{case.title or 'Case'}: recommended raceway"})
 

@@ -1,8 +1,13 @@
 //! Runs on the same axes.
 
+use cageless_io::estimate::Estimate;
+use cageless_study::comparison::{BenefitWord, RingComparison};
+use serde_json::json;
+
 use crate::compared_run::{ComparedRun, provenance};
+use crate::data::Provenance;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, POINTS, Plot, line_of};
+use crate::plot::{PALETTE, POINTS, Plot, Trace, line_of, number, plain};
 use crate::sampling::history;
 
 /// Name, abscissa and ordinate of a line.
@@ -82,4 +87,53 @@ fn figure(
         plot = plot.trace(line_of(name, history(x, y, POINTS), colour));
     }
     Some(Figure::new(label, caption, &provenance(runs), plot))
+}
+
+/// Benefit of each judged ring over the losses that it costs, with standard errors; nothing without one.
+pub fn benefit(comparison: &RingComparison, source: &Provenance) -> Option<Figure> {
+    /// Score of the ring with which the others are compared.
+    const NONE: Estimate = Estimate {
+        mean: 0.0,
+        standard_error: 0.0,
+        starts: 1,
+    };
+    let losses = comparison
+        .results
+        .iter()
+        .find(|result| result.quantity.name == "power_loss_w")?;
+    let judged = comparison.benefits.iter().flatten();
+    judged.clone().find_map(|benefit| benefit.score)?;
+    let mut plot = Plot::new(400)
+        .legend()
+        .x("Losses (W)", json!({ "type": "log" }))
+        .y("Factor on what is asked", json!({ "type": "log" }));
+    for (k, name) in comparison.runs.iter().enumerate() {
+        let benefit = comparison.benefits[k].as_ref();
+        let score = match benefit {
+            Some(benefit) => benefit.score,
+            None => Some(NONE),
+        };
+        let (Some(score), Some(loss)) = (score, losses.values[k]) else {
+            continue;
+        };
+        let factor = score.mean.exp();
+        // d(exp s) = exp s · ds.
+        let bars =
+            |error: f64| json!({ "type": "data", "array": [error], "thickness": 1.2, "width": 3 });
+        let symbol = match benefit.map(|b| b.benefit) {
+            Some(BenefitWord::Harms) => "x",
+            Some(BenefitWord::NoMeasurableBenefit) => "circle-open",
+            _ => "circle",
+        };
+        let word = benefit.map_or(String::new(), |b| format!(": {}", b.benefit.label()));
+        plot = plot.trace(Trace::from(json!({
+            "type": "scatter", "mode": "markers", "name": plain(&format!("{name}{word}")),
+            "x": [number(loss.mean)], "y": [number(factor)],
+            "error_x": bars(loss.standard_error), "error_y": bars(factor * score.standard_error),
+            "marker": { "color": PALETTE[k % PALETTE.len()], "size": 11, "symbol": symbol },
+        })));
+    }
+    let caption = "Weighted geometric mean of contacts per second, scatter of the gaps and variation of the force on the \
+                   outer ring, over those of the first ring: below 1 is better, further left is cheaper. A cross harms.";
+    Some(Figure::new("Benefit and cost", caption, source, plot))
 }

@@ -167,6 +167,13 @@ impl Benefit {
                 Change::Undecided => BenefitWord::NoMeasurableBenefit,
             },
         };
+        // Each kind with the word before it in a sentence, and in the list.
+        let kinds = [
+            (broken.clone(), "", ""),
+            (gains, "", ""),
+            (losses, "worse ", "worse: "),
+            (costs, "at the cost of ", "cost: "),
+        ];
         let reasons: Vec<String> = match word {
             BenefitWord::NotJudged if missing.is_empty() => {
                 vec!["a result that is asked for is missing".to_owned()]
@@ -176,31 +183,29 @@ impl Benefit {
                 missing.into_iter().chain([more.to_owned()]).collect()
             }
             _ => {
-                let worse = (losses.into_iter()).map(|text| format!("worse: {text}"));
-                let costs = costs
-                    .into_iter()
-                    .map(|text| format!("at the cost of {text}"));
-                (broken
-                    .iter()
-                    .cloned()
-                    .chain(gains)
-                    .chain(worse)
-                    .chain(costs))
-                .collect()
+                let of = |(texts, _, listed): &(Vec<String>, &str, &str)| {
+                    let listed = texts.iter().map(|text| format!("{listed}{text}"));
+                    listed.collect::<Vec<_>>()
+                };
+                kinds.iter().flat_map(of).collect()
             }
         };
+        let sentence = match word {
+            BenefitWord::NotJudged => reasons.join("; "),
+            _ => {
+                let said = kinds.iter().filter(|(texts, ..)| !texts.is_empty());
+                let said = said.map(|(texts, before, _)| format!("{before}{}", texts.join(", ")));
+                said.collect::<Vec<_>>().join("; ")
+            }
+        };
+        let colon = if sentence.is_empty() { "" } else { ": " };
         Self {
             benefit: word,
             headline: format!(
-                "{}: {} against {}{}",
+                "{}: {} against {}{colon}{sentence}",
                 ring.name,
                 word.label(),
-                reference.name,
-                if reasons.is_empty() {
-                    String::new()
-                } else {
-                    format!("; {}", reasons.join("; "))
-                }
+                reference.name
             ),
             benefit_reasons: reasons,
             rank: BenefitRank {

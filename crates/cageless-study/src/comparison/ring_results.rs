@@ -10,7 +10,7 @@ use cageless_results::{COMPARED, Kind, Quantity, RUN, STATIC, STEADY};
 
 use super::RingVerdict;
 
-/// What the number of balls changes at rest.
+/// Results at rest that the number of balls changes.
 pub(super) const AT_REST: [&str; 2] = ["l10r_at_speed_h", "basic_static_rating_n"];
 
 /// Results that are compared.
@@ -72,7 +72,7 @@ impl RingResults {
         }
     }
 
-    /// The same with what the test of stationarity found.
+    /// The results with the answer of the test of stationarity.
     pub(super) fn settled_by(self, settling: Vec<Stationarity>) -> Self {
         Self { settling, ..self }
     }

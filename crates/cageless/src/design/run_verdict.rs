@@ -93,7 +93,7 @@ impl RunVerdict {
             None => (0..most).filter_map(of_start).collect(),
             Some(_) => vec![],
         };
-        let over = format!("the mean of {} draws{}", runs.len(), evenly(case));
+        let over = format!("the mean of {} runs{}", runs.len(), evenly(case));
         Self::of(case, &all, &over, missing)
     }
 

@@ -1,11 +1,10 @@
 //! Contacts, spacing and force of steady operation in blocks of time.
 
 use crate::contact_tracker::{ContactCounter, ContactCounts};
-use crate::gap::Direction;
+use crate::gap_scatter::GapVariance;
 use crate::numerics::moments::Moments;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::summary::transient_s;
-use std::f64::consts::TAU;
 
 /// Blocks of the measured time.
 const BLOCKS: usize = 16;
@@ -37,6 +36,7 @@ pub struct SteadyBlock {
 #[derive(Default)]
 pub struct SteadyRecorder {
     counter: Option<ContactCounter>,
+    gaps: GapVariance,
     blocks: Vec<SteadyBlock>,
     from_s: f64,
     block_s: f64,
@@ -64,6 +64,7 @@ impl SteadyRecorder {
 impl Observer for SteadyRecorder {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         self.counter = Some(ContactCounter::new(context.model));
+        self.gaps = GapVariance::new(context.model);
         self.blocks = vec![SteadyBlock::default(); BLOCKS];
         self.from_s = transient_s(context.case);
         self.block_s = (context.case.solver.duration_s - self.from_s) / BLOCKS as f64;
@@ -92,7 +93,9 @@ impl Observer for SteadyRecorder {
             block.look_at_force(view);
         }
         if self.steps.is_multiple_of(GAPS_EVERY) {
-            block.look_at_gaps(view);
+            let [x, y] = view.positions();
+            let variance = self.gaps.of(x, y, view.outer_ring_m());
+            block.gap_variance.add(variance, 1.0);
         }
         Ok(Control::Continue(()))
     }
@@ -120,18 +123,5 @@ impl SteadyBlock {
             moments[0].add(one, 1.0);
             moments[1].add(other, 1.0);
         }
-    }
-
-    #[inline(never)]
-    fn look_at_gaps(&mut self, view: &StepView<'_, '_>) {
-        let ([x, y], centre_m, row) = (view.positions(), view.outer_ring_m(), view.layout().row);
-        let pitch_rad = TAU / row as f64;
-        let count = view.contacts.balls();
-        let square = |k| {
-            let gap = Direction::to_next(x, y, centre_m, k).gap_rad(pitch_rad);
-            gap * gap
-        };
-        let variance = (0..count).map(square).sum::<f64>() / count as f64;
-        self.gap_variance.add(variance, 1.0);
     }
 }
