@@ -143,6 +143,12 @@ def measured(result, ring):
     return f"{figures(found['mean'], 3)} ± {figures(found['standard_error'], 2)}"
 
 
+def helpful(row):
+    """Ring of the best raceway in a search by benefit: the one that the answer is about."""
+    of_raceways = range(2, len(row["runs"]))
+    return next((k for k in of_raceways if f"{row['benefits'][k]['headline']}." in row["answer"]), 2)
+
+
 def searched(structure, name):
     """Motion of the structure that a search recommends, at the first operating point, with its standard error."""
     if structure is None:
@@ -215,7 +221,7 @@ def sector(row, k):
 WORDS = {
     of.__name__: of
     for of in (
-        (against, changed, colliding, compared, critical_gap, digits, figures, fixed, measured, nearest, of_ring, of_search)
+        (against, changed, colliding, compared, critical_gap, digits, figures, fixed, helpful, measured, nearest, of_ring, of_search)
         + (percent, power, said, searched, sector, share, size, span, spun_up, wilson)
     )
 }

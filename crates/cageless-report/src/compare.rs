@@ -44,7 +44,10 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         }
     }
     page.section("Differences");
-    page.paragraph(&comparison.statement);
+    // What is judged stands in the head.
+    if unjudged {
+        page.paragraph(&comparison.statement);
+    }
     let subject = comparison.subject_over_time();
     if comparison.draws.seed.is_some() {
         page.note(Note::Remark, &comparison.draws.text());

@@ -4,7 +4,10 @@ use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_results::{Provenance, Record, provenance};
 use serde::Serialize;
 
-use crate::comparison::{Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, steady_task};
+use crate::comparison::{
+    Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_task,
+    with_fewer_balls,
+};
 use crate::error::StudyError;
 use crate::progress::Progress;
 use crate::task::Task;
@@ -78,13 +81,10 @@ fn quick(file: &CaseFile) -> Result<CaseFile, CaseError> {
 }
 
 /// The plain ring of a case and that with one ball fewer.
-fn plain_rings(file: &CaseFile) -> Result<Vec<(String, CaseFile)>, CaseError> {
+fn plain_rings(file: &CaseFile) -> Result<Vec<(String, CaseFile)>, StudyError> {
     let balls = file.case().bearing.balls();
-    let plain = match file.case().raceways.is_empty() {
-        true => quick(file)?,
-        false => quick(&file.with_conventional_ring()?)?,
-    };
-    let fewer = plain.with_balls(balls - 1)?;
+    let plain = quick(&plain_ring(file)?)?;
+    let fewer = with_fewer_balls(&plain, 1)?;
     Ok(vec![
         (format!("plain, {balls} balls"), plain),
         (format!("plain, {} balls", balls - 1), fewer),

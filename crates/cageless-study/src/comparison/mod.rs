@@ -21,6 +21,7 @@ use rayon::prelude::*;
 
 pub use benefit::{Benefit, BenefitCriterion, BenefitRank, BenefitWord};
 pub use remedies::remedies;
+pub(crate) use remedies::{plain_ring, with_fewer_balls};
 pub use result::{ComparedResult, RingComparison};
 pub use ring_results::RingResults;
 pub use sampling::{DRAWS, Draws, Sampling};
