@@ -1,6 +1,7 @@
 //! Whether a ring helps against another: what the balls do in steady operation, what it costs and what it breaks.
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::steady::{Settling, Stationarity};
 use cageless_io::estimate::{Change, Estimate};
 use serde::{Serialize, Serializer};
 
@@ -134,7 +135,8 @@ impl Benefit {
         let missing: Vec<String> = [reference, ring]
             .into_iter()
             .flat_map(|r| {
-                let reasons = r.settling.iter().filter_map(|s| s.reason());
+                let limit = |s: &Stationarity| change_limit(s.of, ring, reference);
+                let reasons = r.settling.iter().filter_map(move |s| s.reason(limit(s)));
                 reasons.map(move |reason| format!("{}: {reason}", r.name))
             })
             .collect();
@@ -215,6 +217,24 @@ impl Benefit {
             score: score.filter(|_| word != BenefitWord::NotJudged),
             criteria,
         }
+    }
+}
+
+/// Change of a quantity over the measured time that a verdict bears: the limit of stationary runs, or in runs as long
+/// as those of the default, where more is left of the difference between the rings, a third of ln(ratio).
+fn change_limit(of: Settling, ring: &RingResults, reference: &RingResults) -> f64 {
+    let name = match of {
+        Settling::Contacts => ASKED[0].0,
+        Settling::Spacing => ASKED[1].0,
+        Settling::Force => ASKED[2].0,
+    };
+    let means = [ring, reference].map(|r| Estimate::new(r.of(name)));
+    match means {
+        [Some(value), Some(from)] if ring.is_long && reference.is_long => {
+            let difference = ratio(value.mean, from.mean).ln().abs();
+            of.limit().max(difference / 3.0)
+        }
+        _ => of.limit(),
     }
 }
 
@@ -333,6 +353,32 @@ mod tests {
     fn judged(set: &str, asked: [f64; 3], pressure: f64) -> Benefit {
         let plain = ring("plain", set, PLAIN, 900.0);
         Benefit::of(&ring("A", set, asked, pressure), &plain)
+    }
+
+    /// A slow change is borne where the difference between the rings is three times as large, in runs of the default
+    /// length alone.
+    #[test]
+    fn a_large_difference_bears_a_slow_change() {
+        let settling = |change| {
+            vec![Stationarity {
+                of: Settling::Spacing,
+                change,
+                error: 0.13,
+            }]
+        };
+        let word = |set: &str, change: f64, spacing: f64| {
+            let plain = ring("plain", set, PLAIN, 900.0).settled_by(settling(change));
+            let asked = [250.0, spacing, 10.0];
+            Benefit::of(&ring("A", set, asked, 900.0), &plain).benefit
+        };
+        // ln 2/3 = 0.23.
+        assert_eq!(word("title=x", 0.09, 3.0), BenefitWord::Helps);
+        assert_eq!(word("title=x", 0.11, 3.0), BenefitWord::NotJudged);
+        assert_eq!(word("title=x", -0.11, 3.0), BenefitWord::NotJudged);
+        assert_eq!(word("title=x", 0.09, 5.0), BenefitWord::NotJudged);
+        for short in ["steady.measured_orbits=319", "steady.transient_orbits=119"] {
+            assert_eq!(word(short, 0.09, 3.0), BenefitWord::NotJudged, "{short}");
+        }
     }
 
     /// ln ½ + ln ½ + ln 4 = 0, with equal weights; with others their mean.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cageless::steady::{Stationarity, WEIGHT};
+use cageless::steady::{MEASURED_ORBITS, Stationarity, TRANSIENT_ORBITS, WEIGHT};
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use serde_json::{Map, Value};
 
@@ -40,6 +40,8 @@ pub struct RingResults {
     values: BTreeMap<String, Vec<f64>>,
     /// Weights of what is asked of a remedy: contacts, spacing, force.
     pub(super) weights: [f64; 3],
+    /// Whether the runs leave out and measure as many orbits as those of the default.
+    pub(super) is_long: bool,
     /// Whether the measured time is stationary; of a finished run nothing.
     pub(super) settling: Vec<Stationarity>,
 }
@@ -61,13 +63,16 @@ impl RingResults {
                 all[k] = *value;
             }
         }
-        let weights = file.steady().weights;
+        let steady = file.steady();
+        let weights = steady.weights;
         Self {
             name: name.to_owned(),
             apart_from_remedies: Some(file.apart_from_remedies()),
             verdict,
             values,
             weights: [weights.contacts, weights.spacing, weights.force],
+            is_long: steady.transient_orbits >= TRANSIENT_ORBITS
+                && steady.measured_orbits >= MEASURED_ORBITS,
             settling: vec![],
         }
     }
@@ -92,6 +97,7 @@ impl RingResults {
             verdict: RingVerdict::of_summary(summary),
             values: numbers.collect(),
             weights: [WEIGHT; 3],
+            is_long: false,
             settling: vec![],
         }
     }

@@ -102,21 +102,21 @@ impl Stationarity {
         Settling::ALL.map(of).to_vec()
     }
 
-    /// Whether the change is within its limit beyond its error: an equivalence test (TOST), which calls less than 5 %
-    /// of the runs stationary that are not.
-    pub fn is_stationary(&self) -> bool {
-        self.change.abs() + self.error <= self.of.limit()
+    /// Whether the change is within a limit beyond its error: an equivalence test (TOST), which calls less than 5 %
+    /// of the runs stationary that change by the limit.
+    pub fn is_within(&self, limit: f64) -> bool {
+        self.change.abs() + self.error <= limit
     }
 
-    /// Why the runs are not stationary; `None` if they are.
-    pub fn reason(&self) -> Option<String> {
-        (!self.is_stationary()).then(|| {
+    /// Reason for which the runs are not stationary, with this limit of the change; `None` if they are.
+    pub fn reason(&self, limit: f64) -> Option<String> {
+        (!self.is_within(limit)).then(|| {
             format!(
                 "{} changes by {:+.0} ± {:.0} % from the first to the second half of the measured time ({:.0} % at most)",
                 self.of.label(),
                 100.0 * self.change,
                 100.0 * self.error,
-                100.0 * self.of.limit()
+                100.0 * limit
             )
         })
     }
@@ -162,7 +162,7 @@ mod tests {
                 let blocks: Vec<&[SteadyBlock]> = runs.iter().map(Vec::as_slice).collect();
                 Stationarity::all(&blocks)
                     .iter()
-                    .all(Stationarity::is_stationary)
+                    .all(|found| found.is_within(found.of.limit()))
             });
             found.count() as f64 / trials as f64
         };
