@@ -1,6 +1,7 @@
 //! What results are computed from.
 
 use cageless::RacewayForm;
+use cageless::ball_advance::BallAdvance;
 use cageless::design::search::{Evaluation, Excluded, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
     AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
@@ -34,6 +35,8 @@ pub struct Solved<'a> {
     pub rating: Rating,
     /// What it has in space.
     pub space: Option<&'a SpatialEquilibrium>,
+    /// Orbital speeds of its balls, where the inner ring drives them.
+    pub advance: Option<BallAdvance>,
 }
 
 impl<'a> Solved<'a> {
@@ -48,6 +51,7 @@ impl<'a> Solved<'a> {
                 None => Rating::new(case, &settled.rest),
             },
             space,
+            advance: BallAdvance::new(case, settled),
         }
     }
 }

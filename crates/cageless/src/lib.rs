@@ -15,6 +15,7 @@
 //! seconds, metres, newtons); public names end in their unit.
 
 mod assembly;
+pub mod ball_advance;
 pub mod bearing;
 pub mod case;
 pub mod collision;

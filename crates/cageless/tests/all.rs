@@ -4,6 +4,7 @@ mod accepted_raceways;
 mod adaptive;
 mod automatic_step;
 mod balance;
+mod ball_advance;
 mod batch;
 mod common;
 mod critical_gap;

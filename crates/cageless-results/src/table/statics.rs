@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use cageless::OperatingClearance;
+use cageless::ball_advance::BallAdvance;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::raceway_contact::RacewayContact;
@@ -49,6 +50,11 @@ pub const STATIC: &[Quantity] = &[
     means(BSF, quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz)))),
     quantity("raceway_ftf_hz", "Hz", "FTF in pure rolling through the discrete raceways", Static(|s| some(s.rating.passing.raceway_ftf_hz))),
     quantity("speed_factor_mm_rpm", "mm/min", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm))),
+    means("of the balls in pure rolling, between two places of a turn", quantity("orbit_speed_difference_rpm", "rpm", "largest difference of the orbital speed around the bearing", Static(|s| advance(s, |a| Some(rpm(a.speed_difference_rad_s)))))),
+    means("from the least to the largest angle that a ball is ahead of one of constant orbital speed, in a turn", quantity("ball_advance_deg", "deg", "circumferential ball advance", Static(|s| advance(s, |a| Some(a.advance_rad.to_degrees()))))),
+    means("largest loss of a gap in a turn by the ball advance; neighbours with a smaller mean gap meet in every turn", quantity("ball_advance_clearance_deg", "deg", "mean gap for the ball advance", Static(|s| advance(s, |a| Some(a.clearance_rad.to_degrees()))))),
+    quantity("ball_advance_clearance_um", "um", "mean gap for the ball advance, on the pitch circle", Static(|s| advance(s, |a| Some(1e6 * a.clearance_rad * s.case.bearing.pitch_radius_m())))),
+    means("in the plane, without contact, between the neighbours whose radii differ most; of equal balls between the smallest and the largest of a lot of grade G10", quantity("neighbour_drift_deg_s", "deg/s", "drift of neighbours of unequal size", Static(|s| advance(s, |a| a.neighbour_drift_rad_s.map(f64::to_degrees))))),
     means(STIFFNESS, quantity("inner_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5)))),
     means(STIFFNESS, quantity("outer_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5)))),
 
@@ -63,7 +69,7 @@ pub const STATIC: &[Quantity] = &[
     column("ao", list("outer_semi_axis_across_mm", "mm", "contact semi-axis across the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[1] * 1e3)))),
     column("bo", list("outer_semi_axis_along_mm", "mm", "contact semi-axis in the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[0] * 1e3)))),
     column("orbital speed", list("ball_orbit_rpm", "rpm", "orbital speed in pure rolling", Static(|s| each_ball(s, |k| rpm(orbit_rad_s(s, k)))))),
-    column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_rotation_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
+    column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rotation_rad_s(s, k)))))),
 ];
 
 /// Frequencies of defects for vibration analysts, next to those in hertz: as multiples ("orders") of the
@@ -206,7 +212,15 @@ fn pressure_mpa(contact: &RacewayContact) -> f64 {
     contact.pressure_pa * 1e-6
 }
 
+fn advance(solved: &Solved<'_>, value: impl Fn(&BallAdvance) -> Option<f64>) -> Cell {
+    solved.advance.as_ref().and_then(value).into()
+}
+
+/// Orbital speed of a ball; on Rm where nothing drives the balls.
 fn orbit_rad_s(solved: &Solved<'_>, ball: usize) -> f64 {
+    if let Some(advance) = &solved.advance {
+        return advance.orbit_speed_rad_s[ball];
+    }
     if let Some(space) = solved.space {
         return space.orbit_speed_rad_s[ball];
     }
@@ -214,4 +228,12 @@ fn orbit_rad_s(solved: &Solved<'_>, ball: usize) -> f64 {
     let inner = case.operation.inner_speed_rad_s;
     let r = solved.equilibrium.effective_radius_m[ball];
     orbit_speed_of_rad_s(&case.bearing, case.bearing.ball(ball).radius_m, inner, r)
+}
+
+fn rotation_rad_s(solved: &Solved<'_>, ball: usize) -> f64 {
+    if let Some(advance) = &solved.advance {
+        return advance.rotation_rad_s[ball];
+    }
+    let r = solved.equilibrium.effective_radius_m[ball];
+    rolling_rotation_rad_s(&solved.case.bearing, orbit_rad_s(solved, ball), r)
 }

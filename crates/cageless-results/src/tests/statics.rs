@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cageless::ball_advance::BallAdvance;
 use cageless::equilibrium::settle;
 use cageless::rating::{BasicRatings, PassingFrequencies, Rating};
 
@@ -83,11 +84,21 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         speed_factor_mm_rpm: number().unwrap(),
         ..Rating::in_space(case, &space)
     };
+    let advance = BallAdvance {
+        orbit_speed_rad_s: (0..BALLS).map(|ball| 400.0 + ball as f64).collect(),
+        rotation_rad_s: (0..BALLS).map(|ball| 2000.0 + ball as f64).collect(),
+        mean_speed_rad_s: 410.0,
+        speed_difference_rad_s: 6.25,
+        advance_rad: 0.0106,
+        clearance_rad: 0.00135,
+        neighbour_drift_rad_s: Some(0.015),
+    };
     let solved = Solved {
         case,
         equilibrium: &e,
         rating: rating.clone(),
         space: Some(&space),
+        advance: Some(advance.clone()),
     };
     let results = [STATIC, SPACE, DEFECTS].map(|rows| Results::of(rows, Subject::Static(&solved)));
     let [plane, in_space, defects] = results;
@@ -127,6 +138,14 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         ("bsf_hz", passing.bsf_hz),
         ("raceway_ftf_hz", passing.raceway_ftf_hz),
         ("speed_factor_mm_rpm", rating.speed_factor_mm_rpm),
+        ("orbit_speed_difference_rpm", 6.25 / REVOLUTION_PER_MINUTE),
+        ("ball_advance_deg", 0.0106 / DEGREE),
+        ("ball_advance_clearance_deg", 0.00135 / DEGREE),
+        (
+            "ball_advance_clearance_um",
+            0.00135 * 0.5 * pitch_m / MICROMETRE,
+        ),
+        ("neighbour_drift_deg_s", 0.015 / DEGREE),
         ("inner_stiffness_n_m1_5", e.inner_stiffness_n_m1_5),
         ("outer_stiffness_n_m1_5", e.outer_stiffness_n_m1_5),
         ("ftf_order", passing.ftf_hz / turns),
@@ -172,12 +191,6 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
             contacts.iter().map(axis).collect()
         };
     let scaled = |list: &[f64], unit: f64| list.iter().map(|v| v / unit).collect::<Vec<f64>>();
-    let pitch_radius_m = 0.5 * pitch_m;
-    let rotation = |k: usize| {
-        space.orbit_speed_rad_s[k] * pitch_radius_m
-            / e.effective_radius_m[k]
-            / REVOLUTION_PER_MINUTE
-    };
     let flank = |side: usize| space.flank_force_n.iter().map(|f| f[side]).collect();
     let lists: [(&str, Vec<f64>); 19] = [
         ("ball_angle_deg", scaled(&e.ball_angle_rad, DEGREE)),
@@ -192,9 +205,12 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         ("outer_semi_axis_across_mm", contacts(&e.outer_contact, 2)),
         (
             "ball_orbit_rpm",
-            scaled(&space.orbit_speed_rad_s, REVOLUTION_PER_MINUTE),
+            scaled(&advance.orbit_speed_rad_s, REVOLUTION_PER_MINUTE),
         ),
-        ("ball_rotation_rpm", (0..BALLS).map(rotation).collect()),
+        (
+            "ball_rotation_rpm",
+            scaled(&advance.rotation_rad_s, REVOLUTION_PER_MINUTE),
+        ),
         (
             "inner_contact_angle_deg",
             scaled(&space.inner_contact_angle_rad, DEGREE),

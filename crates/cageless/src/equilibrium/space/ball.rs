@@ -145,6 +145,13 @@ impl SpatialBall {
         Some((force, (-axial.value).atan2(-radial.value)))
     }
 
+    /// δi, below 0 the gap where the inner raceway is open.
+    pub fn inner_depth_m(&self, place: [f64; 2], ring: Ring) -> f64 {
+        let (place, ring) = (place.map(Taylor::<0>::constant), ring.map(Taylor::constant));
+        let [radial, axial] = self.relative_to_inner_centre(place, ring);
+        radial.hypot(axial).value - self.inner_gap_m
+    }
+
     /// Force K δe^(3/2) at the outer raceway.
     pub fn outer_force_n(&self, place: [f64; 2]) -> f64 {
         let flank = self.outer.flanks.map_or(0.0, |f| f.angle_rad);

@@ -24,6 +24,7 @@ mod ball;
 mod groove_point;
 mod load_balance;
 pub mod outer_section;
+mod rolling_ball;
 
 use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
@@ -42,6 +43,7 @@ use ball::{Ring, SpatialBall};
 pub use groove_point::{GroovePoint, inner_point, outer_points};
 use load_balance::{Balanced, LoadBalance, Z};
 use outer_section::{Flanks, OuterSection, SectionContact};
+pub(crate) use rolling_ball::{RollingBall, RollingRow};
 
 /// Ring and balls in equilibrium.
 #[derive(Debug, Clone, PartialEq, Default)]
