@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 pub fn unit_text(unit: &str) -> String {
     match unit {
         "deg" => "°".to_owned(),
+        "deg/s" => "°/s".to_owned(),
         "C" => "°C".to_owned(),
         "um" => "µm".to_owned(),
         "us" => "µs".to_owned(),

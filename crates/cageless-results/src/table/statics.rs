@@ -17,6 +17,9 @@ use crate::quantity::Quantity;
 use crate::source::Source::Static;
 use crate::unit::rpm;
 
+/// Ball advance that rounding makes of equal speeds.
+const ROUNDING_RAD: f64 = 1e-9;
+
 /// Results of a static equilibrium, with the ratings of the bearing.
 #[rustfmt::skip]
 pub const STATIC: &[Quantity] = &[
@@ -50,10 +53,10 @@ pub const STATIC: &[Quantity] = &[
     means(BSF, quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz)))),
     quantity("raceway_ftf_hz", "Hz", "FTF in pure rolling through the discrete raceways", Static(|s| some(s.rating.passing.raceway_ftf_hz))),
     quantity("speed_factor_mm_rpm", "mm/min", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm))),
-    means("of the balls in pure rolling, between two places of a turn", quantity("orbit_speed_difference_rpm", "rpm", "largest difference of the orbital speed around the bearing", Static(|s| advance(s, |a| Some(rpm(a.speed_difference_rad_s)))))),
-    means("from the least to the largest angle that a ball is ahead of one of constant orbital speed, in a turn", quantity("ball_advance_deg", "deg", "circumferential ball advance", Static(|s| advance(s, |a| Some(a.advance_rad.to_degrees()))))),
-    means("largest loss of a gap in a turn by the ball advance; neighbours with a smaller mean gap meet in every turn", quantity("ball_advance_clearance_deg", "deg", "mean gap for the ball advance", Static(|s| advance(s, |a| Some(a.clearance_rad.to_degrees()))))),
-    quantity("ball_advance_clearance_um", "um", "mean gap for the ball advance, on the pitch circle", Static(|s| advance(s, |a| Some(1e6 * a.clearance_rad * s.case.bearing.pitch_radius_m())))),
+    means("of the balls in pure rolling, between two places of a turn", quantity("orbit_speed_difference_rpm", "rpm", "largest difference of the orbital speed around the bearing", Static(|s| varying(s, |a| rpm(a.speed_difference_rad_s))))),
+    means("from the least to the largest angle that a ball is ahead of one of constant orbital speed, in a turn", quantity("ball_advance_deg", "deg", "circumferential ball advance", Static(|s| varying(s, |a| a.advance_rad.to_degrees())))),
+    means("largest loss of a gap in a turn by the ball advance; neighbours with a smaller mean gap meet in every turn", quantity("ball_advance_clearance_deg", "deg", "mean gap for the ball advance", Static(|s| varying(s, |a| a.clearance_rad.to_degrees())))),
+    quantity("ball_advance_clearance_um", "um", "mean gap for the ball advance, on the pitch circle", Static(|s| varying(s, |a| 1e6 * a.clearance_rad * s.case.bearing.pitch_radius_m()))),
     means("in the plane, without contact, between the neighbours whose radii differ most; of equal balls between the smallest and the largest of a lot of grade G10", quantity("neighbour_drift_deg_s", "deg/s", "drift of neighbours of unequal size", Static(|s| advance(s, |a| a.neighbour_drift_rad_s.map(f64::to_degrees))))),
     means(STIFFNESS, quantity("inner_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5)))),
     means(STIFFNESS, quantity("outer_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5)))),
@@ -68,7 +71,7 @@ pub const STATIC: &[Quantity] = &[
     column("bi", list("inner_semi_axis_along_mm", "mm", "contact semi-axis in the rolling direction, inner raceway", Static(|s| each(&s.equilibrium.inner_contact, |c| c.semi_axes_m[0] * 1e3)))),
     column("ao", list("outer_semi_axis_across_mm", "mm", "contact semi-axis across the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[1] * 1e3)))),
     column("bo", list("outer_semi_axis_along_mm", "mm", "contact semi-axis in the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[0] * 1e3)))),
-    column("orbital speed", list("ball_orbit_rpm", "rpm", "orbital speed in pure rolling", Static(|s| each_ball(s, |k| rpm(orbit_rad_s(s, k)))))),
+    means("around the axis of the bearing; balls without load at the inner raceway keep the energy with which they left it", column("orbital speed", list("ball_orbit_rpm", "rpm", "orbital speed in pure rolling", Static(|s| each_ball(s, |k| rpm(orbit_rad_s(s, k))))))),
     column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rotation_rad_s(s, k)))))),
 ];
 
@@ -214,6 +217,11 @@ fn pressure_mpa(contact: &RacewayContact) -> f64 {
 
 fn advance(solved: &Solved<'_>, value: impl Fn(&BallAdvance) -> Option<f64>) -> Cell {
     solved.advance.as_ref().and_then(value).into()
+}
+
+/// That of balls whose speeds differ by more than rounding.
+fn varying(solved: &Solved<'_>, value: impl Fn(&BallAdvance) -> f64) -> Cell {
+    advance(solved, |a| (a.advance_rad > ROUNDING_RAD).then(|| value(a)))
 }
 
 /// Orbital speed of a ball; on Rm where nothing drives the balls.
