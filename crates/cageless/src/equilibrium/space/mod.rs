@@ -25,6 +25,7 @@ mod groove_point;
 mod load_balance;
 pub mod outer_section;
 mod rolling_ball;
+mod rolling_row;
 
 use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
@@ -43,7 +44,8 @@ use ball::{Ring, SpatialBall};
 pub use groove_point::{GroovePoint, inner_point, outer_points};
 use load_balance::{Balanced, LoadBalance, Z};
 use outer_section::{Flanks, OuterSection, SectionContact};
-pub(crate) use rolling_ball::{RollingBall, RollingRow};
+pub(crate) use rolling_ball::RollingBall;
+pub(crate) use rolling_row::RollingRow;
 
 /// Ring and balls in equilibrium.
 #[derive(Debug, Clone, PartialEq, Default)]
