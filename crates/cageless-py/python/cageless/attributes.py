@@ -215,6 +215,11 @@ class StaticAttributes:
     bsf_hz: float  # BSF in pure rolling, Hz
     raceway_ftf_hz: float  # FTF in pure rolling through the discrete raceways, Hz
     speed_factor_mm_rpm: float  # speed factor n·Dpw, mm/min
+    orbit_speed_difference_rpm: float  # largest difference of the orbital speed around the bearing, rpm
+    ball_advance_deg: float  # circumferential ball advance, deg
+    ball_advance_clearance_deg: float  # mean gap for the ball advance, deg
+    ball_advance_clearance_um: float  # mean gap for the ball advance, on the pitch circle, um
+    neighbour_drift_deg_s: float  # drift of neighbours of unequal size, deg/s
     inner_stiffness_n_m1_5: float  # contact stiffness K, inner raceway, N/m^1.5
     outer_stiffness_n_m1_5: float  # contact stiffness K, outer raceway, N/m^1.5
     ball_angle_deg: Floats  # angular position ψ, deg
