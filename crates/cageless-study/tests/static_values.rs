@@ -71,7 +71,13 @@ fn numbers_are_those_of_a_computation_by_hand() {
         ("kxx", one("stiffness_xx_n_m"), 106.69e6, 2e-3),
         ("kyy", one("stiffness_yy_n_m"), 262.52e6, 1e-3),
         ("y", one("ring_y_um"), -19.0391, 3e-4),
-        ("orbit", of_ball("ball_orbit_rpm"), 60.0 * 63.976, 2e-4),
+        // ½ n Ri/|rb|, Gr = 13 µm: Ri = 27 − 3.96875 − 0.00325 mm, |rb| = 27 + 0.00325 mm + (Fo/Ko)^(2/3).
+        (
+            "orbit",
+            of_ball("ball_orbit_rpm"),
+            4500.0 * 23.028 / 27.009_450_5,
+            1e-6,
+        ),
         (
             "rotation",
             of_ball("ball_rotation_rpm"),
