@@ -49,13 +49,13 @@
 
 mod ball_orbit;
 mod rolling_energy;
+mod rolling_row;
 
 use crate::case::Case;
 use crate::equilibrium::space::{RollingBall, SpatialEquilibrium};
-use crate::formulation::Formulation;
 use crate::steady::GRADE;
 use crate::tolerance::ball_grade;
-use ball_orbit::BallOrbit;
+use ball_orbit::{BallOrbit, orbit_radius_m};
 use rolling_energy::RollingEnergy;
 
 /// Orbital speeds of the balls in a static equilibrium, and what follows from their difference.
@@ -168,12 +168,4 @@ fn speeds_rad_s(
     let speed_m_s = kept.unwrap_or(rolling.speed_m_s);
     let orbit = speed_m_s / orbit_radius_m(case, rolling.distance_m);
     (orbit, speed_m_s / rest.effective_radius_m[k])
-}
-
-/// Radius of the orbit that turns vt into Ω: |rb|; Rm in the equations as published (Zhao 2022, Eq. (1) and (2)).
-fn orbit_radius_m(case: &Case, distance_m: f64) -> f64 {
-    match case.formulation {
-        Formulation::Physical => distance_m,
-        Formulation::Paper => case.bearing.pitch_radius_m(),
-    }
 }

@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::orbit_radius_m;
 use super::rolling_energy::RollingEnergy;
+use super::rolling_row::RollingRow;
 use crate::case::Case;
-use crate::equilibrium::space::{RollingBall, RollingRow, SpatialEquilibrium};
+use crate::equilibrium::space::{RollingBall, SpatialEquilibrium};
+use crate::formulation::Formulation;
 use crate::numerics::root::brent;
 
 /// Places around the bearing, at least.
@@ -13,6 +14,14 @@ const PLACES: usize = 360;
 
 /// Error of the place at which the inner raceway releases or meets a ball, rad.
 const EDGE_RAD: f64 = 1e-9;
+
+/// Radius of the orbit that turns vt into Ω: |rb|; Rm in the equations as published (Zhao 2022, Eq. (1) and (2)).
+pub(super) fn orbit_radius_m(case: &Case, distance_m: f64) -> f64 {
+    match case.formulation {
+        Formulation::Physical => distance_m,
+        Formulation::Paper => case.bearing.pitch_radius_m(),
+    }
+}
 
 /// A place of a ball in its orbit.
 #[derive(Debug, Clone, Copy)]

@@ -25,7 +25,8 @@ mod groove_point;
 mod load_balance;
 pub mod outer_section;
 mod rolling_ball;
-mod rolling_row;
+
+use std::convert::Infallible;
 
 use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
@@ -45,7 +46,6 @@ pub use groove_point::{GroovePoint, inner_point, outer_points};
 use load_balance::{Balanced, LoadBalance, Z};
 use outer_section::{Flanks, OuterSection, SectionContact};
 pub(crate) use rolling_ball::RollingBall;
-pub(crate) use rolling_row::RollingRow;
 
 /// Ring and balls in equilibrium.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -149,6 +149,28 @@ pub(super) fn rolling<E>(
         seated = seat(&balance)?;
     }
     Ok((balance, seated))
+}
+
+/// Every ball of a case that rolls, the inner ring held at **R**, p, q.
+pub(crate) fn rolling_balls(case: &Case, ring: Ring) -> Vec<RollingBall> {
+    let planar = !case.moves_in_space();
+    let inner_speed_rad_s = case.operation.inner_speed_rad_s;
+    let Ok((balance, seated)) = rolling(case, planar, inner_speed_rad_s, |balance| {
+        Ok::<_, Infallible>(balance.around(ring))
+    });
+    let balls = balance.balls.iter().zip(&seated.rests);
+    let rolling = balls.map(|(ball, rest)| {
+        let (arms, angle) = arms_m(case, ball, rest.place, ring);
+        let orbit = orbit_speed_in_space_rad_s(&case.bearing, inner_speed_rad_s, arms, angle);
+        RollingBall {
+            angle_rad: ball.angle_rad,
+            distance_m: ball.distance_m(rest.place),
+            speed_m_s: orbit * case.bearing.pitch_radius_m(),
+            outer_arm: arms[0] / ball.radius_m,
+            inner_depth_m: ball.inner_depth_m(rest.place, ring),
+        }
+    });
+    rolling.collect()
 }
 
 /// Forces of every ball at both raceways and the row of each without weight and centrifugal force,
