@@ -121,8 +121,7 @@ pub fn tasks(file: &CaseFile, candidates: usize) -> Result<Vec<Task>, StudyError
 }
 
 /// Judges raceways in steady operation against the plain ring of a case, and one ball fewer beside them. Short runs
-/// leave the best of many; the first candidate is judged in any case. Those that do not work otherwise are left
-/// out.
+/// leave the best of many and the first. Candidates that do not work otherwise are left out.
 ///
 /// # Errors
 /// A case cannot start, a run left the physical range, or the progress ended the work.
@@ -135,7 +134,7 @@ pub fn search_benefit(
     let mut rings = plain_rings(file)?;
     let named = |c: &Candidate| Ok::<_, CaseError>((c.name.clone(), quick(&c.file)?));
     let all: Vec<_> = candidates.iter().map(named).collect::<Result<_, _>>()?;
-    let mut judged: Vec<usize> = (0..candidates.len()).collect();
+    let mut order: Vec<usize> = (0..candidates.len()).collect();
     let mut scores = vec![];
     if candidates.len() > FINALISTS + 1 {
         let begun: Vec<_> = [&rings[..1], &all].concat();
@@ -143,17 +142,20 @@ pub fn search_benefit(
         let mut ranked: Vec<(usize, &Benefit)> =
             found.benefits.iter().flatten().enumerate().collect();
         ranked.sort_by(|(_, a), (_, b)| a.rank.compare(&b.rank));
-        judged = vec![0];
-        for (k, _) in ranked.iter().filter(|(k, _)| *k != 0) {
-            if judged.len() <= FINALISTS && works(*k)? {
-                judged.push(*k);
-            }
-        }
+        order = ranked.iter().map(|(k, _)| *k).collect();
         let scored = ranked.iter().map(|(k, benefit)| CandidateScore {
             name: candidates[*k].name.clone(),
             score: Some(benefit.rank.score).filter(|score| score.is_finite()),
         });
         scores = scored.collect();
+        // Long runs judge the first of all in any case.
+        order.sort_by_key(|k| *k != 0);
+    }
+    let mut judged = vec![];
+    for k in order {
+        if judged.len() <= FINALISTS && works(k)? {
+            judged.push(k);
+        }
     }
     rings.extend(judged.iter().map(|&k| all[k].clone()));
     let comparison = judged_rings(&rings, DRAWS, JUDGEMENT, progress)?;

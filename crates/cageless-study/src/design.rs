@@ -191,7 +191,11 @@ fn most_helpful(
 ) -> Result<(), StudyError> {
     let (indices, candidates): (Vec<usize>, Vec<Candidate>) =
         search::candidates(file, found)?.into_iter().unzip();
-    let works = |k: usize| search::works(file, found, indices[k], progress);
+    // The recommended one has its verdicts.
+    let works = |k: usize| match Some(indices[k]) == found.recommended {
+        true => Ok(true),
+        false => search::works(file, found, indices[k], progress),
+    };
     let mut benefit = search_benefit(file, &candidates, &works, progress)?;
     let structure = |k: usize| search::structure(&found.evaluations[indices[k]]);
     benefit.recommended = benefit.best.map(structure);
