@@ -114,7 +114,7 @@ mod tests {
         );
         assert_eq!(
             coloured(Some(false), "does not work; slides"),
-            "\u{1b}[1;31mdoes not work\u{1b}[0m; slides"
+            ["\u{1b}[1;31m", "does not work", "\u{1b}[0m; slides"].concat()
         );
         assert_eq!(
             coloured(None, "not judged: no raceway"),
