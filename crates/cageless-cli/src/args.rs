@@ -186,7 +186,7 @@ pub struct CompareArgs {
     /// Case files (TOML or JSON), or folders of finished runs; all are compared with the first.
     #[arg(value_name = "CASE", required = true, num_args = 1..)]
     pub cases: Vec<PathBuf>,
-    /// Compare the cases with the conventional ring of the first, which stands before them.
+    /// Compare the cases with the conventional ring of the first, which comes before them.
     #[arg(long)]
     pub with_conventional: bool,
     /// Compare one case with its remedies: plain ring, raceway, one and two balls fewer.
