@@ -3,7 +3,7 @@
 use cageless::design::{Criterion, judge};
 use cageless::simulation::Control;
 use cageless_io::case_file::CaseFile;
-use cageless_results::{Judged, PASSAGES, Results, Subject, VERDICT, open_benefit};
+use cageless_results::{Judged, PASSAGES, Results, Subject, VERDICT};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
@@ -32,7 +32,6 @@ pub(crate) fn verdict(
         .collect();
     let mut answer = json!({
         "label": judgement.verdict.label(),
-        "benefit": open_benefit(judgement.passes()),
         "reasons": judgement.reasons,
         "criteria": criteria,
         "passages": judgement.passages.map(|p| Results::of(PASSAGES, Subject::Passages(&p))),

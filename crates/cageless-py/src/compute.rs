@@ -14,7 +14,8 @@ use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
 use cageless_report::to_json;
-use cageless_results::{Aim, equilibrium_record_noted};
+use cageless_results::{Aim, Record, equilibrium_record_noted};
+use cageless_study::benefit_search::BenefitSearch;
 use cageless_study::design::{Asked, Designed, design as study_design};
 use cageless_study::drop::{DropRequest, study};
 use cageless_study::rings::rings;
@@ -108,6 +109,15 @@ pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
     })
 }
 
+/// Values of a search in Python.
+#[derive(Serialize)]
+struct SearchValues<'a> {
+    #[serde(flatten)]
+    found: &'a Record,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    benefit: Option<&'a BenefitSearch>,
+}
+
 /// Judges the raceways of a case. `asked` may hold `axial`, for axial loads, `search`, for a search or its
 /// resumption in the folder, and `benefit`, for steady operation beside a plain ring.
 #[pyfunction]
@@ -154,11 +164,9 @@ pub fn design(
     let json = pretty(&result)?;
     let (kind, values) = match &result.search {
         Some(found) => {
-            let mut values = serde_json::to_value(found)?;
-            if let (Some(values), Some(benefit)) = (values.as_object_mut(), &result.benefit) {
-                values.insert("benefit".to_owned(), serde_json::to_value(benefit)?);
-            }
-            ("search", values.to_string())
+            let benefit = result.benefit.as_ref();
+            let values = SearchValues { found, benefit };
+            ("search", serde_json::to_string(&values)?)
         }
         None => ("design", json.clone()),
     };

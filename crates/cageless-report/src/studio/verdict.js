@@ -1,6 +1,8 @@
 // Pass or fail with margins, first estimated, then simulated; numbers of closed forms.
 
 const PROGRESS_STEP = 0.05;
+// What the criteria leave open.
+const OPEN = "Whether a raceway that works also helps, cageless compare CASE --remedies says.";
 // What the criteria measure.
 const SIMULATED = {
   separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
@@ -40,16 +42,13 @@ class Verdict {
     const mark = passes === null ? "" : passes ? "✔ " : "✘ ";
     lamp.className = "lamp judged " + (passes === null ? "unjudged" : passes ? "pass" : "fail") + (judged ? "" : " estimated");
     lamp.dataset.kind = judged ? "simulated" : "estimate";
-    if (judged) {
-      lamp.replaceChildren(mark + judged.headline);
-      if (judged.benefit) lamp.append(element("br"), "Benefit " + judged.benefit);
-    }
+    if (judged) lamp.replaceChildren(mark + judged.headline);
     else {
       const found = passes === null ? (g.raceways.length && estimate ? "not judged: a number is not known" : "nothing to judge") : passes ? "passes" : "fails";
       lamp.replaceChildren(mark + "Estimate from closed forms: " + found, g.raceways.length ? element("progress", { max: 1, value: 0, "aria-label": "Simulated verdict" }) : "");
     }
     const { kind, rows } = this.rows();
-    const caption = kind === "simulated" ? "Simulated" : "Estimated from closed forms, before the simulation";
+    const caption = (kind === "simulated" ? "Simulated. " : "Estimated from closed forms, before the simulation. ") + OPEN;
     const heads = ["criterion", "value", "limit", "margin", "unit"];
     const table = () => dataTable(caption, heads, rows.map(({ label, name, value, limit, margin, at_least, unit, by, title }) => {
       const numbers = [shown(by * value, by > 1 ? 1 : 3), (at_least ? "≥ " : "≤ ") + shown(by * limit, by > 1 ? 0 : 3), shown(by * margin, by > 1 ? 1 : 3)];
