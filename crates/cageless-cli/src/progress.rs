@@ -220,7 +220,7 @@ mod tests {
         );
     }
 
-    /// Of work of a minute, 80 minutes and two days.
+    /// Announcements of a minute, 80 minutes and two days.
     #[test]
     fn without_a_terminal_there_is_a_line_for_each_tenth_and_now_and_then() {
         for (whole_s, seldom_s) in [(60, 10), (4800, 48), (172_800, 60)] {

@@ -55,16 +55,7 @@ fn a_raceway_that_works_leaves_its_benefit_open() {
 fn a_search_recommends_nothing_whose_benefit_is_not_judged() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out");
-    let sets = [
-        "solver.method=verlet",
-        "solver.step_us=auto",
-        "search.axial_span_mm=5.1",
-        "search.half_angle_deg=[24,26]",
-        "search.initial_states=1",
-        "search.runs_max=32",
-        TOO_SHORT[0],
-        TOO_SHORT[1],
-    ];
+    let sets = [&SMALL[..], &TOO_SHORT].concat();
     let case = repository_case("zhao-d.toml");
     let options = ["--search", "--benefit", "--out", out.to_str().unwrap()];
     let done = call_on("design", &case, &sets, &options);

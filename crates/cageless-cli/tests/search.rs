@@ -7,16 +7,6 @@ use std::time::{Duration, Instant};
 
 use crate::common::*;
 
-/// A search that is soon done: one span, few angles, few runs, long steps.
-const SMALL: [&str; 6] = [
-    "solver.method=verlet",
-    "solver.step_us=auto",
-    "search.axial_span_mm=5.1",
-    "search.half_angle_deg=[24,26]",
-    "search.initial_states=1",
-    "search.runs_max=32",
-];
-
 fn search_command(out: &Path) -> std::process::Command {
     let mut command = cageless();
     command.arg("design").arg(repository_case("zhao-d.toml"));

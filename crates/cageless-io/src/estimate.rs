@@ -49,7 +49,7 @@ impl Estimate {
         })
     }
 
-    /// The same in a unit in which numbers are `factor` times as large.
+    /// The estimate in another unit: numbers `factor` times as large.
     pub fn times(&self, factor: f64) -> Self {
         Self {
             mean: factor * self.mean,

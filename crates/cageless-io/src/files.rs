@@ -31,7 +31,7 @@ pub fn open_locked(path: &Path) -> io::Result<Option<File>> {
 /// Removes a file of the program's own that no process has locked; where there are no locks, none.
 pub(crate) fn remove_abandoned(path: &Path) {
     if open(path).is_ok_and(|file| file.try_lock().is_ok() && is_at(&file, path)) {
-        // Nobody is left to hear of a failure.
+        // A failure cannot be reported from here.
         let _ = std::fs::remove_file(path);
     }
 }

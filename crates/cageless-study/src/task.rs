@@ -229,7 +229,7 @@ mod tests {
         assert_eq!(Task::new("none").time_s(2, &mut pace), 0.0);
     }
 
-    /// Every sample is timed, however short it is, and ends when it is told to.
+    /// Every sample is timed, however short, and ends on interruption.
     #[test]
     fn steps_of_samples_are_timed() {
         let mut short = case();

@@ -177,3 +177,13 @@ pub fn row(path: &Path, index: usize) -> Value {
     });
     Value::Object(cells.collect())
 }
+
+/// A search that is soon done: one span, few angles, few runs, long steps.
+pub const SMALL: [&str; 6] = [
+    "solver.method=verlet",
+    "solver.step_us=auto",
+    "search.axial_span_mm=5.1",
+    "search.half_angle_deg=[24,26]",
+    "search.initial_states=1",
+    "search.runs_max=32",
+];

@@ -138,7 +138,7 @@ impl Write for PartialFile {
 impl Drop for PartialFile {
     fn drop(&mut self) {
         if !self.released {
-            // Nobody is left to hear of a failure.
+            // A failure cannot be reported from here.
             let _ = std::fs::remove_file(&self.partial);
         }
     }

@@ -43,7 +43,7 @@ struct Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // Nobody is left to hear of a failure; the next one takes it over.
+        // A failure cannot be reported from here; the next process takes the lock over.
         let _ = std::fs::remove_file(&self.path);
     }
 }

@@ -1,31 +1,69 @@
 //! Whether a ring helps against another: what the balls do in steady operation, what it costs and what it breaks.
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
-use cageless::steady::{Settling, Stationarity};
+use cageless::steady::{BenefitWeights, Settling, Stationarity};
 use cageless_io::estimate::{Change, Estimate};
 use serde::{Serialize, Serializer};
 
 use super::ring_results::{RingResults, compared_named};
 use cageless_results::{Aim, with_unit};
 
-/// What is asked of a remedy, in the order of [`RingResults::weights`], with its name in sentences.
-const ASKED: [(&str, &str); 3] = [
-    ("contact_rate_hz", "contacts"),
-    ("gap_deviation_deg", "scatter of the gaps"),
-    ("outer_ring_force_deviation_n", "variation of the force"),
+/// Result that is asked of a remedy.
+struct Asked {
+    name: &'static str,
+    /// Name in sentences.
+    said: &'static str,
+    /// Its quantity in the test of stationarity.
+    settling: Settling,
+    weight: fn(&BenefitWeights) -> f64,
+}
+
+/// Fewer contacts, even spacing, steady force.
+const ASKED: [Asked; 3] = [
+    Asked {
+        name: "contact_rate_hz",
+        said: "contacts",
+        settling: Settling::Contacts,
+        weight: |weights| weights.contacts,
+    },
+    Asked {
+        name: "gap_deviation_deg",
+        said: "scatter of the gaps",
+        settling: Settling::Spacing,
+        weight: |weights| weights.spacing,
+    },
+    Asked {
+        name: "outer_ring_force_deviation_n",
+        said: "variation of the force",
+        settling: Settling::Force,
+        weight: |weights| weights.force,
+    },
 ];
 
-/// What it may cost, with its name in sentences; without one it stands in tables alone.
-const COSTS: [(&str, &str); 9] = [
-    ("contact_rate_above_0_1_m_s_hz", ""),
-    ("contact_rate_above_0_5_m_s_hz", "contacts above 0.5 m/s"),
-    ("impulse_rate_n", ""),
-    ("passing_force_n", ""),
-    ("vibration_rms_m_s2", "vibration of the housing"),
-    ("ball_pressure_max_mpa", "pressure between balls"),
-    ("power_loss_w", "losses"),
-    ("l10r_at_speed_h", "life L10r"),
-    ("basic_static_rating_n", ""),
+/// Result that a remedy may cost.
+struct Cost {
+    name: &'static str,
+    /// Name in sentences; without one the cost is in tables alone.
+    said: Option<&'static str>,
+}
+
+const fn cost(name: &'static str, said: Option<&'static str>) -> Cost {
+    Cost { name, said }
+}
+
+const COSTS: [Cost; 9] = [
+    cost("contact_rate_above_0_1_m_s_hz", None),
+    cost(
+        "contact_rate_above_0_5_m_s_hz",
+        Some("contacts above 0.5 m/s"),
+    ),
+    cost("impulse_rate_n", None),
+    cost("passing_force_n", None),
+    cost("vibration_rms_m_s2", Some("vibration of the housing")),
+    cost("ball_pressure_max_mpa", Some("pressure between balls")),
+    cost("power_loss_w", Some("losses")),
+    cost("l10r_at_speed_h", Some("life L10r")),
+    cost("basic_static_rating_n", None),
 ];
 
 /// Pressures that a contact must not exceed; 4200 MPa leaves a permanent deformation of a ten-thousandth of the
@@ -142,7 +180,7 @@ impl Benefit {
             .collect();
         let score = score(ring, reference);
         let criteria: Vec<BenefitCriterion> = (asked(reference))
-            .chain(COSTS.iter().map(|(name, _)| (*name, 0.0)))
+            .chain(COSTS.iter().map(|cost| (cost.name, 0.0)))
             .filter_map(|(name, weight)| criterion(ring, reference, name, weight))
             .collect();
         let said = |weighted: bool, better: bool| {
@@ -223,11 +261,8 @@ impl Benefit {
 /// Change of a quantity over the measured time that a verdict bears: the limit of stationary runs, or in runs as long
 /// as those of the default, where more is left of the difference between the rings, a third of ln(ratio).
 fn change_limit(of: Settling, ring: &RingResults, reference: &RingResults) -> f64 {
-    let name = match of {
-        Settling::Contacts => ASKED[0].0,
-        Settling::Spacing => ASKED[1].0,
-        Settling::Force => ASKED[2].0,
-    };
+    let asked = ASKED.iter().find(|asked| asked.settling == of);
+    let name = asked.map_or("", |asked| asked.name);
     let means = [ring, reference].map(|r| Estimate::new(r.of(name)));
     match means {
         [Some(value), Some(from)] if ring.is_long && reference.is_long => {
@@ -240,14 +275,14 @@ fn change_limit(of: Settling, ring: &RingResults, reference: &RingResults) -> f6
 
 /// What is asked for, with its weights.
 fn asked(reference: &RingResults) -> impl Iterator<Item = (&'static str, f64)> {
-    let names = ASKED.into_iter().map(|(name, _)| name);
-    names.zip(reference.weights)
+    let weight = |asked: &Asked| (asked.weight)(&reference.weights);
+    ASKED.iter().map(move |asked| (asked.name, weight(asked)))
 }
 
 /// Weighted mean of ln(ratio) of what is asked for over the draws; `None` if a ring lacks one of them.
 fn score(ring: &RingResults, reference: &RingResults) -> Option<Estimate> {
-    let draws = ASKED.map(|(name, _)| ring.of(name).len().min(reference.of(name).len()));
-    let count = draws.into_iter().min().unwrap_or(0);
+    let draws = asked(reference).map(|(name, _)| ring.of(name).len().min(reference.of(name).len()));
+    let count = draws.min().unwrap_or(0);
     let all: f64 = asked(reference).map(|(_, weight)| weight).sum();
     let of_draw = |k: usize| {
         let ln = |name: &str| ratio(ring.of(name)[k], reference.of(name)[k]).ln();
@@ -302,8 +337,10 @@ fn changed(ring: &RingResults, reference: &RingResults, name: &str) -> Option<St
     let (factor, unit) = quantity.printed();
     let text = |r: &RingResults| Some(Estimate::new(r.of(name))?.times(factor).text());
     let (value, from) = (text(ring)?, text(reference)?);
-    let named = ASKED.iter().chain(&COSTS).find(|(known, _)| *known == name);
-    let (_, label) = named.filter(|(_, label)| !label.is_empty())?;
+    let asked = ASKED.iter().map(|asked| (asked.name, Some(asked.said)));
+    let mut all = asked.chain(COSTS.iter().map(|cost| (cost.name, cost.said)));
+    let (_, said) = all.find(|(known, _)| *known == name)?;
+    let label = said?;
     Some(format!(
         "{label} {value} instead of {}",
         with_unit(&from, &unit)
@@ -337,7 +374,7 @@ mod tests {
             .iter()
             .map(|scatter| {
                 let values = ASKED.iter().zip(asked);
-                let values = values.map(|((name, _), value)| (*name, scatter * value));
+                let values = values.map(|(asked, value)| (asked.name, scatter * value));
                 values
                     .chain([("ball_pressure_max_mpa", pressure)])
                     .collect()

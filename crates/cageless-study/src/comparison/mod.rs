@@ -103,33 +103,35 @@ pub(crate) fn steady_task(
     rings: &[(String, CaseFile)],
     draws: u64,
 ) -> Result<Task, StudyError> {
-    let (mut task, pieces) = (Task::new(name), rings.len());
-    for (_, file) in rings {
-        let first = Sampling::Draws(draws).sample(file, 0, 0)?;
-        let case = first.case();
-        let steps = draws as f64 * case.solver.steps();
-        task = task.with_batch(case, draws.min(DRAWS) as usize, steps, pieces);
-    }
-    Ok(task)
+    let begun = Ok(Task::new(name));
+    rings.iter().fold(begun, |task, (_, file)| {
+        with_samples(task?, file, Sampling::Draws(draws), rings.len())
+    })
+}
+
+/// The task with the runs of a case with every sample side by side.
+fn with_samples(
+    task: Task,
+    file: &CaseFile,
+    sampling: Sampling,
+    pieces: usize,
+) -> Result<Task, StudyError> {
+    let (first, count) = (sampling.sample(file, 0, 0)?, sampling.count());
+    let (case, together) = (first.case(), count.min(DRAWS) as usize);
+    Ok(task.with_batch(case, together, count as f64 * case.solver.steps(), pieces))
 }
 
 /// The task of a comparison: each ring once alone, with its histories, and with every draw side by side.
 fn task(rings: &[(String, CaseFile)], sampling: Sampling) -> Result<Task, StudyError> {
-    let (mut task, count) = (Task::new(TASK), sampling.count());
-    for (_, file) in rings {
-        let first = sampling.sample(file, 0, 0)?;
-        let (alone, case) = (file.case(), first.case());
-        let blocks = count.div_ceil(DRAWS);
-        // A ring alone is a piece beside the blocks of others.
-        let pieces = rings.len() * (blocks as usize + 1);
-        task = task.with(alone, alone.solver.steps(), pieces).with_batch(
-            case,
-            count.min(DRAWS) as usize,
-            count as f64 * case.solver.steps(),
-            pieces,
-        );
-    }
-    Ok(task)
+    let blocks = sampling.count().div_ceil(DRAWS);
+    // A ring alone is a piece beside the blocks of others.
+    let pieces = rings.len() * (blocks as usize + 1);
+    let begun = Ok(Task::new(TASK));
+    rings.iter().fold(begun, |task, (_, file)| {
+        let alone = file.case();
+        let task = task?.with(alone, alone.solver.steps(), pieces);
+        with_samples(task, file, sampling, pieces)
+    })
 }
 
 fn ring(

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cageless::steady::{MEASURED_ORBITS, Stationarity, TRANSIENT_ORBITS, WEIGHT};
+use cageless::steady::{BenefitWeights, MEASURED_ORBITS, Stationarity, TRANSIENT_ORBITS};
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use serde_json::{Map, Value};
 
@@ -38,8 +38,8 @@ pub struct RingResults {
     pub(super) apart_from_remedies: Option<CaseDocument>,
     pub(super) verdict: RingVerdict,
     values: BTreeMap<String, Vec<f64>>,
-    /// Weights of what is asked of a remedy: contacts, spacing, force.
-    pub(super) weights: [f64; 3],
+    /// Weights of what is asked of a remedy.
+    pub(super) weights: BenefitWeights,
     /// Whether the runs leave out and measure as many orbits as those of the default.
     pub(super) is_long: bool,
     /// Whether the measured time is stationary; of a finished run nothing.
@@ -64,13 +64,12 @@ impl RingResults {
             }
         }
         let steady = file.steady();
-        let weights = steady.weights;
         Self {
             name: name.to_owned(),
             apart_from_remedies: Some(file.apart_from_remedies()),
             verdict,
             values,
-            weights: [weights.contacts, weights.spacing, weights.force],
+            weights: steady.weights,
             is_long: steady.transient_orbits >= TRANSIENT_ORBITS
                 && steady.measured_orbits >= MEASURED_ORBITS,
             settling: vec![],
@@ -96,7 +95,7 @@ impl RingResults {
             apart_from_remedies: None,
             verdict: RingVerdict::of_summary(summary),
             values: numbers.collect(),
-            weights: [WEIGHT; 3],
+            weights: BenefitWeights::default(),
             is_long: false,
             settling: vec![],
         }
