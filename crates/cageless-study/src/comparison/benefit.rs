@@ -51,13 +51,14 @@ const fn cost(name: &'static str, said: Option<&'static str>) -> Cost {
     Cost { name, said }
 }
 
-const COSTS: [Cost; 9] = [
+const COSTS: [Cost; 10] = [
     cost("contact_rate_above_0_1_m_s_hz", None),
     cost(
         "contact_rate_above_0_5_m_s_hz",
         Some("contacts above 0.5 m/s"),
     ),
     cost("impulse_rate_n", None),
+    cost("ball_wear_kn_m_h", None),
     cost("passing_force_n", None),
     cost("vibration_rms_m_s2", Some("vibration of the housing")),
     cost("ball_pressure_max_mpa", Some("pressure between balls")),

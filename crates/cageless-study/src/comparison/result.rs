@@ -10,7 +10,7 @@ use super::ring_results::{RingResults, compared};
 use super::{Benefit, Draws, RingVerdict};
 
 /// What a discrete raceway is there to change, and what it costs, in the order of the verdict.
-const SUBJECT: [&str; 16] = [
+const SUBJECT: [&str; 17] = [
     "contact_rate_hz",
     "contact_rate_above_0_1_m_s_hz",
     "contact_rate_above_0_5_m_s_hz",
@@ -25,6 +25,7 @@ const SUBJECT: [&str; 16] = [
     "transient_ball_pressure_mpa",
     "power_loss_ball_friction_w",
     "power_loss_w",
+    "ball_wear_kn_m_h",
     "l10r_at_speed_h",
     "basic_static_rating_n",
 ];

@@ -22,6 +22,8 @@ pub struct SteadyBlock {
     pub contacts: ContactCounts,
     /// Impulse between balls, N·s.
     pub impulse_n_s: f64,
+    /// Normal force times sliding distance between balls, N·m.
+    pub force_distance_n_m: f64,
     /// Square of the gaps less their mean, rad².
     pub gap_variance: Moments,
     /// Force on the outer ring in x and y, N.
@@ -76,15 +78,20 @@ impl Observer for SteadyRecorder {
         let (h_s, time_s) = (view.step.size_s(), view.step.t1_s);
         let touch = view.contacts.balls_touch();
         let pairs = if touch { view.contacts.balls() } else { 0 };
-        let forces = (0..pairs).map(|k| view.contacts.pair_force_n(k));
+        let forces = (0..pairs).map(|k| (k, view.contacts.pair_force_n(k)));
         if time_s <= self.from_s {
+            let forces = forces.map(|(_, force_n)| force_n);
             self.transient_force_max_n = forces.fold(self.transient_force_max_n, f64::max);
             return Ok(Control::Continue(()));
         }
         let number = (((time_s - self.from_s) / self.block_s) as usize).min(BLOCKS - 1);
         let block = &mut self.blocks[number];
         block.time_s += h_s;
-        block.impulse_n_s += h_s * forces.sum::<f64>();
+        for (k, force_n) in forces.filter(|(_, force_n)| *force_n > 0.0) {
+            let distance_m = h_s * view.contacts.pair_sliding_m_s(k).abs();
+            block.impulse_n_s += h_s * force_n;
+            block.force_distance_n_m += force_n * distance_m;
+        }
         if let Some(begun) = begun {
             block.contacts += begun;
         }

@@ -11,6 +11,8 @@ pub struct SteadySummary {
     pub contact_rates_hz: [f64; 3],
     /// Impulse between balls per second, N.
     pub impulse_rate_n: f64,
+    /// Normal force times sliding speed between balls, to which Archard's wear volume per time is proportional, W.
+    pub wear_w: f64,
     /// Largest pressure between balls in the transient, Pa.
     pub transient_pressure_pa: f64,
     /// Force on the outer ring that turns with the balls, N.
@@ -35,6 +37,7 @@ impl SteadySummary {
                 rate(&|block| block.contacts.above[1] as f64),
             ],
             impulse_rate_n: rate(&|block| block.impulse_n_s),
+            wear_w: rate(&|block| block.force_distance_n_m),
             transient_pressure_pa: bearing.ball_contact().peak_pressure_pa(transient_force_n),
             turning_force_n: amplitude(&|block| block.turning_force_n),
             passing_force_n: 2.0 * amplitude(&|block| block.passing_force_n),

@@ -255,12 +255,107 @@ fn every_number_of_a_summary() {
     );
 }
 
-/// The gaps of each instant about their mean, looked at every 64th step; the force on the outer ring
-/// is what load, weight and drag leave of the change of the momentum of balls and inner ring.
+/// Force on the outer ring at the end of step `n`: what load, weight and drag leave of the change of the momentum of
+/// balls and inner ring.
+fn outer_ring_force_n(run: &Recording, n: usize) -> [f64; 2] {
+    let h = run.case.solver.step_s;
+    let mass_kg = |k| 7850.0 * 4.0 / 3.0 * PI * run.radius_m(k).powi(3);
+    let [before, now, after] = [n - 1, n, n + 1].map(|n| &run.rows[n]);
+    [0, 1].map(|axis| {
+        let [a, b, c] = [before, now, after].map(|row| row.ring[axis]);
+        let speed = |row: &Row, k: usize| [row.balls[k].vx, row.balls[k].vy][axis];
+        let balls: f64 = (0..14)
+            .map(|k| mass_kg(k) * (speed(after, k) - speed(before, k)) / (2.0 * h))
+            .sum();
+        let down = 1500.0 + 9.81 * (0.2 + (0..14).map(mass_kg).sum::<f64>());
+        -[0.0, down][axis]
+            - 2000.0 * (c - a) / (2.0 * h)
+            - 0.2 * (a - 2.0 * b + c) / (h * h)
+            - balls
+    })
+}
+
+/// Rates are sums over all steps after the transient; the parts of the force are means of every eighth step, here from
+/// central differences.
+#[test]
+fn every_number_of_steady_operation() {
+    let run = &*RECORDING;
+    let (s, rows, h) = (&run.steady, run.settled(), run.case.solver.step_s);
+    let first = run.rows.len() - rows.len();
+    let time_s = h * rows.len() as f64;
+    let pairs = || rows.iter().flat_map(|row| &row.balls);
+    let touches = (first..run.rows.len()).flat_map(|n| (0..14).map(move |k| (n, k)));
+    let touches = touches.filter(|&(n, k)| run.touches(n, k)).count();
+    near(
+        s.contact_rates_hz[0],
+        touches as f64 / time_s,
+        1e-9,
+        "contacts",
+    );
+    let impulse: f64 = pairs().map(|ball| h * ball.pair_n).sum();
+    near(s.impulse_rate_n, impulse / time_s, 1e-9, "impulse");
+    // An open pair slides without load.
+    let wear = pairs().filter(|ball| ball.pair_n > 0.0);
+    let wear: f64 = wear
+        .map(|ball| ball.pair_n * (h * ball.pair_slip.abs()))
+        .sum();
+    near(s.wear_w, wear / time_s, 1e-9, "wear");
+    // At full friction wear is the work of friction over its coefficient; below it more.
+    let term = EnergyTerm::without_rotor()
+        .iter()
+        .position(|t| *t == EnergyTerm::BallFriction);
+    let [from, to] = [first - 1, run.rows.len() - 1].map(|n| run.rows[n].ledger[term.unwrap()]);
+    let work_w = (to - from).abs() / time_s / 0.007;
+    assert!(
+        (0.999..1.02).contains(&(s.wear_w / work_w)),
+        "{} {work_w}",
+        s.wear_w
+    );
+
+    let before = run.rows[..first].iter().flat_map(|row| &row.balls);
+    let largest = before.map(|ball| ball.pair_n).fold(0.0, f64::max);
+    let pressure = run.case.bearing.ball_contact().peak_pressure_pa(largest);
+    near(
+        s.transient_pressure_pa,
+        pressure,
+        1e-12,
+        "pressure in the transient",
+    );
+
+    let mut sums = [0.0; 4];
+    let mut count = 0.0;
+    for n in (first + 7..run.rows.len() - 1).step_by(8) {
+        let [fx, fy] = outer_ring_force_n(run, n);
+        let row = &run.rows[n];
+        let (x, y) = (row.balls[0].x, row.balls[0].y);
+        let angle = y.atan2(x);
+        let (sine, cosine) = angle.sin_cos();
+        let of = [
+            fx * cosine + fy * sine,
+            fy * cosine - fx * sine,
+            fy * (14.0 * angle).cos(),
+            fy * (14.0 * angle).sin(),
+        ];
+        for (sum, value) in sums.iter_mut().zip(of) {
+            *sum += value;
+        }
+        count += 1.0;
+    }
+    let means = sums.map(|sum| sum / count);
+    near(s.turning_force_n, means[0].hypot(means[1]), 3e-2, "turning");
+    near(
+        s.passing_force_n,
+        2.0 * means[2].hypot(means[3]),
+        3e-2,
+        "passing",
+    );
+}
+
+/// The gaps of each instant about their mean, looked at every 64th step, and the force on the outer ring.
 #[test]
 fn every_deviation() {
     let run = &*RECORDING;
-    let (s, rows, h) = (&run.summary, run.settled(), run.case.solver.step_s);
+    let (s, rows) = (&run.summary, run.settled());
     let variance = |row: &Row| {
         let gaps: Vec<f64> = (0..14).map(|k| run.gap_rad(row, k)).collect();
         let mean = gaps.iter().sum::<f64>() / 14.0;
@@ -285,20 +380,7 @@ fn every_deviation() {
     near(s.gap_deviation_change_rad, second - first, 1e-9, "change");
     assert!((second - first).abs() > 0.01 * all, "{first} {second}");
 
-    let mass_kg = |k| 7850.0 * 4.0 / 3.0 * PI * run.radius_m(k).powi(3);
-    let force = |n: usize, axis: usize| {
-        let [before, now, after] = [n - 1, n, n + 1].map(|n| &run.rows[n]);
-        let [a, b, c] = [before, now, after].map(|row| row.ring[axis]);
-        let speed = |row: &Row, k: usize| [row.balls[k].vx, row.balls[k].vy][axis];
-        let balls: f64 = (0..14)
-            .map(|k| mass_kg(k) * (speed(after, k) - speed(before, k)) / (2.0 * h))
-            .sum();
-        let down = 1500.0 + 9.81 * (0.2 + (0..14).map(mass_kg).sum::<f64>());
-        -[0.0, down][axis]
-            - 2000.0 * (c - a) / (2.0 * h)
-            - 0.2 * (a - 2.0 * b + c) / (h * h)
-            - balls
-    };
+    let force = |n: usize, axis: usize| outer_ring_force_n(run, n)[axis];
     let first = run.rows.len() - rows.len();
     let deviations = [0, 1].map(|axis| {
         let looked = (first + 1..run.rows.len() - 1).step_by(2);

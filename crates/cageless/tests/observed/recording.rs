@@ -11,6 +11,7 @@ use cageless::passage::{Passage, PassageRecorder};
 use cageless::simulation::{
     Control, Observer, ObserverError, RunContext, RunOutcome, StepView, run,
 };
+use cageless::steady::{SteadyRecorder, SteadySummary};
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::verification::{Record, replicas};
 use cageless::{Case, Gaps, Start, StartState};
@@ -119,6 +120,7 @@ pub struct Recording {
     pub collisions: Vec<Collision>,
     pub passages: Vec<Passage>,
     pub summary: Summary,
+    pub steady: SteadySummary,
     pub record: Record,
     pub outcome: RunOutcome,
 }
@@ -151,6 +153,7 @@ pub static RECORDING: LazyLock<Recording> = LazyLock::new(|| {
     let (mut collisions, mut passages) = (vec![], vec![]);
     let mut every = EveryStep::default();
     let mut summary = SummaryRecorder::new();
+    let mut steady = SteadyRecorder::new();
     let mut replica = replicas(&case, 1)[0].observer();
     let mut detector = CollisionDetector::new(|collision| {
         collisions.push(collision);
@@ -165,6 +168,7 @@ pub static RECORDING: LazyLock<Recording> = LazyLock::new(|| {
         &mut [
             &mut every,
             &mut summary,
+            &mut steady,
             &mut replica,
             &mut detector,
             &mut recorder,
@@ -176,6 +180,11 @@ pub static RECORDING: LazyLock<Recording> = LazyLock::new(|| {
     Recording {
         rows: every.0,
         summary: summary.summary().unwrap(),
+        steady: SteadySummary::new(
+            &case.bearing,
+            steady.blocks(),
+            steady.transient_force_max_n(),
+        ),
         record: replica.record(&outcome).unwrap(),
         case,
         collisions,
