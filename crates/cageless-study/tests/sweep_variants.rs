@@ -16,6 +16,18 @@ fn plan(text: &str) -> PlanFile {
     PlanFile::parse(&text, "plan", folder.path()).expect("a plan")
 }
 
+/// A verdict needs constant operation; the row says so with the key and the unit of the file.
+#[test]
+fn a_table_over_time_is_refused_in_the_words_of_its_file() {
+    let text = "compute = [\"verdict\"]\n[grid]\noperation.gravity_m_s2 = [9.81]\n\
+                [set]\noperation.inner_speed_rpm = [[0, 6000], [0.05, 12000]]\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    let reason = format!("{:?}", column(&sweep, &rows, "reason"));
+    assert!(reason.contains("operation.inner_speed_rpm"), "{reason}");
+    assert!(!reason.contains("inner_speed_rad_s"), "{reason}");
+}
+
 fn rows(sweep: &Sweep) -> Vec<Row> {
     sweep
         .evaluate(0..sweep.variants(), &|| Control::Continue(()))

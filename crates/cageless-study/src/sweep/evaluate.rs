@@ -192,7 +192,7 @@ impl Sweep {
             return None;
         }
         match self.wants(Computation::Verdict) {
-            true => found.judge(case, stop),
+            true => found.judge(file, stop),
             false => Some(()),
         }
     }
@@ -295,7 +295,8 @@ impl Found<'_> {
     }
 
     /// Judges the raceway; `None` if cancelled.
-    fn judge(&mut self, case: &Case, stop: Cancellation<'_>) -> Option<()> {
+    fn judge(&mut self, file: &CaseFile, stop: Cancellation<'_>) -> Option<()> {
+        let case = file.case();
         match judge(case, &mut |_| stop()) {
             Ok(judgement) => {
                 let judgement = &judgement;
@@ -313,7 +314,11 @@ impl Found<'_> {
                 }
             }
             Err(CriticalGapError::Interrupted) => return None,
-            Err(error) => self.failed(Computation::Verdict, &error),
+            Err(error) => match StudyError::of_run(file, error) {
+                // Without file and line: the same row wherever the plan lies.
+                StudyError::File(error) => self.failed(Computation::Verdict, &error.message()),
+                error => self.failed(Computation::Verdict, &error),
+            },
         }
         Some(())
     }
