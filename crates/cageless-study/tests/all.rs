@@ -3,6 +3,7 @@
 mod announced;
 mod design_result;
 mod drops;
+mod held_gaps;
 mod random_cases;
 mod rotor_drops;
 mod rotor_sweeps;
