@@ -393,6 +393,9 @@ pub struct ToleranceArgs {
     /// Tolerance of the load, ± %.
     #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
     pub load_percent: f64,
+    /// Say whether the raceway helps in steady operation, as drawn and at both ends of its machining tolerances.
+    #[arg(long)]
+    pub benefit: bool,
 }
 
 /// `design`.

@@ -3,6 +3,15 @@
 use std::io::IsTerminal;
 
 use cageless_results::{Results, number_text};
+use cageless_study::comparison::RingComparison;
+
+/// What long runs of real balls say, with the table of the rings and a blank line.
+pub fn compared(answer: &str, comparison: &RingComparison) -> String {
+    let mut rows = vec![comparison.headings()];
+    rows.extend(comparison.rows(comparison.subject().into_iter()));
+    let draws = comparison.draws.text();
+    format!("{answer}\n\n{}\n{draws}\n\n", columns(&rows))
+}
 
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {

@@ -92,3 +92,36 @@ fn three_balls_are_too_few_to_leave_one_out() {
         assert!(done.stderr.contains("fewer too few are left"), "{done:?}");
     }
 }
+
+/// The raceways at both ends of the machining tolerances stand beside the one as drawn.
+#[test]
+fn a_tolerance_says_first_whether_its_raceways_help() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let case = repository_case("zhao-d.toml");
+    let options = [
+        "--benefit",
+        "--samples=0",
+        "--friction=0",
+        "--clearance-um=0",
+        "--speed-percent=0",
+        "--load-percent=0",
+        "--ball-grade=0",
+        "--out",
+        out.to_str().unwrap(),
+    ];
+    let done = call_on("tolerance", &case, &TOO_SHORT, &options);
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let first = done.stdout.lines().next().unwrap();
+    let words =
+        "Raceway as drawn not judged, weakest not judged, strongest not judged; strongest: ";
+    assert!(first.starts_with(words), "{first}");
+    let found = json_file(&out.join("tolerance.json"));
+    assert_eq!(found["benefit"]["benefit"], "not-judged");
+    let comparison = &found["benefit"]["comparison"];
+    let runs = serde_json::json!(["plain", "as drawn", "weakest", "strongest"]);
+    assert_eq!(comparison["runs"], runs);
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    let (header, body) = page.split_once("</header>").unwrap();
+    assert!(header.contains("weakest not judged") && body.contains("Does it help?"));
+}

@@ -221,8 +221,8 @@ pub fn tolerance(
     request: &str,
     background: Background,
 ) -> Found<Computed> {
-    let (case, request) = (file.case().case(), serde_json::from_str(request)?);
-    let work = |progress: &dyn Progress| within_tolerances(case, "case", &request, progress);
+    let (file, request) = (file.case(), serde_json::from_str(request)?);
+    let work = |progress: &dyn Progress| within_tolerances(file, "case", &request, progress);
     let data = background.run(py, work)??;
     let values = to_json(&data)? + "\n";
     with_seed(py, "tolerance", values, vec![], || Ok(Files::new()))

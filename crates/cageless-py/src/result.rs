@@ -19,6 +19,7 @@ use cageless_report::{
 use cageless_results::{
     Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, equilibrium_record, of_kind,
 };
+use cageless_study::tolerance::ToleranceResult;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde::de::DeserializeOwned;
@@ -88,7 +89,10 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
             }
             design_page(&data)
         }
-        "tolerance" => tolerance_page(&recorded(kind, &TOLERANCE_SHAPE, values)?),
+        "tolerance" => tolerance_page(&ToleranceResult {
+            record: recorded(kind, &TOLERANCE_SHAPE, values)?,
+            benefit: None,
+        }),
         "analysis" => sweep_page(&from_json(values).map_err(numbers)?),
         _ => return Ok(all),
     };

@@ -88,10 +88,14 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     page.html()
 }
 
-/// Table of what a remedy changes.
-pub(crate) fn subject_table(comparison: &RingComparison, source: Provenance) -> Table {
+/// Section with benefit, cost and what a remedy changes.
+pub(crate) fn benefit_section(page: &mut Page, comparison: &RingComparison, source: &Provenance) {
+    page.section("Does it help?");
+    page.note(Note::Remark, &comparison.draws.text());
+    page.figures(figures::benefit(comparison, source));
     let subject = comparison.subject().into_iter();
-    table("What a remedy changes", source, comparison, subject)
+    let label = "What a remedy changes";
+    page.table(&table(label, source.clone(), comparison, subject));
 }
 
 fn table<'r>(

@@ -9,10 +9,9 @@ use cageless_results::Record;
 use cageless_study::benefit_search::BenefitSearch;
 use cageless_study::search::point_label;
 
-use crate::compare::subject_table;
+use crate::compare::benefit_section;
 use crate::data::{Motion, Parameter, Provenance};
 use crate::figures::axial_load::{AxialLoads, axial_gap, axial_load};
-use crate::figures::compare::benefit as benefit_figure;
 use crate::figures::search as figures;
 use crate::figures::{design, shape};
 use crate::geometry::{ContactTrack, RacewaySurface};
@@ -88,13 +87,7 @@ pub fn design_page(data: &DesignData) -> String {
     page.head(&head(data));
     page.notes(Note::Warning, &data.warnings);
     if let Some(benefit) = &data.benefit {
-        page.section("Does it help?");
-        page.note(Note::Remark, &benefit.comparison.draws.text());
-        page.figures(benefit_figure(&benefit.comparison, &benefit.provenance));
-        page.table(&subject_table(
-            &benefit.comparison,
-            benefit.provenance.clone(),
-        ));
+        benefit_section(&mut page, &benefit.comparison, &benefit.provenance);
     }
     if let Some(shown) = &data.shown {
         drawing_section(&mut page, shown);

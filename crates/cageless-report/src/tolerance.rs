@@ -2,8 +2,10 @@
 
 use cageless_results::{Record, table_of};
 use cageless_study::lines;
+use cageless_study::tolerance::ToleranceResult;
 use serde_json::json;
 
+use crate::compare::benefit_section;
 use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::{Note, Page};
@@ -11,11 +13,19 @@ use crate::plot::{GREY, PALETTE, Plot, number, numbers};
 use crate::table::Table;
 
 /// The self-contained page.
-pub fn tolerance_page(record: &Record) -> String {
+pub fn tolerance_page(result: &ToleranceResult) -> String {
+    let record = &result.record;
     let mut page = Page::new(record.text("title"), "", record.text("software"));
-    let head = Head::new(record.flag("passes"), record.text("headline"));
+    let mut head = Head::default();
+    if let Some(benefit) = &result.benefit {
+        head = head.verdict(benefit.helps(), &benefit.answer);
+    }
+    let head = head.verdict(record.flag("passes"), record.text("headline"));
     page.head(&head.facts(lines(record.rows())));
     page.notes(Note::Warning, record.sentences("warnings"));
+    if let Some(benefit) = &result.benefit {
+        benefit_section(&mut page, &benefit.comparison, &benefit.provenance);
+    }
     page.section("One at a time");
     page.table(&influence_table(record));
     page.figure(&influence_figure(record));

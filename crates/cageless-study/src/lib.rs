@@ -29,6 +29,7 @@ mod task;
 pub mod threads;
 mod together;
 pub mod tolerance;
+pub mod toleranced_benefit;
 pub mod verification;
 mod warnings;
 

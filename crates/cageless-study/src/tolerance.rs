@@ -7,6 +7,7 @@ use cageless::tolerance::{
 };
 use cageless::{Case, Raceway};
 use cageless_io::OptionError;
+use cageless_io::case_file::CaseFile;
 use cageless_results::number_text::significant;
 use cageless_results::{Record, tolerance_record, with_unit};
 use rayon::prelude::*;
@@ -16,6 +17,7 @@ use crate::error::StudyError;
 use crate::progress::Progress;
 use crate::task::Task;
 use crate::threads::each;
+use crate::toleranced_benefit::{TolerancedBenefit, TolerancedRings};
 
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;
@@ -44,6 +46,20 @@ pub struct Request {
     pub speed_percent: f64,
     /// Load, per cent to either side.
     pub load_percent: f64,
+    /// Whether the raceway and those at the ends of its machining tolerances are judged in steady operation.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub benefit: bool,
+}
+
+/// Results of `tolerance`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ToleranceResult {
+    /// Verdicts within the tolerances.
+    #[serde(flatten)]
+    pub record: Record,
+    /// Benefit in steady operation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub benefit: Option<TolerancedBenefit>,
 }
 
 impl Default for Request {
@@ -60,26 +76,43 @@ impl Default for Request {
             clearance_um: 10.0,
             speed_percent: 5.0,
             load_percent: 20.0,
+            benefit: false,
         }
     }
 }
 
-/// Tolerance analysis of a case. `name` is the name of the case in messages. If the progress ends the work, it is
+/// Tolerance analysis of a case, with the benefit if it is asked for. `name` is the name of the case in messages. If the progress ends the work, it is
 /// that of the bearings judged until then, without a verdict, and says so in `warnings`.
 ///
 /// # Errors
 /// A tolerance is impossible, there is no raceway, a run did not converge, or the progress ended
 /// the work before the nominal bearing was judged.
 pub fn tolerance(
-    case: &Case,
+    file: &CaseFile,
     name: &str,
     request: &Request,
     progress: &dyn Progress,
-) -> Result<Record, StudyError> {
+) -> Result<ToleranceResult, StudyError> {
+    let case = file.case();
     case.check_motion()?;
     let tolerances = request.check(case, name)?;
+    let rings = request
+        .benefit
+        .then(|| TolerancedRings::new(file, &tolerances));
+    let rings = rings.transpose()?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
+    let mut tasks = vec![task(case, &trials)];
+    tasks.extend(rings.as_ref().map(TolerancedRings::task).transpose()?);
+    progress.whole(&tasks);
     let assessment = assess(&trials, &judge_all(case, &trials, progress)?);
+    let benefit = rings.map(|rings| match progress.interrupted() {
+        true => Err(StudyError::Interrupted),
+        false => rings.judge(progress),
+    });
+    let (benefit, ended) = match benefit.transpose() {
+        Err(StudyError::Interrupted) => (None, true),
+        benefit => (benefit?, false),
+    };
     let interrupted = assessment.is_interrupted().then(|| {
         let [judged, asked] = [assessment.judged, assessment.asked];
         let left_out: Vec<&str> = assessment.incomplete.iter().map(|i| i.name()).collect();
@@ -95,13 +128,14 @@ pub fn tolerance(
             "{count} bearings neither pass nor fail, as a run stopped; of the first {first}"
         ),
     });
-    Ok(tolerance_record(
-        case,
-        request.ball_grade,
-        &tolerances,
-        &assessment,
-        interrupted.into_iter().chain(stopped).collect(),
-    ))
+    let unjudged = || format!("{INTERRUPTED}the benefit is not judged");
+    let interrupted = interrupted.or_else(|| ended.then(unjudged));
+    let warnings = interrupted.into_iter().chain(stopped).collect();
+    let grade = request.ball_grade;
+    Ok(ToleranceResult {
+        record: tolerance_record(case, grade, &tolerances, &assessment, warnings),
+        benefit,
+    })
 }
 
 /// Beginning of the warning of an analysis that was interrupted.
@@ -217,6 +251,12 @@ impl Request {
 /// Name of the task of an analysis.
 const TASK: &str = "tolerance";
 
+/// The task of judging the trials.
+fn task(case: &Case, trials: &[Trial]) -> Task {
+    let steps = trials.len() as f64 * verdict_steps(case);
+    Task::new(TASK).with(case, steps, trials.len())
+}
+
 /// Outcomes of the trials; `None` of those that the progress ended, of which the first, nominal, is none.
 fn judge_all(
     case: &Case,
@@ -224,9 +264,7 @@ fn judge_all(
     progress: &dyn Progress,
 ) -> Result<Vec<Option<Outcome>>, StudyError> {
     let steps = verdict_steps(case);
-    let all = trials.len() as f64 * steps;
-    progress.whole(&[Task::new(TASK).with(case, all, trials.len())]);
-    let task = progress.begin(TASK, all);
+    let task = progress.begin(TASK, trials.len() as f64 * steps);
     let outcome = |trial: &Trial| {
         if progress.interrupted() {
             return Ok(None);

@@ -139,7 +139,7 @@ fn studies_are_announced_within_a_factor_of_two() {
         ..Request::default()
     };
     let judged = steps(|progress| {
-        tolerance(file.case(), "case", &request, progress).unwrap();
+        tolerance(&file, "case", &request, progress).unwrap();
     });
     close("tolerance", judged, 1.3);
     let designed = |changes: &[&str], search: bool| {

@@ -61,6 +61,7 @@ const REQUEST: Request = Request {
     clearance_um: 0.0,
     speed_percent: 0.0,
     load_percent: 0.0,
+    benefit: false,
 };
 
 /// What was announced is what was done, but for what runs did after they last asked.
@@ -90,7 +91,7 @@ fn what_is_told_to_end_has_no_result() {
         enough: Some(1),
         ..Listener::default()
     };
-    let tolerance = tolerance(file.case(), "case", &REQUEST, &ended());
+    let tolerance = tolerance(&file, "case", &REQUEST, &ended());
     assert!(matches!(tolerance, Err(StudyError::Interrupted)));
     let listener = ended();
     let search = search::run(&file, None, &[], &listener);
@@ -143,9 +144,9 @@ fn tolerances_that_are_ended_keep_what_was_judged() {
         samples: 6,
         ..REQUEST
     };
-    let judged = |progress: &dyn Progress| tolerance(file.case(), "case", &request, progress);
+    let judged = |progress: &dyn Progress| tolerance(&file, "case", &request, progress);
     let part = on_threads(NonZeroUsize::new(1), || judged(&listener)).unwrap();
-    let (part, whole) = (part.unwrap(), judged(&Silent).unwrap());
+    let (part, whole) = (part.unwrap().record, judged(&Silent).unwrap().record);
     let count = |record: &Record| record.part("samples").unwrap().number("count") as usize;
     assert_eq!(count(&whole), 6);
     assert!((1..6).contains(&count(&part)), "{}", count(&part));
@@ -167,7 +168,7 @@ fn tolerances_that_are_ended_keep_what_was_judged() {
 #[test]
 fn what_cannot_be_is_refused_by_name() {
     let file = case(&[]);
-    let refused = |request: Request| match tolerance(file.case(), "case", &request, &Silent) {
+    let refused = |request: Request| match tolerance(&file, "case", &request, &Silent) {
         Err(StudyError::Option(error)) => error,
         other => panic!("{other:?}"),
     };

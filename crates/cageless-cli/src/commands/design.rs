@@ -14,7 +14,7 @@ use cageless_study::{StudyError, search};
 use crate::args::DesignArgs;
 use crate::driver::{Answer, PAGE, PAGE_DATA, pretty};
 use crate::failure::Failure;
-use crate::format::{columns, judged, pairs, values, warnings};
+use crate::format::{compared, judged, pairs, values, warnings};
 
 /// Files in the folder of `--out`.
 const NUMBERS: &str = "design.json";
@@ -172,15 +172,7 @@ fn benefit(r: &DesignResult) -> String {
     let Some(benefit) = &r.benefit else {
         return String::new();
     };
-    let comparison = &benefit.comparison;
-    let mut rows = vec![comparison.headings()];
-    rows.extend(comparison.rows(comparison.subject().into_iter()));
-    format!(
-        "{}\n\n{}\n{}\n\n",
-        benefit.answer,
-        columns(&rows),
-        comparison.draws.text()
-    )
+    compared(&benefit.answer, &benefit.comparison)
 }
 
 fn bullets(sentences: &[String]) -> String {

@@ -2,13 +2,15 @@
 
 use cageless_report::to_json;
 use cageless_report::tolerance::tolerance_page;
-use cageless_results::{Record, table_of};
-use cageless_study::tolerance::{Request, interruption, nominal_stopped, tolerance as study};
+use cageless_results::table_of;
+use cageless_study::tolerance::{
+    Request, ToleranceResult, interruption, nominal_stopped, tolerance as study,
+};
 
 use crate::args::ToleranceArgs;
 use crate::driver::{Answer, PAGE};
 use crate::failure::Failure;
-use crate::format::{columns, judged, pairs, values, warnings};
+use crate::format::{columns, compared, judged, pairs, values, warnings};
 
 const NUMBERS: &str = "tolerance.json";
 
@@ -27,14 +29,16 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
         clearance_um: args.clearance_um,
         speed_percent: args.speed_percent,
         load_percent: args.load_percent,
+        benefit: args.benefit,
     };
     // Bad input leaves no folder behind.
     request.check(file.case(), &name)?;
     let output = &args.case.output;
     output.drive(&[PAGE, NUMBERS], |bars| {
-        let data = study(file.case(), &name, &request, bars)?;
-        let interrupted = interruption(&data).map(|why| Failure::Interrupted(why.to_owned()));
-        let stopped = nominal_stopped(&data).map(|why| Failure::Unphysical(why.to_owned()));
+        let data = study(&file, &name, &request, bars)?;
+        let interrupted =
+            interruption(&data.record).map(|why| Failure::Interrupted(why.to_owned()));
+        let stopped = nominal_stopped(&data.record).map(|why| Failure::Unphysical(why.to_owned()));
         let failed = interrupted.or(stopped);
         Ok(Answer {
             files: output.files(|| Ok(vec![(PAGE, Some(tolerance_page(&data)))]))?,
@@ -44,8 +48,12 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
     })
 }
 
-fn text(record: &Record) -> String {
-    let mut text = judged(record.flag("passes"), record.text("headline")) + "\n";
+fn text(result: &ToleranceResult) -> String {
+    let record = &result.record;
+    let benefit = result.benefit.as_ref();
+    let benefit = benefit.map(|b| compared(&b.answer, &b.comparison));
+    let mut text = benefit.unwrap_or_default();
+    text += &(judged(record.flag("passes"), record.text("headline")) + "\n");
     text += &pairs(&values(record));
     text += &format!("\n{}", columns(&table_of(record.parts("influences"))));
     if let Some(samples) = record.part("samples") {

@@ -92,7 +92,7 @@ fn result(text: &str, client: &Client<'_>) -> Result<Value, Refusal> {
         }
         Request::Tolerance { case, tolerances } => {
             let file = CaseFile::parse(&case, "case", &[])?;
-            let judged = tolerance(file.case(), "case", &tolerances, client);
+            let judged = tolerance(&file, "case", &tolerances, client);
             Ok(json!(judged.map_err(refused)?))
         }
         Request::Export { case, format } => exported(&CaseFile::parse(&case, "case", &[])?, format),

@@ -340,6 +340,29 @@ impl CaseFile {
         self.with_document(document)
     }
 
+    /// The case with raceways as they may be machined.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if such a raceway is not possible, or has no dimensions of its own, such as a measured one.
+    pub fn with_machined_raceways(&self, errors: &MachiningErrors) -> Result<Self, CaseError> {
+        let mut document = self.document.clone();
+        for (k, raceway) in self.case.raceways.iter().enumerate() {
+            let section = nth("raceway", k, self.case.raceways.len());
+            let designed = raceway.dimensions();
+            let span_m = designed.axial_span_m + errors.axial_span_m;
+            let half_rad = designed.half_angle_rad + errors.half_angle_rad;
+            let depth_m = raceway.depth_error_m() + errors.groove_depth_m;
+            for (key, unit, value) in [
+                ("axial_span_mm", Unit::Millimetre, span_m),
+                ("half_angle_deg", Unit::Degree, half_rad),
+                ("depth_error_um", Unit::Micrometre, depth_m),
+            ] {
+                document.set(&join(&section, key), unit.of_si(value));
+            }
+        }
+        self.with_document(document)
+    }
+
     /// The case without its raceways, the number of its balls and what does not change the motion: equal for two
     /// cases that differ in nothing but these.
     pub fn apart_from_remedies(&self) -> CaseDocument {
@@ -406,6 +429,17 @@ impl CaseDocument {
         document.change(changes)?;
         CaseFile::of(document)
     }
+}
+
+/// Errors of the machining of all raceways of a ring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MachiningErrors {
+    /// Depth in the middle, m; positive: deeper.
+    pub groove_depth_m: f64,
+    /// Axial span lC, m.
+    pub axial_span_m: f64,
+    /// Half angle θ, rad.
+    pub half_angle_rad: f64,
 }
 
 cageless::named_enum! {

@@ -203,6 +203,7 @@ class Computations(Document):
         clearance_um: float | None = None,
         speed_percent: float | None = None,
         load_percent: float | None = None,
+        benefit: bool = False,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> ToleranceResult:
@@ -222,6 +223,8 @@ class Computations(Document):
             clearance_um: Radial internal clearance Gr, 10 if left out.
             speed_percent: Speed, as a share of that of the case, 5 if left out.
             load_percent: Load, as a share of that of the case, 20 if left out.
+            benefit: Say whether the raceway helps in steady operation, as drawn and at both ends of its
+                machining tolerances: ``benefit.answer``, ``benefit.comparison``; takes a minute more.
 
         Raises:
             InputError: If a tolerance is not possible, or there is no discrete raceway.
@@ -236,7 +239,7 @@ class Computations(Document):
         request = locals()
         for name in ("self", "threads", "progress"):
             del request[name]
-        checks = {"samples": whole, "ball_grade": whole}
+        checks = {"samples": whole, "ball_grade": whole, "benefit": lambda _, value: bool(value)}
         asked = {k: checks.get(k, number)(k, v) for k, v in request.items() if v is not None}
         found = _cageless.tolerance(self._file, json.dumps(asked), background(threads, progress))
         return ToleranceResult(found)

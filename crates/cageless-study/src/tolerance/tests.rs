@@ -20,6 +20,7 @@ const REQUEST: Request = Request {
     clearance_um: 6.0,
     speed_percent: 7.0,
     load_percent: 40.0,
+    benefit: false,
 };
 
 #[test]

@@ -1,0 +1,206 @@
+//! Benefit of a raceway as drawn and at both ends of its machining tolerances.
+
+use cageless::tolerance::Tolerances;
+use cageless_io::case_file::{CaseFile, MachiningErrors};
+use cageless_results::{Provenance, provenance};
+use serde::Serialize;
+
+use crate::comparison::{
+    Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_task,
+};
+use crate::error::StudyError;
+use crate::progress::Progress;
+use crate::task::Task;
+
+/// Name of the task.
+const TASK: &str = "benefit";
+
+/// Benefit within tolerances.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TolerancedBenefit {
+    /// Benefit of the raceway that helps least.
+    pub benefit: BenefitWord,
+    /// Benefit of each raceway, in a sentence.
+    pub answer: String,
+    /// Plain ring, raceway as drawn, and those with the smallest and the largest critical gap.
+    pub comparison: RingComparison,
+    /// Provenance of the runs.
+    #[serde(skip)]
+    pub provenance: Provenance,
+}
+
+impl TolerancedBenefit {
+    /// Whether every raceway helps; `None` if that is not judged or cannot be measured.
+    pub fn helps(&self) -> Option<bool> {
+        self.benefit.helps()
+    }
+}
+
+/// Rings of a case and its tolerances, the plain one first.
+pub(crate) struct TolerancedRings(Vec<(String, CaseFile)>);
+
+impl TolerancedRings {
+    /// A deeper, shorter and narrower raceway has the smallest critical gap, the opposite the largest.
+    ///
+    /// # Errors
+    /// A raceway at the end of its tolerances is not possible.
+    pub(crate) fn new(file: &CaseFile, tolerances: &Tolerances) -> Result<Self, StudyError> {
+        let machined = |weaker: f64| {
+            file.with_machined_raceways(&MachiningErrors {
+                groove_depth_m: weaker * tolerances.groove_depth_m,
+                axial_span_m: -weaker * tolerances.axial_span_m,
+                half_angle_rad: -weaker * tolerances.half_angle_rad,
+            })
+        };
+        let rings = [
+            ("plain", plain_ring(file)?),
+            ("as drawn", file.clone()),
+            ("weakest", machined(1.0)?),
+            ("strongest", machined(-1.0)?),
+        ];
+        let named = rings
+            .into_iter()
+            .map(|(name, file)| (name.to_owned(), file));
+        Ok(Self(named.collect()))
+    }
+
+    /// The task of [`Self::judge`].
+    pub(crate) fn task(&self) -> Result<Task, StudyError> {
+        steady_task(TASK, &self.0, DRAWS)
+    }
+
+    /// Judges the raceways against the plain ring.
+    ///
+    /// # Errors
+    /// A run left the physical range, or the progress ended the work.
+    pub(crate) fn judge(&self, progress: &dyn Progress) -> Result<TolerancedBenefit, StudyError> {
+        let comparison = judged_rings(&self.0, DRAWS, TASK, progress)?;
+        let plain = &self.0[0].1;
+        let orbits = plain.steady().transient_orbits;
+        let discarded = format!("the first {orbits} orbits of each run");
+        let benefits: Vec<&Benefit> = comparison.benefits.iter().flatten().collect();
+        let named = comparison.runs[1..].iter().zip(&benefits);
+        let worst = named.clone().max_by_key(|(_, b)| severity(b.benefit));
+        let (benefit, answer) = match worst {
+            None => (BenefitWord::NotJudged, String::new()),
+            Some((_, worst)) if worst.benefit == BenefitWord::Helps => {
+                let drawn = reasons(benefits[0]);
+                let all = "The raceway helps as drawn and at both ends of its tolerances";
+                (worst.benefit, format!("{all}. As drawn: {drawn}."))
+            }
+            Some((name, worst)) => {
+                let words = named.map(|(name, b)| format!("{name} {}", b.benefit.label()));
+                let words: Vec<String> = words.collect();
+                let why = format!("{name}: {}", reasons(worst));
+                (
+                    worst.benefit,
+                    format!("Raceway {}; {why}.", words.join(", ")),
+                )
+            }
+        };
+        Ok(TolerancedBenefit {
+            benefit,
+            answer,
+            provenance: provenance(plain.case(), discarded),
+            comparison,
+        })
+    }
+}
+
+/// What decides about a raceway, without its name and the word.
+fn reasons(benefit: &Benefit) -> &str {
+    let word = format!("{} against plain: ", benefit.benefit.label());
+    let said = benefit.headline.split_once(&word);
+    said.map_or("", |(_, reasons)| reasons)
+}
+
+/// Order of what speaks against a raceway.
+fn severity(benefit: BenefitWord) -> u8 {
+    match benefit {
+        BenefitWord::Helps => 0,
+        BenefitWord::NoMeasurableBenefit => 1,
+        BenefitWord::NotJudged => 2,
+        BenefitWord::Harms => 3,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless::design::judge;
+    use cageless::simulation::Control;
+    use cageless_io::case_file::template;
+
+    use super::*;
+    use crate::tolerance::Request;
+
+    /// Each machining error alone moves the critical gap to the side on which its ring stands.
+    #[test]
+    fn the_weakest_raceway_has_the_smallest_critical_gap() {
+        let none = Request {
+            groove_depth_um: 0.0,
+            axial_span_um: 0.0,
+            half_angle_deg: 0.0,
+            ..Request::default()
+        };
+        let depth = Request {
+            groove_depth_um: 5.0,
+            ..none
+        };
+        let span = Request {
+            axial_span_um: 50.0,
+            ..none
+        };
+        let angle = Request {
+            half_angle_deg: 1.0,
+            ..none
+        };
+        for flanks in ["rigid", "elastic"] {
+            let set = [format!("model.flanks={flanks}")];
+            let file = CaseFile::parse(&template(false), "case", &set).unwrap();
+            for request in [depth, span, angle] {
+                let tolerances = request.check(file.case(), "case").unwrap();
+                let rings = TolerancedRings::new(&file, &tolerances).unwrap();
+                let gaps: Vec<f64> = rings.0[1..]
+                    .iter()
+                    .map(|(_, ring)| {
+                        let judged = judge(ring.case(), &mut |_| Control::Continue(()));
+                        judged.unwrap().critical_gap_rad.unwrap()
+                    })
+                    .collect();
+                let [drawn, weakest, strongest] = gaps[..] else {
+                    panic!("{gaps:?}");
+                };
+                assert!(
+                    weakest < drawn && drawn < strongest,
+                    "{flanks} {request:?} {gaps:?}"
+                );
+            }
+        }
+    }
+
+    /// The case of a bearing is that of its machining errors, however it is made.
+    #[test]
+    fn machined_raceways_are_those_of_the_tolerance_table() {
+        let file = CaseFile::parse(&template(false), "case", &[]).unwrap();
+        let tolerances = Request::default().check(file.case(), "case").unwrap();
+        let rings = TolerancedRings::new(&file, &tolerances).unwrap();
+        let weakest = &rings.0[2].1.case().raceways[0];
+        let (found, drawn) = (weakest.dimensions(), file.case().raceways[0].dimensions());
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+        near(found.axial_span_m, drawn.axial_span_m - 20e-6);
+        near(
+            found.half_angle_rad,
+            drawn.half_angle_rad - 0.1f64.to_radians(),
+        );
+        near(weakest.depth_error_m(), 2e-6);
+    }
+
+    #[test]
+    fn what_harms_weighs_most() {
+        let mut words = BenefitWord::ALL.to_vec();
+        words.sort_by_key(|word| severity(*word));
+        let last = [BenefitWord::NotJudged, BenefitWord::Harms];
+        assert_eq!(words[0], BenefitWord::Helps);
+        assert_eq!(words[2..], last);
+    }
+}
