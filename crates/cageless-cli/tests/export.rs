@@ -376,3 +376,17 @@ fn ends_at_right_angles_need_a_blend() {
     );
     assert_eq!(answer.code, Some(0), "{answer:?}");
 }
+
+/// The option replaces a blend that the file leaves to its default, not one that it states.
+#[test]
+fn a_default_blend_gives_way_to_the_option() {
+    let case = repository_case("full-6205.toml");
+    let raceway = ["raceway.axial_span_mm=2.9", "raceway.half_angle_deg=16.8"];
+    let asked = ["--format", "csv", "--json", "--blend-mm", "0.3"];
+    let answer = call_on("export", &case, &raceway, &asked);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    assert_eq!(answer.json()["blend_mm"], 0.3);
+    let stated = [&raceway[..], &["raceway.blend_mm=0.4"]].concat();
+    let answer = call_on("export", &case, &stated, &asked);
+    assert_refused(&answer, &["--blend-mm", "raceway.blend_mm"]);
+}

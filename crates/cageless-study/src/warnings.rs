@@ -19,8 +19,14 @@ const UNDAMPED_STEP_S: f64 = 0.5e-6;
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);
     warnings.extend(beyond_bearings(run));
-    if run.summary.is_none() {
-        warnings.push("the run ended within its transient: no statistics".to_owned());
+    match run.summary.map(|summary| summary.means) {
+        None => warnings.push("the run ended within its transient: no statistics".to_owned()),
+        Some(Some(means)) if means.orbits == 0 => warnings.push(
+            "the run ends within an orbit of the balls: powers, torque and mean speeds are those of its end, not of \
+             steady operation (solver.duration_s)"
+                .to_owned(),
+        ),
+        Some(_) => {}
     }
     warnings
 }

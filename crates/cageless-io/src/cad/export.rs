@@ -196,6 +196,10 @@ pub fn export(
     format: Format,
     options: &ExportOptions,
 ) -> Result<Export, ExportError> {
+    let file = &match options.blend_mm {
+        Some(_) => file.without_default_blends()?,
+        None => file.clone(),
+    };
     let ring = outer_ring(file, options)?;
     let contents = contents(file, &ring, format, options)?;
     Ok(Export {

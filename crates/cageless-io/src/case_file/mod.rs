@@ -363,6 +363,22 @@ impl CaseFile {
         self.with_document(document)
     }
 
+    /// The case with ends of its raceways that are as sharp as they can be, where the file does not say how long a blend is.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the case cannot be so.
+    pub(crate) fn without_default_blends(&self) -> Result<Self, CaseError> {
+        let mut document = self.document.clone();
+        let count = self.case.raceways.len();
+        for (k, raceway) in self.case.raceways.iter().enumerate() {
+            let key = join(&nth("raceway", k, count), "blend_mm");
+            if raceway.blend_m() > 0.0 && !document.has(&key) {
+                document.set(&key, 0.0);
+            }
+        }
+        self.with_document(document)
+    }
+
     /// The case without its raceways, the number of its balls and what does not change the motion: equal for two
     /// cases that differ in nothing but these.
     pub fn apart_from_remedies(&self) -> CaseDocument {
@@ -382,7 +398,7 @@ impl CaseFile {
         document
     }
 
-    fn with_document(&self, document: CaseDocument) -> Result<Self, CaseError> {
+    pub(crate) fn with_document(&self, document: CaseDocument) -> Result<Self, CaseError> {
         Ok(Self {
             defaults: self.defaults.clone(),
             ..Self::of(document)?

@@ -25,6 +25,7 @@ impl Run {
         let mut summary = recorder.summary();
         if let Some(summary) = &mut summary {
             summary.peaks = ContactPeaks::default();
+            orbits(summary, 1);
         }
         Self {
             case,
@@ -53,6 +54,21 @@ impl Run {
             found.iter().all(|text| text.contains(part)),
             "{part}: {found:?}"
         );
+    }
+}
+
+fn orbits(summary: &mut Summary, count: u32) {
+    summary.means.as_mut().unwrap().orbits = count;
+}
+
+#[test]
+fn means_of_less_than_an_orbit_are_called_so() {
+    let mut run = Run::new(&[]);
+    for (count, warned) in [(0, true), (1, false)] {
+        let part = "the run ends within an orbit";
+        run.changes(warned, part, |run| {
+            orbits(run.summary.as_mut().unwrap(), count)
+        });
     }
 }
 
