@@ -149,6 +149,11 @@ def helpful(row):
     return next((k for k in of_raceways if f"{row['benefits'][k]['headline']}." in row["answer"]), 2)
 
 
+def of_pair(row):
+    """Contacts of a held pair with the raceway in an orbit: thirteen pairs of the bearing of Zhao 2022 at 12 000 rpm."""
+    return row["contacts"]["values"][1]["mean"] / (13 * 200 * 18.24 / (18.24 + 27.765))
+
+
 def searched(structure, name):
     """Motion of the structure that a search recommends, at the first operating point, with its standard error."""
     if structure is None:
@@ -221,7 +226,7 @@ def sector(row, k):
 WORDS = {
     of.__name__: of
     for of in (
-        (against, changed, colliding, compared, critical_gap, digits, figures, fixed, helpful, measured, nearest, of_ring, of_search)
+        (against, changed, colliding, compared, critical_gap, digits, figures, fixed, helpful, measured, nearest, of_pair, of_ring, of_search)
         + (percent, power, said, searched, sector, share, size, span, spun_up, wilson)
     )
 }
