@@ -262,7 +262,9 @@ fn not_carried(case: &Case, weight_n: Option<f64>) -> Vec<String> {
         return vec![];
     };
     let mut reasons = vec![];
-    let static_rating_n = BasicRatings::new(&case.bearing).static_n;
+    // Rows share the load.
+    let rows = case.rows.len().max(1);
+    let static_rating_n = BasicRatings::of_rows(&case.bearing, rows).static_n;
     if weight_n > static_rating_n {
         reasons.push(format!(
             "the bearing cannot carry the rotor: its weight of {} N exceeds the basic static load \

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cageless::Snapshot;
 use cageless::collision::Collision;
+use cageless::rating::BasicRatings;
 use cageless::simulation::{
     Cause, Control, Ending, ObserverError, RunOutcome, Stop, run as run_case,
 };
@@ -498,6 +499,31 @@ fn a_rotor_that_its_bearing_cannot_carry_is_not_at_rest() {
         .reasons()
         .join("; ");
     assert!(!reasons.contains("the support cannot carry"), "{reasons}");
+}
+
+/// Both rows of a pair carry the rotor: C0r of one is 17.5 kN or less.
+#[test]
+fn a_pair_carries_a_rotor_with_both_rows() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/touchdown-pair.toml");
+    let reasons = |mass_kg: f64| {
+        let set = [
+            format!("rotor.mass_kg={mass_kg}"),
+            "solver.duration_s=0.0066".to_owned(),
+        ];
+        let file = VariantFile::read(&path, &set).unwrap();
+        let found = studied(&file, DropRequest::default());
+        let result = &found.record.bearings[0].result;
+        result.judgement.reasons().join("; ")
+    };
+    let file = CaseFile::read(&path, &[]).unwrap();
+    let one_row_n = BasicRatings::new(&file.case().bearing).static_n;
+    let carried = reasons(1.9 * one_row_n / 9.81);
+    assert!(!carried.contains("basic static load rating"), "{carried}");
+    let too_heavy = reasons(2.1 * one_row_n / 9.81);
+    assert!(
+        too_heavy.contains("basic static load rating"),
+        "{too_heavy}"
+    );
 }
 
 /// A drop whose energy does not balance at its end is not judged: the bearing did not fail, the computation did.

@@ -338,3 +338,34 @@ fn over_a_shoulder(d: &cageless::BearingDimensions, inner_height_m: f64) {
         }
     }
 }
+
+/// A bearing fails where its parts part; where the computation fails there is no verdict.
+#[test]
+fn a_failed_computation_is_no_failed_bearing() {
+    let rings_meet = Cause::RingsMeet {
+        displacement_m: 1e-3,
+        balls_that_hold: None,
+    };
+    for cause in [rings_meet, Cause::OffSupport, Cause::OffSpring(0)] {
+        assert!(cause.gives_way(), "{cause}");
+    }
+    let gain = Cause::EnergyFromNowhere {
+        residual_j: 1.0,
+        flows_j: 2.0,
+    };
+    let unbalanced = Cause::Unbalanced {
+        residual_fraction: 0.02,
+    };
+    for cause in [
+        gain,
+        unbalanced,
+        Cause::NotFinite,
+        Cause::NotResolved,
+        Cause::ThroughInnerRing(0),
+        Cause::ThroughOuterRing(0),
+        Cause::ThroughBall(0),
+        Cause::RotorThroughInnerRing,
+    ] {
+        assert!(!cause.gives_way(), "{cause}");
+    }
+}

@@ -2,7 +2,8 @@
 
 use crate::common::structure;
 use cageless::Case;
-use cageless::design::{PassageStatistics, RacewayVerdict};
+use cageless::design::{PassageStatistics, RacewayVerdict, judge};
+use cageless::simulation::{Cause, Control, Stop};
 use cageless::tolerance::{
     Assessment, Influence, InfluenceResult, Outcome, Tolerances, Trial, assess, ball_grade, trials,
 };
@@ -436,4 +437,27 @@ fn grades_of_balls_are_those_of_iso_3290() {
             "G{number}"
         );
     }
+}
+
+/// A bearing that gives way has its verdict; one whose computation fails has none.
+#[test]
+fn a_bearing_whose_computation_fails_is_not_judged() {
+    let judged = judge(&case(), &mut |_| Control::Continue(())).unwrap();
+    let outcome = |cause: Cause| {
+        let mut judged = judged.clone();
+        judged.stopped = Some(Stop {
+            time_s: 0.01,
+            step_s: 1e-6,
+            automatic_step_s: 1e-6,
+            drop: false,
+            cause,
+        });
+        Outcome::judged(&judged)
+    };
+    let gave_way = outcome(Cause::OffSupport);
+    assert_eq!(gave_way.verdict, judged.verdict);
+    let failed = outcome(Cause::NotFinite);
+    assert_eq!(failed.verdict, RacewayVerdict::NotJudged);
+    assert!(failed.reason.unwrap().contains("finite"));
+    assert!(judged.verdict != RacewayVerdict::NotJudged);
 }
