@@ -595,3 +595,30 @@ fn a_design_without_load_or_raceway_bears_no_axial_load() {
     );
     assert_eq!(answer.code, Some(2), "{answer:?}");
 }
+
+/// Tilt moves the rows of a pair across the axis, too: the automatic step resolves what that presses together.
+#[test]
+fn tilted_pairs_are_stable_at_the_automatic_step() {
+    let short = ["solver.step_us=auto", "solver.duration_s=0.004"];
+    for (case, load) in [
+        (
+            "preloaded-pair.toml",
+            &["operation.radial_load_n=20", "operation.tilt_x_mrad=1.6"][..],
+        ),
+        (
+            "preloaded-pair-conventional.toml",
+            &[
+                "operation.radial_load_n=100",
+                "operation.tilt_x_mrad=0.8",
+                "row.1.axial_position_mm=-30",
+                "row.2.axial_position_mm=30",
+            ],
+        ),
+    ] {
+        let sets = [load, &short].concat();
+        let answer = call_on("run", &repository_case(case), &sets, &["--json"]);
+        assert_eq!(answer.code, Some(0), "{case}: {answer:?}");
+        let residual = answer.json()["energy_residual_relative"].as_f64().unwrap();
+        assert!(residual.abs() < 1e-3, "{case}: {residual}");
+    }
+}

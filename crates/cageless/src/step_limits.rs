@@ -11,7 +11,7 @@
 //! assert!(limits.automatic_s(IntegrationMethod::Abm4) <= limits.largest_s(IntegrationMethod::Abm4));
 //! ```
 
-use crate::case::{Case, Gaps, StartState, Tilt, series_stiffness_n_m1_5};
+use crate::case::{Case, Gaps, Row, StartState, Tilt, series_stiffness_n_m1_5};
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
 use crate::dynamics::rotor::{RotorBody, RotorContact};
@@ -128,10 +128,33 @@ fn pressed_along_axis_n(case: &Case) -> f64 {
             case.thrust_on_ball(thrust_n + MOMENT_FACTOR * moment_n_m / pitch)[0]
         }
         Tilt::Held { x_rad, y_rad } => {
-            case.thrust_on_ball(thrust_n)[0]
-                + case.pressed_along_axis(pitch * x_rad.hypot(y_rad))[0]
+            let tilt_rad = x_rad.hypot(y_rad);
+            match case.rows.is_empty() || tilt_rad == 0.0 {
+                true => {
+                    case.thrust_on_ball(thrust_n)[0] + case.pressed_along_axis(pitch * tilt_rad)[0]
+                }
+                false => tilted_rows_n(case, tilt_rad, thrust_n),
+            }
         }
     }
+}
+
+/// Force of the most loaded ball of tilted rows beyond that of their preload, N. A row at z moves by zφ across the axis and
+/// its balls by Rm φ along it, on top of preload and thrust: what adds is approach, F ∝ δ^(3/2).
+fn tilted_rows_n(case: &Case, tilt_rad: f64, thrust_n: f64) -> f64 {
+    let most = |of: fn(&Row) -> f64| case.rows.iter().map(of).fold(0.0, f64::max);
+    let [inner, outer, _] = case.stiffness_n_m1_5();
+    let series = series_stiffness_n_m1_5(inner, outer);
+    let approach = |force_n: f64| (force_n / series).powf(2.0 / 3.0);
+    let along_m = most(|row| row.preload_m) + case.bearing.pitch_radius_m() * tilt_rad;
+    let spring_n = most(|row| row.preload_n);
+    let borne_n = [
+        case.pressed_along_axis(along_m)[0],
+        case.thrust_on_ball(thrust_n + spring_n)[0],
+    ];
+    let across_m = most(|row| row.axial_position_m.abs()) * tilt_rad;
+    let pressed_m = borne_n.map(approach).iter().sum::<f64>() + across_m;
+    series * pressed_m.powf(1.5) - case.axial_preload_n()
 }
 
 /// Number of balls whose stiffness together carries the ring.

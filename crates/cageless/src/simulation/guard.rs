@@ -215,7 +215,7 @@ impl Stop {
             ),
             Cause::Unbalanced { .. } => halve,
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
-                "{halve}, or give the contacts some damping (contact.damping_n_s_m1_5, \
+                "{halve}; contacts without damping need some (contact.damping_n_s_m1_5, \
                  contact.ball_restitution)"
             ),
         }
