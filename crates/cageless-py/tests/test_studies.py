@@ -249,7 +249,8 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
 
 def test_a_tolerance_says_whether_its_raceways_help() -> None:
     case = small().replace({"steady.transient_orbits": 1, "steady.measured_orbits": 3})
-    none = dict.fromkeys(["friction", "clearance_um", "speed_percent", "load_percent"], 0.0)
+    still = ["friction", "clearance_um", "speed_percent", "load_percent"]
+    none: dict[str, Any] = dict.fromkeys(still, 0.0)
     found = case.tolerance(**none, samples=0, ball_grade=0, benefit=True)
     assert found.benefit.benefit == "not-judged"
     assert found.benefit.answer.startswith("Raceway as drawn not judged, weakest not judged")

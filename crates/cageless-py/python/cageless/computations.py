@@ -237,10 +237,11 @@ class Computations(Document):
             cageless.errors.InputError: ball_grade = 7 is not possible: it must be a grade of ...
         """
         request = locals()
-        for name in ("self", "threads", "progress"):
+        for name in ("self", "benefit", "threads", "progress"):
             del request[name]
-        checks = {"samples": whole, "ball_grade": whole, "benefit": lambda _, value: bool(value)}
+        checks = {"samples": whole, "ball_grade": whole}
         asked = {k: checks.get(k, number)(k, v) for k, v in request.items() if v is not None}
+        asked["benefit"] = bool(benefit)
         found = _cageless.tolerance(self._file, json.dumps(asked), background(threads, progress))
         return ToleranceResult(found)
 
