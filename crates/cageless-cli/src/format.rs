@@ -3,14 +3,22 @@
 use std::io::IsTerminal;
 
 use cageless_results::{Results, number_text};
-use cageless_study::comparison::RingComparison;
+use cageless_study::comparison::{ComparedResult, RingComparison};
 
 /// What long runs of real balls say, with the table of the rings and a blank line.
 pub fn compared(answer: &str, comparison: &RingComparison) -> String {
+    let table = rings(comparison, comparison.subject().into_iter());
+    format!("{answer}\n\n{table}\n")
+}
+
+/// Table of results of rings side by side, with what was drawn.
+pub fn rings<'r>(
+    comparison: &RingComparison,
+    results: impl Iterator<Item = &'r ComparedResult>,
+) -> String {
     let mut rows = vec![comparison.headings()];
-    rows.extend(comparison.rows(comparison.subject().into_iter()));
-    let draws = comparison.draws.text();
-    format!("{answer}\n\n{}\n{draws}\n\n", columns(&rows))
+    rows.extend(comparison.rows(results));
+    format!("{}\n{}\n", columns(&rows), comparison.draws.text())
 }
 
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.

@@ -1,12 +1,12 @@
 //! The raceway that helps most in steady operation, beside a plain ring and one ball fewer.
 
 use cageless_io::case_file::{CaseError, CaseFile};
-use cageless_results::{Provenance, Record, provenance};
+use cageless_results::{Provenance, Record};
 use serde::Serialize;
 
 use crate::comparison::{
-    Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_task,
-    with_fewer_balls,
+    Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_provenance,
+    steady_task, with_fewer_balls,
 };
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -159,8 +159,6 @@ pub fn search_benefit(
     }
     rings.extend(judged.iter().map(|&k| all[k].clone()));
     let comparison = judged_rings(&rings, DRAWS, JUDGEMENT, progress)?;
-    let orbits = file.steady().transient_orbits;
-    let discarded = format!("the first {orbits} orbits of each run");
     let of_raceways = comparison.benefits[2..].iter().flatten().zip(&judged);
     let helps = |benefit: &Benefit| benefit.benefit == BenefitWord::Helps;
     let best = of_raceways.min_by(|(a, _), (b, _)| {
@@ -195,7 +193,7 @@ pub fn search_benefit(
         benefit_reasons: best.map_or(vec![], |(b, _)| b.benefit_reasons.clone()),
         best: best.filter(|(b, _)| helps(b)).map(|(_, &k)| k),
         recommended: None,
-        provenance: provenance(rings[0].1.case(), discarded),
+        provenance: steady_provenance(&rings[0].1),
         candidates: scores,
         comparison,
     })

@@ -21,6 +21,7 @@ use serde::Serialize;
 use crate::benefit_search::{self, BenefitSearch, Candidate, search_benefit};
 use crate::entered::{entered, entered_raceway};
 use crate::error::StudyError;
+use crate::interruption::unless_interrupted;
 use crate::progress::Progress;
 use crate::structure::RacewayLabel;
 use crate::task::Task;
@@ -206,20 +207,6 @@ fn most_helpful(
         .or_else(|| benefit.best.is_none().then(none));
     designed.result.benefit = Some(benefit);
     Ok(())
-}
-
-/// The finding; `None` if the progress ended the work, which is noted.
-fn unless_interrupted<T>(
-    found: Result<T, StudyError>,
-    interrupted: &mut bool,
-) -> Result<Option<T>, StudyError> {
-    match found {
-        Err(StudyError::Interrupted) => {
-            *interrupted = true;
-            Ok(None)
-        }
-        found => found.map(Some),
-    }
 }
 
 /// Orbits of the balls whose motion is kept.

@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
+use crate::interruption::unless_interrupted;
 use crate::progress::Progress;
 use crate::task::Task;
 use crate::threads::each;
@@ -81,8 +82,9 @@ impl Default for Request {
     }
 }
 
-/// Tolerance analysis of a case, with the benefit if it is asked for. `name` is the name of the case in messages. If the progress ends the work, it is
-/// that of the bearings judged until then, without a verdict, and says so in `warnings`.
+/// Tolerance analysis of a case, with the benefit if it is asked for. `name` is the name of the case in messages. If
+/// the progress ends the work, it is that of the bearings judged until then, without a verdict, and says so in
+/// `warnings`.
 ///
 /// # Errors
 /// A tolerance is impossible, there is no raceway, a run did not converge, or the progress ended
@@ -105,13 +107,10 @@ pub fn tolerance(
     tasks.extend(rings.as_ref().map(TolerancedRings::task).transpose()?);
     progress.whole(&tasks);
     let assessment = assess(&trials, &judge_all(case, &trials, progress)?);
-    let benefit = rings.map(|rings| match progress.interrupted() {
-        true => Err(StudyError::Interrupted),
-        false => rings.judge(progress),
-    });
-    let (benefit, ended) = match benefit.transpose() {
-        Err(StudyError::Interrupted) => (None, true),
-        benefit => (benefit?, false),
+    let mut ended = false;
+    let benefit = match rings {
+        Some(rings) => unless_interrupted(rings.judge(progress), &mut ended)?,
+        None => None,
     };
     let interrupted = assessment.is_interrupted().then(|| {
         let [judged, asked] = [assessment.judged, assessment.asked];

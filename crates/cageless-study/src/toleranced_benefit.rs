@@ -2,11 +2,12 @@
 
 use cageless::tolerance::Tolerances;
 use cageless_io::case_file::{CaseFile, MachiningErrors};
-use cageless_results::{Provenance, provenance};
+use cageless_results::Provenance;
 use serde::Serialize;
 
 use crate::comparison::{
-    Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_task,
+    Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_provenance,
+    steady_task,
 };
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -75,23 +76,20 @@ impl TolerancedRings {
     /// A run left the physical range, or the progress ended the work.
     pub(crate) fn judge(&self, progress: &dyn Progress) -> Result<TolerancedBenefit, StudyError> {
         let comparison = judged_rings(&self.0, DRAWS, TASK, progress)?;
-        let plain = &self.0[0].1;
-        let orbits = plain.steady().transient_orbits;
-        let discarded = format!("the first {orbits} orbits of each run");
         let benefits: Vec<&Benefit> = comparison.benefits.iter().flatten().collect();
         let named = comparison.runs[1..].iter().zip(&benefits);
         let worst = named.clone().max_by_key(|(_, b)| severity(b.benefit));
         let (benefit, answer) = match worst {
             None => (BenefitWord::NotJudged, String::new()),
             Some((_, worst)) if worst.benefit == BenefitWord::Helps => {
-                let drawn = reasons(benefits[0]);
+                let drawn = &benefits[0].why;
                 let all = "The raceway helps as drawn and at both ends of its tolerances";
                 (worst.benefit, format!("{all}. As drawn: {drawn}."))
             }
             Some((name, worst)) => {
                 let words = named.map(|(name, b)| format!("{name} {}", b.benefit.label()));
                 let words: Vec<String> = words.collect();
-                let why = format!("{name}: {}", reasons(worst));
+                let why = format!("{name}: {}", worst.why);
                 (
                     worst.benefit,
                     format!("Raceway {}; {why}.", words.join(", ")),
@@ -101,17 +99,10 @@ impl TolerancedRings {
         Ok(TolerancedBenefit {
             benefit,
             answer,
-            provenance: provenance(plain.case(), discarded),
+            provenance: steady_provenance(&self.0[0].1),
             comparison,
         })
     }
-}
-
-/// What decides about a raceway, without its name and the word.
-fn reasons(benefit: &Benefit) -> &str {
-    let word = format!("{} against plain: ", benefit.benefit.label());
-    let said = benefit.headline.split_once(&word);
-    said.map_or("", |(_, reasons)| reasons)
 }
 
 /// Order of what speaks against a raceway.

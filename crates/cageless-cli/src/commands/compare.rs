@@ -15,7 +15,7 @@ use crate::args::CompareArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case};
 use crate::failure::Failure;
 use crate::finished_run::FinishedRun;
-use crate::format::{columns, judged, pairs};
+use crate::format::{judged, pairs, rings};
 
 const NUMBERS: &str = "compare.json";
 
@@ -68,9 +68,7 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
             comparison.results.iter().collect()
         }
     };
-    let mut rows = vec![comparison.headings()];
-    rows.extend(comparison.rows(subject.into_iter()));
-    text + &format!("\n{}\n{}\n", columns(&rows), comparison.draws.text())
+    text + "\n" + &rings(comparison, subject.into_iter())
 }
 
 /// A side of a comparison: a case, to be run beside a finished run once and beside others from the same

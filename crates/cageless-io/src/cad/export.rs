@@ -196,10 +196,9 @@ pub fn export(
     format: Format,
     options: &ExportOptions,
 ) -> Result<Export, ExportError> {
-    let file = &match options.blend_mm {
-        Some(_) => file.without_default_blends()?,
-        None => file.clone(),
-    };
+    let asked = options.blend_mm.map(|_| file.without_default_blends());
+    let asked = asked.transpose()?;
+    let file = asked.as_ref().unwrap_or(file);
     let ring = outer_ring(file, options)?;
     let contents = contents(file, &ring, format, options)?;
     Ok(Export {

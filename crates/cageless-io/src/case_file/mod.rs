@@ -398,7 +398,7 @@ impl CaseFile {
         document
     }
 
-    pub(crate) fn with_document(&self, document: CaseDocument) -> Result<Self, CaseError> {
+    fn with_document(&self, document: CaseDocument) -> Result<Self, CaseError> {
         Ok(Self {
             defaults: self.defaults.clone(),
             ..Self::of(document)?

@@ -140,6 +140,9 @@ pub struct Benefit {
     pub benefit: BenefitWord,
     /// One sentence.
     pub headline: String,
+    /// The sentence without the rings and the word.
+    #[serde(skip)]
+    pub why: String,
     /// What decides: gains, costs, limits that are broken, or what is missing.
     pub benefit_reasons: Vec<String>,
     /// Weighted mean of ln(ratio) of what is asked for, below 0 better; `None` if it is not judged.
@@ -248,6 +251,7 @@ impl Benefit {
                 word.label(),
                 reference.name
             ),
+            why: sentence,
             benefit_reasons: reasons,
             rank: BenefitRank {
                 breaks_limit: !broken.is_empty(),

@@ -34,7 +34,9 @@ use crate::run::{Options, RunRecord, run};
 use crate::task::Task;
 use crate::threads::{both, each, groups_of};
 use crate::together::{Record, RunRecorder, run_together};
-use cageless_results::{COMPARED, RUN, Results, STATIC, STEADY, Solved, Subject};
+use cageless_results::{
+    COMPARED, Provenance, RUN, Results, STATIC, STEADY, Solved, Subject, provenance,
+};
 
 /// A ring after all its runs.
 pub struct ComparedRing {
@@ -95,6 +97,13 @@ pub(crate) fn judged_rings(
         &results,
         Draws::of(&rings[0].1, sampling),
     ))
+}
+
+/// Provenance of [`judged_rings`] whose first is `plain`.
+pub(crate) fn steady_provenance(plain: &CaseFile) -> Provenance {
+    let orbits = plain.steady().transient_orbits;
+    let discarded = format!("the first {orbits} orbits of each run");
+    provenance(plain.case(), discarded)
 }
 
 /// The task of [`judged_rings`].
