@@ -14,11 +14,13 @@ mod load_zone;
 mod mechanics;
 mod parameters;
 mod printed;
+mod steady;
 mod structures;
 mod table2;
 
 use cageless_report::run_report::ball_pass_mark;
 use cageless_report::{DesignCurve, ReproduceData, RingComparison};
+use cageless_study::comparison::RingComparison as Steady;
 use cageless_study::threads::in_order;
 use cageless_study::{Progress, StudyError, Task, Work};
 
@@ -78,6 +80,7 @@ struct Simulations {
     histories: [histories::History; 2],
     experiment: experiment::Experiment,
     comparison: RingComparison,
+    steady: Steady,
     extra: extra::Extra,
 }
 
@@ -88,12 +91,13 @@ impl Simulations {
             (not_computed(), not_computed(), not_computed());
         let (mut histories, mut experiment, mut extra) =
             (not_computed(), not_computed(), not_computed());
-        let mut comparison = not_computed();
+        let (mut comparison, mut steady) = (not_computed(), not_computed());
         // The threads take up the parts in this order: those that divide worst come first, the
         // many small tasks of Table 2 last, so that no thread waits long for another at the end.
         in_order(|scope| {
             scope.spawn_fifo(|_| extra = extra::compute(progress));
             scope.spawn_fifo(|_| comparison = comparison::compute(progress, grades));
+            scope.spawn_fifo(|_| steady = steady::compute(progress));
             scope.spawn_fifo(|_| experiment = experiment::compute(progress));
             scope.spawn_fifo(|_| histories = histories::compute(progress));
             scope.spawn_fifo(|_| structures = structures::compute(progress));
@@ -110,6 +114,7 @@ impl Simulations {
             histories: histories?,
             experiment: experiment?,
             comparison: comparison?,
+            steady: steady?,
             extra: extra?,
         })
     }
@@ -129,6 +134,7 @@ impl Simulations {
             stages: self.histories.each_ref().map(|h| h.stages),
             bearings: self.experiment.bearings.clone(),
             comparison: self.comparison.clone(),
+            steady: self.steady.clone(),
             extra: self.extra.clone(),
         })
     }
@@ -141,7 +147,7 @@ const TASK: &str = "reproduce";
 fn task(grades: &[u32]) -> Result<Task, StudyError> {
     let case = cases::structure(3, READINGS[1], &[])?;
     let alone = Task::new(TASK).with(&case, WORK, PIECES);
-    comparison::add_to(alone, grades)
+    steady::add_to(comparison::add_to(alone, grades)?)
 }
 
 /// Pieces of what runs alone, about: structures, histories and gaps.

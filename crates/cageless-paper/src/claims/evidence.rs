@@ -1,6 +1,7 @@
 //! Numbers on which the claims rest.
 
 use cageless_report::{Requirement, RingComparison};
+use cageless_study::comparison::RingComparison as Steady;
 
 use crate::experiment::Bearing;
 use crate::extra::Extra;
@@ -34,6 +35,8 @@ pub struct Evidence {
     pub bearings: [Bearing; 2],
     /// Section 5 with lots of balls.
     pub comparison: RingComparison,
+    /// Conventional ring and structure (d) in steady operation.
+    pub steady: Steady,
     /// The rest.
     pub extra: Extra,
 }

@@ -75,20 +75,18 @@ pub fn compare(
 /// Name of the task of a comparison.
 const TASK: &str = "compare";
 
-/// Results of rings with so many draws of balls under the seed of the first case, without histories.
+/// Results of rings in steady operation with so many draws of balls under the seed of the first case, without
+/// histories.
 ///
 /// # Errors
 /// Errors of [`compare`].
-pub(crate) fn judged_rings(
+pub fn in_steady_operation(
     rings: &[(String, CaseFile)],
     draws: u64,
-    task: &str,
-    progress: &dyn Progress,
+    work: &Work<'_>,
 ) -> Result<RingComparison, StudyError> {
     let sampling = Sampling::Draws(draws);
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
-    let work = progress.begin(task, steady_task(task, rings, draws)?.steps());
-    let work = &work;
     let results: Vec<RingResults> = each(rings)
         .with_max_len(1)
         .map(|(name, file)| ring_results(name, file, sampling, seed, work))
@@ -97,6 +95,17 @@ pub(crate) fn judged_rings(
         &results,
         Draws::of(&rings[0].1, sampling),
     ))
+}
+
+/// [`in_steady_operation`] as a task of its own, [`steady_task`].
+pub(crate) fn judged_rings(
+    rings: &[(String, CaseFile)],
+    draws: u64,
+    task: &str,
+    progress: &dyn Progress,
+) -> Result<RingComparison, StudyError> {
+    let work = progress.begin(task, steady_task(task, rings, draws)?.steps());
+    in_steady_operation(rings, draws, &work)
 }
 
 /// Provenance of [`judged_rings`] whose first is `plain`.
@@ -112,9 +121,20 @@ pub(crate) fn steady_task(
     rings: &[(String, CaseFile)],
     draws: u64,
 ) -> Result<Task, StudyError> {
-    let begun = Ok(Task::new(name));
-    rings.iter().fold(begun, |task, (_, file)| {
-        with_samples(task?, file, Sampling::Draws(draws), rings.len())
+    with_steady_operation(Task::new(name), rings, draws)
+}
+
+/// The task with [`in_steady_operation`] added.
+///
+/// # Errors
+/// A case that cannot be drawn.
+pub fn with_steady_operation(
+    task: Task,
+    rings: &[(String, CaseFile)],
+    draws: u64,
+) -> Result<Task, StudyError> {
+    rings.iter().try_fold(task, |task, (_, file)| {
+        with_samples(task, file, Sampling::Draws(draws), rings.len())
     })
 }
 
