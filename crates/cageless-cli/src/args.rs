@@ -53,7 +53,7 @@ pub enum Command {
     #[command(mut_arg("open", |open| open.hide(true)))]
     Check(CaseArgs),
     /// Static equilibrium: ring displacement, load per ball, contact pressure.
-    Static(CaseArgs),
+    Static(StaticArgs),
     /// Constraints, β0, the lC–θ curve, critical gap, verdict and recommendation.
     Design(DesignArgs),
     /// Sensitivity of the verdict to machining tolerances, ball grade, friction, clearance, speed and load.
@@ -417,6 +417,17 @@ pub struct DesignArgs {
     /// Find the axial load and tilt up to which the raceway still works, by motion in space.
     #[arg(long)]
     pub axial: bool,
+}
+
+/// `static`.
+#[derive(Debug, Group)]
+pub struct StaticArgs {
+    /// Case and output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Show the load, pressure and speeds of every ball, too; --json, --csv and the page have them.
+    #[arg(long)]
+    pub balls: bool,
 }
 
 /// Arguments of commands that work on a case.

@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 
-use cageless_results::{Results, number_text};
+use cageless_results::{Results, number_text, with_unit};
 use cageless_study::comparison::{ComparedResult, RingComparison};
 
 /// What long runs of real balls say, with the table of the rings and a blank line.
@@ -69,11 +69,30 @@ pub fn pairs(rows: &[(impl AsRef<str>, String)]) -> String {
         .collect()
 }
 
+/// Values of results with their units, by label under the headings of their groups.
+pub fn grouped(results: &Results) -> String {
+    let groups = results.groups();
+    let length = |label: &str| label.chars().count();
+    let labels = groups.iter().flat_map(|(_, rows)| rows);
+    let width = labels.map(|(label, ..)| length(label)).max().unwrap_or(0);
+    let line = |(label, value, unit): &(&str, String, String)| {
+        let padding = " ".repeat(width - length(label));
+        format!("  {label}{padding}  {}\n", with_unit(value, unit))
+    };
+    let group = |(heading, rows): &(&str, Vec<_>)| {
+        let heading = match *heading {
+            "" => String::new(),
+            heading => format!("{heading}\n"),
+        };
+        heading + &rows.iter().map(line).collect::<String>()
+    };
+    groups.iter().map(group).collect::<Vec<_>>().join("\n")
+}
+
 /// Values of results with their units, by label.
 pub fn values(results: &Results) -> Vec<(&'static str, String)> {
-    let space = |unit: &str| if matches!(unit, "" | "°") { "" } else { " " };
     let rows = results.rows();
-    rows.map(|(label, value, unit)| (label, format!("{value}{}{unit}", space(&unit))))
+    rows.map(|(label, value, unit)| (label, with_unit(&value, &unit)))
         .collect()
 }
 

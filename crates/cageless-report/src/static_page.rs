@@ -4,14 +4,14 @@ use cageless_io::case_file::CaseFile;
 use cageless_results::{Record, software};
 use cageless_study::{Provenance, lines, parameters};
 
-use crate::data::RacewaySector;
+use crate::data::{Parameter, RacewaySector};
 use crate::figure::Figure;
 use crate::figures::polar;
 use crate::head::Head;
 use crate::lead;
 use crate::page::{Note, Page};
 use crate::studio_page::case_sections;
-use crate::table::Table;
+use crate::table::{Row, Table};
 use crate::tables::parameter_table;
 
 /// Results at the head of the page.
@@ -50,8 +50,8 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
     page.section("Load distribution");
     page.figure(&load_distribution(file, record));
     page.table(&balls(file, record));
-    page.section("Displacement, stiffness, ratings and frequencies");
-    page.table(&results(file, record.rows()));
+    page.section("Results");
+    page.table(&results(file, record));
     page.notes(Note::Remark, record.sentences("notes"));
     // A seed beyond the whole numbers of TOML leaves the page without a studio, which moves the balls.
     let toml = match file.case().check_motion() {
@@ -72,7 +72,7 @@ pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
         let of_load = unit == "Hz" && label.ends_with("of the loaded bearing");
         !(of_load || label.ends_with("multiple of the shaft frequency") || facts.contains(row))
     });
-    let table = results(file, rows);
+    let table = table(file, lines(rows));
     let mut figure = load_distribution(file, record);
     // What the table needs is left out of the figure.
     let more = table.rows.len().saturating_sub(30) as u32;
@@ -109,11 +109,28 @@ fn number(value: f64) -> String {
     cageless_results::number_text::significant(value, 6)
 }
 
-fn results(file: &CaseFile, rows: impl Iterator<Item = (&'static str, String, String)>) -> Table {
+/// Results under the headings of their groups.
+fn results(file: &CaseFile, record: &Record) -> Table {
+    let mut table = table(file, vec![]);
+    for (heading, rows) in record.groups() {
+        table.rows.push(Row {
+            cells: vec![heading.to_owned()],
+            summary: Some(3),
+            ..Row::default()
+        });
+        let row = |(label, value, unit): (&str, String, String)| {
+            Row::from(vec![label.to_owned(), value, unit])
+        };
+        table.rows.extend(rows.into_iter().map(row));
+    }
+    table
+}
+
+fn table(file: &CaseFile, rows: Vec<Parameter>) -> Table {
     parameter_table(
         "Results",
         "Results of the static equilibrium and ratings of the bearing.",
-        &lines(rows),
+        &rows,
         Some(provenance(file)),
     )
 }

@@ -2,6 +2,7 @@
 
 use crate::across::Across;
 use crate::cell::Cell;
+use crate::group::Group;
 use crate::kind::Kind;
 use crate::quantity::{Aim, Quantity};
 use crate::source::Source;
@@ -22,6 +23,8 @@ pub(crate) const fn quantity(name: Text, unit: Text, label: Text, of: Source) ->
         occurs: false,
         in_sweeps: true,
         in_tables: true,
+        group: Group::Other,
+        shows_zero: true,
         of,
     }
 }
@@ -75,13 +78,26 @@ pub(crate) const fn part(mut quantity: Quantity) -> Quantity {
     quantity
 }
 
+/// A result under the heading of a group.
+pub(crate) const fn group(group: Group, mut quantity: Quantity) -> Quantity {
+    quantity.group = group;
+    quantity
+}
+
+/// A result that tables for readers leave out where it is zero, as by symmetry.
+pub(crate) const fn unless_zero(mut quantity: Quantity) -> Quantity {
+    quantity.shows_zero = false;
+    quantity
+}
+
 /// A text that tables for readers have.
 pub(crate) const fn in_tables(mut quantity: Quantity) -> Quantity {
     quantity.in_tables = true;
     quantity
 }
 
-const fn not_in_tables(mut quantity: Quantity) -> Quantity {
+/// A result in files alone.
+pub(crate) const fn not_in_tables(mut quantity: Quantity) -> Quantity {
     quantity.in_tables = false;
     quantity
 }

@@ -15,6 +15,7 @@ mod limited;
 mod list_tests;
 #[rustfmt::skip]
 mod meanings;
+mod group;
 mod judged;
 mod kind;
 pub mod number_text;
@@ -51,16 +52,14 @@ pub use place::result_at;
 pub use provenance::{Provenance, instruction_set, provenance, software};
 pub use quantity::{Aim, Quantity, bearing_in_column};
 pub use record::{Part, Record, Shape};
-pub use results::{Results, value_text};
+pub use results::{Results, Shown, value_text};
 pub use search_result::SEARCH_SHAPE;
 pub use source::{
     AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, FittedRaceway, Judged,
     JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop,
     Tolerated,
 };
-pub use static_result::{
-    equilibrium_record, equilibrium_record_noted, lubrication_left_out, static_record,
-};
+pub use static_result::{equilibrium_record, equilibrium_record_noted, static_record};
 pub use stopped::Stopped;
 pub use successive_drop::succession_record;
 pub use table::{

@@ -3,6 +3,7 @@
 use crate::Cell;
 use crate::across::Across;
 use crate::computation::Computation;
+use crate::group::Group;
 use crate::judged::Named;
 use crate::kind::Kind;
 use crate::number_text::significant;
@@ -36,6 +37,10 @@ pub struct Quantity {
     pub in_sweeps: bool,
     /// Whether tables for readers have it.
     pub in_tables: bool,
+    /// Heading under which tables have it.
+    pub group: Group,
+    /// Whether tables have it where it is zero.
+    pub shows_zero: bool,
     pub(crate) of: Source,
 }
 
@@ -124,7 +129,9 @@ impl Quantity {
             _ => 0.0,
         };
         let rounded = if value.abs() < zero { 0.0 } else { value };
-        significant(self.printed().0 * rounded, 5)
+        // An angle differs from another in its fourth digit; what a bearing carries, loses or lasts does not.
+        let digits = if self.unit == "deg" { 5 } else { 4 };
+        significant(self.printed().0 * rounded, digits)
     }
 
     /// A number for readers with its unit.

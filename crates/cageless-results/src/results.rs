@@ -4,9 +4,13 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Cell;
+use crate::group::Group;
 use crate::kind::Kind;
 use crate::quantity::Quantity;
 use crate::source::Subject;
+
+/// A result for readers: label, value, unit.
+pub type Shown = (&'static str, String, String);
 
 /// Scalar results with their quantities, in the order of the table. Serialised as a map from
 /// name to value.
@@ -93,9 +97,33 @@ impl Results {
         self.get(name).map_or(&[], Cell::items)
     }
 
-    /// Quantities for readers that have a value: label, value, unit.
-    pub fn rows(&self) -> impl Iterator<Item = (&'static str, String, String)> {
-        self.iter().filter(|(q, _)| q.in_tables).filter_map(row)
+    /// Quantities for readers that have a value: label, value, unit. A life in revolutions is left out beside that in
+    /// hours, and zeros by symmetry are.
+    pub fn rows(&self) -> impl Iterator<Item = Shown> {
+        self.shown().filter_map(row)
+    }
+
+    fn shown(&self) -> impl Iterator<Item = (&'static Quantity, &Cell)> {
+        self.iter().filter(|(q, cell)| {
+            let hours = q.name.strip_suffix("_mrev").map(|life| format!("{life}_h"));
+            let said = hours.is_some_and(|hours| self.value(&hours).is_some());
+            q.in_tables && !said && (q.shows_zero || !is_zero(q, cell))
+        })
+    }
+
+    /// [`Results::rows`] under the headings of their groups.
+    pub fn groups(&self) -> Vec<(&'static str, Vec<Shown>)> {
+        let rows = self
+            .shown()
+            .filter_map(|(q, cell)| Some((q.group, row((q, cell))?)));
+        let mut rows: Vec<_> = rows.collect();
+        rows.sort_by_key(|(group, _)| *group);
+        let groups = rows.chunk_by(|a, b| a.0 == b.0);
+        let of = |rows: &[(Group, Shown)]| {
+            let listed = rows.iter().map(|(_, row)| row.clone()).collect();
+            (rows[0].0.heading(), listed)
+        };
+        groups.map(of).collect()
     }
 
     /// Values of every ball as a table for readers: the number of the ball, then the lists with a symbol.
@@ -139,7 +167,7 @@ impl Results {
     }
 
     /// Label, value and unit of one quantity, if it has a value.
-    pub fn row(&self, name: &str) -> Option<(&'static str, String, String)> {
+    pub fn row(&self, name: &str) -> Option<Shown> {
         self.iter().find(|(q, _)| q.name == name).and_then(row)
     }
 }
@@ -153,7 +181,13 @@ fn is_named_in(symbol: &str, label: &str) -> bool {
     })
 }
 
-fn row((q, cell): (&'static Quantity, &Cell)) -> Option<(&'static str, String, String)> {
+/// Whether a value reads as nothing but zeros.
+fn is_zero(quantity: &Quantity, cell: &Cell) -> bool {
+    let texts = value_text(quantity, cell);
+    texts.is_some_and(|text| text.split(", ").all(|value| value == "0"))
+}
+
+fn row((q, cell): (&'static Quantity, &Cell)) -> Option<Shown> {
     Some((q.label, value_text(q, cell)?, q.printed_unit()))
 }
 

@@ -14,10 +14,8 @@ pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
     let warnings = warnings.chain(solved.rating.warnings()).collect();
     let mut groups = vec![STATIC, DEFECTS];
     groups.extend(case.fit.map(|_| FIT));
-    match solved.space {
-        Some(_) => groups.push(SPACE),
-        None => groups.extend(case.lubrication.as_ref().map(|_| LUBRICATION)),
-    }
+    groups.extend(case.lubrication.as_ref().map(|_| LUBRICATION));
+    groups.extend(solved.space.map(|_| SPACE));
     let results = groups
         .into_iter()
         .map(|rows| Results::of(rows, Subject::Static(&solved)));
@@ -94,13 +92,14 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     if solved.space.is_some() {
         notes.push(
             "in space: L10r takes the load of every ball under rigid rings that turn exactly, not by \
-             small angles; L10 and s0 are for radial loads and left out; Cr, C0r and frequencies \
-             take the free contact angle"
+             small angles; Cr, C0r, P and frequencies take the free contact angle"
                 .to_owned(),
         );
-    } else if solved.rating.l10_mrev.is_none() {
+    }
+    if solved.rating.equivalent.is_none() {
         notes.push(
-            "without radial load there is no basic rating life and no static safety factor"
+            "without load, with moments, a tilt or a contact angle above 45° ISO 281 and ISO 76 have no equivalent \
+             load: no L10 and no s0; L10r has all loads"
                 .to_owned(),
         );
     }
@@ -120,29 +119,22 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     notes
 }
 
-/// Why the static equilibrium of a case has no ratings with its lubricant, and what has them; `None` where it has.
-pub fn lubrication_left_out(case: &Case) -> Option<&'static str> {
-    (case.lubrication.is_some() && case.moves_in_space()).then_some(
-        "[lubrication]: modified life, minimum load and SKF's friction are for radial loads in the plane and \
-         left out in space; model.motion = \"auto\" without axial load, moments, tilt, contact angle and [[row]] \
-         has them",
-    )
-}
-
 /// What the ratings with a lubricant leave out.
 fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
-    let left_out = lubrication_left_out(solved.case);
     let Some(rating) = &solved.rating.lubricated else {
-        return left_out.map(str::to_owned).into_iter().collect();
+        return vec![];
     };
-    let load_n = solved.case.operation.radial_load_n;
+    let operation = &solved.case.operation;
+    let load_n = operation.radial_load_n;
     let thin = (rating.viscosity_ratio < VISCOSITY_RATIO_MIN).then(|| {
         format!(
             "the viscosity ratio κ is {:.3}: ISO 281 rates no modified life below {VISCOSITY_RATIO_MIN}",
             rating.viscosity_ratio
         )
     });
-    let light = rating.minimum_radial_load_n.filter(|least| load_n < *least);
+    let light = rating
+        .minimum_radial_load_n
+        .filter(|least| operation.space.axial_load_n == 0.0 && load_n < *least);
     let light = light.map(|least| {
         format!(
             "the radial load is below the minimum load of SKF's rule, {least:.0} N: balls may slide"
@@ -153,5 +145,19 @@ fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
          complement of balls SKF has no constants; the friction of the motion is another, dry one"
             .to_owned()
     });
-    thin.into_iter().chain(light).chain(skf).collect()
+    let other = solved
+        .case
+        .lubrication
+        .as_ref()
+        .is_some_and(|l| l.skf_series.is_some());
+    let other = (other && rating.skf_friction.is_none()).then(|| {
+        "lubrication.skf_series: SKF's friction model is for a single-row deep groove ball bearing without moments \
+         and tilt, and left out"
+            .to_owned()
+    });
+    thin.into_iter()
+        .chain(light)
+        .chain(skf)
+        .chain(other)
+        .collect()
 }

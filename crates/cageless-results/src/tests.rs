@@ -407,46 +407,40 @@ fn results_with_a_fit_are_its_fields() {
     );
 }
 
-/// A lubricant that has no effect is said to have none, with the key that gives it one.
+/// Ratings with a lubricant are there in space, too; SKF's friction is of a single deep groove, and else said to be
+/// left out.
 #[test]
 fn ratings_with_a_lubricant_are_there_or_said_to_be_left_out() {
     let lubricant = [
         "lubrication.viscosity_mm2_s=6",
         "lubrication.contamination_factor=0.3",
+        "lubrication.skf_series=\"62\"",
     ];
-    for (set, key) in [
-        ("model.motion=\"auto\"", None),
-        ("model.motion=\"space\"", Some("model.motion = \"auto\"")),
-        (
-            "operation.axial_load_n=200",
-            Some("model.motion = \"auto\""),
-        ),
+    for (set, [has_life, has_friction]) in [
+        ("model.motion=\"auto\"", [true, true]),
+        ("model.motion=\"space\"", [true, true]),
+        ("operation.axial_load_n=200", [true, true]),
+        ("operation.moment_x_n_m=1", [false, false]),
+        ("bearing.contact_angle_deg=15", [true, false]),
     ] {
-        let sets = [lubricant[0], lubricant[1], set].map(str::to_owned);
-        let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+        let sets = lubricant.into_iter().chain([set]);
+        let sets: Vec<String> = sets.map(str::to_owned).collect();
+        let file = CaseFile::parse(&template(true), "case.toml", &sets).unwrap();
         let case = file.case();
         let record = static_record(case, &cageless::equilibrium::settle(case).unwrap());
-        let has_life = record.results.number("viscosity_ratio").is_finite();
-        let notes = record.sentences("notes");
-        let said = notes.iter().find(|note| note.starts_with("[lubrication]"));
-        assert_eq!(has_life, key.is_none(), "{set}: {notes:?}");
+        let has = |name: &str| record.results.number(name).is_finite();
+        assert!(has("viscosity_ratio") && has("l10mr_h"), "{set}");
         assert_eq!(
-            lubrication_left_out(case),
-            said.map(String::as_str),
+            [has("l10m_h"), has("skf_model_torque_n_m")],
+            [has_life, has_friction],
             "{set}"
         );
-        assert_eq!(
-            key.is_some(),
-            said.is_some_and(|s| s.contains(key.unwrap_or(""))),
-            "{set}: {said:?}"
-        );
+        let notes = record.sentences("notes");
+        let said = notes
+            .iter()
+            .any(|note| note.starts_with("lubrication.skf_series"));
+        assert_eq!(said, !has_friction, "{set}: {notes:?}");
     }
-    let bare = CaseFile::parse(
-        &template(false),
-        "case.toml",
-        &["model.motion=\"space\"".to_owned()],
-    );
-    assert_eq!(lubrication_left_out(bare.unwrap().case()), None);
 }
 
 #[test]
@@ -476,6 +470,8 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
         ("l10m_mrev", life),
         // 12 000 rpm.
         ("l10m_h", life / 0.72),
+        ("l10mr_mrev", rating.l10mr_mrev.unwrap()),
+        ("l10mr_h", rating.l10mr_mrev.unwrap() / 0.72),
         (
             "minimum_radial_load_n",
             rating.minimum_radial_load_n.unwrap(),

@@ -45,20 +45,34 @@ crate::named_enum! {
 }
 
 impl SkfSeries {
-    /// R1 and S1 of SKF (*General catalogue* 6000 (2006), table of deep groove ball bearings).
-    pub fn constants(self) -> [f64; 2] {
-        match self {
-            Self::FillingSlot => [4.4e-7, 2.00e-3],
-            Self::S42 => [5.4e-7, 3.00e-3],
-            Self::S60 => [4.1e-7, 3.73e-3],
-            Self::S62 => [3.9e-7, 3.23e-3],
-            Self::S63 => [3.7e-7, 2.84e-3],
-            Self::S64 => [3.6e-7, 2.43e-3],
-            Self::S160 => [4.3e-7, 4.63e-3],
-            Self::S618 => [4.7e-7, 6.50e-3],
-            Self::S619 => [4.3e-7, 4.75e-3],
-        }
+    /// Constants of SKF (*General catalogue* 6000 (2006), table of deep groove ball bearings).
+    pub fn constants(self) -> SkfConstants {
+        let [r1, r2, s1, s2] = match self {
+            Self::FillingSlot => [4.4e-7, 1.7, 2.00e-3, 100.0],
+            Self::S42 => [5.4e-7, 0.96, 3.00e-3, 40.0],
+            Self::S60 => [4.1e-7, 1.7, 3.73e-3, 14.6],
+            Self::S62 => [3.9e-7, 1.7, 3.23e-3, 36.5],
+            Self::S63 => [3.7e-7, 1.7, 2.84e-3, 92.8],
+            Self::S64 => [3.6e-7, 1.7, 2.43e-3, 198.0],
+            Self::S160 => [4.3e-7, 1.7, 4.63e-3, 4.25],
+            Self::S618 => [4.7e-7, 1.7, 6.50e-3, 0.78],
+            Self::S619 => [4.3e-7, 1.7, 4.75e-3, 3.6],
+        };
+        SkfConstants { r1, r2, s1, s2 }
     }
+}
+
+/// Constants of SKF's friction model, of loads in N, diameters in mm and torques in N·mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SkfConstants {
+    /// R1.
+    pub r1: f64,
+    /// R2.
+    pub r2: f64,
+    /// S1.
+    pub s1: f64,
+    /// S2.
+    pub s2: f64,
 }
 
 /// Lubricant at the temperature of operation.

@@ -12,6 +12,7 @@ mod documentation;
 mod elastic_flanks;
 mod endurance;
 mod equilibrium;
+mod equivalent_load;
 mod falling_ring;
 mod fit;
 mod free_rotor;

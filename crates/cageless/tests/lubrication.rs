@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions};
 use cageless::equilibrium::solve;
 use cageless::rating::{
-    BasicRatings, LubricatedRating, Rating, SkfFriction, life_modification_factor,
+    BasicRatings, LubricatedRating, Rating, SkfFriction, SkfOperation, life_modification_factor,
     minimum_radial_load_n, reference_viscosity_m2_s,
 };
 use cageless::{Case, Lubricant, Lubrication, SkfSeries};
@@ -24,6 +24,18 @@ fn oil() -> Lubrication {
         skf_series: None,
         lubricant: Lubricant::Oil,
         film_friction_coefficient: 0.05,
+    }
+}
+
+/// A radial load at 12 000 rpm.
+fn at(radial_load_n: f64, [bore_mm, outside_mm]: [f64; 2]) -> SkfOperation {
+    SkfOperation {
+        bore_mm,
+        outside_mm,
+        speed_rpm: 12_000.0,
+        radial_load_n,
+        axial_load_n: 0.0,
+        static_rating_n: 7800.0,
     }
 }
 
@@ -139,7 +151,11 @@ fn fatigue_load_limit_falls_with_size_like_that_of_a_catalogue() {
 #[test]
 fn friction_by_the_model_of_skf() {
     let of = |lubrication: &Lubrication, load_n| {
-        SkfFriction::new(SkfSeries::S62, lubrication, [25.0, 52.0], 3000.0, load_n)
+        let operation = SkfOperation {
+            speed_rpm: 3000.0,
+            ..at(load_n, [25.0, 52.0])
+        };
+        SkfFriction::new(SkfSeries::S62, lubrication, operation)
     };
     let oil = Lubrication {
         viscosity_m2_s: 20e-6,
@@ -163,6 +179,19 @@ fn friction_by_the_model_of_skf() {
     };
     let starved = of(&grease, 1000.0).rolling_n_m / found.rolling_n_m;
     assert!((starved / 0.96734 - 1.0).abs() < 1e-5, "{starved}");
+    // In grease with Fa = 200 N, C0 = 7800 N.
+    let combined = SkfOperation {
+        speed_rpm: 3000.0,
+        axial_load_n: -200.0,
+        ..at(1000.0, [25.0, 52.0])
+    };
+    let combined = SkfFriction::new(SkfSeries::S62, &grease, combined);
+    for (found, expected) in [
+        (combined.rolling_n_m, 24.640e-3),
+        (combined.sliding_n_m, 9.901e-3),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+    }
     // Almost no film: μbl = 0.15 for μsl = 0.050748.
     let thin = Lubrication {
         viscosity_m2_s: 1e-9,
@@ -201,7 +230,7 @@ fn ratings_of_a_case_are_those_of_its_lubricant() {
     let bore = 2.0 * (18.24 - 0.3 * 9.525);
     let load_n = given.operation.radial_load_n;
     let diameters = [bore, 2.0 * 46.005 - bore];
-    let skf = SkfFriction::new(SkfSeries::S63, &oil(), diameters, 12_000.0, load_n);
+    let skf = SkfFriction::new(SkfSeries::S63, &oil(), at(load_n, diameters));
     let torque = found.skf_friction.unwrap().torque_n_m();
     assert!((torque / skf.torque_n_m() - 1.0).abs() < 1e-9);
     assert_eq!(found.fatigue_load_limit_n, 77.0);
@@ -216,6 +245,19 @@ fn ratings_of_a_case_are_those_of_its_lubricant() {
         (found.life_modification_factor, found.l10m_mrev),
         (None, None)
     );
+}
+
+/// aISO of the reference life stands at the load Cr/L10r^(1/3), which brings that life.
+#[test]
+fn the_reference_life_is_modified_at_its_own_load() {
+    let case = lubricated(oil());
+    let rating = Rating::new(&case, &solve(&case).unwrap());
+    let (found, life) = (rating.lubricated.unwrap(), rating.l10r_mrev.unwrap());
+    let load_n = rating.basic.dynamic_n / life.cbrt();
+    let ratio = 0.5 * found.fatigue_load_limit_n / load_n;
+    let factor = life_modification_factor(found.viscosity_ratio, ratio).unwrap();
+    assert!((found.l10mr_mrev.unwrap() / (factor * life) - 1.0).abs() < 1e-9);
+    assert!(found.l10mr_mrev < found.l10m_mrev);
 }
 
 #[test]
@@ -302,7 +344,7 @@ fn skf_takes_bore_and_outside_of_the_case() {
         .unwrap();
     let found = rating(&case).skf_friction.unwrap();
     let load_n = case.operation.radial_load_n;
-    let expected = SkfFriction::new(SkfSeries::S62, &lubrication, [30.0, 62.0], 12_000.0, load_n);
+    let expected = SkfFriction::new(SkfSeries::S62, &lubrication, at(load_n, [30.0, 62.0]));
     let ratio = found.torque_n_m() / expected.torque_n_m();
     assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
     // With d alone, D = 2 Dpw − d.
@@ -312,7 +354,7 @@ fn skf_takes_bore_and_outside_of_the_case() {
         .unwrap();
     let found = rating(&case).skf_friction.unwrap();
     let diameters = [30.0, 2.0 * 46.005 - 30.0];
-    let expected = SkfFriction::new(SkfSeries::S62, &lubrication, diameters, 12_000.0, load_n);
+    let expected = SkfFriction::new(SkfSeries::S62, &lubrication, at(load_n, diameters));
     let ratio = found.torque_n_m() / expected.torque_n_m();
     assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
     for radii in [

@@ -7,7 +7,6 @@ use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument};
 use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::RotorFile;
-use cageless_results::lubrication_left_out;
 use cageless_results::number_text::significant;
 use cageless_study::drop::rests;
 use serde::Serialize;
@@ -79,10 +78,6 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
     }
     let speed_expansion_left_out = expansion_left_out([file.case()]);
     lines.extend(expansion_line(&speed_expansion_left_out));
-    // A drop takes its friction from the lubricant, wherever the balls move.
-    let of_static = Some(file.case()).filter(|case| case.rotor.is_none());
-    let lubrication_left_out = of_static.and_then(lubrication_left_out);
-    lines.extend(lubrication_left_out.map(|sentence| ("lubricant", sentence.to_owned())));
     lines.push(("steps of a run", steps_text(file.case())));
     let notes = check_warnings([file.case()]);
     let assumptions = file.assumptions();
@@ -114,8 +109,6 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         blend_not_simulated: Option<String>,
         #[serde(skip_serializing_if = "Option::is_none")]
         speed_expansion_left_out: Option<String>,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        lubrication_left_out: Option<&'static str>,
         warnings: &'a [String],
     }
     let result = Checked {
@@ -130,7 +123,6 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         },
         blend_not_simulated,
         speed_expansion_left_out,
-        lubrication_left_out,
         warnings: &notes,
     };
     let text = pairs(&lines) + &warnings(&notes);

@@ -14,7 +14,7 @@ use cageless_study::run::{Options, run as study};
 use crate::args::RunArgs;
 use crate::driver::{Answer, PAGE, PAGE_DATA, Tables};
 use crate::failure::Failure;
-use crate::format::{columns, judged, pairs, values, warnings};
+use crate::format::{columns, grouped, judged, pairs, values, warnings};
 
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
@@ -64,10 +64,9 @@ fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
     let passes = summary.passes();
     lines.push(("verdict", judged(passes, summary.headline())));
     lines.extend(open_benefit(passes).map(|open| ("benefit", open.to_owned())));
-    lines.extend(values(&summary.results));
     let speed = summary.results.number("wall_s") / outcome.end_s.max(1e-12);
-    lines.push(("speed", format!("{speed:.2} s per simulated second")));
-    let mut text = pairs(&lines);
+    let mut text = pairs(&lines) + "\n" + &grouped(&summary.results);
+    text += &format!("\nspeed  {speed:.2} s per simulated second\n");
     if let Some(verification) = &summary.verification {
         let numbers = verification.part("numbers").into_iter();
         text += &verified(

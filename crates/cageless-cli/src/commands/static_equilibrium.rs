@@ -3,20 +3,24 @@
 use cageless_report::{static_page, static_sheet};
 use cageless_results::equilibrium_record_noted;
 
-use crate::args::CaseArgs;
+use crate::args::StaticArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case_at_rest};
 use crate::failure::Failure;
-use crate::format::{columns, notes, pairs, values, warnings};
+use crate::format::{columns, grouped, notes, warnings};
 
 /// Solves and shows the equilibrium.
-pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
+pub fn static_equilibrium(args: &StaticArgs) -> Result<(), Failure> {
+    let (balls, args) = (args.balls, &args.case);
     let (file, note) = read_case_at_rest(&args.case, &args.set)?.resting()?;
     file.checked(|case| case.check_constant_operation("a static equilibrium"))?;
     let record = equilibrium_record_noted(file.case(), note)?;
-    let text = pairs(&values(&record.results))
+    let balls = match balls {
+        true => columns(&record.results.columns()) + "\n",
+        false => String::new(),
+    };
+    let text = grouped(&record.results)
         + "\n"
-        + &columns(&record.results.columns())
-        + "\n"
+        + &balls
         + &warnings(record.sentences("warnings"))
         + &notes(record.sentences("notes"));
     let files = args.output.files(|| {

@@ -197,7 +197,9 @@ class StaticAttributes:
     inner_force_max_n: float  # largest force at the inner raceway, N
     outer_force_max_n: float  # largest force at the outer raceway, N
     loaded_balls: int | None  # balls under load
-    static_safety_factor: float  # static safety factor s0 = C0r/Fr (ISO 76)
+    equivalent_load_n: float  # equivalent dynamic radial load P (ISO 281), N
+    equivalent_static_load_n: float  # equivalent static radial load P0 (ISO 76), N
+    static_safety_factor: float  # static safety factor s0 = C0r/P0 (ISO 76)
     pressure_safety: float  # load factor until 4200 MPa
     assembly: str  # way of assembly
     rating_factor: float  # rating factor bm of ISO 281 for it
@@ -255,6 +257,8 @@ class StaticAttributes:
     life_modification_factor: float  # life modification factor aISO (ISO 281)
     l10m_mrev: float  # modified rating life L10m (ISO 281), Mrev
     l10m_h: float  # modified rating life L10m at the speed of the case, h
+    l10mr_mrev: float  # modified reference rating life L10mr (ISO 16281), Mrev
+    l10mr_h: float  # modified reference rating life L10mr at the speed of the case, h
     minimum_radial_load_n: float  # minimum radial load (SKF), N
     skf_rolling_torque_n_m: float  # rolling friction torque (SKF), N m
     skf_sliding_torque_n_m: float  # sliding friction torque (SKF), N m

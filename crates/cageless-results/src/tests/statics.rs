@@ -18,7 +18,8 @@ const BALLS: usize = 28;
 /// Every number of the equilibrium and its ratings another, each row against the field that it names.
 #[test]
 fn results_in_space_are_the_fields_of_the_equilibrium() {
-    let file = CaseFile::read(Path::new(CASE), &[]).unwrap();
+    let loads = ["operation.axial_load_n=4000".to_owned()];
+    let file = CaseFile::read(Path::new(CASE), &loads).unwrap();
     let case = file.case();
     let k = &mut 0.2;
     let mut space = settle(case).unwrap();
@@ -122,6 +123,11 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         ("outer_pressure_max_mpa", e.outer_pressure_max_pa / MPA),
         ("inner_force_max_n", 99.0),
         ("outer_force_max_n", 77.0),
+        ("equivalent_load_n", rating.equivalent.unwrap().dynamic_n),
+        (
+            "equivalent_static_load_n",
+            rating.equivalent.unwrap().static_n,
+        ),
         ("static_safety_factor", rating.static_safety_factor.unwrap()),
         ("pressure_safety", rating.pressure_safety.unwrap()),
         ("basic_dynamic_rating_n", rating.basic.dynamic_n),

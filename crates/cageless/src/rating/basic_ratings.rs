@@ -82,14 +82,14 @@ impl BasicRatings {
         STRIBECK * RADIAL_INTEGRAL * pressure * size * self.static_n
     }
 
-    /// L10 = (Cr/Fr)³, million revolutions; `None` without load.
-    pub fn l10_mrev(&self, radial_load_n: f64) -> Option<f64> {
-        (radial_load_n > 0.0).then(|| (self.dynamic_n / radial_load_n).powi(3))
+    /// L10 = (Cr/P)³, million revolutions, of an equivalent dynamic load P above 0.
+    pub fn l10_mrev(&self, dynamic_load_n: f64) -> f64 {
+        (self.dynamic_n / dynamic_load_n).powi(3)
     }
 
-    /// s0 = C0r/P0 with P0 = Fr, a purely radial load; `None` without load.
-    pub fn static_safety_factor(&self, radial_load_n: f64) -> Option<f64> {
-        (radial_load_n > 0.0).then(|| self.static_n / radial_load_n)
+    /// s0 = C0r/P0 of an equivalent static load P0 above 0.
+    pub fn static_safety_factor(&self, static_load_n: f64) -> f64 {
+        self.static_n / static_load_n
     }
 }
 

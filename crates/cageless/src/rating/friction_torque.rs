@@ -1,5 +1,6 @@
 //! Friction torque of a lubricated bearing by a rule of catalogues.
 
+use super::equivalent_load::EquivalentLoad;
 use crate::bearing::Bearing;
 use crate::case::Case;
 
@@ -13,10 +14,17 @@ pub fn rolling_torque_n_m(bearing: &Bearing, load_n: f64) -> f64 {
     SKF_FRICTION * load_n * bearing.bore_radius_or_estimate_m()
 }
 
-/// [`rolling_torque_n_m`] with P = Fr; `None` where load or speed is not constant, and of a case with an
-/// axial load, moments, a tilt, a contact angle or several rows, for which P is not Fr and μ another.
+/// [`rolling_torque_n_m`] under P of ISO 281; `None` where load or speed is not constant, without P, and of a case
+/// with a contact angle or several rows, for which μ is another.
 pub fn skf_friction_torque_n_m(case: &Case) -> Option<f64> {
-    let load_n = case.operation.radial_load_n;
-    (case.has_constant_operation() && case.spatial_field().is_none())
-        .then(|| rolling_torque_n_m(&case.bearing, load_n))
+    let rated = case.has_constant_operation() && is_single_deep_groove(case);
+    let load = EquivalentLoad::new(case).filter(|_| rated);
+    load.map(|load| rolling_torque_n_m(&case.bearing, load.dynamic_n))
+}
+
+/// Whether a case is a single-row deep groove ball bearing under forces alone, as SKF's rules have it.
+pub(super) fn is_single_deep_groove(case: &Case) -> bool {
+    case.bearing.contact_angle_rad() == 0.0
+        && case.rows.len() <= 1
+        && EquivalentLoad::new(case).is_some()
 }

@@ -1,7 +1,9 @@
 //! What ISO 281 and catalogues rate from the lubricant: viscosity ratio, modified life, minimum load.
 
 use super::basic_ratings::BasicRatings;
+use super::equivalent_load::EquivalentLoad;
 use super::skf_friction::SkfFriction;
+use super::speed_factor_mm_rpm;
 use crate::case::Case;
 
 /// Speed at which the equation of the reference viscosity changes, rpm.
@@ -70,6 +72,14 @@ pub fn minimum_radial_load_n(
     1000.0 * factor * film * (pitch_diameter_mm / 100.0).powi(2)
 }
 
+/// Load and lives of a bearing without regard to its lubricant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lives {
+    pub equivalent: Option<EquivalentLoad>,
+    pub l10_mrev: Option<f64>,
+    pub l10r_mrev: Option<f64>,
+}
+
 /// Ratings of a bearing with its lubricant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LubricatedRating {
@@ -77,28 +87,26 @@ pub struct LubricatedRating {
     pub viscosity_ratio: f64,
     /// Cu, N.
     pub fatigue_load_limit_n: f64,
-    /// aISO at P = Fr; `None` without radial load, and below κ = 0.1.
+    /// aISO at P; `None` without P, and below κ = 0.1.
     pub life_modification_factor: Option<f64>,
     /// L10m = aISO L10, million revolutions; `None` where there is no aISO.
     pub l10m_mrev: Option<f64>,
+    /// L10mr = aISO L10r with aISO at Pref = Cr/L10r^(1/3), million revolutions (ISO/TS 16281); `None` without L10r,
+    /// and below κ = 0.1.
+    pub l10mr_mrev: Option<f64>,
     /// Frm of SKF, N; `None` unless the factor of the bearing is given.
     pub minimum_radial_load_n: Option<f64>,
-    /// Friction by SKF's model; `None` unless the series of the bearing is given.
+    /// Friction by SKF's model; `None` unless the series of the bearing is given, with a contact angle, moments, a
+    /// tilt or several rows.
     pub skf_friction: Option<SkfFriction>,
 }
 
 impl LubricatedRating {
-    /// Ratings of a case from its n·Dpw, basic ratings and basic life under radial load; `None` of a
-    /// case without lubricant, and at standstill.
-    pub fn new(
-        case: &Case,
-        speed_factor_mm_rpm: f64,
-        basic: &BasicRatings,
-        l10_mrev: Option<f64>,
-    ) -> Option<Self> {
+    /// Ratings of a case from its basic ratings and lives; `None` of a case without lubricant, and at standstill.
+    pub(super) fn new(case: &Case, basic: &BasicRatings, lives: Lives) -> Option<Self> {
         let lubrication = case.lubrication.as_ref()?;
         let pitch_diameter_mm = 2e3 * case.bearing.pitch_radius_m();
-        let speed_rpm = speed_factor_mm_rpm / pitch_diameter_mm;
+        let speed_rpm = speed_factor_mm_rpm(case) / pitch_diameter_mm;
         if speed_rpm == 0.0 {
             return None;
         }
@@ -107,17 +115,23 @@ impl LubricatedRating {
         let limit_n = lubrication
             .fatigue_load_limit_n
             .unwrap_or_else(|| basic.fatigue_load_limit_n(pitch_diameter_mm));
-        let load_n = case.operation.radial_load_n;
-        let load_ratio = lubrication.contamination_factor * limit_n / load_n;
-        let factor = l10_mrev.and_then(|_| life_modification_factor(viscosity_ratio, load_ratio));
+        let modified = |load_n: f64| {
+            let load_ratio = lubrication.contamination_factor * limit_n / load_n;
+            life_modification_factor(viscosity_ratio, load_ratio)
+        };
+        let factor = lives.equivalent.and_then(|load| modified(load.dynamic_n));
+        let reference = |life: f64| Some(modified(basic.dynamic_n / life.cbrt())? * life);
         let minimum = |kr| minimum_radial_load_n(kr, viscosity, speed_rpm, pitch_diameter_mm);
         Some(Self {
             viscosity_ratio,
             fatigue_load_limit_n: limit_n,
             life_modification_factor: factor,
-            l10m_mrev: factor.zip(l10_mrev).map(|(factor, life)| factor * life),
+            l10m_mrev: factor
+                .zip(lives.l10_mrev)
+                .map(|(factor, life)| factor * life),
+            l10mr_mrev: lives.l10r_mrev.and_then(reference),
             minimum_radial_load_n: lubrication.minimum_load_factor.map(minimum),
-            skf_friction: SkfFriction::of(case, lubrication, speed_rpm),
+            skf_friction: SkfFriction::of(case, lubrication, basic),
         })
     }
 }

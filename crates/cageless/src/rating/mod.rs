@@ -19,6 +19,7 @@
 //! ```
 
 mod basic_ratings;
+mod equivalent_load;
 mod friction_torque;
 mod load_distribution;
 mod lubrication;
@@ -37,15 +38,17 @@ use crate::equilibrium::space::{SpatialEquilibrium, forces_at_rest};
 use crate::material::{Material, Materials};
 
 pub use basic_ratings::{BasicRatings, dynamic_factor, static_factor};
+pub use equivalent_load::{EquivalentLoad, LoadFactors, RowArrangement};
 pub use friction_torque::{rolling_torque_n_m, skf_friction_torque_n_m};
 pub use load_distribution::rigid_ring_forces_n;
+use lubrication::Lives;
 pub use lubrication::{
     LubricatedRating, VISCOSITY_RATIO_MIN, life_modification_factor, minimum_radial_load_n,
     reference_viscosity_m2_s,
 };
 pub use passing_frequencies::{PassingFrequencies, loaded_contact_angle_rad};
 pub use reference_life::ReferenceLife;
-pub use skf_friction::SkfFriction;
+pub use skf_friction::{SkfFriction, SkfOperation};
 
 /// Largest n·Dpw of ball bearings in service, mm/min: hybrid spindle bearings under oil
 /// jets and bearings of aircraft engines reach 3 million.
@@ -56,7 +59,9 @@ pub const SPEED_PARAMETER_MAX_MM_RPM: f64 = 3e6;
 pub struct Rating {
     /// Basic load ratings.
     pub basic: BasicRatings,
-    /// L10 = (Cr/Fr)³ of ISO 281, million revolutions; `None` without radial load.
+    /// P of ISO 281 and P0 of ISO 76; `None` without load, with moments or a tilt.
+    pub equivalent: Option<EquivalentLoad>,
+    /// L10 = (Cr/P)³ of ISO 281, million revolutions; `None` without P.
     pub l10_mrev: Option<f64>,
     /// L10r of ISO/TS 16281, million revolutions: rigid rings under the radial load, without
     /// weight and centrifugal force; `None` without radial load.
@@ -64,7 +69,7 @@ pub struct Rating {
     /// L10r with the forces of the balls in equilibrium, weight and centrifugal force included,
     /// million revolutions; `None` if no ball is loaded.
     pub l10r_at_speed_mrev: Option<f64>,
-    /// s0 = C0r/P0 of ISO 76 with P0 = Fr; `None` without radial load.
+    /// s0 = C0r/P0 of ISO 76; `None` without P0.
     pub static_safety_factor: Option<f64>,
     /// (4200 MPa/p)³ with the largest contact pressure p in equilibrium; `None` if no ball is
     /// loaded. The load that this pressure leaves to the limit, as a factor.
@@ -75,7 +80,7 @@ pub struct Rating {
     pub loaded_contact_angle_rad: Option<f64>,
     /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
     pub speed_factor_mm_rpm: f64,
-    /// Ratings with the lubricant; `None` of a case without one, and in space.
+    /// Ratings with the lubricant; `None` of a case without one.
     pub lubricated: Option<LubricatedRating>,
     /// Materials, of which the standards rate the first two.
     pub materials: RatedMaterials,
@@ -107,32 +112,40 @@ impl Rating {
     /// Ratings of a case in equilibrium.
     pub fn new(case: &Case, equilibrium: &Equilibrium) -> Self {
         let bearing = &case.bearing;
-        let basic = BasicRatings::new(bearing);
+        let basic = BasicRatings::of_rows(bearing, case.rows.len().max(1));
         let reference = ReferenceLife::new(bearing);
-        let load_n = case.operation.radial_load_n;
-        let l10_mrev = basic.l10_mrev(load_n);
-        let speed_factor_mm_rpm = speed_factor_mm_rpm(case);
+        let equivalent = EquivalentLoad::new(case);
+        let l10_mrev = equivalent.map(|load| basic.l10_mrev(load.dynamic_n));
+        let l10r_mrev = rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q));
         let peak_pa = equilibrium
             .inner_pressure_max_pa
             .max(equilibrium.outer_pressure_max_pa);
         Self {
+            equivalent,
             l10_mrev,
-            lubricated: LubricatedRating::new(case, speed_factor_mm_rpm, &basic, l10_mrev),
-            l10r_mrev: rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q)),
+            lubricated: LubricatedRating::new(
+                case,
+                &basic,
+                Lives {
+                    equivalent,
+                    l10_mrev,
+                    l10r_mrev,
+                },
+            ),
+            l10r_mrev,
             l10r_at_speed_mrev: reference
                 .l10r_mrev(&equilibrium.inner_force_n, &equilibrium.outer_force_n),
-            static_safety_factor: basic.static_safety_factor(load_n),
+            static_safety_factor: equivalent.map(|load| basic.static_safety_factor(load.static_n)),
             pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
             passing: PassingFrequencies::new(case),
             loaded_contact_angle_rad: None,
-            speed_factor_mm_rpm,
+            speed_factor_mm_rpm: speed_factor_mm_rpm(case),
             materials: RatedMaterials::of(bearing),
             basic,
         }
     }
 
-    /// Ratings of a case in equilibrium in space: L10r from the loads of the balls under all loads,
-    /// L10 and s0, which are for radial ones, left out.
+    /// Ratings of a case in equilibrium in space: L10r from the loads of the balls under all loads.
     pub fn in_space(case: &Case, space: &SpatialEquilibrium) -> Self {
         let reference = ReferenceLife::new(&case.bearing);
         let life = |e: &SpatialEquilibrium| {
@@ -144,15 +157,19 @@ impl Rating {
             });
             reference.l10r_of_rows_mrev(rows)
         };
+        let plane = Self::new(case, &space.rest);
+        let l10r_mrev = forces_at_rest(case).ok().and_then(|e| life(&e));
+        let lives = Lives {
+            equivalent: plane.equivalent,
+            l10_mrev: plane.l10_mrev,
+            l10r_mrev,
+        };
         Self {
-            basic: BasicRatings::of_rows(&case.bearing, case.rows.len().max(1)),
-            l10_mrev: None,
-            lubricated: None,
+            lubricated: LubricatedRating::new(case, &plane.basic, lives),
             loaded_contact_angle_rad: loaded_contact_angle_rad(space),
-            l10r_mrev: forces_at_rest(case).ok().and_then(|e| life(&e)),
+            l10r_mrev,
             l10r_at_speed_mrev: life(space),
-            static_safety_factor: None,
-            ..Self::new(case, &space.rest)
+            ..plane
         }
     }
 
@@ -168,7 +185,7 @@ impl Rating {
     pub fn warnings(&self) -> Vec<String> {
         let unsafe_load = self.static_safety_factor.filter(|s| *s < 1.0).map(|s| {
             format!(
-                "the static safety s0 = C0r/Fr is {s:.2}, below 1: the load exceeds the basic \
+                "the static safety s0 = C0r/P0 is {s:.2}, below 1: the load exceeds the basic \
                  static load rating of {:.0} N (ISO 76)",
                 self.basic.static_n
             )
