@@ -160,8 +160,21 @@ impl BoundaryDimensions {
         };
         let clearance = match angular {
             true => "0: the contact angle is that without load",
-            false => "(assumed) Gr, middle of group Normal of ISO 5753-1",
+            false => &format!(
+                "(assumed) Gr, middle of group {} of ISO 5753-1",
+                self.suffixes.clearance_group.name()
+            ),
         };
+        let balls_of = match self.suffixes.hybrid {
+            true => "[ball_material]                                # hybrid bearing, suffix HC5\npreset = \"Si3N4\"\n",
+            false => {
+                "# [ball_material]                              # hybrid bearing: ceramic balls in steel rings\n# preset = \"Si3N4\"\n"
+            }
+        };
+        let without_effect = self.suffixes.without_effect.iter();
+        let without_effect: String = without_effect
+            .map(|(suffix, meaning)| format!("# {suffix} ({meaning}) has no effect here.\n"))
+            .collect();
         let rows = match angular {
             true => format!(
                 "\
@@ -199,6 +212,7 @@ preload_um = 5
             "\
 # {name}, {kind}: boundary dimensions d {d} mm, D {big} mm, B {width} mm (ISO 15).
 {head}
+{without_effect}\
 # Measure yours or ask its maker, and replace what is marked (derived) or (assumed). Everything that
 # is left out takes a default: `cageless check` lists them with their values.
 schema = 1
@@ -217,9 +231,7 @@ inner_ring_bore_radius_mm = {bore:<18} # d/2
 outer_ring_outer_radius_mm = {outer:<17} # D/2, for the export to CAD
 outer_ring_width_mm = {width:<24} # B
 
-# [ball_material]                              # hybrid bearing: ceramic balls in steel rings
-# preset = \"Si3N4\"
-
+{balls_of}
 {rows}\
 # A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
 # `cageless design --search` looks for the best one.

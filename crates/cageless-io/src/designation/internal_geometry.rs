@@ -6,18 +6,19 @@ use cageless::Bearing;
 
 use super::BoundaryDimensions;
 
-/// Radial internal clearance of deep groove ball bearings, group Normal of ISO 5753-1: bores up to
-/// this diameter in mm have from the second to the third number in µm.
-const CLEARANCE_UM: [(u16, u16, u16); 9] = [
-    (10, 2, 13),
-    (18, 3, 18),
-    (24, 5, 20),
-    (30, 5, 20),
-    (40, 6, 20),
-    (50, 6, 23),
-    (65, 8, 28),
-    (80, 10, 30),
-    (100, 12, 36),
+/// Radial internal clearance of deep groove ball bearings (ISO 5753-1; SKF PUB 17000 (2018)): bores up to a diameter in
+/// mm, and the limits of C2, Normal, C3, C4 and C5, µm; 0 where there are none.
+const CLEARANCE_UM: [(u16, [[u16; 2]; 5]); 10] = [
+    (6, [[0, 7], [2, 13], [8, 23], [0, 0], [0, 0]]),
+    (10, [[0, 7], [2, 13], [8, 23], [14, 29], [20, 37]]),
+    (18, [[0, 9], [3, 18], [11, 25], [18, 33], [25, 45]]),
+    (24, [[0, 10], [5, 20], [13, 28], [20, 36], [28, 48]]),
+    (30, [[1, 11], [5, 20], [13, 28], [23, 41], [30, 53]]),
+    (40, [[1, 11], [6, 20], [15, 33], [28, 46], [40, 64]]),
+    (50, [[1, 11], [6, 23], [18, 36], [30, 51], [45, 73]]),
+    (65, [[1, 15], [8, 28], [23, 43], [38, 61], [55, 90]]),
+    (80, [[1, 15], [10, 30], [25, 51], [46, 71], [65, 105]]),
+    (100, [[1, 18], [12, 36], [30, 58], [53, 84], [75, 120]]),
 ];
 
 /// Ball diameter over the difference of outside and bore diameter.
@@ -77,7 +78,8 @@ impl BoundaryDimensions {
         let group = CLEARANCE_UM
             .iter()
             .find(|(bore, ..)| self.bore_mm <= f64::from(*bore));
-        let (_, least, most) = group.copied().unwrap_or_default();
+        let (_, limits) = group.copied().unwrap_or_default();
+        let [least, most] = limits[self.suffixes.clearance_group as usize];
         let (caged_balls, source, clearance_um) = match self.contact_angle_deg > 0.0 {
             false => (caged_balls, source, f64::from(least + most) / 2.0),
             // The contact angle is that without load.

@@ -3,10 +3,12 @@
 
 mod case_file;
 mod internal_geometry;
+mod suffix;
 
 use crate::case_file::nearest;
 
 pub use internal_geometry::{BallSource, InternalGeometry};
+pub use suffix::{ClearanceGroup, Suffixes};
 
 /// Designation, bore d, outside diameter D and width B of ISO 15, and number and diameter Dw of
 /// the balls as NSK where they are known.
@@ -29,6 +31,8 @@ pub struct BoundaryDimensions {
     pub width_mm: f64,
     /// α of an angular contact bearing, degrees; 0 of a deep groove one.
     pub contact_angle_deg: f64,
+    /// What the suffixes say.
+    pub suffixes: Suffixes,
     /// Number and diameter of the balls in the maker's deep groove bearing of this size with a cage.
     balls: Option<(usize, f64)>,
 }
@@ -36,12 +40,24 @@ pub struct BoundaryDimensions {
 /// Suffixes of angular contact bearings and their contact angles, degrees.
 const ANGLES: [(&str, f64); 3] = [("AC", 25.0), ("B", 40.0), ("C", 15.0)];
 
-/// The deep groove bearing with the boundary dimensions of an angular contact bearing, and its contact angle.
-fn of_angular_contact(designation: &str) -> Option<(String, f64)> {
-    let mut suffixes = ANGLES.iter();
-    let (size, angle_deg) =
-        suffixes.find_map(|(suffix, angle)| Some((designation.strip_suffix(suffix)?, *angle)))?;
-    Some((format!("6{}", size.strip_prefix('7')?), angle_deg))
+/// Series and bore code, contact angle in degrees of an angular contact bearing, and further suffixes of a designation.
+fn parts(designation: &str) -> (String, f64, &str) {
+    let text = designation.trim();
+    // A stroke stands before a bore below 10 mm, 618/4, and before suffixes, 6205/C3.
+    let of_size = |(at, c): &(usize, char)| {
+        let digit_follows = text[at + c.len_utf8()..].starts_with(|c: char| c.is_ascii_digit());
+        c.is_ascii_digit() || (*c == '/' && *at == 3 && digit_follows)
+    };
+    let end = text.char_indices().find(|at| !of_size(at));
+    let (size, rest) = text.split_at(end.map_or(text.len(), |(at, _)| at));
+    let suffix = rest.trim_start_matches(suffix::SEPARATORS);
+    let angle = ANGLES.iter().find(|(letters, _)| suffix.starts_with(letters));
+    match (size.strip_prefix('7'), angle) {
+        (Some(size), Some((letters, angle_deg))) => {
+            (format!("6{size}"), *angle_deg, &suffix[letters.len()..])
+        }
+        _ => (size.to_owned(), 0.0, rest),
+    }
 }
 
 /// Every designation of the table.
@@ -57,19 +73,19 @@ pub fn designations() -> impl Iterator<Item = BoundaryDimensions> {
             outside_mm: number(outside)?,
             width_mm: number(width)?,
             contact_angle_deg: 0.0,
+            suffixes: Suffixes::default(),
             balls: balls.and_then(|z| z.parse().ok()).zip(number(diameter)),
         })
     })
 }
 
 /// Looks up a designation. 618xx and 619xx are other spellings of 68xx and 69xx, 618/4 of 684; 70xx, 72xx, 73xx and 719xx
-/// with the suffix of a contact angle have the boundary dimensions of 60xx, 62xx, 63xx and 619xx.
+/// with the suffix of a contact angle have the boundary dimensions of 60xx, 62xx, 63xx and 619xx. Suffixes of makers follow.
 ///
 /// # Errors
 /// A message with what is allowed if the table does not have it.
 pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
-    let angular = of_angular_contact(designation);
-    let (of_size, contact_angle_deg) = angular.unwrap_or((designation.to_owned(), 0.0));
+    let (of_size, contact_angle_deg, rest) = parts(designation);
     // A bore below 10 mm stands behind a stroke: 618/4.
     let short = match of_size.split_at_checked(3) {
         Some(("618", code)) if code.len() == 2 => format!("68{}", code.trim_start_matches('/')),
@@ -78,10 +94,17 @@ pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
     };
     let all: Vec<_> = designations().collect();
     if let Some(found) = all.iter().find(|b| b.designation == short) {
-        let designation = designation.to_owned();
+        let suffixes = Suffixes::read(&rest.to_uppercase()).map_err(|unknown| {
+            format!(
+                "`{}` is not possible: the suffix `{unknown}` is not known; known are clearance groups (C2, C3, C4, C5), \
+                 HC5 (hybrid), seals and shields (2RS1, 2Z, ZZ, LLU, DDU, …), cages (TN9, TVH, M) and P4 to P6",
+                designation.trim()
+            )
+        })?;
         return Ok(BoundaryDimensions {
-            designation,
+            designation: designation.trim().to_owned(),
             contact_angle_deg,
+            suffixes,
             ..found.clone()
         });
     }
@@ -92,8 +115,8 @@ pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
     };
     Err(format!(
         "`{designation}` is not possible: it must be a deep groove ball bearing of the series 60, 62, \
-         68 (618) or 69 (619) with a bore of up to 100 mm, of 63 from 10 mm or of 160 from 12 mm on, such as 6008 or 608, without \
-         suffixes, or an angular contact ball bearing of the series 70, 72, 73 or 719 with that of its \
+         68 (618) or 69 (619) with a bore of up to 100 mm, of 63 from 10 mm or of 160 from 12 mm on, such as 6008, 608 \
+         or 6205-2RS1/C3, or an angular contact ball bearing of the series 70, 72, 73 or 719 with that of its \
          contact angle: C (15°), AC (25°) or B (40°){hint}"
     ))
 }
