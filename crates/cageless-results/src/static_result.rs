@@ -5,7 +5,9 @@ use cageless::equilibrium::{EquilibriumError, settle};
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
-use crate::{DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
+use crate::{
+    CLEARANCE_RANGE, DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject,
+};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
 pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
@@ -14,6 +16,8 @@ pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
     let warnings = warnings.chain(solved.rating.warnings()).collect();
     let mut groups = vec![STATIC, DEFECTS];
     groups.extend(case.fit.map(|_| FIT));
+    let range = case.fit.and_then(|fit| fit.range);
+    groups.extend(range.map(|_| CLEARANCE_RANGE));
     match solved.space {
         Some(_) => groups.push(SPACE),
         None => groups.extend(case.lubrication.as_ref().map(|_| LUBRICATION)),

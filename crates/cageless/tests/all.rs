@@ -14,6 +14,7 @@ mod endurance;
 mod equilibrium;
 mod falling_ring;
 mod fit;
+mod fit_by_tolerance;
 mod free_rotor;
 mod friction;
 mod geometry;
