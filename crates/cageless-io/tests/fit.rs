@@ -361,3 +361,26 @@ fn fits_are_given_by_name() {
         "{message}"
     );
 }
+
+/// Another clearance of a pair has the free angle and the preload of a fit that leaves it.
+#[test]
+fn a_pair_has_the_preload_of_its_clearance() {
+    let text = PAIR.to_owned() + DIAMETERS;
+    let with_fit = |um: f64| {
+        let set = format!("fit.shaft_interference_um={um:?}");
+        let sets = ["raceway=[]", "operation.inner_speed_rpm=1", &set];
+        parse(&text, &sets).unwrap().case().clone()
+    };
+    let [loose, tight] = [5.0, 9.0].map(with_fit);
+    let found = loose.with_operating_clearance(tight.bearing.radial_internal_clearance_m());
+    let found = found.unwrap();
+    let [angle, expected] = [&found, &tight].map(|case| case.bearing.contact_angle_rad());
+    assert!((angle - expected).abs() < 1e-9, "{angle} {expected}");
+    for (row, expected) in found.rows.iter().zip(&tight.rows) {
+        let change_m = row.preload_m - expected.preload_m;
+        assert!(change_m.abs() < 1e-12, "{row:?} {expected:?}");
+    }
+    assert!(tight.rows[0].preload_m > loose.rows[0].preload_m + 1e-6);
+    let wide = loose.with_operating_clearance(0.2e-3).unwrap_err();
+    assert_eq!(wide.field, "preload_m");
+}

@@ -2,6 +2,7 @@
 
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{EquilibriumError, settle};
+use cageless::fit::SMOOTHING_M;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
@@ -107,6 +108,14 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
             "without radial load there is no basic rating life and no static safety factor"
                 .to_owned(),
         );
+    }
+    if case.fit.is_some_and(|fit| fit.range.is_some()) {
+        notes.push(format!(
+            "the range of the clearance takes bearings of class Normal (ISO 492) unless fit.tolerance_class is given, \
+             {} µm of smoothing unless fit.smoothing_um is, and fit.clearance_tolerance_um about the clearance of \
+             the file",
+            SMOOTHING_M * 1e6
+        ));
     }
     let is_free = match solved.space {
         Some(space) => space.stiffness.is_none(),

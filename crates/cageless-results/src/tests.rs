@@ -730,10 +730,11 @@ fn results_with_tolerances_are_those_at_the_ends() {
     let case = file.case();
     let record = static_record(case, &cageless::equilibrium::settle(case).unwrap());
     let range = case.fit.unwrap().range.unwrap();
+    let um = 1e6;
     let life_h = |clearance_m: f64| {
         let set = format!(
             "bearing.radial_internal_clearance_um={:?}",
-            clearance_m * 1e6
+            clearance_m * um
         );
         let file = CaseFile::parse(&text, "case.toml", &[set]).unwrap();
         let settled = cageless::equilibrium::settle(file.case()).unwrap();
@@ -743,8 +744,8 @@ fn results_with_tolerances_are_those_at_the_ends() {
     };
     let [least, largest] = range.probable_m;
     let expected = [
-        ("operating_clearance_least_um", least * 1e6),
-        ("operating_clearance_largest_um", largest * 1e6),
+        ("operating_clearance_least_um", least * um),
+        ("operating_clearance_largest_um", largest * um),
         ("l10r_least_clearance_h", life_h(least)),
         ("l10r_largest_clearance_h", life_h(largest)),
     ];

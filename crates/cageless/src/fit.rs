@@ -521,7 +521,7 @@ fn within_wall(
 
 /// Error of a diameter that the tables of tolerances do not have.
 fn no_limits(field: &'static str, diameter_m: f64, class: BearingClass) -> InputError {
-    let [least_m, most_m] = size_range::SIZES_MM.map(|mm| mm * 1e-3);
+    let [least_m, most_m] = size_range::SIZES_MM.map(|mm| mm * size_range::MILLIMETRE_M);
     let why = "tolerance classes of ISO 286 go from 1 to 500 mm";
     let allowed = if diameter_m < least_m {
         Allowed::AtLeast(least_m, why)

@@ -42,7 +42,7 @@ fn limits_are_those_of_catalogues() {
     assert_eq!(count, 629);
 }
 
-/// What catalogues of bearings leave out: ISO 286-2:2010, and keyways (ISO 2491).
+/// What catalogues of bearings leave out: ISO 286-2:2010, tables 8 to 10.
 #[test]
 fn limits_of_coarse_holes_are_those_of_the_standard() {
     for (class, mm, limits) in [
@@ -61,6 +61,29 @@ fn limits_of_coarse_holes_are_those_of_the_standard() {
         ("D8", 40.0, [80.0, 119.0]),
     ] {
         check(class, mm, limits);
+    }
+    let sizes = [
+        6.0, 10.0, 18.0, 30.0, 50.0, 80.0, 120.0, 180.0, 250.0, 315.0, 400.0, 500.0,
+    ];
+    let upper = [
+        [-2.0, -12.0],
+        [-3.0, -15.0],
+        [-3.0, -18.0],
+        [-3.0, -22.0],
+        [-3.0, -26.0],
+        [-4.0, -32.0],
+        [-4.0, -37.0],
+        [-4.0, -43.0],
+        [-5.0, -50.0],
+        [-5.0, -56.0],
+        [-5.0, -62.0],
+        [-6.0, -68.0],
+    ];
+    for (mm, [n8, p9]) in sizes.into_iter().zip(upper) {
+        for (class, expected) in [("N8", n8), ("P9", p9)] {
+            let [_, found] = limits_um(class, mm).unwrap();
+            assert!((found - expected).abs() < 1e-9, "{class} at {mm}");
+        }
     }
 }
 
@@ -179,7 +202,7 @@ fn near(found: f64, expected: f64) {
     );
 }
 
-/// NTN 2203/E, 8.2.2: Δf = Δ0 − λi Δd − λo ΔD ± 3σ with σ² = σ0² + λi² σd² + λo² σD², each σ a sixth of a tolerance.
+/// NTN 2203/E, Eq. (8.3): Δf = Δ0 − λi Δd − λo ΔD ± 3σ with σ² = σ0² + λi² σd² + λo² σD², each σ a sixth of a tolerance.
 /// m5 of 40 mm: +9 to +20, bore −12 to 0; P6 of 80 mm: −45 to −26, outside −13 to 0.
 #[test]
 fn range_is_that_of_the_closed_forms() {

@@ -1,6 +1,6 @@
 //! Tolerance classes of bearings (ISO 492), for the mean diameters of bore and outside.
 
-use super::size_range::size_mm;
+use super::size_range::{MICROMETRE_M, MILLIMETRE_M, size_mm};
 
 crate::named_enum! {
     /// Tolerance class of a radial bearing (ISO 492).
@@ -64,7 +64,7 @@ impl BearingClass {
     pub(super) fn largest_bore_m(self) -> f64 {
         let mut rows = BORE.iter().rev();
         let last = rows.find(|(_, deviations_um)| deviations_um[self as usize].is_finite());
-        last.map_or(0.0, |(to_mm, _)| to_mm * 1e-3)
+        last.map_or(0.0, |(to_mm, _)| to_mm * MILLIMETRE_M)
     }
 
     fn limits_m(self, rows: &[Row], diameter_m: f64) -> Option<[f64; 2]> {
@@ -73,6 +73,6 @@ impl BearingClass {
         let deviation_um = deviations_um[self as usize];
         deviation_um
             .is_finite()
-            .then_some([-deviation_um * 1e-6, 0.0])
+            .then_some([-deviation_um * MICROMETRE_M, 0.0])
     }
 }

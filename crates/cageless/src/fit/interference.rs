@@ -6,7 +6,7 @@ pub struct Interference {
     /// That of the middles of both tolerances.
     pub mean_m: f64,
     /// Three standard deviations, each diameter with a standard deviation of a sixth of its tolerance
-    /// (NTN 2203/E, 8.2.2).
+    /// (NTN 2203/E, Eq. (8.3)).
     pub probable_m: f64,
     /// Half the sum of both tolerances.
     pub extreme_m: f64,

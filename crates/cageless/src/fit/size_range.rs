@@ -1,5 +1,12 @@
 //! Ranges of nominal sizes with their standard tolerances and fundamental deviations (ISO 286-1:2010).
 
+/// The millimetre of the tables, m.
+pub(super) const MILLIMETRE_M: f64 = 1e-3;
+/// The micrometre of the tables, m.
+pub(super) const MICROMETRE_M: f64 = 1e-6;
+/// Steps in which sizes are compared, per mm.
+const STEPS_PER_MM: f64 = 1e6;
+
 /// Smallest and largest nominal size with a tolerance class, mm.
 pub(super) const SIZES_MM: [f64; 2] = [1.0, 500.0];
 
@@ -82,7 +89,7 @@ const R: [(f64, f64); 22] = [
 
 /// A size in mm, without the rounding of its unit.
 pub(super) fn size_mm(size_m: f64) -> f64 {
-    (size_m * 1e9).round() * 1e-6
+    (size_m / MILLIMETRE_M * STEPS_PER_MM).round() / STEPS_PER_MM
 }
 
 impl SizeRange {

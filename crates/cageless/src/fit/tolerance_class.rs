@@ -1,6 +1,6 @@
 //! Tolerance classes of shafts and holes, such as k5 and H7, and their limits (ISO 286-1:2010).
 
-use super::size_range::SizeRange;
+use super::size_range::{MICROMETRE_M, SizeRange};
 
 /// Fundamental deviation of a tolerance class, by its letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,7 +91,7 @@ impl ShaftClass {
             Letters::P => ei(p),
             Letters::R => ei(SizeRange::r_um(size_m)),
         };
-        Some(limits_um.map(|um| um * 1e-6))
+        Some(limits_um.map(|um| um * MICROMETRE_M))
     }
 }
 
@@ -152,6 +152,6 @@ impl HoleClass {
             Letters::P => raised(p, 7),
             Letters::R => raised(SizeRange::r_um(size_m), 7),
         };
-        Some(limits_um.map(|um| um * 1e-6))
+        Some(limits_um.map(|um| um * MICROMETRE_M))
     }
 }
