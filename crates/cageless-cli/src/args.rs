@@ -127,9 +127,30 @@ pub struct New {
     /// Print the case of a conventional bearing, without a discrete raceway.
     #[arg(long)]
     pub conventional: bool,
+    /// Z, number of balls of a bearing by its own dimensions.
+    #[arg(long, value_parser = whole, value_name = "Z", requires_all = ["ball_diameter_mm", "pitch_diameter_mm"], conflicts_with_all = ["bearing", "conventional"])]
+    pub balls: Option<u64>,
+    /// Dw, ball diameter.
+    #[arg(long, requires = "balls", value_name = "MM")]
+    pub ball_diameter_mm: Option<f64>,
+    /// Dpw, pitch diameter.
+    #[arg(long, requires = "balls", value_name = "MM")]
+    pub pitch_diameter_mm: Option<f64>,
+    /// Gr, radial internal clearance. Default: 0.
+    #[arg(long, requires = "balls", value_name = "UM")]
+    pub clearance_um: Option<f64>,
+    /// Speed of the inner ring, for a bearing by designation or dimensions.
+    #[arg(long, allow_negative_numbers = true, value_name = "RPM")]
+    pub speed_rpm: Option<f64>,
+    /// Fr, radial load.
+    #[arg(long, value_name = "N")]
+    pub radial_load_n: Option<f64>,
+    /// Fa, axial load.
+    #[arg(long, allow_negative_numbers = true, value_name = "N")]
+    pub axial_load_n: Option<f64>,
     /// Start from a deep groove ball bearing of ISO 15: series 60, 62, 63, 160, 68 (618) or 69 (619)
     /// with a bore of up to 100 mm; or from two angular contact ball bearings back to back: series 70, 72,
-    /// 73 or 719 with C (15°), AC (25°) or B (40°), such as 7205C. Comments name the maker of the balls or the formula, and all that
+    /// 73 or 719 with C (15°), AC (25°) or B (40°), such as 7205C. Suffixes of makers may follow. Comments name the maker of the balls or the formula, and all that
     /// is assumed.
     #[arg(long, value_name = "DESIGNATION", conflicts_with = "conventional")]
     pub bearing: Option<String>,

@@ -54,7 +54,10 @@ fn a_verified_run_says_what_it_is_worth() {
         assert!(number["reason"].as_str().unwrap().contains("changes by"));
     }
     // The table has the unit of the results above it, the file its own.
-    let line = |text: &&str| text.trim_start().starts_with("orbital speed of the balls, mean");
+    let line = |text: &&str| {
+        text.trim_start()
+            .starts_with("orbital speed of the balls, mean")
+    };
     let speeds: Vec<&str> = printed.lines().filter(line).collect();
     let value = |line: &str| line.split_whitespace().nth(5).map(str::to_owned);
     assert_eq!(speeds.len(), 2, "{printed}");

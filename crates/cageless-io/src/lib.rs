@@ -31,6 +31,7 @@ mod files;
 pub mod journal;
 mod option_error;
 #[cfg(feature = "files")]
+pub mod own_bearing;
 pub mod plan_file;
 #[cfg(feature = "files")]
 pub mod point_file;

@@ -358,3 +358,56 @@ fn bores_below_ten_have_a_stroke() {
     let message = find("635").unwrap_err();
     assert!(message.contains("of 63 from 10 mm"), "{message}");
 }
+
+/// Suffixes of makers: what they say, what has no effect, and what is not known.
+#[test]
+fn suffixes_are_understood_or_named() {
+    use cageless_io::designation::ClearanceGroup;
+    let of = |name: &str| find(name).unwrap();
+    for (name, group, hybrid, without_effect) in [
+        ("6205-2RS1/C3", ClearanceGroup::C3, false, vec!["2RS1"]),
+        ("6205ZZC4", ClearanceGroup::C4, false, vec!["ZZ"]),
+        (
+            "6205-2RSLTN9/HC5C3",
+            ClearanceGroup::C3,
+            true,
+            vec!["2RSL", "TN9"],
+        ),
+        ("60/22 P6", ClearanceGroup::Normal, false, vec!["P6"]),
+        ("618/4-2Z", ClearanceGroup::Normal, false, vec!["2Z"]),
+        ("6205 c2", ClearanceGroup::C2, false, vec![]),
+    ] {
+        let found = of(name).suffixes;
+        assert_eq!(
+            (found.clearance_group, found.hybrid),
+            (group, hybrid),
+            "{name}"
+        );
+        let suffixes: Vec<_> = found
+            .without_effect
+            .iter()
+            .map(|(suffix, _)| *suffix)
+            .collect();
+        assert_eq!(suffixes, without_effect, "{name}");
+        let text = of(name).case_file(false);
+        let file = CaseFile::parse(&text, name, &[]).unwrap();
+        assert_eq!(
+            file.case().bearing.materials().ball.is_steel(),
+            !hybrid,
+            "{name}"
+        );
+    }
+    // The C of a contact angle, and that of a clearance.
+    assert_eq!(of("7014 C").contact_angle_deg, 15.0);
+    assert_eq!(of("7205AC").contact_angle_deg, 25.0);
+    // 25 mm: C3 is 13 to 28 µm (ISO 5753-1).
+    assert_eq!(of("6205/C3").internal_geometry(false).clearance_um, 20.5);
+    for (name, said) in [
+        ("6205XYZ", "`XYZ` is not known"),
+        ("7205BECBP", "`ECBP` is not known"),
+        ("604/C4", "no group C4"),
+    ] {
+        let error = find(name).unwrap_err();
+        assert!(error.contains(said), "{error}");
+    }
+}

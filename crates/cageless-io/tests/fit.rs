@@ -278,3 +278,109 @@ fn a_warm_outer_ring_takes_preload() {
     let single = parse(&single, &["fit.outer_ring_temperature_c=80"]).unwrap();
     assert!(single.case().bearing.contact_angle_rad() > 16f64.to_radians());
 }
+
+/// Fits by tolerance classes, and what they exclude; `--set` of one takes the other out.
+#[test]
+fn fits_are_given_by_name() {
+    let text = template(false) + DIAMETERS + "shaft = \"k5\"\nhousing = \"J7\"\n";
+    let named = parse(&text, &[]).unwrap();
+    let range = named.case().fit.unwrap().range.unwrap();
+    let operating_m = named.case().bearing.radial_internal_clearance_m();
+    assert!(range.probable_m[0] < operating_m && operating_m < range.probable_m[1]);
+    // k5 of 30 mm: +2 to +11, its bore −10 to 0; J7 of 62 mm: −12 to +18, its outside −13 to 0.
+    let typed = [
+        "fit.shaft_interference_um=9.75",
+        "fit.housing_interference_um=-11.25",
+    ];
+    let typed = parse(&text, &typed).unwrap().case().clone();
+    assert_eq!(typed.fit.unwrap().range, None);
+    let clearance_m = typed.bearing.radial_internal_clearance_m();
+    assert!((clearance_m - operating_m).abs() < 1e-15);
+    let written = named.document().to_toml().unwrap();
+    assert_eq!(parse(&written, &[]).unwrap().case(), named.case());
+    let fine = parse(&text, &["fit.tolerance_class=5", "fit.smoothing_um=0"]).unwrap();
+    let loss_m = 1e-6 * (9.75 - (6.5 + 3.0));
+    let [fine, usual] = [&fine, &named].map(|file| file.case().fit.unwrap().shaft_interference_m);
+    assert!((usual - fine - loss_m).abs() < 1e-15);
+
+    let exclusive = text.clone() + "shaft_interference_um = 0.0\n";
+    for (text, sets, words) in [
+        (
+            &exclusive,
+            &[][..],
+            ["fit.shaft_interference_um = 0.0", "with fit.shaft: both"],
+        ),
+        (
+            &text,
+            &["fit.shaft=K5"],
+            ["fit.shaft = \"K5\"", "\"k5\" say"],
+        ),
+        (
+            &text,
+            &["fit.shaft=5"],
+            ["fit.shaft = 5", "js, k, m, n, p or r"],
+        ),
+        (
+            &text,
+            &["fit.housing=H10"],
+            ["fit.housing = \"H10\"", "grade 4 to 9"],
+        ),
+        (
+            &text,
+            &["fit.tolerance_class=4"],
+            ["fit.tolerance_class = 4", "\"normal\", \"6\" or \"5\""],
+        ),
+        (
+            &text,
+            &[
+                "bearing.outer_ring_outer_radius_mm=255",
+                "fit.outside_diameter_mm=510",
+            ],
+            ["fit.outside_diameter_mm = 510", "at most 500 mm"],
+        ),
+    ] {
+        let message = parse(text, sets).unwrap_err();
+        for word in words {
+            assert!(message.contains(word), "{sets:?}: {message}");
+        }
+    }
+    let typed = template(false) + DIAMETERS;
+    for (set, key) in [
+        ("fit.smoothing_um=2", "fit.smoothing_um = 2"),
+        ("fit.tolerance_class=6", "fit.tolerance_class = 6"),
+    ] {
+        let message = parse(&typed, &[set]).unwrap_err();
+        assert!(
+            message.contains(key) && message.contains("left out"),
+            "{message}"
+        );
+    }
+    let message = parse(&template(false), &["fit.shaft=k5"]).unwrap_err();
+    assert!(
+        message.contains("fit.bore_diameter_mm is missing"),
+        "{message}"
+    );
+}
+
+/// Another clearance of a pair has the free angle and the preload of a fit that leaves it.
+#[test]
+fn a_pair_has_the_preload_of_its_clearance() {
+    let text = PAIR.to_owned() + DIAMETERS;
+    let with_fit = |um: f64| {
+        let set = format!("fit.shaft_interference_um={um:?}");
+        let sets = ["raceway=[]", "operation.inner_speed_rpm=1", &set];
+        parse(&text, &sets).unwrap().case().clone()
+    };
+    let [loose, tight] = [5.0, 9.0].map(with_fit);
+    let found = loose.with_operating_clearance(tight.bearing.radial_internal_clearance_m());
+    let found = found.unwrap();
+    let [angle, expected] = [&found, &tight].map(|case| case.bearing.contact_angle_rad());
+    assert!((angle - expected).abs() < 1e-9, "{angle} {expected}");
+    for (row, expected) in found.rows.iter().zip(&tight.rows) {
+        let change_m = row.preload_m - expected.preload_m;
+        assert!(change_m.abs() < 1e-12, "{row:?} {expected:?}");
+    }
+    assert!(tight.rows[0].preload_m > loose.rows[0].preload_m + 1e-6);
+    let wide = loose.with_operating_clearance(0.2e-3).unwrap_err();
+    assert_eq!(wide.field, "preload_m");
+}

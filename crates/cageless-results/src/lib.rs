@@ -63,10 +63,10 @@ pub use static_result::{equilibrium_record, equilibrium_record_noted, static_rec
 pub use stopped::Stopped;
 pub use successive_drop::succession_record;
 pub use table::{
-    AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE, LUBRICATION, MAP, MOTION,
-    PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION,
-    RUN, SEARCH, SLOT, SPACE, STATIC, STEADY, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT,
-    of_column, of_kind, quantities,
+    AXIAL, CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE,
+    LUBRICATION, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION,
+    ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, SLOT, SPACE, STATIC, STEADY, STRUCTURE,
+    STRUCTURE_AT, SUCCESSION, VERDICT, of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use unit::{unit_text, with_unit};

@@ -23,10 +23,11 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 42] = [
+const SECTIONS: [(&[Quantity], &str, &str); 43] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (DEFECTS, "Static equilibrium: frequencies of defects", "In `cageless static --json`, `static.json` and its page, next to those above: the table for vibration analysts, in pure rolling. A bearing without a cage has the orbital frequency of its balls in the place of a cage's."),
     (FIT, "Static equilibrium with fits and temperatures", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with `[fit]`."),
+    (CLEARANCE_RANGE, "Static equilibrium with tolerances of shaft, housing or clearance", "Next to those above, for a case with `fit.shaft`, `fit.housing` or `fit.clearance_tolerance_um`."),
     (LUBRICATION, "Static equilibrium with a lubricant", "In `cageless static --json`, `static.json` and its page, next to those above, for a planar case with `[lubrication]`."),
     (SPACE, "Static equilibrium in space", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with an axial load, moments, a tilt, a contact angle or several rows."),
     (DESIGN, "Design: closed forms", "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep."),

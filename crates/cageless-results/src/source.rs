@@ -7,8 +7,8 @@ use cageless::design::{
     AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
     RacewayVerdict, Recommendation, RunVerdict,
 };
-use cageless::equilibrium::Equilibrium;
 use cageless::equilibrium::space::SpatialEquilibrium;
+use cageless::equilibrium::{Equilibrium, settle};
 use cageless::passage::PassageTally;
 use cageless::raceway::MeasuredFlanks;
 use cageless::rating::Rating;
@@ -37,6 +37,9 @@ pub struct Solved<'a> {
     pub space: Option<&'a SpatialEquilibrium>,
     /// Orbital speeds of its balls, where the inner ring drives them.
     pub advance: Option<BallAdvance>,
+    /// L10r at the least and the largest clearance in operation, in million revolutions, where it has a range and
+    /// a bearing with such a clearance a life.
+    pub l10r_of_range_mrev: [Option<f64>; 2],
 }
 
 impl<'a> Solved<'a> {
@@ -52,7 +55,21 @@ impl<'a> Solved<'a> {
             },
             space,
             advance: BallAdvance::new(case, settled),
+            l10r_of_range_mrev: match case.fit.and_then(|fit| fit.range) {
+                Some(range) => range.probable_m.map(|m| l10r_at_clearance_mrev(case, m)),
+                None => [None; 2],
+            },
         }
+    }
+}
+
+/// L10r of a case with another clearance in operation, in million revolutions.
+fn l10r_at_clearance_mrev(case: &Case, clearance_m: f64) -> Option<f64> {
+    let case = case.with_operating_clearance(clearance_m).ok()?;
+    let settled = settle(&case).ok()?;
+    match case.moves_in_space() {
+        true => Rating::in_space(&case, &settled).l10r_mrev,
+        false => Rating::new(&case, &settled.rest).l10r_mrev,
     }
 }
 

@@ -2,10 +2,13 @@
 
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{EquilibriumError, settle};
+use cageless::fit::SMOOTHING_M;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
-use crate::{DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
+use crate::{
+    CLEARANCE_RANGE, DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject,
+};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
 pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
@@ -14,6 +17,8 @@ pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
     let warnings = warnings.chain(solved.rating.warnings()).collect();
     let mut groups = vec![STATIC, DEFECTS];
     groups.extend(case.fit.map(|_| FIT));
+    let range = case.fit.and_then(|fit| fit.range);
+    groups.extend(range.map(|_| CLEARANCE_RANGE));
     groups.extend(case.lubrication.as_ref().map(|_| LUBRICATION));
     groups.extend(solved.space.map(|_| SPACE));
     let results = groups
@@ -102,6 +107,14 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
              load: no L10 and no s0; L10r has all loads"
                 .to_owned(),
         );
+    }
+    if case.fit.is_some_and(|fit| fit.range.is_some()) {
+        notes.push(format!(
+            "the range of the clearance takes bearings of class Normal (ISO 492) unless fit.tolerance_class is given, \
+             {} µm of smoothing unless fit.smoothing_um is, and fit.clearance_tolerance_um about the clearance of \
+             the file",
+            SMOOTHING_M * 1e6
+        ));
     }
     let is_free = match solved.space {
         Some(space) => space.stiffness.is_none(),

@@ -708,3 +708,54 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
     let rolling_ms = 2e3 * 25.2 * DEGREE / m.orbit_speed_rad_s;
     assert!((results.number("passage_duration_mean_ms") / rolling_ms - 1.0).abs() < 0.2);
 }
+
+/// The ends of the clearance with the lives of bearings that have them, typed without a fit.
+#[test]
+fn results_with_tolerances_are_those_at_the_ends() {
+    let text = template(false);
+    let sets = [
+        "fit.bore_diameter_mm=30",
+        "fit.outside_diameter_mm=62",
+        "fit.shaft=k5",
+        "fit.housing=J7",
+        "bearing.radial_internal_clearance_um=15",
+        "fit.clearance_tolerance_um=5",
+    ]
+    .map(str::to_owned);
+    let file = CaseFile::parse(&text, "case.toml", &sets).unwrap();
+    let case = file.case();
+    let record = static_record(case, &cageless::equilibrium::settle(case).unwrap());
+    let range = case.fit.unwrap().range.unwrap();
+    let um = 1e6;
+    let life_h = |clearance_m: f64| {
+        let set = format!(
+            "bearing.radial_internal_clearance_um={:?}",
+            clearance_m * um
+        );
+        let file = CaseFile::parse(&text, "case.toml", &[set]).unwrap();
+        let settled = cageless::equilibrium::settle(file.case()).unwrap();
+        static_record(file.case(), &settled)
+            .results
+            .number("l10r_h")
+    };
+    let [least, largest] = range.probable_m;
+    let expected = [
+        ("operating_clearance_least_um", least * um),
+        ("operating_clearance_largest_um", largest * um),
+        ("l10r_least_clearance_h", life_h(least)),
+        ("l10r_largest_clearance_h", life_h(largest)),
+    ];
+    for (name, expected) in expected {
+        let found = record.results.number(name);
+        assert!(
+            (found / expected - 1.0).abs() < 2e-4,
+            "{name} {found} {expected}"
+        );
+    }
+    let [tight, loose] = range.extreme_m;
+    assert!(tight < least && least < largest && largest < loose);
+    let ratio = life_h(least) / life_h(largest);
+    assert!((ratio - 1.0).abs() > 0.02, "{ratio}");
+    let json = serde_json::to_string(&record).unwrap();
+    assert!(json.contains("operating_clearance_extremes_um"), "{json}");
+}

@@ -11,7 +11,7 @@
 //! let dimensions = common::dimensions(); // Zhao 2022, Table 1
 //! let fit = Fit {
 //!     bore_diameter_m: Some(30e-3),
-//!     shaft_interference_m: 10e-6,
+//!     shaft_interference_m: Some(10e-6),
 //!     ..Fit::default()
 //! };
 //! let clearance = fit.operating_clearance(&dimensions, &common::steel().into(), 0.0)?;
@@ -20,6 +20,17 @@
 //! assert!((clearance.shaft_reduction_m / expected - 1.0).abs() < 1e-9);
 //! # Ok::<(), cageless::InputError>(())
 //! ```
+
+mod bearing_class;
+mod clearance_range;
+mod interference;
+mod size_range;
+mod tolerance_class;
+
+pub use bearing_class::BearingClass;
+pub use clearance_range::ClearanceRange;
+pub use interference::Interference;
+pub use tolerance_class::{HoleClass, ShaftClass};
 
 use crate::bearing::BearingDimensions;
 use crate::error::{Allowed, InputError};
@@ -36,6 +47,8 @@ const EXPANSION_MAX_PER_K: f64 = 1e-3;
 /// Highest temperature of bearing steel, °C: what is stabilised for more is no common bearing, and every room is
 /// warmer in K.
 const STEEL_MAX_C: f64 = 290.0;
+/// Smoothing of a ground shaft unless given, m: the middle of 1.0 to 2.5 µm (NTN 2203/E, chapter 7).
+pub const SMOOTHING_M: f64 = 1.75e-6;
 /// Absolute zero, °C.
 const ABSOLUTE_ZERO_C: f64 = -273.15;
 /// Largest gain of clearance over the diameter of the inner groove. A loss is limited by the contacts
@@ -49,10 +62,20 @@ pub struct Fit {
     pub bore_diameter_m: Option<f64>,
     /// D, outside diameter of the outer ring; needed with a fit in the housing.
     pub outside_diameter_m: Option<f64>,
-    /// Effective interference of shaft and bore on the diameter, smoothing deducted; below 0 a gap.
-    pub shaft_interference_m: f64,
-    /// Effective interference of outer ring and housing on the diameter; below 0 a gap.
-    pub housing_interference_m: f64,
+    /// Tolerance class of the shaft, in place of an interference.
+    pub shaft: Option<ShaftClass>,
+    /// Tolerance class of the bore of the housing, in place of an interference.
+    pub housing: Option<HoleClass>,
+    /// Tolerance class of the bearing, of a fit by tolerance classes; Normal unless given.
+    pub tolerance_class: Option<BearingClass>,
+    /// Interference lost by smoothing of the surfaces, of a fit by tolerance classes; [`SMOOTHING_M`] unless given.
+    pub smoothing_m: Option<f64>,
+    /// Tolerance of the radial internal clearance before mounting, ±; 0 unless given.
+    pub clearance_tolerance_m: f64,
+    /// Effective interference of shaft and bore on the diameter, smoothing deducted; below 0 a gap. 0 unless given.
+    pub shaft_interference_m: Option<f64>,
+    /// Effective interference of outer ring and housing on the diameter; below 0 a gap. 0 unless given.
+    pub housing_interference_m: Option<f64>,
     /// Bore of a hollow shaft; 0, a solid one.
     pub shaft_bore_diameter_m: f64,
     /// Outside diameter of the housing; a thick one unless given.
@@ -110,6 +133,8 @@ pub struct OperatingClearance {
     pub parts_c: [f64; 3],
     /// Coefficient of thermal expansion of the rings, 1/K.
     pub ring_expansion_per_k: f64,
+    /// Range of the clearance in operation about [that of the middles](Self::operating_m); `None` without tolerances.
+    pub range: Option<ClearanceRange>,
 }
 
 impl OperatingClearance {
@@ -125,6 +150,14 @@ impl OperatingClearance {
             - self.housing_reduction_m
             - self.speed_reduction_m
     }
+}
+
+/// What a ring has of its seat.
+#[derive(Default)]
+struct Seat {
+    interference_m: f64,
+    pressure_pa: f64,
+    reduction_m: f64,
 }
 
 /// Pressure between two cylinders of diameters `[inside, fit, outside]`, pushed together with an
@@ -235,48 +268,135 @@ impl Fit {
             let diameters = [self.shaft_bore_diameter_m, bore];
             rotating_growth_m(&turning_shaft, inner_speed_rad_s, diameters, bore)
         };
-        let on_shaft = self.bore_diameter_m.map(|bore| {
-            let interference = self.shaft_interference_m
+        let on_shaft = |mounted_m: f64| {
+            let Some(bore) = self.bore_diameter_m else {
+                return Seat::default();
+            };
+            let interference_m = mounted_m
                 + bore * (shaft_per_k * shaft_k - ring_per_k * inner_k)
                 + shaft_growth_m(bore)
                 - ring_growth_m(bore);
             let diameters = [self.shaft_bore_diameter_m, bore, inner_m];
-            let pressure = pressure_pa(interference, diameters, [shaft, ring]);
-            let growth = free_side_m(pressure, bore, inner_m, ring.0);
-            (interference, pressure, growth)
-        });
-        let in_housing = self.outside_diameter_m.map(|outside| {
-            let interference = self.housing_interference_m
-                + outside * (ring_per_k * outer_k - housing_per_k * housing_k);
+            let pressure_pa = pressure_pa(interference_m, diameters, [shaft, ring]);
+            Seat {
+                interference_m,
+                pressure_pa,
+                reduction_m: free_side_m(pressure_pa, bore, inner_m, ring.0),
+            }
+        };
+        let in_housing = |mounted_m: f64| {
+            let Some(outside) = self.outside_diameter_m else {
+                return Seat::default();
+            };
+            let interference_m =
+                mounted_m + outside * (ring_per_k * outer_k - housing_per_k * housing_k);
             let thick = self.housing_outside_diameter_m.unwrap_or(f64::INFINITY);
             let diameters = [outer_m, outside, thick];
-            let pressure = pressure_pa(interference, diameters, [ring, housing]);
-            let shrinkage = free_side_m(pressure, outside, outer_m, ring.0);
-            (interference, pressure, shrinkage)
-        });
-        let (shaft_interference_m, shaft_pressure_pa, shaft_reduction_m) =
-            on_shaft.unwrap_or_default();
-        let (housing_interference_m, housing_pressure_pa, housing_reduction_m) =
-            in_housing.unwrap_or_default();
+            let pressure_pa = pressure_pa(interference_m, diameters, [ring, housing]);
+            Seat {
+                interference_m,
+                pressure_pa,
+                reduction_m: free_side_m(pressure_pa, outside, outer_m, ring.0),
+            }
+        };
+        let [of_shaft, of_housing] = self.interferences()?;
+        let [shaft_seat, housing_seat] = [on_shaft(of_shaft.mean_m), in_housing(of_housing.mean_m)];
         let rings = ring_per_k * (outer_m * outer_k - inner_m * inner_k);
-        let found = OperatingClearance {
+        let mut found = OperatingClearance {
             initial_m: outer_m - inner_m - 2.0 * ball_m,
-            shaft_interference_m,
-            housing_interference_m,
-            shaft_reduction_m,
-            housing_reduction_m,
+            shaft_interference_m: shaft_seat.interference_m,
+            housing_interference_m: housing_seat.interference_m,
+            shaft_reduction_m: shaft_seat.reduction_m,
+            housing_reduction_m: housing_seat.reduction_m,
             thermal_change_m: rings - 2.0 * ball_m * ball_per_k * ball_k,
             speed_reduction_m: ring_growth_m(inner_m),
-            shaft_pressure_pa,
-            housing_pressure_pa,
+            shaft_pressure_pa: shaft_seat.pressure_pa,
+            housing_pressure_pa: housing_seat.pressure_pa,
             parts_c: [inner_k, ball_k, outer_k].map(|k| REFERENCE_TEMPERATURE_C + k),
             ring_expansion_per_k: ring_per_k,
+            range: None,
         };
+        if self.has_tolerances() {
+            let ends_m = |half_m: fn(Interference) -> f64, sum: fn([f64; 3]) -> f64| {
+                [1.0, -1.0].map(|tighter| {
+                    let [shaft_m, housing_m] =
+                        [of_shaft, of_housing].map(|fit| fit.mean_m + tighter * half_m(fit));
+                    let changes_m = [
+                        on_shaft(shaft_m).reduction_m - shaft_seat.reduction_m,
+                        in_housing(housing_m).reduction_m - housing_seat.reduction_m,
+                        self.clearance_tolerance_m,
+                    ];
+                    found.operating_m() - tighter * sum(changes_m.map(f64::abs))
+                })
+            };
+            found.range = Some(ClearanceRange {
+                probable_m: ends_m(|fit| fit.probable_m, |[a, b, c]| a.hypot(b).hypot(c)),
+                extreme_m: ends_m(|fit| fit.extreme_m, |[a, b, c]| a + b + c),
+            });
+        }
         let strain_m = found.change_m();
         let rule = "temperatures that enlarge the clearance by no more than a hundredth of the \
                     diameter of the inner groove";
         require("fit", strain_m, strain_m <= STRAIN_MAX * inner_m, rule)?;
         Ok(found)
+    }
+
+    /// Whether the clearance in operation has a range.
+    fn has_tolerances(&self) -> bool {
+        self.shaft.is_some() || self.housing.is_some() || self.clearance_tolerance_m > 0.0
+    }
+
+    /// Interference on the shaft and in the housing, at 20 °C and at rest.
+    fn interferences(&self) -> Result<[Interference; 2], InputError> {
+        let class = self.tolerance_class.unwrap_or_default();
+        let smoothing_m = self.smoothing_m.unwrap_or(SMOOTHING_M);
+        let mut found = [self.shaft_interference_m, self.housing_interference_m]
+            .map(|given| Interference::exact(given.unwrap_or(0.0)));
+        if let Some((shaft, bore)) = self.shaft.zip(self.bore_diameter_m) {
+            let limits = shaft.limits_m(bore).zip(class.bore_limits_m(bore));
+            let (shaft, ring) = limits.ok_or_else(|| no_limits("bore_diameter_m", bore, class))?;
+            found[0] = Interference::of_limits(shaft, ring, smoothing_m);
+        }
+        if let Some((hole, outside)) = self.housing.zip(self.outside_diameter_m) {
+            let limits = (hole.limits_m(outside)).zip(class.outside_limits_m(outside));
+            let (hole, ring) =
+                limits.ok_or_else(|| no_limits("outside_diameter_m", outside, class))?;
+            found[1] = Interference::of_limits(ring, hole, smoothing_m);
+        }
+        Ok(found)
+    }
+
+    /// Refuses what a fit by tolerance classes excludes or alone has.
+    fn check_classes(&self) -> Result<(), InputError> {
+        for (named, field, given) in [
+            (
+                self.shaft.is_some(),
+                "shaft_interference_m",
+                self.shaft_interference_m,
+            ),
+            (
+                self.housing.is_some(),
+                "housing_interference_m",
+                self.housing_interference_m,
+            ),
+        ] {
+            if let (true, Some(given)) = (named, given) {
+                let rule = "left out: the tolerance class gives the interference";
+                return Err(InputError::rule(field, given, rule));
+            }
+        }
+        let is_named = self.shaft.is_some() || self.housing.is_some();
+        for (field, given) in [
+            ("tolerance_class", self.tolerance_class.map(|_| f64::NAN)),
+            ("smoothing_m", self.smoothing_m),
+        ] {
+            if let (false, Some(given)) = (is_named, given) {
+                let rule = "left out, or shaft or housing a tolerance class";
+                return Err(InputError::rule(field, given, rule));
+            }
+        }
+        not_negative("clearance_tolerance_m", self.clearance_tolerance_m)?;
+        not_negative("smoothing_m", self.smoothing_m.unwrap_or(0.0))
     }
 
     /// Refuses steel that is no longer hard, and temperatures in K.
@@ -304,20 +424,30 @@ impl Fit {
     }
 
     fn check(&self, inner_m: f64, outer_m: f64) -> Result<(), InputError> {
+        self.check_classes()?;
+        let interferes = |given: Option<f64>| given.is_some_and(|given| given != 0.0);
         let bore = within_wall(
             "bore_diameter_m",
             self.bore_diameter_m,
-            self.shaft_interference_m != 0.0 || self.shaft_temperature_c.is_some(),
+            self.shaft.is_some()
+                || interferes(self.shaft_interference_m)
+                || self.shaft_temperature_c.is_some(),
             [0.0, inner_m],
         )?;
         within_wall(
             "outside_diameter_m",
             self.outside_diameter_m,
-            self.housing_interference_m != 0.0 || self.housing_temperature_c.is_some(),
+            self.housing.is_some()
+                || interferes(self.housing_interference_m)
+                || self.housing_temperature_c.is_some(),
             [outer_m, f64::INFINITY],
         )?;
-        finite("shaft_interference_m", self.shaft_interference_m)?;
-        finite("housing_interference_m", self.housing_interference_m)?;
+        for (field, value) in [
+            ("shaft_interference_m", self.shaft_interference_m),
+            ("housing_interference_m", self.housing_interference_m),
+        ] {
+            finite(field, value.unwrap_or(0.0))?;
+        }
         not_negative("shaft_bore_diameter_m", self.shaft_bore_diameter_m)?;
         if let Some(bore) = bore {
             Allowed::Below(bore, "the bore of the inner ring")
@@ -387,4 +517,19 @@ fn within_wall(
         None if !needed => Ok(None),
         _ => Err(InputError::new(field, value.unwrap_or(f64::NAN), allowed)),
     }
+}
+
+/// Error of a diameter that the tables of tolerances do not have.
+fn no_limits(field: &'static str, diameter_m: f64, class: BearingClass) -> InputError {
+    let [least_m, most_m] = size_range::SIZES_MM.map(|mm| mm * size_range::MILLIMETRE_M);
+    let why = "tolerance classes of ISO 286 go from 1 to 500 mm";
+    let allowed = if diameter_m < least_m {
+        Allowed::AtLeast(least_m, why)
+    } else if diameter_m > most_m {
+        Allowed::AtMost(most_m, why)
+    } else {
+        let most_m = class.largest_bore_m();
+        Allowed::AtMost(most_m, "the largest bore of this tolerance_class")
+    };
+    InputError::new(field, diameter_m, allowed)
 }

@@ -78,7 +78,7 @@ pub use case::{
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
 pub use error::InputError;
-pub use fit::{Fit, OperatingClearance};
+pub use fit::{BearingClass, ClearanceRange, Fit, HoleClass, OperatingClearance, ShaftClass};
 pub use flank_model::FlankModel;
 pub use formulation::Formulation;
 pub use integrator::IntegrationMethod;

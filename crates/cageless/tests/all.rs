@@ -15,6 +15,7 @@ mod equilibrium;
 mod equivalent_load;
 mod falling_ring;
 mod fit;
+mod fit_by_tolerance;
 mod free_rotor;
 mod friction;
 mod geometry;

@@ -40,8 +40,8 @@ fn near(found: f64, expected: f64, tolerance: f64) {
 #[test]
 fn raceways_take_the_share_of_catalogues() {
     let fit = Fit {
-        shaft_interference_m: 10e-6,
-        housing_interference_m: 10e-6,
+        shaft_interference_m: Some(10e-6),
+        housing_interference_m: Some(10e-6),
         ..in_6208()
     };
     let thick = clearance(&fit);
@@ -139,8 +139,8 @@ fn different_materials_follow_the_equations_of_thick_cylinders() {
     };
     let (aluminium, titanium) = (of(70e9, 0.34), of(115e9, 0.32));
     let found = clearance(&Fit {
-        shaft_interference_m: 12e-6,
-        housing_interference_m: 20e-6,
+        shaft_interference_m: Some(12e-6),
+        housing_interference_m: Some(20e-6),
         shaft_bore_diameter_m: 16e-3,
         housing_outside_diameter_m: Some(110e-3),
         shaft_youngs_modulus_pa: Some(115e9),
@@ -175,7 +175,7 @@ fn fast_rings_grow_and_loosen_on_their_shaft() {
             ..ring
         };
         let fit = Fit {
-            shaft_interference_m: 24e-6,
+            shaft_interference_m: Some(24e-6),
             shaft_bore_diameter_m: bore_m,
             shaft_poisson_ratio: Some(poisson_ratio),
             ..in_6208()
@@ -200,7 +200,7 @@ fn fast_rings_grow_and_loosen_on_their_shaft() {
 fn a_free_ring_grows_with_the_square_of_the_speed() {
     let loose = Fit {
         bore_diameter_m: Some(30e-3),
-        shaft_interference_m: 2e-6,
+        shaft_interference_m: Some(2e-6),
         ..Fit::default()
     };
     for (rpm, expected_um) in [(30e3, 3.35), (60e3, 13.4)] {
@@ -270,7 +270,7 @@ fn uniform_heat_scales_the_clearance() {
 #[test]
 fn warm_aluminium_lets_go() {
     let fit = Fit {
-        housing_interference_m: 30e-6,
+        housing_interference_m: Some(30e-6),
         housing_youngs_modulus_pa: Some(70e9),
         housing_expansion_per_k: Some(23e-6),
         ..in_6208()
@@ -291,7 +291,7 @@ fn warm_aluminium_lets_go() {
         (0.0, 0.0)
     );
     let loose = clearance(&Fit {
-        shaft_interference_m: -5e-6,
+        shaft_interference_m: Some(-5e-6),
         ..in_6208()
     });
     assert_eq!(loose.change_m(), 0.0);
@@ -322,12 +322,12 @@ fn fits_that_cannot_be_are_refused() {
     #[rustfmt::skip]
     let rows: [(&str, Change); 12] = [
         ("bore_diameter_m", |f| f.bore_diameter_m = Some(50.4e-3)),
-        ("bore_diameter_m", |f| (f.bore_diameter_m, f.shaft_interference_m) = (None, 1e-6)),
+        ("bore_diameter_m", |f| (f.bore_diameter_m, f.shaft_interference_m) = (None, Some(1e-6))),
         ("outside_diameter_m", |f| f.outside_diameter_m = Some(68.4e-3)),
-        ("outside_diameter_m", |f| (f.outside_diameter_m, f.housing_interference_m) = (None, 1e-6)),
+        ("outside_diameter_m", |f| (f.outside_diameter_m, f.housing_interference_m) = (None, Some(1e-6))),
         ("shaft_bore_diameter_m", |f| f.shaft_bore_diameter_m = 40e-3),
         ("housing_outside_diameter_m", |f| f.housing_outside_diameter_m = Some(80e-3)),
-        ("shaft_interference_m", |f| f.shaft_interference_m = f64::NAN),
+        ("shaft_interference_m", |f| f.shaft_interference_m = Some(f64::NAN)),
         ("shaft_youngs_modulus_pa", |f| f.shaft_youngs_modulus_pa = Some(0.0)),
         ("housing_poisson_ratio", |f| f.housing_poisson_ratio = Some(0.5)),
         ("ball_temperature_c", |f| f.ball_temperature_c = Some(-274.0)),

@@ -19,6 +19,7 @@ mod tolerance;
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{on_former_name, template};
 use cageless_io::designation;
+use cageless_io::own_bearing::{NewOperation, OwnBearing};
 use cageless_io::results::write_atomically;
 use cageless_io::touchdown_template::touchdown_case;
 use cageless_study::check_environment;
@@ -27,6 +28,16 @@ use crate::args::{Args, Command, Isa, New};
 use crate::driver::{print, writable};
 use crate::failure::Failure;
 use crate::progress::{be_quiet, is_quiet, message};
+
+/// The bearing of the options, if it is given by its dimensions.
+fn own_bearing(args: &New) -> Option<OwnBearing> {
+    Some(OwnBearing {
+        balls: args.balls?,
+        ball_diameter_mm: args.ball_diameter_mm?,
+        pitch_diameter_mm: args.pitch_diameter_mm?,
+        clearance_um: args.clearance_um.unwrap_or(0.0),
+    })
+}
 
 /// Does what was asked.
 pub fn dispatch(args: Args) -> Result<(), Failure> {
@@ -67,14 +78,35 @@ fn new(args: &New) -> Result<(), Failure> {
         designation::find(name).map_err(|message| Failure::Input(format!("--bearing: {message}")))
     });
     let found = found.transpose()?;
-    let text = match &found {
-        None => template(args.conventional),
-        Some(bearing) => {
+    let operation = NewOperation {
+        speed_rpm: args.speed_rpm,
+        radial_load_n: args.radial_load_n,
+        axial_load_n: args.axial_load_n,
+    };
+    let text = match (&found, own_bearing(args)) {
+        (None, Some(own)) => own
+            .checked(&operation)
+            .map_err(|error| Failure::Input(error.to_string()))?,
+        (None, None) if operation != NewOperation::default() => {
+            return Err(Failure::Input(
+                "--speed-rpm, --radial-load-n, --axial-load-n: give --bearing or --balls, too"
+                    .to_owned(),
+            ));
+        }
+        (None, None) => template(args.conventional),
+        (Some(bearing), _) => {
             let full = args.full_complement;
             let text = bearing.case_file(full);
             match args.touchdown {
+                true if operation != NewOperation::default() => {
+                    return Err(Failure::Input(
+                        "--touchdown: speed and loads are those of the rotor, [rotor] in the case; leave --speed-rpm, \
+                         --radial-load-n and --axial-load-n out"
+                            .to_owned(),
+                    ));
+                }
                 true => touchdown_case(bearing, full, &text),
-                false => text,
+                false => operation.entered(&text),
             }
         }
     };

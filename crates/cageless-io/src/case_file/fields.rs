@@ -1,6 +1,7 @@
 //! The types of value that keys have.
 
 use cageless::contact::FrictionTable;
+use cageless::{HoleClass, ShaftClass};
 
 use super::declaration::{Field, field};
 use super::error::CaseError;
@@ -47,6 +48,18 @@ field!(usize, Kind::Whole, |reader, name, node| {
 field!(String, Kind::Text, |reader, name, node| match &node.value {
     Value::Text(text) => Ok(text.clone()),
     _ => Err(reader.refuse(name, node, "text in quotes")),
+});
+field!(ShaftClass, Kind::Text, |reader, name, node| {
+    let refused = || reader.refuse(name, node, ShaftClass::ALLOWED);
+    text(node)
+        .and_then(ShaftClass::from_name)
+        .ok_or_else(refused)
+});
+field!(HoleClass, Kind::Text, |reader, name, node| {
+    let refused = || reader.refuse(name, node, HoleClass::ALLOWED);
+    text(node)
+        .and_then(HoleClass::from_name)
+        .ok_or_else(refused)
 });
 field!(Vec<f64>, Kind::Numbers, |reader, name, node| reader
     .list(name, node));
@@ -174,4 +187,12 @@ fn pairs(
         _ => Err(refused(item)),
     };
     items.iter().map(row).collect()
+}
+
+/// The text of a value that is one.
+fn text(node: &Node) -> Option<&str> {
+    match &node.value {
+        Value::Text(text) => Some(text),
+        _ => None,
+    }
 }

@@ -1,8 +1,8 @@
 //! Choices that a case file or a plan makes by name.
 
 use cageless::{
-    Assembly, FlankModel, Formulation, FrictionLaw, IntegrationMethod, Lubricant, Motion,
-    RacewayShape, Shaft, SkfSeries, steady::SteadyStart,
+    Assembly, BearingClass, FlankModel, Formulation, FrictionLaw, IntegrationMethod, Lubricant,
+    Motion, RacewayShape, Shaft, SkfSeries, steady::SteadyStart,
 };
 use cageless_results::Computation;
 
@@ -90,6 +90,7 @@ cageless::named_enum! {
 
 named!(
     Assembly,
+    BearingClass,
     Computation,
     FlankModel,
     FrictionLaw,

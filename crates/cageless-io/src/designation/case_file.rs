@@ -2,6 +2,8 @@
 
 use cageless::Assembly;
 
+use crate::own_bearing::OPTIONAL_SECTIONS;
+
 use super::{BallSource, BoundaryDimensions, InternalGeometry};
 
 /// How far load ratings of balls by the formula are off those of catalogues, which rate bearings with a cage.
@@ -166,7 +168,9 @@ impl BoundaryDimensions {
             ),
         };
         let balls_of = match self.suffixes.hybrid {
-            true => "[ball_material]                                # hybrid bearing, suffix HC5\npreset = \"Si3N4\"\n",
+            true => {
+                "[ball_material]                                # hybrid bearing, suffix HC5\npreset = \"Si3N4\"\n"
+            }
             false => {
                 "# [ball_material]                              # hybrid bearing: ceramic balls in steel rings\n# preset = \"Si3N4\"\n"
             }
@@ -245,8 +249,10 @@ radial_load_n = {load:<30} # (assumed) about 4 % of the static load rating
 
 [contact]
 friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3
-",
+
+{optional}",
             bore = d / 2.0,
+            optional = OPTIONAL_SECTIONS,
             outer = big / 2.0,
         )
     }

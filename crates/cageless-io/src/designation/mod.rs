@@ -37,21 +37,31 @@ pub struct BoundaryDimensions {
     balls: Option<(usize, f64)>,
 }
 
+/// Bore diameter up to which ISO 5753-1 ends with C3.
+const SMALL_BORE_MM: f64 = 6.0;
+
 /// Suffixes of angular contact bearings and their contact angles, degrees.
 const ANGLES: [(&str, f64); 3] = [("AC", 25.0), ("B", 40.0), ("C", 15.0)];
 
 /// Series and bore code, contact angle in degrees of an angular contact bearing, and further suffixes of a designation.
 fn parts(designation: &str) -> (String, f64, &str) {
     let text = designation.trim();
-    // A stroke stands before a bore below 10 mm, 618/4, and before suffixes, 6205/C3.
+    // A stroke stands before a bore, 618/4 and 60/22, and before suffixes, 6205/C3.
+    let bore_at = if text.starts_with("618") || text.starts_with("619") {
+        3
+    } else {
+        2
+    };
     let of_size = |(at, c): &(usize, char)| {
         let digit_follows = text[at + c.len_utf8()..].starts_with(|c: char| c.is_ascii_digit());
-        c.is_ascii_digit() || (*c == '/' && *at == 3 && digit_follows)
+        c.is_ascii_digit() || (*c == '/' && *at == bore_at && digit_follows)
     };
     let end = text.char_indices().find(|at| !of_size(at));
     let (size, rest) = text.split_at(end.map_or(text.len(), |(at, _)| at));
     let suffix = rest.trim_start_matches(suffix::SEPARATORS);
-    let angle = ANGLES.iter().find(|(letters, _)| suffix.starts_with(letters));
+    let angle = ANGLES
+        .iter()
+        .find(|(letters, _)| suffix.starts_with(letters));
     match (size.strip_prefix('7'), angle) {
         (Some(size), Some((letters, angle_deg))) => {
             (format!("6{size}"), *angle_deg, &suffix[letters.len()..])
@@ -101,6 +111,16 @@ pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
                 designation.trim()
             )
         })?;
+        let group = suffixes.clearance_group;
+        if found.bore_mm <= SMALL_BORE_MM
+            && matches!(group, ClearanceGroup::C4 | ClearanceGroup::C5)
+        {
+            return Err(format!(
+                "`{}` is not possible: ISO 5753-1 has no group {} for bores of up to {SMALL_BORE_MM} mm",
+                designation.trim(),
+                group.name()
+            ));
+        }
         return Ok(BoundaryDimensions {
             designation: designation.trim().to_owned(),
             contact_angle_deg,

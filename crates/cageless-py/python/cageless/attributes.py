@@ -252,6 +252,11 @@ class StaticAttributes:
     operating_clearance_um: float  # radial internal clearance in operation, um
     shaft_fit_pressure_mpa: float  # pressure between shaft and bore, MPa
     housing_fit_pressure_mpa: float  # pressure between outer ring and housing, MPa
+    operating_clearance_least_um: float  # least radial internal clearance in operation, um
+    operating_clearance_largest_um: float  # largest radial internal clearance in operation, um
+    l10r_least_clearance_h: float  # L10r at the least clearance, h
+    l10r_largest_clearance_h: float  # L10r at the largest clearance, h
+    operating_clearance_extremes_um: Floats  # extreme radial internal clearances in operation, um
     viscosity_ratio: float  # viscosity ratio κ
     fatigue_load_limit_n: float  # fatigue load limit Cu (ISO 281), N
     life_modification_factor: float  # life modification factor aISO (ISO 281)

@@ -244,8 +244,13 @@ class Fit(Section):
 
     bore_diameter_mm: Annotated[float | None, "d, bore diameter of the inner ring; twice bearing.inner_ring_bore_radius_mm unless given; needed with a fit on the shaft"] = None
     outside_diameter_mm: Annotated[float | None, "D, outside diameter of the outer ring; twice bearing.outer_ring_outer_radius_mm unless given; needed with a fit in the housing"] = None
-    shaft_interference_um: Annotated[float | None, "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap"] = None
-    housing_interference_um: Annotated[float | None, "effective interference of outer ring and housing on the diameter; below 0: a gap"] = None
+    shaft: Annotated[str | None, "tolerance class of the shaft by ISO 286, \"k5\" say, in place of shaft_interference_um: d, e, f, g, h, js, k, m, n, p or r with grade 4 to 9, j5 to j7; the middles of the tolerances of shaft and bore make the fit, their limits the range of the clearance"] = None
+    housing: Annotated[str | None, "tolerance class of the bore of the housing by ISO 286, \"H7\" say, in place of housing_interference_um: D, E, F, G, H, JS, M, N, P or R with grade 4 to 9, J6 to J8, K4 to K8"] = None
+    tolerance_class: Annotated[Literal["normal", "6", "5"] | None, "tolerance class of the bearing by ISO 492, for its bore and outside diameter; \"normal\" unless given; with shaft or housing"] = None
+    smoothing_um: Annotated[float | None, "interference lost by smoothing of the surfaces, with shaft or housing; 1.75 unless given, the middle of NTN's 1.0 to 2.5 of ground shafts; turned ones 5 to 7"] = None
+    clearance_tolerance_um: Annotated[float | None, "tolerance of Gr before mounting, ±: half the width of its group of ISO 5753-1"] = None
+    shaft_interference_um: Annotated[float | None, "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap; 0 unless given"] = None
+    housing_interference_um: Annotated[float | None, "effective interference of outer ring and housing on the diameter; below 0: a gap; 0 unless given"] = None
     shaft_bore_diameter_mm: Annotated[float | None, "bore of a hollow shaft; 0: a solid one"] = None
     housing_outside_diameter_mm: Annotated[float | None, "outside diameter of the housing; a thick one unless given"] = None
     shaft_youngs_modulus_gpa: Annotated[float | None, "modulus of the shaft; that of the rings unless given"] = None

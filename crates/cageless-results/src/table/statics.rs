@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use cageless::OperatingClearance;
 use cageless::ball_advance::BallAdvance;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::raceway_contact::RacewayContact;
 use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
+use cageless::{ClearanceRange, OperatingClearance};
 
 use crate::Solved;
 use crate::cell::Cell;
@@ -105,6 +105,16 @@ pub const FIT: &[Quantity] = &[
     group(Group::Clearance, unless_zero(part(quantity("housing_fit_pressure_mpa", "MPa", "pressure between outer ring and housing", Static(|s| fitted(s, |f| f.housing_pressure_pa * 1e-6)))))),
 ];
 
+/// Further results of a static equilibrium with tolerances of shaft, housing or clearance.
+#[rustfmt::skip]
+pub const CLEARANCE_RANGE: &[Quantity] = &[
+    group(Group::Clearance, means("three standard deviations below that of the middles, a sixth of a tolerance being one; 99.7 % of bearings lie between both", part(quantity("operating_clearance_least_um", "um", "least radial internal clearance in operation", Static(|s| end_um(s, |r| r.probable_m[0])))))),
+    group(Group::Clearance, means("three standard deviations above", part(quantity("operating_clearance_largest_um", "um", "largest radial internal clearance in operation", Static(|s| end_um(s, |r| r.probable_m[1])))))),
+    group(Group::Life, part(high(quantity("l10r_least_clearance_h", "h", "L10r at the least clearance", Static(|s| hours(s, s.l10r_of_range_mrev[0])))))),
+    group(Group::Life, part(high(quantity("l10r_largest_clearance_h", "h", "L10r at the largest clearance", Static(|s| hours(s, s.l10r_of_range_mrev[1])))))),
+    means("all tolerances at their worst limits together: least and largest", file_only(range("operating_clearance_extremes_um", "um", "extreme radial internal clearances in operation", Static(|s| s.case.fit.and_then(|fit| fit.range).map_or(Cell::Null, |r| Cell::Numbers(r.extreme_m.map(|m| m * 1e6).to_vec())))))),
+];
+
 /// Further results of a static equilibrium with a lubricant.
 #[rustfmt::skip]
 pub const LUBRICATION: &[Quantity] = &[
@@ -195,6 +205,11 @@ fn loaded(solved: &Solved<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell {
 
 fn fitted(solved: &Solved<'_>, value: fn(&OperatingClearance) -> f64) -> Cell {
     solved.case.fit.as_ref().map(value).into()
+}
+
+fn end_um(solved: &Solved<'_>, value: fn(&ClearanceRange) -> f64) -> Cell {
+    let range = solved.case.fit.and_then(|fit| fit.range);
+    range.map(|range| value(&range) * 1e6).into()
 }
 
 fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {

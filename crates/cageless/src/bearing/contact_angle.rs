@@ -101,7 +101,12 @@ impl Bearing {
             deviated = deviated.with_contact_angle(angle_rad, 0.0)?;
             deviated.preload_change_m = self.preload_change_m;
         }
-        Ok(deviated)
+        Ok(Self {
+            bore: self.bore,
+            boundary_radii_m: self.boundary_radii_m,
+            assembly: self.assembly,
+            ..deviated
+        })
     }
 
     /// A(sin α0 − sin αf): displacement along the axis by which fits and temperatures press each of two

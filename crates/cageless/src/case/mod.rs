@@ -12,6 +12,7 @@
 
 mod check;
 mod contact;
+mod operating_clearance;
 mod over_time;
 mod space;
 mod spatial_load;

@@ -7,7 +7,8 @@ use cageless::{
 
 use crate::case_file::converter::{Converter, refused_in};
 use crate::case_file::error::CaseError;
-use crate::case_file::sections::bearing::{ALTERNATIVES, CONFORMITY, assumptions};
+use crate::case_file::sections::alternatives_in;
+use crate::case_file::sections::bearing::{CONFORMITY, assumptions};
 use crate::case_file::spanned_toml::join;
 use crate::case_file::unit::Side;
 use crate::case_file::unit::Unit::{Micrometre, Millimetre};
@@ -85,7 +86,7 @@ impl Converter<'_> {
         materials: &Materials,
     ) -> Result<(BearingDimensions, Option<OperatingClearance>), CaseError> {
         let b = &self.sections.bearing;
-        self.check_alternatives()?;
+        self.check_alternatives("bearing")?;
         let ball_radius_m = match b.ball_diameter_m {
             Some(diameter) => diameter / 2.0,
             None => self.need("ball_radius_mm", b.ball_radius_m)?,
@@ -181,6 +182,7 @@ impl Converter<'_> {
         let Some(mut fit) = self.fit() else {
             return Ok(None);
         };
+        self.check_alternatives("fit")?;
         let b = &self.sections.bearing;
         for (diameter_m, name, radius_m, own) in [
             (
@@ -255,15 +257,15 @@ impl Converter<'_> {
     }
 
     /// Refuses two keys that say the same.
-    fn check_alternatives(&self) -> Result<(), CaseError> {
-        let given = |name: &&&str| self.document.has(&join("bearing", name));
-        for (one, other) in ALTERNATIVES {
+    fn check_alternatives(&self, section: &str) -> Result<(), CaseError> {
+        let given = |name: &&&str| self.document.has(&join(section, name));
+        for (one, other) in alternatives_in(section) {
             if let (Some(one), Some(other)) = (one.iter().find(given), other.iter().find(given)) {
-                let path = join("bearing", other);
+                let path = join(section, other);
                 let tree = &self.document.tree;
                 let value = tree.given(&path).map_or("", |node| &node.place.written);
                 let message = format!(
-                    "{path} = {value} is not possible with bearing.{one}: both say the same, \
+                    "{path} = {value} is not possible with {section}.{one}: both say the same, \
                      give one of them"
                 );
                 return Err(tree.error(&path, message));

@@ -1,5 +1,7 @@
 //! `[fit]`.
 
+use cageless::{BearingClass, HoleClass, ShaftClass};
+
 use crate::case_file::declaration::prelude::*;
 
 section! {
@@ -11,12 +13,23 @@ section! {
         outside_diameter_mm => outside_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "D, outside diameter of the outer ring; twice bearing.outer_ring_outer_radius_mm unless given; needed with a fit in the housing",
             Commented("62.0", "D of the outer ring");
-        shaft_interference_um => shaft_interference_m: f64 = default(0.0), Micrometre,
-            "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap",
-            Commented("0.0", "of shaft and bore, on the diameter");
-        housing_interference_um => housing_interference_m: f64 = default(0.0), Micrometre,
-            "effective interference of outer ring and housing on the diameter; below 0: a gap",
-            Commented("0.0", "of outer ring and housing, below 0: a gap");
+        shaft => shaft: Option<ShaftClass> = Optional, Plain,
+            "tolerance class of the shaft by ISO 286, \"k5\" say, in place of shaft_interference_um: d, e, f, g, h, js, k, m, n, p or r with grade 4 to 9, j5 to j7; the middles of the tolerances of shaft and bore make the fit, their limits the range of the clearance",
+            Commented("\"k5\"", "tolerance class of ISO 286, or shaft_interference_um");
+        housing => housing: Option<HoleClass> = Optional, Plain,
+            "tolerance class of the bore of the housing by ISO 286, \"H7\" say, in place of housing_interference_um: D, E, F, G, H, JS, M, N, P or R with grade 4 to 9, J6 to J8, K4 to K8",
+            Commented("\"H7\"", "or housing_interference_um");
+        tolerance_class => tolerance_class: Option<BearingClass> = Optional, Plain,
+            "tolerance class of the bearing by ISO 492, for its bore and outside diameter; \"normal\" unless given; with shaft or housing", Absent;
+        smoothing_um => smoothing_m: Option<f64> = Optional, Micrometre; AtLeast(0.0),
+            "interference lost by smoothing of the surfaces, with shaft or housing; 1.75 unless given, the middle of NTN's 1.0 to 2.5 of ground shafts; turned ones 5 to 7", Absent;
+        clearance_tolerance_um => clearance_tolerance_m: f64 = default(0.0), Micrometre; AtLeast(0.0),
+            "tolerance of Gr before mounting, ±: half the width of its group of ISO 5753-1",
+            Commented("0.0", "of Gr before mounting, ±");
+        shaft_interference_um => shaft_interference_m: Option<f64> = Optional, Micrometre,
+            "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap; 0 unless given", Absent;
+        housing_interference_um => housing_interference_m: Option<f64> = Optional, Micrometre,
+            "effective interference of outer ring and housing on the diameter; below 0: a gap; 0 unless given", Absent;
         shaft_bore_diameter_mm => shaft_bore_diameter_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
             "bore of a hollow shaft; 0: a solid one",
             Commented("0.0", "0: a solid shaft");
@@ -52,3 +65,9 @@ section! {
             "coefficient of thermal expansion of the housing; that of the rings unless given", Absent;
     }
 }
+
+/// Keys that say the same: either that of the first column or that of the second.
+pub(in crate::case_file) const ALTERNATIVES: &[(&[&str], &[&str])] = &[
+    (&["shaft"], &["shaft_interference_um"]),
+    (&["housing"], &["housing_interference_um"]),
+];

@@ -120,11 +120,22 @@ pub(super) fn derived_of(
     Some((needed.to_owned(), node))
 }
 
+/// Keys of a section that say the same: either those of the first column or those of the second.
+pub(super) fn alternatives_in(
+    section: &str,
+) -> &'static [(&'static [&'static str], &'static [&'static str])] {
+    match section {
+        "bearing" => bearing::ALTERNATIVES,
+        "fit" => fit::ALTERNATIVES,
+        _ => &[],
+    }
+}
+
 /// Keys of a section that say the same as `key`, and give way to it.
 pub(crate) fn alternatives_of(section: &str, key: &str) -> &'static [&'static str] {
     match section {
-        "bearing" => {
-            let found = bearing::ALTERNATIVES.iter().find_map(|(one, other)| {
+        "bearing" | "fit" => {
+            let found = alternatives_in(section).iter().find_map(|(one, other)| {
                 let either = |a: &[&str], b| a.contains(&key).then_some(b);
                 either(one, *other).or_else(|| either(other, *one))
             });

@@ -1,0 +1,181 @@
+//! The case file of a bearing by its own dimensions, and the operation of a new case.
+
+use crate::case_file::{CaseError, CaseFile};
+
+/// Dimensions that make a bearing; the rest takes defaults.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnBearing {
+    /// Z.
+    pub balls: u64,
+    /// Dw, mm.
+    pub ball_diameter_mm: f64,
+    /// Dpw, mm.
+    pub pitch_diameter_mm: f64,
+    /// Gr, µm.
+    pub clearance_um: f64,
+}
+
+/// Speed and loads of a new case, in place of those that are assumed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct NewOperation {
+    /// Speed of the inner ring, rpm.
+    pub speed_rpm: Option<f64>,
+    /// Fr, N.
+    pub radial_load_n: Option<f64>,
+    /// Fa, N.
+    pub axial_load_n: Option<f64>,
+}
+
+impl OwnBearing {
+    /// A commented case file.
+    pub fn case_file(&self) -> String {
+        let Self {
+            balls,
+            ball_diameter_mm: ball,
+            pitch_diameter_mm: pitch,
+            clearance_um,
+        } = *self;
+        // Two digits are enough for what is to be replaced.
+        let round = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
+        let speed: f64 = round(3e5 / pitch);
+        let load: f64 = round(0.05 * 12.0 * balls as f64 * ball * ball);
+        format!(
+            "\
+# A bearing by its dimensions. Replace what is marked (assumed). Everything that is left out takes a
+# default: `cageless check` lists them with their values.
+schema = 1
+title = \"{balls} balls of {ball} mm on {pitch} mm\"
+
+[bearing]
+balls = {balls}
+ball_diameter_mm = {ball:<27} # Dw
+pitch_diameter_mm = {pitch:<26} # Dpw
+radial_internal_clearance_um = {clearance_um:<15} # Gr
+inner_conformity = 0.52                        # (assumed) groove radius over Dw
+outer_conformity = 0.52                        # (assumed)
+
+# [ball_material]                              # hybrid bearing: ceramic balls in steel rings
+# preset = \"Si3N4\"
+
+# A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
+# `cageless design --search` looks for the best one.
+# [raceway]
+# axial_span_mm =
+# half_angle_deg =
+
+[operation]
+inner_speed_rpm = {speed:<28} # (assumed) n·Dpw of 300,000 mm/min
+radial_load_n = {load:<30} # (assumed) about 4 % of the static load rating
+
+[contact]
+friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3
+
+{sections}",
+            sections = OPTIONAL_SECTIONS.replacen(
+                "# shaft",
+                "# bore_diameter_mm =\n# outside_diameter_mm =\n# shaft",
+                1
+            )
+        )
+    }
+
+    /// The case file with an operation, read once.
+    ///
+    /// # Errors
+    /// The [`CaseError`] of dimensions or an operation that cannot be.
+    pub fn checked(&self, operation: &NewOperation) -> Result<String, CaseError> {
+        let text = operation.entered(&self.case_file());
+        CaseFile::parse(&text, "new case", &[])?;
+        Ok(text)
+    }
+}
+
+/// Sections that a new case leaves to its reader.
+pub(crate) const OPTIONAL_SECTIONS: &str = "\
+# [fit]                                        # fits and temperatures make the clearance in operation
+# shaft = \"k5\"
+# housing = \"H7\"
+# inner_ring_temperature_c = 60.0
+# outer_ring_temperature_c = 55.0
+
+# [lubrication]                                # modified life, minimum load and SKF's friction in `static`
+# viscosity_mm2_s = 20.0
+# contamination_factor = 0.5
+";
+
+impl NewOperation {
+    /// A case file with these values in its [operation].
+    pub fn entered(&self, text: &str) -> String {
+        let given = |key: &str, value: f64| format!("{key} = {value}");
+        let mut lines: Vec<String> = vec![];
+        for line in text.lines() {
+            let key = line.split_once(" = ").map_or("", |(key, _)| key);
+            let value = match key {
+                "inner_speed_rpm" => self.speed_rpm,
+                "radial_load_n" => self.radial_load_n,
+                _ => None,
+            };
+            lines.push(value.map_or(line.to_owned(), |value| given(key, value)));
+            if key == "radial_load_n" {
+                lines.extend(self.axial_load_n.map(|value| given("axial_load_n", value)));
+            }
+        }
+        lines.join("\n") + "\n"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OWN: OwnBearing = OwnBearing {
+        balls: 12,
+        ball_diameter_mm: 8.0,
+        pitch_diameter_mm: 32.0,
+        clearance_um: 10.0,
+    };
+    const OPERATION: NewOperation = NewOperation {
+        speed_rpm: Some(8000.0),
+        radial_load_n: Some(3000.0),
+        axial_load_n: Some(-400.0),
+    };
+
+    #[test]
+    fn a_new_case_is_the_bearing_in_its_operation() {
+        let text = OWN.checked(&OPERATION).unwrap();
+        let file = CaseFile::parse(&text, "new", &[]).unwrap();
+        let (bearing, operation) = (&file.case().bearing, &file.case().operation);
+        assert_eq!(bearing.balls(), 12);
+        assert!((bearing.ball_radius_m() - 4e-3).abs() < 1e-15);
+        assert!((bearing.pitch_radius_m() - 16e-3).abs() < 1e-15);
+        assert!((bearing.radial_internal_clearance_m() - 10e-6).abs() < 1e-12);
+        let speed_rpm = operation.inner_speed_rad_s * 30.0 / std::f64::consts::PI;
+        assert!((speed_rpm - 8000.0).abs() < 1e-9);
+        assert_eq!(
+            (operation.radial_load_n, operation.space.axial_load_n),
+            (3000.0, -400.0)
+        );
+    }
+
+    /// What is commented out in a new case can be taken as it stands.
+    #[test]
+    fn optional_sections_are_sections() {
+        let text = OWN.checked(&NewOperation::default()).unwrap();
+        let (head, sections) = text.split_at(text.find("# [fit]").unwrap());
+        let sections = sections.lines().map(|line| {
+            let line = line.strip_prefix("# ").unwrap_or(line);
+            let line = line.replace("bore_diameter_mm =", "bore_diameter_mm = 20.0");
+            line.replace("outside_diameter_mm =", "outside_diameter_mm = 44.0") + "\n"
+        });
+        let text = head.to_owned() + &sections.collect::<String>();
+        let file = CaseFile::parse(&text, "new", &[]).unwrap();
+        assert!(file.case().fit.is_some() && file.case().lubrication.is_some());
+    }
+
+    #[test]
+    fn balls_that_do_not_fit_are_refused() {
+        let many = OwnBearing { balls: 13, ..OWN };
+        let error = many.checked(&OPERATION).unwrap_err().to_string();
+        assert!(error.contains("balls"), "{error}");
+    }
+}
