@@ -132,3 +132,51 @@ fn check_states_the_expansion_that_the_clearance_leaves_out() {
     // 0.56 µm of a clearance of 2.
     assert!(of("zhao-d.toml", &radii).starts_with("0.6 µm"));
 }
+
+/// A limit of a user stands before the results of each command that has the result, and in its file.
+#[test]
+fn limits_of_a_user_are_judged_where_the_result_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = folder.path().join("case.toml");
+    let limit = |result: &str, value: &str| {
+        format!("\n[[limit]]\nresult = \"{result}\"\nvalue = {value}\nsource = \"us\"\n")
+    };
+    let text = std::fs::read_to_string(repository_case("zhao-d.toml")).unwrap()
+        + &limit("l10_h", "20000")
+        + &limit("lag_per_pass_deg", "0.1")
+        + &limit("outer_pressure_max_mpa", "1000");
+    std::fs::write(&case, text).unwrap();
+    let quick = ["solver.duration_s=0.05", "solver.transient_s=0.01"];
+    let print = |command: &str, more: &[&str]| call_on(command, &case, &quick, more);
+
+    let answer = print("static", &[]).stdout;
+    let first: Vec<&str> = answer.lines().take(2).collect();
+    assert!(
+        first[0].starts_with("limit exceeded") && first[0].contains("at least 20000 h (us)"),
+        "{answer}"
+    );
+    assert!(first[1].contains("at most 1000 MPa (us)"), "{answer}");
+    assert!(!answer.contains("lag of a ball"), "{answer}");
+
+    let answer = print("run", &[]).stdout;
+    assert!(answer.contains("limit exceeded"), "{answer}");
+    let kept = answer.lines().find(|line| line.starts_with("limit kept"));
+    assert!(
+        kept.is_some_and(|line| line.contains("at least 0.1°")),
+        "{answer}"
+    );
+    assert!(!answer.contains("20000 h"), "{answer}");
+    let json = print("run", &["--json"]).json();
+    assert_eq!(json["limits_exceeded"].as_array().unwrap().len(), 1);
+    assert_eq!(json["limits_kept"].as_array().unwrap().len(), 1);
+
+    let wrong = std::fs::read_to_string(&case).unwrap() + &limit("statik_safety_factor", "1");
+    std::fs::write(&case, wrong).unwrap();
+    let answer = print("check", &[]);
+    assert_eq!(answer.code, Some(2));
+    assert!(
+        answer.stderr.contains("did you mean static_safety_factor?"),
+        "{}",
+        answer.stderr
+    );
+}

@@ -111,7 +111,11 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         collisions_total,
     } = histories.clone().finish();
     let decimated = stretch_s.is_some();
-    let mut warnings = summary.warnings.clone();
+    let limits = summary.limits.limits_exceeded.iter();
+    let mut warnings: Vec<String> = limits
+        .map(|limit| format!("limit exceeded: {limit}"))
+        .collect();
+    warnings.extend(summary.warnings.iter().cloned());
     if let Some(stopped) = &summary.stopped {
         warnings.push(format!(
             "stopped at t = {:.6} s: {}. To change: {}.",

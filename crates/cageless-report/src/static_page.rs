@@ -101,6 +101,13 @@ fn head(file: &CaseFile, record: &Record) -> Page {
     let mut page = Page::new(&title, &lead, &software());
     let facts = FACTS.iter().filter_map(|name| record.row(name));
     page.head(&Head::default().facts(lines(facts)));
+    let limits = record.limits().lines().into_iter();
+    let limits: Vec<String> = limits
+        .map(|(word, limit)| format!("{word}: {limit}"))
+        .collect();
+    let (broken, kept) = limits.split_at(record.sentences("limits_exceeded").len());
+    page.notes(Note::Warning, broken);
+    page.notes(Note::Remark, kept);
     page.notes(Note::Warning, record.sentences("warnings"));
     page
 }

@@ -59,6 +59,7 @@ pub fn design_record(
             "warnings",
             settle(case).map_or(vec![], |at_rest| at_rest.warnings(case)),
         )
+        .with_limits(&case.limits)
         .with_part("passages", passages(judgement.passages.as_ref()))
         .with_part("raceways", Part::Many(raceways.collect()))
         .with_part("recommendation", recommendation)

@@ -47,6 +47,7 @@ pub use drop_result::{DropResult, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
+pub use limited::{LIMITED, LimitJudgement};
 pub use open_benefit::open_benefit;
 pub use place::result_at;
 pub use provenance::{Provenance, instruction_set, provenance, software};

@@ -1,9 +1,142 @@
-//! Limits of a user on the results of a drop.
+//! Limits of a user on results.
 
-use cageless::touchdown::Limit;
+use cageless::touchdown::{Limit, LimitSide};
+use serde::Serialize;
 
-use crate::table::{DROP, SUCCESSION, milliseconds};
+use crate::table::{
+    CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, LUBRICATION, PASSAGES,
+    RUN, SPACE, STATIC, STEADY, SUCCESSION, VERDICT, milliseconds,
+};
 use crate::{Aim, DropJudgement, Quantity, Results};
+
+/// Tables whose results a limit can be on.
+pub const LIMITED: [&[Quantity]; 15] = [
+    DROP,
+    SUCCESSION,
+    STATIC,
+    FIT,
+    CLEARANCE_RANGE,
+    LUBRICATION,
+    SPACE,
+    DEFECTS,
+    RUN,
+    STEADY,
+    COMPARED,
+    DESIGN,
+    CONTACT_ANGLE,
+    VERDICT,
+    PASSAGES,
+];
+
+/// A limit with the result that it is on.
+struct Allowed<'l> {
+    limit: &'l Limit,
+    quantity: &'l Quantity,
+}
+
+impl Allowed<'_> {
+    fn is_least(&self) -> bool {
+        match self.limit.side {
+            Some(side) => side == LimitSide::AtLeast,
+            None => self.quantity.aim == Some(Aim::High),
+        }
+    }
+
+    fn by_magnitude(&self) -> bool {
+        self.limit.side.is_none() && self.quantity.is_limited_in_magnitude()
+    }
+
+    fn exceeded_by(&self, value: f64) -> bool {
+        match (self.is_least(), self.by_magnitude()) {
+            (true, _) => value < self.limit.value,
+            (false, true) => value.abs() > self.limit.value,
+            (false, false) => value > self.limit.value,
+        }
+    }
+
+    /// `at most 12 kN (API 617)` for a value.
+    fn text(&self, value: Option<f64>) -> String {
+        let negative = value.is_some_and(|value| value < 0.0);
+        let side = match (self.is_least(), self.by_magnitude() && negative) {
+            (true, _) => "at least",
+            (false, true) => "in magnitude at most",
+            (false, false) => "at most",
+        };
+        let limit = self.quantity.with_unit(self.limit.value);
+        format!("{side} {limit} ({})", self.limit.source)
+    }
+}
+
+/// Limits of a user on the results of a computation, in sentences.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct LimitJudgement {
+    /// Limits that are exceeded, a least value that is not reached among them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub limits_exceeded: Vec<String>,
+    /// Limits that are kept.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub limits_kept: Vec<String>,
+    /// Limits on results without a value.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub limits_not_judged: Vec<String>,
+}
+
+impl LimitJudgement {
+    /// The limits on those results that the computation has; `value` is of a name, `Some(None)` without a value.
+    pub fn new<'q>(
+        limits: &[Limit],
+        value: impl Fn(&str) -> Option<(&'q Quantity, Option<f64>)>,
+    ) -> Self {
+        let mut judged = Self::default();
+        for limit in limits {
+            let Some((quantity, value)) = value(&limit.result) else {
+                continue;
+            };
+            let allowed = Allowed { limit, quantity };
+            let (label, text) = (quantity.label.trim(), allowed.text(value));
+            match value.filter(|value| value.is_finite()) {
+                None => {
+                    let text = format!("{label} has no value here; {text}");
+                    judged.limits_not_judged.push(text);
+                }
+                Some(value) => {
+                    let found = format!("{label} {}, {text}", quantity.with_unit(value));
+                    match allowed.exceeded_by(value) {
+                        true => judged.limits_exceeded.push(found),
+                        false => judged.limits_kept.push(found),
+                    }
+                }
+            }
+        }
+        judged
+    }
+
+    /// The limits on these results.
+    pub fn of(limits: &[Limit], results: &Results) -> Self {
+        Self::new(limits, |name| {
+            let mut all = results.iter();
+            let (quantity, cell) = all.find(|(q, _)| q.name == name)?;
+            Some((quantity, cell.number()))
+        })
+    }
+
+    /// Lists of sentences by their names in files.
+    pub fn sentences(&self) -> [(&'static str, &[String]); 3] {
+        [
+            ("limits_exceeded", &self.limits_exceeded),
+            ("limits_kept", &self.limits_kept),
+            ("limits_not_judged", &self.limits_not_judged),
+        ]
+    }
+
+    /// A line for each limit, the exceeded ones first.
+    pub fn lines(&self) -> Vec<(&'static str, String)> {
+        let words = ["limit exceeded", "limit kept", "limit not judged"];
+        let lists = self.sentences().into_iter().zip(words);
+        let lines = lists.flat_map(|((_, texts), word)| texts.iter().map(move |text| (word, text)));
+        lines.map(|(word, text)| (word, text.clone())).collect()
+    }
+}
 
 /// The verdict with those of the limits that concern a drop with these results.
 pub(crate) fn limited(
@@ -41,19 +174,11 @@ pub(crate) fn limited_in_succession(
 }
 
 fn add(judgement: &mut DropJudgement, limit: &Limit, quantity: &Quantity, results: &Results) {
-    let least = quantity.aim == Some(Aim::High);
-    let by_magnitude = quantity.is_limited_in_magnitude();
-    let negative = results
-        .value(quantity.name)
-        .is_some_and(|value| value < 0.0);
-    let side = match (least, by_magnitude && negative) {
-        (true, _) => "at least",
-        (false, true) => "in magnitude at most",
-        (false, false) => "at most",
-    };
+    let of_limit = Allowed { limit, quantity };
+    let least = of_limit.is_least();
     let text = |value: f64| quantity.with_unit(value);
-    let (label, source) = (quantity.label.trim(), &limit.source);
-    let allowed = format!("{side} {} ({source})", text(limit.value));
+    let label = quantity.label.trim();
+    let allowed = of_limit.text(results.value(quantity.name));
     if let Some(value) = results.value(quantity.name) {
         if value.is_nan() {
             let text =
@@ -61,11 +186,7 @@ fn add(judgement: &mut DropJudgement, limit: &Limit, quantity: &Quantity, result
             judgement.not_judged(quantity.name, text);
             return;
         }
-        let exceeded = match (least, by_magnitude) {
-            (true, _) => value < limit.value,
-            (false, true) => value.abs() > limit.value,
-            (false, false) => value > limit.value,
-        };
+        let exceeded = of_limit.exceeded_by(value);
         judgement.limit(exceeded, format!("{label} {}, {allowed}", text(value)));
         return;
     }

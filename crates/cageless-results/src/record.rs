@@ -5,7 +5,8 @@ use std::ops::Deref;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::Value;
 
-use crate::{Provenance, Quantity, Results, Subject};
+use crate::{LimitJudgement, Provenance, Quantity, Results, Subject};
+use cageless::touchdown::Limit;
 
 /// Results of a computation: values by name, lists of sentences, and parts with results of their own.
 /// Serialised as one map.
@@ -86,6 +87,27 @@ impl Record {
         self.sentences.retain(|(known, _)| *known != name);
         self.sentences.push((name, sentences));
         self
+    }
+
+    /// Adds a user's limits on its results.
+    pub(crate) fn with_limits(self, limits: &[Limit]) -> Self {
+        let judged = LimitJudgement::of(limits, &self.results);
+        let lists = judged.sentences().into_iter();
+        lists
+            .filter(|(_, texts)| !texts.is_empty())
+            .fold(self, |record, (name, texts)| {
+                record.with_sentences(name, texts.to_vec())
+            })
+    }
+
+    /// A user's limits on its results.
+    pub fn limits(&self) -> LimitJudgement {
+        let list = |name: &str| self.sentences(name).to_vec();
+        LimitJudgement {
+            limits_exceeded: list("limits_exceeded"),
+            limits_kept: list("limits_kept"),
+            limits_not_judged: list("limits_not_judged"),
+        }
     }
 
     /// Adds a part.

@@ -27,6 +27,7 @@ pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
     Record::from(results.reduce(Results::and).unwrap_or_default())
         .with_sentences("warnings", warnings)
         .with_sentences("notes", notes(&solved))
+        .with_limits(&case.limits)
 }
 
 /// Results of the static equilibrium of a case, in space where the case is not planar.

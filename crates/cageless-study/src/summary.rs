@@ -7,7 +7,7 @@ use cageless_io::results::{SCHEMA, VERSION};
 use serde::Serialize;
 
 use crate::warnings::warnings;
-use cageless_results::{Finished, RUN, Record, Results, Stopped, Subject};
+use cageless_results::{Finished, LimitJudgement, RUN, Record, Results, Stopped, Subject};
 
 /// The summary of a run. A number that is not finite becomes `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -25,6 +25,9 @@ pub struct RunSummary {
     /// Scalar results.
     #[serde(flatten)]
     pub results: Results,
+    /// Limits of a user on the results.
+    #[serde(flatten)]
+    pub limits: LimitJudgement,
     /// Terms of the energy ledger, J.
     pub energy: BTreeMap<String, f64>,
     /// Warnings of the run.
@@ -52,13 +55,15 @@ impl RunSummary {
             "change".to_owned(),
             outcome.end_energy_j - outcome.start_energy_j,
         );
+        let results = Results::of(RUN, Subject::Run(run));
         Self {
+            limits: LimitJudgement::of(&file.case().limits, &results),
             schema: SCHEMA,
             version: VERSION.to_owned(),
             isa: outcome.instruction_set.name().to_owned(),
             case: file.document_as_run(),
             defaults: file.defaults().to_vec(),
-            results: Results::of(RUN, Subject::Run(run)),
+            results,
             energy,
             warnings: warnings(run),
             verification: None,

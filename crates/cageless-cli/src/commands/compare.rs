@@ -68,6 +68,12 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
             comparison.results.iter().collect()
         }
     };
+    for (name, limits) in comparison.runs.iter().zip(&comparison.limits) {
+        let lines = limits.lines().into_iter();
+        text += &lines
+            .map(|(word, limit)| format!("{name}: {word}: {limit}\n"))
+            .collect::<String>();
+    }
     text + "\n" + &rings(comparison, subject.into_iter())
 }
 

@@ -139,6 +139,7 @@ fn text(r: &DesignResult) -> String {
     lines.push(("verdict", judged(passes, headline)));
     let open = open_benefit(passes).filter(|_| r.benefit.is_none());
     lines.extend(open.map(|open| ("benefit", open.to_owned())));
+    lines.extend(record.limits().lines());
     let mut text = benefit(r) + &pairs(&lines) + &bullets(record.sentences("reasons"));
     text += &match r.recommendation() {
         // A search has a recommendation of its own.

@@ -64,6 +64,7 @@ fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
     let passes = summary.passes();
     lines.push(("verdict", judged(passes, summary.headline())));
     lines.extend(open_benefit(passes).map(|open| ("benefit", open.to_owned())));
+    lines.extend(summary.limits.lines());
     let speed = summary.results.number("wall_s") / outcome.end_s.max(1e-12);
     let mut text = pairs(&lines) + "\n" + &grouped(&summary.results);
     text += &format!("\nspeed  {speed:.2} s per simulated second\n");

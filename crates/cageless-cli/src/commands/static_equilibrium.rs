@@ -6,7 +6,7 @@ use cageless_results::equilibrium_record_noted;
 use crate::args::StaticArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case_at_rest};
 use crate::failure::Failure;
-use crate::format::{columns, grouped, notes, warnings};
+use crate::format::{columns, grouped, notes, pairs, warnings};
 
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &StaticArgs) -> Result<(), Failure> {
@@ -18,7 +18,13 @@ pub fn static_equilibrium(args: &StaticArgs) -> Result<(), Failure> {
         true => columns(&record.results.columns()) + "\n",
         false => String::new(),
     };
-    let text = grouped(&record.results)
+    let limits = record.limits().lines();
+    let limits = match limits.is_empty() {
+        true => String::new(),
+        false => pairs(&limits) + "\n",
+    };
+    let text = limits
+        + &grouped(&record.results)
         + "\n"
         + &balls
         + &warnings(record.sentences("warnings"))

@@ -17,7 +17,7 @@ use cageless::{
     RacewayForm, Row, Solver, Support,
 };
 
-use cageless_results::{DROP, Kind, Quantity, SUCCESSION};
+use cageless_results::{Kind, LIMITED, Quantity};
 
 use super::converter::Converter;
 use super::document::CaseDocument;
@@ -243,11 +243,11 @@ impl Converter<'_> {
         raceways.collect()
     }
 
-    /// Limits on results of a drop, which must be among them.
+    /// Limits on results, which must be among those that can be limited.
     fn limits(&self) -> Result<Vec<Limit>, CaseError> {
         let limits = &self.sections.limit;
         let names = || {
-            let all = DROP.iter().chain(SUCCESSION);
+            let all = LIMITED.iter().copied().flatten();
             let numbers = all.filter(|q| matches!(q.kind, Kind::Number | Kind::Integer));
             numbers.map(|quantity| quantity.name)
         };
@@ -256,11 +256,12 @@ impl Converter<'_> {
                 let path = join(&nth("limit", index, limits.len()), "source");
                 return Err(self.refuse(&path, "whose limit it is, which the verdict names"));
             }
-            let found = DROP
-                .iter()
-                .chain(SUCCESSION)
-                .find(|q| q.name == limit.result);
-            if limit.value < 0.0 && found.is_some_and(Quantity::is_limited_in_magnitude) {
+            let mut all = LIMITED.iter().copied().flatten();
+            let found = all.find(|q| q.name == limit.result);
+            if limit.side.is_none()
+                && limit.value < 0.0
+                && found.is_some_and(Quantity::is_limited_in_magnitude)
+            {
                 let path = join(&nth("limit", index, limits.len()), "value");
                 let allowed = "0 or more: the most that this result may be in magnitude";
                 return Err(self.refuse(&path, allowed));
@@ -272,8 +273,8 @@ impl Converter<'_> {
             let near = nearest(&limit.result, names());
             let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
             let allowed = format!(
-                "the name of a number among the results of a drop (docs/results.md), \
-                 rotor_force_max_n say{near}"
+                "the name of a number among the results of static, run, design, compare or drop \
+                 (docs/results.md), l10_h or rotor_force_max_n say{near}"
             );
             return Err(self.refuse(&path, &allowed));
         }

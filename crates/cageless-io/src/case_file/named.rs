@@ -1,5 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
+use cageless::touchdown::LimitSide;
 use cageless::{
     Assembly, BearingClass, FlankModel, Formulation, FrictionLaw, IntegrationMethod, Lubricant,
     Motion, RacewayShape, Shaft, SkfSeries, steady::SteadyStart,
@@ -95,6 +96,7 @@ named!(
     FlankModel,
     FrictionLaw,
     IntegrationMethod,
+    LimitSide,
     Lubricant,
     Motion,
     Formulation,

@@ -231,10 +231,11 @@ class Thermal(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Limit(Section):
-    """`[limit]`: a limit on a result of a drop, with whose it is."""
+    """`[limit]`: a limit on a result, with whose it is."""
 
-    result: Annotated[str, "name of a number among the results of a drop or of drops in succession: rotor_force_max_n, ball_standstill_c, …"]
+    result: Annotated[str, "name of a number among the results of static, run, design, compare or drop: l10_h, operating_clearance_um, rotor_force_max_n, …"]
     value: Annotated[float, "the most that it may be in magnitude, of a temperature with its sign, in the unit of the result; the least where more is better"]
+    side: Annotated[Literal["at-most", "at-least"] | None, "which side of the value is allowed, with its sign; by the result unless given"] = None
     source: Annotated[str, "whose limit it is: a specification, a maker"]
 
 

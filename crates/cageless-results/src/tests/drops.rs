@@ -304,6 +304,7 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
     let limit = |result: &str, value: f64| Limit {
         result: result.to_owned(),
         value,
+        side: None,
         source: "the plant".to_owned(),
     };
     let judged = |case: &Case| DropResult::new(case, &s, &outcome);
@@ -463,6 +464,7 @@ fn a_limit_on_a_result_without_a_value_does_not_pass() {
         case.limits = vec![Limit {
             result: name.to_owned(),
             value,
+            side: None,
             source: "the plant".to_owned(),
         }];
         let found = DropResult::new(&case, &s, &outcome);

@@ -251,3 +251,41 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         );
     }
 }
+
+/// Limits of a user on results at rest: the least where more is better or the case says so, the most else.
+#[test]
+fn limits_on_a_static_equilibrium_are_judged() {
+    let text = template(true)
+        + "\n[[limit]]\nresult = \"l10_h\"\nvalue = 20000\nsource = \"works standard\"\n\
+           [[limit]]\nresult = \"static_safety_factor\"\nvalue = 1.5\nsource = \"SKF\"\n\
+           [[limit]]\nresult = \"ring_y_um\"\nvalue = -5\nside = \"at-least\"\nsource = \"seal\"\n\
+           [[limit]]\nresult = \"outer_pressure_max_mpa\"\nvalue = 2000\nsource = \"us\"\n\
+           [[limit]]\nresult = \"orbit_speed_rpm\"\nvalue = 1\nsource = \"of a run\"\n";
+    let file = CaseFile::parse(&text, "case.toml", &[]).unwrap();
+    let case = file.case();
+    let record = static_record(case, &settle(case).unwrap());
+    let judged = record.limits();
+    let number = |name| record.results.number(name);
+    assert!(number("l10_h") < 20_000.0 && number("ring_y_um") < -5.0);
+    let [life, place] = judged.limits_exceeded.as_slice() else {
+        panic!("{judged:?}");
+    };
+    assert!(
+        life.contains(", at least 20000 h (works standard)"),
+        "{life}"
+    );
+    assert!(place.contains(", at least −5 µm (seal)"), "{place}");
+    let [safety, pressure] = judged.limits_kept.as_slice() else {
+        panic!("{judged:?}");
+    };
+    assert!(safety.contains("at least 1.5 (SKF)"), "{safety}");
+    assert!(pressure.contains("at most 2000 MPa (us)"), "{pressure}");
+    assert!(judged.limits_not_judged.is_empty());
+
+    // Without load there is no life.
+    let sets = ["operation.radial_load_n=0".to_owned()];
+    let file = CaseFile::parse(&text, "case.toml", &sets).unwrap();
+    let case = file.case();
+    let judged = static_record(case, &settle(case).unwrap()).limits();
+    assert_eq!(judged.limits_not_judged.len(), 2, "{judged:?}");
+}

@@ -4,7 +4,7 @@ use cageless_io::estimate::{Change, Estimate};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use cageless_results::{Aim, Quantity};
+use cageless_results::{Aim, LimitJudgement, Quantity};
 
 use super::ring_results::{RingResults, compared};
 use super::{Benefit, Draws, RingVerdict};
@@ -38,6 +38,13 @@ fn named<S: Serializer>(quantity: &Quantity, serializer: S) -> Result<S::Ok, S::
     map.end()
 }
 
+/// Whether no ring has a limit.
+fn has_none(limits: &[LimitJudgement]) -> bool {
+    limits
+        .iter()
+        .all(|of_ring| *of_ring == LimitJudgement::default())
+}
+
 /// A scalar result of every ring.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedResult {
@@ -64,6 +71,9 @@ pub struct RingComparison {
     pub benefits: Vec<Option<Benefit>>,
     /// Verdicts in the order of the rings: whether single balls are slowed as intended.
     pub verdicts: Vec<RingVerdict>,
+    /// Limits of the case of each ring on its means.
+    #[serde(skip_serializing_if = "has_none")]
+    pub limits: Vec<LimitJudgement>,
     /// What changes, in sentences.
     pub statement: String,
     /// Scalar results.
@@ -116,6 +126,7 @@ impl RingComparison {
             .map(|(k, ring)| (k > 0 && draws.grade.is_some()).then(|| Benefit::of(ring, &rings[0])))
             .collect();
         Self {
+            limits: rings.iter().map(RingResults::limited).collect(),
             runs: rings.iter().map(|ring| ring.name.clone()).collect(),
             statement: match draws.grade {
                 Some(_) => statement(&benefits),

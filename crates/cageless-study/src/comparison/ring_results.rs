@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 
 use cageless::steady::{BenefitWeights, MEASURED_ORBITS, Stationarity, TRANSIENT_ORBITS};
+use cageless::touchdown::Limit;
 use cageless_io::case_file::{CaseDocument, CaseFile};
+use cageless_io::estimate::Estimate;
 use serde_json::{Map, Value};
 
-use cageless_results::{COMPARED, Kind, Quantity, RUN, STATIC, STEADY};
+use cageless_results::{COMPARED, Kind, LimitJudgement, Quantity, RUN, STATIC, STEADY};
 
 use super::RingVerdict;
 
@@ -38,6 +40,8 @@ pub struct RingResults {
     pub(super) apart_from_remedies: Option<CaseDocument>,
     pub(super) verdict: RingVerdict,
     values: BTreeMap<String, Vec<f64>>,
+    /// Limits of the case.
+    limits: Vec<Limit>,
     /// Weights of what is asked of a remedy.
     pub(super) weights: BenefitWeights,
     /// Whether the runs leave out and measure as many orbits as those of the default.
@@ -69,6 +73,7 @@ impl RingResults {
             apart_from_remedies: Some(file.apart_from_remedies()),
             verdict,
             values,
+            limits: file.case().limits.clone(),
             weights: steady.weights,
             is_long: steady.transient_orbits >= TRANSIENT_ORBITS
                 && steady.measured_orbits >= MEASURED_ORBITS,
@@ -79,6 +84,14 @@ impl RingResults {
     /// The results with the answer of the test of stationarity.
     pub(super) fn settled_by(self, settling: Vec<Stationarity>) -> Self {
         Self { settling, ..self }
+    }
+
+    /// The limits of its case on means over the draws.
+    pub(super) fn limited(&self) -> LimitJudgement {
+        LimitJudgement::new(&self.limits, |name| {
+            let quantity = compared_named(name)?;
+            Some((quantity, Estimate::new(self.of(name)).map(|mean| mean.mean)))
+        })
     }
 
     /// Values of a result with every draw; none if the ring has none.
@@ -95,6 +108,7 @@ impl RingResults {
             apart_from_remedies: None,
             verdict: RingVerdict::of_summary(summary),
             values: numbers.collect(),
+            limits: vec![],
             weights: BenefitWeights::default(),
             is_long: false,
             settling: vec![],

@@ -255,7 +255,7 @@ pub struct Case {
     pub lubrication: Option<Lubrication>,
     /// What the heat of drops warms; its default where the case does not say.
     pub thermal: Thermal,
-    /// Limits on the results of a drop.
+    /// Limits on results.
     pub limits: Vec<Limit>,
     /// Output.
     pub output: Output,

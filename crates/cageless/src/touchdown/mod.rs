@@ -27,7 +27,7 @@ mod whirl;
 
 pub use end_state::EndState;
 pub use heat::{EndPower, InterfaceHeat};
-pub use limit::Limit;
+pub use limit::{Limit, LimitSide};
 pub use recorder::{DropRecorder, DropSummary, LAST};
 pub use scatter::{Drawn, DrawnBearing, Scatter};
 pub use spin_down::{Brake, SpinDown};

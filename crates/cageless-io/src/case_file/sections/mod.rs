@@ -53,7 +53,7 @@ sections! {
         Heading::Absent;
     thermal: Option<cageless::touchdown::Thermal>, "what the heat of drops warms",
         Heading::Absent;
-    limit: Vec<cageless::touchdown::Limit>, "a limit on a result of a drop, with whose it is",
+    limit: Vec<cageless::touchdown::Limit>, "a limit on a result, with whose it is",
         Heading::Absent;
     fit: Option<cageless::Fit>, "fits and temperatures, from which the clearance in operation follows",
         Heading::Commented("fits and temperatures: the clearance in operation");
