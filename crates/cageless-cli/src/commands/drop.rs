@@ -147,6 +147,8 @@ fn ensemble_text(many: &Ensemble) -> String {
         drops += &format!(": {}", many.bearings[0].end_states_text());
     }
     let mut lines = vec![("drops".to_owned(), drops)];
+    let passing = many.passing.percent();
+    lines.extend(passing.map(|percent| ("probability of passing".to_owned(), percent)));
     let stopped = || many.stopped_text().map(|text| ("stopped".to_owned(), text));
     let whirl = |name: String, probability: &WhirlProbability| {
         probability.percent().map(|percent| (name, percent))

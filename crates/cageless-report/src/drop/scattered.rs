@@ -16,6 +16,9 @@ const SCATTERED: &str =
 /// Tables and figures of scattered drops.
 pub(super) fn scattered(page: &mut Page, bearings: &[Bearing<'_>], ensemble: &Ensemble) {
     page.section("Scattered drops");
+    if let Some(percent) = ensemble.passing.percent() {
+        page.note(Note::Remark, &format!("Probability of passing: {percent}."));
+    }
     if let Some(stopped) = ensemble.stopped_text() {
         page.note(Note::Warning, &stopped);
     }

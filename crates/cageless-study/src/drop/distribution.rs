@@ -36,6 +36,17 @@ pub struct WhirlProbability {
     pub interval: Option<[f64; 2]>,
 }
 
+/// Probability that a drop passes its verdict in every bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PassProbability {
+    /// Fraction of the drops; `None` if one was not judged.
+    #[serde(rename = "pass_probability")]
+    pub fraction: Option<f64>,
+    /// 95 % interval (Wilson 1927), however the drops that were not judged would end.
+    #[serde(rename = "pass_interval")]
+    pub interval: Option<[f64; 2]>,
+}
+
 /// How often a state came out.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EndStateCount {
@@ -151,29 +162,74 @@ pub fn check_drops(option: &'static str, count: u64) -> Result<(), StudyError> {
     Err(OptionError::not_possible(option, count, &allowed).into())
 }
 
+/// Fraction of `yes` of `decided` drops, none where others are open, and its 95 % interval however those would end;
+/// none without a decided one.
+fn proportion(yes: usize, decided: usize, open: usize) -> (Option<f64>, Option<[f64; 2]>) {
+    let all = decided + open;
+    let interval = || {
+        let [least, most] = [yes, yes + open].map(|count| wilson_interval(count, all));
+        [least[0], most[1]]
+    };
+    (
+        (decided > 0 && open == 0).then(|| yes as f64 / decided as f64),
+        (decided > 0).then(interval),
+    )
+}
+
+/// Percentages: "10.0 % (95 %: 0.6 to 40.4 %)", where drops are open the interval alone.
+fn percent(fraction: Option<f64>, interval: Option<[f64; 2]>) -> Option<String> {
+    let [low, high] = interval?.map(|p| 1e2 * p);
+    Some(match fraction {
+        Some(p) => format!("{:.1} % (95 %: {low:.1} to {high:.1} %)", 1e2 * p),
+        None => format!("{low:.1} to {high:.1} % (95 %)"),
+    })
+}
+
 impl WhirlProbability {
     /// The probability where `whirls` of `completed` drops end so and `stopped` others might.
     pub(super) fn new(whirls: usize, completed: usize, stopped: usize) -> Self {
-        let all = completed + stopped;
-        let interval = || {
-            let [least, most] = [whirls, whirls + stopped].map(|count| wilson_interval(count, all));
-            [least[0], most[1]]
-        };
-        Self {
-            fraction: (completed > 0 && stopped == 0).then(|| whirls as f64 / completed as f64),
-            interval: (completed > 0).then(interval),
-        }
+        let (fraction, interval) = proportion(whirls, completed, stopped);
+        Self { fraction, interval }
     }
 
-    /// Percentages: "10.0 % (95 %: 0.6 to 40.4 %)", where drops stopped the interval alone; `None` without a
-    /// completed drop.
+    /// Percentages; `None` without a completed drop.
     pub fn percent(&self) -> Option<String> {
-        let [low, high] = self.interval?.map(|p| 1e2 * p);
-        Some(match self.fraction {
-            Some(p) => format!("{:.1} % (95 %: {low:.1} to {high:.1} %)", 1e2 * p),
-            None => format!("{low:.1} to {high:.1} % (95 %)"),
-        })
+        percent(self.fraction, self.interval)
     }
+}
+
+impl PassProbability {
+    /// The probability from the verdict on each drop.
+    pub(super) fn new(verdicts: impl Iterator<Item = Option<bool>>) -> Self {
+        let [mut passes, mut fails, mut open] = [0; 3];
+        for verdict in verdicts {
+            match verdict {
+                Some(true) => passes += 1,
+                Some(false) => fails += 1,
+                None => open += 1,
+            }
+        }
+        let (fraction, interval) = proportion(passes, passes + fails, open);
+        Self { fraction, interval }
+    }
+
+    /// Percentages; `None` where no drop was judged.
+    pub fn percent(&self) -> Option<String> {
+        percent(self.fraction, self.interval)
+    }
+}
+
+/// Whether all bearings pass; `None` if one was not judged and none fails.
+pub(super) fn all_pass(verdicts: impl Iterator<Item = Option<bool>>) -> Option<bool> {
+    let mut all = Some(true);
+    for verdict in verdicts {
+        match verdict {
+            Some(true) => {}
+            Some(false) => return Some(false),
+            None => all = None,
+        }
+    }
+    all
 }
 
 /// Whether a drop ends in backward whirl.

@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use cageless_results::{DropResult, DropRun};
 
-use super::distribution::whirls_backward;
+use super::distribution::{all_pass, whirls_backward};
 use super::record::steps;
 use super::side_by_side::{drop_task, run_drops, worth_together};
-use super::{BearingRow, Bearings, Distribution, WhirlProbability, check_drops};
+use super::{BearingRow, Bearings, Distribution, PassProbability, WhirlProbability, check_drops};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
 use crate::task::Task;
@@ -25,6 +25,9 @@ pub struct Ensemble {
     pub completed: usize,
     /// Drops that stopped early, with the reasons.
     pub stopped: Vec<String>,
+    /// Probability that a drop passes its verdict.
+    #[serde(flatten)]
+    pub passing: PassProbability,
     /// Probability that a linear rotor ends in backward whirl in any of its bearings.
     #[serde(flatten)]
     pub in_any_bearing: Option<WhirlProbability>,
@@ -168,6 +171,12 @@ impl DropRow {
         }
     }
 
+    /// Whether the drop passes in every bearing; `None` if one was not judged and none fails.
+    fn passes(&self) -> Option<bool> {
+        let bearings = self.bearings.iter();
+        all_pass(bearings.map(|bearing| bearing.result.judgement.passes()))
+    }
+
     /// Whether the rotor ends in backward whirl in any of its bearings.
     fn whirls_backward(&self) -> bool {
         let mut results = self.bearings.iter().map(|bearing| &bearing.result);
@@ -188,6 +197,7 @@ fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
         seed: drop.cases()[0].seed,
         completed: complete.len(),
         stopped: drops.iter().filter_map(DropRow::stopped).collect(),
+        passing: PassProbability::new(drops.iter().map(DropRow::passes)),
         in_any_bearing: drop.rotor().map(|_| whirl()),
         bearings: Bearings::new(drop, (0..drop.cases().len()).map(of_bearing)),
         drops,
@@ -343,5 +353,32 @@ mod tests {
             [other.least, other.median, other.high, other.most],
             [7.0; 4]
         );
+    }
+
+    /// A drop passes where every bearing does; one that was not judged leaves the probability open.
+    #[test]
+    fn a_drop_passes_where_every_bearing_does() {
+        let of = |drops: &[[Option<bool>; 2]]| {
+            PassProbability::new(
+                drops
+                    .iter()
+                    .map(|bearings| all_pass(bearings.iter().copied())),
+            )
+        };
+        let [yes, no, open] = [Some(true), Some(false), None];
+        let found = of(&[[yes, yes], [yes, no], [open, no], [yes, yes]]);
+        // Wilson 1927: 2 of 4.
+        let [low, high] = found.interval.unwrap();
+        assert_eq!(found.fraction, Some(0.5));
+        assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
+        // From 1 of 4 to 2 of 4.
+        let found = of(&[[yes, yes], [yes, open], [open, no], [no, no]]);
+        let [low, high] = found.interval.unwrap();
+        assert_eq!(found.fraction, None);
+        assert!(
+            (low - 0.046).abs() < 1e-3 && (high - 0.850).abs() < 1e-3,
+            "{low} {high}"
+        );
+        assert_eq!(of(&[[open, yes]]).percent(), None);
     }
 }

@@ -14,7 +14,8 @@ mod verification;
 
 pub use bearings::Bearings;
 pub use distribution::{
-    BearingRow, DROPS_MAX, Distribution, EndStateCount, Quantiles, WhirlProbability, check_drops,
+    BearingRow, DROPS_MAX, Distribution, EndStateCount, PassProbability, Quantiles,
+    WhirlProbability, check_drops,
 };
 pub use ensemble::{DropRow, Ensemble, RotorRow, ensemble};
 pub(crate) use record::steps;
