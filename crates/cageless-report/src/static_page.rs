@@ -67,7 +67,8 @@ pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
     let mut page = head(file, record).sheet();
     // What stands at its head once; frequencies in hertz, those of rolling, suffice.
     let facts: Vec<_> = FACTS.iter().filter_map(|name| record.row(name)).collect();
-    let rows = record.rows().filter(|row| {
+    let rows = record.groups().into_iter().flat_map(|(_, rows)| rows);
+    let rows = rows.filter(|row| {
         let (label, _, unit) = row;
         let of_load = unit == "Hz" && label.ends_with("of the loaded bearing");
         !(of_load || label.ends_with("multiple of the shaft frequency") || facts.contains(row))
