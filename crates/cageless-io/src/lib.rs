@@ -30,8 +30,8 @@ mod files;
 #[cfg(feature = "files")]
 pub mod journal;
 mod option_error;
-#[cfg(feature = "files")]
 pub mod own_bearing;
+#[cfg(feature = "files")]
 pub mod plan_file;
 #[cfg(feature = "files")]
 pub mod point_file;

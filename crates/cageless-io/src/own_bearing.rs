@@ -104,7 +104,7 @@ pub(crate) const OPTIONAL_SECTIONS: &str = "\
 ";
 
 impl NewOperation {
-    /// A case file with these values in its [operation].
+    /// A case file with these values in its section of the operation.
     pub fn entered(&self, text: &str) -> String {
         let given = |key: &str, value: f64| format!("{key} = {value}");
         let mut lines: Vec<String> = vec![];
