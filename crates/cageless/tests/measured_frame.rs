@@ -323,6 +323,6 @@ fn points_of_another_ring_are_refused() {
         across,
     ] {
         let error = MeasuredRing::fit(&case, &points).err();
-        assert_eq!(error.map(|e| e.field), Some("points"));
+        assert_eq!(error.map(|e| e.error.field), Some("points"));
     }
 }

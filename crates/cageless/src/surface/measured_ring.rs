@@ -9,6 +9,7 @@ use super::made_ring::MadeRing;
 use super::measured_groove::MeasuredGroove;
 use super::measured_raceway::{MeasuredFlank, MeasuredRaceway, NoRaceway};
 use super::measured_value::MeasuredValue;
+use super::points_error::PointsError;
 use super::pose::Pose;
 use super::recess::MeasuredSlot;
 use super::ring_fit::{RingFit, gate_m, robust_deviation_m};
@@ -88,13 +89,15 @@ impl MeasuredRing {
     /// Fit to points in the frame of a machine, of a ring of this case.
     ///
     /// # Errors
-    /// An [`InputError`] of `points` if there are fewer than 50 of the groove, they are not near the groove of
+    /// A [`PointsError`] if there are fewer than 50 of the groove, they are not near the groove of
     /// this ring, or those of a raceway or slot do not give it.
     ///
     /// # Panics
     /// If the case has no raceway.
-    pub fn fit(case: &Case, points_m: &[Vec3]) -> Result<Self, InputError> {
-        let refuse = |count: usize, rule: &str| InputError::rule("points", count as f64, rule);
+    pub fn fit(case: &Case, points_m: &[Vec3]) -> Result<Self, PointsError> {
+        let refuse = |count: usize, rule: &str| {
+            PointsError::from(InputError::rule("points", count as f64, rule))
+        };
         if points_m.len() < POINTS_MIN {
             return Err(refuse(points_m.len(), FEW));
         }
@@ -168,7 +171,7 @@ impl MeasuredRing {
         fit: &RingFit,
         none: &[Option<NoRaceway>],
         points_m: &[Vec3],
-    ) -> Result<Self, InputError> {
+    ) -> Result<Self, PointsError> {
         let ring = &fit.ring;
         let of_groove = indices(ring, points_m);
         let seen: Vec<(usize, f64, Option<usize>)> = (of_groove.iter())
@@ -183,19 +186,23 @@ impl MeasuredRing {
         let mut outliers: Vec<usize> = plain.filter(beyond).map(|(k, ..)| *k).collect();
         let mut raceways = vec![];
         for (index, none) in none.iter().enumerate() {
+            let of_raceway = |error| PointsError {
+                raceway: Some(index),
+                error,
+            };
             if let Some(none) = none {
                 raceways.push(MeasuredRaceway::None(*none));
                 continue;
             }
             let Some(dimensions) = fit.raceway(index) else {
                 let placed: Vec<Vec3> = points_m.iter().map(|p| ring.pose.in_ring_m(*p)).collect();
-                let slot = MeasuredSlot::fit(case, index, &placed)?;
+                let slot = MeasuredSlot::fit(case, index, &placed).map_err(of_raceway)?;
                 raceways.push(MeasuredRaceway::Slot(Box::new(slot)));
                 continue;
             };
             let own = seen.iter().filter(|(.., raceway)| *raceway == Some(index));
             let own: Vec<(usize, f64)> = own.map(|(k, error_m, _)| (*k, *error_m)).collect();
-            let found = flanks(case, fit, index, points_m, &own)?;
+            let found = flanks(case, fit, index, points_m, &own).map_err(of_raceway)?;
             outliers.extend(found.outliers);
             let [
                 axial_span_m,
@@ -214,7 +221,8 @@ impl MeasuredRing {
         outliers.sort_unstable();
         let used = of_groove.len() - outliers.len();
         if outliers.len() as f64 > OUTLIERS_MAX * of_groove.len() as f64 {
-            return Err(InputError::rule("points", of_groove.len() as f64, STRANGE));
+            let error = InputError::rule("points", of_groove.len() as f64, STRANGE);
+            return Err(error.into());
         }
         let turn_rad = turn_rad(case, &raceways);
         let drawn = MadeRing {

@@ -29,6 +29,7 @@
 //! ```
 
 mod arc;
+mod conformity;
 mod directions;
 mod division;
 mod drawn_groove;
@@ -46,6 +47,7 @@ mod mesh_row;
 mod patch;
 mod plain_groove;
 mod point_deviation;
+mod points_error;
 mod pose;
 mod recess;
 mod ring_fit;
@@ -66,6 +68,7 @@ use crate::numerics::quadrature::gauss;
 use crate::raceway::{Ends, Raceway, apart};
 
 pub use arc::{Arc, SurfacePoint};
+pub use conformity::Conformity;
 pub use drawn_groove::DrawnGroove;
 pub use grid::{Grid, GridPoint, GridRow, PointKind};
 pub use measured_groove::MeasuredGroove;
@@ -76,6 +79,7 @@ pub use meridian::Meridian;
 pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
 pub use point_deviation::PointDeviation;
+pub use points_error::PointsError;
 pub use pose::Pose;
 pub use recess::{Edge, EdgePlace, MeasuredSlot, Recess, SlotUncertainty};
 use section_frame::SectionFrame;
