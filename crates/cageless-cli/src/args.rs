@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use cageless::tolerance::ball_grades_text;
 use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
+use cageless_study::measured::Limits;
 use cageless_study::sweep::Shard;
 use cageless_study::tolerance::Request as Tolerances;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
@@ -39,8 +40,8 @@ pub enum Isa {
 
 /// Exit codes, in the words of docs/command-line.md.
 const EXIT_CODES: &str = "Exit codes: 0 success; 1 any other error; 2 invalid input; 3 no valid \
-    result: a run that stopped, a search that found no raceway, --drops that came to fewer, a sweep in \
-    which every variant failed.\nResults go to stdout, progress to stderr.";
+    result: a run that stopped, a search that found no raceway, points of a plain groove, --drops that came to fewer, \
+    a sweep in which every variant failed.\nResults go to stdout, progress to stderr.";
 
 /// One task.
 #[derive(Debug, Subcommand)]
@@ -67,8 +68,8 @@ pub enum Command {
     Compare(CompareArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
-    /// Fit the raceways of a case to points of a measured ring, and enter them in the case.
-    #[command(mut_arg("open", |open| open.hide(true)))]
+    /// Fit the ring of a case to points of a measured one: frame, dimensions with their uncertainties, PASS or FAIL,
+    /// and the case as made.
     Measure(MeasureArgs),
     /// Compute many variants of a case; an interrupted sweep resumes.
     Sweep(SweepArgs),
@@ -277,10 +278,22 @@ pub struct MeasureArgs {
     /// Case with the raceways as designed, output.
     #[command(flatten)]
     pub case: CaseArgs,
-    /// Points of the groove in the frame of the bearing: lines of x, y, z in mm, with a head that
+    /// Points of the groove with the axis along z: lines of x, y, z in mm, with a head that
     /// names x_mm, y_mm, z_mm or without.
     #[arg(value_name = "POINTS")]
     pub points: PathBuf,
+    /// Tolerance of the raceway depth, ± µm.
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Limits::default().groove_depth_um)]
+    pub groove_depth_um: f64,
+    /// Tolerance of the axial span lC, ± µm.
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Limits::default().axial_span_um)]
+    pub axial_span_um: f64,
+    /// Tolerance of the half angle θ, ± degrees.
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Limits::default().half_angle_deg)]
+    pub half_angle_deg: f64,
+    /// Tolerance of the angular position ψ in the frame of the points, ± degrees; default: none.
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG")]
+    pub centre_angle_deg: Option<f64>,
 }
 
 /// Kinds of files of `export`.

@@ -15,16 +15,25 @@ const SIZE_MAX: u64 = 128 << 20;
 /// Names of the coordinates.
 const COORDINATES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
-/// Reads points, m.
+/// Points with the lines that they stand in.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Points {
+    /// Coordinates, m.
+    pub places_m: Vec<[f64; 3]>,
+    /// Number of the line of each, from 1.
+    pub lines: Vec<usize>,
+}
+
+/// Reads points.
 ///
 /// # Errors
 /// A message with file and line.
-pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
+pub fn read_points(path: &Path) -> Result<Points, String> {
     let name = path.display();
     let text = read_text(path, "file of points", SIZE_MAX)
         .map_err(|problem| format!("{name}: {problem}"))?;
     let mut columns = [0, 1, 2];
-    let (mut points, mut head) = (vec![], 0);
+    let (mut points, mut head) = (Points::default(), 0);
     let lines = text.lines().enumerate();
     let lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
     for (nth, (index, line)) in lines.enumerate() {
@@ -67,7 +76,9 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, String> {
                 }
             ));
         };
-        points.push([x, y, z].map(|mm| Unit::Millimetre.to_si(mm)));
+        let place_m = [x, y, z].map(|mm| Unit::Millimetre.to_si(mm));
+        points.places_m.push(place_m);
+        points.lines.push(index + 1);
     }
     Ok(points)
 }

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use cageless::dynamics::InstructionSet;
+use cageless_cli::Failure;
 use cageless_io::case_file::{self, CaseFile};
 use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::RotorFile;
-use cageless_study::measured::measured;
+use cageless_study::measured::{Limits, measured};
 use pyo3::prelude::*;
 
 use crate::errors::{Found, input, of_values, other};
@@ -103,9 +104,21 @@ impl File {
         self.0.changed(&changes).map(Self).map_err(of_values)
     }
 
-    /// The case with its raceways as measured, from the points of a file, and the numbers as JSON.
-    fn measured(&self, points: PathBuf) -> Found<(Self, String)> {
-        let found = measured(self.case(), "case", &points)?;
+    /// The case with its raceways as measured, from the points of a file, and the numbers as JSON; tolerances to either
+    /// side of depth and span, µm, half angle and position, degrees.
+    fn measured(&self, points: PathBuf, tolerances: [Option<f64>; 4]) -> Found<(Self, String)> {
+        let [depth, span, half_angle, centre_angle_deg] = tolerances;
+        let usual = Limits::default();
+        let limits = Limits {
+            groove_depth_um: depth.unwrap_or(usual.groove_depth_um),
+            axial_span_um: span.unwrap_or(usual.axial_span_um),
+            half_angle_deg: half_angle.unwrap_or(usual.half_angle_deg),
+            centre_angle_deg,
+        };
+        let found = measured(self.case(), "case", &points, &limits)?;
+        if let Some(missing) = found.missing {
+            return Err(Failure::Unphysical(missing).into());
+        }
         Ok((case(found.file), serde_json::to_string(&found.record)?))
     }
 

@@ -128,6 +128,10 @@ def test_a_ring_is_measured(tmp_path: Path) -> None:
     measured = case.measure(points)
     [raceway] = measured.raceways.to_dict("records")
     assert raceway["measured_deviation_max_um"] < 1e-3
+    assert (measured.passes, measured.outlier_lines) == (True, [])
+    span = measured.dimensions.iloc[0]
+    assert (span["drawn"], span["verdict"], span["raceway"]) == (5.1, "within", 1)
+    assert measured.frame["measured"].abs().max() < 1e-3
     assert measured.raceways.attrs["units"]["measured_deviation_um"] == "um"
     assert raceway["profile_flank_angle_deg"] == pytest.approx(math.degrees(math.asin(5.1 / 2 / 4.7625)), abs=1e-4)
     lags = [each.design().kinematic_lag_per_pass_deg for each in (case, measured.case)]

@@ -23,6 +23,7 @@ mod groove_contacts;
 pub mod head;
 mod lead;
 mod load_profile;
+pub mod measured;
 pub mod motion;
 pub mod names;
 pub mod page;

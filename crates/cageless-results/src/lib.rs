@@ -18,6 +18,7 @@ mod meanings;
 mod group;
 mod judged;
 mod kind;
+mod measured_result;
 pub mod number_text;
 mod open_benefit;
 mod place;
@@ -48,6 +49,7 @@ pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
 pub use limited::{LIMITED, LimitJudgement};
+pub use measured_result::{MEASURED_SHAPE, measured_rows};
 pub use open_benefit::open_benefit;
 pub use place::result_at;
 pub use provenance::{Provenance, instruction_set, provenance, software};
@@ -56,18 +58,18 @@ pub use record::{Part, Record, Shape};
 pub use results::{Results, Shown, value_text};
 pub use search_result::SEARCH_SHAPE;
 pub use source::{
-    AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, FittedRaceway, Judged,
-    JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, SuccessiveDrop,
-    Tolerated,
+    AtPoint, CountedVerdict, Deviation, Dimension, Finished, FinishedDrop, FittedRaceway,
+    FittedRing, Judged, JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject,
+    SuccessiveDrop, Tolerated,
 };
 pub use static_result::{equilibrium_record, equilibrium_record_noted, static_record};
 pub use stopped::Stopped;
 pub use successive_drop::succession_record;
 pub use table::{
-    AXIAL, CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, GROOVE,
-    LUBRICATION, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, PROFILE, RACEWAY, REJECTION,
-    ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, SLOT, SPACE, STATIC, STEADY, STRUCTURE,
-    STRUCTURE_AT, SUCCESSION, VERDICT, of_column, of_kind, quantities,
+    AXIAL, CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DIMENSION, DROP, FIT, FRAME,
+    GROOVE, LUBRICATION, MAP, MEASURED, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, PROFILE,
+    RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, SLOT, SPACE, STATIC, STEADY,
+    STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT, of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use unit::{unit_text, with_unit};

@@ -23,7 +23,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 43] = [
+const SECTIONS: [(&[Quantity], &str, &str); 46] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (DEFECTS, "Static equilibrium: frequencies of defects", "In `cageless static --json`, `static.json` and its page, next to those above: the table for vibration analysts, in pure rolling. A bearing without a cage has the orbital frequency of its balls in the place of a cage's."),
     (FIT, "Static equilibrium with fits and temperatures", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with `[fit]`."),
@@ -33,6 +33,9 @@ const SECTIONS: [(&[Quantity], &str, &str); 43] = [
     (DESIGN, "Design: closed forms", "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep."),
     (CONTACT_ANGLE, "Design: contact angle", "In `cageless design --json`, `design.json` and its page: estimates of what an axial load or a tilt would leave of the first raceway."),
     (PROFILE, "Design: measured raceway", "In `cageless design --json`, `design.json` and its page, next to those above, for a case with `raceway.profile`, and for each of `raceways` of `cageless measure --json`."),
+    (MEASURED, "Measured ring", "In `cageless measure --json`, `measure.json` and its page."),
+    (FRAME, "Measured ring: frame", "Under `frame` of `measure.json`: shift, tilt, turn about z and errors of the radii, each in its unit."),
+    (DIMENSION, "Measured ring: dimensions", "Under `dimensions` of each of `raceways` of `measure.json`, each in its unit."),
     (GROOVE, "Measured raceways", "For each of `raceways` of `cageless measure --json` and `measure.json`."),
     (SLOT, "Measured slots", "Next to those above for a slot."),
     (AXIAL, "Design: axial load and tilt", "Under `axial` of `cageless design --axial --json` and `design.json`, from motion in space with the balls evenly spaced at the start; lists have an element for each pair of axial load and tilt."),

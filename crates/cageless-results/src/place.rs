@@ -2,10 +2,10 @@
 
 use crate::record::Shape;
 use crate::table::{
-    ANYWHERE, DISTANCE, DROP_VERIFICATION, JUDGEMENT, PLANE, ROTOR_VERIFICATION, SUCCESSION,
-    VERIFICATION, VERIFIED,
+    ANYWHERE, DISTANCE, DROP_VERIFICATION, JUDGEMENT, MEASURED, PLANE, ROTOR_VERIFICATION,
+    SUCCESSION, VERIFICATION, VERIFIED,
 };
-use crate::{Quantity, SEARCH_SHAPE, TOLERANCE_SHAPE};
+use crate::{MEASURED_SHAPE, Quantity, SEARCH_SHAPE, TOLERANCE_SHAPE};
 
 /// The result at `path`, the names from the top of the document `kind` (`tolerance` of `tolerance.json`) to its own;
 /// `None` where something else stands there.
@@ -14,6 +14,9 @@ pub fn result_at(kind: &str, path: &[&str]) -> Option<&'static Quantity> {
     let named = |q: &&Quantity| q.name == *own;
     match (kind, path) {
         ("tolerance", _) => within(&TOLERANCE_SHAPE, path),
+        ("measure", ["frame" | "passes" | "headline" | "points", ..] | [.., "dimensions", _]) => {
+            within(&MEASURED_SHAPE, path)
+        }
         ("design", ["search", rest @ ..]) => within(&SEARCH_SHAPE, rest),
         // What stands there are statistics of results.
         ("compare", _) | (_, ["case", ..]) => None,
@@ -21,6 +24,7 @@ pub fn result_at(kind: &str, path: &[&str]) -> Option<&'static Quantity> {
         _ if path.contains(&"numbers") => JUDGEMENT.iter().find(named),
         _ => {
             let more = [
+                MEASURED,
                 SUCCESSION,
                 VERIFICATION,
                 DROP_VERIFICATION,

@@ -15,7 +15,7 @@ use cageless::rating::Rating;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::steady::SteadySummary;
 use cageless::summary::Summary;
-use cageless::surface::{MeasuredSlot, PointDeviation};
+use cageless::surface::{Conformity, MeasuredRing, MeasuredSlot, MeasuredValue, PointDeviation};
 use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
 use cageless::touchdown::{DropSummary, PARTS};
 use cageless::verification::{Distance, Verification};
@@ -150,6 +150,44 @@ pub struct FittedRaceway {
     pub depth_error_m: f64,
 }
 
+/// A ring that is fitted to points of its surface.
+pub struct FittedRing<'a> {
+    /// The fit.
+    pub ring: &'a MeasuredRing,
+    /// Number of points in the file.
+    pub points: usize,
+    /// Lines of the outliers.
+    pub outlier_lines: Vec<usize>,
+    /// Whether its dimensions keep to their tolerances; `None` if that is not decided.
+    pub passes: Option<bool>,
+    /// Verdict with its reason.
+    pub headline: String,
+}
+
+/// A dimension of a measured ring.
+#[derive(Debug, Clone, Copy)]
+pub struct Dimension {
+    /// What it is.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The value measured.
+    pub measured: MeasuredValue,
+    /// The value on the drawing.
+    pub drawn: f64,
+    /// Tolerance to either side, where it has one.
+    pub tolerance: Option<f64>,
+}
+
+impl Dimension {
+    /// Whether it keeps to its tolerance, where it has one.
+    pub fn conformity(&self) -> Option<Conformity> {
+        let error = self.measured.plus(-self.drawn);
+        self.tolerance
+            .map(|tolerance| Conformity::of(error, tolerance))
+    }
+}
+
 /// A bearing within tolerances.
 pub struct Tolerated<'a> {
     /// The case.
@@ -249,6 +287,8 @@ sources! {
     Profile(MeasuredFlanks, MeasuredFlanks) "The profile of a measured raceway.",
     Points(FittedRaceway, FittedRaceway) "A raceway fitted to points of its surface.",
     Slot(MeasuredSlot, MeasuredSlot) "A slot fitted to points of its edges.",
+    Ring(FittedRing<'_>, FittedRing<'a>) "A ring fitted to points of its surface.",
+    Dimension(Dimension, Dimension) "A dimension of it.",
     Axial([AxialLag], [AxialLag]) "Lags under axial load and tilt.",
     Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",
     Verdict(Judged<'_>, Judged<'a>) "The raceways of a case with their verdict.",

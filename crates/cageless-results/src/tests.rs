@@ -14,7 +14,7 @@ use cageless::simulation::{Cause, Control, Stop, run};
 use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::SummaryRecorder;
 use cageless::surface::{
-    MeasuredGroove, MeasuredSlot, OuterRing, OuterRingDimensions, PointDeviation,
+    MeasuredGroove, MeasuredSlot, OuterRing, OuterRingDimensions, PointDeviation, SlotUncertainty,
 };
 use cageless_io::case_file::{CaseFile, template};
 
@@ -190,6 +190,7 @@ fn results_of_a_measured_slot_are_its_dimensions() {
             mean_m: 1.1 * MICROMETRE,
             largest_m: 4.3 * MICROMETRE,
         },
+        uncertainty: SlotUncertainty::default(),
     };
     let expected = [
         ("edge_radius_mm", 0.31),

@@ -27,6 +27,7 @@ mod integrator;
 mod linear_rotor;
 mod load_distribution;
 mod lubrication;
+mod measured_frame;
 mod measured_ring;
 mod measured_slot;
 mod observed;

@@ -1,38 +1,69 @@
 //! `cageless measure`.
 
-use cageless_study::measured::measured;
+use cageless_report::measured::measured_page;
+use cageless_results::measured_rows;
+use cageless_study::measured::{Limits, Measured, measured};
 
 use crate::args::MeasureArgs;
-use crate::driver::{Answer, pretty, read_case};
+use crate::driver::{Answer, PAGE, pretty, read_case};
 use crate::failure::Failure;
-use crate::format::{pairs, values};
+use crate::format::{columns, judged, pairs, values, warnings};
 
 /// Case with the measured raceways in the folder of `--out`.
 const MEASURED: &str = "measured.toml";
 
-/// Fits the raceways of a case to points of a measured ring.
+/// Fits the ring of a case to points, and judges its dimensions.
 pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
     let file = read_case(&args.case.case, &args.case.set)?;
     let name = args.case.case.display().to_string();
-    let measured = measured(&file, &name, &args.points)?;
-    let raceways = measured.record.parts("raceways");
-    let mut text = String::new();
-    for (raceway, nth) in raceways.iter().zip(1..) {
-        if raceways.len() > 1 {
-            text += &format!("raceway {nth}\n");
-        }
-        text += &pairs(&values(&raceway.results));
-    }
-    let files = args.case.output.files(|| {
-        let measured = file.edited(&measured.document)?;
-        Ok(vec![(MEASURED, Some(measured))])
+    let limits = Limits {
+        groove_depth_um: args.groove_depth_um,
+        axial_span_um: args.axial_span_um,
+        half_angle_deg: args.half_angle_deg,
+        centre_angle_deg: args.centre_angle_deg,
+    };
+    let measured = measured(&file, &name, &args.points, &limits)?;
+    let output = &args.case.output;
+    let mut text = text(&measured);
+    let files = output.files(|| {
+        let case = match measured.missing {
+            Some(_) => None,
+            None => Some(file.edited(&measured.document)?),
+        };
+        let page = measured_page(&file.case().title, &measured);
+        Ok(vec![(MEASURED, case), (PAGE, Some(page))])
     })?;
-    if let Some(dir) = &args.case.output.out {
+    if let (Some(dir), None) = (&output.out, &measured.missing) {
         let path = dir.join(MEASURED).display().to_string();
         text += &pairs(&[("case with the measured raceways", path)]);
     }
-    args.case.output.deliver_numbers(Answer {
+    let missing = measured.missing.clone();
+    output.deliver(Answer {
         files,
+        csv: true,
+        ending: missing.map_or(Ok(()), |missing| Err(Failure::Unphysical(missing))),
         ..Answer::new("measure.json", pretty(&measured.record)?, text)
     })
+}
+
+fn text(measured: &Measured) -> String {
+    let record = &measured.record;
+    let mut text = String::new();
+    if measured.missing.is_none() {
+        text += &(judged(record.flag("passes"), record.text("headline")) + "\n\n");
+    }
+    text += &pairs(&values(record));
+    text += &format!("\n{}\n", columns(&measured_rows(record.parts("frame"))));
+    let raceways = record.parts("raceways");
+    for (raceway, nth) in raceways.iter().zip(1..) {
+        if raceway.flag("found") != Some(true) {
+            continue;
+        }
+        if raceways.len() > 1 {
+            text += &format!("raceway {nth}\n");
+        }
+        text += &format!("{}\n", columns(&measured_rows(raceway.parts("dimensions"))));
+        text += &pairs(&values(&raceway.results));
+    }
+    text + &warnings(record.sentences("warnings"))
 }

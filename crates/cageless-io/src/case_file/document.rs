@@ -112,6 +112,13 @@ impl CaseDocument {
         self.set(&join(&section, "profile"), CaseValue::Table(rows));
     }
 
+    /// Enters where the middle of a raceway was measured.
+    pub fn enter_centre(&mut self, index: usize, centre_angle_rad: f64) {
+        let section = nth("raceway", index, self.count("raceway"));
+        let centre = rounded(Unit::Degree, centre_angle_rad, 6);
+        self.set(&join(&section, "centre_angle_deg"), centre);
+    }
+
     /// Enters the dimensions of a slot that was measured in the place of those of a raceway.
     pub fn enter_slot(&mut self, index: usize, slot: &MeasuredSlot) {
         let section = nth("raceway", index, self.count("raceway"));

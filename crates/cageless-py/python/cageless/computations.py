@@ -33,6 +33,16 @@ class Measured(NamedTuple):
     case: Any
     #: A row per raceway: points, their deviations from the fit, flank and half angle; dimensions of a slot.
     raceways: pd.DataFrame
+    #: A row per dimension: drawn, measured, expanded uncertainty U (k = 2), tolerance, verdict.
+    dimensions: pd.DataFrame
+    #: Shift, tilt, turn about z and errors of the radii in the frame of the points, with U.
+    frame: pd.DataFrame
+    #: Whether all dimensions are within tolerance; ``None`` where that is not decided.
+    passes: bool | None
+    #: Verdict with its reason.
+    headline: str
+    #: Lines of the outliers in the file.
+    outlier_lines: list[int]
 
 
 class Computations(Document):
@@ -148,17 +158,45 @@ class Computations(Document):
         found = _cageless.design(file, wanted, folder, background(threads, progress))
         return complete(SearchResult(found))
 
-    def measure(self, points: str | os.PathLike[str]) -> Measured:
-        """Fits the raceways of a ring that has been measured, as ``cageless measure`` does.
+    def measure(
+        self,
+        points: str | os.PathLike[str],
+        *,
+        groove_depth_um: float | None = None,
+        axial_span_um: float | None = None,
+        half_angle_deg: float | None = None,
+        centre_angle_deg: float | None = None,
+    ) -> Measured:
+        """Fits the ring to points of one that has been measured, as ``cageless measure`` does.
 
         Args:
             points: File with a line of x, y and z in mm for each point.
+            groove_depth_um: Tolerance of the depth to either side, 2 if left out.
+            axial_span_um: Tolerance of lC, 20 if left out.
+            half_angle_deg: Tolerance of θ, 0.1 if left out.
+            centre_angle_deg: Tolerance of the angular position, none if left out.
 
         Raises:
-            InputError: If the case has no raceway, or the points do not give one.
+            InputError: If the case has no raceway, or the points do not give a ring.
+            UnphysicalError: If the groove is plain where the case has a raceway.
         """
-        file, text = self._file.measured(os.fspath(points))
-        return Measured(type(self)._of(file), frames.frame(json.loads(text)["raceways"]))
+        tolerances = [groove_depth_um, axial_span_um, half_angle_deg, centre_angle_deg]
+        file, text = self._file.measured(os.fspath(points), tolerances)
+        found = json.loads(text)
+        rows = [
+            {"raceway": nth, **row}
+            for nth, raceway in enumerate(found["raceways"], 1)
+            for row in raceway.pop("dimensions")
+        ]
+        return Measured(
+            type(self)._of(file),
+            frames.frame(found["raceways"]),
+            frames.frame(rows),
+            frames.frame(found["frame"]),
+            found["passes"],
+            found["headline"],
+            found["outlier_lines"],
+        )
 
     def compare(
         self,

@@ -56,6 +56,7 @@ pub const PROFILE: &[Quantity] = &[
 /// A raceway that is fitted to points of its surface.
 #[rustfmt::skip]
 pub const GROOVE: &[Quantity] = &[
+    means("no where the groove is plain in its place", part(flag("found", "raceway found", Points(|p| flagged(Some(p.deviation.points > 0)))))),
     means("within the half angle of a groove with flanks; on the rounded edges of a slot", part(integer("measured_points", "points of the raceway", Points(|p| count(p.deviation.points))))),
     means("root mean square of their distances from the fitted surface", part(low(quantity("measured_deviation_um", "um", "deviation of the points from the fitted raceway", Points(|p| some(p.deviation.mean_m * 1e6)))))),
     part(low(quantity("measured_deviation_max_um", "um", "largest deviation of a point", Points(|p| some(p.deviation.largest_m * 1e6))))),

@@ -2,6 +2,7 @@
 
 mod design;
 mod drop;
+mod measured;
 mod run;
 mod search;
 mod statics;
@@ -17,6 +18,7 @@ pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWA
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub(crate) use drop::milliseconds;
 pub use drop::{DROP, PLANE, ROTOR_DROP, SUCCESSION};
+pub use measured::{DIMENSION, FRAME, MEASURED};
 pub use run::{COMPARED, RUN};
 pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
@@ -55,6 +57,9 @@ pub(crate) const ANYWHERE: [&[Quantity]; 20] = [
 /// All scalar results, in the order of keys, columns and tables.
 pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
     let more = [
+        MEASURED,
+        FRAME,
+        DIMENSION,
         PLANE,
         SUCCESSION,
         SEARCH,

@@ -19,6 +19,7 @@ pub(crate) mod lane_set;
 pub mod lanes;
 pub(crate) mod minimum;
 pub mod moments;
+pub(crate) mod normal_equations;
 pub mod proportion;
 pub(crate) mod quadrature;
 pub mod quantile;

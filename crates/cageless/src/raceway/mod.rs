@@ -259,7 +259,7 @@ impl Raceway {
     }
 
     /// Share of the middle's depth at ψ, (1 − sin²ψ/sin²θ)², and its slope over ψ.
-    fn depth_share(&self, angle_rad: f64) -> [f64; 2] {
+    pub(crate) fn depth_share(&self, angle_rad: f64) -> [f64; 2] {
         let (local, end) = (self.local_angle_rad(angle_rad), self.half_angle_rad());
         if local.abs() >= end {
             return [0.0; 2];

@@ -6,7 +6,7 @@ use super::point_deviation::PointDeviation;
 use super::section_frame::SectionFrame;
 use crate::case::Case;
 use crate::error::InputError;
-use crate::raceway::{Linearised, PowerAngle, fit_flanks};
+use crate::raceway::{Linearised, PowerAngle, Raceway, fit_flanks};
 
 /// Fewest points of a raceway.
 const POINTS_MIN: usize = 50;
@@ -39,6 +39,33 @@ struct Seen {
     across_m: f64,
 }
 
+impl Seen {
+    fn of(frame: &SectionFrame, raceway: &Raceway, [x, y, z]: [f64; 3]) -> Self {
+        let (sin, cos) = frame.axis_rad.sin_cos();
+        let [radial, axial] = [x.hypot(y) - frame.ball_m[0], z - frame.ball_m[1]];
+        let angle_rad = x.atan2(-y);
+        Self {
+            local_rad: raceway.local_angle_rad(angle_rad),
+            share: raceway.depth_share(angle_rad)[0],
+            along_m: radial * cos + axial * sin - raceway.depth_at_m(angle_rad)[0],
+            across_m: (axial * cos - radial * sin).abs(),
+        }
+    }
+
+    /// Distance from flanks of this angle with this depth error in the middle, and its slope over the angle.
+    fn error(&self, frame: &SectionFrame, angle_rad: f64, depth_error_m: f64) -> [f64; 2] {
+        let (sin, cos) = angle_rad.sin_cos();
+        let along = self.along_m + frame.offset_m * cos;
+        let across = self.across_m + frame.offset_m * sin;
+        let distance = along.hypot(across);
+        let slope = frame.offset_m * (across * cos - along * sin) / distance;
+        [
+            distance - frame.curvature_radius_m - depth_error_m * self.share,
+            slope,
+        ]
+    }
+}
+
 impl MeasuredGroove {
     /// Fit to the points within ±θ of a raceway of the case. In each section the flank is an arc of
     /// radius Re, larger by the depth error, whose centre is Re − Rw behind that of the ball, at the angle αc(ψ); the
@@ -53,21 +80,11 @@ impl MeasuredGroove {
     pub fn fit(case: &Case, index: usize, points_m: &[[f64; 3]]) -> Result<Self, InputError> {
         let raceway = &case.raceways[index];
         let frame = SectionFrame::of(case, raceway);
-        let (sin, cos) = frame.axis_rad.sin_cos();
         let theta = raceway.half_angle_rad();
-        // Linear in the error, which runs out at the ends.
         let unit_m = raceway.depth_error_max_m();
-        let wrong = raceway.clone().with_depth_error(unit_m)?;
-        let seen = points_m.iter().map(|[x, y, z]| {
-            let [radial, axial] = [x.hypot(*y) - frame.ball_m[0], z - frame.ball_m[1]];
-            let angle_rad = x.atan2(-y);
-            Seen {
-                local_rad: raceway.local_angle_rad(angle_rad),
-                share: wrong.depth_error_at_m(angle_rad) / unit_m,
-                along_m: radial * cos + axial * sin - raceway.depth_at_m(angle_rad)[0],
-                across_m: (axial * cos - radial * sin).abs(),
-            }
-        });
+        let seen = points_m
+            .iter()
+            .map(|point| Seen::of(&frame, raceway, *point));
         let seen: Vec<_> = seen.filter(|point| point.local_rad.abs() < theta).collect();
         let count = seen.len();
         let refuse = |rule: &str| Err(InputError::rule("points", count as f64, rule));
@@ -81,13 +98,7 @@ impl MeasuredGroove {
             let observed = |flanks: &PowerAngle| -> Linearised {
                 let row = |point: &Seen| {
                     let [angle, _] = flanks.at(point.local_rad);
-                    let (sin, cos) = angle.sin_cos();
-                    let along = point.along_m + frame.offset_m * cos;
-                    let across = point.across_m + frame.offset_m * sin;
-                    let distance = along.hypot(across);
-                    let slope = frame.offset_m * (across * cos - along * sin) / distance;
-                    let radius = frame.curvature_radius_m + depth_error_m * point.share;
-                    let error = distance - radius;
+                    let [error, slope] = point.error(&frame, angle, depth_error_m);
                     [point.local_rad, slope, slope * angle - error]
                 };
                 seen.iter().map(row).collect()
@@ -139,6 +150,21 @@ impl MeasuredGroove {
                 ))
             }
         }
+    }
+
+    /// Distances of points of the raceway from the fitted flanks, m.
+    pub(super) fn errors_m(&self, case: &Case, index: usize, points_m: &[[f64; 3]]) -> Vec<f64> {
+        let raceway = &case.raceways[index];
+        let frame = SectionFrame::of(case, raceway);
+        let error = |point: &[f64; 3]| {
+            let seen = Seen::of(&frame, raceway, *point);
+            let angle = match seen.local_rad.abs() < self.flanks.half_angle_rad() {
+                true => self.flank_angle_rad(seen.local_rad),
+                false => 0.0,
+            };
+            seen.error(&frame, angle, self.depth_error_m)[0]
+        };
+        points_m.iter().map(error).collect()
     }
 
     /// αc at ψ from the middle of the raceway, within ±θ.

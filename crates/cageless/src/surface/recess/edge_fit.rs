@@ -38,7 +38,9 @@ const DIFFERENCE_M: f64 = 1e-6;
 
 /// Dimensions that are fitted: re, ze in the middle, straight half of the slot and ψ of its middle as lengths
 /// along the bottom, and how much deeper than that of the case the groove is from which the edges go.
-const DIMENSIONS: usize = 5;
+pub(super) const DIMENSIONS: usize = 5;
+/// Their covariance, m².
+pub(super) type Covariance = [[f64; DIMENSIONS]; DIMENSIONS];
 /// The straight half among them, which is not negative.
 const STRAIGHT: usize = 2;
 
@@ -55,12 +57,12 @@ pub(super) struct Touched {
     slopes: [f64; DIMENSIONS],
 }
 
-/// The edges that fit points best, and the points on them; `None` if there are fewer than dimensions, or they
+/// The edges that fit points best, the points on them and the covariance of the dimensions; `None` if there are fewer than dimensions, or they
 /// leave one open.
 pub(super) fn fit_edges(
     designed: &RecessFrame,
     points_m: &[Vec3],
-) -> Option<(RecessFrame, Vec<Touched>)> {
+) -> Option<(RecessFrame, Vec<Touched>, Covariance)> {
     let mut frame = *designed;
     let mut touched = on_edges(&frame, points_m);
     for _ in 0..ROUNDS {
@@ -71,7 +73,44 @@ pub(super) fn fit_edges(
             break;
         }
     }
-    Some((frame, touched))
+    let covariance = covariance(&touched)?;
+    Some((frame, touched, covariance))
+}
+
+/// s² (JᵀWJ)⁻¹ with the scatter s of the errors as they weigh.
+fn covariance(touched: &[Touched]) -> Option<Covariance> {
+    let scale_m = HUBER * deviation_m(touched)?;
+    let (normal, _) = normal_equations(touched, scale_m);
+    let weighted = |point: &Touched| weight(point, scale_m) * point.error_m.powi(2);
+    let squares: f64 = touched.iter().map(weighted).sum();
+    let scatter = squares / (touched.len() - DIMENSIONS) as f64;
+    let mut inverse = Covariance::default();
+    for (k, row) in inverse.iter_mut().enumerate() {
+        let mut unit = [0.0; DIMENSIONS];
+        unit[k] = scatter;
+        *row = cholesky::solve(&normal, 0.0, unit)?;
+    }
+    Some(inverse)
+}
+
+/// Weight of a point: less than 1 beyond this distance.
+fn weight(point: &Touched, scale_m: f64) -> f64 {
+    (scale_m / point.error_m.abs()).min(1.0)
+}
+
+/// JᵀWJ, its lower half, and −JᵀW ε.
+fn normal_equations(touched: &[Touched], scale_m: f64) -> (Covariance, [f64; DIMENSIONS]) {
+    let mut normal = Covariance::default();
+    let mut right = [0.0; DIMENSIONS];
+    for point in touched {
+        let weight = weight(point, scale_m);
+        for i in 0..DIMENSIONS {
+            let slope = weight * point.slopes[i];
+            right[i] -= slope * point.error_m;
+            (0..=i).for_each(|j| normal[i][j] += slope * point.slopes[j]);
+        }
+    }
+    (normal, right)
 }
 
 /// The points that lie on the edges.
@@ -159,16 +198,7 @@ fn moved(frame: &RecessFrame, step_m: [f64; DIMENSIONS]) -> RecessFrame {
 /// Step of Gauss and Newton; one that would make the straight half negative ends where it is 0.
 fn step_m(frame: &RecessFrame, touched: &[Touched]) -> Option<[f64; DIMENSIONS]> {
     let scale_m = HUBER * deviation_m(touched)?;
-    let mut normal = [[0.0; DIMENSIONS]; DIMENSIONS];
-    let mut right = [0.0; DIMENSIONS];
-    for point in touched {
-        let weight = (scale_m / point.error_m.abs()).min(1.0);
-        for i in 0..DIMENSIONS {
-            let slope = weight * point.slopes[i];
-            right[i] -= slope * point.error_m;
-            (0..=i).for_each(|j| normal[i][j] += slope * point.slopes[j]);
-        }
-    }
+    let (mut normal, mut right) = normal_equations(touched, scale_m);
     let straight_m = frame.straight_rad * frame.groove_bottom_radius_m;
     let mut step = cholesky::solve(&normal, 0.0, right)?;
     if straight_m + step[STRAIGHT] < 0.0 {

@@ -1,10 +1,11 @@
 //! A slot from points of its measured surface.
 
-use super::edge_fit::{Touched, fit_edges};
+use super::edge_fit::{Covariance, DIMENSIONS, Touched, fit_edges};
 use super::recess_frame::RecessFrame;
 use crate::case::Case;
 use crate::error::InputError;
 use crate::numerics::angle::wrap_angle_rad;
+use crate::surface::measured_value::MeasuredValue;
 use crate::surface::point_deviation::PointDeviation;
 use crate::surface::section_frame::SectionFrame;
 
@@ -41,6 +42,46 @@ pub struct MeasuredSlot {
     pub slot_depth_m: Option<f64>,
     /// Distances of the points on the edges from the fit.
     pub deviation: PointDeviation,
+    /// Standard uncertainties.
+    pub uncertainty: SlotUncertainty,
+}
+
+/// Standard uncertainties of the dimensions of a slot, from the scatter of the points on its edges.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SlotUncertainty {
+    /// Of re.
+    pub edge_radius_m: f64,
+    /// Of lC.
+    pub axial_span_m: f64,
+    /// Of θ.
+    pub half_angle_rad: f64,
+    /// Of ψ of the middle.
+    pub centre_angle_rad: f64,
+    /// Of the depth error.
+    pub depth_error_m: f64,
+}
+
+impl SlotUncertainty {
+    /// Those of a slot with this covariance of what is fitted: re, ze, straight half and middle along the bottom,
+    /// and depth.
+    fn of(frame: &RecessFrame, ball_radius_m: f64, covariance: &Covariance) -> Self {
+        let (reach, bottom) = (frame.ball_reach_m, frame.groove_bottom_radius_m);
+        let sine = frame.half_span_m / reach;
+        // lC = 2 Rw ze/(Rw + re), θ = (straight + ze)/Ro, and the place of a ball on both edges.
+        let span = 2.0 * ball_radius_m / reach;
+        let of = |slopes: [f64; DIMENSIONS]| {
+            let row =
+                |i: usize| (0..DIMENSIONS).map(move |j| slopes[i] * covariance[i][j] * slopes[j]);
+            (0..DIMENSIONS).flat_map(row).sum::<f64>().max(0.0).sqrt()
+        };
+        Self {
+            edge_radius_m: of([1.0, 0.0, 0.0, 0.0, 0.0]),
+            axial_span_m: of([-span * sine, span, 0.0, 0.0, 0.0]),
+            half_angle_rad: of([0.0, 1.0, 1.0, 0.0, 0.0]) / bottom,
+            centre_angle_rad: of([0.0, 0.0, 0.0, 1.0, 0.0]) / bottom,
+            depth_error_m: of([0.0, 0.0, 0.0, 0.0, 1.0]),
+        }
+    }
 }
 
 impl MeasuredSlot {
@@ -62,7 +103,7 @@ impl MeasuredSlot {
         let strange = "of the edges of this slot, in the frame of its ring, and their radius, width, length and \
                        place near those of the case";
         let fitted = fit_edges(&designed, points_m);
-        let (frame, touched) = fitted.ok_or_else(|| refuse(0, FEW))?;
+        let (frame, touched, covariance) = fitted.ok_or_else(|| refuse(0, FEW))?;
         let count = touched.len();
         let around = |end: f64| touched.iter().filter(|point| point.end == end).count();
         if count < POINTS_MIN || around(1.0).min(around(-1.0)) < END_POINTS_MIN {
@@ -95,7 +136,18 @@ impl MeasuredSlot {
             depth_error_m: (depth(reach) - depth(own)) * (1.0 - sine * sine).sqrt(),
             slot_depth_m: floor_depth_m(&designed, &frame, points_m),
             deviation,
+            uncertainty: SlotUncertainty::of(&frame, rw, &covariance),
         })
+    }
+}
+
+impl MeasuredSlot {
+    /// ψ of the middle, rad.
+    pub(in crate::surface) fn measured_centre_angle_rad(&self) -> MeasuredValue {
+        MeasuredValue {
+            value: self.centre_angle_rad,
+            standard_uncertainty: self.uncertainty.centre_angle_rad,
+        }
     }
 }
 

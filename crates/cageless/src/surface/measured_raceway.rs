@@ -1,0 +1,38 @@
+//! A raceway as it was measured.
+
+use super::measured_groove::MeasuredGroove;
+use super::measured_value::MeasuredValue;
+use super::recess::MeasuredSlot;
+
+/// What points say of a raceway of the drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MeasuredRaceway {
+    /// Nothing: the groove is plain there.
+    None(NoRaceway),
+    /// Flanks.
+    Flanks(Box<MeasuredFlank>),
+    /// A slot.
+    Slot(Box<MeasuredSlot>),
+}
+
+/// A plain groove where the drawing has a raceway.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoRaceway {
+    /// lC that points of the groove have there at most, with its uncertainty, m; `None` if none comes near them.
+    pub axial_span_m: Option<MeasuredValue>,
+}
+
+/// Dimensions and flanks of a raceway.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredFlank {
+    /// lC, m.
+    pub axial_span_m: MeasuredValue,
+    /// θ, rad.
+    pub half_angle_rad: MeasuredValue,
+    /// ψ of the middle, rad.
+    pub centre_angle_rad: MeasuredValue,
+    /// Depth error of the middle, along the normals of its flanks, m: above 0 too deep.
+    pub depth_error_m: MeasuredValue,
+    /// Flanks of any shape.
+    pub groove: MeasuredGroove,
+}
