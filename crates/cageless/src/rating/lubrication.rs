@@ -3,7 +3,7 @@
 use super::basic_ratings::BasicRatings;
 use super::equivalent_load::EquivalentLoad;
 use super::skf_friction::SkfFriction;
-use super::speed_factor_mm_rpm;
+use super::speed_factor::speed_factor_mm_rpm;
 use crate::case::Case;
 
 /// Speed at which the equation of the reference viscosity changes, rpm.

@@ -27,6 +27,7 @@ mod passing_frequencies;
 mod ratios;
 mod reference_life;
 mod skf_friction;
+mod speed_factor;
 
 use std::f64::consts::TAU;
 
@@ -49,10 +50,7 @@ pub use lubrication::{
 pub use passing_frequencies::{PassingFrequencies, loaded_contact_angle_rad};
 pub use reference_life::ReferenceLife;
 pub use skf_friction::{SkfFriction, SkfOperation};
-
-/// Largest n·Dpw of ball bearings in service, mm/min: hybrid spindle bearings under oil
-/// jets and bearings of aircraft engines reach 3 million.
-pub const SPEED_PARAMETER_MAX_MM_RPM: f64 = 3e6;
+pub use speed_factor::{SPEED_PARAMETER_MAX_MM_RPM, speed_factor_mm_rpm, speed_warning};
 
 /// Ratings of a bearing at its operating point.
 #[derive(Debug, Clone, PartialEq)]
@@ -195,23 +193,6 @@ impl Rating {
             .chain(speed_warning(self.speed_factor_mm_rpm))
             .collect()
     }
-}
-
-/// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
-pub fn speed_factor_mm_rpm(case: &Case) -> f64 {
-    let rpm = case.operation.inner_speed_rad_s.abs() * 60.0 / TAU;
-    rpm * 2e3 * case.bearing.pitch_radius_m()
-}
-
-/// Warning if n·Dpw exceeds [`SPEED_PARAMETER_MAX_MM_RPM`].
-pub fn speed_warning(speed_factor_mm_rpm: f64) -> Option<String> {
-    (speed_factor_mm_rpm > SPEED_PARAMETER_MAX_MM_RPM).then(|| {
-        format!(
-            "n·Dpw is {:.2} million mm/min, above the {} million that ball bearings reach",
-            speed_factor_mm_rpm * 1e-6,
-            SPEED_PARAMETER_MAX_MM_RPM * 1e-6
-        )
-    })
 }
 
 /// Whether a material is a silicon nitride for balls (ISO 26602) by its modulus and density.

@@ -2,7 +2,7 @@
 
 use super::basic_ratings::BasicRatings;
 use super::friction_torque::is_single_deep_groove;
-use super::speed_factor_mm_rpm;
+use super::speed_factor::speed_factor_mm_rpm;
 use crate::case::Case;
 use crate::lubrication::{Lubricant, Lubrication, SkfConstants, SkfSeries};
 
