@@ -195,9 +195,9 @@ pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
     "A scalar result": {
         "crates/cageless-results/src/table/run.rs": [
             [
-                '    quantity("passage_duration_mean_ms"',
-                '    quantity("passages_per_second_hz", "Hz", "passages a second", '
-                "Run(|r| some(r.passages.count as f64 / r.outcome.end_s))),\n",
+                '    group(Group::Passages, quantity("passage_duration_mean_ms"',
+                '    group(Group::Passages, quantity("passages_per_second_hz", "Hz", "passages a second", '
+                "Run(|r| some(r.passages.count as f64 / r.outcome.end_s)))),\n",
             ]
         ],
     },
