@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use cageless::tolerance::ball_grades_text;
 use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
-use cageless_study::measured::Limits;
 use cageless_study::sweep::Shard;
 use cageless_study::tolerance::Request as Tolerances;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
@@ -282,15 +281,9 @@ pub struct MeasureArgs {
     /// names x_mm, y_mm, z_mm or without.
     #[arg(value_name = "POINTS")]
     pub points: PathBuf,
-    /// Tolerance of the raceway depth, ± µm.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Limits::default().groove_depth_um)]
-    pub groove_depth_um: f64,
-    /// Tolerance of the axial span lC, ± µm.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Limits::default().axial_span_um)]
-    pub axial_span_um: f64,
-    /// Tolerance of the half angle θ, ± degrees.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Limits::default().half_angle_deg)]
-    pub half_angle_deg: f64,
+    /// Tolerances of the raceway.
+    #[command(flatten)]
+    pub raceway: RacewayTolerances,
     /// Tolerance of the angular position ψ in the frame of the points, ± degrees; default: none.
     #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG")]
     pub centre_angle_deg: Option<f64>,
@@ -391,15 +384,9 @@ pub struct ReportArgs {
     pub open: bool,
 }
 
-/// `tolerance`.
+/// Machining tolerances of a discrete raceway.
 #[derive(Debug, Group)]
-pub struct ToleranceArgs {
-    /// Case, output.
-    #[command(flatten)]
-    pub case: CaseArgs,
-    /// Monte Carlo sample size; 0: one-at-a-time only.
-    #[arg(long, value_parser = whole, allow_negative_numbers = true, default_value_t = Tolerances::default().samples)]
-    pub samples: u64,
+pub struct RacewayTolerances {
     /// Tolerance of the raceway depth, ± µm.
     #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().groove_depth_um)]
     pub groove_depth_um: f64,
@@ -409,6 +396,20 @@ pub struct ToleranceArgs {
     /// Tolerance of the half angle θ, ± degrees.
     #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Tolerances::default().half_angle_deg)]
     pub half_angle_deg: f64,
+}
+
+/// `tolerance`.
+#[derive(Debug, Group)]
+pub struct ToleranceArgs {
+    /// Case, output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Monte Carlo sample size; 0: one-at-a-time only.
+    #[arg(long, value_parser = whole, allow_negative_numbers = true, default_value_t = Tolerances::default().samples)]
+    pub samples: u64,
+    /// Tolerances of the raceway.
+    #[command(flatten)]
+    pub raceway: RacewayTolerances,
     /// Tolerance of the contact angle of the raceway, ± degrees; of cases in space.
     #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Tolerances::default().contact_angle_deg)]
     pub contact_angle_deg: f64,

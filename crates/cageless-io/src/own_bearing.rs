@@ -2,15 +2,22 @@
 
 use crate::case_file::{CaseError, CaseFile};
 
-/// Dimensions that make a bearing; the rest takes defaults.
+/// Balls of a bearing on their pitch circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OwnBearing {
+pub struct BallSet {
     /// Z.
     pub balls: u64,
     /// Dw, mm.
     pub ball_diameter_mm: f64,
     /// Dpw, mm.
     pub pitch_diameter_mm: f64,
+}
+
+/// Dimensions that make a bearing; the rest takes defaults.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnBearing {
+    /// Balls.
+    pub ball_set: BallSet,
     /// Gr, µm.
     pub clearance_um: f64,
 }
@@ -26,37 +33,31 @@ pub struct NewOperation {
     pub axial_load_n: Option<f64>,
 }
 
-impl OwnBearing {
-    /// A commented case file.
-    pub fn case_file(&self) -> String {
+impl BallSet {
+    /// Sections of a new case after those of its dimensions: balls, rows if it has any, raceway, operation, contact,
+    /// and what is left to its reader.
+    pub(crate) fn sections(&self, hybrid: bool, rows: &str) -> String {
         let Self {
             balls,
             ball_diameter_mm: ball,
             pitch_diameter_mm: pitch,
-            clearance_um,
         } = *self;
+        let ball_material = match hybrid {
+            true => {
+                "[ball_material]                                # hybrid bearing, suffix HC5\npreset = \"Si3N4\"\n"
+            }
+            false => {
+                "# [ball_material]                              # hybrid bearing: ceramic balls in steel rings\n# preset = \"Si3N4\"\n"
+            }
+        };
         // Two digits are enough for what is to be replaced.
         let round = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
         let speed: f64 = round(3e5 / pitch);
         let load: f64 = round(0.05 * 12.0 * balls as f64 * ball * ball);
         format!(
             "\
-# A bearing by its dimensions. Replace what is marked (assumed). Everything that is left out takes a
-# default: `cageless check` lists them with their values.
-schema = 1
-title = \"{balls} balls of {ball} mm on {pitch} mm\"
-
-[bearing]
-balls = {balls}
-ball_diameter_mm = {ball:<27} # Dw
-pitch_diameter_mm = {pitch:<26} # Dpw
-radial_internal_clearance_um = {clearance_um:<15} # Gr
-inner_conformity = 0.52                        # (assumed) groove radius over Dw
-outer_conformity = 0.52                        # (assumed)
-
-# [ball_material]                              # hybrid bearing: ceramic balls in steel rings
-# preset = \"Si3N4\"
-
+{ball_material}
+{rows}\
 # A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
 # `cageless design --search` looks for the best one.
 # [raceway]
@@ -70,8 +71,38 @@ radial_load_n = {load:<30} # (assumed) about 4 % of the static load rating
 [contact]
 friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3
 
+{OPTIONAL_SECTIONS}"
+        )
+    }
+}
+
+impl OwnBearing {
+    /// A commented case file.
+    pub fn case_file(&self) -> String {
+        let BallSet {
+            balls,
+            ball_diameter_mm: ball,
+            pitch_diameter_mm: pitch,
+        } = self.ball_set;
+        format!(
+            "\
+# A bearing by its dimensions. Replace what is marked (assumed). Everything that is left out takes a
+# default: `cageless check` lists them with their values.
+schema = 1
+title = \"{balls} balls of {ball} mm on {pitch} mm\"
+
+[bearing]
+balls = {balls}
+ball_diameter_mm = {ball:<27} # Dw
+pitch_diameter_mm = {pitch:<26} # Dpw
+radial_internal_clearance_um = {clearance:<15} # Gr
+inner_conformity = 0.52                        # (assumed) groove radius over Dw
+outer_conformity = 0.52                        # (assumed)
+
 {sections}",
-            sections = OPTIONAL_SECTIONS.replacen(
+            clearance = self.clearance_um,
+            // Without a designation nothing gives the diameters of the seats.
+            sections = self.ball_set.sections(false, "").replacen(
                 "# shaft",
                 "# bore_diameter_mm =\n# outside_diameter_mm =\n# shaft",
                 1
@@ -91,7 +122,7 @@ friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022
 }
 
 /// Sections that a new case leaves to its reader.
-pub(crate) const OPTIONAL_SECTIONS: &str = "\
+const OPTIONAL_SECTIONS: &str = "\
 # [fit]                                        # fits and temperatures make the clearance in operation
 # shaft = \"k5\"
 # housing = \"H7\"
@@ -129,9 +160,11 @@ mod tests {
     use super::*;
 
     const OWN: OwnBearing = OwnBearing {
-        balls: 12,
-        ball_diameter_mm: 8.0,
-        pitch_diameter_mm: 32.0,
+        ball_set: BallSet {
+            balls: 12,
+            ball_diameter_mm: 8.0,
+            pitch_diameter_mm: 32.0,
+        },
         clearance_um: 10.0,
     };
     const OPERATION: NewOperation = NewOperation {
@@ -174,7 +207,11 @@ mod tests {
 
     #[test]
     fn balls_that_do_not_fit_are_refused() {
-        let many = OwnBearing { balls: 13, ..OWN };
+        let ball_set = BallSet {
+            balls: 13,
+            ..OWN.ball_set
+        };
+        let many = OwnBearing { ball_set, ..OWN };
         let error = many.checked(&OPERATION).unwrap_err().to_string();
         assert!(error.contains("balls"), "{error}");
     }

@@ -7,25 +7,23 @@ use cageless_study::comparison::{
 };
 use cageless_study::{StudyError, Task, Work};
 
-use crate::cases::{READINGS, structure_file};
+use crate::cases::{HOUSING, READINGS, structure_file};
 use crate::comparison::{CONVENTIONAL, STRUCTURE_D};
 
 /// Conventional ring and structure (d) at 12 000 rpm with the housing of the experiment.
 fn rings() -> Result<Vec<(String, CaseFile)>, CaseError> {
-    let overrides = [
-        "solver.method=\"verlet\"",
-        "solver.step_us=\"auto\"",
-        "housing.mass_kg=1.0",
-        "housing.stiffness_n_m=1.0e8",
-        "housing.damping_n_s_m=500.0",
-    ];
-    let discrete = structure_file(3, READINGS[1], &overrides.map(str::to_owned))?;
-    let conventional = discrete.with_conventional_ring()?;
-    let named = [(CONVENTIONAL, conventional), (STRUCTURE_D, discrete)];
-    Ok(named
-        .map(|(name, file)| (name.to_owned(), file))
+    let method = ["solver.method=\"verlet\"", "solver.step_us=\"auto\""];
+    let overrides: Vec<String> = method
         .into_iter()
-        .collect())
+        .chain(HOUSING)
+        .map(str::to_owned)
+        .collect();
+    let discrete = structure_file(3, READINGS[1], &overrides)?;
+    let conventional = discrete.with_conventional_ring()?;
+    Ok(vec![
+        (CONVENTIONAL.to_owned(), conventional),
+        (STRUCTURE_D.to_owned(), discrete),
+    ])
 }
 
 /// Runs both rings.

@@ -17,7 +17,7 @@ pub enum Group {
     Stiffness,
     /// Frequencies of the balls.
     Frequencies,
-    /// The same as multiples of the frequency of the shaft.
+    /// Frequencies of the balls as multiples of that of the shaft.
     Orders,
     /// Orbital speeds around the bearing and between balls.
     BallAdvance,

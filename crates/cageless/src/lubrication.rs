@@ -46,7 +46,7 @@ crate::named_enum! {
 
 impl SkfSeries {
     /// Constants of SKF (*General catalogue* 6000 (2006), table of deep groove ball bearings).
-    pub fn constants(self) -> SkfConstants {
+    pub(crate) fn constants(self) -> SkfConstants {
         let [r1, r2, s1, s2] = match self {
             Self::FillingSlot => [4.4e-7, 1.7, 2.00e-3, 100.0],
             Self::S42 => [5.4e-7, 0.96, 3.00e-3, 40.0],
@@ -64,7 +64,7 @@ impl SkfSeries {
 
 /// Constants of SKF's friction model, of loads in N, diameters in mm and torques in N·mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SkfConstants {
+pub(crate) struct SkfConstants {
     /// R1.
     pub r1: f64,
     /// R2.

@@ -17,9 +17,9 @@ pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
     let file = read_case(&args.case.case, &args.case.set)?;
     let name = args.case.case.display().to_string();
     let limits = Limits {
-        groove_depth_um: args.groove_depth_um,
-        axial_span_um: args.axial_span_um,
-        half_angle_deg: args.half_angle_deg,
+        groove_depth_um: args.raceway.groove_depth_um,
+        axial_span_um: args.raceway.axial_span_um,
+        half_angle_deg: args.raceway.half_angle_deg,
         centre_angle_deg: args.centre_angle_deg,
     };
     let measured = measured(&file, &name, &args.points, &limits)?;

@@ -19,7 +19,7 @@ mod tolerance;
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{on_former_name, template};
 use cageless_io::designation;
-use cageless_io::own_bearing::{NewOperation, OwnBearing};
+use cageless_io::own_bearing::{BallSet, NewOperation, OwnBearing};
 use cageless_io::results::write_atomically;
 use cageless_io::touchdown_template::touchdown_case;
 use cageless_study::check_environment;
@@ -32,9 +32,11 @@ use crate::progress::{be_quiet, is_quiet, message};
 /// The bearing of the options, if it is given by its dimensions.
 fn own_bearing(args: &New) -> Option<OwnBearing> {
     Some(OwnBearing {
-        balls: args.balls?,
-        ball_diameter_mm: args.ball_diameter_mm?,
-        pitch_diameter_mm: args.pitch_diameter_mm?,
+        ball_set: BallSet {
+            balls: args.balls?,
+            ball_diameter_mm: args.ball_diameter_mm?,
+            pitch_diameter_mm: args.pitch_diameter_mm?,
+        },
         clearance_um: args.clearance_um.unwrap_or(0.0),
     })
 }

@@ -20,9 +20,9 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
     let name = args.case.case.display().to_string();
     let request = Request {
         samples: args.samples,
-        groove_depth_um: args.groove_depth_um,
-        axial_span_um: args.axial_span_um,
-        half_angle_deg: args.half_angle_deg,
+        groove_depth_um: args.raceway.groove_depth_um,
+        axial_span_um: args.raceway.axial_span_um,
+        half_angle_deg: args.raceway.half_angle_deg,
         contact_angle_deg: args.contact_angle_deg,
         ball_grade: args.ball_grade,
         friction: args.friction,

@@ -2,7 +2,7 @@
 
 use cageless::Assembly;
 
-use crate::own_bearing::OPTIONAL_SECTIONS;
+use crate::own_bearing::BallSet;
 
 use super::{BallSource, BoundaryDimensions, InternalGeometry};
 
@@ -167,14 +167,6 @@ impl BoundaryDimensions {
                 self.suffixes.clearance_group.name()
             ),
         };
-        let balls_of = match self.suffixes.hybrid {
-            true => {
-                "[ball_material]                                # hybrid bearing, suffix HC5\npreset = \"Si3N4\"\n"
-            }
-            false => {
-                "# [ball_material]                              # hybrid bearing: ceramic balls in steel rings\n# preset = \"Si3N4\"\n"
-            }
-        };
         let without_effect = self.suffixes.without_effect.iter();
         let without_effect: String = without_effect
             .map(|(suffix, meaning)| format!("# {suffix} ({meaning}) has no effect here.\n"))
@@ -208,10 +200,12 @@ preload_um = 5
         } else {
             String::new()
         };
-        // Two digits are enough for what is to be replaced.
-        let round = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
-        let speed: f64 = round(3e5 / pitch);
-        let load: f64 = round(0.05 * 12.0 * balls as f64 * ball * ball);
+        let ball_set = BallSet {
+            balls: balls as u64,
+            ball_diameter_mm: ball,
+            pitch_diameter_mm: pitch,
+        };
+        let sections = ball_set.sections(self.suffixes.hybrid, &rows);
         format!(
             "\
 # {name}, {kind}: boundary dimensions d {d} mm, D {big} mm, B {width} mm (ISO 15).
@@ -235,24 +229,8 @@ inner_ring_bore_radius_mm = {bore:<18} # d/2
 outer_ring_outer_radius_mm = {outer:<17} # D/2, for the export to CAD
 outer_ring_width_mm = {width:<24} # B
 
-{balls_of}
-{rows}\
-# A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
-# `cageless design --search` looks for the best one.
-# [raceway]
-# axial_span_mm =
-# half_angle_deg =
-
-[operation]
-inner_speed_rpm = {speed:<28} # (assumed) n·Dpw of 300,000 mm/min
-radial_load_n = {load:<30} # (assumed) about 4 % of the static load rating
-
-[contact]
-friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3
-
-{optional}",
+{sections}",
             bore = d / 2.0,
-            optional = OPTIONAL_SECTIONS,
             outer = big / 2.0,
         )
     }

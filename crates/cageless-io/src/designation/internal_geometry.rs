@@ -59,6 +59,14 @@ pub struct InternalGeometry {
 }
 
 impl BoundaryDimensions {
+    /// Least and largest radial internal clearance of the group; `None` where ISO 5753-1 has none.
+    pub(super) fn clearance_limits_um(&self) -> Option<[u16; 2]> {
+        let mut rows = CLEARANCE_UM.iter();
+        let (_, limits) = rows.find(|(bore, _)| self.bore_mm <= f64::from(*bore))?;
+        let limits = limits[self.suffixes.clearance_group as usize];
+        (limits[1] > 0).then_some(limits)
+    }
+
     /// Internal geometry: with `full_complement`, as many balls as the pitch circle holds, else
     /// as many as with a cage, but enough to hold the inner ring when all are in one group.
     pub fn internal_geometry(&self, full_complement: bool) -> InternalGeometry {
@@ -75,11 +83,7 @@ impl BoundaryDimensions {
             }
         };
         let angle = ball_angle(ball_diameter_mm);
-        let group = CLEARANCE_UM
-            .iter()
-            .find(|(bore, ..)| self.bore_mm <= f64::from(*bore));
-        let (_, limits) = group.copied().unwrap_or_default();
-        let [least, most] = limits[self.suffixes.clearance_group as usize];
+        let [least, most] = self.clearance_limits_um().unwrap_or_default();
         let (caged_balls, source, clearance_um) = match self.contact_angle_deg > 0.0 {
             false => (caged_balls, source, f64::from(least + most) / 2.0),
             // The contact angle is that without load.

@@ -111,22 +111,20 @@ pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
                 designation.trim()
             )
         })?;
-        let group = suffixes.clearance_group;
-        if found.bore_mm <= SMALL_BORE_MM
-            && matches!(group, ClearanceGroup::C4 | ClearanceGroup::C5)
-        {
-            return Err(format!(
-                "`{}` is not possible: ISO 5753-1 has no group {} for bores of up to {SMALL_BORE_MM} mm",
-                designation.trim(),
-                group.name()
-            ));
-        }
-        return Ok(BoundaryDimensions {
+        let found = BoundaryDimensions {
             designation: designation.trim().to_owned(),
             contact_angle_deg,
             suffixes,
             ..found.clone()
-        });
+        };
+        if found.clearance_limits_um().is_none() {
+            return Err(format!(
+                "`{}` is not possible: ISO 5753-1 has no group {} for bores of up to {SMALL_BORE_MM} mm",
+                found.designation,
+                found.suffixes.clearance_group.name()
+            ));
+        }
+        return Ok(found);
     }
     let near = nearest(designation, all.iter().map(|b| b.designation.as_str()));
     let hint = match find_angular(designation) {

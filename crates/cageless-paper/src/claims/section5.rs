@@ -230,7 +230,7 @@ fn superiority(e: &Evidence) -> Claim {
     ))
 }
 
-/// The same after the transient, with real balls.
+/// Superiority in steady operation: draws of real balls, the transient left out.
 fn in_steady_operation(e: &Evidence) -> Claim {
     // Name of a result, its requirement and what is said of it.
     let asked = [

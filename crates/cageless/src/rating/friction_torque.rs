@@ -18,13 +18,11 @@ pub fn rolling_torque_n_m(bearing: &Bearing, load_n: f64) -> f64 {
 /// with a contact angle or several rows, for which μ is another.
 pub fn skf_friction_torque_n_m(case: &Case) -> Option<f64> {
     let rated = case.has_constant_operation() && is_single_deep_groove(case);
-    let load = EquivalentLoad::new(case).filter(|_| rated);
-    load.map(|load| rolling_torque_n_m(&case.bearing, load.dynamic_n))
+    let load = rated.then(|| EquivalentLoad::new(case)).flatten()?;
+    Some(rolling_torque_n_m(&case.bearing, load.dynamic_n))
 }
 
-/// Whether a case is a single-row deep groove ball bearing under forces alone, as SKF's rules have it.
+/// Whether a case is a single-row deep groove ball bearing, as SKF's rules have it.
 pub(super) fn is_single_deep_groove(case: &Case) -> bool {
-    case.bearing.contact_angle_rad() == 0.0
-        && case.rows.len() <= 1
-        && EquivalentLoad::new(case).is_some()
+    case.bearing.contact_angle_rad() == 0.0 && case.rows.len() <= 1
 }

@@ -131,7 +131,8 @@ impl LubricatedRating {
                 .map(|(factor, life)| factor * life),
             l10mr_mrev: lives.l10r_mrev.and_then(reference),
             minimum_radial_load_n: lubrication.minimum_load_factor.map(minimum),
-            skf_friction: SkfFriction::of(case, lubrication, basic),
+            skf_friction: (lives.equivalent)
+                .and_then(|_| SkfFriction::of(case, lubrication, basic)),
         })
     }
 }

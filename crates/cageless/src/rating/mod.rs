@@ -109,37 +109,12 @@ impl RatedMaterials {
 impl Rating {
     /// Ratings of a case in equilibrium.
     pub fn new(case: &Case, equilibrium: &Equilibrium) -> Self {
-        let bearing = &case.bearing;
-        let basic = BasicRatings::of_rows(bearing, case.rows.len().max(1));
-        let reference = ReferenceLife::new(bearing);
-        let equivalent = EquivalentLoad::new(case);
-        let l10_mrev = equivalent.map(|load| basic.l10_mrev(load.dynamic_n));
-        let l10r_mrev = rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q));
-        let peak_pa = equilibrium
-            .inner_pressure_max_pa
-            .max(equilibrium.outer_pressure_max_pa);
+        let reference = ReferenceLife::new(&case.bearing);
+        let at_rest = rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q));
+        let (inner_n, outer_n) = (&equilibrium.inner_force_n, &equilibrium.outer_force_n);
         Self {
-            equivalent,
-            l10_mrev,
-            lubricated: LubricatedRating::new(
-                case,
-                &basic,
-                Lives {
-                    equivalent,
-                    l10_mrev,
-                    l10r_mrev,
-                },
-            ),
-            l10r_mrev,
-            l10r_at_speed_mrev: reference
-                .l10r_mrev(&equilibrium.inner_force_n, &equilibrium.outer_force_n),
-            static_safety_factor: equivalent.map(|load| basic.static_safety_factor(load.static_n)),
-            pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
-            passing: PassingFrequencies::new(case),
-            loaded_contact_angle_rad: None,
-            speed_factor_mm_rpm: speed_factor_mm_rpm(case),
-            materials: RatedMaterials::of(bearing),
-            basic,
+            l10r_at_speed_mrev: reference.l10r_mrev(inner_n, outer_n),
+            ..Self::with_reference_life(case, equilibrium, at_rest)
         }
     }
 
@@ -155,19 +130,41 @@ impl Rating {
             });
             reference.l10r_of_rows_mrev(rows)
         };
-        let plane = Self::new(case, &space.rest);
-        let l10r_mrev = forces_at_rest(case).ok().and_then(|e| life(&e));
+        let at_rest = forces_at_rest(case).ok().and_then(|e| life(&e));
+        Self {
+            loaded_contact_angle_rad: loaded_contact_angle_rad(space),
+            l10r_at_speed_mrev: life(space),
+            ..Self::with_reference_life(case, &space.rest, at_rest)
+        }
+    }
+
+    /// Ratings with this L10r, that at speed left out.
+    fn with_reference_life(case: &Case, equilibrium: &Equilibrium, l10r_mrev: Option<f64>) -> Self {
+        let bearing = &case.bearing;
+        let basic = BasicRatings::of_rows(bearing, case.rows.len().max(1));
+        let equivalent = EquivalentLoad::new(case);
+        let l10_mrev = equivalent.map(|load| basic.l10_mrev(load.dynamic_n));
         let lives = Lives {
-            equivalent: plane.equivalent,
-            l10_mrev: plane.l10_mrev,
+            equivalent,
+            l10_mrev,
             l10r_mrev,
         };
+        let peak_pa = equilibrium
+            .inner_pressure_max_pa
+            .max(equilibrium.outer_pressure_max_pa);
         Self {
-            lubricated: LubricatedRating::new(case, &plane.basic, lives),
-            loaded_contact_angle_rad: loaded_contact_angle_rad(space),
+            equivalent,
+            l10_mrev,
+            lubricated: LubricatedRating::new(case, &basic, lives),
             l10r_mrev,
-            l10r_at_speed_mrev: life(space),
-            ..plane
+            l10r_at_speed_mrev: None,
+            static_safety_factor: equivalent.map(|load| basic.static_safety_factor(load.static_n)),
+            pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
+            passing: PassingFrequencies::new(case),
+            loaded_contact_angle_rad: None,
+            speed_factor_mm_rpm: speed_factor_mm_rpm(case),
+            materials: RatedMaterials::of(bearing),
+            basic,
         }
     }
 

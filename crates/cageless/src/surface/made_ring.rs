@@ -270,7 +270,7 @@ impl MadeRing {
         ([out * x / radius, out * y / radius, up], [-out, out - 1.0])
     }
 
-    /// The same on a raceway.
+    /// Gradient over the place and derivatives over Ro and Re of a point on a raceway.
     fn slopes(&self, frame: &SectionFrame, place: Vec3) -> (Vec3, [f64; 2]) {
         let half = DIFFERENCE_M;
         let over = |k: usize| {

@@ -49,15 +49,15 @@ pub struct MeasuredSlot {
 /// Standard uncertainties of the dimensions of a slot, from the scatter of the points on its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SlotUncertainty {
-    /// Of re.
+    /// Uncertainty of the edge radius re.
     pub edge_radius_m: f64,
-    /// Of lC.
+    /// Uncertainty of the axial span lC.
     pub axial_span_m: f64,
-    /// Of θ.
+    /// Uncertainty of the half angle θ.
     pub half_angle_rad: f64,
-    /// Of ψ of the middle.
+    /// Uncertainty of the angular position ψ of the middle.
     pub centre_angle_rad: f64,
-    /// Of the depth error.
+    /// Uncertainty of the depth error.
     pub depth_error_m: f64,
 }
 
