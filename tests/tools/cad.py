@@ -10,14 +10,17 @@ docs/theory/space.md and the slot of docs/theory/cad.md.
 
 import functools
 import json
+import re
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pandas as pd
 import trimesh
+from pypdf import PdfReader
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
@@ -562,6 +565,28 @@ def title(binary, case, out):
     check("title: read", [n and n.ToCString() for n in names] == [meant], str(names))
 
 
+def drawing(binary, case, out):
+    """The drawing of a sheet, by a reader of PDF and one of XML: its size, its texts, its circles in their scale."""
+    command = [binary, "sheet", case, "--without-benefit", "--quiet", "--out", out]
+    subprocess.run([str(c) for c in command], check=True, capture_output=True)
+    document = PdfReader(out / "drawing.pdf", strict=True)
+    check("drawing: one page", len(document.pages) == 1)
+    page = document.pages[0]
+    size = [float(length) * 25.4 / 72 for length in page.mediabox[2:]]
+    check("drawing: A4 across", np.allclose(size, [297, 210], atol=0.01), str(size))
+    svg = ElementTree.parse(out / "drawing.svg").getroot()
+    tag = "{http://www.w3.org/2000/svg}"
+    texts = [each.text for each in svg.iter(f"{tag}text")]
+    read = page.extract_text()
+    missing = [text for text in texts if not set("θψβα") & set(text) and text.split()[0] not in read]
+    check("drawing: the PDF has the texts of the SVG", not missing, str(missing))
+    check("drawing: diameter", "Ø 62" in texts and "Ø 62" in read)
+    arcs = [re.match(r"M.*?A([0-9.]+) ", each.get("d")) for each in svg.iter(f"{tag}path")]
+    radii = {round(float(arc[1]), 6) for arc in arcs if arc}
+    # At the scale 1 : 1.
+    check("drawing: circles", {31.0, 26.0, 27.765} <= radii, str(sorted(radii)))
+
+
 def stl(name, path, said, ring, generator):
     mesh = trimesh.load(path)
     check(f"{name}: watertight", mesh.is_watertight)
@@ -759,6 +784,7 @@ def main():
     path = scratch / "two.toml"
     ring = Ring(tomllib.loads(path.read_text()), 0.3)
     title(binary, path, scratch / "title.step")
+    drawing(binary, scratch / "structure-d.toml", scratch / "sheet")
     for tolerance in (1.0, 0.001):
         out = scratch / f"tolerance-{tolerance}.step"
         said = export(binary, path, out, "--blend-mm", 0.3, "--tolerance-um", tolerance)

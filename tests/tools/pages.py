@@ -349,13 +349,16 @@ def page(browser, name, path, screens):
     check(f"{name}: no errors on the console", not (said + thrown + logged), said + thrown + logged)
 
 
-def sheet(browser, path):
-    """The sheet of an equilibrium is one page of A4."""
+def sheet(browser, path, screens):
+    """The sheet of a case is two pages of A4."""
     tab = browser.open(path.resolve().as_uri())
-    tab.js("window.cagelessDrawAll()")
+    names(tab, "sheet")
+    for width, dark in [(1400, False), (420, True)]:
+        looks(tab, "sheet", screens, width, dark)
+    emulate(tab, 1400, False)
     pdf = base64.b64decode(tab.call("Page.printToPDF", preferCSSPageSize=True)["data"])
     count = len(re.findall(rb"/Type\s*/Page\b", pdf))
-    check("sheet: one page of A4", count == 1, count)
+    check("sheet: two pages of A4", count == 2, count)
 
 
 def main():
@@ -364,7 +367,7 @@ def main():
     def look(argument):
         name, path = argument.split("=", 1)
         if name == "sheet":
-            return name, lambda browser: sheet(browser, Path(path))
+            return name, lambda browser: sheet(browser, Path(path), screens)
         return name, lambda browser: page(browser, name, Path(path), screens)
 
     return in_browsers(screens, map(look, sys.argv[2:]))

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use cageless::tolerance::ball_grades_text;
 use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
+use cageless_study::measured::Limits;
 use cageless_study::sweep::Shard;
 use cageless_study::tolerance::Request as Tolerances;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
@@ -54,6 +55,8 @@ pub enum Command {
     Check(CaseArgs),
     /// Static equilibrium: ring displacement, load per ball, contact pressure.
     Static(StaticArgs),
+    /// One sheet for the decision: life, limits, clearance, benefit, drawing of the outer ring.
+    Sheet(SheetArgs),
     /// Constraints, β0, the lC–θ curve, critical gap, verdict and recommendation.
     Design(DesignArgs),
     /// Sensitivity of the verdict to machining tolerances, ball grade, friction, clearance, speed and load.
@@ -398,6 +401,18 @@ pub struct RacewayTolerances {
     pub half_angle_deg: f64,
 }
 
+impl RacewayTolerances {
+    /// Limits of a drawing with these, and with that of the angular position, ± degrees.
+    pub fn limits(&self, centre_angle_deg: Option<f64>) -> Limits {
+        Limits {
+            groove_depth_um: self.groove_depth_um,
+            axial_span_um: self.axial_span_um,
+            half_angle_deg: self.half_angle_deg,
+            centre_angle_deg,
+        }
+    }
+}
+
 /// `tolerance`.
 #[derive(Debug, Group)]
 pub struct ToleranceArgs {
@@ -463,6 +478,23 @@ pub struct StaticArgs {
     /// Show the load, pressure and speeds of every ball, too; --json, --csv and the page have them.
     #[arg(long)]
     pub balls: bool,
+}
+
+/// `sheet`.
+#[derive(Debug, Group)]
+pub struct SheetArgs {
+    /// Case, output: `report.html`, `drawing.svg`, `drawing.pdf`, `sheet.json`.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Tolerances of the raceway.
+    #[command(flatten)]
+    pub raceway: RacewayTolerances,
+    /// Tolerance of the angular position ψ, ± degrees; default: none.
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG")]
+    pub centre_angle_deg: Option<f64>,
+    /// Leave out the long runs that say whether the raceway helps.
+    #[arg(long)]
+    pub without_benefit: bool,
 }
 
 /// Arguments of commands that work on a case.

@@ -26,7 +26,7 @@ pub const PAGE: &str = "report.html";
 pub const PAGE_DATA: &str = "report.json";
 
 /// Files of a folder by name; `None`: one of an earlier call is removed.
-type Files = Vec<(&'static str, Option<String>)>;
+type Files = Vec<(&'static str, Option<Vec<u8>>)>;
 
 /// What a command has computed.
 pub struct Answer {
@@ -112,9 +112,9 @@ impl Output {
         mut answer: Answer,
     ) -> Result<(), Failure> {
         if let Some(mut folder) = folder {
-            for (name, text) in &answer.files {
-                match text {
-                    Some(text) => folder.add(name, text.as_bytes())?,
+            for (name, contents) in &answer.files {
+                match contents {
+                    Some(contents) => folder.add(name, contents)?,
                     None => folder.remove(name),
                 }
             }
@@ -135,7 +135,7 @@ impl Output {
                 let _ = std::fs::remove_file(folder.dir().join(journal));
             }
         }
-        let written = |(name, _): &&(&str, Option<String>)| *name == PAGE;
+        let written = |(name, _): &&(&str, _)| *name == PAGE;
         let page = answer.files.iter().find(written).and(self.out.as_ref());
         let page = page.map(|dir| dir.join(PAGE));
         if let (Some(page), false) = (&page, answer.text.is_empty()) {

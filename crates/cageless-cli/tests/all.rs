@@ -20,6 +20,7 @@ mod places;
 mod rotor_files;
 mod rotors;
 mod search;
+mod sheet;
 mod space;
 mod stages;
 mod statements;

@@ -119,7 +119,13 @@ fn a_tolerance_says_first_whether_its_raceways_help() {
     let found = json_file(&out.join("tolerance.json"));
     assert_eq!(found["benefit"]["benefit"], "not-judged");
     let comparison = &found["benefit"]["comparison"];
-    let runs = serde_json::json!(["plain", "as drawn", "weakest", "strongest"]);
+    let runs = serde_json::json!([
+        "plain",
+        "as drawn",
+        "weakest",
+        "strongest",
+        "plain, 13 balls"
+    ]);
     assert_eq!(comparison["runs"], runs);
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     let (header, body) = page.split_once("</header>").unwrap();

@@ -135,7 +135,7 @@ fn static_equilibrium_holds_the_load() {
     assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
     let e = answer.json();
     assert_eq!(json_file(&out.join("static.json")), e);
-    let files = ["report.html", "sheet.html", "static.csv", "static.json"];
+    let files = ["report.html", "static.csv", "static.json"];
     assert_eq!(names(&out), files);
 
     let list = |key: &str| -> Vec<f64> {

@@ -14,7 +14,7 @@ use cageless_report::figures::{
 use cageless_report::tolerance::tolerance_page;
 use cageless_report::{
     DesignData, Figure, RunData, SweepData, SweepOutput, design_page, from_json, run_from_json,
-    run_json, run_page, static_page, static_sheet, sweep_page,
+    run_json, run_page, static_page, sweep_page,
 };
 use cageless_results::{
     Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, equilibrium_record, of_kind,
@@ -78,7 +78,6 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
             let case = all.remove("case.toml").unwrap_or_default();
             let file = CaseFile::parse(&case, "case", &[])?;
             let record = equilibrium_record(file.case())?;
-            all.insert("sheet.html".to_owned(), static_sheet(&file, &record));
             static_page(&file, &record)
         }
         "design" | "search" => {

@@ -258,7 +258,7 @@ def test_a_tolerance_says_whether_its_raceways_help() -> None:
     found = case.tolerance(**none, samples=0, ball_grade=0, benefit=True)
     assert found.benefit.benefit == "not-judged"
     assert found.benefit.answer.startswith("Raceway as drawn not judged, weakest not judged")
-    assert found.benefit.comparison.values["runs"] == ["plain", "as drawn", "weakest", "strongest"]
+    assert found.benefit.comparison.values["runs"] == ["plain", "as drawn", "weakest", "strongest", "plain, 13 balls"]
 
 
 def test_the_tolerances_that_are_documented_are_those_of_the_command(command: Command) -> None:

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use crate::claim::{self, Claim};
 use crate::data::{Parameter, Provenance};
+use crate::drawing::Paper;
 use crate::figure::Figure;
 use crate::head::{Head, verdict_html};
 use crate::motion::MotionFigure;
@@ -31,7 +32,7 @@ pub struct Page {
     sheet: bool,
 }
 
-/// Style of a page that is one sheet of A4.
+/// Style of a page on sheets of A4.
 const SHEET: &str = include_str!("sheet.css");
 
 /// Weight of a note.
@@ -54,7 +55,7 @@ impl Page {
         }
     }
 
-    /// The page as one sheet of A4, to be printed.
+    /// The page as sheets of A4, to be printed.
     pub fn sheet(mut self) -> Self {
         self.sheet = true;
         self
@@ -175,6 +176,14 @@ impl Page {
     pub fn table(&mut self, table: &Table) {
         let id = self.unique(&table.slug());
         self.add(&table.html(&id));
+    }
+
+    /// Adds a drawing.
+    pub fn drawing(&mut self, paper: &Paper) {
+        let svg = paper.svg();
+        self.add(&format!(
+            "<figure class=\"scroll\" tabindex=\"0\" aria-label=\"Drawing\">{svg}</figure>\n"
+        ));
     }
 
     /// Adds balls in motion.

@@ -1,4 +1,4 @@
-//! The page of `static`, and its one-page sheet.
+//! The page of `static`.
 
 use cageless_io::case_file::CaseFile;
 use cageless_results::{Record, software};
@@ -59,29 +59,6 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
         Err(_) => String::new(),
     };
     case_sections(&mut page, "The case as computed", &parameters(file), &toml);
-    page.html()
-}
-
-/// The static equilibrium on one sheet of A4.
-pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
-    let mut page = head(file, record).sheet();
-    // What stands at its head once; frequencies in hertz, those of rolling, suffice.
-    let facts: Vec<_> = FACTS.iter().filter_map(|name| record.row(name)).collect();
-    let rows = record.groups().into_iter().flat_map(|(_, rows)| rows);
-    let rows = rows.filter(|row| {
-        let (label, _, unit) = row;
-        let of_load = unit == "Hz" && label.ends_with("of the loaded bearing");
-        !(of_load || label.ends_with("multiple of the shaft frequency") || facts.contains(row))
-    });
-    let table = table(file, lines(rows));
-    let mut figure = load_distribution(file, record);
-    // What the table needs is left out of the figure.
-    let more = table.rows.len().saturating_sub(30) as u32;
-    figure.plot.height_px = 330u32.saturating_sub(8 * more).max(270);
-    figure.plot = figure.plot.font_px(10);
-    page.figure(&figure);
-    page.table(&table);
-    page.notes(Note::Remark, record.sentences("notes"));
     page.html()
 }
 

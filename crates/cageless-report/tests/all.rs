@@ -7,6 +7,7 @@ mod figure_data;
 mod pages;
 mod reproduce_page;
 mod run_data;
+mod sheet;
 mod slot;
 mod static_page;
 mod studio;

@@ -73,7 +73,7 @@ impl BenefitSearch {
 }
 
 /// The case as it runs here: with the integration of a search, which is several times as fast as others.
-fn quick(file: &CaseFile) -> Result<CaseFile, CaseError> {
+pub(crate) fn quick(file: &CaseFile) -> Result<CaseFile, CaseError> {
     let mut document = file.document().clone();
     document.set("solver.method", "verlet");
     document.set("solver.step_us", "auto");

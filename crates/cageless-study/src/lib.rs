@@ -22,6 +22,7 @@ pub mod ring_path;
 pub mod rings;
 pub mod run;
 pub mod search;
+pub mod sheet;
 mod structure;
 mod summary;
 pub mod sweep;

@@ -5,9 +5,10 @@ use cageless_io::case_file::{CaseFile, MachiningErrors};
 use cageless_results::Provenance;
 use serde::Serialize;
 
+use crate::benefit_search::quick;
 use crate::comparison::{
     Benefit, BenefitWord, DRAWS, RingComparison, judged_rings, plain_ring, steady_provenance,
-    steady_task,
+    steady_task, with_fewer_balls,
 };
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -23,7 +24,7 @@ pub struct TolerancedBenefit {
     pub benefit: BenefitWord,
     /// Benefit of each raceway, in a sentence.
     pub answer: String,
-    /// Plain ring, raceway as drawn, and those with the smallest and the largest critical gap.
+    /// Plain ring, raceway as drawn, those with the smallest and the largest critical gap, and one ball fewer.
     pub comparison: RingComparison,
     /// Provenance of the runs.
     #[serde(skip)]
@@ -37,8 +38,11 @@ impl TolerancedBenefit {
     }
 }
 
-/// Rings of a case and its tolerances, the plain one first.
+/// Rings of a case and its tolerances: the plain one, those with the raceway, and the plain one with one ball fewer.
 pub(crate) struct TolerancedRings(Vec<(String, CaseFile)>);
+
+/// Rings with the raceway: as drawn and at both ends of its tolerances.
+const RACEWAYS: usize = 3;
 
 impl TolerancedRings {
     /// A deeper, shorter and narrower raceway has the smallest critical gap, the opposite the largest.
@@ -46,6 +50,9 @@ impl TolerancedRings {
     /// # Errors
     /// A raceway at the end of its tolerances is not possible.
     pub(crate) fn new(file: &CaseFile, tolerances: &Tolerances) -> Result<Self, StudyError> {
+        let file = &quick(file)?;
+        let plain = plain_ring(file)?;
+        let fewer = with_fewer_balls(&plain, 1)?;
         let machined = |weaker: f64| {
             file.with_machined_raceways(&MachiningErrors {
                 groove_depth_m: weaker * tolerances.groove_depth_m,
@@ -54,15 +61,16 @@ impl TolerancedRings {
             })
         };
         let rings = [
-            ("plain", plain_ring(file)?),
-            ("as drawn", file.clone()),
-            ("weakest", machined(1.0)?),
-            ("strongest", machined(-1.0)?),
+            ("plain".to_owned(), plain),
+            ("as drawn".to_owned(), file.clone()),
+            ("weakest".to_owned(), machined(1.0)?),
+            ("strongest".to_owned(), machined(-1.0)?),
+            (
+                format!("plain, {} balls", fewer.case().bearing.balls()),
+                fewer,
+            ),
         ];
-        let named = rings
-            .into_iter()
-            .map(|(name, file)| (name.to_owned(), file));
-        Ok(Self(named.collect()))
+        Ok(Self(rings.into()))
     }
 
     /// The task of [`Self::judge`].
@@ -77,9 +85,9 @@ impl TolerancedRings {
     pub(crate) fn judge(&self, progress: &dyn Progress) -> Result<TolerancedBenefit, StudyError> {
         let comparison = judged_rings(&self.0, DRAWS, TASK, progress)?;
         let benefits: Vec<&Benefit> = comparison.benefits.iter().flatten().collect();
-        let named = comparison.runs[1..].iter().zip(&benefits);
+        let named = comparison.runs[1..].iter().zip(&benefits).take(RACEWAYS);
         let worst = named.clone().max_by_key(|(_, b)| severity(b.benefit));
-        let (benefit, answer) = match worst {
+        let (benefit, mut answer) = match worst {
             None => (BenefitWord::NotJudged, String::new()),
             Some((_, worst)) if worst.benefit == BenefitWord::Helps => {
                 let drawn = &benefits[0].why;
@@ -96,6 +104,9 @@ impl TolerancedRings {
                 )
             }
         };
+        if let Some(fewer) = benefits.last() {
+            answer += &format!(" One ball fewer: {}.", fewer.benefit.label());
+        }
         Ok(TolerancedBenefit {
             benefit,
             answer,

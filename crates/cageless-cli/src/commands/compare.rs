@@ -42,7 +42,7 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
         };
         Ok(Answer {
             files: (args.output)
-                .files(|| Ok(vec![(PAGE, Some(compare_page(&runs, &comparison)))]))?,
+                .files(|| Ok(vec![(PAGE, Some(compare_page(&runs, &comparison).into()))]))?,
             ..Answer::new(NUMBERS, pretty(&comparison)?, text(&runs, &comparison))
         })
     })

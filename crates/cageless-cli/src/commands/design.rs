@@ -67,13 +67,13 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
             }
             let recommended = recommended.map(|case| file.edited(&case));
             let mut files = vec![
-                (PAGE, Some(design_page(&data))),
-                (PAGE_DATA, Some(to_json(&data)?)),
-                (RECOMMENDED, recommended.transpose()?),
+                (PAGE, Some(design_page(&data).into())),
+                (PAGE_DATA, Some(to_json(&data)?.into())),
+                (RECOMMENDED, recommended.transpose()?.map(Into::into)),
             ];
             if args.search {
                 // With the case the folder is a result that can be read back.
-                files.push((CASE, Some(file.document().to_toml()?)));
+                files.push((CASE, Some(file.document().to_toml()?.into())));
             }
             Ok(files)
         })?;

@@ -39,8 +39,8 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
         let (json, text) = (study.to_json(&file)?, text(&study));
         let files = output.files(|| {
             Ok(vec![
-                (PAGE, Some(drop_page(&file, &study))),
-                (ROTOR, file.rotor_toml()?),
+                (PAGE, Some(drop_page(&file, &study).into())),
+                (ROTOR, file.rotor_toml()?.map(Into::into)),
             ])
         })?;
         let rest_interrupted = study.interrupted.then_some(REST_INTERRUPTED);

@@ -2,7 +2,7 @@
 
 use cageless_report::measured::measured_page;
 use cageless_results::measured_rows;
-use cageless_study::measured::{Limits, Measured, measured};
+use cageless_study::measured::{Measured, measured};
 
 use crate::args::MeasureArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case};
@@ -16,22 +16,17 @@ const MEASURED: &str = "measured.toml";
 pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
     let file = read_case(&args.case.case, &args.case.set)?;
     let name = args.case.case.display().to_string();
-    let limits = Limits {
-        groove_depth_um: args.raceway.groove_depth_um,
-        axial_span_um: args.raceway.axial_span_um,
-        half_angle_deg: args.raceway.half_angle_deg,
-        centre_angle_deg: args.centre_angle_deg,
-    };
+    let limits = args.raceway.limits(args.centre_angle_deg);
     let measured = measured(&file, &name, &args.points, &limits)?;
     let output = &args.case.output;
     let mut text = text(&measured);
     let files = output.files(|| {
         let case = match measured.missing {
             Some(_) => None,
-            None => Some(file.edited(&measured.document)?),
+            None => Some(file.edited(&measured.document)?.into()),
         };
         let page = measured_page(&file.case().title, &measured);
-        Ok(vec![(MEASURED, case), (PAGE, Some(page))])
+        Ok(vec![(MEASURED, case), (PAGE, Some(page.into()))])
     })?;
     if let (Some(dir), None) = (&output.out, &measured.missing) {
         let path = dir.join(MEASURED).display().to_string();

@@ -10,6 +10,7 @@ mod measure;
 mod report;
 mod reproduce;
 mod run;
+mod sheet;
 mod static_equilibrium;
 mod steps;
 mod studio;
@@ -60,6 +61,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::New(args) => new(&args),
         Command::Check(args) => check::check(&args),
         Command::Static(args) => static_equilibrium::static_equilibrium(&args),
+        Command::Sheet(args) => sheet::sheet(&args),
         Command::Design(args) => design::design(&args),
         Command::Tolerance(args) => tolerance::tolerance(&args),
         Command::Run(args) => run::run(&args),

@@ -41,7 +41,7 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
     let output = Output::of_page(args.json, args.open, folder);
     output.drive(&[PAGE, PAGE_DATA], |_| {
         Ok(Answer {
-            files: output.files(|| Ok(vec![(PAGE, Some(sweep_page(&data)))]))?,
+            files: output.files(|| Ok(vec![(PAGE, Some(sweep_page(&data).into()))]))?,
             ..Answer::new(PAGE_DATA, to_json(&data)? + "\n", text(&data))
         })
     })

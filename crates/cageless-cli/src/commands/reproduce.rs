@@ -19,7 +19,7 @@ pub fn reproduce(args: &Reproduce) -> Result<(), Failure> {
             error => error.into(),
         })?;
         Ok(Answer {
-            files: output.files(|| Ok(vec![(PAGE, Some(reproduce_page(&data)))]))?,
+            files: output.files(|| Ok(vec![(PAGE, Some(reproduce_page(&data).into()))]))?,
             ..Answer::new(
                 PAGE_DATA,
                 to_json(&data)? + "\n",

@@ -40,8 +40,8 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             let data = run_data(&file, &record);
             let page_data = run_json(&data, &json)?;
             Ok(vec![
-                (PAGE, Some(run_page(&data))),
-                (PAGE_DATA, Some(page_data)),
+                (PAGE, Some(run_page(&data).into())),
+                (PAGE_DATA, Some(page_data.into())),
             ])
         })?;
         let text = text(file.case(), &record.outcome, &record.summary);

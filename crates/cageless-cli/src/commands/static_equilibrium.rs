@@ -1,6 +1,6 @@
 //! `cageless static`.
 
-use cageless_report::{static_page, static_sheet};
+use cageless_report::static_page;
 use cageless_results::equilibrium_record_noted;
 
 use crate::args::StaticArgs;
@@ -29,12 +29,9 @@ pub fn static_equilibrium(args: &StaticArgs) -> Result<(), Failure> {
         + &balls
         + &warnings(record.sentences("warnings"))
         + &notes(record.sentences("notes"));
-    let files = args.output.files(|| {
-        Ok(vec![
-            (PAGE, Some(static_page(&file, &record))),
-            ("sheet.html", Some(static_sheet(&file, &record))),
-        ])
-    })?;
+    let files = args
+        .output
+        .files(|| Ok(vec![(PAGE, Some(static_page(&file, &record).into()))]))?;
     args.output.deliver(Answer {
         files,
         csv: true,

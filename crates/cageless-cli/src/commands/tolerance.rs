@@ -41,7 +41,7 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
         let stopped = nominal_stopped(&data.record).map(|why| Failure::Unphysical(why.to_owned()));
         let failed = interrupted.or(stopped);
         Ok(Answer {
-            files: output.files(|| Ok(vec![(PAGE, Some(tolerance_page(&data)))]))?,
+            files: output.files(|| Ok(vec![(PAGE, Some(tolerance_page(&data).into()))]))?,
             ending: failed.map_or(Ok(()), Err),
             ..Answer::new(NUMBERS, to_json(&data)? + "\n", text(&data))
         })

@@ -199,7 +199,7 @@ pub fn export(
     let asked = options.blend_mm.map(|_| file.without_default_blends());
     let asked = asked.transpose()?;
     let file = asked.as_ref().unwrap_or(file);
-    let ring = outer_ring(file, options)?;
+    let ring = blended_ring(file, options)?;
     let contents = contents(file, &ring, format, options)?;
     Ok(Export {
         not_simulated: not_simulated(file.case(), options.blend_mm(file.case())),
@@ -246,7 +246,15 @@ fn not_simulated(case: &Case, blend_mm: f64) -> Option<String> {
     })
 }
 
-fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
+/// The outer ring of a case, with the blends of an export.
+///
+/// # Errors
+/// The case lacks the outside of the ring, its ring is impossible, or it has several rows.
+pub fn outer_ring(file: &CaseFile) -> Result<OuterRing, ExportError> {
+    blended_ring(file, &ExportOptions::default())
+}
+
+fn blended_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
     let case = file.case();
     if let Some(mm) = options.blend_mm
         && case.raceways.iter().any(|r| r.blend_m() > 0.0)

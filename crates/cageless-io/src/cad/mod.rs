@@ -12,7 +12,9 @@ mod slot_faces;
 mod step;
 mod stl;
 
-pub use export::{Export, ExportError, ExportOptions, blend_not_simulated, export, names_file};
+pub use export::{
+    Export, ExportError, ExportOptions, blend_not_simulated, export, names_file, outer_ring,
+};
 pub use format::Format;
 pub use numbers::{Counts, ExportNumbers, SlotNumbers};
 pub use part21::DateError;

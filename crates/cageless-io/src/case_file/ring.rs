@@ -41,7 +41,9 @@ impl CaseFile {
     fn missing_for_export(&self, name: &str) -> CaseError {
         let path = join(SECTION, name);
         let meaning = keys::find(SECTION, name).map_or_else(String::new, Key::describe);
-        let message = format!("{path} is missing in [{SECTION}], and `export` needs it: {meaning}");
+        let message = format!(
+            "{path} is missing in [{SECTION}], and the shape of the outer ring needs it: {meaning}"
+        );
         self.document.tree.error(&path, message)
     }
 }

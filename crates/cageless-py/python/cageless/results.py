@@ -31,7 +31,7 @@ R = TypeVar("R", bound=Result)
 #: File of a sweep.
 NAME = VALUES["sweep"]
 #: What folders hold beside values and tables.
-FILES: tuple[str, ...] = ("report.html", "report.json", "sheet.html", "case.toml", "rotor.toml", "recommended.toml")
+FILES: tuple[str, ...] = ("report.html", "report.json", "case.toml", "rotor.toml", "recommended.toml")
 FILES += ("static.csv", "design.csv")
 
 

@@ -30,8 +30,8 @@ fn the_load_distribution_draws_the_lists_that_it_names() {
         let page = static_page(&file, &record);
         let of_page: Value =
             serde_json::from_str(in_page(&page, "static", "loads").unwrap()).unwrap();
-        let of_sheet = spec(&load_distribution(&file, &record));
-        for spec in [of_page, of_sheet] {
+        let alone = spec(&load_distribution(&file, &record));
+        for spec in [of_page, alone] {
             let bars = spec["data"].as_array().unwrap().iter();
             let bars: Vec<&Value> = bars.filter(|bar| bar["type"] == "barpolar").collect();
             assert_eq!(bars.len(), 4 * rows);
