@@ -39,8 +39,17 @@ def rotor() -> ross.Rotor:
 
 
 def test_eigenvalues_are_those_of_ross(rotor: ross.Rotor) -> None:
+    has_eigenvalues_of_ross(rotor)
+
+
+def test_eigenvalues_on_housings_are_those_of_ross() -> None:
+    with pytest.warns(UserWarning, match="kept in the rotor"):
+        has_eigenvalues_of_ross(on_housings(NODES, 1e7))
+
+
+def has_eigenvalues_of_ross(rotor: ross.Rotor) -> None:
     found = cageless.Rotor.from_ross(rotor, NODES).eigenvalues(SPEED_RPM)
-    modal = rotor.run_modal(SPEED_RAD_S, num_modes=16, sparse=False)
+    modal = rotor.run_modal(SPEED_RAD_S, num_modes=24, sparse=False)
     expected = [e for e in modal.evalues if 100.0 < abs(e.imag) < 1e4]
     lateral = 0
     for value in expected:
@@ -186,6 +195,16 @@ def test_a_housing_on_another_one_stays_and_one_without_a_spring_is_refused() ->
     is_as_in_ross(found, chain(3e7))
     with pytest.raises(cageless.InputError, match=r"no spring holds the housing Point Mass 1 \(node 12\)"):
         cageless.Rotor.from_ross(chain(0.0), nodes=[1, 9])
+
+
+def test_point_masses_on_the_shaft_are_masses_of_the_rotor() -> None:
+    on_shaft = [ross.PointMass(4, m=3.0), ross.PointMass(4, m=2.0)]
+    # ROSS wants something at the node.
+    seal = ross.SealElement(n=4, kxx=1e5, cxx=0.0)
+    found = cageless.Rotor.from_ross(bare([seal], on_shaft), nodes=[1, 9])
+    alike = bare([], [])
+    disc = ross.DiskElement(n=4, m=5.0, Id=0.0, Ip=0.0)
+    is_as_in_ross(found, ross.Rotor(alike.shaft_elements, [*alike.disk_elements, disc], [seal]))
 
 
 def magnets(**options: int) -> list[ross.MagneticBearingElement]:
