@@ -13,6 +13,8 @@ from .errors import InputError
 
 __all__ = ["RossNodes"]
 
+Places = npt.NDArray[np.intp]
+
 #: Lateral coordinates [x, y, α, β] among those of a node, by their number.
 LATERAL = {4: [0, 1, 2, 3], 6: [0, 1, 3, 4]}
 #: Rotation about the axis among the six coordinates of a node.
@@ -54,22 +56,19 @@ class RossNodes:
             raise refused
         masses = getattr(rotor, "point_mass_elements", [])
         found = cls(count, per_node, sorted({int(each.n) for each in masses if each.n >= count}))
-        if max(found.coordinates([*range(count), *found.housings]), default=size) >= size:
+        last = found.housings[-1] if found.housings else count - 1
+        if not count or found._of(last).stop > size:
             raise refused
         return found
 
-    def coordinates(self, nodes: Iterable[int]) -> list[int]:
-        """All coordinates of nodes of shaft and housings."""
-        return [place for node in nodes for place in self._of(node)]
-
-    def lateral(self, nodes: Iterable[int]) -> list[int]:
+    def lateral(self, nodes: Iterable[int]) -> Places:
         """Lateral coordinates of nodes: [x, y, α, β] of the shaft, [x, y] of housings."""
         own = [(self._of(node), LATERAL[self.per_node] if node < self.count else [0, 1]) for node in nodes]
-        return [places[k] for places, kept in own for k in kept]
+        return np.array([places[k] for places, kept in own for k in kept], dtype=np.intp)
 
-    def torsion(self) -> list[int]:
+    def torsion(self) -> Places:
         """Rotations of the shaft about its axis, where nodes have six coordinates."""
-        return [self._of(node)[TORSION] for node in range(self.count)]
+        return np.array([self._of(node)[TORSION] for node in range(self.count)], dtype=np.intp)
 
     def connected(self, matrices: Sequence[npt.NDArray[np.float64]]) -> list[int]:
         """Housings that a lateral element of a matrix connects with the shaft, at once or by others."""

@@ -62,7 +62,12 @@ class RossRotor:
             name: np.array(_at(getattr(rotor, name), frequency_rad_s), dtype=float)
             for name in MATRICES
         }
-        nodes = RossNodes.of(rotor, whole["M"].shape[0])
+        size = len(np.atleast_1d(whole["M"]))
+        for name, matrix in whole.items():
+            if matrix.shape != (size, size):
+                shape = " × ".join(map(str, matrix.shape))
+                raise InputError(f"matrix {name} of the rotor is {shape}: must be {size} × {size}")
+        nodes = RossNodes.of(rotor, size)
         bearings = list(getattr(rotor, "bearing_elements", []))
         magnetic = [each for each in bearings if _is(each, "MagneticBearingElement")]
         held = [each for each in bearings if not _is(each, "MagneticBearingElement")]
@@ -165,17 +170,12 @@ def _without(
     matrix: Matrix, elements: Iterable[Any], name: str, frequency_rad_s: float
 ) -> tuple[Matrix, Matrix]:
     """A matrix without the part of elements, and that part."""
-    part, reach = np.zeros_like(matrix), np.zeros_like(matrix)
+    part = np.zeros_like(matrix)
     for element in elements:
         if hasattr(element, name):
-            places = np.ix_(*2 * [list(element.dof_global_index.values())])
-            own = np.asarray(_at(getattr(element, name), frequency_rad_s), dtype=float)
-            part[places] += own
-            reach[places] += np.abs(own)
-    rest = matrix - part
-    # Of what connected nothing else rounding would remain.
-    rest[np.abs(rest) < 1e-12 * reach] = 0.0
-    return rest, part
+            places = np.array(list(element.dof_global_index.values()), dtype=np.intp)
+            part[np.ix_(places, places)] += np.asarray(_at(getattr(element, name), frequency_rad_s), dtype=float)
+    return matrix - part, part
 
 
 def _check_added_mass(element: Any, frequency_rad_s: float) -> None:

@@ -228,9 +228,10 @@ def test_magnetic_bearings_on_a_housing_are_taken_out_of_both_sides() -> None:
     is_as_in_ross(found, bare([], []))
     # With a bearing on the housing, it stays.
     bearing = ross.BearingElement(n=5, n_link=11, kxx=2e7, cxx=1e2, tag="bearing")
-    with pytest.warns(UserWarning, match="no power"):
-        held = [*magnets(n_link=11), bearing, ground]
+    held = [*magnets(n_link=11), bearing, ground]
+    with pytest.warns(UserWarning) as told:
         found = cageless.Rotor.from_ross(bare(held, [mass]), nodes=[1, 9])
+    assert ["no power" in str(each.message) for each in told] == [True, False]
     is_as_in_ross(found, bare([bearing, ground], [mass]))
 
 
@@ -250,22 +251,6 @@ def test_added_masses_move_with_the_rotor_and_have_no_weight() -> None:
     crossed = bare([ross.SealElement(n=2, kxx=1e5, cxx=10.0, mxx=3.0, mxy=1.0, myx=-1.0)], [])
     with pytest.raises(cageless.InputError, match=r"Seal 0 \(node 2\) adds a mass with mxy = 1 and myx = -1"):
         cageless.Rotor.from_ross(crossed, nodes=[1, 9])
-
-
-def test_a_rotor_on_housings_is_read_from_its_file(tmp_path: Path) -> None:
-    seals = [
-        ross.SealElement(n=9, n_link=11, kxx=2e7, cxx=10.0, mxx=2.0),
-        ross.SealElement(n=11, kxx=1e8, cxx=1e3),
-    ]
-    made = cageless.Rotor.from_ross(bare(seals, [ross.PointMass(11, m=5.0)]), nodes=[1, 9])
-    made.save_matrices(tmp_path / "rotor.json")
-    bearings = "".join(f'[[bearing]]\ncase = "{CASE}"\nnode = {node}\n' for node in (1, 9))
-    (tmp_path / "rotor.toml").write_text(f'[rotor]\nmatrices = "rotor.json"\nspeed_rpm = 9e3\n{bearings}')
-    read = cageless.RotorCase.from_file(tmp_path / "rotor.toml")
-    again = cageless.RotorCase.from_toml(read.to_toml())
-    for rotor in (read.rotor, again.rotor):
-        assert rotor.mass_shares_kg == made.mass_shares_kg
-        assert np.array_equal(rotor.frequencies_hz(), made.frequencies_hz())
 
 
 def test_bearings_that_stay_are_named_and_the_drop_is_warned_of() -> None:
