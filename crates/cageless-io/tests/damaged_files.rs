@@ -7,7 +7,7 @@ use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless_io::case_file::template;
 use cageless_io::journal::Journal;
 use cageless_io::results::{Column, ColumnKind, TableWriter};
-use cageless_io::rotor_file::write_matrices;
+use cageless_io::rotor_file::{read_matrices, write_matrices};
 use cageless_results::Cell;
 
 /// xorshift64*.
@@ -154,6 +154,7 @@ fn matrices_of_rotors() {
     };
     let path = dir.path().join("whole.json");
     write_matrices(&path, &rotor).unwrap();
+    assert_eq!(read_matrices(&path).unwrap(), rotor);
     try_damage(&fs::read(&path).unwrap(), 500, |bytes| {
         crate::fuzz_entries::matrices(bytes, dir.path());
     });
