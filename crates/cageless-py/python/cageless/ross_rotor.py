@@ -58,16 +58,8 @@ class RossRotor:
         for kind in (each.__name__ for each in type(rotor).__mro__):
             if kind in SEVERAL_SPEEDS:
                 raise InputError(f"a {kind} is not possible: {SEVERAL_SPEEDS[kind]}")
-        whole = {
-            name: np.array(_at(getattr(rotor, name), frequency_rad_s), dtype=float)
-            for name in MATRICES
-        }
-        size = len(np.atleast_1d(whole["M"]))
-        for name, matrix in whole.items():
-            if matrix.shape != (size, size):
-                shape = " × ".join(map(str, matrix.shape))
-                raise InputError(f"matrix {name} of the rotor is {shape}: must be {size} × {size}")
-        nodes = RossNodes.of(rotor, size)
+        whole = _matrices(rotor, frequency_rad_s)
+        nodes = RossNodes.of(rotor, len(whole["M"]))
         bearings = list(getattr(rotor, "bearing_elements", []))
         magnetic = [each for each in bearings if _is(each, "MagneticBearingElement")]
         held = [each for each in bearings if not _is(each, "MagneticBearingElement")]
@@ -79,12 +71,8 @@ class RossRotor:
         kept = nodes.connected(list(whole.values()))
         masses = [each for each in getattr(rotor, "point_mass_elements", []) if each.n >= nodes.count]
         for element in masses:
-            stiffness = np.diagonal(whole["K"])[nodes.lateral([element.n])]
-            if element.n in kept and not np.all(stiffness > 0.0):
-                raise InputError(
-                    f"no spring holds the housing {_place(element)}: give a stiffness to a bearing that "
-                    "connects it with the shaft or the ground"
-                )
+            if element.n in kept:
+                _check_springs(element, np.diagonal(whole["K"])[nodes.lateral([element.n])])
         apart = [each for each in masses if each.n not in kept]
         on_shaft = [each for each in held if any(end < nodes.count for end in _ends(each))]
         springs = [each for each in on_shaft if _holds(each, frequency_rad_s)]
@@ -176,6 +164,26 @@ def _without(
             places = np.array(list(element.dof_global_index.values()), dtype=np.intp)
             part[np.ix_(places, places)] += np.asarray(_at(getattr(element, name), frequency_rad_s), dtype=float)
     return matrix - part, part
+
+
+def _matrices(rotor: Any, frequency_rad_s: float) -> dict[str, Matrix]:
+    """The matrices of a rotor, all of one size."""
+    whole = {name: np.array(_at(getattr(rotor, name), frequency_rad_s), dtype=float) for name in MATRICES}
+    size = len(np.atleast_1d(whole["M"]))
+    for name, matrix in whole.items():
+        if matrix.shape != (size, size):
+            shape = " × ".join(map(str, matrix.shape))
+            raise InputError(f"matrix {name} of the rotor is {shape}: must be {size} × {size}")
+    return whole
+
+
+def _check_springs(housing: Any, stiffness: Matrix) -> None:
+    """Refuses a housing that moves freely along x or y."""
+    if not np.all(stiffness > 0.0):
+        raise InputError(
+            f"no spring holds the housing {_place(housing)}: give a stiffness to a bearing that connects it "
+            "with the shaft or the ground"
+        )
 
 
 def _check_added_mass(element: Any, frequency_rad_s: float) -> None:
