@@ -7,7 +7,7 @@ use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless_io::case_file::template;
 use cageless_io::journal::Journal;
 use cageless_io::results::{Column, ColumnKind, TableWriter};
-use cageless_io::rotor_file::write_matrices;
+use cageless_io::rotor_file::{read_matrices, write_matrices};
 use cageless_results::Cell;
 
 /// xorshift64*.
@@ -122,8 +122,8 @@ fn rotor_files() {
 fn matrices_of_rotors() {
     let dir = tempfile::tempdir().unwrap();
     crate::fuzz_entries::prepare_rotor(dir.path());
-    // Two masses on a shaft: every node x, y, α, β.
-    let matrix = |value: fn(usize, usize) -> f64| DMatrix::from_fn(8, 8, value);
+    // Two masses on a shaft, every node x, y, α, β, one of them on a housing, x, y, with some fluid.
+    let matrix = |value: fn(usize, usize) -> f64| DMatrix::from_fn(10, 10, value);
     let rotor = RotorMatrices {
         mass: matrix(|i, j| {
             if i == j {
@@ -132,6 +132,7 @@ fn matrices_of_rotors() {
                 0.0
             }
         }),
+        added_mass: matrix(|i, j| if i == j && i < 2 { 0.5 } else { 0.0 }),
         damping: matrix(|_, _| 0.0),
         gyroscopic: matrix(|i, j| match (i, j) {
             (2, 3) | (6, 7) => 0.01,
@@ -142,16 +143,18 @@ fn matrices_of_rotors() {
             if i == j {
                 1e6
             } else if i % 4 == j % 4 {
-                -9e5
+                -4e5
             } else {
                 0.0
             }
         }),
         spin_up: matrix(|_, _| 0.0),
+        housings: 1,
         polar_inertia_kg_m2: 0.02,
     };
     let path = dir.path().join("whole.json");
     write_matrices(&path, &rotor).unwrap();
+    assert_eq!(read_matrices(&path).unwrap(), rotor);
     try_damage(&fs::read(&path).unwrap(), 500, |bytes| {
         crate::fuzz_entries::matrices(bytes, dir.path());
     });

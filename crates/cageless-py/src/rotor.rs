@@ -43,8 +43,8 @@ type Matrix<'py> = PyReadonlyArray2<'py, f64>;
 enum Body<'py> {
     /// m, Ip and It of a rigid rotor.
     Rigid(f64, f64, f64),
-    /// [M, C, G, K, Ksdt], Ip, nodes that are kept, largest frequency.
-    Matrices([Matrix<'py>; 5], f64, Vec<usize>, Option<f64>),
+    /// [M, Ma, C, G, K, Ksdt], number of housings, Ip, nodes that are kept, largest frequency.
+    Matrices([Matrix<'py>; 6], usize, f64, Vec<usize>, Option<f64>),
 }
 
 impl LinearRotor {
@@ -74,19 +74,22 @@ impl LinearRotor {
                     transverse_inertia_kg_m2,
                 }
             }
-            Body::Matrices(arrays, polar_inertia_kg_m2, kept_nodes, frequency_max_hz) => {
-                let [mass, damping, gyroscopic, stiffness, spin_up] = arrays.map(|array| {
-                    let array = array.as_array();
-                    let (rows, columns) = array.dim();
-                    DMatrix::from_fn(rows, columns, |row, column| array[[row, column]])
-                });
+            Body::Matrices(arrays, housings, polar_inertia_kg_m2, kept_nodes, frequency_max_hz) => {
+                let [mass, added_mass, damping, gyroscopic, stiffness, spin_up] =
+                    arrays.map(|array| {
+                        let array = array.as_array();
+                        let (rows, columns) = array.dim();
+                        DMatrix::from_fn(rows, columns, |row, column| array[[row, column]])
+                    });
                 RotorBody::Matrices {
                     matrices: Arc::new(RotorMatrices {
                         mass,
+                        added_mass,
                         damping,
                         gyroscopic,
                         stiffness,
                         spin_up,
+                        housings,
                         polar_inertia_kg_m2,
                     }),
                     frequency_max_hz,

@@ -237,6 +237,62 @@ def test_anything_with_the_methods_is_a_rotor(tmp_path: Path) -> None:
     assert np.array_equal(json.loads(saved.read_text())["K"], matrices["K"])
 
 
+def on_a_housing() -> dict[str, npt.NDArray[np.float64]]:
+    """The two nodes, the second one on a housing of 2 kg, with a fluid of 0.5 kg about the first."""
+    grown = {name: np.pad(matrix, (0, 2)) for name, matrix in two_nodes().items()}
+    grown["Ma"] = np.zeros((10, 10))
+    for axis in (0, 1):
+        (node, housing) = places = (4 + axis, 8 + axis)
+        grown["M"][housing, housing] = 2.0
+        grown["Ma"][axis, axis] = 0.5
+        grown["K"][np.ix_(places, places)] += 1e5 * np.array([[1.0, -1.0], [-1.0, 4.0]])
+    return grown
+
+
+def test_a_rotor_on_a_housing_is_that_of_its_file(command: Command, tmp_path: Path) -> None:
+    matrices = on_a_housing()
+    rotor = cageless.LinearRotor.from_matrices(
+        M=matrices["M"],
+        Ma=matrices["Ma"],
+        K=matrices["K"],
+        polar_inertia_kg_m2=2e-3,
+        nodes=[0, 1],
+        housings=1,
+    )
+    assert rotor.mass_kg == pytest.approx(2.0) and rotor.coordinates == 10
+    # Held at its journal, the rotor carries a quarter of the housing.
+    assert rotor.mass_shares_kg == pytest.approx([1.0, 1.5])
+    squares = np.linalg.eigvals(np.linalg.inv(matrices["M"] + matrices["Ma"]) @ matrices["K"]).real
+    assert rotor.frequencies_hz()[-1] == pytest.approx(np.sqrt(squares.max()) / (2.0 * np.pi), rel=1e-9)
+    rotor.save_matrices(tmp_path / "rotor.json")
+    bearings = "".join(
+        f"[[bearing]]\ncase = {json.dumps(str(case))}\nnode = {node}\n" for node, case in enumerate(CASES)
+    )
+    head = '[rotor]\nmatrices = "rotor.json"\nspeed_rpm = 9000.0\n'
+    (tmp_path / "rotor.toml").write_text(head + bearings)
+    read = cageless.RotorCase.from_file(tmp_path / "rotor.toml", SHORT)
+    for again in (read, cageless.RotorCase.from_toml(read.to_toml())):
+        assert np.array_equal(again.rotor.frequencies_hz(), rotor.frequencies_hz())
+        assert again.rotor.mass_shares_kg == rotor.mass_shares_kg
+    checked = json.loads(command("check", tmp_path / "rotor.toml", "--json").stdout)
+    assert checked["mass_shares_kg"] == pytest.approx([1.0, 1.5])
+
+
+def test_matrices_of_other_shapes_and_nodes_are_refused() -> None:
+    for sizes, per_node, said in [
+        ({"K": 4}, 4, "matrix K of the rotor is 4 × 4: must be 8 × 8"),
+        ({}, 5, "a rotor of 8 coordinates, 5 a node"),
+        ({}, 0, "a rotor of 8 coordinates, 0 a node"),
+        ({}, 6, "a rotor of 8 coordinates, 6 a node"),
+    ]:
+        parts = {
+            name: lambda _=0.0, name=name, sizes=sizes: np.eye(sizes.get(name, 8))
+            for name in ("M", "C", "G", "K", "Ksdt")
+        }
+        with pytest.raises(cageless.InputError, match=said):
+            cageless.Rotor.from_ross(SimpleNamespace(**parts, number_dof=per_node, Ip=1e-3), nodes=[0, 1])
+
+
 def test_impossible_rotors_are_refused() -> None:
     matrices = two_nodes()
     refused: list[tuple[dict[str, Any], str]] = [
@@ -247,6 +303,11 @@ def test_impossible_rotors_are_refused() -> None:
         ({"nodes": [0, 1], "C": np.eye(4)}, "matrix C is 4 × 4: must be 8 × 8"),
         ({"nodes": [0, 1], "K": np.zeros(8)}, "matrix K has 1 dimensions"),
         ({"nodes": [0]}, "move freely"),
+        ({"nodes": [0, 1], "housings": 1}, r"four coordinates a node.* two of each of 1 housings"),
+        ({"nodes": [0, 1], "housings": -1}, "housings = -1 is not possible: it must be a whole number"),
+        ({"nodes": [0, 1], "Ma": np.eye(4)}, "matrix Ma is 4 × 4: must be 8 × 8"),
+        ({"nodes": [0, 1], "Ma": -2.0 * np.eye(8)}, r"matrix M \+ Ma must be positive definite"),
+        ({"nodes": [0, 2], "housings": 1, **on_a_housing()}, "node 2 does not exist: .* nodes 0 to 1"),
     ]
     for changes, message in refused:
         with pytest.raises(cageless.InputError, match=message):

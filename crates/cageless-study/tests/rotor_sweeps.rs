@@ -226,6 +226,8 @@ fn the_normal_form_holds_the_rotor_its_matrices_and_its_cases() {
     let none = DMatrix::zeros(8, 8);
     let mut matrices = RotorMatrices {
         mass: diagonal([10.0, 10.0, 0.1, 0.1 / 3.0]),
+        added_mass: none.clone(),
+        housings: 0,
         damping: none.clone(),
         gyroscopic: none.clone(),
         stiffness: diagonal([1e6, 1e6, 1e4, 1e4]),

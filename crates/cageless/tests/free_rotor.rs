@@ -53,11 +53,87 @@ pub fn shaft(elements: usize) -> RotorMatrices {
     RotorMatrices {
         damping: &k * 1e-6,
         spin_up: g.clone(),
+        added_mass: DMatrix::zeros(size, size),
+        housings: 0,
         mass: m,
         gyroscopic: g,
         stiffness: k,
         polar_inertia_kg_m2: 0.041,
     }
+}
+
+/// The shaft of four elements on two unequal housings, with some fluid about its middle.
+fn on_housings() -> RotorMatrices {
+    let shaft = shaft(4);
+    let size = shaft.mass.nrows();
+    let grown = |matrix: &DMatrix<f64>| matrix.clone().resize(size + 4, size + 4, 0.0);
+    let mut m = RotorMatrices {
+        mass: grown(&shaft.mass),
+        added_mass: grown(&shaft.added_mass),
+        damping: grown(&shaft.damping),
+        gyroscopic: grown(&shaft.gyroscopic),
+        stiffness: grown(&shaft.stiffness),
+        spin_up: grown(&shaft.spin_up),
+        housings: 2,
+        ..shaft
+    };
+    for (node, housing, kg) in [(0, size, 3.0), (4, size + 2, 2.0)] {
+        for axis in [0, 1] {
+            let (on, under) = (4 * node + axis, housing + axis);
+            m.mass[(under, under)] = kg;
+            for (matrix, link, ground) in
+                [(&mut m.stiffness, 2e6, 5e6), (&mut m.damping, 300.0, 100.0)]
+            {
+                matrix[(on, on)] += link;
+                matrix[(on, under)] -= link;
+                matrix[(under, on)] -= link;
+                matrix[(under, under)] += link + ground;
+            }
+        }
+    }
+    (m.added_mass[(8, 8)], m.added_mass[(9, 9)]) = (1.5, 1.5);
+    m
+}
+
+/// A rotor on housings has its own mass, and the housing on which a journal rests hangs on it in
+/// part.
+#[test]
+fn housings_are_no_mass_of_the_rotor_but_weigh_on_its_bearings() {
+    let matrices = on_housings();
+    let of = |matrices: &RotorMatrices| {
+        let reduction = Reduction {
+            bearing_nodes: vec![0, 4],
+            frequency_max_hz: Some(2000.0),
+            ..Reduction::default()
+        };
+        matrices.reduce(&reduction).unwrap()
+    };
+    let (rotor, alone) = (of(&matrices), of(&shaft(4)));
+    assert!((rotor.mass_kg() / alone.mass_kg() - 1.0).abs() < 1e-12);
+    // Held at the journal, a housing of mass m between springs k and K hangs on it with m·k/(k + K).
+    let shares = rotor.mass_shares_kg();
+    for (k, kg) in [(0, 3.0), (1, 2.0)] {
+        let own = alone.mass_shares_kg()[k];
+        let expected = own + kg * 2.0 / 7.0;
+        assert!((shares[k] / expected - 1.0).abs() < 1e-9, "{shares:?}");
+    }
+    let said = |change: fn(&mut RotorMatrices)| {
+        let mut matrices = on_housings();
+        change(&mut matrices);
+        let reduction = Reduction {
+            bearing_nodes: vec![0, 4],
+            ..Reduction::default()
+        };
+        matrices.reduce(&reduction).unwrap_err().to_string()
+    };
+    assert_eq!(
+        said(|m| m.housings = 1),
+        "matrix M must be of four coordinates a node, [x, y, α, β], not 24 in all with two of each \
+         of 1 housings, [x, y]"
+    );
+    assert!(said(|m| m.housings = usize::MAX).contains("not 24 in all"));
+    assert!(said(|m| m.added_mass[(8, 8)] = -9.0).contains("M + Ma must be positive definite"));
+    assert!(said(|m| m.added_mass[(8, 9)] = 1.0).contains("matrix Ma must be symmetric"));
 }
 
 /// Exact test 9, eigenvalues: those of the full matrices, also where cross-coupled stiffness tells
@@ -172,7 +248,11 @@ fn eigenvalue_near(matrices: &RotorMatrices, value: Complex<f64>) -> Complex<f64
 /// exp(A·t) with A from the full matrices.
 #[test]
 fn a_rotor_without_contact_moves_as_its_matrices_say() {
-    let matrices = shaft(4);
+    moves_as_its_matrices_say(&shaft(4));
+    moves_as_its_matrices_say(&on_housings());
+}
+
+fn moves_as_its_matrices_say(matrices: &RotorMatrices) {
     let bearing_nodes = vec![0, 3];
     let reduction = Reduction {
         bearing_nodes: bearing_nodes.clone(),
@@ -192,17 +272,23 @@ fn a_rotor_without_contact_moves_as_its_matrices_say() {
     assert!(outcome.rotor.unwrap().energy_residual_relative.abs() < 1e-6);
     // State [q, q̇, 1] of the full matrices, from the static shape of the journals' velocities.
     let n = matrices.mass.nrows();
-    let inverse = matrices.mass.clone().try_inverse().unwrap();
+    let inverse = (&matrices.mass + &matrices.added_mass)
+        .try_inverse()
+        .unwrap();
+    let shaft = n - 2 * matrices.housings;
+    let upwards = DVector::from_fn(n, |k, _| {
+        let y = if k < shaft { k % 4 } else { k % 2 };
+        if y == 1 { 1.0 } else { 0.0 }
+    });
     let mut a = DMatrix::zeros(2 * n + 1, 2 * n + 1);
     a.view_mut((0, n), (n, n)).fill_with_identity();
     let rates = &matrices.damping + &matrices.gyroscopic * SPEED_RAD_S;
     a.view_mut((n, 0), (n, n))
         .copy_from(&-(&inverse * &matrices.stiffness));
     a.view_mut((n, n), (n, n)).copy_from(&-(&inverse * rates));
-    for k in (1..n).step_by(4) {
-        a[(n + k, 2 * n)] = -9.81;
-    }
-    let velocities = static_shape(&matrices, &bearing_nodes, &[0.02, -0.01, -0.015, 0.03]);
+    let weight = &inverse * (&matrices.mass * upwards) * -9.81;
+    a.view_mut((n, 2 * n), (n, 1)).copy_from(&weight);
+    let velocities = static_shape(matrices, &bearing_nodes, &[0.02, -0.01, -0.015, 0.03]);
     let mut start = DVector::zeros(2 * n + 1);
     start[2 * n] = 1.0;
     start.rows_mut(n, n).copy_from(&velocities);

@@ -25,6 +25,8 @@ fn disc(damping: &[f64; 4]) -> RotorMatrices {
     }
     RotorMatrices {
         mass,
+        added_mass: DMatrix::zeros(8, 8),
+        housings: 0,
         damping: rates,
         gyroscopic: DMatrix::zeros(8, 8),
         stiffness,

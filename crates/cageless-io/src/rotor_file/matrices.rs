@@ -12,21 +12,30 @@ use crate::results::{ResultError, write_atomically};
 /// The only schema of files of matrices so far.
 pub const MATRICES_SCHEMA: u64 = 1;
 
-/// A file of matrices: rows of the coordinates [x, y, α, β] of each node in turn.
+/// A file of matrices: rows of the coordinates [x, y, α, β] of each node in turn, then of [x, y] of
+/// each housing.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(non_snake_case)] // symbols of rotor dynamics
 struct MatricesFile {
     schema: u64,
     polar_inertia_kg_m2: f64,
+    #[serde(default, skip_serializing_if = "is_none")]
+    housings: usize,
     M: Vec<Vec<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    Ma: Option<Vec<Vec<f64>>>,
     K: Vec<Vec<f64>>,
     C: Option<Vec<Vec<f64>>>,
     G: Option<Vec<Vec<f64>>>,
     Ksdt: Option<Vec<Vec<f64>>>,
 }
 
-/// Reads the matrices of a rotor; C, G and Ksdt are 0 where they are left out.
+fn is_none(count: &usize) -> bool {
+    *count == 0
+}
+
+/// Reads the matrices of a rotor; Ma, C, G and Ksdt are 0 where they are left out.
 ///
 /// # Errors
 /// A [`CaseError`] if the file cannot be read or its matrices are no rectangles of numbers.
@@ -88,7 +97,9 @@ impl MatricesFile {
         Self {
             schema: MATRICES_SCHEMA,
             polar_inertia_kg_m2: matrices.polar_inertia_kg_m2,
+            housings: matrices.housings,
             M: rows(&matrices.mass),
+            Ma: (matrices.added_mass.amax() > 0.0).then(|| rows(&matrices.added_mass)),
             K: rows(&matrices.stiffness),
             C: Some(rows(&matrices.damping)),
             G: Some(rows(&matrices.gyroscopic)),
@@ -126,10 +137,12 @@ impl MatricesFile {
         };
         Ok(RotorMatrices {
             mass: matrix("M", Some(self.M))?,
+            added_mass: matrix("Ma", self.Ma)?,
             damping: matrix("C", self.C)?,
             gyroscopic: matrix("G", self.G)?,
             stiffness: matrix("K", Some(self.K))?,
             spin_up: matrix("Ksdt", self.Ksdt)?,
+            housings: self.housings,
             polar_inertia_kg_m2: self.polar_inertia_kg_m2,
         })
     }

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import InputError
+from .ross_nodes import RossNodes
 
 __all__ = ["RossRotor"]
 
@@ -18,17 +19,13 @@ Matrix = npt.NDArray[np.float64]
 
 #: Matrices of a rotor of ROSS.
 MATRICES = ("M", "C", "G", "K", "Ksdt")
-#: Lateral coordinates [x, y, α, β] among those of a node, by their number.
-LATERAL = {4: [0, 1, 2, 3], 6: [0, 1, 3, 4]}
-#: Rotation about the axis among the six coordinates of a node.
-TORSION = 5
 #: Kinds of rotors whose shafts turn at speeds of their own.
 SEVERAL_SPEEDS = {
     "MultiRotor": "geared shafts turn at different speeds; take one of its rotors, .rotors['driving'] say",
     "CoAxialRotor": "shafts on one axis turn at different speeds; take one shaft as a Rotor",
 }
 #: Largest difference from a number of ROSS, relative.
-DIFFERENCE = 1e-6
+DIFFERENCE = 1e-9
 #: Largest difference of a natural frequency after the reduction, relative.
 REDUCED = 1e-2
 #: Lowest natural frequencies that are compared.
@@ -40,19 +37,20 @@ class RossRotor:
     """What is taken of a rotor of ROSS.
 
     Attributes:
-        matrices: Matrices of the lateral motion, four coordinates a node.
+        matrices: Matrices of the lateral motion, four coordinates a node and two a housing; "Ma" is the
+            mass that bearings and seals add.
+        housings: Number of housings.
         polar_inertia_kg_m2: Moment of inertia about the axis.
-        mass_kg: Mass of the rotor by ROSS; None of another package.
     """
 
     matrices: dict[str, Matrix]
+    housings: int
     polar_inertia_kg_m2: float
-    mass_kg: float | None
 
     @classmethod
     def of(cls, rotor: Any, frequency_rad_s: float) -> RossRotor:
-        """The lateral motion of a rotor; magnetic bearings, and housings that nothing connects with the
-        shaft, are left out with a warning.
+        """The lateral motion of a rotor on its housings; magnetic bearings, and housings that nothing
+        else connects with the shaft, are left out with a warning.
 
         Raises:
             InputError: If the rotor is none with one speed and lateral motion of its own.
@@ -60,49 +58,51 @@ class RossRotor:
         for kind in (each.__name__ for each in type(rotor).__mro__):
             if kind in SEVERAL_SPEEDS:
                 raise InputError(f"a {kind} is not possible: {SEVERAL_SPEEDS[kind]}")
-        whole = {
-            name: np.array(_at(getattr(rotor, name), frequency_rad_s), dtype=float)
-            for name in MATRICES
-        }
+        whole = _matrices(rotor, frequency_rad_s)
+        nodes = RossNodes.of(rotor, len(whole["M"]))
         bearings = list(getattr(rotor, "bearing_elements", []))
         magnetic = [each for each in bearings if _is(each, "MagneticBearingElement")]
-        for element in magnetic:
-            _take_out(whole, element, frequency_rad_s)
-        held = [each for each in bearings if each not in magnetic]
-        shaft, per_node = _shaft(rotor, whole["M"].shape[0])
-        housings = _housings(rotor, whole, shaft, held)
-        on_shaft = [each for each in held if each.n < shaft // per_node]
-        for element in on_shaft:
-            if np.any(_at(getattr(element, "M", np.zeros), frequency_rad_s)):
-                raise InputError(
-                    f"{_place(element)} adds a mass that has no weight: leave it out, or give it "
-                    "mxx = 0 and so on"
-                )
+        held = [each for each in bearings if not _is(each, "MagneticBearingElement")]
+        for name in ("M", "C", "K"):
+            whole[name], _ = _without(whole[name], magnetic, name, frequency_rad_s)
+        whole["M"], whole["Ma"] = _without(whole["M"], held, "M", frequency_rad_s)
+        for element in held:
+            _check_added_mass(element, frequency_rad_s)
+        kept = nodes.connected(list(whole.values()))
+        masses = [each for each in getattr(rotor, "point_mass_elements", []) if each.n >= nodes.count]
+        for element in masses:
+            if element.n in kept:
+                _check_springs(element, np.diagonal(whole["K"])[nodes.lateral([element.n])])
+        apart = [each for each in masses if each.n not in kept]
+        on_shaft = [each for each in held if any(end < nodes.count for end in _ends(each))]
         springs = [each for each in on_shaft if _holds(each, frequency_rad_s)]
         for which, why in (
             (magnetic, "left out of the rotor, as a magnetic bearing has no power in a drop: {}"),
-            (housings, "left out of the rotor, as nothing connects it with the shaft: {}"),
+            (apart, "left out of the rotor, as nothing connects it with the shaft: {}"),
             (springs, "kept in the rotor, to hold it in the drop as well: {}; build the rotor of ROSS "
              "without what stands for a magnetic bearing"),
         ):
             if which:
                 warnings.warn(why.format(_listed(map(_place, which))), UserWarning, stacklevel=5)
-        part = {name: matrix[:shaft, :shaft] for name, matrix in whole.items()}
-        lateral, inertia = _lateral(rotor, part, per_node)
-        found = cls(lateral, inertia, _mass(rotor))
-        found.check_mass()
+        lateral, inertia = _lateral(rotor, whole, nodes, kept)
+        found = cls(lateral, len(kept), inertia)
+        found.check(rotor)
         return found
 
-    def check_mass(self) -> None:
-        """Refuses matrices of another mass than that of ROSS."""
-        across = self.matrices["M"][1::4, 1::4].sum()
-        if self.mass_kg is not None:
-            _same("mass", float(across), self.mass_kg, "kg")
+    def check(self, rotor: Any) -> None:
+        """Refuses another mass or moment of inertia than those of the rotor of ROSS."""
+        size = self.matrices["M"].shape[0] - 2 * self.housings
+        across = self.matrices["M"][1:size:4, 1:size:4].sum()
+        _same("mass of the matrices", float(across), _mass(rotor), "kg")
+        # ROSS counts a coupling as a cylinder.
+        plain = not any(hasattr(each, "Ip") for each in getattr(rotor, "shaft_elements", []))
+        own = float(np.sum(rotor.Ip)) if plain and hasattr(rotor, "Ip") else None
+        _same("moment of inertia about the axis", self.polar_inertia_kg_m2, own, "kg·m²")
 
     def frequencies_hz(self) -> Matrix:
         """Natural frequencies at rest without damping, all modes."""
         # M = L·Lᵀ: those of L⁻¹·K·L⁻ᵀ.
-        inverse = np.linalg.inv(np.linalg.cholesky(self.matrices["M"]))
+        inverse = np.linalg.inv(np.linalg.cholesky(self.matrices["M"] + self.matrices["Ma"]))
         stiffness = inverse @ self.matrices["K"] @ inverse.T
         squares = np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T))
         return np.sqrt(squares.clip(min=0.0)) / (2.0 * np.pi)
@@ -148,70 +148,76 @@ def _holds(element: Any, frequency_rad_s: float) -> bool:
     return not _is(element, "SealElement") and bool(np.any(_at(element.K, frequency_rad_s)))
 
 
-def _take_out(whole: dict[str, Matrix], element: Any, frequency_rad_s: float) -> None:
-    """Subtracts the matrices of an element."""
-    places = list(element.dof_global_index.values())
-    for name in ("M", "C", "K"):
-        own = np.asarray(_at(getattr(element, name), frequency_rad_s), dtype=float)
-        whole[name][np.ix_(places, places)] -= own
+def _ends(element: Any) -> list[int]:
+    """Nodes that an element connects; one alone with the ground."""
+    ends = (element.n, getattr(element, "n_link", None))
+    return [int(end) for end in ends if end is not None]
 
 
-def _shaft(rotor: Any, size: int) -> tuple[int, int]:
-    """Number of coordinates of the nodes of the shaft, and of one node."""
-    own = getattr(rotor, "number_dof", None)
-    per_node = 6 if own is None and size % 6 == 0 else 4 if own is None else int(own)
-    nodes = getattr(rotor, "nodes", None)
-    count = size // per_node if nodes is None else len(nodes)
-    shaft = per_node * count
-    numbered = nodes is None or [int(node) for node in nodes] == list(range(count))
-    if per_node not in LATERAL or shaft > size or (nodes is None and size % per_node) or not numbered:
+def _without(
+    matrix: Matrix, elements: Iterable[Any], name: str, frequency_rad_s: float
+) -> tuple[Matrix, Matrix]:
+    """A matrix without the part of elements, and that part."""
+    part = np.zeros_like(matrix)
+    for element in elements:
+        if hasattr(element, name):
+            places = np.array(list(element.dof_global_index.values()), dtype=np.intp)
+            part[np.ix_(places, places)] += np.asarray(_at(getattr(element, name), frequency_rad_s), dtype=float)
+    return matrix - part, part
+
+
+def _matrices(rotor: Any, frequency_rad_s: float) -> dict[str, Matrix]:
+    """The matrices of a rotor, all of one size."""
+    whole = {name: np.array(_at(getattr(rotor, name), frequency_rad_s), dtype=float) for name in MATRICES}
+    size = len(np.atleast_1d(whole["M"]))
+    for name, matrix in whole.items():
+        if matrix.shape != (size, size):
+            shape = " × ".join(map(str, matrix.shape))
+            raise InputError(f"matrix {name} of the rotor is {shape}: must be {size} × {size}")
+    return whole
+
+
+def _check_springs(housing: Any, stiffness: Matrix) -> None:
+    """Refuses a housing that moves freely along x or y."""
+    if not np.all(stiffness > 0.0):
         raise InputError(
-            f"a rotor of {size} coordinates, {per_node} a node: nodes have 4 or 6 coordinates and the "
-            "numbers from 0 on"
+            f"no spring holds the housing {_place(housing)}: give a stiffness to a bearing that connects it "
+            "with the shaft or the ground"
         )
-    return shaft, per_node
 
 
-def _housings(rotor: Any, whole: dict[str, Matrix], shaft: int, held: list[Any]) -> list[Any]:
-    """The point masses beyond the shaft, which nothing may connect with it."""
-    nodes = len(getattr(rotor, "nodes", []))
-    masses = [each for each in getattr(rotor, "point_mass_elements", []) if each.n >= nodes]
-    sides = [(matrix[:shaft, shaft:], matrix[shaft:, :shaft]) for matrix in whole.values()]
-    if any(one.any() or other.any() for one, other in sides):
-        linked = [each for each in held if getattr(each, "n_link", None) is not None]
+def _check_added_mass(element: Any, frequency_rad_s: float) -> None:
+    """Refuses an added mass that stores no energy of its own."""
+    own = np.asarray(_at(element.M, frequency_rad_s) if hasattr(element, "M") else np.zeros((2, 2)))
+    if own[0, 1] != own[1, 0]:
         raise InputError(
-            f"the rotor rests on housings ({_listed(map(_place, masses))}) by "
-            f"{_listed(map(_place, linked))}: leave both out of the rotor of ROSS; the housing of a "
-            "touch-down bearing is [support] of its case"
+            f"{_place(element)} adds a mass with mxy = {own[0, 1]:g} and myx = {own[1, 0]:g} kg: they must "
+            "be equal"
         )
-    return masses
 
 
 def _lateral(
-    rotor: Any, part: dict[str, Matrix], per_node: int
+    rotor: Any, whole: dict[str, Matrix], nodes: RossNodes, kept: list[int]
 ) -> tuple[dict[str, Matrix], float]:
-    """The matrices of the lateral motion, and the moment of inertia about the axis."""
-    starts = np.arange(0, part["M"].shape[0], per_node)[:, np.newaxis]
-    lateral = (starts + LATERAL[per_node]).ravel()
-    taken = {name: matrix[np.ix_(lateral, lateral)] for name, matrix in part.items()}
-    if per_node == 4:
-        if not hasattr(rotor, "Ip"):
-            raise InputError("the rotor has neither torsion nor Ip: its moment of inertia is missing")
-        return taken, float(np.sum(rotor.Ip))
-    others = np.setdiff1d(np.arange(part["M"].shape[0]), lateral)
-    for name, matrix in part.items():
-        mixed = max(
-            np.abs(matrix[np.ix_(*places)]).max() for places in ((lateral, others), (others, lateral))
-        )
-        if mixed > 1e-9 * np.abs(matrix).max():
+    """The matrices of the lateral motion with these housings, and the moment of inertia about the axis."""
+    lateral = nodes.lateral([*range(nodes.count), *kept])
+    others = np.setdiff1d(np.arange(whole["M"].shape[0]), lateral)
+    for name, matrix in whole.items():
+        mixed = (matrix[np.ix_(lateral, others)], matrix[np.ix_(others, lateral)])
+        if max(np.abs(part).max(initial=0.0) for part in mixed) > 1e-9 * np.abs(matrix).max():
             raise InputError(
                 f"matrix {name} of the rotor couples its lateral motion with that along or about its "
                 "axis, which a drop does not have"
             )
-    torsion = starts.ravel() + TORSION
-    own = _inertia(rotor)
+    taken = {name: matrix[np.ix_(lateral, lateral)] for name, matrix in whole.items()}
     # ROSS's own matrix of torsion takes a tapered element by its middle.
-    return taken, float(part["M"][np.ix_(torsion, torsion)].sum()) if own is None else own
+    own = _inertia(rotor)
+    if own is None and nodes.per_node == 4:
+        raise InputError("the rotor has neither torsion nor Ip: its moment of inertia is missing")
+    if own is None:
+        torsion = nodes.torsion()
+        own = float(whole["M"][np.ix_(torsion, torsion)].sum())
+    return taken, own
 
 
 def _inertia(rotor: Any) -> float | None:
@@ -231,9 +237,9 @@ def _mass(rotor: Any) -> float | None:
     return float(rotor.m + sum(each.my for each in points))
 
 
-def _same(what: str, found: float, expected: float, unit: str) -> None:
-    if not abs(found - expected) <= DIFFERENCE * abs(expected):
+def _same(what: str, found: float, expected: float | None, unit: str) -> None:
+    if expected is not None and not abs(found - expected) <= DIFFERENCE * abs(expected):
         raise InputError(
-            f"the {what} of the matrices is {found:.6g} {unit}, that of ROSS {expected:.6g} {unit}: the "
+            f"the {what} is {found:.9g} {unit}, that of ROSS {expected:.9g} {unit}: the "
             "rotor is refused"
         )

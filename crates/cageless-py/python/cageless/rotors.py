@@ -29,7 +29,7 @@ class LinearRotor(Fixed):
     The speed is common to the whole rotor; x, y and z are the frame of the cases, z along the axis.
 
     Attributes:
-        mass_kg: Mass.
+        mass_kg: Mass, without housings.
         polar_inertia_kg_m2: Moment of inertia about the axis of rotation.
         mass_shares_kg: Part of the mass that each bearing carries when the rotor rests in them horizontally.
         coordinates: Number of coordinates after the reduction.
@@ -87,21 +87,25 @@ class LinearRotor(Fixed):
         C: npt.ArrayLike | None = None,
         G: npt.ArrayLike | None = None,
         Ksdt: npt.ArrayLike | None = None,
+        Ma: npt.ArrayLike | None = None,
         *,
         polar_inertia_kg_m2: float,
         nodes: Sequence[int],
+        housings: int = 0,
         kept_nodes: Sequence[int] = (),
         unbalances: Iterable[tuple[int, float, float]] = (),
         clearances: Iterable[tuple[str, int, float]] = (),
         frequency_max_hz: float | None = None,
     ) -> LinearRotor:
-        """A rotor by its matrices, M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
+        """A rotor by its matrices, (M + Ma)·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
 
         Args:
-            M, K, C, G, Ksdt: Matrices whose rows and columns are the coordinates [x, y, α, β] of each
-                node in turn, in m and rad. C, G and Ksdt are 0 if left out.
+            M, K, C, G, Ksdt, Ma: Matrices whose rows and columns are the coordinates [x, y, α, β] of each
+                node in turn, then [x, y] of each housing, in m and rad. C, G, Ksdt and Ma, the mass
+                without weight of a fluid in seals, are 0 if left out.
             polar_inertia_kg_m2: Moment of inertia of the whole rotor about its axis.
             nodes: Node of each touch-down bearing, from 0.
+            housings: Number of housings on which springs of K hold the rotor.
             kept_nodes: Further nodes whose displacements the reduction keeps, those of sensors.
             unbalances: (node, amount_g_mm, angle_deg): node, m·ε and direction at the start of each
                 unbalance.
@@ -114,7 +118,8 @@ class LinearRotor(Fixed):
             InputError: If the matrices cannot be those of a rotor, or a node does not exist.
         """
         arrays = []
-        for name, values in (("M", M), ("C", C), ("G", G), ("K", K), ("Ksdt", Ksdt)):
+        given = (("M", M), ("Ma", Ma), ("C", C), ("G", G), ("K", K), ("Ksdt", Ksdt))
+        for name, values in given:
             array = np.asarray(np.zeros_like(M) if values is None else values, dtype=float)
             if array.ndim != 2:
                 raise InputError(f"matrix {name} has {array.ndim} dimensions: must have 2")
@@ -122,7 +127,8 @@ class LinearRotor(Fixed):
         kept = [_node(node) for node in kept_nodes]
         listed = [(_node(node), u, phase) for node, u, phase in unbalances]
         planes = [(name, _node(node), limit) for name, node, limit in clearances]
-        body = (arrays, polar_inertia_kg_m2, kept, frequency_max_hz)
+        count = _whole("housings", housings)
+        body = (arrays, count, polar_inertia_kg_m2, kept, frequency_max_hz)
         return cls(_cageless.LinearRotor(body, [_node(n) for n in nodes], listed, planes))
 
     @classmethod
@@ -143,8 +149,9 @@ class LinearRotor(Fixed):
 
         Mass, moment of inertia about the axis and the lowest natural frequencies are compared with
         those of ROSS. Magnetic bearings, which have no power in a drop, and housings that nothing
-        connects with the shaft are left out, with a warning that names them; other bearings stay,
-        with a warning. Axial motion and torsion are left out.
+        else connects with the shaft are left out, with a warning that names them. Other bearings
+        stay, with a warning, and so do the housings on which they rest (``n_link``, ``PointMass``);
+        the mass that a bearing or a seal adds has no weight. Axial motion and torsion are left out.
 
         Args:
             nodes: Node of each touch-down bearing, from 0.
@@ -153,14 +160,15 @@ class LinearRotor(Fixed):
 
         Raises:
             InputError: As in :meth:`from_matrices`, or if the rotor has several speeds (``MultiRotor``,
-                ``CoAxialRotor``), rests on housings, has seals with a mass, lateral motion that depends
-                on any other, no moment of inertia, or another mass, inertia or frequency than in ROSS.
+                ``CoAxialRotor``), a housing without a spring, lateral motion that depends on any
+                other, no moment of inertia, or another mass, inertia or frequency than in ROSS.
         """
         found = RossRotor.of(rotor, number("frequency_rad_s", frequency_rad_s))
         made = cls.from_matrices(
             **found.matrices,
             polar_inertia_kg_m2=found.polar_inertia_kg_m2,
             nodes=nodes,
+            housings=found.housings,
             kept_nodes=kept_nodes,
             unbalances=unbalances,
             clearances=clearances,
@@ -264,7 +272,10 @@ class RotorCase(Document):
 
 
 def _node(node: int) -> int:
-    if isinstance(node, bool) or int(node) != node or node < 0:
-        raise InputError(f"node = {node} is not possible: it must be a whole number, 0 or more")
-    return int(node)
+    return _whole("node", node)
 
+
+def _whole(name: str, value: int) -> int:
+    if isinstance(value, bool) or int(value) != value or value < 0:
+        raise InputError(f"{name} = {value} is not possible: it must be a whole number, 0 or more")
+    return int(value)

@@ -1,18 +1,22 @@
 //! A rotor given by its matrices, and its reduction.
 
+use std::ops::Range;
+
 use super::normal::Lateral;
 use super::rigid::{POLAR_INERTIA, finite, positive, within};
 use super::{ClearancePlane, DMatrix, DVector, LinearRotor, RotorError, Unbalance, symmetric};
 
 /// Matrices of the lateral motion of a rotor,
-/// M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
+/// (M + Ma)·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
 ///
 /// A node has the coordinates [x, y, α, β]: displacements along X and Y in m, and rotations about
-/// X and Y in rad.
+/// X and Y in rad. Those of all nodes are followed by [x, y] of each housing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorMatrices {
     /// M, symmetric and positive definite.
     pub mass: DMatrix<f64>,
+    /// Ma, symmetric: inertia without weight, that of the fluid in seals.
+    pub added_mass: DMatrix<f64>,
     /// C.
     pub damping: DMatrix<f64>,
     /// G, antisymmetric.
@@ -21,6 +25,8 @@ pub struct RotorMatrices {
     pub stiffness: DMatrix<f64>,
     /// Ksdt, of a speed that changes.
     pub spin_up: DMatrix<f64>,
+    /// Number of housings: bodies of the stator on which the rotor rests, in springs of K.
+    pub housings: usize,
     /// Ip of the whole rotor about its axis, kg·m².
     pub polar_inertia_kg_m2: f64,
 }
@@ -42,6 +48,8 @@ pub struct Reduction {
 
 /// Coordinates of a node.
 pub const NODE_COORDINATES: usize = 4;
+/// Coordinates of a housing.
+pub const HOUSING_COORDINATES: usize = 2;
 
 /// Asymmetry that rounding explains, as a fraction of the largest element.
 const ROUNDING: f64 = 1e-9;
@@ -49,7 +57,13 @@ const ROUNDING: f64 = 1e-9;
 impl RotorMatrices {
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
-        self.mass.nrows() / NODE_COORDINATES
+        self.shaft() / NODE_COORDINATES
+    }
+
+    /// Number of coordinates of all nodes.
+    fn shaft(&self) -> usize {
+        let housings = self.housings.saturating_mul(HOUSING_COORDINATES);
+        self.mass.nrows().saturating_sub(housings)
     }
 
     /// The rotor reduced to its touchdown nodes and the kept nodes with the modes of the rest
@@ -84,8 +98,9 @@ impl RotorMatrices {
             return Err(singular());
         }
         let static_shapes = -factor.solve(&part(&stiffness, &inner, &boundary));
+        let inertia = &self.mass + &self.added_mass;
         let modes = held_modes(
-            &part(&self.mass, &inner, &inner),
+            &part(&inertia, &inner, &inner),
             &factor.l(),
             reduction.frequency_max_hz,
         )?;
@@ -110,19 +125,24 @@ impl RotorMatrices {
             (rows[(0, first)], rows[(1, first + 1)]) = (1.0, 1.0);
             rows
         };
-        let mut upwards = DVector::zeros(b + m);
-        let straight = self.upwards();
-        for (column, row) in boundary.iter().enumerate() {
-            upwards[column] = straight[*row];
-        }
         let journals: Vec<_> = reduction.bearing_nodes.iter().map(|n| rows(*n)).collect();
+        let shaft = self.shaft();
+        // Displacement of these coordinates by 1 along +Y.
+        let upwards = |moved: Range<usize>| {
+            let y = |k: usize| match k < shaft {
+                true => k % NODE_COORDINATES == 1,
+                false => (k - shaft) % HOUSING_COORDINATES == 1,
+            };
+            DVector::from_fn(size, |k, _| f64::from(u8::from(moved.contains(&k) && y(k))))
+        };
         let lateral = Lateral {
-            mass: symmetric(&of(&self.mass)),
+            mass: symmetric(&of(&inertia)),
             damping: of(&self.damping),
             gyroscopic: of(&self.gyroscopic),
             stiffness: of(&self.stiffness),
             spin_up: of(&self.spin_up),
-            upwards: self.moved_upwards(&t, upwards),
+            weight: t.transpose() * &self.mass * upwards(0..size),
+            rotor_kg: upwards(0..shaft).dot(&(&self.mass * upwards(0..shaft))),
             shapes: self.journal_shapes(&of(&stiffness), reduction, &held),
             journals,
             unbalances: (reduction.unbalances.iter())
@@ -134,29 +154,6 @@ impl RotorMatrices {
             polar_inertia: self.polar_inertia_kg_m2,
         };
         lateral.normal()
-    }
-
-    /// Displacement of every point by 1 along +Y.
-    fn upwards(&self) -> DVector<f64> {
-        DVector::from_fn(self.mass.nrows(), |k, _| {
-            f64::from(u8::from(k % NODE_COORDINATES == 1))
-        })
-    }
-
-    /// Reduced coordinates in which every point is moved by 1 along +Y: those of `near` on the
-    /// kept nodes, and modes where a foundation of the rotor resists.
-    fn moved_upwards(&self, t: &DMatrix<f64>, near: DVector<f64>) -> DVector<f64> {
-        let rest = self.upwards() - t * &near;
-        if rest.amax() < 1e-9 {
-            return near;
-        }
-        // Projection in the metric of the mass.
-        let mass = t.transpose() * &self.mass * t;
-        let load = t.transpose() * (&self.mass * rest);
-        match mass.cholesky() {
-            Some(factor) => near + factor.solve(&load),
-            None => near,
-        }
     }
 
     /// Static shapes of the journals: further kept nodes follow without force.
@@ -235,6 +232,7 @@ impl RotorMatrices {
         let size = self.mass.nrows();
         for (name, matrix) in [
             ("M", &self.mass),
+            ("Ma", &self.added_mass),
             ("C", &self.damping),
             ("G", &self.gyroscopic),
             ("K", &self.stiffness),
@@ -256,21 +254,31 @@ impl RotorMatrices {
                 });
             }
         }
-        if size == 0 || !size.is_multiple_of(NODE_COORDINATES) {
+        if self.shaft() == 0 || !self.shaft().is_multiple_of(NODE_COORDINATES) {
+            let housings = match self.housings {
+                0 => String::new(),
+                count => format!(" with two of each of {count} housings, [x, y]"),
+            };
             return Err(RotorError::Property {
                 name: "M",
                 property: "of four coordinates a node, [x, y, α, β]",
-                found: format!(", not {size} in all"),
+                found: format!(", not {size} in all{housings}"),
             });
         }
         paired("M", "symmetric", &self.mass, 1.0)?;
+        paired("Ma", "symmetric", &self.added_mass, 1.0)?;
         paired("G", "antisymmetric", &self.gyroscopic, -1.0)?;
-        if self.mass.clone().cholesky().is_none() {
-            return Err(RotorError::Property {
-                name: "M",
-                property: "positive definite",
-                found: String::new(),
-            });
+        for (name, matrix) in [
+            ("M", self.mass.clone()),
+            ("M + Ma", &self.mass + &self.added_mass),
+        ] {
+            if matrix.cholesky().is_none() {
+                return Err(RotorError::Property {
+                    name,
+                    property: "positive definite",
+                    found: String::new(),
+                });
+            }
         }
         positive("polar_inertia_kg_m2", self.polar_inertia_kg_m2)?;
         within(

@@ -179,7 +179,7 @@ pub struct LinearRotor {
     pub(crate) planes: Vec<ClearancePlane<Rows>>,
     /// Ip about the axis, kg·m².
     pub(crate) polar_inertia: f64,
-    /// m, kg.
+    /// m without housings, kg.
     mass: f64,
 }
 
@@ -194,7 +194,7 @@ impl LinearRotor {
         self.journals.len()
     }
 
-    /// Mass.
+    /// Mass, without housings.
     pub fn mass_kg(&self) -> f64 {
         self.mass
     }
@@ -204,7 +204,7 @@ impl LinearRotor {
         self.polar_inertia
     }
 
-    /// Part of the mass that each bearing carries when the rotor rests in them.
+    /// Part of the mass, housings included, that each bearing carries when the rotor rests in them.
     pub fn mass_shares_kg(&self) -> Vec<f64> {
         let loads = self.shapes.transpose() * &self.lift;
         (0..self.bearings()).map(|k| loads[2 * k + 1]).collect()

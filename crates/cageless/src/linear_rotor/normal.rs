@@ -11,8 +11,10 @@ pub(super) struct Lateral {
     pub gyroscopic: DMatrix<f64>,
     pub stiffness: DMatrix<f64>,
     pub spin_up: DMatrix<f64>,
-    /// All points moved by 1 along +Y.
-    pub upwards: DVector<f64>,
+    /// Force of a gravity of 1 m/s² along +Y, on the rotor and its housings.
+    pub weight: DVector<f64>,
+    /// m of the rotor alone, kg.
+    pub rotor_kg: f64,
     /// x and y of each journal, rows over the coordinates.
     pub journals: Vec<DMatrix<f64>>,
     /// Columns of [`LinearRotor::shapes`]; those of least kinetic energy if absent.
@@ -42,7 +44,7 @@ impl Lateral {
             Some(shapes) => modes.transpose() * factor.transpose() * shapes,
             None => least_energy(&journals)?,
         };
-        let lift = v.transpose() * (&self.mass * &self.upwards);
+        let lift = v.transpose() * &self.weight;
         Ok(LinearRotor {
             damping: of(&self.damping),
             gyroscopic: of(&self.gyroscopic),
@@ -58,7 +60,7 @@ impl Lateral {
             planes: self.planes.iter().map(|p| p.at(&p.place * &v)).collect(),
             journals,
             polar_inertia: self.polar_inertia,
-            mass: (self.upwards.transpose() * &self.mass * &self.upwards)[0],
+            mass: self.rotor_kg,
         })
     }
 }

@@ -47,7 +47,8 @@ impl RigidRotor {
             stiffness: DMatrix::zeros(4, 4),
             spin_up: gyroscopic.clone(),
             gyroscopic,
-            upwards: DVector::from_vec(vec![0.0, 1.0, 0.0, 0.0]),
+            weight: DVector::from_vec(vec![0.0, m, 0.0, 0.0]),
+            rotor_kg: m,
             journals: self.bearing_axial_m.iter().map(|z| place(*z)).collect(),
             shapes: None,
             unbalances: (self.unbalances.iter())
