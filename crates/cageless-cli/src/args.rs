@@ -52,7 +52,7 @@ pub enum Command {
     New(New),
     /// Validate a case.
     #[command(mut_arg("open", |open| open.hide(true)))]
-    Check(CaseArgs),
+    Check(CheckArgs),
     /// Static equilibrium: ring displacement, load per ball, contact pressure.
     Static(StaticArgs),
     /// One sheet for the decision: life, limits, clearance, benefit, drawing of the outer ring.
@@ -467,6 +467,17 @@ pub struct DesignArgs {
     /// Find the axial load and tilt up to which the raceway still works, by motion in space.
     #[arg(long)]
     pub axial: bool,
+}
+
+/// `check`.
+#[derive(Debug, Group)]
+pub struct CheckArgs {
+    /// Case and output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Show the defaults that were taken and the scope of the model, too; --json has them.
+    #[arg(long)]
+    pub all: bool,
 }
 
 /// `static`.

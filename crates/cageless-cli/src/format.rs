@@ -11,13 +11,13 @@ pub fn compared(answer: &str, comparison: &RingComparison) -> String {
     format!("{answer}\n\n{table}\n")
 }
 
-/// Table of results of rings side by side, with what was drawn.
+/// Table of what is asked and of results in which rings differ, side by side, with what was drawn.
 pub fn rings<'r>(
     comparison: &RingComparison,
     results: impl Iterator<Item = &'r ComparedResult>,
 ) -> String {
     let mut rows = vec![comparison.headings()];
-    rows.extend(comparison.rows(results));
+    rows.extend(comparison.rows(results.filter(|result| result.is_telling())));
     format!("{}\n{}\n", columns(&rows), comparison.draws.text())
 }
 

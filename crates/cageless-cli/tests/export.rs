@@ -209,7 +209,9 @@ fn what_only_export_needs_is_asked_for() {
         (SIZE[1], "outer_ring_outer_radius_mm"),
     ] {
         let answer = call_on("export", &case, &[set], &["--format", "step"]);
-        let key = format!("bearing.{missing} is missing in [bearing], and `export` needs it");
+        let key = format!(
+            "bearing.{missing} is missing in [bearing], and the shape of the outer ring needs it"
+        );
         assert_refused(&answer, &[&key, "zhao-d.toml:6:", "in mm"]);
         assert_eq!(answer.stderr.lines().count(), 1, "{}", answer.stderr);
     }

@@ -6,7 +6,7 @@ use crate::common::*;
 #[test]
 fn check_and_the_readme_state_the_limits_of_the_model() {
     let case = repository_case("zhao-d.toml");
-    let text = call_on("check", &case, &[], &[]).stdout;
+    let text = call_on("check", &case, &[], &["--all"]).stdout;
     let answer = call_on("check", &case, &[], &["--json"]).json();
     let scope: Vec<&str> = (answer["scope"].as_array().expect("a list").iter())
         .map(|statement| statement.as_str().expect("text"))

@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::drop::listed;
 use super::steps::{check_warnings, steps_text};
-use crate::args::CaseArgs;
+use crate::args::{CaseArgs, CheckArgs};
 use crate::driver::{Answer, pretty};
 use crate::failure::Failure;
 use crate::format::{fixed, pairs, warnings};
@@ -21,7 +21,8 @@ use crate::format::{fixed, pairs, warnings};
 const NUMBERS: &str = "check.json";
 
 /// Checks a case, or the file of a rotor above several bearings.
-pub fn check(args: &CaseArgs) -> Result<(), Failure> {
+pub fn check(args: &CheckArgs) -> Result<(), Failure> {
+    let (all, args) = (args.all, &args.case);
     let file = match VariantFile::read(&args.case, &args.set)? {
         VariantFile::Case(file) => file,
         VariantFile::Rotor(file) => return check_rotor(args, &file),
@@ -85,7 +86,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         let (value, basis) = (assumption.value, assumption.basis);
         lines.push(("assumed", format!("{} = {value} ({basis})", assumption.key)));
     }
-    if !file.defaults().is_empty() {
+    if all && !file.defaults().is_empty() {
         let defaults = file.defaults().iter().map(|key| match file.value(key) {
             Some(value) => format!("{key} = {}", value.written()),
             None => key.clone(),
@@ -93,7 +94,8 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         let defaults: Vec<_> = defaults.collect();
         lines.push(("defaults taken", defaults.join(", ")));
     }
-    for (k, statement) in SCOPE.into_iter().enumerate() {
+    let scope = SCOPE.into_iter().filter(|_| all);
+    for (k, statement) in scope.enumerate() {
         lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
     }
     /// `check.json`.

@@ -40,6 +40,11 @@ const ASKED: [Asked; 3] = [
     },
 ];
 
+/// Whether a result is asked of a remedy.
+pub(super) fn is_asked(name: &str) -> bool {
+    ASKED.iter().any(|asked| asked.name == name)
+}
+
 /// Result that a remedy may cost.
 struct Cost {
     name: &'static str,

@@ -6,6 +6,7 @@ use serde::{Serialize, Serializer};
 
 use cageless_results::{Aim, LimitJudgement, Quantity};
 
+use super::benefit::is_asked;
 use super::ring_results::{RingResults, compared};
 use super::{Benefit, Draws, RingVerdict};
 
@@ -58,6 +59,18 @@ pub struct ComparedResult {
     /// Whether a ring is better than the first: only where the two cases differ in nothing but
     /// the raceway, the difference is significant, and one direction is better.
     pub better: Vec<Option<bool>>,
+}
+
+impl ComparedResult {
+    /// Whether it is asked of a remedy, or a ring differs from the first by more than its error; of single runs, at
+    /// all.
+    pub fn is_telling(&self) -> bool {
+        let differs = |difference: &Estimate| match difference.starts {
+            0 | 1 => difference.mean != 0.0,
+            _ => difference.change() != Change::Undecided,
+        };
+        is_asked(self.quantity.name) || self.differences.iter().flatten().any(differs)
+    }
 }
 
 /// Rings side by side: `compare --json`.
@@ -373,5 +386,39 @@ mod tests {
         assert_eq!(comparison.results[0].better, [None, None]);
         assert_eq!(comparison.results[0].differences[1].unwrap().mean, -0.5);
         assert!(comparison.statement.contains("keep their gaps"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Student's limit at 5 % with 7 degrees of freedom is 2.365: 2.4 standard errors tell, 2.3 do not.
+    #[test]
+    fn a_result_tells_by_its_difference() {
+        let result = |name: &str, mean: f64, starts| ComparedResult {
+            quantity: compared().find(|quantity| quantity.name == name).unwrap(),
+            values: vec![None, None],
+            differences: vec![
+                None,
+                Some(Estimate {
+                    mean,
+                    standard_error: 1.0,
+                    starts,
+                }),
+            ],
+            better: vec![None, None],
+        };
+        for (name, mean, starts, telling) in [
+            ("power_loss_w", 2.4, 8, true),
+            ("power_loss_w", -2.4, 8, true),
+            ("power_loss_w", 2.3, 8, false),
+            ("power_loss_w", 0.1, 1, true),
+            ("power_loss_w", 0.0, 1, false),
+            ("gap_deviation_deg", 0.0, 8, true),
+        ] {
+            let found = result(name, mean, starts).is_telling();
+            assert_eq!(found, telling, "{name} {mean} {starts}");
+        }
     }
 }
