@@ -387,11 +387,6 @@ mod tests {
         assert_eq!(comparison.results[0].differences[1].unwrap().mean, -0.5);
         assert!(comparison.statement.contains("keep their gaps"));
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
 
     /// Student's limit at 5 % with 7 degrees of freedom is 2.365: 2.4 standard errors tell, 2.3 do not.
     #[test]
