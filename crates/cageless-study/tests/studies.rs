@@ -5,6 +5,7 @@ use std::sync::Mutex;
 
 use cageless_io::case_file::{CaseFile, template};
 use cageless_results::Record;
+use cageless_study::comparison::{BenefitWord, in_steady_operation};
 use cageless_study::design::{Asked, design};
 use cageless_study::run::{Options, run};
 use cageless_study::tolerance::{Request, tolerance};
@@ -189,4 +190,46 @@ fn what_cannot_be_is_refused_by_name() {
     assert!(matches!(on_threads(many, || ()), Err(StudyError::Input(_))));
     let threads = NonZeroUsize::new(3);
     assert_eq!(on_threads(threads, rayon::current_num_threads).unwrap(), 3);
+}
+
+/// A ring of which a run stops is not judged and says when and why; the others are judged as without it.
+#[test]
+fn a_ring_that_stops_leaves_the_others() {
+    let short = ["steady.transient_orbits=1", "steady.measured_orbits=3"];
+    let plain = case(&short).with_conventional_ring().unwrap();
+    let raceway = case(&short);
+    let few = std::fs::read_to_string("../../cases/full-6205.toml").unwrap();
+    let sets = [&short[..], &["bearing.balls=6"]].concat();
+    let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
+    let falls = CaseFile::parse(&few, "case", &sets).unwrap();
+    let named = |name: &str, file: &CaseFile| (name.to_owned(), file.clone());
+    let with = [
+        named("plain", &plain),
+        named("falls", &falls),
+        named("raceway", &raceway),
+    ];
+    let without = [named("plain", &plain), named("raceway", &raceway)];
+    let judged = |rings: &[(String, CaseFile)]| {
+        let work = (&Silent as &dyn Progress).begin("benefit", 1.0);
+        in_steady_operation(rings, 2, &work).unwrap().benefits
+    };
+    let (all, alone) = (judged(&with), judged(&without));
+    assert_eq!(all[2], alone[1]);
+    let stopped = all[1].as_ref().unwrap();
+    assert_eq!(stopped.benefit, BenefitWord::NotJudged);
+    assert_eq!(stopped.score, None);
+    assert!(
+        stopped.why.starts_with("falls, draw 1: "),
+        "{}",
+        stopped.why
+    );
+    assert!(
+        stopped.why.contains("fell between the balls"),
+        "{}",
+        stopped.why
+    );
+    // Without the first there is nothing to compare with.
+    let work = (&Silent as &dyn Progress).begin("benefit", 1.0);
+    let error = in_steady_operation(&[with[1].clone(), with[0].clone()], 2, &work).unwrap_err();
+    assert!(matches!(error, StudyError::Stopped { .. }), "{error}");
 }

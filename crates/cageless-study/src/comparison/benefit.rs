@@ -187,6 +187,10 @@ impl Benefit {
                 reasons.map(move |reason| format!("{}: {reason}", r.name))
             })
             .collect();
+        let stopped = [reference, ring]
+            .into_iter()
+            .filter_map(|r| r.stopped.clone());
+        let stopped: Vec<String> = stopped.collect();
         let score = score(ring, reference);
         let criteria: Vec<BenefitCriterion> = (asked(reference))
             .chain(COSTS.iter().map(|cost| (cost.name, 0.0)))
@@ -207,7 +211,7 @@ impl Benefit {
         let (gains, losses) = (said(true, true), said(true, false));
         let costs = said(false, false);
         let word = match score {
-            _ if !missing.is_empty() => BenefitWord::NotJudged,
+            _ if !missing.is_empty() || !stopped.is_empty() => BenefitWord::NotJudged,
             None => BenefitWord::NotJudged,
             Some(_) if !broken.is_empty() => BenefitWord::Harms,
             Some(score) => match score.change() {
@@ -224,6 +228,7 @@ impl Benefit {
             (costs, "at the cost of ", "cost: "),
         ];
         let reasons: Vec<String> = match word {
+            BenefitWord::NotJudged if !stopped.is_empty() => stopped,
             BenefitWord::NotJudged if missing.is_empty() => {
                 vec!["a result that is asked for is missing".to_owned()]
             }

@@ -76,7 +76,7 @@ pub fn compare(
 const TASK: &str = "compare";
 
 /// Results of rings in steady operation with so many draws of balls under the seed of the first case, without
-/// histories.
+/// histories. A ring of which a run stops is not judged, but the first.
 ///
 /// # Errors
 /// Errors of [`compare`].
@@ -89,7 +89,15 @@ pub fn in_steady_operation(
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
     let results: Vec<RingResults> = each(rings)
         .with_max_len(1)
-        .map(|(name, file)| ring_results(name, file, sampling, seed, work))
+        .enumerate()
+        .map(
+            |(k, (name, file))| match ring_results(name, file, sampling, seed, work) {
+                Err(StudyError::Stopped { run, stop }) if k > 0 => {
+                    Ok(RingResults::stopped(name, file, format!("{run}: {stop}")))
+                }
+                found => found,
+            },
+        )
         .collect::<Result<_, _>>()?;
     Ok(RingComparison::new(
         &results,

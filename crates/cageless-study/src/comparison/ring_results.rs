@@ -48,6 +48,8 @@ pub struct RingResults {
     pub(super) is_long: bool,
     /// Whether the measured time is stationary; of a finished run nothing.
     pub(super) settling: Vec<Stationarity>,
+    /// Run that stopped early, when and why; then there are no results.
+    pub(super) stopped: Option<String>,
 }
 
 impl RingResults {
@@ -78,6 +80,15 @@ impl RingResults {
             is_long: steady.transient_orbits >= TRANSIENT_ORBITS
                 && steady.measured_orbits >= MEASURED_ORBITS,
             settling: vec![],
+            stopped: None,
+        }
+    }
+
+    /// A ring of which a run stopped early.
+    pub(super) fn stopped(name: &str, file: &CaseFile, why: String) -> Self {
+        Self {
+            stopped: Some(why),
+            ..Self::of_draws(name, file, &[], RingVerdict::none())
         }
     }
 
@@ -112,6 +123,7 @@ impl RingResults {
             weights: BenefitWeights::default(),
             is_long: false,
             settling: vec![],
+            stopped: None,
         }
     }
 }
