@@ -9,7 +9,7 @@ use cageless_io::results::{ROTOR, ResultFolder};
 use cageless_paper::structures_of;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::compared_runs;
-use cageless_report::design_report::{design_data, rings_of};
+use cageless_report::design_report::design_data;
 use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
@@ -18,7 +18,6 @@ use cageless_results::{Aim, Record, equilibrium_record_noted};
 use cageless_study::benefit_search::BenefitSearch;
 use cageless_study::design::{Asked, Designed, design as study_design};
 use cageless_study::drop::{DropRequest, study};
-use cageless_study::rings::rings;
 use cageless_study::run::{Options, run as simulate};
 use cageless_study::sweep::analysis::{Goal, analyse as analyse_sweep};
 use cageless_study::tolerance::tolerance as within_tolerances;
@@ -149,10 +148,7 @@ pub fn design(
         if interrupted {
             return Err(StudyError::Interrupted.into());
         }
-        let mut data = design_data(&file, &result, &snapshots);
-        if !benefit {
-            data.rings = rings(&rings_of(&file, &result), progress)?;
-        }
+        let data = design_data(&file, &result, &snapshots);
         Ok::<_, Error>((result, data, stopped))
     })??;
     if let (Some(stop), false) = (stopped, search) {

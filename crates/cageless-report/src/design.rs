@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use cageless::design::search::NEIGHBOURS_WIDER;
-pub use cageless_study::rings::RingNumbers;
 
 use cageless_results::Record;
 use cageless_study::benefit_search::BenefitSearch;
@@ -22,8 +21,7 @@ use crate::recommended::ShownRaceway;
 use crate::reproduce_data::DesignCurve;
 use crate::search_tables as tables;
 use crate::studio_page::case_sections;
-use crate::table::Table;
-use crate::text::{capital, fixed};
+use crate::text::capital;
 
 /// Data of the page of `design`. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -53,8 +51,6 @@ pub struct DesignData {
     pub recommendation: String,
     /// The recommended raceway with its drawing.
     pub shown: Option<ShownRaceway>,
-    /// Outer rings in motion beside each other; may be empty.
-    pub rings: Vec<RingNumbers>,
     /// θ over lC by Eq. (11), with the case's structure and the limits.
     pub curve: Option<DesignCurve>,
     /// Contact track of the case's first raceway.
@@ -95,19 +91,6 @@ pub fn design_page(data: &DesignData) -> String {
         page.section("The raceway of the case: shape");
         let (track, surface) = (data.contact_track.as_ref(), data.surface.as_ref());
         shape_figures(&mut page, "", track, surface);
-    }
-    if data.rings.len() > 1 {
-        page.section("Outer rings side by side");
-        page.table(&rings_table(&data.rings, data.provenance.clone()));
-        for ring in &data.rings {
-            if let Some(reason) = &ring.stopped {
-                let text = format!(
-                    "{}: no numbers of the motion, as a run stopped {reason}.",
-                    ring.name
-                );
-                page.note(Note::Warning, &text);
-            }
-        }
     }
     if let Some(search) = &data.search {
         search_sections(&mut page, search, data.benefit.is_some());
@@ -201,56 +184,6 @@ fn shape_figures(
     page.figures(track.map(|figure| figure.labelled(&format!("Contact track{whose}"))));
     let surface = surface.map(shape::surface);
     page.figures(surface.map(|figure| figure.labelled(&format!("Surface{whose}"))));
-}
-
-/// A row of the table of rings: name, decimals, quantity.
-type RingRow = (&'static str, usize, fn(&RingNumbers) -> Option<f64>);
-
-const RING_ROWS: [RingRow; 7] = [
-    ("contacts between balls, per ball and orbit", 3, |r| {
-        r.contacts
-    }),
-    ("smallest gap (°)", 4, |r| r.gap_min_deg),
-    (
-        "spacing scatter (std. dev. of all gaps, % of their mean)",
-        1,
-        |r| Some(100.0 * r.spacing_scatter?),
-    ),
-    ("power of sliding friction, whole run (W)", 2, |r| {
-        r.friction_w
-    }),
-    ("inner-ring vibration (std. dev., µm)", 3, |r| {
-        r.ring_deviation_um
-    }),
-    (
-        "peak contact pressure at rest, inner raceway (MPa)",
-        0,
-        |r| r.inner_pressure_mpa,
-    ),
-    (
-        "peak contact pressure at rest, outer raceway (MPa)",
-        0,
-        |r| r.outer_pressure_mpa,
-    ),
-];
-
-fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
-    let head = rings.iter().map(|ring| ring.name.clone());
-    let mut rows = vec![[String::new()].into_iter().chain(head).collect()];
-    rows.extend(RING_ROWS.iter().map(|(name, decimals, of)| {
-        let values = rings.iter().map(|ring| fixed(of(ring), *decimals));
-        [(*name).to_owned()].into_iter().chain(values).collect()
-    }));
-    let caption = "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
-                   starts; means over both of the second half, except friction. Pressures at rest: the \
-                   largest over the places of the balls. On a conventional ring ideal \
-                   balls all roll at one speed and keep the gaps of the start: few contacts, but a \
-                   spacing that stays uneven.";
-    let provenance = Provenance {
-        discarded: "first 10 of 20 orbits".to_owned(),
-        ..provenance
-    };
-    Table::of("Outer rings", caption, rows, Some(provenance))
 }
 
 fn search_sections(page: &mut Page, search: &Record, with_benefit: bool) {

@@ -2,7 +2,7 @@
 
 use crate::figures::axial_load::AxialLoads;
 use crate::lead;
-use crate::recommended::{ShownRaceway, recommended_case};
+use crate::recommended::ShownRaceway;
 use crate::run_report::motion;
 use crate::{
     ContactTrack, DesignCurve, DesignData, DesignLimit, LimitedQuantity, Parameter, Provenance,
@@ -16,35 +16,10 @@ use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{Recommended, Record, software};
-use cageless_study::{DesignResult, entered, lines, parameter, parameters, provenance};
+use cageless_study::{DesignResult, lines, parameter, parameters, provenance};
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 240;
-
-/// The outer rings that a design page sets side by side: recommended, the case's own,
-/// conventional.
-pub fn rings_of(file: &CaseFile, result: &DesignResult) -> Vec<(&'static str, Case)> {
-    let own = file.case();
-    let conventional = entered(file, &[], None);
-    let recommended = recommended_case(file, result).filter(|_| recommends(result));
-    let initial = (!own.raceways.is_empty()).then(|| own.clone());
-    let rings = [
-        ("recommended", recommended),
-        ("initial design", initial),
-        ("conventional", conventional),
-    ];
-    let rings = rings.into_iter();
-    rings
-        .filter_map(|(name, case)| Some((name, case?)))
-        .collect()
-}
-
-/// Whether a raceway is recommended, by the search or near the curve of Eq. (11).
-fn recommends(result: &DesignResult) -> bool {
-    let searched = result.found().is_some();
-    let near = result.recommendation();
-    searched || near.is_some_and(|r| r.passes() == Some(true))
-}
 
 /// Data of the page of a design.
 pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot]) -> DesignData {
@@ -90,7 +65,6 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         surface: first.map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
         motion: (!snapshots.is_empty()).then(|| motion(case, &title, snapshots, source.clone())),
         shown: ShownRaceway::new(file, result),
-        rings: Vec::new(),
         axial: result.axial.as_ref().map(|axial| {
             let [settles, counts] = AXIAL_ORBITS;
             let discarded = format!("first {settles} of {} orbits", settles + counts);

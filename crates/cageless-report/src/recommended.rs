@@ -70,11 +70,6 @@ pub fn recommended_document(file: &CaseFile, result: &DesignResult) -> Option<Ca
     (name == RECOMMENDED).then_some(document)
 }
 
-/// The case with the recommended raceways in the place of its own.
-pub fn recommended_case(file: &CaseFile, result: &DesignResult) -> Option<Case> {
-    case_of(recommended(file, result)?.1)
-}
-
 /// The case of a document; `None` if it is impossible.
 fn case_of(document: CaseDocument) -> Option<Case> {
     let file = CaseFile::from_document(document, "case").ok()?;

@@ -25,7 +25,7 @@ use crate::interruption::unless_interrupted;
 use crate::progress::Progress;
 use crate::structure::RacewayLabel;
 use crate::task::Task;
-use crate::{axial, rings, search};
+use crate::{axial, search};
 
 /// Results of `design`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -130,9 +130,6 @@ pub fn design(
             None => usize::from(!case.raceways.is_empty()),
         };
         tasks.extend(benefit_search::tasks(file, count)?);
-    }
-    if asked.folder.is_some() && !asked.benefit {
-        tasks.push(rings::task(case));
     }
     progress.whole(&tasks);
     let (judgement, snapshots) = judged(file, progress)?;

@@ -19,7 +19,6 @@ mod parameter;
 mod passages;
 mod progress;
 pub mod ring_path;
-pub mod rings;
 pub mod run;
 pub mod search;
 pub mod sheet;

@@ -162,7 +162,7 @@ mod tests {
             for request in [depth, span, angle] {
                 let tolerances = request.check(file.case(), "case").unwrap();
                 let rings = TolerancedRings::new(&file, &tolerances).unwrap();
-                let gaps: Vec<f64> = rings.0[1..]
+                let gaps: Vec<f64> = rings.0[1..=RACEWAYS]
                     .iter()
                     .map(|(_, ring)| {
                         let judged = judge(ring.case(), &mut |_| Control::Continue(()));

@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use cageless_paper::structures_of;
-use cageless_report::design_report::{design_data, rings_of};
+use cageless_report::design_report::design_data;
 use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
 use cageless_results::open_benefit;
 use cageless_study::design::{Asked, DesignResult, Designed, design as study};
-use cageless_study::rings::rings;
 use cageless_study::{StudyError, search};
 
 use crate::args::DesignArgs;
@@ -60,11 +59,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
             text += &pairs(&[("case with the raceway", path)]);
         }
         let files = output.files(|| {
-            let mut data = design_data(&file, &result, &snapshots);
-            // Short runs of equal balls beside long ones of real balls would say the opposite about contacts.
-            if !interrupted && !args.benefit {
-                data.rings = rings(&rings_of(&file, &result), bars)?;
-            }
+            let data = design_data(&file, &result, &snapshots);
             let recommended = recommended.map(|case| file.edited(&case));
             let mut files = vec![
                 (PAGE, Some(design_page(&data).into())),
