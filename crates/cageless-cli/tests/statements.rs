@@ -144,7 +144,8 @@ fn limits_of_a_user_are_judged_where_the_result_is() {
     let text = std::fs::read_to_string(repository_case("zhao-d.toml")).unwrap()
         + &limit("l10_h", "20000")
         + &limit("lag_per_pass_deg", "0.1")
-        + &limit("outer_pressure_max_mpa", "1000");
+        + &limit("outer_pressure_max_mpa", "1000")
+        + &limit("critical_gap_deg", "1.7");
     std::fs::write(&case, text).unwrap();
     let quick = ["solver.duration_s=0.05", "solver.transient_s=0.01"];
     let print = |command: &str, more: &[&str]| call_on(command, &case, &quick, more);
@@ -169,6 +170,29 @@ fn limits_of_a_user_are_judged_where_the_result_is() {
     let json = print("run", &["--json"]).json();
     assert_eq!(json["limits_exceeded"].as_array().unwrap().len(), 1);
     assert_eq!(json["limits_kept"].as_array().unwrap().len(), 1);
+
+    // The heads of pages have them.
+    let short = ["steady.transient_orbits=1", "steady.measured_orbits=3"];
+    for (command, more, expected) in [
+        ("design", &[][..], "critical gap"),
+        (
+            "compare",
+            &["--with-conventional", "--draws=2"],
+            "A: peak contact pressure, outer raceway",
+        ),
+    ] {
+        let out = folder.path().join(command);
+        let more = [more, &["--out", out.to_str().unwrap()]].concat();
+        let sets = [&quick[..], &short].concat();
+        let answer = call_on(command, &case, &sets, &more);
+        assert_eq!(answer.code, Some(0), "{command} {answer:?}");
+        let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+        let (header, _) = page.split_once("</header>").unwrap();
+        assert!(
+            header.contains(expected) && header.contains("(us)"),
+            "{command} {header}"
+        );
+    }
 
     let wrong = std::fs::read_to_string(&case).unwrap() + &limit("statik_safety_factor", "1");
     std::fs::write(&case, wrong).unwrap();

@@ -37,6 +37,14 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     let head = all.fold(Head::default(), |head, (passes, text)| {
         head.verdict(passes, &text)
     });
+    let of_ring = comparison.runs.iter().zip(&comparison.limits);
+    let head = of_ring.fold(head, |head, (name, limits)| {
+        let named = limits.verdicts().into_iter();
+        let named: Vec<_> = named
+            .map(|(kept, text)| (kept, format!("{name}: {text}")))
+            .collect();
+        head.limits(&named)
+    });
     page.head(&head);
     for run in runs {
         for warning in &run.data.warnings {

@@ -43,6 +43,9 @@ pub struct DesignData {
     pub headline: String,
     /// Numbers of the case's own raceways.
     pub results: Vec<Parameter>,
+    /// Limits of the user: whether each is kept (`None`: not judged), in a sentence.
+    #[serde(default)]
+    pub limits: Vec<(Option<bool>, String)>,
     /// Reasons of the verdict.
     pub reasons: Vec<String>,
     /// Whether the raceway of the recommendation passes; `None` if there is none.
@@ -159,7 +162,7 @@ fn head(data: &DesignData) -> Head {
         (Some(_), headline) => format!("Initial design: {headline}"),
         (None, headline) => headline.to_owned(),
     };
-    head.verdict(data.passes, &own)
+    head.verdict(data.passes, &own).limits(&data.limits)
 }
 
 /// The recommended raceway as it is to be made.

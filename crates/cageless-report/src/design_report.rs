@@ -59,6 +59,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
             let verdict = r.0.results.text("headline");
             format!("{}. Its verdict: {verdict}", r.sentence())
         }),
+        limits: record.limits().verdicts(),
         reasons: record.sentences("reasons").to_vec(),
         curve: Some(curve(case, result, &own)),
         contact_track: first.map(|r| ContactTrack::sample(r, &case.bearing, own.clone())),

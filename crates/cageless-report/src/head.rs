@@ -29,6 +29,12 @@ impl Head {
         self
     }
 
+    /// Adds limits of the user with whether they are kept.
+    pub fn limits(self, limits: &[(Option<bool>, String)]) -> Self {
+        let add = |head: Self, (kept, text): &(Option<bool>, String)| head.verdict(*kept, text);
+        limits.iter().fold(self, add)
+    }
+
     /// Adds what the verdict on a raceway leaves open, if it works.
     pub fn open_benefit(self, passes: Option<bool>) -> Self {
         match open_benefit(passes) {

@@ -62,7 +62,7 @@ pub fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper,
         }
     }
     let facts = FACTS.iter().filter_map(|name| record.row(name));
-    page.head(&targets(head, record).facts(lines(facts)));
+    page.head(&head.limits(&record.limits().verdicts()).facts(lines(facts)));
     page.notes(Note::Warning, record.sentences("warnings"));
     if let Some(judged) = judged {
         page.notes(Note::Warning, judged.record.sentences("warnings"));
@@ -110,21 +110,6 @@ pub fn failing(record: &Record) -> Option<String> {
         format!("The raceway does not work at the ends of the range of: {names}")
     };
     (!names.is_empty()).then(said)
-}
-
-/// Limits of the case at the head, those exceeded first.
-fn targets(head: Head, record: &Record) -> Head {
-    let limits = record.limits();
-    let judged = [
-        (Some(false), &limits.limits_exceeded),
-        (None, &limits.limits_not_judged),
-        (Some(true), &limits.limits_kept),
-    ];
-    judged.into_iter().fold(head, |head, (passes, texts)| {
-        texts
-            .iter()
-            .fold(head, |head, text| head.verdict(passes, text))
-    })
 }
 
 /// What a remedy changes: each ring with its value, marked where it is better or worse.

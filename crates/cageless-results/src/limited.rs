@@ -129,6 +129,22 @@ impl LimitJudgement {
         ]
     }
 
+    /// Whether each limit is kept (`None`: not judged), in a sentence, the exceeded ones first.
+    pub fn verdicts(&self) -> Vec<(Option<bool>, String)> {
+        let lists = [
+            (Some(false), &self.limits_exceeded),
+            (None, &self.limits_not_judged),
+            (Some(true), &self.limits_kept),
+        ];
+        let of = |(kept, texts): (Option<bool>, &Vec<String>)| {
+            texts
+                .iter()
+                .map(move |text| (kept, text.clone()))
+                .collect::<Vec<_>>()
+        };
+        lists.into_iter().flat_map(of).collect()
+    }
+
     /// A line for each limit, the exceeded ones first.
     pub fn lines(&self) -> Vec<(&'static str, String)> {
         let words = ["limit exceeded", "limit kept", "limit not judged"];

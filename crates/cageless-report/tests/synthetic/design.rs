@@ -75,6 +75,7 @@ pub fn design() -> DesignData {
         headline: "works: smooth".to_owned(),
         recommendation_passes: None,
         recommendation: String::new(),
+        limits: vec![(Some(false), "smallest gap above 1".to_owned())],
         reasons: vec!["critical gap 1.7 of 1.8".to_owned()],
         results: run_data().results,
         curve: reproduced.design_curve,
