@@ -13,12 +13,15 @@ use cageless_report::design_report::design_data;
 use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
+use cageless_report::sheet::SheetFiles;
 use cageless_report::to_json;
 use cageless_results::{Aim, Record, equilibrium_record_noted};
 use cageless_study::benefit_search::BenefitSearch;
 use cageless_study::design::{Asked, Designed, design as study_design};
 use cageless_study::drop::{DropRequest, study};
+use cageless_study::measured::Limits;
 use cageless_study::run::{Options, run as simulate};
+use cageless_study::sheet::Sheet;
 use cageless_study::sweep::analysis::{Goal, analyse as analyse_sweep};
 use cageless_study::tolerance::tolerance as within_tolerances;
 use cageless_study::{Progress, StudyError, comparison, search as study_search};
@@ -222,6 +225,39 @@ pub fn tolerance(
     let data = background.run(py, work)??;
     let values = to_json(&data)? + "\n";
     with_seed(py, "tolerance", values, vec![], || Ok(Files::new()))
+}
+
+/// Writes the sheet of a case into a folder; tolerances are depth, lC, θ and ψ of the raceway, `None` the usual ones.
+#[pyfunction]
+pub fn sheet(
+    py: Python<'_>,
+    file: &File,
+    folder: PathBuf,
+    tolerances: [Option<f64>; 4],
+    benefit: bool,
+    background: Background,
+) -> Found<()> {
+    let file = file.case();
+    let [depth, span, angle, centre_angle_deg] = tolerances;
+    let usual = Limits::default();
+    let limits = Limits {
+        groove_depth_um: depth.unwrap_or(usual.groove_depth_um),
+        axial_span_um: span.unwrap_or(usual.axial_span_um),
+        half_angle_deg: angle.unwrap_or(usual.half_angle_deg),
+        centre_angle_deg,
+    };
+    let sheet = Sheet::new(file, "case", &limits, benefit)?;
+    let result = background.run(py, |progress| sheet.compute(progress))??;
+    py.detach(|| {
+        let mut folder = ResultFolder::open(&folder)?;
+        for (name, contents) in SheetFiles::new(file, &result, &limits).files {
+            match contents {
+                Some(contents) => folder.add(name, &contents)?,
+                None => folder.remove(name),
+            }
+        }
+        Ok(folder.commit("sheet.json", &pretty(&result)?)?)
+    })
 }
 
 /// Analyses the finished sweep at `path`; of the columns `low` less is better, of `high` more.

@@ -28,7 +28,9 @@ mod _cageless {
     #[pymodule_export]
     use super::{
         command,
-        compute::{analyse, compare, design, drop, export, run, static_equilibrium, tolerance},
+        compute::{
+            analyse, compare, design, drop, export, run, sheet, static_equilibrium, tolerance,
+        },
         documents::{File, designated, instruction_set, template},
         result::{Computed, figures, quantities, units, write, write_folder, write_result},
         rotor::LinearRotor,

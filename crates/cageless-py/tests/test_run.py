@@ -194,6 +194,21 @@ def test_messages_name_columns_sections_and_folders(tmp_path: Path) -> None:
         case.design().report(tmp_path / "file" / "page.html")
 
 
+def test_a_sheet_has_the_files_of_the_command(command: Command, tmp_path: Path) -> None:
+    ring = {"bearing": {"outer_ring_outer_radius_mm": 31.0, "outer_ring_width_mm": 16.0}}
+    case = cageless.Case.from_toml(cageless.template(), ring)
+    (tmp_path / "case.toml").write_text(case.to_toml())
+    options = ("--without-benefit", "--axial-span-um", "35", "--centre-angle-deg", "0.5")
+    command("sheet", tmp_path / "case.toml", *options, "--out", tmp_path / "command")
+    page = case.sheet(tmp_path / "python", axial_span_um=35.0, centre_angle_deg=0.5, benefit=False)
+    assert page == tmp_path / "python" / "report.html"
+    for name in ("drawing.svg", "drawing.pdf", "sheet.json"):
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "command" / name).read_bytes()
+    with pytest.raises(cageless.InputError, match="axial_span_um = -1 is not possible"):
+        case.sheet(tmp_path / "none", axial_span_um=-1.0)
+    assert not (tmp_path / "none").exists()
+
+
 def test_a_file_of_no_format_makes_no_folder(tmp_path: Path) -> None:
     ring = {"bearing": {"outer_ring_outer_radius_mm": 31.0, "outer_ring_width_mm": 16.0}}
     case = cageless.Case.from_toml(cageless.template(), ring)

@@ -3,10 +3,11 @@
 use cageless_io::case_file::{CaseFile, Source};
 use cageless_results::{Record, software, table_of};
 use cageless_study::comparison::RingComparison;
+use cageless_study::measured::Limits;
 use cageless_study::sheet::SheetResult;
 use cageless_study::{Parameter, lines, parameters};
 
-use crate::drawing::Paper;
+use crate::drawing::{Paper, ring_drawing};
 use crate::head::Head;
 use crate::lead;
 use crate::page::{Note, Page};
@@ -27,8 +28,38 @@ const FACTS: [&str; 8] = [
 /// Sections of the case that are no property of bearing or operation.
 const LEFT_OUT: [&str; 6] = ["solver", "output", "steady", "limit", "start", "search"];
 
+/// Files of a sheet.
+#[derive(Debug)]
+pub struct SheetFiles {
+    /// Each by its name; `None` without a drawing.
+    pub files: [(&'static str, Option<Vec<u8>>); 3],
+    /// Why there is no drawing.
+    pub undrawn: Option<String>,
+}
+
+impl SheetFiles {
+    /// Names of the files: the page and the drawing of the outer ring.
+    pub const NAMES: [&str; 3] = ["report.html", "drawing.svg", "drawing.pdf"];
+
+    /// Page and drawing of a case with the tolerances on it.
+    pub fn new(file: &CaseFile, result: &SheetResult, limits: &Limits) -> Self {
+        let drawing = ring_drawing(file, limits).map_err(|error| format!("no drawing: {error}"));
+        let page = sheet_page(file, result, drawing.as_ref().map_err(String::as_str));
+        let [page_name, svg, pdf] = Self::NAMES;
+        let paper = drawing.as_ref().ok();
+        Self {
+            files: [
+                (page_name, Some(page.into())),
+                (svg, paper.map(|paper| paper.svg().into())),
+                (pdf, paper.map(Paper::pdf)),
+            ],
+            undrawn: drawing.err(),
+        }
+    }
+}
+
 /// The sheet; `drawing` of the outer ring, or why there is none.
-pub fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &str>) -> String {
+fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &str>) -> String {
     let case = file.case();
     let record = &result.equilibrium;
     let title = match case.title.as_str() {

@@ -283,6 +283,55 @@ class Computations(Document):
         found = _cageless.tolerance(self._file, json.dumps(asked), background(threads, progress))
         return ToleranceResult(found)
 
+    def sheet(
+        self,
+        out: str | os.PathLike[str],
+        *,
+        groove_depth_um: float | None = None,
+        axial_span_um: float | None = None,
+        half_angle_deg: float | None = None,
+        centre_angle_deg: float | None = None,
+        benefit: bool = True,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Path:
+        """Writes one sheet for the decision into a folder, as ``cageless sheet`` does: ``report.html``,
+        the drawing of the outer ring as ``drawing.svg`` and ``drawing.pdf``, ``sheet.json``.
+
+        Args:
+            out: Folder.
+            groove_depth_um: Tolerance of the depth of the raceway to either side, 2 if left out.
+            axial_span_um: That of lC, 20 if left out.
+            half_angle_deg: That of θ, 0.1 if left out.
+            centre_angle_deg: That of the angular position ψ; none if left out.
+            benefit: Say whether the raceway helps in steady operation; takes a minute.
+
+        Returns:
+            The page.
+
+        Raises:
+            InputError: If the case has no equilibrium, or a tolerance is not possible.
+
+        Examples:
+            >>> import cageless, tempfile
+            >>> ring = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
+            >>> case = cageless.Case.from_toml(cageless.template(conventional=True), ring)
+            >>> with tempfile.TemporaryDirectory() as folder:
+            ...     sorted(file.name for file in case.sheet(folder).parent.iterdir())
+            ['drawing.pdf', 'drawing.svg', 'report.html', 'sheet.json']
+        """
+        given = {
+            "groove_depth_um": groove_depth_um,
+            "axial_span_um": axial_span_um,
+            "half_angle_deg": half_angle_deg,
+            "centre_angle_deg": centre_angle_deg,
+        }
+        tolerances = [None if value is None else number(name, value) for name, value in given.items()]
+        folder = Path(out)
+        work = background(threads, progress)
+        _cageless.sheet(self._file, folder, tolerances, bool(benefit), work)
+        return folder / "report.html"
+
     def export(
         self,
         out: str | os.PathLike[str],
