@@ -4,6 +4,15 @@ use cageless::{Case, Tilt};
 
 use crate::text::significant;
 
+/// Bearing and operation: `14 balls of 9.525 mm, pitch diameter 46.005 mm; 12000 rpm, 1500 N.`
+pub(crate) fn bearing(case: &Case) -> String {
+    let of = &case.bearing;
+    let diameters = [of.ball_radius_m(), of.pitch_radius_m()];
+    let [ball, pitch] = diameters.map(|radius_m| significant(2e3 * radius_m, 6));
+    let (balls, operation) = (balls(case), operation(case));
+    format!("{balls} of {ball} mm, pitch diameter {pitch} mm; {operation}.")
+}
+
 /// Balls of a case: `2 rows of 13 balls`.
 pub(crate) fn balls(case: &Case) -> String {
     let rows = match case.rows.len() {

@@ -66,15 +66,7 @@ fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &st
         "" => "Bearing sheet",
         title => title,
     };
-    let bearing = &case.bearing;
-    let mm = |m: f64| cageless_results::number_text::significant(1e3 * m, 6);
-    let lead = format!(
-        "{} of {} mm, pitch diameter {} mm; {}.",
-        lead::balls(case),
-        mm(2.0 * bearing.ball_radius_m()),
-        mm(2.0 * bearing.pitch_radius_m()),
-        lead::operation(case),
-    );
+    let lead = lead::bearing(case);
     let mut page = Page::new(title, &lead, &software()).sheet();
     let judged = result.tolerance.as_ref();
     let benefit = judged.and_then(|judged| judged.benefit.as_ref());

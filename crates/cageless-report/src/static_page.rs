@@ -68,14 +68,7 @@ fn head(file: &CaseFile, record: &Record) -> Page {
         "" => "Static equilibrium".to_owned(),
         title => format!("Static equilibrium: {title}"),
     };
-    let bearing = &case.bearing;
-    let lead = format!(
-        "{} of {} mm, pitch diameter {} mm; {}.",
-        lead::balls(case),
-        number(2e3 * bearing.ball_radius_m()),
-        number(2e3 * bearing.pitch_radius_m()),
-        lead::operation(case),
-    );
+    let lead = lead::bearing(case);
     let mut page = Page::new(&title, &lead, &software());
     let facts = FACTS.iter().filter_map(|name| record.row(name));
     page.head(&Head::default().facts(lines(facts)));
@@ -88,10 +81,6 @@ fn head(file: &CaseFile, record: &Record) -> Page {
     page.notes(Note::Remark, kept);
     page.notes(Note::Warning, record.sentences("warnings"));
     page
-}
-
-fn number(value: f64) -> String {
-    cageless_results::number_text::significant(value, 6)
 }
 
 /// Results under the headings of their groups.

@@ -18,8 +18,12 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless-study", 77),
 ];
 
-/// The reader of documents and the table of quantities: where units are converted.
-const CONVERTERS: [&str; 2] = ["case_file/unit.rs", "cageless-results/src/table/"];
+/// The reader of documents, the table of quantities and the dimensions of a drawing: where units are converted.
+const CONVERTERS: [&str; 3] = [
+    "case_file/unit.rs",
+    "cageless-results/src/table/",
+    "drawing/dimension.rs",
+];
 
 /// Conversions of angles and speeds; those of other units are powers of 1000.
 const FACTORS: [&str; 4] = ["to_degrees", "to_radians", "60.0 / TAU", "TAU / 60.0"];

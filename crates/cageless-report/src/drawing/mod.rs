@@ -1,5 +1,6 @@
 //! The outer ring as a dimensioned drawing, SVG and PDF.
 
+mod dimension;
 mod hatch;
 mod paper;
 mod pdf;

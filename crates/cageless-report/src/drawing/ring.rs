@@ -6,9 +6,9 @@ use cageless::Raceway;
 use cageless::surface::{OuterRing, Recess, Side};
 use cageless_io::cad::{ExportError, outer_ring};
 use cageless_io::case_file::CaseFile;
-use cageless_results::number_text::significant;
 use cageless_study::measured::Limits;
 
+use super::dimension::{angle_text, length_text, mm, short};
 use super::paper::{Anchor, FRAME_MM, NOTE_MM, Paper, Pen, TEXT_MM};
 use super::views::{DrawnRing, Room};
 
@@ -182,9 +182,9 @@ fn stations(ring: &OuterRing, raceway: &Raceway) -> Vec<Vec<String>> {
         };
         let upper = section.arc(Side::Upper);
         rows[0].push(angle_text(local));
-        rows[1].push(format!("{:.3}", 1e3 * (z(Side::Upper) - z(Side::Lower))));
+        rows[1].push(format!("{:.3}", mm(z(Side::Upper) - z(Side::Lower))));
         let apex = upper.radius_at_m(upper.valley_rad());
-        rows[2].push(format!("{:.4}", 1e3 * apex));
+        rows[2].push(format!("{:.4}", mm(apex)));
     }
     rows.into()
 }
@@ -243,19 +243,5 @@ fn fitting(name: &str) -> f64 {
 
 fn span_text(raceway: &Raceway, limits: &Limits) -> String {
     let span = length_text(raceway.dimensions().axial_span_m);
-    format!("{span} ± {}", short(1e-3 * limits.axial_span_um))
-}
-
-/// A length of a drawing, mm, to a tenth of a micrometre.
-pub(super) fn length_text(m: f64) -> String {
-    short((1e7 * m).round() / 1e4)
-}
-
-/// An angle in degrees, to a thousandth.
-pub(super) fn angle_text(rad: f64) -> String {
-    format!("{}°", short((1e3 * rad.to_degrees()).round() / 1e3))
-}
-
-fn short(value: f64) -> String {
-    significant(value, 6).replace('−', "–")
+    format!("{span} ± {}", short(limits.axial_span_um / 1000.0))
 }

@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use cageless::surface::{DrawnGroove, Meridian, OuterRing, Side};
 use cageless::{Bearing, Raceway};
 
+use super::dimension::{angle_text, length_text, mm};
 use super::hatch::hatch;
 use super::paper::{Anchor, FRAME_MM, Paper, Pen, Place, TEXT_MM, on_circle, width_mm};
-use super::ring::{angle_text, length_text};
 
 /// Scales of ISO 5455.
 const SCALES: [f64; 10] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05];
@@ -41,7 +41,7 @@ impl Room {
     fn scale(&self, size_m: [f64; 2]) -> f64 {
         let fits = |scale: &f64| {
             let pairs = size_m.iter().zip(self.size_mm);
-            pairs.into_iter().all(|(m, mm)| 1e3 * m * scale <= mm)
+            pairs.into_iter().all(|(m, room)| mm(*m) * scale <= room)
         };
         let last = SCALES[SCALES.len() - 1];
         SCALES.into_iter().find(fits).unwrap_or(last)
@@ -85,13 +85,13 @@ impl DrawnRing<'_> {
         let outside = self.ring.dimensions().outer_ring_outer_radius_m;
         let scale = room.scale([2.0 * outside, 2.0 * outside]);
         let centre = room.middle;
-        let mm = |m: f64| 1e3 * m * scale;
+        let on_paper = |m: f64| mm(m) * scale;
         let [outer, shoulder, bottom] = [
             outside,
             self.ring.shoulder_radius_m(),
             self.ring.groove_bottom_radius_m(),
         ]
-        .map(mm);
+        .map(on_paper);
         paper.circle(centre, outer, Pen::Wide);
         paper.circle(centre, shoulder, Pen::Wide);
         paper.circle(centre, bottom, Pen::Dashed);
@@ -255,7 +255,7 @@ impl DrawnRing<'_> {
         let groove = self.groove(Some(raceway));
         let at = |local: f64, z: f64| {
             let [x, y] = room.middle;
-            [x + 1e3 * scale * local * bottom, y - 1e3 * scale * z]
+            [x + scale * mm(local * bottom), y - scale * mm(z)]
         };
         // Denser towards the ends, which may be round.
         let share = |k: usize| (PI * (k as f64 / (ALONG - 1) as f64 - 0.5)).sin();
@@ -273,7 +273,7 @@ impl DrawnRing<'_> {
         let beyond = [-1.28, 1.28].map(|share| at(share * d.half_angle_rad, middle_z));
         paper.line(beyond, Pen::Chain);
         let ends = [-1.0, 1.0].map(|sign| at(sign * d.half_angle_rad, middle_z));
-        let half_height = 0.5e3 * scale * d.axial_span_m;
+        let half_height = 0.5 * scale * mm(d.axial_span_m);
         paper.horizontal(ends, room.middle[1] + half_height + 8.0, texts[0]);
         if let Some(start) = raceway.blend_start_rad() {
             let blend = [start, d.half_angle_rad].map(|local| at(local, middle_z));
@@ -295,7 +295,7 @@ impl DrawnRing<'_> {
         let middle_m = 0.5 * (d.outer_ring_outer_radius_m + self.ring.shoulder_radius_m());
         move |[z, rho]| {
             let [x, y] = room.middle;
-            [x + 1e3 * scale * z, y - 1e3 * scale * (rho - middle_m)]
+            [x + scale * mm(z), y - scale * mm(rho - middle_m)]
         }
     }
 
