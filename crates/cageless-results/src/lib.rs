@@ -44,7 +44,7 @@ pub use cell::Cell;
 pub use computation::Computation;
 pub use design_result::{Recommended, axial_record, design_record};
 pub use drop_judgement::DropJudgement;
-pub use drop_result::{DropResult, WindowRow, end_state_text};
+pub use drop_result::{DropResult, ShownBeside, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;

@@ -567,12 +567,11 @@ fn a_spin_up_that_was_not_reached_says_so() {
         spin_up_s: None,
         ..recorder.summary(&outcome.state)
     };
-    let table = DropResult::table(&[&DropResult::new(case, &summary, &outcome)]);
-    let row = table
-        .iter()
-        .find(|row| row.0 == "spin-up of the inner ring")
-        .unwrap();
-    assert_eq!(row.1, ["not reached (7544 of 7926 rpm)"]);
+    let groups = DropResult::groups(&[&DropResult::new(case, &summary, &outcome)]);
+    let mut rows = groups.iter().flat_map(|(_, rows)| rows);
+    let (_, values, unit) = (rows.find(|row| row.0 == "spin-up of the inner ring")).unwrap();
+    assert_eq!(*values, ["not reached (7544 of 7926 rpm)"]);
+    assert_eq!(unit, "", "no unit behind words");
 }
 
 #[test]

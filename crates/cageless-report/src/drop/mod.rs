@@ -18,7 +18,7 @@ use cageless_study::{Provenance, lines, parameter};
 use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::studio_page::studio_section;
-use crate::table::Table;
+use crate::table::{Row, Table};
 use crate::text::short;
 use crate::verification::VerificationTable;
 
@@ -186,11 +186,29 @@ fn head(drop: &DropResult) -> Head {
         .facts([pressure])
 }
 
-/// Table of the results of all bearings, one column each.
+/// Table of the results of all bearings, one column each, under the headings of their groups.
 fn results(study: &DropStudy, source: Provenance) -> Table {
     let caption = "From the start of the drop to the end of the run.";
-    let rows = DropResult::side_by_side(&study.results("This drop", "Conventional outer ring"));
-    Table::of("Results", caption, rows, Some(source))
+    let named = study.results("This drop", "Conventional outer ring");
+    let (names, drops): (Vec<String>, Vec<&DropResult>) = named.into_iter().unzip();
+    let line = |first: &str, middle: Vec<String>, last: String| {
+        let (first, last) = (std::iter::once(first.to_owned()), std::iter::once(last));
+        first.chain(middle).chain(last).collect::<Vec<_>>()
+    };
+    let columns = names.len() + 2;
+    let head = line("Result", names, "Unit".to_owned());
+    let mut table = Table::of("Results", caption, vec![head], Some(source));
+    for (heading, rows) in DropResult::groups(&drops) {
+        table.rows.push(Row {
+            cells: vec![heading.to_owned()],
+            summary: Some(columns),
+            ..Row::default()
+        });
+        let rows = rows.into_iter();
+        let rows = rows.map(|(label, values, unit)| Row::from(line(label, values, unit)));
+        table.rows.extend(rows);
+    }
+    table
 }
 
 /// Table of the planes of a rotor against their clearances.

@@ -209,6 +209,52 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
 
 /// Counts, rates and heat of the bearings add up, first contact and clearance are those of the worse,
 /// of all else the larger number is that of the rotor.
+/// Groups of drops side by side: heading and rows of each.
+type Groups = Vec<(&'static str, Vec<crate::ShownBeside>)>;
+
+fn row_of(groups: &Groups, label: &str) -> Option<(&'static str, Vec<String>, String)> {
+    let mut rows = groups.iter().flat_map(|(_, rows)| rows);
+    rows.find(|row| row.0.trim() == label).cloned()
+}
+
+#[test]
+fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
+    let (case, mut s, outcome) = drop(&mut 0.2);
+    let full = DropResult::new(&case, &s, &outcome);
+    (s.backward_whirl_hz, s.collisions.above[2]) = (None, 0);
+    let less = DropResult::new(&case, &s, &outcome);
+    let groups = DropResult::groups(&[&less]);
+    let headings: Vec<&str> = groups.iter().map(|(heading, _)| *heading).collect();
+    let expected = [
+        "Motion of the rotor",
+        "Forces",
+        "Pressure",
+        "Contacts between balls",
+        "Losses and heat",
+        "Temperatures",
+        "Computation",
+    ];
+    assert_eq!(headings, expected);
+    let [whirl, hard] = [
+        "backward whirl round the bore, largest",
+        "collisions above 1 m/s",
+    ];
+    for label in [whirl, hard] {
+        assert_eq!(row_of(&groups, label), None, "{label}");
+    }
+    // Files have it all the same, and tables that of another drop beside it.
+    assert_eq!(less.results.number("collisions_above_1_m_s"), 0.0);
+    let groups = DropResult::groups(&[&less, &full]);
+    assert_eq!(row_of(&groups, hard).unwrap().1, ["0", "17"]);
+    assert_eq!(row_of(&groups, whirl).unwrap().1[0], "–");
+    assert_eq!(row_of(&groups, "verdict").unwrap().1, ["FAIL", "FAIL"]);
+    let torque = row_of(
+        &groups,
+        "torque of the losses that brakes the rotor, at the end",
+    );
+    assert_eq!(torque.unwrap().2, "N·mm");
+}
+
 #[test]
 fn results_of_a_rotor_are_those_of_its_bearings() {
     let mut counter = 0.2;
