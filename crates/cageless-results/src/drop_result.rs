@@ -124,7 +124,11 @@ impl DropResult {
         let mut rows = vec![(Group::Rotor, state)];
         // A verdict of one drop stands above its results.
         if drops.len() > 1 {
-            let verdict = ("verdict", words(Self::verdict), String::new());
+            let verdict = (
+                "verdict on the bearing",
+                words(Self::verdict),
+                String::new(),
+            );
             rows.insert(0, (Group::Rotor, verdict));
         }
         let quantities = drops.iter().take(1).flat_map(|drop| drop.results.iter());

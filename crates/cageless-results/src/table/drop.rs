@@ -95,6 +95,7 @@ pub const PLANE: &[Quantity] = &[
     part(quantity("clearance_um", "um", "clearance", Plane(|p| some(1e6 * p.clearance.radial_m)))),
     part(low(quantity("displacement_max_um", "um", "largest displacement from the stator centre", Plane(|p| some(1e6 * p.displacement_max_m))))),
     part(high(means("negative: the rotor touches the stator", quantity("margin_um", "um", "margin", Plane(|p| some(1e6 * p.clearance.radial_m - 1e6 * p.displacement_max_m)))))),
+    part(in_tables(means("`pass` or `fail`", text("verdict", "verdict", Plane(|p| Cell::Text(if p.displacement_max_m > p.clearance.radial_m { "fail" } else { "pass" }.to_owned())))))),
 ];
 
 /// One of several drops one after the other, onto one bearing.

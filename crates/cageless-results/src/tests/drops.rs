@@ -247,7 +247,10 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     let groups = DropResult::groups(&[&less, &full]);
     assert_eq!(row_of(&groups, hard).unwrap().1, ["0", "17"]);
     assert_eq!(row_of(&groups, whirl).unwrap().1[0], "–");
-    assert_eq!(row_of(&groups, "verdict").unwrap().1, ["FAIL", "FAIL"]);
+    assert_eq!(
+        row_of(&groups, "verdict on the bearing").unwrap().1,
+        ["FAIL", "FAIL"]
+    );
     let torque = row_of(
         &groups,
         "torque of the losses that brakes the rotor, at the end",
@@ -441,6 +444,12 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
                 displacement_max_m,
             }],
         };
+        let planes = plane_records(&rotor.planes);
+        let beyond = displacement_max_m > 3e-4;
+        assert_eq!(
+            planes[0].text("verdict"),
+            if beyond { "fail" } else { "pass" }
+        );
         let ended = SuccessiveDrop {
             number: 1,
             bearing: 0,

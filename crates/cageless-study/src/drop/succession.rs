@@ -192,9 +192,12 @@ fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
     for ((case, cold), warm) in cases.zip(&mut record.bearings) {
         if spun_up(&cold.result) && !spun_up(&warm.result) {
             let reason = format!(
-                "thermal runaway: the inner ring, which came up to speed in the first drop, does not with \
-                 Gr {} µm",
-                short(1e6 * case.bearing.radial_internal_clearance_m())
+                "thermal runaway: the inner ring, which came up to speed after {} ms in the first drop, does not \
+                 within {} ms with Gr {} µm; largest force on the rotor {} N",
+                short(cold.result.results.number("spin_up_ms")),
+                short(1e3 * warm.result.results.number("simulated_s")),
+                short(1e6 * case.bearing.radial_internal_clearance_m()),
+                short(warm.result.results.number("rotor_force_max_n"))
             );
             warm.result
                 .judge(warm.result.judgement.clone().failed([reason]));
