@@ -36,6 +36,15 @@ impl DropJudgement {
         }
     }
 
+    /// Whether all that was judged is kept; `None` where something could not be judged.
+    pub(crate) fn keeps(&self) -> Option<bool> {
+        match (self.failed.is_empty(), self.unjudged.is_empty()) {
+            (false, _) => Some(false),
+            (true, true) => Some(true),
+            (true, false) => None,
+        }
+    }
+
     /// Every limit that is exceeded, or why the drop was not judged.
     pub fn reasons(&self) -> Vec<String> {
         if !self.failed.is_empty() {

@@ -48,7 +48,7 @@ pub use drop_result::{DropResult, ShownBeside, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
-pub use limited::{LIMITED, LimitJudgement};
+pub use limited::{LIMITED, LimitJudgement, judged_limit};
 pub use measured_result::{MEASURED_SHAPE, measured_rows};
 pub use open_benefit::open_benefit;
 pub use place::result_at;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
-use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
+use cageless::simulation::{PlaneDisplacement, PlanePath, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit};
 
 use super::*;
@@ -276,6 +276,7 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
             radial_m,
         },
         displacement_max_m,
+        path: PlanePath::default(),
     };
     let run = DropRun {
         bearings: bearings.to_vec(),
@@ -442,6 +443,7 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
             planes: vec![PlaneDisplacement {
                 clearance,
                 displacement_max_m,
+                path: PlanePath::default(),
             }],
         };
         let planes = plane_records(&rotor.planes);

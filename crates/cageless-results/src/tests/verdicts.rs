@@ -2,7 +2,7 @@
 
 use cageless::linear_rotor::Clearance;
 use cageless::simulation::{
-    Ending, PlaneDisplacement, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
+    Ending, PlaneDisplacement, PlanePath, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
 };
 use cageless::touchdown::{DropSummary, EndState, EndWhirl};
 
@@ -132,7 +132,7 @@ fn a_whirl_at_the_end_says_since_when_and_how_hard() {
             // A ring that still slides is said to.
             let slides = format!(
                 "inner ring not up to speed yet ({:.0} of",
-                30.0 / 3.14159265 * s.ring_speed_rad_s
+                30.0 / std::f64::consts::PI * s.ring_speed_rad_s
             );
             assert!(found.headline().contains(&slides), "{}", found.headline());
             continue;
@@ -196,6 +196,7 @@ fn verdicts_of_bearings_combine() {
                 radial_m: 3e-4,
             },
             displacement_max_m,
+            path: PlanePath::default(),
         }],
     };
     let still = rotor(0.0, 2.9e-4);
