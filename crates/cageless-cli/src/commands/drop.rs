@@ -80,9 +80,12 @@ fn text(study: &DropStudy) -> String {
 
 /// Spin-down of the rotor, and drops after it.
 fn succession_text(succession: &Succession) -> String {
-    let records = succession.records.iter();
-    let records: Vec<Record> = records.map(|r| r.results.clone().into()).collect();
-    let table = columns(&table_of(&records));
+    // The reasons stand below.
+    let mut rows = succession.table();
+    rows.iter_mut().for_each(|row| {
+        row.pop();
+    });
+    let table = columns(&rows);
     let firsts = [
         ("fail", "first drop beyond a limit"),
         ("not-judged", "first drop that is not judged"),

@@ -75,6 +75,7 @@ pub(super) fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
         total_w: next(counter),
         parts_w: [next(counter), next(counter), next(counter)],
         torque_n_m: Some(next(counter)),
+        torque_change: Some(next(counter)),
     });
     s.end_state = EndState::BackwardWhirl;
     s.ellipse_edge_max_rad = Some([next(counter), next(counter)]);
@@ -169,6 +170,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("contact_damping_j", heat.contact_damping_j),
         ("support_damping_j", heat.support_damping_j),
         ("braking_torque_n_m", end.torque_n_m.unwrap()),
+        ("braking_torque_change_fraction", end.torque_change.unwrap()),
         ("end_power_w", end.total_w),
         ("inner_ring_power_w", end.parts_w[0]),
         ("ball_power_w", end.parts_w[1]),

@@ -226,7 +226,8 @@ impl DropRecorder {
             backward_whirl_max_hz: backward_whirl_max_hz(&whirl, rotation),
             backward_whirl_hz: backward_whirl_hz(&whirl, rotation),
             heat: InterfaceHeat::of(|term| state.energy_term_j(term)),
-            end_power: last_from_s.and_then(|from_s| self.heat.since(from_s, rotor)),
+            end_power: last_from_s
+                .and_then(|from_s| self.heat.since(from_s, rotor.polar_inertia_kg_m2)),
             whirl,
             ..found.summary
         }
