@@ -26,6 +26,9 @@ pub struct DropResult {
     pub judgement: DropJudgement,
     /// Why it ended early, if it did.
     pub stopped: Option<Stopped>,
+    /// Temperatures of parts that no heat warms, which tables leave out.
+    #[serde(skip)]
+    unheated: Vec<&'static str>,
     /// Motion of the rotor and collisions between balls over time.
     pub windows: Vec<WindowRow>,
 }
@@ -67,6 +70,25 @@ impl WindowRow {
     }
 }
 
+/// Temperatures of inner ring, balls and outer ring at the end.
+const TEMPERATURES: [&str; 3] = [
+    "inner_ring_temperature_c",
+    "ball_temperature_c",
+    "outer_ring_temperature_c",
+];
+/// Rise of a temperature from which heat has flowed, K.
+const WARMED_K: f64 = 0.05;
+
+/// Temperatures that are those of the start.
+fn unheated(case: &Case, results: &Results) -> Vec<&'static str> {
+    let parts = TEMPERATURES.into_iter().zip(case.parts_c());
+    let cold = parts.filter(|(name, start_c)| {
+        let end_c = results.value(name);
+        end_c.is_some_and(|end_c| end_c - start_c < WARMED_K)
+    });
+    cold.map(|(name, _)| name).collect()
+}
+
 impl DropResult {
     /// Results `summary` of the drop of `case` that ended as `outcome`.
     pub fn new(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
@@ -80,8 +102,10 @@ impl DropResult {
             let results = Results::of(DROP, Subject::Drop(&finished));
             finished.judgement = limited(finished.judgement, &case.limits, &results);
         }
+        let results = Results::of(DROP, Subject::Drop(&finished));
         Self {
-            results: Results::of(DROP, Subject::Drop(&finished)),
+            unheated: unheated(case, &results),
+            results,
             judgement: finished.judgement,
             stopped: Stopped::of(case, outcome),
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
@@ -147,7 +171,8 @@ impl DropResult {
     fn beside(quantity: &Quantity, drops: &[&Self]) -> Option<ShownBeside> {
         let text = |drop: &&Self| {
             let cell = drop.results.get(quantity.name)?;
-            let shown = quantity.shows_zero || !is_zero(quantity, cell);
+            let warms = !drop.unheated.contains(&quantity.name);
+            let shown = warms && (quantity.shows_zero || !is_zero(quantity, cell));
             (value_text(quantity, cell).map(|text| (text, shown)))
                 .or_else(|| Some((drop.instead(quantity.name)?, true)))
         };

@@ -244,6 +244,13 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     for label in [whirl, hard] {
         assert_eq!(row_of(&groups, label), None, "{label}");
     }
+    // A part that no heat warms has no temperature to show.
+    let outer = "temperature of the outer ring at the end";
+    assert!(row_of(&groups, outer).is_some());
+    (s.heat.outer_friction_j, s.heat.contact_damping_j) = (0.0, 0.0);
+    let cold = DropResult::new(&case, &s, &outcome);
+    assert_eq!(row_of(&DropResult::groups(&[&cold]), outer), None);
+    assert_eq!(cold.results.number("outer_ring_temperature_c"), 29.0);
     // Files have it all the same, and tables that of another drop beside it.
     assert_eq!(less.results.number("collisions_above_1_m_s"), 0.0);
     let groups = DropResult::groups(&[&less, &full]);
