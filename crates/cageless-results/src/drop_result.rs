@@ -28,7 +28,7 @@ pub struct DropResult {
     pub stopped: Option<Stopped>,
     /// Temperatures of parts that no heat warms, which tables leave out.
     #[serde(skip)]
-    unheated: Vec<&'static str>,
+    pub unheated: Vec<&'static str>,
     /// Motion of the rotor and collisions between balls over time.
     pub windows: Vec<WindowRow>,
 }

@@ -222,6 +222,7 @@ fn row_of(groups: &Groups, label: &str) -> Option<(&'static str, Vec<String>, St
 #[test]
 fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     let (case, mut s, outcome) = drop(&mut 0.2);
+    s.heat.outer_friction_j = 1e4;
     let full = DropResult::new(&case, &s, &outcome);
     (s.backward_whirl_hz, s.collisions.above[2]) = (None, 0);
     let less = DropResult::new(&case, &s, &outcome);
