@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 
-use cageless_results::{Results, number_text, with_unit};
+use cageless_results::{DropResult, Results, Shown, ShownBeside, number_text, with_unit};
 use cageless_study::comparison::{ComparedResult, RingComparison};
 
 /// What long runs of real balls say, with the table of the rings and a blank line.
@@ -71,11 +71,42 @@ pub fn pairs(rows: &[(impl AsRef<str>, String)]) -> String {
 
 /// Values of results with their units, by label under the headings of their groups.
 pub fn grouped(results: &Results) -> String {
-    let groups = results.groups();
+    under_headings(&results.groups())
+}
+
+/// Results of drops under the headings of their groups: those of one with their units, of several side by side.
+pub fn drops(named: &[(String, &DropResult)]) -> String {
+    let (names, drops): (Vec<String>, Vec<&DropResult>) = named.iter().cloned().unzip();
+    let groups = DropResult::groups(&drops);
+    if drops.len() == 1 {
+        let one = |(label, values, unit): ShownBeside| (label, values.concat(), unit);
+        let groups = groups.into_iter();
+        let groups: Vec<_> = groups
+            .map(|(heading, rows)| (heading, rows.into_iter().map(one).collect()))
+            .collect();
+        return under_headings(&groups);
+    }
+    let row = |first: String, values: Vec<String>, unit: String| {
+        let (first, last) = (std::iter::once(first), std::iter::once(unit));
+        first.chain(values).chain(last).collect::<Vec<_>>()
+    };
+    let mut rows = vec![row(String::new(), names, "unit".to_owned())];
+    for (k, (heading, listed)) in groups.into_iter().enumerate() {
+        if k > 0 {
+            rows.push(vec![]);
+        }
+        rows.push(vec![heading.to_owned()]);
+        let listed = listed.into_iter();
+        rows.extend(listed.map(|(label, values, unit)| row(format!("  {label}"), values, unit)));
+    }
+    columns(&rows)
+}
+
+fn under_headings(groups: &[(&str, Vec<Shown>)]) -> String {
     let length = |label: &str| label.chars().count();
     let labels = groups.iter().flat_map(|(_, rows)| rows);
     let width = labels.map(|(label, ..)| length(label)).max().unwrap_or(0);
-    let line = |(label, value, unit): &(&str, String, String)| {
+    let line = |(label, value, unit): &Shown| {
         let padding = " ".repeat(width - length(label));
         format!("  {label}{padding}  {}\n", with_unit(value, unit))
     };

@@ -55,6 +55,34 @@ fn drops_that_are_not_possible_are_missed() {
     assert!(answer.stderr.contains(reason), "{answer:?}");
 }
 
+/// A drop has results for one screen, those without a value or with a zero by symmetry in its files alone.
+#[test]
+fn a_drop_prints_at_most_forty_results_and_headings() {
+    for (name, most) in [
+        ("touchdown-6205.toml", 40),
+        ("rotors/two-bearings.toml", 42),
+    ] {
+        let case = repository_case(name);
+        let text = call_on("drop", &case, &["solver.duration_s=0.05"], &[]).stdout;
+        let lines = text
+            .lines()
+            .filter(|line| !line.is_empty() && !line.starts_with("warning"));
+        let results: Vec<&str> = lines
+            .skip_while(|line| *line != "Motion of the rotor")
+            .collect();
+        assert!(
+            results.len() > 30 && results.len() <= most,
+            "{}: {text}",
+            results.len()
+        );
+        let empty = |line: &&str| line.ends_with('–') || line.ends_with("  0");
+        // What one bearing of several has stands for all.
+        let one = !name.starts_with("rotors");
+        assert!(!one || !results.iter().any(empty), "{text}");
+        assert!(!results.iter().any(|line| line.contains("N·m ")), "{text}");
+    }
+}
+
 #[test]
 fn what_is_printed_of_drops_has_words_numbers_and_a_verdict() {
     let path = |name: &str| repository_case(name).display().to_string();

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use cageless_io::plan_file::VariantFile;
+use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::drop_page;
 use cageless_report::figures::{in_page, of_kind};
 use cageless_study::Silent;
@@ -130,4 +131,89 @@ fn the_orbit_is_that_of_the_journal_in_the_ring_and_the_displacement_that_in_the
     // PASS with its reason in the head, and the state in words.
     assert!(page.contains("PASS: largest contact pressure"), "verdict");
     assert!(page.contains("intermittent contact"), "state");
+}
+
+/// The page leads with what decides: the plane that failed, in the head, first among the limits and as a path that
+/// crosses its clearance.
+#[test]
+fn a_seal_that_the_rotor_meets_leads_the_page() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let text = std::fs::read_to_string(cases.join("rotors/two-bearings.toml")).unwrap();
+    let seals = "\n[[clearance]]\nname = \"labyrinth seal\"\naxial_mm = 50.0\nradial_um = 150.0\n\
+                 [[clearance]]\nname = \"turbine wheel\"\naxial_mm = 280.0\nradial_um = 900.0\n";
+    let text = text.replace("../", &format!("{}/", cases.display())) + seals;
+    let changes = ["solver.duration_s=0.02".to_owned()];
+    let file = RotorFile::parse(&text, "rotor.toml", Path::new("."), &changes).unwrap();
+    let file = VariantFile::from(file);
+    let study = studied(&file, DropRequest::default());
+    let page = drop_page(&file, &study);
+    let rotor = study.record.rotor.as_ref().unwrap();
+    let most_um = 1e6 * rotor.planes[0].displacement_max_m;
+    assert!(most_um > 150.0);
+    let head = &page[page.find("class=\"facts\"").unwrap()..page.find("</dl>").unwrap()];
+    assert!(
+        head.contains("largest displacement at labyrinth seal"),
+        "{head}"
+    );
+    let limits = &page[page.find("id=\"limits\"").unwrap()..];
+    let limits = &limits[..limits.find("</table>").unwrap()];
+    // Those that fail stand first.
+    let failed = limits.split("<td>PASS</td>").next().unwrap();
+    let row = failed
+        .split("</tr>")
+        .find(|row| row.contains("labyrinth seal"));
+    assert!(row.unwrap().contains("<td>FAIL</td>"), "{failed}");
+    assert!(limits[failed.len()..].find("FAIL").is_none());
+    let wheel = limits
+        .split("</tr>")
+        .find(|row| row.contains("turbine wheel"))
+        .unwrap();
+    assert!(wheel.contains("PASS"), "{wheel}");
+    // The first figure is the path in the planes, with the circles of their clearances.
+    let anchor = "id=\"displacement-at-the-clearances-spec\">";
+    assert_eq!(
+        page.find("-spec\">"),
+        page.find(anchor).map(|at| at + anchor.len() - 7)
+    );
+    let spec = page
+        .split(anchor)
+        .nth(1)
+        .unwrap()
+        .split("</script>")
+        .next()
+        .unwrap();
+    let spec: Value = serde_json::from_str(spec).unwrap();
+    let traces = spec["data"].as_array().unwrap();
+    assert_eq!(traces.len(), 6);
+    let radius = |trace: &Value| {
+        let [x, y] = ["x", "y"].map(|axis| trace[axis][0].as_f64().unwrap());
+        x.hypot(y)
+    };
+    for (k, expected) in [(0, 150.0), (2, most_um), (3, 900.0)] {
+        let found = radius(&traces[k]);
+        assert!(
+            (found / expected - 1.0).abs() < 1e-3,
+            "{k}: {found} {expected}"
+        );
+    }
+}
+
+/// A rotor that only rounding moves along its axis has no figure of that.
+#[test]
+fn rounding_is_no_motion_along_the_axis() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/touchdown-pair.toml");
+    let file = VariantFile::read(&path, &["solver.duration_s=0.00005".to_owned()]).unwrap();
+    let mut study = studied(&file, DropRequest::default());
+    for (way_m, shown) in [(1e-12, false), (1e-8, true)] {
+        for (k, row) in (0..).zip(&mut study.record.bearings[0].snapshots) {
+            row.ring.z_m = 3e-6;
+            row.rotor.as_mut().unwrap().z_m = way_m * f64::from(k % 2);
+        }
+        let page = drop_page(&file, &study);
+        assert_eq!(
+            in_page(&page, "drop", "along_axis").is_some(),
+            shown,
+            "{way_m}"
+        );
+    }
 }

@@ -10,6 +10,7 @@ use crate::Stopped;
 use crate::cell::Cell;
 use crate::kind::Kind;
 use crate::number_text::short;
+use crate::unit::rpm;
 
 /// Verdict on a drop.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -32,6 +33,15 @@ impl DropJudgement {
             (false, _) => Some(false),
             (true, true) if self.touched => Some(true),
             _ => None,
+        }
+    }
+
+    /// Whether all that was judged is kept; `None` where something could not be judged.
+    pub(crate) fn keeps(&self) -> Option<bool> {
+        match (self.failed.is_empty(), self.unjudged.is_empty()) {
+            (false, _) => Some(false),
+            (true, true) => Some(true),
+            (true, false) => None,
         }
     }
 
@@ -121,12 +131,8 @@ impl DropJudgement {
             displaced("the journal", most_m, limit_m, [&mut kept, &mut failed]);
         }
         failed.extend(not_carried(case, summary.rotor_weight_n));
-        if summary.end_state == EndState::BackwardWhirl {
-            failed.push(format!(
-                "backward whirl at the end ({} Hz)",
-                short(summary.end_whirl_hz.abs())
-            ));
-        }
+        failed.extend(whirl_at_the_end(summary, outcome));
+        kept.extend(not_at_speed(summary));
         Self {
             touched: summary.end_state != EndState::Falling,
             failed,
@@ -217,6 +223,47 @@ impl DropJudgement {
         self.failed.extend(reasons);
         self
     }
+}
+
+/// What the whirl at the end is, of a backward one or of one whose force still grows.
+fn whirl_at_the_end(summary: &DropSummary, outcome: &RunOutcome) -> Option<String> {
+    let hz = |frequency_hz: f64| short(frequency_hz.abs());
+    let Some(whirl) = &summary.end_whirl else {
+        let whirls = summary.end_state == EndState::BackwardWhirl;
+        return whirls.then(|| {
+            let frequency = hz(summary.end_whirl_hz);
+            format!("backward whirl at the end ({frequency} Hz)")
+        });
+    };
+    let (sense, fails) = match whirl.frequency_hz * summary.rotor_speed_rad_s < 0.0 {
+        true => ("backward", true),
+        false => ("forward", whirl.grows()),
+    };
+    let weight_n = summary.rotor_weight_n.filter(|weight_n| *weight_n > 0.0);
+    let weights = weight_n.map_or(String::new(), |weight_n| {
+        format!(", {} times its weight", short(whirl.force_n / weight_n))
+    });
+    let grows = match whirl.grows() {
+        true => ", and growing",
+        false => "",
+    };
+    fails.then(|| {
+        format!(
+            "{sense} whirl from {} ms to the end at {} ms ({} Hz), with {} N on the rotor{weights}{grows}",
+            short(1e3 * whirl.from_s),
+            short(1e3 * outcome.end_s),
+            hz(whirl.frequency_hz),
+            short(whirl.force_n)
+        )
+    })
+}
+
+/// The speeds of inner ring and rotor where the ring still slides at the end.
+fn not_at_speed(summary: &DropSummary) -> Option<String> {
+    summary.first_contact_s?;
+    let [ring, rotor] = [summary.ring_speed_rad_s, summary.rotor_speed_rad_s].map(rpm);
+    let slides = summary.spin_up_s.is_none();
+    slides.then(|| format!("inner ring not up to speed yet ({ring:.0} of {rotor:.0} rpm)"))
 }
 
 /// Adds a displacement against its clearance to the limits kept or to those that failed.

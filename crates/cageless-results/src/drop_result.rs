@@ -5,10 +5,15 @@ use cageless::simulation::RunOutcome;
 use cageless::touchdown::{DropSummary, EndState, Limit, WhirlWindow};
 use serde::{Serialize, Serializer};
 
+use crate::group::Group;
 use crate::kind::Kind;
 use crate::limited::{limited, limited_in_succession};
+use crate::results::is_zero;
 use crate::table::DROP;
-use crate::{Cell, DropJudgement, FinishedDrop, Results, Stopped, Subject, value_text};
+use crate::{Cell, DropJudgement, FinishedDrop, Quantity, Results, Stopped, Subject, value_text};
+
+/// A result of drops side by side: label, value of each, unit.
+pub type ShownBeside = (&'static str, Vec<String>, String);
 
 /// Results of one bearing of a drop.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,6 +26,9 @@ pub struct DropResult {
     pub judgement: DropJudgement,
     /// Why it ended early, if it did.
     pub stopped: Option<Stopped>,
+    /// Temperatures of parts that no heat warms, which tables leave out.
+    #[serde(skip)]
+    pub unheated: Vec<&'static str>,
     /// Motion of the rotor and collisions between balls over time.
     pub windows: Vec<WindowRow>,
 }
@@ -62,6 +70,25 @@ impl WindowRow {
     }
 }
 
+/// Temperatures of inner ring, balls and outer ring at the end.
+const TEMPERATURES: [&str; 3] = [
+    "inner_ring_temperature_c",
+    "ball_temperature_c",
+    "outer_ring_temperature_c",
+];
+/// Rise of a temperature from which heat has flowed, K.
+const WARMED_K: f64 = 0.05;
+
+/// Temperatures that are those of the start.
+fn unheated(case: &Case, results: &Results) -> Vec<&'static str> {
+    let parts = TEMPERATURES.into_iter().zip(case.parts_c());
+    let cold = parts.filter(|(name, start_c)| {
+        let end_c = results.value(name);
+        end_c.is_some_and(|end_c| end_c - start_c < WARMED_K)
+    });
+    cold.map(|(name, _)| name).collect()
+}
+
 impl DropResult {
     /// Results `summary` of the drop of `case` that ended as `outcome`.
     pub fn new(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
@@ -75,8 +102,10 @@ impl DropResult {
             let results = Results::of(DROP, Subject::Drop(&finished));
             finished.judgement = limited(finished.judgement, &case.limits, &results);
         }
+        let results = Results::of(DROP, Subject::Drop(&finished));
         Self {
-            results: Results::of(DROP, Subject::Drop(&finished)),
+            unheated: unheated(case, &results),
+            results,
             judgement: finished.judgement,
             stopped: Stopped::of(case, outcome),
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
@@ -107,43 +136,57 @@ impl DropResult {
         self.results.text("end_state")
     }
 
-    /// Results of named drops as a table for readers: a column for each; the first row is the head.
-    pub fn side_by_side(drops: &[(String, &Self)]) -> Vec<Vec<String>> {
-        let (names, drops): (Vec<String>, Vec<&Self>) = drops.iter().cloned().unzip();
-        let row = |first: &str, middle: Vec<String>, last: String| {
-            let ends = (std::iter::once(first.to_owned()), std::iter::once(last));
-            ends.0.chain(middle).chain(ends.1).collect()
+    /// Results of drops side by side under the headings of their groups: label, value of each drop (a dash where it
+    /// has none), unit. What none of them has is left out, and zeros by symmetry are.
+    pub fn groups(drops: &[&Self]) -> Vec<(&'static str, Vec<ShownBeside>)> {
+        let words = |of: fn(&Self) -> String| drops.iter().map(|drop| of(drop)).collect();
+        let state = (
+            "state at the end",
+            words(Self::end_state_text),
+            String::new(),
+        );
+        let mut rows = vec![(Group::Rotor, state)];
+        // A verdict of one drop stands above its results.
+        if drops.len() > 1 {
+            let verdict = (
+                "verdict on the bearing",
+                words(Self::verdict),
+                String::new(),
+            );
+            rows.insert(0, (Group::Rotor, verdict));
+        }
+        let quantities = drops.iter().take(1).flat_map(|drop| drop.results.iter());
+        let quantities = quantities.filter(|(q, _)| q.in_tables && q.kind != Kind::Numbers);
+        rows.extend(quantities.filter_map(|(q, _)| Some((q.group, Self::beside(q, drops)?))));
+        rows.sort_by_key(|(group, _)| *group);
+        let groups = rows.chunk_by(|a, b| a.0 == b.0);
+        let of = |rows: &[(Group, ShownBeside)]| {
+            let listed = rows.iter().map(|(_, row)| row.clone()).collect();
+            (rows[0].0.heading(), listed)
         };
-        let rows = Self::table(&drops).into_iter();
-        let head = std::iter::once(row("result", names, "unit".to_owned()));
-        head.chain(rows.map(|(label, values, unit)| row(label, values, unit)))
-            .collect()
+        groups.map(of).collect()
     }
 
-    /// Results of drops side by side: label, value of each drop (a dash where it has none), unit.
-    pub fn table(drops: &[&Self]) -> Vec<(&'static str, Vec<String>, String)> {
-        let words = |of: fn(&Self) -> String| drops.iter().map(|drop| of(drop)).collect();
-        let mut rows = vec![
-            ("verdict", words(Self::verdict), String::new()),
-            (
-                "state at the end",
-                words(Self::end_state_text),
-                String::new(),
-            ),
-        ];
-        let quantities = drops.iter().take(1).flat_map(|drop| drop.results.iter());
-        for (quantity, _) in quantities.filter(|(q, _)| q.in_tables && q.kind != Kind::Numbers) {
-            let value = |drop: &&Self| {
-                let cell = drop.results.get(quantity.name)?;
-                value_text(quantity, cell)
-            };
-            let values = drops.iter().map(|d| {
-                let other = || d.instead(quantity.name).unwrap_or("–".to_owned());
-                value(d).unwrap_or_else(other)
-            });
-            rows.push((quantity.label, values.collect(), quantity.printed_unit()));
-        }
-        rows
+    /// A result of drops side by side; `None` of one that none of them shows.
+    fn beside(quantity: &Quantity, drops: &[&Self]) -> Option<ShownBeside> {
+        let text = |drop: &&Self| {
+            let cell = drop.results.get(quantity.name)?;
+            let warms = !drop.unheated.contains(&quantity.name);
+            let shown = warms && (quantity.shows_zero || !is_zero(quantity, cell));
+            (value_text(quantity, cell).map(|text| (text, shown)))
+                .or_else(|| Some((drop.instead(quantity.name)?, true)))
+        };
+        let values: Vec<_> = drops.iter().map(text).collect();
+        let shown = values.iter().flatten().any(|(_, shown)| *shown);
+        let has_value = |drop: &&Self| drop.results.value(quantity.name).is_some();
+        // Words in place of a value have no unit.
+        let unit = match drops.iter().any(has_value) {
+            true => quantity.printed_unit(),
+            false => String::new(),
+        };
+        let values = values.into_iter();
+        let texts = values.map(|value| value.map_or("–".to_owned(), |(text, _)| text));
+        shown.then(|| (quantity.label, texts.collect(), unit))
     }
 
     /// PASS, FAIL or that nothing was judged.

@@ -3,6 +3,10 @@
 /// Group under whose heading readers find a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
+    /// Motion of a rotor that drops.
+    Rotor,
+    /// Forces of a drop.
+    Forces,
     /// Lives and what they follow from.
     Life,
     /// Safety against permanent deformation and sliding.
@@ -29,6 +33,10 @@ pub enum Group {
     Spacing,
     /// Passages through discrete raceways.
     Passages,
+    /// Losses and the heat that they make.
+    Heat,
+    /// Temperatures.
+    Temperature,
     /// How the result was computed.
     Computation,
     /// No group.
@@ -39,6 +47,8 @@ impl Group {
     /// The heading; empty without a group.
     pub fn heading(self) -> &'static str {
         match self {
+            Self::Rotor => "Motion of the rotor",
+            Self::Forces => "Forces",
             Self::Life => "Life",
             Self::Safety => "Safety",
             Self::Pressure => "Pressure",
@@ -52,6 +62,8 @@ impl Group {
             Self::Contacts => "Contacts between balls",
             Self::Spacing => "Spacing of the balls",
             Self::Passages => "Passages through the discrete raceway",
+            Self::Heat => "Losses and heat",
+            Self::Temperature => "Temperatures",
             Self::Computation => "Computation",
             Self::Other => "",
         }

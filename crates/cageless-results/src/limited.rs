@@ -154,6 +154,20 @@ impl LimitJudgement {
     }
 }
 
+/// A limit on a result of a drop: the result, the limit with its source in words, and whether these results keep it;
+/// `None` where that cannot be judged. Nothing of a limit on other results.
+pub fn judged_limit(
+    limit: &Limit,
+    results: &Results,
+) -> Option<(&'static Quantity, String, Option<bool>)> {
+    let mut all = DROP.iter().chain(SUCCESSION);
+    let quantity = all.find(|q| q.name == limit.result)?;
+    let text = Allowed { limit, quantity }.text(results.value(quantity.name));
+    let mut judgement = DropJudgement::default();
+    add(&mut judgement, limit, quantity, results);
+    Some((quantity, text, judgement.keeps()))
+}
+
 /// The verdict with those of the limits that concern a drop with these results.
 pub(crate) fn limited(
     mut judgement: DropJudgement,

@@ -182,7 +182,7 @@ fn is_named_in(symbol: &str, label: &str) -> bool {
 }
 
 /// Whether a value reads as nothing but zeros.
-fn is_zero(quantity: &Quantity, cell: &Cell) -> bool {
+pub(crate) fn is_zero(quantity: &Quantity, cell: &Cell) -> bool {
     let texts = value_text(quantity, cell);
     texts.is_some_and(|text| text.split(", ").all(|value| value == "0"))
 }

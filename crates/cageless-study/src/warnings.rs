@@ -33,11 +33,9 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
 
 /// Warnings of a drop onto a bearing.
 pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
-    let pressure =
-        |(name, place)| over_pressure_mpa(place, drop.results.value(name).unwrap_or(0.0));
+    // The verdict has the pressures.
     let truncated = |(ring, name): (usize, &str)| truncated(case, ring, drop.results.value(name));
     let mut warnings = of_case(case);
-    warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
     warnings.extend(DROP_EDGES.into_iter().enumerate().filter_map(truncated));
     warnings
 }

@@ -134,6 +134,20 @@ fn a_rotor_in_two_bearings_heats_both() {
         number(&rows[0], "spin_down_s"),
         number(&rows[1], "spin_down_s")
     );
+    // The table has a row of both bearings after each drop, with the heat of both.
+    let table = done.succession.table();
+    let heat = table[0]
+        .iter()
+        .position(|head| head == "heat of the spin-down (J)")
+        .unwrap();
+    let of: Vec<&str> = table.iter().map(|row| row[1].as_str()).collect();
+    assert_eq!(of, ["bearing", "1", "2", "all", "1", "2", "all"]);
+    let sum: f64 = rows[2..]
+        .iter()
+        .map(|row| number(row, "spin_down_heat_j"))
+        .sum();
+    let shown: f64 = table[6][heat].parse().unwrap();
+    assert!((shown / sum - 1.0).abs() < 1e-3, "{shown} {sum}");
     // The first drop that fails is named for a plane, too, that no row is about.
     let cases = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
     let text = std::fs::read_to_string(Path::new(cases).join("rotors/two-bearings.toml")).unwrap();

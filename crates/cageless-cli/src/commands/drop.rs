@@ -4,7 +4,7 @@ use cageless_io::plan_file::VariantFile;
 use cageless_io::results::{ROTOR, SUMMARY};
 use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
-use cageless_results::{DropJudgement, DropResult, Record, plane_records, table_of};
+use cageless_results::{DropJudgement, Record, plane_records, table_of};
 use cageless_study::drop::{
     Distribution, DropRequest, DropStudy, Ensemble, Succession, WhirlProbability, study,
 };
@@ -13,7 +13,7 @@ use super::run::verified;
 use crate::args::{DropArgs, Reference};
 use crate::driver::{Answer, PAGE, Tables};
 use crate::failure::Failure;
-use crate::format::{columns, judged, pairs, values, warnings};
+use crate::format::{columns, drops, judged, pairs, values, warnings};
 
 /// Failure of a drop whose samples or verification were interrupted.
 const REST_INTERRUPTED: &str = "interrupted: the drop itself is complete.";
@@ -67,9 +67,7 @@ pub(super) fn listed(values: &[f64]) -> String {
 
 fn text(study: &DropStudy) -> String {
     let mut text = verdict(&study.judgement) + &rotor_text(study);
-    text += &columns(&DropResult::side_by_side(
-        &study.results("value", "conventional"),
-    ));
+    text += &drops(&study.results("this drop", "conventional"));
     text += &succession_text(&study.succession);
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
@@ -82,9 +80,12 @@ fn text(study: &DropStudy) -> String {
 
 /// Spin-down of the rotor, and drops after it.
 fn succession_text(succession: &Succession) -> String {
-    let records = succession.records.iter();
-    let records: Vec<Record> = records.map(|r| r.results.clone().into()).collect();
-    let table = columns(&table_of(&records));
+    // The reasons stand below.
+    let mut rows = succession.table();
+    rows.iter_mut().for_each(|row| {
+        row.pop();
+    });
+    let table = columns(&rows);
     let firsts = [
         ("fail", "first drop beyond a limit"),
         ("not-judged", "first drop that is not judged"),
@@ -142,11 +143,11 @@ fn verification_text(study: &DropStudy, verification: &Record) -> String {
 }
 
 fn ensemble_text(many: &Ensemble) -> String {
-    let mut drops = format!("{} completed", many.completed);
+    let mut completed = format!("{} completed", many.completed);
     if many.in_any_bearing.is_none() {
-        drops += &format!(": {}", many.bearings[0].end_states_text());
+        completed += &format!(": {}", many.bearings[0].end_states_text());
     }
-    let mut lines = vec![("drops".to_owned(), drops)];
+    let mut lines = vec![("drops".to_owned(), completed)];
     let passing = many.passing.percent();
     lines.extend(passing.map(|percent| ("probability of passing".to_owned(), percent)));
     let stopped = || many.stopped_text().map(|text| ("stopped".to_owned(), text));

@@ -2,6 +2,7 @@
 
 mod balls;
 mod bearing;
+mod facts;
 mod report;
 mod rotor;
 mod scattered;
@@ -13,17 +14,18 @@ use cageless_io::plan_file::VariantFile;
 use cageless_io::results::VERSION;
 use cageless_results::{DropResult, Record, plane_records, table_of};
 use cageless_study::drop::DropStudy;
-use cageless_study::{Provenance, lines, parameter};
+use cageless_study::{Parameter, Provenance, parameter};
 
 use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::studio_page::studio_section;
-use crate::table::Table;
+use crate::table::{Row, Table};
 use crate::text::short;
 use crate::verification::VerificationTable;
 
 use balls::{balls_in_motion, heat, loads};
 use bearing::Bearing;
+use facts::facts;
 use rotor::of_rotor;
 use scattered::scattered;
 use succession::succession;
@@ -38,11 +40,20 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
         (title, _) => title,
     };
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
+    let planes = study.record.rotor.as_ref().map(|rotor| &rotor.planes[..]);
+    let planes = planes.unwrap_or_default();
+    let facts = facts(&bearings, planes);
     page.head(&match study.drop.rotor() {
-        None => head(&study.record.bearings[0].result),
-        Some(rotor) => head_of_rotor(rotor, study),
+        None => head(&study.record.bearings[0].result, facts),
+        Some(rotor) => head_of_rotor(rotor, study, facts),
     });
     page.notes(Note::Warning, &study.warnings);
+    page.section("Requirements");
+    report::requirements(&mut page, study, &bearings);
+    page.figures(rotor::planes(planes, source));
+    // Without any clearance the place of the journal is that of the first figure all the same.
+    let first = |bearing: &&Bearing<'_>| planes.is_empty() || rotor::has_clearance(bearing);
+    page.figures(bearings.iter().filter(first).map(rotor::displacement));
     page.section("Architecture");
     report::architecture(&mut page, &bearings);
     let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, &bearings, sections);
@@ -57,8 +68,6 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
             "ring_material",
         ],
     );
-    page.section("Requirements");
-    report::requirements(&mut page, file, &bearings);
     page.section("Dynamic system");
     keys(
         &mut page,
@@ -76,14 +85,14 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     page.section("Failure modes");
     report::failure_modes(&mut page, &bearings);
     page.section("Simulation");
-    let planes = study.record.rotor.iter().map(|rotor| &rotor.planes);
-    for planes in planes.filter(|planes| !planes.is_empty()) {
+    if !planes.is_empty() {
         page.table(&clearances(planes, source));
     }
     page.table(&results(study, source.clone()));
     for bearing in &bearings {
         page.section(&bearing.label("Rotor and inner ring"));
-        page.figures(of_rotor(bearing));
+        let later = (!first(&bearing)).then(|| rotor::displacement(bearing));
+        page.figures(later.into_iter().chain(of_rotor(bearing)));
     }
     page.section("Balls");
     page.figures(bearings.iter().map(loads));
@@ -120,7 +129,7 @@ fn event(file: &VariantFile) -> String {
 }
 
 /// The head of a drop of a linear rotor.
-fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
+fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy, facts: Vec<Parameter>) -> Head {
     let results = || study.record.bearings.iter().map(|bearing| &bearing.result);
     let states = (1..).zip(results());
     let states = states.map(|(k, result)| format!("bearing {k}: {}", result.end_state_text()));
@@ -130,67 +139,48 @@ fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
         .nth(last)
         .map_or(0.0, |r| r.results.number("simulated_s"));
     let judgement = &study.judgement;
-    let facts = [
-        parameter("mass of the rotor", short(rotor.mass_kg()), "kg"),
-        parameter(
-            "moment of inertia about the axis",
-            short(rotor.polar_inertia_kg_m2()),
-            "kg m²",
-        ),
-    ];
-    let carried = (1..).zip(rotor.mass_shares_kg());
-    let carried = carried.map(|(k, share)| {
-        parameter(
-            &format!("share of the mass at bearing {k}"),
-            short(share),
-            "kg",
-        )
-    });
     let state = format!("State after {} s: {}.", short(end), states.join("; "));
+    let mass = parameter("mass of the rotor", short(rotor.mass_kg()), "kg");
     Head::new(judgement.passes(), &judgement.headline())
         .verdict(None, &state)
-        .facts(facts.into_iter().chain(carried))
+        .facts(facts)
+        .facts([mass])
 }
 
-/// Results at the head of the page.
-const FACTS: [&str; 8] = [
-    "first_contact_ms",
-    "rotor_force_max_n",
-    "rotor_force_max_over_weight",
-    "rotor_displacement_max_um",
-    "spin_up_ms",
-    "collisions",
-    "collisions_above_0_5_m_s",
-    "dissipated_j",
-];
-
-fn head(drop: &DropResult) -> Head {
-    let limit_mpa = report::pressure_limit_mpa();
-    let pressure_mpa = (report::PRESSURES.iter())
-        .filter_map(|name| drop.results.value(name))
-        .fold(0.0, f64::max);
-    let pressure = parameter(
-        &format!("largest contact pressure (limit {limit_mpa:.0} MPa, ISO 76)"),
-        format!("{pressure_mpa:.0}"),
-        "MPa",
-    );
+fn head(drop: &DropResult, facts: Vec<Parameter>) -> Head {
     let state = format!(
         "State after {} s: {}.",
         short(drop.results.number("simulated_s")),
         drop.end_state_text()
     );
-    let facts = FACTS.iter().filter_map(|name| drop.results.row(name));
     Head::new(drop.judgement.passes(), &drop.judgement.headline())
         .verdict(None, &state)
-        .facts(lines(facts))
-        .facts([pressure])
+        .facts(facts)
 }
 
-/// Table of the results of all bearings, one column each.
+/// Table of the results of all bearings, one column each, under the headings of their groups.
 fn results(study: &DropStudy, source: Provenance) -> Table {
     let caption = "From the start of the drop to the end of the run.";
-    let rows = DropResult::side_by_side(&study.results("This drop", "Conventional outer ring"));
-    Table::of("Results", caption, rows, Some(source))
+    let named = study.results("This drop", "Conventional outer ring");
+    let (names, drops): (Vec<String>, Vec<&DropResult>) = named.into_iter().unzip();
+    let line = |first: &str, middle: Vec<String>, last: String| {
+        let (first, last) = (std::iter::once(first.to_owned()), std::iter::once(last));
+        first.chain(middle).chain(last).collect::<Vec<_>>()
+    };
+    let columns = names.len() + 2;
+    let head = line("Result", names, "Unit".to_owned());
+    let mut table = Table::of("Results", caption, vec![head], Some(source));
+    for (heading, rows) in DropResult::groups(&drops) {
+        table.rows.push(Row {
+            cells: vec![heading.to_owned()],
+            summary: Some(columns),
+            ..Row::default()
+        });
+        let rows = rows.into_iter();
+        let rows = rows.map(|(label, values, unit)| Row::from(line(label, values, unit)));
+        table.rows.extend(rows);
+    }
+    table
 }
 
 /// Table of the planes of a rotor against their clearances.

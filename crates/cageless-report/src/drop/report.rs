@@ -1,18 +1,18 @@
 //! What a report on touch-down bearings has beside the simulation, in the order of the scope of
 //! ISO 14839-5.
 
-use std::ops::Range;
-
 use cageless::Shaft;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::simulation::PlaneDisplacement;
 use cageless_io::plan_file::VariantFile;
-use cageless_results::{Aim, DROP, Quantity, SUCCESSION};
+use cageless_results::{DROP, Quantity, SUCCESSION, judged_limit};
+use cageless_study::drop::DropStudy;
 use cageless_study::{Parameter, parameters};
 
 use super::bearing::Bearing;
 use crate::lead;
 use crate::page::Page;
-use crate::table::Table;
+use crate::table::{Row, Table};
 use crate::text::short;
 
 /// Contact pressures, which have a limit in every drop.
@@ -132,43 +132,116 @@ pub(super) fn keys(
     }
 }
 
-/// Limits on the drop, with whose they are.
-pub(super) fn requirements(page: &mut Page, file: &VariantFile, bearings: &[Bearing<'_>]) {
-    let mut rows = head(bearings, &["Result", "Limit", "Whose"]);
-    let mut add = |name: &str, bound: f64, whose: &str, concerned: Range<usize>| {
-        let Some(quantity) = quantity(name) else {
-            return;
+/// A requirement on a drop.
+struct Requirement {
+    /// What it is on.
+    on: String,
+    /// The limit, with whose it is.
+    limit: String,
+    /// What was found.
+    found: String,
+    /// Whether it is kept; `None` where that cannot be judged.
+    kept: Option<bool>,
+}
+
+impl Requirement {
+    fn row(self) -> Row {
+        let verdict = match self.kept {
+            Some(true) => "PASS",
+            Some(false) => "FAIL",
+            None => "not judged",
         };
-        let side = match quantity.aim {
-            Some(Aim::High) => "at least",
-            _ => "at most",
-        };
-        let limit = format!("{side} {}", quantity.with_unit(bound));
-        let values = bearings.iter().enumerate();
-        let values = values.map(|(k, bearing)| match concerned.contains(&k) {
-            true => limited(bearing, quantity),
-            false => String::new(),
-        });
-        let first = [quantity.label.trim().to_owned(), limit, whose.to_owned()];
-        rows.push(first.into_iter().chain(values).collect());
-    };
-    for name in PRESSURES {
-        add(name, pressure_limit_mpa(), "ISO 76", 0..bearings.len());
-    }
-    for (k, bearing) in bearings.iter().enumerate() {
-        let document = file.cases()[k].document();
-        if let Some(bound) = document.number("rotor.clearance_limit_um") {
-            let whose = "the case: rotor.clearance_limit_um";
-            add("rotor_displacement_max_um", bound, whose, k..k + 1);
-        }
-        for limit in &bearing.case.limits {
-            add(&limit.result, limit.value, &limit.source, k..k + 1);
+        Row {
+            cells: vec![self.on, self.limit, self.found, verdict.to_owned()],
+            marked: self.kept == Some(false),
+            ..Row::default()
         }
     }
+}
+
+/// Requirements on the drop with what was found, those that it fails first.
+pub(super) fn requirements(page: &mut Page, study: &DropStudy, bearings: &[Bearing<'_>]) {
+    let mut all: Vec<Requirement> = bearings.iter().flat_map(of_bearing).collect();
+    let planes = study.record.rotor.iter().flat_map(|rotor| &rotor.planes);
+    all.extend(planes.map(of_plane));
+    all.sort_by_key(|requirement| requirement.kept != Some(false));
+    let head = ["Requirement", "Limit", "Found", "Verdict"].map(str::to_owned);
     let caption = "No standard gives numbers for touch-down bearings: limits are those of the user, in \
                    [[limit]] sections of the case, each with its source.";
     let source = bearings[0].source.clone();
-    page.table(&Table::of("Limits", caption, rows, Some(source)));
+    let mut table = Table::of("Limits", caption, vec![head.to_vec()], Some(source));
+    table.rows = all.into_iter().map(Requirement::row).collect();
+    page.table(&table);
+}
+
+fn of_bearing(bearing: &Bearing<'_>) -> Vec<Requirement> {
+    let results = &bearing.record.result.results;
+    let mut all = vec![];
+    for quantity in PRESSURES.iter().filter_map(|name| quantity(name)) {
+        let found = results.value(quantity.name);
+        all.push(Requirement {
+            on: bearing.label(quantity.label.trim()),
+            limit: format!(
+                "at most {} (ISO 76)",
+                quantity.with_unit(pressure_limit_mpa())
+            ),
+            found: value(bearing, quantity),
+            kept: found.map(|mpa| mpa <= pressure_limit_mpa()),
+        });
+    }
+    let whirl = results.value("backward_whirl_end_hz");
+    all.push(Requirement {
+        on: bearing.label("backward whirl at the end"),
+        limit: "none".to_owned(),
+        found: whirl.map_or("none".to_owned(), |hz| format!("{} Hz", short(hz))),
+        kept: results.value("first_contact_ms").map(|_| whirl.is_none()),
+    });
+    let clearance_m = bearing
+        .case
+        .rotor
+        .as_ref()
+        .and_then(|r| r.clearance_limit_m);
+    let displaced = quantity("rotor_displacement_max_um");
+    if let (Some(clearance_m), Some(displaced)) = (clearance_m, displaced) {
+        let limit_um = 1e6 * clearance_m;
+        let found = results.value(displaced.name);
+        all.push(Requirement {
+            on: bearing.label(displaced.label.trim()),
+            limit: format!(
+                "at most {} (rotor.clearance_limit_um)",
+                displaced.with_unit(limit_um)
+            ),
+            found: value(bearing, displaced),
+            kept: found.map(|um| um <= limit_um),
+        });
+    }
+    for limit in &bearing.case.limits {
+        let of_drop = DROP.iter().any(|q| q.name == limit.result);
+        let succession = bearing.succession.filter(|_| !of_drop);
+        let results = succession.map_or(results, |record| &record.results);
+        let judged = judged_limit(limit, results);
+        all.extend(judged.map(|(quantity, text, kept)| Requirement {
+            on: bearing.label(quantity.label.trim()),
+            limit: text,
+            found: limited(bearing, quantity),
+            kept,
+        }));
+    }
+    all
+}
+
+/// The clearance of a plane of the rotor.
+fn of_plane(plane: &PlaneDisplacement) -> Requirement {
+    let um = |m: f64| format!("{} µm", short(1e6 * m));
+    Requirement {
+        on: format!("largest displacement at {}", plane.clearance.name),
+        limit: format!(
+            "at most {} (clearance of the rotor file)",
+            um(plane.clearance.radial_m)
+        ),
+        found: um(plane.displacement_max_m),
+        kept: Some(plane.displacement_max_m <= plane.clearance.radial_m),
+    }
 }
 
 /// Failure modes with the results that show them.

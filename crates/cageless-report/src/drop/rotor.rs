@@ -2,13 +2,15 @@
 
 use std::f64::consts::TAU;
 
+use cageless::simulation::PlaneDisplacement;
 use cageless::{Case, RotorSnapshot, Shaft, Snapshot};
-use cageless_results::WindowRow;
+use cageless_results::{Provenance, WindowRow};
 use cageless_study::drop::BearingRecord;
 use serde_json::{Value, json};
 
 use super::bearing::Bearing;
 use crate::figure::Figure;
+use crate::figures::panels::Panel;
 use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
 use crate::sampling::history;
 use crate::text::short;
@@ -20,14 +22,9 @@ const POINTS: usize = 3000;
 /// line through. With the drop onto a conventional outer ring, if there
 /// is one, dashed.
 pub(super) fn of_rotor(bearing: &Bearing<'_>) -> impl Iterator<Item = Figure> {
-    let figures = [
-        orbit(bearing),
-        displacement(bearing),
-        speeds(bearing),
-        forces(bearing),
-    ];
+    let figures = [orbit(bearing), speeds(bearing), forces(bearing)];
     let whirl = (bearing.record.result.windows.len() > 1).then(|| whirl(bearing));
-    let along_axis = bearing.case.moves_in_space().then(|| along_axis(bearing));
+    let along_axis = moves_along_axis(bearing).then(|| along_axis(bearing));
     figures.into_iter().chain(whirl).chain(along_axis)
 }
 
@@ -88,8 +85,52 @@ fn path(bearing: &Bearing<'_>, x: &str, in_ring: bool, clearance: Option<Trace>)
     )
 }
 
+/// Paths of a rotor in its planes, each with the circle of its clearance; `None` without planes.
+pub(super) fn planes(planes: &[PlaneDisplacement], source: &Provenance) -> Option<Figure> {
+    let columns = planes.len().min(2);
+    let rows = planes.len().div_ceil(columns.max(1)) as u32;
+    let panels = Panel::grid(planes.len(), columns, [0.12, 0.2]);
+    let mut plot = Plot::new(60 + 400 * rows).legend();
+    for (panel, plane) in panels.iter().zip(planes) {
+        let name = plane.clearance.name.as_str();
+        let [x, y] = panel.axes();
+        let scale = json!({ "scaleanchor": y, "constrain": "domain" });
+        let titles = [format!("x at {name} (µm)"), "y (µm)".to_owned()];
+        let more = [scale, json!({ "constrain": "domain" })];
+        plot = plot.panel(panel, titles.each_ref().map(String::as_str), more);
+        let of = |k: usize| -> Vec<f64> {
+            let points = plane.path.points_m.iter();
+            points.map(|point| 1e6 * point[k]).collect()
+        };
+        let axes =
+            |trace: Trace| trace.with(json!({ "xaxis": x, "yaxis": y, "showlegend": panel.first }));
+        let clearance = circle("clearance", 1e6 * plane.clearance.radial_m, PALETTE[3]);
+        let [farthest_x, farthest_y] = plane.path.farthest_m.map(|m| 1e6 * m);
+        let farthest = markers(
+            "largest displacement",
+            &[farthest_x],
+            &[farthest_y],
+            PALETTE[1],
+        );
+        plot = plot
+            .trace(axes(clearance))
+            .trace(axes(line("axis of the rotor", &of(0), &of(1), PALETTE[0])))
+            .trace(axes(farthest));
+    }
+    let caption = "Axis of the rotor from the centre of the stator in each plane with a clearance. The rotor \
+                   touches the stator where its axis crosses the dotted circle.";
+    let label = "Displacement at the clearances";
+    (!planes.is_empty()).then(|| Figure::new(label, caption, source, plot))
+}
+
+/// Whether the case gives a clearance to the stator.
+pub(super) fn has_clearance(bearing: &Bearing<'_>) -> bool {
+    let rotor = bearing.case.rotor.as_ref();
+    rotor.is_some_and(|rotor| rotor.clearance_limit_m.is_some())
+}
+
 /// Path of the journal from the centre of the stator, with the circle of its clearance.
-fn displacement(bearing: &Bearing<'_>) -> Figure {
+pub(super) fn displacement(bearing: &Bearing<'_>) -> Figure {
     let limit_m = (bearing.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
     let clearance = limit_m.map(|m| circle("clearance to the stator", 1e6 * m, PALETTE[3]));
     let plot = path(
@@ -98,10 +139,16 @@ fn displacement(bearing: &Bearing<'_>) -> Figure {
         false,
         clearance,
     );
-    let caption = "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
-         fails where it crosses the dotted circle, the clearance that the case gives \
-         (rotor.clearance_limit_um).";
-    bearing.figure("Displacement", caption, plot)
+    let rule = match limit_m {
+        Some(_) => {
+            " A drop fails where it crosses the dotted circle, the clearance that the case gives \
+             (rotor.clearance_limit_um)."
+        }
+        None => " The case gives no clearance to the stator (rotor.clearance_limit_um).",
+    };
+    let centre =
+        "Centre of the journal from the centre of the stator, that of the housing at rest.";
+    bearing.figure("Displacement", &format!("{centre}{rule}"), plot)
 }
 
 /// Path of the journal in the bore, with the circle of the touch-down clearance.
@@ -199,6 +246,22 @@ fn forces(bearing: &Bearing<'_>) -> Figure {
         short(weight_n)
     );
     bearing.figure("Forces", &caption, plot)
+}
+
+/// Motion along the axis that is none, m.
+const STILL_M: f64 = 1e-9;
+
+/// Whether rotor or inner ring move along the axis by more than what rounding leaves.
+fn moves_along_axis(bearing: &Bearing<'_>) -> bool {
+    let ways = |of: fn(&RotorSnapshot, &Snapshot) -> f64| {
+        let rows = bearing.record.snapshots.iter();
+        let places = rows.filter_map(|s| Some(of(s.rotor.as_ref()?, s)));
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
+            (low.min(z), high.max(z))
+        });
+        high - low > STILL_M
+    };
+    bearing.case.moves_in_space() && (ways(|r, _| r.z_m) || ways(|_, s| s.ring.z_m))
 }
 
 /// Motion of rotor and inner ring along the axis, and the force between them.

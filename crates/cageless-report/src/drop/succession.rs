@@ -1,6 +1,6 @@
 //! Table and figure of drops one after the other.
 
-use cageless_results::{Record, table_of};
+use cageless_results::Record;
 use cageless_study::drop::Succession;
 use serde_json::json;
 
@@ -24,7 +24,7 @@ pub(super) fn succession(page: &mut Page, bearings: &[Bearing<'_>], succession: 
                    of the simulated time, but by ½ μ P d of SKF at least, and keeps the heat; the next drop \
                    has the clearances of its temperatures. No heat flows from one part to another or away, \
                    except for the cooling of the case ([thermal]). Windage is not known.";
-    let rows = table_of(&succession.records);
+    let rows = succession.table();
     page.table(&Table::of(
         "Drops in succession",
         caption,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
-use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
+use cageless::simulation::{PlaneDisplacement, PlanePath, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit};
 
 use super::*;
@@ -75,6 +75,7 @@ pub(super) fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
         total_w: next(counter),
         parts_w: [next(counter), next(counter), next(counter)],
         torque_n_m: Some(next(counter)),
+        torque_change: Some(next(counter)),
     });
     s.end_state = EndState::BackwardWhirl;
     s.ellipse_edge_max_rad = Some([next(counter), next(counter)]);
@@ -169,6 +170,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("contact_damping_j", heat.contact_damping_j),
         ("support_damping_j", heat.support_damping_j),
         ("braking_torque_n_m", end.torque_n_m.unwrap()),
+        ("braking_torque_change_fraction", end.torque_change.unwrap()),
         ("end_power_w", end.total_w),
         ("inner_ring_power_w", end.parts_w[0]),
         ("ball_power_w", end.parts_w[1]),
@@ -209,6 +211,63 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
 
 /// Counts, rates and heat of the bearings add up, first contact and clearance are those of the worse,
 /// of all else the larger number is that of the rotor.
+/// Groups of drops side by side: heading and rows of each.
+type Groups = Vec<(&'static str, Vec<crate::ShownBeside>)>;
+
+fn row_of(groups: &Groups, label: &str) -> Option<(&'static str, Vec<String>, String)> {
+    let mut rows = groups.iter().flat_map(|(_, rows)| rows);
+    rows.find(|row| row.0.trim() == label).cloned()
+}
+
+#[test]
+fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
+    let (case, mut s, outcome) = drop(&mut 0.2);
+    s.heat.outer_friction_j = 1e4;
+    let full = DropResult::new(&case, &s, &outcome);
+    (s.backward_whirl_hz, s.collisions.above[2]) = (None, 0);
+    let less = DropResult::new(&case, &s, &outcome);
+    let groups = DropResult::groups(&[&less]);
+    let headings: Vec<&str> = groups.iter().map(|(heading, _)| *heading).collect();
+    let expected = [
+        "Motion of the rotor",
+        "Forces",
+        "Pressure",
+        "Contacts between balls",
+        "Losses and heat",
+        "Temperatures",
+        "Computation",
+    ];
+    assert_eq!(headings, expected);
+    let [whirl, hard] = [
+        "backward whirl round the bore, largest",
+        "collisions above 1 m/s",
+    ];
+    for label in [whirl, hard] {
+        assert_eq!(row_of(&groups, label), None, "{label}");
+    }
+    // A part that no heat warms has no temperature to show.
+    let outer = "temperature of the outer ring at the end";
+    assert!(row_of(&groups, outer).is_some());
+    (s.heat.outer_friction_j, s.heat.contact_damping_j) = (0.0, 0.0);
+    let cold = DropResult::new(&case, &s, &outcome);
+    assert_eq!(row_of(&DropResult::groups(&[&cold]), outer), None);
+    assert_eq!(cold.results.number("outer_ring_temperature_c"), 29.0);
+    // Files have it all the same, and tables that of another drop beside it.
+    assert_eq!(less.results.number("collisions_above_1_m_s"), 0.0);
+    let groups = DropResult::groups(&[&less, &full]);
+    assert_eq!(row_of(&groups, hard).unwrap().1, ["0", "17"]);
+    assert_eq!(row_of(&groups, whirl).unwrap().1[0], "–");
+    assert_eq!(
+        row_of(&groups, "verdict on the bearing").unwrap().1,
+        ["FAIL", "FAIL"]
+    );
+    let torque = row_of(
+        &groups,
+        "torque of the losses that brakes the rotor, at the end",
+    );
+    assert_eq!(torque.unwrap().2, "N·mm");
+}
+
 #[test]
 fn results_of_a_rotor_are_those_of_its_bearings() {
     let mut counter = 0.2;
@@ -227,6 +286,7 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
             radial_m,
         },
         displacement_max_m,
+        path: PlanePath::default(),
     };
     let run = DropRun {
         bearings: bearings.to_vec(),
@@ -393,8 +453,15 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
             planes: vec![PlaneDisplacement {
                 clearance,
                 displacement_max_m,
+                path: PlanePath::default(),
             }],
         };
+        let planes = plane_records(&rotor.planes);
+        let beyond = displacement_max_m > 3e-4;
+        assert_eq!(
+            planes[0].text("verdict"),
+            if beyond { "fail" } else { "pass" }
+        );
         let ended = SuccessiveDrop {
             number: 1,
             bearing: 0,

@@ -2,9 +2,9 @@
 
 use cageless::linear_rotor::Clearance;
 use cageless::simulation::{
-    Ending, PlaneDisplacement, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
+    Ending, PlaneDisplacement, PlanePath, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
 };
-use cageless::touchdown::{DropSummary, EndState};
+use cageless::touchdown::{DropSummary, EndState, EndWhirl};
 
 use super::drops::drop;
 use super::*;
@@ -107,6 +107,45 @@ fn each_ending_of_a_drop_has_its_verdict_and_says_why() {
     }
 }
 
+/// A backward whirl fails whatever its force does, a forward one where its force still grows; the sentence has its
+/// time, force and growth.
+#[test]
+fn a_whirl_at_the_end_says_since_when_and_how_hard() {
+    for (frequency_hz, growth, expected) in [
+        (-234.0, 1.0, Some("backward")),
+        (-234.0, 1.3, Some("backward")),
+        (234.0, 1.0, None),
+        (234.0, 1.3, Some("forward")),
+    ] {
+        let (case, mut s, mut outcome) = good();
+        outcome.end_s = 0.3;
+        (s.rotor_speed_rad_s, s.spin_up_s) = (3000.0, None);
+        s.end_whirl = Some(EndWhirl {
+            from_s: 0.0514,
+            frequency_hz,
+            force_n: 13_700.0,
+            growth,
+        });
+        let found = DropJudgement::of_drop(&case, &s, &outcome);
+        assert_eq!(found.passes(), Some(expected.is_none()));
+        let Some(sense) = expected else {
+            // A ring that still slides is said to.
+            let slides = format!(
+                "inner ring not up to speed yet ({:.0} of",
+                30.0 / std::f64::consts::PI * s.ring_speed_rad_s
+            );
+            assert!(found.headline().contains(&slides), "{}", found.headline());
+            continue;
+        };
+        let growing = if growth > 1.1 { ", and growing" } else { "" };
+        let text = format!(
+            "FAIL: {sense} whirl from 51.4 ms to the end at 300 ms (234 Hz), with 13700 N on the rotor, 68.5 times \
+             its weight{growing}"
+        );
+        assert_eq!(found.headline(), text);
+    }
+}
+
 /// Every limit of a drop from both sides, at the limit itself it is kept.
 #[test]
 fn each_limit_of_a_drop_fails_beyond_it() {
@@ -157,6 +196,7 @@ fn verdicts_of_bearings_combine() {
                 radial_m: 3e-4,
             },
             displacement_max_m,
+            path: PlanePath::default(),
         }],
     };
     let still = rotor(0.0, 2.9e-4);

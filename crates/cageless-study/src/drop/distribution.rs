@@ -80,7 +80,8 @@ impl Distribution {
         }
         let head = ["result", "least", "median", "95 %", "most", "unit"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
-        rows.extend(self.quantiles.iter().map(|q| {
+        let shown = self.quantiles.iter().filter(|q| q.quantity.in_tables);
+        rows.extend(shown.map(|q| {
             let mut row = vec![q.quantity.label.to_owned()];
             row.extend([q.least, q.median, q.high, q.most].map(|v| q.quantity.number_text(v)));
             row.push(q.quantity.printed_unit());

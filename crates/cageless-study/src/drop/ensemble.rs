@@ -232,6 +232,7 @@ mod tests {
                 results: Results::only(DROP, &results),
                 judgement: DropJudgement::default(),
                 stopped: None,
+                unheated: vec![],
                 windows: vec![],
             },
         }

@@ -15,6 +15,8 @@ pub(super) struct Standstill {
     pub time_s: f64,
     /// Heat of each bearing.
     pub bearings: Vec<SpinDownHeat>,
+    /// What makes the estimate doubtful.
+    pub warnings: Vec<String>,
 }
 
 /// Heat of a bearing in the spin-down.
@@ -27,6 +29,8 @@ pub(super) struct SpinDownHeat {
 
 /// Powers that warm the parts at the end of a drop.
 const POWERS: [&str; PARTS] = ["inner_ring_power_w", "ball_power_w", "outer_ring_power_w"];
+/// Change of the braking torque within the last fifth, relative, from which it is not steady.
+const UNSTEADY: f64 = 0.2;
 /// Deviation of the speed of an inner ring from that of rolling, relative, beyond which it slides.
 const SLIDES: f64 = 0.02;
 
@@ -64,8 +68,14 @@ impl Standstill {
             }
         }
         let brakes = drop.cases().iter().zip(drop.carried_n()).zip(&ends);
-        let brakes = brakes.map(|((case, carried_n), end)| {
+        let mut warnings = vec![];
+        let brakes = brakes.enumerate().map(|(k, ((case, carried_n), end))| {
             let rolling_n_m = rolling_torque_n_m(&case.bearing, carried_n.unwrap_or(0.0));
+            let doubt = unsteady(end, rolling_n_m);
+            warnings.extend(doubt.map(|text| match drop.rotor() {
+                None => text,
+                Some(_) => format!("bearing {}: {text}", k + 1),
+            }));
             Brake::new(end, rolling_n_m).ok_or_else(driven)
         });
         let brakes = brakes.collect::<Result<Vec<_>, _>>()?;
@@ -79,6 +89,7 @@ impl Standstill {
         Ok(Self {
             time_s: spin_down.time_s,
             bearings: heats.collect(),
+            warnings,
         })
     }
 
@@ -94,6 +105,7 @@ impl Standstill {
         Self {
             time_s: 0.0,
             bearings: bearings.collect(),
+            warnings: vec![],
         }
     }
 }
@@ -108,7 +120,21 @@ fn end_power(result: &DropResult) -> Option<EndPower> {
         total_w: value("end_power_w")?,
         parts_w,
         torque_n_m: value("braking_torque_n_m"),
+        torque_change: value("braking_torque_change_fraction"),
     })
+}
+
+/// What is said of a bearing whose own torque brakes the rotor and still changes at the end of a drop.
+fn unsteady(end: &EndPower, rolling_n_m: f64) -> Option<String> {
+    let torque_n_m = end.torque_n_m.filter(|own_n_m| *own_n_m > rolling_n_m)?;
+    let change = end.torque_change.filter(|change| change.abs() > UNSTEADY)?;
+    Some(format!(
+        "the torque of {} N·mm that brakes the rotor still {} at the end of the drop, by {:.0} % within the last fifth: \
+         the heat of the spin-down follows from it and is an estimate; simulate longer (solver.duration_s)",
+        short(1e3 * torque_n_m),
+        if change > 0.0 { "grows" } else { "falls" },
+        100.0 * change.abs()
+    ))
 }
 
 /// Whether the inner ring has come up to the speed of the rotor.
@@ -140,4 +166,30 @@ fn slides(case: &Case, result: &DropResult) -> Option<String> {
             short(end_ms)
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A torque that changes by more than a fifth is doubtful, unless rolling brakes more.
+    #[test]
+    fn a_torque_that_still_changes_is_said_to() {
+        let end = |torque_change: f64| EndPower {
+            total_w: 30.0,
+            parts_w: [10.0; PARTS],
+            torque_n_m: Some(0.03),
+            torque_change: Some(torque_change),
+        };
+        assert_eq!(unsteady(&end(0.19), 0.01), None);
+        assert_eq!(unsteady(&end(-0.5), 0.04), None);
+        let falls = unsteady(&end(-0.5), 0.01).unwrap();
+        assert!(
+            falls.contains(
+                "30 N·mm that brakes the rotor still falls at the end of the drop, by 50 %"
+            ),
+            "{falls}"
+        );
+        assert!(unsteady(&end(0.21), 0.01).unwrap().contains("still grows"));
+    }
 }

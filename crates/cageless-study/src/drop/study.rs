@@ -146,9 +146,9 @@ pub fn study<'r>(
             ..
         } = &study.succession;
         let missing = [cut_short, without_standstill];
-        study
-            .warnings
-            .extend(missing.into_iter().flatten().cloned());
+        let doubts = study.succession.doubts.iter();
+        let all = missing.into_iter().flatten().chain(doubts).cloned();
+        study.warnings.extend(all);
     }
     if request.compare && !study.interrupted {
         let drop = study.drop.conventional();

@@ -5,7 +5,9 @@ use cageless::touchdown::PARTS;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::VariantFile;
 use cageless_results::number_text::short;
-use cageless_results::{DropJudgement, Record, SuccessiveDrop, succession_record};
+use cageless_results::{
+    DropJudgement, Quantity, Record, SuccessiveDrop, succession_record, table_of,
+};
 
 use super::DropRecord;
 use super::standstill::{Standstill, spun_up};
@@ -25,6 +27,8 @@ pub struct Succession {
     pub cut_short: Option<String>,
     /// The heat that leaves the bearing no clearance for another drop.
     pub runaway: Option<String>,
+    /// What makes the heat of a spin-down doubtful, by its drop.
+    pub doubts: Vec<String>,
     /// Why the last drop has no temperatures at standstill.
     pub without_standstill: Option<String>,
     /// Whether the progress cancelled it.
@@ -119,6 +123,11 @@ impl Succession {
     fn add(&mut self, files: &[CaseFile], drop: &RotorDrop, record: &mut DropRecord) -> Warm {
         let number = 1 + self.records.len() / record.bearings.len();
         let standstill = Standstill::after(drop, record);
+        let doubts = standstill
+            .iter()
+            .flat_map(|standstill| &standstill.warnings);
+        self.doubts
+            .extend(doubts.map(|text| format!("drop {number}: {text}")));
         let rotor = record.rotor.as_ref();
         let results = record.bearings.iter_mut().map(|b| &mut b.result);
         let cases = drop.cases().iter().zip(files).zip(results).enumerate();
@@ -159,6 +168,39 @@ impl Succession {
         all.ok_or_else(|| "rings and balls have no specific heat".to_owned())
     }
 
+    /// The table of the drops, a row for each bearing; below several bearings one of them all, whose heat is the sum.
+    /// The first row is the head.
+    pub fn table(&self) -> Vec<Vec<String>> {
+        let bearings = self.records.iter().map(|record| record.number("bearing"));
+        let bearings = bearings.fold(1.0, f64::max) as usize;
+        let mut rows = table_of(&self.records);
+        if bearings == 1 {
+            return rows;
+        }
+        let mut quantities = self.records[0].iter().filter(|(q, _)| q.in_tables);
+        let quantities: Vec<&Quantity> = quantities.by_ref().map(|(q, _)| q).collect();
+        let mut all = vec![rows.remove(0)];
+        for (records, rows) in self.records.chunks(bearings).zip(rows.chunks(bearings)) {
+            all.extend(rows.iter().cloned());
+            let mut sum = vec!["–".to_owned(); all[0].len()];
+            for (cell, quantity) in sum.iter_mut().zip(&quantities) {
+                let of_bearing = |record: &Record| record.value(quantity.name);
+                *cell = match quantity.name {
+                    "drop" | "spin_down_s" => of_bearing(&records[0]),
+                    "dissipated_j" | "spin_down_heat_j" => records.iter().map(of_bearing).sum(),
+                    "bearing" => {
+                        *cell = "all".to_owned();
+                        continue;
+                    }
+                    _ => continue,
+                }
+                .map_or("–".to_owned(), |value| quantity.number_text(value));
+            }
+            all.push(sum);
+        }
+        all
+    }
+
     /// The first drop with this verdict, with the reasons.
     pub fn first(&self, verdict: &str) -> Option<(usize, String)> {
         let all = std::iter::once(&self.earliest).chain(&self.later);
@@ -192,9 +234,12 @@ fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
     for ((case, cold), warm) in cases.zip(&mut record.bearings) {
         if spun_up(&cold.result) && !spun_up(&warm.result) {
             let reason = format!(
-                "thermal runaway: the inner ring, which came up to speed in the first drop, does not with \
-                 Gr {} µm",
-                short(1e6 * case.bearing.radial_internal_clearance_m())
+                "thermal runaway: the inner ring, which came up to speed after {} ms in the first drop, does not \
+                 within {} ms with Gr {} µm; largest force on the rotor {} N",
+                short(cold.result.results.number("spin_up_ms")),
+                short(1e3 * warm.result.results.number("simulated_s")),
+                short(1e6 * case.bearing.radial_internal_clearance_m()),
+                short(warm.result.results.number("rotor_force_max_n"))
             );
             warm.result
                 .judge(warm.result.judgement.clone().failed([reason]));

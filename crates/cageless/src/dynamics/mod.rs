@@ -22,6 +22,7 @@ pub(crate) mod inner_ring;
 pub mod layout;
 pub(crate) mod model;
 pub(crate) mod outer_ring;
+pub(crate) mod plane_path;
 mod right_hand_side;
 pub mod rotor;
 pub(crate) mod rotor_equations;

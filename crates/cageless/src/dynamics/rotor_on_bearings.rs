@@ -11,6 +11,7 @@ use super::Model;
 use super::coordinates::{DROP, DropCoordinate};
 use super::energy::EnergyTerm;
 use super::layout::Layout;
+use super::plane_path::PlanePath;
 use super::right_hand_side::{RightHandSide, mix};
 use super::rotor_equations::{Motion, RotorEquations, RotorLoads, at};
 use crate::integrator::{SecondOrderBlock, System};
@@ -41,8 +42,8 @@ pub(crate) struct RotorOnBearings<'m> {
     /// First place of the rotor.
     start: usize,
     blocks: Vec<SecondOrderBlock>,
-    /// Largest squared displacement of each plane of the rotor so far, m².
-    displaced_squared: Vec<f64>,
+    /// Path of the rotor in each of its planes so far.
+    paths: Vec<PlanePath>,
 }
 
 /// Largest displacement of a rotor in a plane.
@@ -52,6 +53,8 @@ pub struct PlaneDisplacement {
     pub clearance: Clearance,
     /// Largest distance of the axis of the rotor from the centre of the stator, m.
     pub displacement_max_m: f64,
+    /// Path of the axis.
+    pub path: PlanePath,
 }
 
 impl<'m> RotorOnBearings<'m> {
@@ -80,7 +83,7 @@ impl<'m> RotorOnBearings<'m> {
             layouts,
             start,
             blocks,
-            displaced_squared: vec![0.0; rotor.planes.len()],
+            paths: vec![PlanePath::default(); rotor.planes.len()],
         }
     }
 
@@ -225,22 +228,19 @@ impl<'m> RotorOnBearings<'m> {
 
     /// Takes the displacements of the planes of the rotor from the centre of the stator.
     pub fn look_at_planes(&mut self, y: &[f64]) {
-        if self.rotor.planes.is_empty() {
-            return;
-        }
-        for (plane, most) in self.rotor.planes.iter().zip(&mut self.displaced_squared) {
-            let [x, y] = at(&plane.place, &y[self.start..]);
-            *most = most.max(x * x + y * y);
+        for (plane, path) in self.rotor.planes.iter().zip(&mut self.paths) {
+            path.look(at(&plane.place, &y[self.start..]));
         }
     }
 
     /// The planes of the rotor with their largest displacements so far.
     pub fn planes(&self) -> Vec<PlaneDisplacement> {
-        let planes = self.rotor.planes.iter().zip(&self.displaced_squared);
+        let planes = self.rotor.planes.iter().zip(&self.paths);
         planes
-            .map(|(plane, squared)| PlaneDisplacement {
+            .map(|(plane, path)| PlaneDisplacement {
                 clearance: plane.clearance.clone(),
-                displacement_max_m: squared.sqrt(),
+                displacement_max_m: path.farthest_distance_m(),
+                path: path.clone(),
             })
             .collect()
     }

@@ -20,6 +20,7 @@ mod run;
 mod run_tracker;
 
 pub use crate::control::Control;
+pub use crate::dynamics::plane_path::PlanePath;
 pub use crate::dynamics::rotor_on_bearings::PlaneDisplacement;
 pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};

@@ -79,6 +79,9 @@ pub struct EndPower {
     /// Torque by which the interfaces brake the rotor: their power over its mean speed, N m. `None` of
     /// a slow rotor: it is its fall that makes heat.
     pub torque_n_m: Option<f64>,
+    /// Change of that torque from the first to the second half of the time, relative to the first; `None` where
+    /// there is no torque or the time is too short.
+    pub torque_change: Option<f64>,
 }
 
 /// Rotational energy below which a rotor is slow, in its largest other kinetic energy: what bouncing still
@@ -101,6 +104,15 @@ struct Mark {
     heat: InterfaceHeat,
     /// |Ω|, rad/s.
     speed: f64,
+}
+
+impl Mark {
+    /// Torque of the losses until a later mark; `None` in no time.
+    fn torque_n_m(&self, later: &Self) -> Option<f64> {
+        let time_s = later.time_s - self.time_s;
+        let heat_j = later.heat.total_j() - self.heat.total_j();
+        (time_s > 0.0).then(|| heat_j / time_s / (0.5 * (self.speed + later.speed)))
+    }
 }
 
 impl HeatHistory {
@@ -139,7 +151,7 @@ impl HeatHistory {
     }
 
     /// Heating from the last mark before `from_s` to the end; `None` in no time.
-    pub(super) fn since(&self, from_s: f64, rotor: &Rotor) -> Option<EndPower> {
+    pub(super) fn since(&self, from_s: f64, polar_inertia_kg_m2: f64) -> Option<EndPower> {
         let last = self.marks.last()?;
         let after = self.marks.partition_point(|mark| mark.time_s <= from_s);
         let first = &self.marks[after.saturating_sub(1)];
@@ -148,11 +160,46 @@ impl HeatHistory {
             |of: &dyn Fn(&InterfaceHeat) -> f64| (of(&last.heat) - of(&first.heat)) / time_s;
         let total_w = power(&InterfaceHeat::total_j);
         let speed = 0.5 * (first.speed + last.speed);
-        let turning_j = 0.5 * rotor.polar_inertia_kg_m2 * speed * speed;
+        let turning_j = 0.5 * polar_inertia_kg_m2 * speed * speed;
+        let turns = turning_j > SLOW * self.fall_j;
+        let middle_s = 0.5 * (first.time_s + last.time_s);
+        let middle = self.marks[..].partition_point(|mark| mark.time_s <= middle_s);
+        let middle = &self.marks[middle.saturating_sub(1)];
+        let halves = [first.torque_n_m(middle), middle.torque_n_m(last)];
+        let change = halves[0].zip(halves[1]).map(|(a, b)| b / a - 1.0);
         (time_s > 0.0).then(|| EndPower {
             total_w,
             parts_w: std::array::from_fn(|k| power(&|heat| heat.of_parts_j()[k])),
-            torque_n_m: (turning_j > SLOW * self.fall_j).then(|| total_w / speed),
+            torque_n_m: turns.then(|| total_w / speed),
+            torque_change: change.filter(|change| turns && change.is_finite()),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 10 W in the first half of a tenth of a second at 100 rad/s, then as much again and half more.
+    #[test]
+    fn the_torque_changes_from_half_to_half() {
+        let mark = |k: u32, rotor_friction_j: f64| Mark {
+            time_s: 0.01 * f64::from(k),
+            heat: InterfaceHeat {
+                rotor_friction_j,
+                ..InterfaceHeat::default()
+            },
+            speed: 100.0,
+        };
+        for (more_w, expected) in [(10.0, 0.0), (15.0, 0.5), (5.0, -0.5)] {
+            let first = (0..=5).map(|k| mark(k, 0.1 * f64::from(k)));
+            let second = (6..=10).map(|k| mark(k, 0.5 + 0.01 * more_w * f64::from(k - 5)));
+            let history = HeatHistory {
+                marks: first.chain(second).collect(),
+                ..HeatHistory::new(0.01)
+            };
+            let change = history.since(0.0, 1.0).unwrap().torque_change.unwrap();
+            assert!((change - expected).abs() < 1e-9, "{change} {expected}");
+        }
     }
 }

@@ -32,4 +32,4 @@ pub use recorder::{DropRecorder, DropSummary, LAST};
 pub use scatter::{Drawn, DrawnBearing, Scatter};
 pub use spin_down::{Brake, SpinDown};
 pub use thermal::{PARTS, STEEL_SPECIFIC_HEAT_J_KG_K, Thermal};
-pub use whirl::WhirlWindow;
+pub use whirl::{EndWhirl, WhirlWindow};

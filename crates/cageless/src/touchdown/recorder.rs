@@ -3,7 +3,8 @@
 use super::end_state::EndState;
 use super::heat::{EndPower, HeatHistory, InterfaceHeat};
 use super::whirl::{
-    WhirlTracker, WhirlWindow, backward_whirl_hz, backward_whirl_max_hz, mean_frequency_hz,
+    EndWhirl, WhirlTracker, WhirlWindow, backward_whirl_hz, backward_whirl_max_hz,
+    mean_frequency_hz,
 };
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
@@ -22,6 +23,8 @@ pub struct DropSummary {
     /// Mean whirl frequency over the last fifth of the time after the first contact, Hz,
     /// counter-clockwise positive; 0 before that.
     pub end_whirl_hz: f64,
+    /// Whirl in lasting contact up to the end.
+    pub end_whirl: Option<EndWhirl>,
     /// First contact of the rotor with the inner ring, s.
     pub first_contact_s: Option<f64>,
     /// Contacts of the rotor, its journal or a shoulder, with the inner ring that began.
@@ -198,6 +201,7 @@ impl DropRecorder {
         DropSummary {
             end_state,
             end_whirl_hz: last.map_or(0.0, mean_frequency_hz),
+            end_whirl: EndWhirl::of(&whirl),
             contact_fraction: if contact_time > 0.0 {
                 (found.contact_s / contact_time).min(1.0)
             } else {
@@ -222,7 +226,8 @@ impl DropRecorder {
             backward_whirl_max_hz: backward_whirl_max_hz(&whirl, rotation),
             backward_whirl_hz: backward_whirl_hz(&whirl, rotation),
             heat: InterfaceHeat::of(|term| state.energy_term_j(term)),
-            end_power: last_from_s.and_then(|from_s| self.heat.since(from_s, rotor)),
+            end_power: last_from_s
+                .and_then(|from_s| self.heat.since(from_s, rotor.polar_inertia_kg_m2)),
             whirl,
             ..found.summary
         }

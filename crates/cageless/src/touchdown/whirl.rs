@@ -62,6 +62,48 @@ pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Optio
         .reduce(f64::max)
 }
 
+/// Whirl in lasting contact up to the end of a drop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndWhirl {
+    /// From here on the journal runs round the bore, s.
+    pub from_s: f64,
+    /// Mean frequency since then, Hz, counter-clockwise positive.
+    pub frequency_hz: f64,
+    /// Mean contact force in its last window, N.
+    pub force_n: f64,
+    /// That force in the one in its middle.
+    pub growth: f64,
+}
+
+/// Growth of the force in the second half of a whirl from which on it has not settled.
+const GROWS: f64 = 1.1;
+
+impl EndWhirl {
+    /// Whirl in the last windows, once round the bore at least; `None` without one.
+    pub(super) fn of(windows: &[WhirlWindow]) -> Option<Self> {
+        let sense = windows.last()?.turned_rad.signum();
+        let whirls = |w: &&WhirlWindow| {
+            let turned = sense * w.turned_rad;
+            w.contact_fraction >= ROUND_CONTACT && turned > 0.0 && turned >= ONE_WAY * w.path_rad
+        };
+        let count = windows.iter().rev().take_while(whirls).count();
+        let last = &windows[windows.len() - count..];
+        let turned: f64 = last.iter().map(|w| w.turned_rad.abs()).sum();
+        let (first, middle, end) = (last.first()?, last.get(count / 2)?, last.last()?);
+        (turned >= WHIRL_TURNS * TAU).then(|| Self {
+            from_s: first.start_s,
+            frequency_hz: mean_frequency_hz(last),
+            force_n: end.force_mean_n,
+            growth: end.force_mean_n / middle.force_mean_n,
+        })
+    }
+
+    /// Whether its force still grows.
+    pub fn grows(&self) -> bool {
+        self.growth > GROWS
+    }
+}
+
 /// Contact in a window from which its motion is one in contact.
 const MOSTLY_CONTACT: f64 = 0.5;
 
@@ -201,6 +243,37 @@ mod tests {
         assert_eq!(of(&[window(-0.4 * TAU, TAU, 1.0); 3], 100.0), None);
         assert_eq!(of(&[window(-0.4 * TAU, 0.4 * TAU, 0.6); 3], 100.0), None);
         assert_eq!(of(&[round, round, mirrored, round, round], 100.0), None);
+    }
+
+    /// From the last swing on, in one sense, and once round the bore at least; the force of its second half grows or
+    /// does not.
+    #[test]
+    fn the_whirl_at_the_end_begins_after_the_last_swing() {
+        let window = |k: u32, turns: f64, force_mean_n: f64| WhirlWindow {
+            turned_rad: turns * TAU,
+            path_rad: turns.abs() * TAU,
+            contact_fraction: 1.0,
+            start_s: 0.005 * f64::from(k),
+            end_s: 0.005 * f64::from(k + 1),
+            force_mean_n,
+            ..WhirlWindow::default()
+        };
+        let swing = [window(0, -0.4, 9.0), window(1, 0.2, 9.0)];
+        let of = |forces: [f64; 4]| {
+            let whirl = (2..).zip(forces).map(|(k, force)| window(k, -0.5, force));
+            let windows: Vec<_> = swing.into_iter().chain(whirl).collect();
+            EndWhirl::of(&windows)
+        };
+        let whirl = of([2.0, 3.0, 5.0, 8.0]).unwrap();
+        assert_eq!((whirl.from_s, whirl.force_n), (0.01, 8.0));
+        assert!((whirl.frequency_hz + 100.0).abs() < 1e-9);
+        assert!(whirl.grows() && !of([2.0, 6.0, 8.0, 8.5]).unwrap().grows());
+        // Not once round; out of contact.
+        assert_eq!(EndWhirl::of(&swing), None);
+        let mut last = window(2, -3.0, 1.0);
+        last.contact_fraction = 0.9;
+        assert_eq!(EndWhirl::of(&[last]), None);
+        assert_eq!(EndWhirl::of(&[]), None);
     }
 
     /// The largest backward turn of a window in contact: neither that of a journal in free flight, which passes the
