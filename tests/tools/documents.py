@@ -38,7 +38,6 @@ DOCUMENTS = [
     "docs/benefit.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
-    "docs/greaseless.md",
     "docs/blended-ends.md",
     "docs/elastic-flanks.md",
     "docs/shapes.md",
@@ -248,7 +247,11 @@ class Writer:
     """Evaluates the markers of documents."""
 
     def __init__(self):
-        self.studies, self.tables = studies()
+        self.studies = studies()
+        declared = tomllib.loads((RESULTS / "studies.toml").read_text(encoding="utf-8"))
+        self.tables = declared["table"]
+        for table in self.tables.values():
+            table["columns"] = declared["columns"].get(str(table["columns"]), table["columns"])
         self.names = WORDS | {name.replace("-", "_"): study for name, study in self.studies.items()}
         # Of tests/tools/picture.py, which needs a browser.
         self.names["pictures"] = json.loads((RESULTS / "pictures.json").read_text(encoding="utf-8"))
@@ -417,7 +420,7 @@ def compare(program, row, samples, finished):
 
 
 def compute(options):
-    of_name, _ = studies()
+    of_name = studies()
     if unknown := [name for name in options.only if name not in of_name]:
         raise SystemExit(f"no study {unknown}; there are {', '.join(of_name)}")
     chosen = [study for name, study in of_name.items() if not options.only or name in options.only]
