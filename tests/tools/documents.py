@@ -35,7 +35,6 @@ from studies import MACHINE, RESULTS, ROOT, NoResults, Program, commit, studies
 DOCUMENTS = [
     "README.md",
     "docs/axial-load.md",
-    "docs/benefit.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
     "docs/blended-ends.md",
