@@ -33,7 +33,6 @@ from checks import check, exit_code
 from studies import MACHINE, RESULTS, ROOT, NoResults, Program, commit, studies
 
 DOCUMENTS = [
-    "docs/axial-load.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
     "docs/blended-ends.md",
