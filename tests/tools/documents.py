@@ -34,9 +34,6 @@ from studies import MACHINE, RESULTS, ROOT, NoResults, Program, commit, studies
 
 DOCUMENTS = [
     "docs/design-examples.md",
-    "docs/dry-friction.md",
-    "docs/blended-ends.md",
-    "docs/elastic-flanks.md",
     "docs/shapes.md",
     "docs/theory/errata.md",
     "docs/touchdown-drops.md",
