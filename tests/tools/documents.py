@@ -33,7 +33,6 @@ from checks import check, exit_code
 from studies import MACHINE, RESULTS, ROOT, NoResults, Program, commit, studies
 
 DOCUMENTS = [
-    "docs/shapes.md",
     "docs/theory/errata.md",
     "docs/touchdown-drops.md",
     "docs/tutorials/cluster.md",
