@@ -69,7 +69,16 @@ def check_tables(program, write):
         print(f"{program.PAGE} written")
 
 
+def check_plain():
+    """That pages are plain Markdown: no comment but around a table of a program."""
+    for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
+        text = TABLE.sub("", path.read_text(encoding="utf-8"))
+        comments = re.findall(r"<!--.*?-->", text, re.DOTALL)
+        check(f"{path.relative_to(ROOT)}: plain Markdown", not comments, f"has comments that no program reads: {comments[:3]}")
+
+
 def check_pages(write=False):
+    check_plain()
     for program in programs():
         for work in (lambda: check_tables(program, write), lambda: program.claims(Claims(program.PAGE))):
             try:
