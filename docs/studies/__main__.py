@@ -1,7 +1,7 @@
-"""Checks and writes the tables of the documents, checks what their text claims, computes the results again.
+"""Checks and writes tables and pictures of the documents, checks what their text claims, computes the results again.
 
     python3 docs/studies check                      # tables are those of docs/results, and all claims hold
-    python3 docs/studies write                      # writes the tables into the pages, then checks
+    python3 docs/studies write                      # writes tables and pictures, then checks
     python3 docs/studies compute CAGELESS [TARGET]  # computes docs/results anew, then writes
         --only STUDY …       only these studies
         --missing            only rows without results
@@ -11,7 +11,8 @@
         --finished STUDY=DIR uses an earlier run of the command of a study
         --threads N          commands at the same time, default: one for each core
 
-Each page with results has a program next to this one: `PAGE`, its `tables()` and its `claims(claim)`. In the page a
+Each page with results has a program next to this one: `PAGE`, its `tables()`, its `picture()` if it has one, and its
+`claims(claim)`. In the page a
 table is between `<!-- table NAME -->` and `<!-- / -->`; all else is text, which any editor may change. Studies are
 declared in `docs/results/studies.toml`. `compute` can be interrupted: the same program does not compute a row twice.
 """
@@ -45,7 +46,7 @@ ROUNDING = 1e-12
 def programs():
     """The programs of the pages."""
     names = sorted(path.stem for path in Path(__file__).parent.glob("*.py"))
-    return [importlib.import_module(name) for name in names if name not in ("__main__", "page")]
+    return [importlib.import_module(name) for name in names if name not in ("__main__", "chart", "page")]
 
 
 def check_tables(program, write):
@@ -69,6 +70,17 @@ def check_tables(program, write):
         print(f"{program.PAGE} written")
 
 
+def check_picture(program, write):
+    """Compares the picture of a page with that of its program, or writes it."""
+    if not hasattr(program, "picture"):
+        return
+    path, new = ROOT / f"docs/images/{Path(program.PAGE).stem}.svg", program.picture()
+    if write:
+        path.write_text(new, encoding="utf-8")
+    check(f"{program.PAGE}: its picture {path.name}", path.exists() and path.read_text(encoding="utf-8") == new, "is another one")
+    check(f"{program.PAGE}: shows its picture", f"](images/{path.name})" in (ROOT / program.PAGE).read_text(encoding="utf-8"))
+
+
 def check_plain():
     """That pages are plain Markdown: no comment but around a table of a program."""
     for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
@@ -77,12 +89,16 @@ def check_plain():
         check(f"{path.relative_to(ROOT)}: plain Markdown", not comments, f"has comments that no program reads: {comments[:3]}")
 
 
+def check_claims(program, _):
+    program.claims(Claims(program.PAGE))
+
+
 def check_pages(write=False):
     check_plain()
     for program in programs():
-        for work in (lambda: check_tables(program, write), lambda: program.claims(Claims(program.PAGE))):
+        for work in (check_tables, check_picture, check_claims):
             try:
-                work()
+                work(program, write)
             except Exception:
                 check(f"{program.PAGE}, by {Path(program.__file__).name}", False, "\n" + traceback.format_exc())
 

@@ -1,5 +1,6 @@
 """How much axial load and tilt a discrete raceway bears."""
 
+from chart import dots
 from page import PLAIN, RACEWAY, STUDIES, error, fixed, mean, measured, ratio, table
 
 PAGE = "docs/axial-load.md"
@@ -44,6 +45,12 @@ def tables():
         "axial-plane": table(PLANE.rows, [LAG, *HEAT]),
         "axial-strips": table(STRIPS.rows, SPACE),
     }
+
+
+def picture():
+    shares = "0", "0.1", "0.2", "0.5"
+    lags = {"lubricated": [lag(LOAD[share, "structure (d)"]) for share in shares], "dry, μ = 0.1": [lag(DRY[share]) for share in shares]}
+    return dots("Lag per pass, °, over the axial load", [f"Fa/Fr = {share}" for share in shares], lags)
 
 
 def claims(claim):

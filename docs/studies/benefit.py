@@ -2,6 +2,7 @@
 
 import math
 
+from chart import dots
 from page import PLAIN, RACEWAY, STUDIES, error, figures, fixed, markdown, mean, measured, ratio, table, words
 
 PAGE = "docs/benefit.md"
@@ -85,6 +86,12 @@ def tables():
             held,
         ),
     }
+
+
+def picture():
+    names = {**COLLIDING, "pressure": "ball pressure, MPa", "loss": "losses, W"}
+    rings = {"raceway": [ratio(REMEDIES, name) for name in names], "one ball fewer": [ratio(REMEDIES, name, FEWER) for name in names]}
+    return dots("Bearing of Zhao 2022 in steady operation, ratio to the plain ring", [head.split(",")[0] for head in names.values()], rings, log=True)
 
 
 def claims(claim):

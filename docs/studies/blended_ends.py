@@ -1,5 +1,6 @@
 """Raceways whose ends are blended into the groove."""
 
+from chart import dots
 from page import RACEWAY, STUDIES, code, error, fixed, mean, measured, table
 
 PAGE = "docs/blended-ends.md"
@@ -23,6 +24,12 @@ def tables():
         ("deviation of the force on the outer ring, N", lambda r: measured(r, "force", RACEWAY)),
     ]
     return {"blended": table(PLANE.rows, plane), "blended-rings": table(SPACE.rows, space)}
+
+
+def picture():
+    blends = "0.5", "1", "2"
+    lost = {s: [100 * (1 - PLANE[s, "rigid", b]["lag"] / PLANE[s, "rigid", "0"]["lag"]) for b in blends] for s in STRUCTURES}
+    return dots("Lag lost to the blend, %", [f"blend {b} mm" for b in blends], lost)
 
 
 def claims(claim):

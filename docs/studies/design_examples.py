@@ -2,6 +2,7 @@
 
 import re
 
+from chart import dots
 from page import STUDIES, digits, fixed, markdown, table
 
 PAGE = "docs/design-examples.md"
@@ -73,6 +74,12 @@ def tables():
         ),
         "bearings": markdown([*header, "critical gap of steady-state gap, °", "friction, W: rigid", "elastic"], bearings),
     }
+
+
+def picture():
+    names = {"3000 rpm": "3000 rpm", "physical": "12 000 rpm", "elastic": "12 000 rpm, elastic", "6205": "6205", "6205, elastic": "6205, elastic"}
+    angles = {"": [SEARCH[name]["recommended_half_angle_deg"] for name in names]}
+    return dots("Half angle θ of the recommended raceway, °", list(names.values()), angles)
 
 
 def claims(claim):

@@ -1,5 +1,6 @@
 """A discrete raceway without lubricant, in steady running."""
 
+from chart import dots
 from page import STUDIES, code, fixed, power, table
 
 PAGE = "docs/dry-friction.md"
@@ -42,6 +43,11 @@ def tables():
         "dry-tolerance": table(TOLERANCE.rows, tolerance),
         "regularisation": table(SMALL.rows, small),
     }
+
+
+def picture():
+    shares = [100 * row["double_collision_fraction"] for row in DESIGN.rows]
+    return dots("Passages of structure (d) with a double collision, %", [f"μ = {row.name}" for row in DESIGN.rows], {"": shares})
 
 
 def claims(claim):

@@ -1,5 +1,6 @@
 """Rigid and elastic flanks of the ten structures of the paper."""
 
+from chart import dots
 from page import STUDIES, code, fixed, markdown
 
 PAGE = "docs/elastic-flanks.md"
@@ -22,6 +23,15 @@ def tables():
         for name in STRUCTURES
     ]
     return {"flanks": markdown(header, lines)}
+
+
+def picture():
+    lags = {
+        "plane, rigid": [RIGID[name]["lag"] for name in STRUCTURES],
+        "plane, elastic": [ELASTIC[name]["lag"] for name in STRUCTURES],
+        "space": [SPACE[name]["lag"] for name in STRUCTURES],
+    }
+    return dots("Lag per pass, °", STRUCTURES, lags)
 
 
 def claims(claim):

@@ -1,5 +1,6 @@
 """Bearings without grease: friction torque with and without a raceway."""
 
+from chart import dots
 from page import PLAIN, RACEWAY, STUDIES, error, figures, fixed, mean, ratio, table
 
 PAGE = "docs/greaseless.md"
@@ -59,6 +60,16 @@ def tables():
             [("torque of the lubricant, N·mm", lambda r: fixed(1000 * r["torque"], 2))],
         ),
     }
+
+
+def picture():
+    torques = {
+        "greased, with a cage": [1000 * SKF[s, "1000"]["torque"] for s in SIZES],
+        "dry, plain ring": [1000 * mean(ALL[s, "steel", "1000"], "torque", PLAIN) for s in SIZES],
+        "dry, raceway": [1000 * mean(ALL[s, "steel", "1000"], "torque") for s in SIZES],
+        "dry, raceway 10 µm deeper": [1000 * mean(DEEP[s, "10"], "torque") if s != "6001" else None for s in SIZES],
+    }
+    return dots("Friction torque at 1000 rpm under 20 N, N·mm", SIZES, torques, log=True)
 
 
 def claims(claim):

@@ -2,6 +2,7 @@
 
 import math
 
+from chart import dots
 from page import STUDIES, code, figures, fixed, markdown, mean, measured, table
 
 PAGE = "docs/shapes.md"
@@ -109,6 +110,11 @@ def needed(change, half_angle_deg):
     """Lag in degrees of a raceway over which the orbital speed changes at this constant rate per rad."""
     angle = math.radians(half_angle_deg)
     return 2 * half_angle_deg * abs((math.expm1(change * angle) / change - angle) / angle)
+
+
+def picture():
+    passing = {f"friction {of}": [100 * TOLERANCE[shape, of]["probability"] for shape in SHAPES] for of in FRICTION}
+    return dots("Machined bearings that pass, %", list(SHAPES), passing)
 
 
 def claims(claim):
