@@ -4,7 +4,7 @@
     tutorials.py CAGELESS FOLDER --write   writes lines that are printed otherwise now into the pages
 
 Pages are plain Markdown. A block of the shell runs, with the changes of `SHORTENED`; each line of a block of text has to
-be one that the command before it printed; a block of TOML is saved under the last name of such a file in the text.
+be one that the command before it printed, or its start before …; a block of TOML is saved under the last name of such a file in the text.
 """
 
 import difflib
@@ -93,13 +93,15 @@ class Tutorial:
         print(f"{time.monotonic() - started:5.1f} s  {code.splitlines()[0]}", flush=True)
 
     def now(self, line):
-        """A line of the page as the command prints it now."""
-        if line in self.printed or self.failed:
+        """A line of the page as the command prints it now; one that is cut by … stands for its start."""
+        if self.failed:
             return line
-        words = [NUMBER.sub("#", of) for of in self.printed]
-        if not same_machine() and NUMBER.sub("#", line) in words:
+        shown = line.removesuffix("…")
+        printed = [of[: len(shown)] for of in self.printed] if line.endswith("…") else self.printed
+        if shown in printed or (not same_machine() and NUMBER.sub("#", shown) in [NUMBER.sub("#", of) for of in printed]):
             return line
-        return next(iter(difflib.get_close_matches(line, self.printed, 1, 0.3)), "")
+        closest = next(iter(difflib.get_close_matches(shown, printed, 1, 0.3)), "")
+        return closest + line[len(shown) :]
 
     def block(self, found, write):
         """What a block of the page should be."""
