@@ -35,15 +35,15 @@ def tables():
         ("none, N", lambda r: fixed(r["none"], 0)),
     ]
     return {
-        "axial-load": table(LOAD.rows, SPACE),
-        "axial-borne": table(BORNE.rows, borne),
-        "axial-tilt": table(TILT.rows, SPACE),
-        "axial-dry": table(DRY.rows, SPACE),
-        "axial-rings": table(RINGS.rows, rings),
-        "axial-pair": table(PAIR.rows, turned),
-        "axial-row": table(ROW.rows, turned),
-        "axial-plane": table(PLANE.rows, [LAG, *HEAT]),
-        "axial-strips": table(STRIPS.rows, SPACE),
+        "load": table(LOAD.rows, SPACE),
+        "borne": table(BORNE.rows, borne),
+        "tilt": table(TILT.rows, SPACE),
+        "dry": table(DRY.rows, SPACE),
+        "rings": table(RINGS.rows, rings),
+        "pair": table(PAIR.rows, turned),
+        "row": table(ROW.rows, turned),
+        "plane": table(PLANE.rows, [LAG, *HEAT]),
+        "strips": table(STRIPS.rows, SPACE),
     }
 
 

@@ -51,11 +51,11 @@ def tables():
     ]
     return {
         "greaseless": table(ALL.rows, [*FRICTION, wear]),
-        "greaseless-where": table(WHERE.rows, FRICTION),
-        "greaseless-deep": table(DEEP.rows, deep),
-        "greaseless-check": table(CHECK.rows, TORQUE),
-        "greaseless-plane": table(PLANE.rows, TORQUE),
-        "greaseless-skf": table(
+        "where": table(WHERE.rows, FRICTION),
+        "deep": table(DEEP.rows, deep),
+        "check": table(CHECK.rows, TORQUE),
+        "plane": table(PLANE.rows, TORQUE),
+        "skf": table(
             [row for row in SKF.rows if row.places["speed, rpm"] == "1000"],
             [("torque of the lubricant, N·mm", lambda r: fixed(1000 * r["torque"], 2))],
         ),

@@ -86,10 +86,10 @@ def tables():
         ("others", lambda r: ", ".join(f"{v['count']} {code(v['verdict'])}" for v in r["verdicts"] if not v["passes"] and v["count"]) or "none"),
     ]
     return {
-        "shapes-geometry": markdown(["shape", "lC, mm", "lag in pure rolling under load, °", "largest change of the orbital speed per rad", "β0, °"], geometry),
+        "geometry": markdown(["shape", "lC, mm", "lag in pure rolling under load, °", "largest change of the orbital speed per rad", "β0, °"], geometry),
         "shapes": table(PLANE.rows, [*VERDICT, ("sliding speed, m/s", lambda r: fixed(r["sliding"], 3))]),
-        "shapes-front": table(FRONT.rows, front),
-        "shapes-search": table(
+        "front": table(FRONT.rows, front),
+        "search": table(
             SEARCH.rows,
             [
                 ("found", lambda r: r["structure"]["shape"]),
@@ -98,8 +98,8 @@ def tables():
                 *MOTION,
             ],
         ),
-        "shapes-tolerance": table(TOLERANCE.rows, PASSING),
-        "shapes-rings": table(RINGS.rows, rings),
+        "tolerance": table(TOLERANCE.rows, PASSING),
+        "rings": table(RINGS.rows, rings),
         "slots-edges": table(EDGES.rows, [("contact pressure at rest, MPa", lambda r: fixed(r["pressure"], 0)), *VERDICT]),
         "slots-search": table(SLOTS.rows, [*STRUCTURE, *slots, *MOTION]),
         "slots-tolerance": table(SLOTS_TOLERANCE.rows, [*PASSING, *others]),
