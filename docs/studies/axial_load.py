@@ -65,6 +65,14 @@ def claims(claim):
         stiffer = LOAD[share, "structure (d)"]["ring_z_mean_um"] / LOAD[share, "conventional"]["ring_z_mean_um"]
         claim.between(0.6, stiffer, 0.95, at, f"the raceway stiffens the bearing along its axis (Fa/Fr {share})")
 
+    for structure in "(a)", "(d)", "(g)", "(j)":
+        halves = [BORNE[structure, friction]["half"] for friction in ("0.1", "0.007")]
+        claim(at, f"dry balls lose half of their lag at a lower axial load {structure}", halves[0] < halves[1], halves)
+
+    at = "Dry balls"
+    claim(at, "dry balls lag more without axial load", lag(DRY["0"]) > 1.05 * loaded["0"], lag(DRY["0"]))
+    claim(at, "and half of the radial load takes all of it", lag(DRY["0.5"]) <= 0, lag(DRY["0.5"]))
+
     at = "Tilt"
     claim.between(-0.25, (lag(TILT[tilt]) - lag(TILT["0"]) for tilt in ("0.5", "1", "2")), 0.25, at, "the lag changes by less than a quarter of a degree")
 
