@@ -25,9 +25,8 @@ SPACE = [LAG, ("ring z, µm", lambda r: fixed(r["ring_z_mean_um"], 1).replace("�
 def tables():
     turned = [LAG, ANGLE, ("deviation of the gaps, °", lambda r: fixed(r["gap_deviation_deg"], 1))]
     rings = [
-        (f"{head}: {ring}", lambda r, name=name, k=k: measured(r, name, k))
+        (head, lambda r, name=name: " → ".join(measured(r, name, ring) for ring in (PLAIN, RACEWAY)))
         for head, name in (("deviation of the gaps, °", "scatter"), ("contacts", "collisions"), ("deviation of the force, N", "force"))
-        for ring, k in (("conventional", PLAIN), ("raceway", RACEWAY))
     ]
     borne = [
         ("three quarters of the lag up to, N", lambda r: fixed(r["three_quarters"], 0)),

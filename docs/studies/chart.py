@@ -4,7 +4,7 @@ import math
 
 from page import digits
 
-WIDTH, LEFT, RIGHT, ROW, TOP = 760, 190, 30, 30, 34
+WIDTH, LEFT, RIGHT, ROW = 560, 160, 24, 30
 STYLE = """
   text { font: 14px "Helvetica Neue", Arial, sans-serif; fill: #222 } .axis { stroke: #ccc } .title { font-weight: bold }
   .s0 { fill: #0b5fa5 } .s1 { fill: #c2410c } .s2 { fill: #2f7d32 } .s3 { fill: #7b3fa0 } rect.paper { fill: #fff }
@@ -40,7 +40,16 @@ def dots(title, rows, series, log=False):
     places = ticks(min(values) if log else min(0, *values), max(values), log)
     scale = math.log10 if log else float
     first, last = scale(places[0]), scale(places[-1])
-    bottom = TOP + 30 + ROW * len(rows)
+    # Names of the series, in as many lines as they need.
+    legend, x_of, line = [], 10, 0
+    for k, name in enumerate(series if len(series) > 1 else ()):
+        width = 36 + 7.4 * len(name)
+        if x_of + width > WIDTH:
+            x_of, line = 10, line + 1
+        legend.append(f'{mark(k, x_of + 8, 42 + 22 * line)}<text x="{x_of + 20}" y="{47 + 22 * line}">{name}</text>')
+        x_of += width
+    top = 36 + 22 * (line + 1 if legend else 0)
+    bottom = top + ROW * len(rows)
 
     def x(value):
         return LEFT + (WIDTH - LEFT - RIGHT) * (scale(value) - first) / (last - first)
@@ -50,16 +59,13 @@ def dots(title, rows, series, log=False):
         f"<title>{title}</title><style>{STYLE}</style>",
         f'<rect class="paper" width="{WIDTH}" height="{bottom + 28}"/>',
         f'<text class="title" x="10" y="20">{title}</text>',
+        *legend,
     ]
-    legend = 10
-    for k, name in enumerate(series if len(series) > 1 else ()):
-        parts.append(f'{mark(k, legend + 8, TOP + 8)}<text x="{legend + 20}" y="{TOP + 13}">{name}</text>')
-        legend += 40 + 7.6 * len(name)
     for place in places:
-        parts.append(f'<path class="axis" d="M{x(place):.1f} {TOP + 24}V{bottom}"/>')
+        parts.append(f'<path class="axis" d="M{x(place):.1f} {top}V{bottom}"/>')
         parts.append(f'<text x="{x(place):.1f}" y="{bottom + 18}" text-anchor="middle">{digits(f"{place:.6g}")}</text>')
     for n, row in enumerate(rows):
-        y = TOP + 42 + ROW * n
-        parts.append(f'<text x="{LEFT - 12}" y="{y + 5}" text-anchor="end">{row}</text>')
+        y = top + ROW * (n + 0.5)
+        parts.append(f'<text x="{LEFT - 12}" y="{y + 5:.1f}" text-anchor="end">{row}</text>')
         parts += [mark(k, x(of[n]), y) for k, of in enumerate(series.values()) if of[n] is not None]
     return "\n".join([*parts, "</svg>\n"])

@@ -25,28 +25,27 @@ def of_greased(row, ring, size):
     return mean(row, "torque", ring) / SKF[size, "1000"]["torque"]
 
 
-TORQUE = [
-    ("torque, plain ring, N·mm", lambda r: figures(1000 * mean(r, "torque", PLAIN), 2)),
-    ("with the raceway", lambda r: figures(1000 * mean(r, "torque"), 2)),
-]
+def both(of, row):
+    """A result of the plain ring and of that with the raceway as text."""
+    return " → ".join(figures(1000 * of(row, ring), 2) for ring in (PLAIN, RACEWAY))
+
+
+TORQUE = [("torque, N·mm", lambda r: both(lambda row, ring: mean(row, "torque", ring), r))]
 FRICTION = [
     *TORQUE,
-    ("at the raceways, plain ring, mW", lambda r: figures(1000 * raceways(r, PLAIN), 2)),
-    ("with the raceway", lambda r: figures(1000 * raceways(r, RACEWAY), 2)),
-    ("between balls, plain ring, mW", lambda r: figures(1000 * mean(r, "between", PLAIN), 2)),
-    ("with the raceway", lambda r: figures(1000 * mean(r, "between"), 2)),
+    ("friction at the raceways, mW", lambda r: both(raceways, r)),
+    ("between balls, mW", lambda r: both(lambda row, ring: mean(row, "between", ring), r)),
 ]
 
 
 def tables():
-    wear = ("F s between balls with the raceway, kN·m per hour", lambda r: figures(3.6 * mean(r, "between") / 0.15, 2))
+    wear = ("F s between balls, kN·m per hour", lambda r: figures(3.6 * mean(r, "between") / 0.15, 2))
     deep = [
         *TORQUE,
         ("between balls, mW", lambda r: figures(1000 * mean(r, "between"), 2)),
-        ("time in the raceway without force at the inner ring, %", lambda r: fixed(100 * mean(r, "unloaded"), 0)),
+        ("time without force at the inner ring, %", lambda r: fixed(100 * mean(r, "unloaded"), 0)),
         ("lag per pass, °", lambda r: figures(mean(r, "lag"), 2)),
-        ("standard deviation of the gaps, plain ring, °", lambda r: figures(mean(r, "gaps", PLAIN), 2)),
-        ("with the raceway", lambda r: figures(mean(r, "gaps"), 2)),
+        ("scatter of the gaps, °", lambda r: figures(mean(r, "gaps"), 2)),
         ("of the force on the outer ring, N", lambda r: figures(mean(r, "force"), 2)),
     ]
     return {
