@@ -38,7 +38,7 @@ LEFT = [
     (r"^rustup target add|^cargo install", "installs", "build"),
     (r"^cargo run --release -- reproduce", "minutes", "reproduce"),
     (r"^\./test ", "every test", ""),
-    (r"^python3 tests/tools/documents\.py compute", "hours", "numbers in documents"),
+    (r"^python3 docs/studies compute", "hours", "numbers in documents"),
     (r"SLURMCluster|KubeCluster|^FROM python", "needs a cluster", ""),
     (r'load\("result\.mat"\)', "needs MATLAB", ""),
 ]

@@ -6,8 +6,8 @@
 Runs a conventional bearing and one with a discrete raceway from the same bunch of balls, draws
 both at the end of their runs with their gaps: `motion.png`. Opens the studio of the latter, waits for its
 verdict and its map: `studio.webp`. Runs an example of the Python package and takes two of its figures. Numbers
-are those of `docs/results/pictures.json`, from which `documents.py` writes the captions, with a checksum of each
-picture in `docs/images`. A picture that was not stored with these numbers is refused, and one that differs from what
+are those of `docs/results/pictures.json`, which `docs/studies/readme.py` holds against the captions, with a checksum of
+each picture in `docs/images`. A picture that was not stored with these numbers is refused, and one that differs from what
 the program draws now.
 """
 

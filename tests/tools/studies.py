@@ -2,8 +2,8 @@
 
 `docs/results/studies.toml` declares each study: a command of `cageless` with a row for every combination of its
 axes. The results of study NAME are in `docs/results/NAME.json`: per row the arguments of the command and the
-values that were kept, of a drop with `--samples` one value for each drop. `documents.py` computes them and
-writes them into the documents.
+values that were kept, of a drop with `--samples` one value for each drop. `python3 docs/studies` computes them and
+writes their tables into the documents.
 """
 
 import hashlib
@@ -87,7 +87,7 @@ class Row:
             arguments += ["--samples", str(samples or declared["samples"])]
         return arguments
 
-    # --- results, for the expressions in documents ---
+    # --- results ---
 
     def __getitem__(self, name):
         if self.values is None:
@@ -168,7 +168,7 @@ class Study:
             for row in self.rows
             if row.values is not None
         }
-        head = json.dumps({"command": "tests/tools/documents.py compute", "version": version, "machine": MACHINE})
+        head = json.dumps({"command": "python3 docs/studies compute", "version": version, "machine": MACHINE})
         lines = []
         for name, row in rows.items():
             values = ",\n".join(f"      {json.dumps(k)}: {json.dumps(v)}" for k, v in row["results"].items())
@@ -202,9 +202,7 @@ def studies():
     declared = tomllib.loads((RESULTS / "studies.toml").read_text(encoding="utf-8"))
     for study in declared["study"].values():
         study["keep"] = declared["keep"].get(str(study["keep"]), study["keep"])
-    for table in declared["table"].values():
-        table["columns"] = declared["columns"].get(str(table["columns"]), table["columns"])
-    return {name: Study(name, of) for name, of in declared["study"].items()}, declared["table"]
+    return {name: Study(name, of) for name, of in declared["study"].items()}
 
 
 class Program:

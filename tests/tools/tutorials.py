@@ -1,33 +1,47 @@
 """Runs every command of docs/tutorials, in their order, and compares what they print with the pages.
 
     tutorials.py CAGELESS FOLDER           each tutorial in a folder of its own below FOLDER
-    tutorials.py CAGELESS FOLDER --write   writes what was printed into the pages
+    tutorials.py CAGELESS FOLDER --write   writes lines that are printed otherwise now into the pages
 
-Comments of a page, which readers do not see, are about the block of code below them:
-
-    <!-- in the test OLD -> NEW; … -->     what the test replaces in it, to be done in seconds
-    <!-- file NAME: OLD -> NEW; … -->      the block is saved under this name
-    <!-- elsewhere STEP -->                the step of ./test that runs the command instead
-    <!-- prints PATTERN --> … <!-- / -->   lines that the block before printed and that match
+Pages are plain Markdown. A block of the shell runs, with the changes of `SHORTENED`; each line of a block of text has to
+be one that the command before it printed, or its start before …; a block of TOML is saved under the last name of such a file in the text.
 """
 
+import difflib
 import os
 import re
 import subprocess
 import sys
 import time
+from collections import Counter
 from pathlib import Path
 
 from checks import check, exit_code
 from studies import MACHINE, ROOT, studies
 
 PAGES = ROOT / "docs/tutorials"
-PIECE = re.compile(
-    r"<!-- prints (?P<pattern>.*?) -->\n(?P<printed>.*?)<!-- / -->"
-    r"|(?:<!-- (?P<note>in the test|file|elsewhere) (?P<of>.*?) -->\n)?^```(?P<language>\w+)\n(?P<code>.*?)^```$",
-    re.DOTALL | re.MULTILINE,
-)
+BLOCK = re.compile(r"^```(?P<language>\w+)\n(?P<code>.*?)^```$|`(?P<file>[\w-]+\.toml)`", re.DOTALL | re.MULTILINE)
 NUMBER = re.compile(r"[-−]?\d+(?:\.\d+)?| +")
+# The step of ./test that runs a command instead.
+ELSEWHERE = {"cageless reproduce": "reproduce"}
+# What the test replaces, to be done in seconds: page, what, by what.
+SHORT = "--set solver.duration_s=0.02"
+SEARCH = "--set search.axial_span_mm=2.281 --set search.half_angle_deg=9.707 --set search.runs_max=32"
+SHORTENED = [
+    ("cluster", "count = 100", "count = 1"),
+    ("cluster", "duration_s = 0.2", "duration_s = 0.002"),
+    ("cluster", "1/1000", "1/50"),
+    ("paper", "--out result", f"--out result {SHORT}"),
+    ("paper", "count = 12", "count = 2"),
+    ("paper", "duration_s = 0.05", "duration_s = 0.005"),
+    ("raceway", "--search", f"--search {SEARCH} --set search.initial_states=1 --set solver.method=verlet --set solver.step_us=auto"),
+    ("raceway", "--out result", "--out result --set solver.duration_s=0.01"),
+    ("raceway", "--out comparison", "--out comparison --set solver.duration_s=0.01 --set steady.transient_orbits=1 --set steady.measured_orbits=2"),
+    ("raceway", "--out tolerance", "--out tolerance --samples 0"),
+    ("rotor-drop", "--out verified", f"--out verified {SHORT}"),
+    ("rotor-drop", "--samples 50", f"--samples 4 {SHORT}"),
+    ("rotor-drop", "--out two", f"--out two {SHORT}"),
+]
 # A scheduler that runs the tasks of an array one after the other.
 SBATCH = """#!/usr/bin/env bash
 set -e
@@ -42,46 +56,28 @@ done
 """
 
 
-def replaced(name, code, changes):
-    """The code with the changes of a comment, each of which has to be found once."""
-    for change in filter(None, map(str.strip, changes.split(";"))):
-        old, arrow, new = change.partition(" -> ")
-        check(f"{name}: in the test {change}", arrow and code.count(old) == 1, "is not once in the block of code below it")
-        code = code.replace(old, new)
-    return code
-
-
-def alike(lines, stored):
-    """Whether what was printed is what the page shows; on another machine than that of docs/results, whose last
-    bits may differ, whether its words are."""
-    if any(study.machine == MACHINE for study in studies()[0].values()):
-        return lines == stored
-    return [NUMBER.sub("#", line) for line in lines] == [NUMBER.sub("#", line) for line in stored]
+def same_machine():
+    """Whether this is the machine of docs/results; on another one the last bits may differ."""
+    return any(study.machine == MACHINE for study in studies().values())
 
 
 class Tutorial:
     """A page, the folder in which its commands run, and what the last of them printed."""
 
-    def __init__(self, path, folder, environment):
+    def __init__(self, path, folder, environment, used):
         self.path, self.name = path, path.relative_to(ROOT).as_posix()
-        self.folder, self.environment = folder, environment
-        self.printed, self.failed = "", False
+        self.folder, self.environment, self.used = folder, environment, used
+        self.printed, self.failed, self.file = [], False, None
         folder.mkdir(parents=True)
         (folder / "cases").symlink_to(ROOT / "cases")
 
-    def block(self, found):
-        language, code, note, of = (found[key] for key in ("language", "code", "note", "of"))
-        if note == "elsewhere":
-            step = re.search(rf'step "{of}" (.*)', (ROOT / "test").read_text(encoding="utf-8"))
-            words = code.split()[:2]
-            check(f"{self.name}: {' '.join(words)} in the step {of} of ./test", step and words[1] in step[1])
-        elif note == "file":
-            name, _, changes = of.partition(": ")
-            (self.folder / name).write_text(replaced(self.name, code, changes), encoding="utf-8")
-        elif language == "sh":
-            self.run(replaced(self.name, code, of or ""))
-        else:
-            check(f"{self.name}: a block of {language} that nothing runs", False)
+    def shortened(self, code):
+        for rule in SHORTENED:
+            page, old, new = rule
+            if page == self.path.stem and old in code:
+                code = code.replace(old, new)
+                self.used[rule] += 1
+        return code
 
     def run(self, code):
         # What comes after a command that failed would only fail as well.
@@ -92,31 +88,54 @@ class Tutorial:
             ["bash", "-euo", "pipefail", "-c", code], cwd=self.folder, env=self.environment,
             capture_output=True, text=True,
         )  # fmt: skip
-        self.printed, self.failed = done.stdout, done.returncode != 0
+        self.printed, self.failed = [line.rstrip() for line in done.stdout.splitlines()], done.returncode != 0
         check(f"{self.name}: {code.strip()}", not self.failed, f"exit code {done.returncode}\n{done.stderr}")
         print(f"{time.monotonic() - started:5.1f} s  {code.splitlines()[0]}", flush=True)
 
-    def lines(self, found, write):
-        """The piece of the page with the lines that match."""
-        kept = [line.rstrip() for line in self.printed.splitlines() if re.search(found["pattern"], line)]
-        check(f"{self.name}: lines that match {found['pattern']}", kept or self.failed)
-        text = "\n```text\n" + "\n".join(kept) + "\n```\n\n"
-        same = self.failed or alike(text.splitlines(), found["printed"].splitlines())
-        if write and not same:
-            return f"<!-- prints {found['pattern']} -->\n{text}<!-- / -->"
-        check(f"{self.name}: what {found['pattern']} prints", same, f"is now {text}")
+    def now(self, line):
+        """A line of the page as the command prints it now; one that is cut by … stands for its start."""
+        if self.failed:
+            return line
+        shown = line.removesuffix("…")
+        printed = [of[: len(shown)] for of in self.printed] if line.endswith("…") else self.printed
+        if shown in printed or (not same_machine() and NUMBER.sub("#", shown) in [NUMBER.sub("#", of) for of in printed]):
+            return line
+        closest = next(iter(difflib.get_close_matches(shown, printed, 1, 0.3)), "")
+        return closest + line[len(shown) :]
+
+    def block(self, found, write):
+        """What a block of the page should be."""
+        language, code = found["language"], found["code"]
+        if language == "sh":
+            step = ELSEWHERE.get(code.strip())
+            if step:
+                run = re.search(rf'step "{step}" (.*)', (ROOT / "test").read_text(encoding="utf-8"))
+                check(f"{self.name}: {code.strip()} in the step {step} of ./test", run and code.split()[1] in run[1])
+            else:
+                self.run(self.shortened(code))
+        elif language == "toml":
+            check(f"{self.name}: the name of a file", self.file, code)
+            (self.folder / self.file).write_text(self.shortened(code), encoding="utf-8")
+        elif language == "text":
+            now = "".join(self.now(line) + "\n" for line in code.splitlines())
+            if write:
+                return f"```text\n{now}```"
+            check(f"{self.name}: what a command prints", now == code, f"is now\n{now}")
+        else:
+            check(f"{self.name}: a block of {language} that nothing runs", False)
         return found.group()
 
     def follow(self, write):
         def piece(found):
-            if found["pattern"] is not None:
-                return self.lines(found, write)
-            self.block(found)
-            return found.group()
+            if found["file"]:
+                self.file = found["file"]
+                return found.group()
+            return self.block(found, write)
 
         text = self.path.read_text(encoding="utf-8")
-        new = PIECE.sub(piece, text)
-        check(f"{self.name}: every fence is a block", text.count("\n```") == 2 * sum("```" in f.group() for f in PIECE.finditer(text)))
+        new = BLOCK.sub(piece, text)
+        blocks = sum(found["language"] is not None for found in BLOCK.finditer(text))
+        check(f"{self.name}: every fence is a block", text.count("\n```") == 2 * blocks)
         if new != text:
             self.path.write_text(new, encoding="utf-8")
             print(f"{self.name} written")
@@ -133,8 +152,10 @@ def main():
     environment = {**os.environ, "PATH": f"{tools}{os.pathsep}{os.environ['PATH']}"}
     pages = sorted(PAGES.glob("*.md"))
     check("tutorials", len(pages) > 3)
+    used = Counter()
     for path in pages:
-        Tutorial(path, folder / path.stem, environment).follow("--write" in sys.argv)
+        Tutorial(path, folder / path.stem, environment, used).follow("--write" in sys.argv)
+    check("tutorials.py: a command for each change", not (left := [rule for rule in SHORTENED if not used[rule]]), left)
     return exit_code()
 
 

@@ -17,9 +17,8 @@ fn check_and_the_readme_state_the_limits_of_the_model() {
         .split_once("## Limits of the model")
         .expect("its limits");
     let (limits, _) = limits.split_once("##").expect("a further section");
-    let listed: Vec<&str> = (limits.lines())
-        .filter_map(|line| line.strip_prefix("- "))
-        .collect();
+    let words = |item: &str| item.split_whitespace().collect::<Vec<_>>().join(" ");
+    let listed: Vec<String> = limits.split("\n- ").skip(1).map(words).collect();
     assert_eq!(listed, cageless::SCOPE);
     for statement in cageless::SCOPE {
         assert!(text.contains(statement), "{statement}: {text}");

@@ -38,7 +38,6 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let material = |m: &Material| {
         let gpa = m.youngs_modulus_pa / 1e9;
         format!(
-            // words: a modulus, no pressure
             "{} kg/m³, E {gpa} GPa, ν {}",
             m.density_kg_m3, m.poisson_ratio
         )

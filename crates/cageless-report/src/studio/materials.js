@@ -20,7 +20,6 @@ class MaterialChoice {
       onchange: () => studio.edit(withMaterial(studio.toml, section, this.select.value)),
     });
     this.root = element("div", { class: "control choice" }, element("label", { for: this.select.id }, label), this.select);
-    // words: a modulus, no pressure
     this.numbers = (m) => shown(m.density_kg_m3, 0) + " kg/m³, E " + shown(m.youngs_modulus_gpa, 0) + " GPa, ν " + shown(m.poisson_ratio, 2);
     this.ready = studio.about.then((about) => {
       this.select.append(element("option", { value: "" }), ...about.materials.map((m) => element("option", { value: m.name, title: this.numbers(m) }, m.name)),
