@@ -23,6 +23,7 @@ pub mod geometry;
 mod groove_contacts;
 pub mod head;
 mod lead;
+mod length;
 mod load_profile;
 pub mod measured;
 pub mod motion;

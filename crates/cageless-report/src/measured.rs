@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use crate::figure::Figure;
 use crate::head::Head;
+use crate::length::{mm, um};
 use crate::page::{Note, Page};
 use crate::plot::{Plot, number, numbers};
 use crate::table::Table;
@@ -82,7 +83,7 @@ pub fn deviation_map(points: &[PointOff], source: &Provenance) -> Option<Figure>
         })
     };
     let along = |p: &PointOff| p.angle_rad.to_degrees();
-    let across = |p: &PointOff| p.axial_m * 1e3;
+    let across = |p: &PointOff| mm(p.axial_m);
     let (angles, heights) = (ends(&along), ends(&across));
     if points.is_empty() || !(angles[1] > angles[0] && heights[1] > heights[0]) {
         return None;
@@ -100,7 +101,7 @@ pub fn deviation_map(points: &[PointOff], source: &Provenance) -> Option<Figure>
     for point in points {
         let column = cell(along(point), angles, counts[0]);
         let (sum, count) = &mut sums[cell(across(point), heights, counts[1])][column];
-        *sum += point.deviation_m * 1e6;
+        *sum += um(point.deviation_m);
         *count += 1.0;
     }
     let mean = |(sum, count): &(f64, f64)| (*count > 0.0).then(|| sum / count);

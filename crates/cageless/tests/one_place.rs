@@ -14,15 +14,16 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless-paper", 50),
     ("cageless-py", 3),
     ("cageless-report", 70),
-    ("cageless-results", 13),
+    ("cageless-results", 15),
     ("cageless-study", 77),
 ];
 
-/// The reader of documents, the table of quantities and the dimensions of a drawing: where units are converted.
-const CONVERTERS: [&str; 3] = [
+/// The reader of documents, the table of quantities and the lengths of figures and drawings: where units are converted.
+const CONVERTERS: [&str; 4] = [
     "case_file/unit.rs",
     "cageless-results/src/table/",
     "drawing/dimension.rs",
+    "cageless-report/src/length.rs",
 ];
 
 /// Conversions of angles and speeds; those of other units are powers of 1000.

@@ -2,10 +2,7 @@
 
 use cageless_results::number_text::significant;
 
-/// A length, mm, of one in m.
-pub(super) fn mm(m: f64) -> f64 {
-    1e3 * m
-}
+use crate::length::mm;
 
 /// A length in mm, to a tenth of a micrometre.
 pub(super) fn length_text(m: f64) -> String {

@@ -8,9 +8,10 @@ use cageless_io::cad::{ExportError, outer_ring};
 use cageless_io::case_file::CaseFile;
 use cageless_study::measured::Limits;
 
-use super::dimension::{angle_text, length_text, mm, short};
+use super::dimension::{angle_text, length_text, short};
 use super::paper::{Anchor, FRAME_MM, NOTE_MM, Paper, Pen, TEXT_MM};
 use super::views::{DrawnRing, Room};
+use crate::length::mm;
 
 /// A4 across, mm.
 const A4: [f64; 2] = [297.0, 210.0];

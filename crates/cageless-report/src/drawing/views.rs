@@ -5,9 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use cageless::surface::{DrawnGroove, Meridian, OuterRing, Side};
 use cageless::{Bearing, Raceway};
 
-use super::dimension::{angle_text, length_text, mm};
+use super::dimension::{angle_text, length_text};
 use super::hatch::hatch;
 use super::paper::{Anchor, FRAME_MM, Paper, Pen, Place, TEXT_MM, on_circle, width_mm};
+use crate::length::mm;
 
 /// Scales of ISO 5455.
 const SCALES: [f64; 10] = [50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05];

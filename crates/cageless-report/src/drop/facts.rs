@@ -5,6 +5,7 @@ use cageless_study::{Parameter, parameter};
 
 use super::bearing::Bearing;
 use super::report::{PRESSURES, pressure_limit_mpa};
+use crate::length::um;
 use crate::text::short;
 
 /// Parts of a bearing with the names of their temperatures at the end of a drop and at standstill.
@@ -62,7 +63,7 @@ fn force(bearings: &[Bearing<'_>]) -> Option<Parameter> {
 fn displacement(bearings: &[Bearing<'_>], planes: &[PlaneDisplacement]) -> Option<Parameter> {
     const NAME: &str = "rotor_displacement_max_um";
     let of_planes = planes.iter().map(|plane| {
-        let [most, limit] = [plane.displacement_max_m, plane.clearance.radial_m].map(|m| 1e6 * m);
+        let [most, limit] = [plane.displacement_max_m, plane.clearance.radial_m].map(um);
         (
             format!("largest displacement at {}", plane.clearance.name),
             most,
@@ -75,7 +76,7 @@ fn displacement(bearings: &[Bearing<'_>], planes: &[PlaneDisplacement]) -> Optio
         Some((
             bearing.label("largest displacement of the journal"),
             most,
-            1e6 * limit_m,
+            um(limit_m),
         ))
     });
     let closest = of_planes

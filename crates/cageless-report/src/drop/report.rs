@@ -11,6 +11,7 @@ use cageless_study::{Parameter, parameters};
 
 use super::bearing::Bearing;
 use crate::lead;
+use crate::length::um;
 use crate::page::Page;
 use crate::table::{Row, Table};
 use crate::text::short;
@@ -203,7 +204,7 @@ fn of_bearing(bearing: &Bearing<'_>) -> Vec<Requirement> {
         .and_then(|r| r.clearance_limit_m);
     let displaced = quantity("rotor_displacement_max_um");
     if let (Some(clearance_m), Some(displaced)) = (clearance_m, displaced) {
-        let limit_um = 1e6 * clearance_m;
+        let limit_um = um(clearance_m);
         let found = results.value(displaced.name);
         all.push(Requirement {
             on: bearing.label(displaced.label.trim()),
@@ -232,14 +233,14 @@ fn of_bearing(bearing: &Bearing<'_>) -> Vec<Requirement> {
 
 /// The clearance of a plane of the rotor.
 fn of_plane(plane: &PlaneDisplacement) -> Requirement {
-    let um = |m: f64| format!("{} µm", short(1e6 * m));
+    let said = |m: f64| format!("{} µm", short(um(m)));
     Requirement {
         on: format!("largest displacement at {}", plane.clearance.name),
         limit: format!(
             "at most {} (clearance of the rotor file)",
-            um(plane.clearance.radial_m)
+            said(plane.clearance.radial_m)
         ),
-        found: um(plane.displacement_max_m),
+        found: said(plane.displacement_max_m),
         kept: Some(plane.displacement_max_m <= plane.clearance.radial_m),
     }
 }

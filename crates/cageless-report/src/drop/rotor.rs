@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use super::bearing::Bearing;
 use crate::figure::Figure;
 use crate::figures::panels::Panel;
+use crate::length::um;
 use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
 use crate::sampling::history;
 use crate::text::short;
@@ -54,8 +55,8 @@ fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> (Vec<f64>, Vec
             true => [s.ring.x_m, s.ring.y_m],
             false => [0.0; 2],
         };
-        x.push(1e6 * (journal[0] - centre[0]));
-        y.push(1e6 * (journal[1] - centre[1]));
+        x.push(um(journal[0] - centre[0]));
+        y.push(um(journal[1] - centre[1]));
     }
     (x, y)
 }
@@ -100,12 +101,12 @@ pub(super) fn planes(planes: &[PlaneDisplacement], source: &Provenance) -> Optio
         plot = plot.panel(panel, titles.each_ref().map(String::as_str), more);
         let of = |k: usize| -> Vec<f64> {
             let points = plane.path.points_m.iter();
-            points.map(|point| 1e6 * point[k]).collect()
+            points.map(|point| um(point[k])).collect()
         };
         let axes =
             |trace: Trace| trace.with(json!({ "xaxis": x, "yaxis": y, "showlegend": panel.first }));
-        let clearance = circle("clearance", 1e6 * plane.clearance.radial_m, PALETTE[3]);
-        let [farthest_x, farthest_y] = plane.path.farthest_m.map(|m| 1e6 * m);
+        let clearance = circle("clearance", um(plane.clearance.radial_m), PALETTE[3]);
+        let [farthest_x, farthest_y] = plane.path.farthest_m.map(um);
         let farthest = markers(
             "largest displacement",
             &[farthest_x],
@@ -132,7 +133,7 @@ pub(super) fn has_clearance(bearing: &Bearing<'_>) -> bool {
 /// Path of the journal from the centre of the stator, with the circle of its clearance.
 pub(super) fn displacement(bearing: &Bearing<'_>) -> Figure {
     let limit_m = (bearing.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
-    let clearance = limit_m.map(|m| circle("clearance to the stator", 1e6 * m, PALETTE[3]));
+    let clearance = limit_m.map(|m| circle("clearance to the stator", um(m), PALETTE[3]));
     let plot = path(
         bearing,
         "x of the journal in the stator (µm)",
@@ -158,7 +159,7 @@ fn orbit(bearing: &Bearing<'_>) -> Figure {
         .rotor
         .as_ref()
         .map(|rotor| rotor.radial_clearance_m);
-    let clearance = clearance_m.map(|m| circle("touch-down clearance", 1e6 * m, GREY));
+    let clearance = clearance_m.map(|m| circle("touch-down clearance", um(m), GREY));
     let mut plot = path(
         bearing,
         "x of the journal in the bore (µm)",
@@ -272,10 +273,10 @@ fn along_axis(bearing: &Bearing<'_>) -> Figure {
     let force = over_time(|r, _| r.shoulder_force_n);
     let plot = two_over_time(440, "z (µm)", "Force (N)", json!({}))
         .legend()
-        .trace(line_of("rotor", over_time(|r, _| 1e6 * r.z_m), PALETTE[1]))
+        .trace(line_of("rotor", over_time(|r, _| um(r.z_m)), PALETTE[1]))
         .trace(line_of(
             "inner ring",
-            over_time(|_, s| 1e6 * s.ring.z_m),
+            over_time(|_, s| um(s.ring.z_m)),
             PALETTE[0],
         ))
         .trace(line_of("shoulder", force, PALETTE[2]).with(json!({ "yaxis": "y2" })));
