@@ -10,7 +10,7 @@ use cageless_study::measured::Limits;
 
 use super::dimension::{angle_text, length_text, short};
 use super::paper::{Anchor, FRAME_MM, NOTE_MM, Paper, Pen, TEXT_MM};
-use super::views::{DrawnRing, Room};
+use super::views::{DrawnRing, Room, contacts};
 use crate::length::mm;
 
 /// A4 across, mm.
@@ -39,14 +39,7 @@ pub fn ring_drawing(file: &CaseFile, limits: &Limits) -> Result<Paper, ExportErr
     let mut paper = Paper::new(&name, A4);
     let frame = A4.map(|mm| mm - 2.0 * FRAME_MM);
     paper.rectangle([FRAME_MM; 2], frame, Pen::Wide);
-    let extent = |raceway: &Raceway| {
-        let whole = 2.0 * raceway.half_angle_rad();
-        format!(
-            "{} ± {}°",
-            angle_text(whole),
-            short(2.0 * limits.half_angle_deg)
-        )
-    };
+    let extent = |raceway: &Raceway| extent_text(raceway, limits);
     let front = Room {
         middle: [54.0, 72.0],
         size_mm: [72.0, 72.0],
@@ -134,11 +127,7 @@ fn of_kind(raceway: &Raceway, limits: &Limits) -> Vec<String> {
     };
     vec![
         raceway.form().shape.name().to_owned(),
-        format!(
-            "{} ± {}°",
-            angle_text(2.0 * raceway.half_angle_rad()),
-            short(2.0 * limits.half_angle_deg)
-        ),
+        extent_text(raceway, limits),
         span_text(raceway, limits),
         depth,
         ends,
@@ -177,13 +166,10 @@ fn stations(ring: &OuterRing, raceway: &Raceway) -> Vec<Vec<String>> {
         // At the end itself the plain groove begins.
         let local = share * raceway.half_angle_rad() * (1.0 - 1e-12);
         let section = ring.meridian(centre + local);
-        let z = |side: Side| {
-            let arc = section.arc(side);
-            arc.point(0.0, arc.contact_angle_rad).position_m[2]
-        };
+        let [above, below] = contacts(&section).map(|[z, _]| z);
         let upper = section.arc(Side::Upper);
         rows[0].push(angle_text(local));
-        rows[1].push(format!("{:.3}", mm(z(Side::Upper) - z(Side::Lower))));
+        rows[1].push(format!("{:.3}", mm(above - below)));
         let apex = upper.radius_at_m(upper.valley_rad());
         rows[2].push(format!("{:.4}", mm(apex)));
     }
@@ -240,6 +226,12 @@ fn fitting(name: &str) -> f64 {
     let wide = super::paper::width_mm(name, 1.0);
     // Other typefaces are wider.
     (80.0 / wide).clamp(2.0, 5.0)
+}
+
+/// Angle of a raceway from end to end, with twice the tolerance of θ.
+fn extent_text(raceway: &Raceway, limits: &Limits) -> String {
+    let whole = angle_text(2.0 * raceway.half_angle_rad());
+    format!("{whole} ± {}°", short(2.0 * limits.half_angle_deg))
 }
 
 fn span_text(raceway: &Raceway, limits: &Limits) -> String {

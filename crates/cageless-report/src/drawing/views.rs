@@ -73,11 +73,10 @@ impl DrawnRing<'_> {
 
     /// ψ of a section of the plain groove, as near to the top as there is one.
     pub fn plain_rad(&self) -> Option<f64> {
-        let candidates = (0..72).map(|k| {
+        let mut candidates = (0..72).map(|k| {
             let step = f64::from((k + 1) / 2) * TAU / 72.0;
             PI + if k % 2 == 0 { step } else { -step }
         });
-        let mut candidates = candidates;
         candidates.find(|angle| !self.ring.raceways().any(|r| r.contains(*angle)))
     }
 
@@ -102,11 +101,8 @@ impl DrawnRing<'_> {
             paper.line([end(-1.0), end(1.0)], Pen::Chain);
         }
         // Dimensions of diameters leave to the upper right.
-        let diameters = [
-            ("", outside, outer),
-            ("", self.ring.shoulder_radius_m(), shoulder),
-        ];
-        for (k, (_, m, radius)) in diameters.iter().enumerate() {
+        let diameters = [(outside, outer), (self.ring.shoulder_radius_m(), shoulder)];
+        for (k, (m, radius)) in diameters.iter().enumerate() {
             let direction = -0.9 + 0.42 * k as f64;
             let elbow = [
                 centre[0] + outer + 4.0,
@@ -115,14 +111,10 @@ impl DrawnRing<'_> {
             let text = format!("Ø {}", length_text(2.0 * m));
             paper.leader(on_circle(centre, *radius, direction), elbow, &text);
         }
-        let raceways: Vec<&Raceway> = self.ring.raceways().collect();
-        for (k, raceway) in raceways.iter().enumerate() {
-            let d = raceway.dimensions();
-            let [from, to] =
-                [-1.0, 1.0].map(|sign| turned(d.centre_angle_rad + sign * d.half_angle_rad));
-            paper.arc(centre, bottom, [from, to], Pen::WideChain);
+        for (k, raceway) in self.ring.raceways().enumerate() {
+            paper.arc(centre, bottom, ends(raceway), Pen::WideChain);
             if k == 0 {
-                self.raceway_angles(paper, centre, outer, raceway, &toleranced(raceway));
+                raceway_angles(paper, centre, outer, raceway, &toleranced(raceway));
             }
         }
         if let Some(plain_rad) = self.plain_rad() {
@@ -135,64 +127,11 @@ impl DrawnRing<'_> {
         paper.text(corner, Anchor::Start, LETTER_MM, &scale_text(scale));
     }
 
-    /// Extent and place of a raceway, and the section through its middle.
-    fn raceway_angles(
-        &self,
-        paper: &mut Paper,
-        centre: Place,
-        outer: f64,
-        raceway: &Raceway,
-        extent: &str,
-    ) {
-        let d = raceway.dimensions();
-        let [from, to] =
-            [-1.0, 1.0].map(|sign| turned(d.centre_angle_rad + sign * d.half_angle_rad));
-        let middle = turned(d.centre_angle_rad);
-        for angle in [from, to] {
-            let ends = [0.0, outer + 9.0].map(|radius| on_circle(centre, radius, angle));
-            paper.line(ends, Pen::Narrow);
-        }
-        paper.angle(centre, outer + 7.0, [to, from]);
-        let width = width_mm(extent, TEXT_MM);
-        if middle.cos() < -0.3 {
-            // There is less room to the left.
-            let ends = [from, to].map(|angle| on_circle(centre, outer + 9.0, angle));
-            let upper = ends.into_iter().min_by(|a, b| a[1].total_cmp(&b[1]));
-            let [x, y] = upper.unwrap_or(centre);
-            let left = (x - width).max(FRAME_MM + 2.0);
-            paper.text([left, y - 2.0], Anchor::Start, TEXT_MM, extent);
-        } else {
-            let [x, y] = on_circle(centre, outer + 9.0, to + 0.12 * (from - to));
-            paper.centred([x + 1.5, y + 2.4], Anchor::Start, TEXT_MM, extent);
-        }
-        cut(paper, centre, outer, middle, "B");
-        let place = d.centre_angle_rad;
-        if place.abs() > 1e-9 {
-            let radius = outer + 12.0;
-            paper.angle(centre, radius, [middle, FRAC_PI_2]);
-            let bottom = [
-                [centre[0], centre[1] + outer + 5.0],
-                [centre[0], centre[1] + radius + 2.0],
-            ];
-            paper.line(bottom, Pen::Narrow);
-            let at = on_circle(centre, radius + 4.0, turned(0.5 * place));
-            paper.centred(at, Anchor::Middle, TEXT_MM, &angle_text(place.abs()));
-        }
-    }
-
     /// Half section of the plain groove.
     pub fn plain_section(&self, paper: &mut Paper, room: Room, plain_rad: f64) {
         let d = self.ring.dimensions();
-        let shoulder = self.ring.shoulder_radius_m();
-        let size = [d.outer_ring_width_m, d.outer_ring_outer_radius_m - shoulder];
-        let scale = room.scale(size);
-        let place = self.section_places(room, scale);
         let points = self.groove(None).points(plain_rad, PER_SIDE);
-        let outline = self.outline(&points, &place);
-        for stretch in hatch(&outline, HATCH_MM) {
-            paper.line(stretch, Pen::Narrow);
-        }
-        paper.line(outline.iter().copied().chain([outline[0]]), Pen::Wide);
+        let (scale, place) = self.cut_face(paper, room, &points);
         let half = 0.5 * d.outer_ring_width_m;
         let corners = [-half, half].map(|z| place([z, d.outer_ring_outer_radius_m]));
         let above = corners[0][1] - 5.0;
@@ -215,27 +154,18 @@ impl DrawnRing<'_> {
         paper.leader(deepest, [deepest[0] - 8.0, below], &diameter);
         let height = self.ring.groove_height_m();
         if height.abs() > 1e-9 {
-            let ends = [place([0.0, shoulder]), place([height, shoulder])];
+            let ends = [0.0, height].map(|z| place([z, self.ring.shoulder_radius_m()]));
             paper.horizontal(ends, below + 9.0, &length_text(height.abs()));
         }
         room.title(paper, "A–A", scale);
     }
 
-    /// Half section through the middle of a raceway, with the ball that rests in it.
+    /// Half section through the middle of a raceway, with the contact points of a ball that rests in it.
     pub fn raceway_section(&self, paper: &mut Paper, room: Room, raceway: &Raceway, span: &str) {
-        let d = self.ring.dimensions();
-        let shoulder = self.ring.shoulder_radius_m();
         let centre_rad = raceway.dimensions().centre_angle_rad;
         let groove = self.groove(Some(raceway));
         let points = groove.points(centre_rad, PER_SIDE);
-        let size = [d.outer_ring_width_m, d.outer_ring_outer_radius_m - shoulder];
-        let scale = room.scale(size);
-        let place = self.section_places(room, scale);
-        let outline = self.outline(&points, &place);
-        for stretch in hatch(&outline, HATCH_MM) {
-            paper.line(stretch, Pen::Narrow);
-        }
-        paper.line(outline.iter().copied().chain([outline[0]]), Pen::Wide);
+        let (scale, place) = self.cut_face(paper, room, &points);
         let plain = self.groove(None).points(centre_rad, PER_SIDE);
         paper.line(plain.iter().map(|p| place(meridian_of(*p))), Pen::Chain);
         let contacts = contacts(&groove.meridian(centre_rad)).map(&place);
@@ -290,14 +220,28 @@ impl DrawnRing<'_> {
         room.title(paper, "Track of the contact points, unrolled", scale);
     }
 
-    /// Place of a point (z, ρ) of a section.
-    fn section_places(&self, room: Room, scale: f64) -> impl Fn([f64; 2]) -> Place {
+    /// Draws a half section whose groove has these points, at the largest scale that fits: the scale, and the place of
+    /// a point (z, ρ).
+    fn cut_face(
+        &self,
+        paper: &mut Paper,
+        room: Room,
+        groove: &[[f64; 3]],
+    ) -> (f64, impl Fn([f64; 2]) -> Place + use<>) {
         let d = self.ring.dimensions();
-        let middle_m = 0.5 * (d.outer_ring_outer_radius_m + self.ring.shoulder_radius_m());
-        move |[z, rho]| {
+        let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m());
+        let scale = room.scale([d.outer_ring_width_m, outside - shoulder]);
+        let middle_m = 0.5 * (outside + shoulder);
+        let place = move |[z, rho]: [f64; 2]| {
             let [x, y] = room.middle;
             [x + scale * mm(z), y - scale * mm(rho - middle_m)]
+        };
+        let outline = self.outline(groove, &place);
+        for stretch in hatch(&outline, HATCH_MM) {
+            paper.line(stretch, Pen::Narrow);
         }
+        paper.line(outline.iter().copied().chain([outline[0]]), Pen::Wide);
+        (scale, place)
     }
 
     /// Outline of a section whose groove has these points, from the lower to the upper shoulder.
@@ -313,6 +257,43 @@ impl DrawnRing<'_> {
         ];
         let points = groove.iter().map(|p| meridian_of(*p)).chain(corners);
         points.map(place).collect()
+    }
+}
+
+/// Extent and place of a raceway, and the section through its middle.
+fn raceway_angles(paper: &mut Paper, centre: Place, outer: f64, raceway: &Raceway, extent: &str) {
+    let d = raceway.dimensions();
+    let [from, to] = ends(raceway);
+    let middle = turned(d.centre_angle_rad);
+    for angle in [from, to] {
+        let ends = [0.0, outer + 9.0].map(|radius| on_circle(centre, radius, angle));
+        paper.line(ends, Pen::Narrow);
+    }
+    paper.angle(centre, outer + 7.0, [to, from]);
+    let width = width_mm(extent, TEXT_MM);
+    if middle.cos() < -0.3 {
+        // There is less room to the left.
+        let ends = [from, to].map(|angle| on_circle(centre, outer + 9.0, angle));
+        let upper = ends.into_iter().min_by(|a, b| a[1].total_cmp(&b[1]));
+        let [x, y] = upper.unwrap_or(centre);
+        let left = (x - width).max(FRAME_MM + 2.0);
+        paper.text([left, y - 2.0], Anchor::Start, TEXT_MM, extent);
+    } else {
+        let [x, y] = on_circle(centre, outer + 9.0, to + 0.12 * (from - to));
+        paper.centred([x + 1.5, y + 2.4], Anchor::Start, TEXT_MM, extent);
+    }
+    cut(paper, centre, outer, middle, "B");
+    let place = d.centre_angle_rad;
+    if place.abs() > 1e-9 {
+        let radius = outer + 12.0;
+        paper.angle(centre, radius, [middle, FRAC_PI_2]);
+        let bottom = [
+            [centre[0], centre[1] + outer + 5.0],
+            [centre[0], centre[1] + radius + 2.0],
+        ];
+        paper.line(bottom, Pen::Narrow);
+        let at = on_circle(centre, radius + 4.0, turned(0.5 * place));
+        paper.centred(at, Anchor::Middle, TEXT_MM, &angle_text(place.abs()));
     }
 }
 
@@ -333,13 +314,19 @@ fn turned(angle_rad: f64) -> f64 {
     FRAC_PI_2 - angle_rad
 }
 
+/// Angles on the paper of both ends of a raceway.
+fn ends(raceway: &Raceway) -> [f64; 2] {
+    let d = raceway.dimensions();
+    [-1.0, 1.0].map(|sign| turned(d.centre_angle_rad + sign * d.half_angle_rad))
+}
+
 /// (z, ρ) of a point.
 fn meridian_of([x, y, z]: [f64; 3]) -> [f64; 2] {
     [z, x.hypot(y)]
 }
 
 /// (z, ρ) of the contact points with a ball, upper and lower.
-fn contacts(section: &Meridian) -> [[f64; 2]; 2] {
+pub(super) fn contacts(section: &Meridian) -> [[f64; 2]; 2] {
     Side::BOTH.map(|side| {
         let arc = section.arc(side);
         meridian_of(

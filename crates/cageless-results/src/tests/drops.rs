@@ -209,8 +209,6 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
     }
 }
 
-/// Counts, rates and heat of the bearings add up, first contact and clearance are those of the worse,
-/// of all else the larger number is that of the rotor.
 /// Groups of drops side by side: heading and rows of each.
 type Groups = Vec<(&'static str, Vec<crate::ShownBeside>)>;
 
@@ -268,6 +266,8 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     assert_eq!(torque.unwrap().2, "N·mm");
 }
 
+/// Counts, rates and heat of the bearings add up, first contact and clearance are those of the worse,
+/// of all else the larger number is that of the rotor.
 #[test]
 fn results_of_a_rotor_are_those_of_its_bearings() {
     let mut counter = 0.2;

@@ -88,7 +88,7 @@ impl RingResults {
     pub(super) fn stopped(name: &str, file: &CaseFile, why: String) -> Self {
         Self {
             stopped: Some(why),
-            ..Self::of_draws(name, file, &[], RingVerdict::none())
+            ..Self::of_draws(name, file, &[], RingVerdict::of_summary(&Map::new()))
         }
     }
 

@@ -35,20 +35,6 @@ impl From<RunVerdict> for RingVerdict {
 }
 
 impl RingVerdict {
-    /// That of a ring without results.
-    pub(super) fn none() -> Self {
-        Self {
-            verdict: cageless::design::RacewayVerdict::NotJudged
-                .name()
-                .to_owned(),
-            passes: None,
-            headline: String::new(),
-            criterion: None,
-            margin: None,
-            standard_error: None,
-        }
-    }
-
     /// That of a finished run; not judged where its summary has none.
     pub(super) fn of_summary(summary: &Map<String, Value>) -> Self {
         let value = |name: &str| summary.get(name);
