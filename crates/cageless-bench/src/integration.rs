@@ -3,12 +3,12 @@
 use std::time::Instant;
 
 use anyhow::{Result, anyhow};
+use cageless::reference::Textbook;
 use cageless::{Case, IntegrationMethod};
 use clap::Args;
 use ode_solvers::{DVector, Dopri5, OutputType, System};
 
 use crate::problem::{Problem, complete, rms_difference, scaled, scales, start};
-use crate::textbook::Textbook;
 
 /// Options of `run` and `drop`.
 #[derive(Debug, Args)]

@@ -3,7 +3,6 @@
 mod integration;
 mod problem;
 mod right_hand_side;
-mod textbook;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};

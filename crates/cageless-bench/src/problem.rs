@@ -5,7 +5,7 @@ use cageless::dynamics::coordinates::{BALL, BallCoordinate, DROP, RingCoordinate
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
-use cageless::{Case, Formulation, FrictionLaw, IntegrationMethod};
+use cageless::{Case, Formulation, FrictionModel, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 
 const CB74: &str = include_str!("../../../cases/cb74.toml");
@@ -70,7 +70,7 @@ fn read(text: &str, changes: &[String]) -> Result<Case> {
     let case = CaseFile::parse(text, "the case", changes)?.case().clone();
     ensure!(
         case.formulation == Formulation::Physical
-            && case.contact.friction_law == FrictionLaw::Smooth,
+            && case.contact.friction_law == FrictionModel::Smooth,
         "the textbook has the physical formulation with smooth friction only"
     );
     Ok(case)

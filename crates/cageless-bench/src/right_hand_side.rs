@@ -8,11 +8,11 @@ use cageless::Case;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::integrator::System;
+use cageless::reference::Textbook;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use clap::Args;
 
 use crate::problem::{Problem, motion};
-use crate::textbook::Textbook;
 
 /// Options of `rhs`.
 #[derive(Debug, Args)]
@@ -37,7 +37,7 @@ impl Observer for Collector {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         while self.states.len() as f64 * self.interval_s <= view.step.t1_s {
             self.states
                 .push(view.state(self.states.len() as f64 * self.interval_s));
@@ -116,4 +116,46 @@ pub fn measure(options: &Options) -> Result<()> {
         println!("| {name} | {median:.0} | {:.1} |", medians[0] / median);
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::scales;
+
+    /// Rates of both implementations along a run and along a drop, over a millisecond in the
+    /// scales of the states.
+    #[test]
+    fn the_textbook_has_the_equations_of_the_library() {
+        let mut run = Problem::run(&[]).unwrap().short;
+        run.solver.duration_s = 0.1;
+        let drop = Problem::drop(&[]).unwrap().short;
+        let mut touching = 0;
+        for (case, interval_s) in [(run, 5e-5), (drop, 5e-6)] {
+            let mut carrying = 0;
+            let model = Model::new(&case).unwrap();
+            let mut rhs = RightHandSide::new(&model);
+            let textbook = Textbook::new(&case);
+            for state in states(&case, interval_s).unwrap() {
+                let mut rate = vec![0.0; state.layout().len()];
+                rhs.derivative(0.0, state.values(), &mut rate);
+                let library = motion(&state, &rate);
+                let y = motion(&state, state.values());
+                let mut own = vec![0.0; y.len()];
+                textbook.derivative(&y, &mut own);
+                let scales = scales(case.bearing.balls(), y.len());
+                for (k, ((a, b), scale)) in own.iter().zip(&library).zip(scales).enumerate() {
+                    assert!((a - b).abs() * 1e-3 / scale < 1e-9, "state {k}: {a} {b}");
+                }
+                let (x, y) = (state.x_m(), state.y_m());
+                touching += (0..x.len())
+                    .map(|k| (k, (k + 1) % x.len()))
+                    .filter(|&(k, j)| (x[j] - x[k]).hypot(y[j] - y[k]) < 2.0 * 4.7625e-3)
+                    .count();
+                carrying += usize::from(own.last().is_some_and(|rate| *rate != 0.0));
+            }
+            assert!(carrying > 0, "the last body feels no force");
+        }
+        assert!(touching > 0, "no contact between balls among the states");
+    }
 }

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::common::edited;
-use cageless::{FlankModel, Formulation, FrictionLaw, Gaps, IntegrationMethod, Start, StartState};
+use cageless::{
+    FlankModel, Formulation, FrictionModel, Gaps, IntegrationMethod, Start, StartState,
+};
 use cageless_io::case_file::{CaseFile, CaseValue, Source, template, unit};
 use proptest::prelude::*;
 
@@ -56,7 +58,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     );
     assert_eq!(
         (c.friction_law, c.damping_n_s_m1_5),
-        (FrictionLaw::Smooth, 2e5)
+        (FrictionModel::Smooth, 2e5)
     );
     assert_eq!((c.ball_restitution, c.inner_stiffness_n_m1_5), (0.95, None));
     assert_eq!(case.formulation, Formulation::Physical);
@@ -414,7 +416,7 @@ fn overrides_win_over_the_file_and_the_last_over_the_first() {
     assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.2e-3);
     assert_eq!(
         (case.formulation, case.contact.friction_law),
-        (Formulation::Paper, FrictionLaw::Coulomb)
+        (Formulation::Paper, FrictionModel::Coulomb)
     );
     assert_eq!((case.title.as_str(), case.seed), ("as a test", 16));
     assert_eq!(case.contact.outer_stiffness_n_m1_5, Some(1.3e10));

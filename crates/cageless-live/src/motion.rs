@@ -10,7 +10,7 @@ use cageless::equilibrium::space::{inner_point, outer_points};
 use cageless::initial_conditions::initial_state_controlled;
 use cageless::recorder::Recorder;
 use cageless::rotor::Rotor;
-use cageless::simulation::{Control, Ending, run_from};
+use cageless::simulation::{Control, Ending, Simulation};
 use cageless::snapshot::{RotorSnapshot, Snapshot};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -108,13 +108,10 @@ pub(crate) fn motion(
             frames.push(snapshot);
             Ok(())
         });
-        run_from(
-            &part,
-            &state,
-            &angles,
-            &mut [&mut recorder],
-            &mut |time_s| control(time_s / duration_s),
-        )?
+        let mut simulation = Simulation::at(&part, &state, &angles)?;
+        simulation.run_controlled(duration_s, &mut [&mut recorder], &mut |time_s| {
+            control(time_s / duration_s)
+        })
     };
     let stopped = match &outcome.ending {
         Ending::Stopped(stop) => Some(json!({

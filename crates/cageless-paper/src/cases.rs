@@ -2,25 +2,25 @@
 //! stand in `cases/`.
 //!
 //! ```
-//! use cageless::{FrictionLaw, Formulation};
+//! use cageless::{FrictionModel, Formulation};
 //! use cageless_paper::structure;
 //!
-//! let reading = (Formulation::Physical, FrictionLaw::Smooth);
+//! let reading = (Formulation::Physical, FrictionModel::Smooth);
 //! let case = structure(3, reading, &[])?; // structure (d)
 //! assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.1e-3);
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 
-use cageless::{Bearing, Case, Formulation, FrictionLaw};
+use cageless::{Bearing, Case, Formulation, FrictionModel};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
 use cageless_study::RacewayLabel;
 
 /// The two sets of equations, each with the friction law that goes with it: as published,
 /// and physically consistent.
-pub(crate) const READINGS: [(Formulation, FrictionLaw); 2] = [
-    (Formulation::Paper, FrictionLaw::Coulomb),
-    (Formulation::Physical, FrictionLaw::Smooth),
+pub(crate) const READINGS: [(Formulation, FrictionModel); 2] = [
+    (Formulation::Paper, FrictionModel::Coulomb),
+    (Formulation::Physical, FrictionModel::Smooth),
 ];
 
 /// A row of Table 2 with the judgement of Section 4.3.
@@ -145,7 +145,7 @@ pub fn experiment() -> Result<[Case; 2], CaseError> {
 /// An override is wrong.
 pub fn structure(
     k: usize,
-    reading: (Formulation, FrictionLaw),
+    reading: (Formulation, FrictionModel),
     overrides: &[String],
 ) -> Result<Case, CaseError> {
     Ok(structure_file(k, reading, overrides)?.case().clone())
@@ -154,7 +154,7 @@ pub fn structure(
 /// The case file of [`structure`].
 pub(crate) fn structure_file(
     k: usize,
-    reading: (Formulation, FrictionLaw),
+    reading: (Formulation, FrictionModel),
     overrides: &[String],
 ) -> Result<CaseFile, CaseError> {
     let Published {
@@ -174,7 +174,7 @@ pub(crate) fn structure_file(
     paper_case(false, &title, &all)
 }
 
-fn reading_overrides((formulation, law): (Formulation, FrictionLaw)) -> [String; 2] {
+fn reading_overrides((formulation, law): (Formulation, FrictionModel)) -> [String; 2] {
     [
         format!("model.formulation=\"{}\"", formulation.name()),
         format!("contact.friction_law=\"{}\"", law.name()),
@@ -202,7 +202,7 @@ pub fn structures_of(bearing: &Bearing) -> Result<Vec<RacewayLabel>, CaseError> 
             d.outer_shoulder_radius_m,
         )
     };
-    let reading = (Formulation::Physical, FrictionLaw::Smooth);
+    let reading = (Formulation::Physical, FrictionModel::Smooth);
     let mut here = vec![];
     for k in 0..PUBLISHED.len() {
         let case = structure(k, reading, &[])?;

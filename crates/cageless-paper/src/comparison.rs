@@ -256,7 +256,7 @@ impl OrbitMeter {
 }
 
 impl Observer for OrbitMeter {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let time_s = view.step.t1_s;
         if time_s >= self.after_s && (self.first.is_none() || time_s >= self.until_s) {
             let balls = view.layout().balls;

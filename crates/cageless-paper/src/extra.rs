@@ -2,7 +2,7 @@
 
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::{StartingPoint, starting_point};
-use cageless::{Formulation, FrictionLaw};
+use cageless::{Formulation, FrictionModel};
 use cageless_study::threads::both;
 use cageless_study::{StudyError, Work};
 
@@ -25,7 +25,7 @@ pub struct Extra {
 
 /// Computes them.
 pub fn compute(progress: &Work<'_>) -> Result<Extra, StudyError> {
-    let usable = |reading: (Formulation, FrictionLaw)| {
+    let usable = |reading: (Formulation, FrictionModel)| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {
             Ok(found) => found,

@@ -9,7 +9,7 @@ use cageless::numerics::angle::wrap_angle_rad;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::run;
 use cageless::snapshot::Snapshot;
-use cageless::{Case, Formulation, FrictionLaw};
+use cageless::{Case, Formulation, FrictionModel};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 
 use crate::cases::{self, READINGS, label};
@@ -68,7 +68,7 @@ pub fn compute(progress: &Work<'_>) -> Result<[History; 2], StudyError> {
     Ok([both.0?, both.1?])
 }
 
-fn one(reading: (Formulation, FrictionLaw), progress: &Work<'_>) -> Result<History, StudyError> {
+fn one(reading: (Formulation, FrictionModel), progress: &Work<'_>) -> Result<History, StudyError> {
     // As in the paper: balls in pure rolling, the ring where it was before the load came.
     let overrides = [
         "start.state=\"rolling\"".to_owned(),

@@ -11,7 +11,7 @@ use cageless::numerics::moments::Moments;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::recorder::{Recorder, keeping};
 use cageless::snapshot::Snapshot;
-use cageless::{Case, Formulation, FrictionLaw, RacewayForm};
+use cageless::{Case, Formulation, FrictionModel, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
@@ -206,7 +206,7 @@ pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], StudyError> {
 }
 
 fn one(
-    reading: (Formulation, FrictionLaw),
+    reading: (Formulation, FrictionModel),
     k: usize,
     progress: &Work<'_>,
     share: f64,
@@ -280,7 +280,7 @@ fn last_passage(snapshots: &[Snapshot]) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-fn gather(ones: Vec<One>, reading: (Formulation, FrictionLaw)) -> Result<Ten, StudyError> {
+fn gather(ones: Vec<One>, reading: (Formulation, FrictionModel)) -> Result<Ten, StudyError> {
     let provenance = shared_provenance(&cases::structure(0, reading, &[])?);
     let (found, portraits, passages) = ones.into_iter().collect();
     Ok(Ten {

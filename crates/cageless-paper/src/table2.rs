@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use cageless::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
-use cageless::{Case, FlankModel, Formulation, FrictionLaw};
+use cageless::{Case, FlankModel, Formulation, FrictionModel};
 use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 
@@ -14,22 +14,25 @@ use cageless_study::threads::each;
 use cageless_study::{StudyError, Work};
 
 /// Columns: what the paper can be read as, and the flanks of metal.
-const VARIANTS: [((Formulation, FrictionLaw), FlankModel); 5] = [
+const VARIANTS: [((Formulation, FrictionModel), FlankModel); 5] = [
     (
-        (Formulation::Paper, FrictionLaw::Coulomb),
-        FlankModel::Rigid,
-    ),
-    ((Formulation::Paper, FrictionLaw::Smooth), FlankModel::Rigid),
-    (
-        (Formulation::Physical, FrictionLaw::Coulomb),
+        (Formulation::Paper, FrictionModel::Coulomb),
         FlankModel::Rigid,
     ),
     (
-        (Formulation::Physical, FrictionLaw::Smooth),
+        (Formulation::Paper, FrictionModel::Smooth),
         FlankModel::Rigid,
     ),
     (
-        (Formulation::Physical, FrictionLaw::Smooth),
+        (Formulation::Physical, FrictionModel::Coulomb),
+        FlankModel::Rigid,
+    ),
+    (
+        (Formulation::Physical, FrictionModel::Smooth),
+        FlankModel::Rigid,
+    ),
+    (
+        (Formulation::Physical, FrictionModel::Smooth),
         FlankModel::Elastic,
     ),
 ];

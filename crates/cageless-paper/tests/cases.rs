@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless::{Case, Formulation, FrictionLaw};
+use cageless::{Case, Formulation, FrictionModel};
 use cageless_io::case_file::CaseFile;
 use cageless_paper::{experiment, structure, structures_of};
 
@@ -17,7 +17,7 @@ fn assert_is_of_file(mut case: Case, name: &str) {
 
 #[test]
 fn structures_are_those_of_the_case_files() {
-    let reading = (Formulation::Physical, FrictionLaw::Smooth);
+    let reading = (Formulation::Physical, FrictionModel::Smooth);
     for (k, letter) in ('a'..='j').enumerate() {
         let case = structure(k, reading, &[]).unwrap();
         assert_is_of_file(case, &format!("zhao-{letter}"));
@@ -33,7 +33,7 @@ fn the_experiment_is_that_of_the_case_files() {
 
 #[test]
 fn the_structures_of_the_paper_are_those_of_its_bearing() {
-    let reading = (Formulation::Physical, FrictionLaw::Smooth);
+    let reading = (Formulation::Physical, FrictionModel::Smooth);
     let case = structure(3, reading, &[]).unwrap();
     let own = structures_of(&case.bearing).unwrap();
     assert_eq!(own.len(), 10);

@@ -49,7 +49,7 @@ impl Observer for RingPathRecorder {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<ControlFlow<()>, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<ControlFlow<()>, ObserverError> {
         let layout = view.layout();
         let [x, y] = [RingCoordinate::X, RingCoordinate::Y].map(|c| layout.ring(c));
         loop {

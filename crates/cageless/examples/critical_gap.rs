@@ -3,12 +3,9 @@
 //!
 //! `cargo run -p cageless --example critical_gap`
 
-#[path = "../tests/common/mod.rs"] // the bearing of the paper, Table 1
-mod common;
-
-use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
-use cageless::simulation::Control;
+use cageless::prelude::*;
+use cageless::reference::Structure;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 1e-5 rad is enough to print three digits.
@@ -17,12 +14,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..PairTest::default()
     };
     println!("lC, mm    θ, °    Eq. (11), °    critical gap, °");
-    for (span_mm, angle_deg) in [(5.1, 25.2), (6.0, 12.717)] {
-        let case = common::structure(span_mm, angle_deg);
+    for structure in [Structure::D, Structure::J] {
+        let (row, case) = (structure.row(), structure.case());
         let theory = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
         let critical = critical_gap_rad(&case, &test, &mut |_| Control::Continue(()))?;
         println!(
-            "{span_mm:6.2} {angle_deg:7.2} {:14.3} {:18.3}",
+            "{:6.2} {:7.2} {:14.3} {:18.3}",
+            row.axial_span_mm,
+            row.half_angle_deg,
             theory.to_degrees(),
             critical.to_degrees()
         );

@@ -33,11 +33,11 @@
 //! about which a lightly loaded ball turns, and race control gives more than the motion has, and of the other sign.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
 //! use cageless::ball_advance::BallAdvance;
 //! use cageless::equilibrium::settle;
 //!
-//! let mut case = common::conventional(common::dimensions()); // Zhao 2022, Table 1
+//! let mut case = reference::conventional(); // Zhao 2022, Table 1
 //! case.operation.space.axial_load_n = 500.0;
 //!
 //! let advance = BallAdvance::new(&case, &settle(&case)?).unwrap();

@@ -28,6 +28,7 @@
 
 mod contact_angle;
 mod dimensions;
+mod estimate;
 mod outer_ring;
 mod shoulder;
 
@@ -41,6 +42,7 @@ use crate::material::Materials;
 
 use dimensions::ROUNDING_M;
 pub use dimensions::{BALLS_MAX, BALLS_MIN, BearingDimensions, SHOULDER_HEIGHT};
+pub use estimate::{CONFORMITY, INNER_RING_DAMPING_N_S_M};
 pub use shoulder::BeyondGroove;
 
 /// A bearing with every constant that follows from its dimensions.

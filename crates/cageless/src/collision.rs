@@ -84,17 +84,17 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
 }
 
 /// A ball and the ball ahead within a step.
-pub(crate) struct Pair<'s, 'v, 'm> {
-    view: &'s StepView<'v, 'm>,
+pub(crate) struct Pair<'s, 'v> {
+    view: &'s StepView<'v>,
     ball: usize,
     next_ball: usize,
     /// Distance of their centres at which they touch.
     distance_m: f64,
 }
 
-impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
+impl<'s, 'v, 'm> Pair<'s, 'v> {
     /// Ball `k` and the ball ahead, which touch at `distance_m` between their centres.
-    pub fn new(view: &'s StepView<'v, 'm>, k: usize, distance_m: f64) -> Self {
+    pub fn new(view: &'s StepView<'v>, k: usize, distance_m: f64) -> Self {
         Self {
             view,
             ball: k,
@@ -172,7 +172,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         self.steps_apart = match view.contacts.balls_touch() {
             true => 0,
             false => self.steps_apart + 1,
@@ -188,7 +188,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
 impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
     /// Follows the contacts of all pairs through a step.
     #[inline(never)] // most steps have none
-    fn follow(&mut self, view: &StepView<'_, '_>) -> Result<(), ObserverError> {
+    fn follow(&mut self, view: &StepView<'_>) -> Result<(), ObserverError> {
         let c = &view.contacts;
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         for k in 0..c.balls() {

@@ -1,11 +1,11 @@
 //! Peak contact pressures of a run, and the largest product of pressure and sliding speed.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::simulation::{Control, run};
 //! use cageless::summary::SummaryRecorder;
 //!
-//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let mut case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! case.solver.duration_s = 0.002;
 //! let mut recorder = SummaryRecorder::new();
 //! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;

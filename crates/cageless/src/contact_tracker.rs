@@ -1,11 +1,11 @@
 //! Start of contact between neighbouring balls.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::contact_tracker::ContactTracker;
 //! use cageless::dynamics::{Model, RightHandSide};
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! let model = Model::new(&case)?;
 //! let rhs = RightHandSide::new(&model);
 //! let mut tracker = ContactTracker::new(case.bearing.balls());
@@ -61,12 +61,12 @@ impl ContactCounter {
 
     /// Contacts that began in the step of `view`; `None` if none did.
     #[inline]
-    pub fn step(&mut self, view: &StepView<'_, '_>) -> Option<ContactCounts> {
+    pub fn step(&mut self, view: &StepView<'_>) -> Option<ContactCounts> {
         self.tracker.update(&view.contacts);
         self.tracker.any_started.then(|| self.counts(view))
     }
 
-    fn counts(&self, view: &StepView<'_, '_>) -> ContactCounts {
+    fn counts(&self, view: &StepView<'_>) -> ContactCounts {
         let mut counts = ContactCounts::default();
         for (k, distance_m) in self.distances_m.iter().enumerate() {
             if self.tracker.started(k) {

@@ -6,11 +6,11 @@
 //! Eq. (11), means once balls may slip.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::simulation::Control;
 //! use cageless::critical_gap::{PairTest, critical_gap_rad};
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let test = PairTest { tolerance_rad: 1e-4, ..PairTest::default() };
 //! let gap = critical_gap_rad(&case, &test, &mut |_| Control::Continue(())).unwrap();
@@ -169,7 +169,7 @@ impl Observer for PairWatch {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let pair = [self.first, self.first + 1];
         let [trail, lead] = pair.map(|k| view.angle_after_rad(k) - self.centre);
         let gap = lead - trail - self.ball_angle;

@@ -1,11 +1,12 @@
 //! Errors of input values, in SI units.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
+//! use cageless::Material;
 //! use cageless::{Bearing, BearingDimensions};
 //!
-//! let dimensions = BearingDimensions { balls: 0, ..common::dimensions() };
-//! let error = Bearing::new(dimensions, common::steel()).unwrap_err();
+//! let dimensions = BearingDimensions { balls: 0, ..reference::DIMENSIONS };
+//! let error = Bearing::new(dimensions, Material::STEEL).unwrap_err();
 //! assert_eq!(error.field, "balls");
 //! ```
 

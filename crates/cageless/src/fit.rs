@@ -5,16 +5,17 @@
 //! bought with holds at 20 °C and at rest.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
+//! use cageless::Material;
 //! use cageless::Fit;
 //!
-//! let dimensions = common::dimensions(); // Zhao 2022, Table 1
+//! let dimensions = reference::DIMENSIONS; // Zhao 2022, Table 1
 //! let fit = Fit {
 //!     bore_diameter_m: Some(30e-3),
 //!     shaft_interference_m: Some(10e-6),
 //!     ..Fit::default()
 //! };
-//! let clearance = fit.operating_clearance(&dimensions, &common::steel().into(), 0.0)?;
+//! let clearance = fit.operating_clearance(&dimensions, &Material::STEEL.into(), 0.0)?;
 //! // A solid shaft of the same steel: d/Di of the interference.
 //! let expected = 10e-6 * 30.0 / 36.48;
 //! assert!((clearance.shaft_reduction_m / expected - 1.0).abs() < 1e-9);

@@ -1,13 +1,13 @@
 //! Gaps between neighbouring balls.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::dynamics::Model;
 //! use cageless::dynamics::coordinates::BallCoordinate;
 //! use cageless::gap::GapRange;
 //! use cageless::initial_conditions::initial_state;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! let (state, _angles) = initial_state(&case)?;
 //! let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
 //!     .map(|coordinate| state.layout().balls_of(state.values(), coordinate));

@@ -2,13 +2,13 @@
 //! reduce.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::simulation::{Control, run};
 //! use cageless::summary::SummaryRecorder;
 //! use cageless::{Gaps, Start, StartState};
 //!
 //! // Zhao 2022, Table 2, structure (d), every second gap 1° wider than the others.
-//! let mut case = common::structure(5.1, 25.2);
+//! let mut case = Structure::D.case();
 //! let gap = case.bearing.nominal_gap_rad();
 //! let wider = |k| gap + 0.5f64.to_radians() * if k % 2 == 0 { 1.0 } else { -1.0 };
 //! let gaps = Gaps::List((0..14).map(wider).collect());

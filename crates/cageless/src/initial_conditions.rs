@@ -1,10 +1,10 @@
 //! The state that a run starts from.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::initial_conditions::initial_state;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let (state, angles) = initial_state(&case)?;
 //! assert_eq!(angles.len(), 14);

@@ -1,11 +1,11 @@
 //! Rolling kinematics of a ball between the rings (Zhao 2022, Eq. (1) to (3)).
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
 //! use cageless::kinematics::rolling_orbit_speed_rad_s;
 //!
 //! # use cageless::Bearing;
-//! let bearing = Bearing::new(common::dimensions(), common::steel())?; // Zhao 2022, Table 1
+//! let bearing = reference::bearing(); // Zhao 2022, Table 1
 //!
 //! // A ball that rolls on a smaller radius r in the raceway orbits more slowly.
 //! let rw = bearing.ball_radius_m();

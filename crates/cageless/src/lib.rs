@@ -47,10 +47,12 @@ pub mod numerics;
 pub mod orbit_means;
 pub mod outer_contact_geometry;
 pub mod passage;
+pub mod prelude;
 pub mod raceway;
 pub mod raceway_contact;
 pub mod rating;
 pub mod recorder;
+pub mod reference;
 pub mod ring_support;
 pub mod rotating_ring;
 pub mod rotor;
@@ -72,11 +74,11 @@ pub mod vibration;
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
-    Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS, Solver,
-    SpatialLoad, Start, StartState, Tilt,
+    Case, CaseBuilder, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS,
+    Solver, SpatialLoad, Start, StartState, Tilt,
 };
 pub use collision::Collision;
-pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
+pub use contact::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
 pub use error::InputError;
 pub use fit::{BearingClass, ClearanceRange, Fit, HoleClass, OperatingClearance, ShaftClass};
 pub use flank_model::FlankModel;

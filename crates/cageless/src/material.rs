@@ -15,6 +15,13 @@ pub struct Material {
 }
 
 impl Material {
+    /// Bearing steel: 7850 kg/m³, 206 GPa, ν = 0.3.
+    pub const STEEL: Self = Self {
+        density_kg_m3: 7850.0,
+        youngs_modulus_pa: 206e9,
+        poisson_ratio: 0.3,
+    };
+
     /// Checks that a solid can have these values.
     ///
     /// # Errors

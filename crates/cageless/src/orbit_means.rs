@@ -1,11 +1,11 @@
 //! Mean powers and speeds over whole orbits of the balls.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::simulation::{Control, run};
 //! use cageless::summary::SummaryRecorder;
 //!
-//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let mut case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! case.solver.duration_s = 0.002;
 //! let mut recorder = SummaryRecorder::new();
 //! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
@@ -135,7 +135,7 @@ pub(crate) struct OrbitMeansTracker {
 impl OrbitMeansTracker {
     /// Takes a step after the transient; `sampled` steps add to the rotational speed.
     #[inline]
-    pub fn step(&mut self, view: &StepView<'_, '_>, sampled: bool) {
+    pub fn step(&mut self, view: &StepView<'_>, sampled: bool) {
         let [x, y] = view.ball_m(0);
         if sampled {
             self.add_rotations(view);
@@ -159,7 +159,7 @@ impl OrbitMeansTracker {
 
     /// Adds the rotational speeds at the end of a step.
     #[inline(never)]
-    fn add_rotations(&mut self, view: &StepView<'_, '_>) {
+    fn add_rotations(&mut self, view: &StepView<'_>) {
         let balls = view.contacts.balls();
         let sums = match view.layout().is_in_space() {
             true => (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
@@ -176,7 +176,7 @@ impl OrbitMeansTracker {
 
     /// Mark of the end of a step; `before` lends its memory.
     #[cold]
-    fn mark(&self, before: Mark, view: &StepView<'_, '_>) -> Mark {
+    fn mark(&self, before: Mark, view: &StepView<'_>) -> Mark {
         let layout = view.layout();
         let mut angles = before.angles;
         angles.clear();
@@ -226,7 +226,7 @@ impl OrbitMeansTracker {
 
 /// Absolute rotational speed of ball `k` in space, and that in the frame of its orbit less the orbital speed,
 /// rad/s; in the plane both are its spin.
-fn rotations_rad_s(view: &StepView<'_, '_>, k: usize) -> [f64; 2] {
+fn rotations_rad_s(view: &StepView<'_>, k: usize) -> [f64; 2] {
     let spin = view.contacts.rotation_rad_s(k);
     let across = [BallCoordinate::OmegaX, BallCoordinate::OmegaY].map(|c| view.after(c)[k]);
     let across = across[0].hypot(across[1]);

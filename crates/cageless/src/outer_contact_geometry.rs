@@ -13,11 +13,11 @@
 //! normals of its flanks has flanks of radius Re + e about the same Oe.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
 //! # use cageless::Bearing;
 //! use cageless::outer_contact_geometry::outer_contact_geometry;
 //!
-//! let bearing = Bearing::new(common::dimensions(), common::steel())?; // Zhao 2022, Table 1
+//! let bearing = reference::bearing(); // Zhao 2022, Table 1
 //! // On the plain raceway the arm of friction is the radius of the ball.
 //! let rw = bearing.ball_radius_m();
 //! assert_eq!(outer_contact_geometry(&bearing, &[], 0.0, rw).effective_radius_m, rw);

@@ -1,11 +1,11 @@
 //! Passages of the balls through the discrete raceways.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::passage::{PassageRecorder, PassageTally};
 //! use cageless::simulation::{Control, run};
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let mut tally = PassageTally::new();
 //! let mut recorder = PassageRecorder::new(|passage| {
@@ -404,7 +404,7 @@ impl<S: PassageSink> PassageRecorder<S> {
 
     /// When ball `k` crosses the end of a raceway within the step, and the gaps to the ball
     /// ahead and of the ball behind there.
-    fn end(&self, view: &StepView<'_, '_>, k: usize, r: usize) -> (f64, [f64; 2]) {
+    fn end(&self, view: &StepView<'_>, k: usize, r: usize) -> (f64, [f64; 2]) {
         let (layout, sector) = (view.layout(), &self.sectors[r]);
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         let inside_by = |time_s: f64| {
@@ -424,7 +424,7 @@ impl<S: PassageSink> PassageRecorder<S> {
 
     /// Looks at all balls and keeps in mind which are near an end.
     #[inline(never)] // most steps do without
-    fn look(&mut self, view: &StepView<'_, '_>) {
+    fn look(&mut self, view: &StepView<'_>) {
         // The look comes at the end of a step.
         let until_s = LOOK_EVERY_S + view.step.size_s();
         self.look_s = view.step.t1_s + LOOK_EVERY_S;
@@ -451,11 +451,7 @@ impl<S: PassageSink> PassageRecorder<S> {
 
     /// Begins or ends a passage if ball `k` has crossed an end of raceway `r`.
     #[inline]
-    fn look_at(
-        &mut self,
-        view: &StepView<'_, '_>,
-        [r, k]: [usize; 2],
-    ) -> Result<(), ObserverError> {
+    fn look_at(&mut self, view: &StepView<'_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
         let inside = self.sectors[r].inside_by(view.about_outer_ring_m(k)) > 0.0;
         let place = self.places[r * self.pair_angles.len() + k];
         match inside == (place != Place::Outside) {
@@ -466,7 +462,7 @@ impl<S: PassageSink> PassageRecorder<S> {
 
     /// Begins or ends a passage of ball `k`, which has crossed an end of raceway `r`.
     #[cold]
-    fn cross(&mut self, view: &StepView<'_, '_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
+    fn cross(&mut self, view: &StepView<'_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
         let slot = r * self.pair_angles.len() + k;
         self.places[slot] = match self.places[slot] {
             Place::StartedInside => Place::Outside,
@@ -485,7 +481,7 @@ impl<S: PassageSink> PassageRecorder<S> {
     }
 
     /// ωi at the end of a step over its largest.
-    fn speed_ratio(&self, view: &StepView<'_, '_>) -> f64 {
+    fn speed_ratio(&self, view: &StepView<'_>) -> f64 {
         let varying = self.varying.as_ref();
         varying.map_or(1.0, |case| case.inner_speed_ratio(view.step.t1_s))
     }
@@ -498,7 +494,7 @@ impl<S: PassageSink> PassageRecorder<S> {
     }
 
     /// The passage of a ball that comes in.
-    fn enter(&self, view: &StepView<'_, '_>, k: usize, r: usize) -> UnderWay {
+    fn enter(&self, view: &StepView<'_>, k: usize, r: usize) -> UnderWay {
         let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
         let ([x, y], layout) = (view.positions(), view.layout());
         let from_end_of = |before: usize| self.sectors[r].begin_behind_rad(&self.sectors[before]);
@@ -531,7 +527,7 @@ impl<S: PassageSink> PassageRecorder<S> {
     }
 
     /// The passage of a ball that goes out.
-    fn leave(&mut self, view: &StepView<'_, '_>, k: usize, r: usize) -> Passage {
+    fn leave(&mut self, view: &StepView<'_>, k: usize, r: usize) -> Passage {
         let (leave_s, [gap_leave_rad, _]) = self.end(view, k, r);
         let of_ball = |u: &UnderWay| (u.passage.ball, u.passage.raceway) == (k, r);
         let at = self.under_way.iter().position(of_ball);
@@ -568,7 +564,7 @@ impl<S: PassageSink> Observer for PassageRecorder<S> {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         self.contact_tracker.update(&view.contacts);
         for at in 0..self.near.len() {
             self.look_at(view, self.near[at])?;

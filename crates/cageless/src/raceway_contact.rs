@@ -1,10 +1,10 @@
 //! Contact of a ball with a raceway under its force: pressure and ellipse.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::raceway_contact::{RacewayContact, RacewayPoint};
 //!
-//! let bearing = common::structure(5.1, 25.2).bearing; // Zhao 2022, Table 1
+//! let bearing = Structure::D.case().bearing; // Zhao 2022, Table 1
 //! let pressure = |cosine: f64| {
 //!     let point = RacewayPoint::of_outer(cosine, 500.0);
 //!     RacewayContact::outer(&bearing, point).pressure_pa

@@ -1,11 +1,11 @@
 //! Snapshots at regular times.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::recorder::Recorder;
 //! use cageless::simulation::{Control, run};
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let mut gaps = vec![];
 //! let mut recorder = Recorder::new(1e-3, |snapshot| {
@@ -62,7 +62,7 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Observer for Recorder<F> {
         (self.sink)(rhs.snapshot(0.0, context.start, context.start_angle_rad))
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         // Half a millionth of a step decides nothing, but lets 0.3 s mean 3000 × 0.1 ms.
         let slack = 1e-6 * (view.step.t1_s - view.step.t0_s);
         loop {

@@ -2,8 +2,8 @@
 //! between them.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
-//! let bearing = common::structure(5.1, 25.2).bearing; // Zhao 2022, Table 1: 14 balls
+//! use cageless::reference::Structure;
+//! let bearing = Structure::D.case().bearing; // Zhao 2022, Table 1: 14 balls
 //! assert!(!bearing.can_fall_between_balls());
 //! // Bunched, the balls that hold the ring reach over more than half of the circle.
 //! let (ball, pitch) = (bearing.ball_radius_m(), bearing.pitch_radius_m());

@@ -1,8 +1,8 @@
 //! A rotor that falls onto the inner ring, and the support of the outer ring.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
-//! let case = common::drop_case(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
+//! use cageless::reference;
+//! let case = reference::rotor_drop(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
 //! let rotor = case.rotor.as_ref().unwrap();
 //! // Its fall through the air gap.
 //! let speed_m_s = (2.0 * case.operation.gravity_m_s2 * rotor.radial_clearance_m).sqrt();
@@ -11,7 +11,7 @@
 //! ```
 
 use crate::contact::friction::ContactKind;
-use crate::contact::{FrictionLaw, FrictionParameters};
+use crate::contact::{FrictionModel, FrictionParameters};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, from_to, not_negative, positive, require};
 
@@ -44,7 +44,7 @@ pub struct Rotor {
     /// counter-clockwise.
     pub eccentricity_phase_rad: f64,
     /// Law of friction between journal and bore.
-    pub friction_law: FrictionLaw,
+    pub friction_law: FrictionModel,
     /// Its parameters.
     pub friction: FrictionParameters,
     /// K of the contact between journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), N/m^p.
@@ -107,6 +107,41 @@ pub struct SupportStop {
 pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 
 impl Rotor {
+    /// A balanced horizontal rotor at rest in the middle of its air gap, turning at `speed_rad_s`, without a drive: its
+    /// journal rubs on the bore with μ = 0.15 (smooth, 0.05 m/s), a stiffness of 1e9 N/m and 0.3 s/m of damping.
+    pub fn estimated(
+        mass_kg: f64,
+        polar_inertia_kg_m2: f64,
+        speed_rad_s: f64,
+        radial_clearance_m: f64,
+    ) -> Self {
+        Self {
+            mass_kg,
+            polar_inertia_kg_m2,
+            speed_rad_s,
+            radial_clearance_m,
+            eccentricity_m: 0.0,
+            eccentricity_phase_rad: 0.0,
+            friction_law: FrictionModel::Smooth,
+            friction: FrictionParameters::smooth(0.15, 0.05),
+            contact_stiffness_n_mp: 1e9,
+            contact_exponent: 1.0,
+            contact_damping_s_m: 0.3,
+            x_m: 0.0,
+            y_m: 0.0,
+            vx_m_s: 0.0,
+            vy_m_s: 0.0,
+            drive_torque_n_m: 0.0,
+            clearance_limit_m: None,
+            shaft: Shaft::Horizontal,
+            axial_clearance_m: None,
+            shoulder_radius_m: None,
+            axial_load_n: 0.0,
+            z_m: 0.0,
+            vz_m_s: 0.0,
+        }
+    }
+
     /// Whether the rotor turns, or a drive turns it.
     pub fn turns(&self) -> bool {
         self.speed_rad_s != 0.0 || self.drive_torque_n_m != 0.0

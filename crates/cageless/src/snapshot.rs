@@ -1,11 +1,11 @@
 //! Snapshot of a bearing at one instant.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::dynamics::{Model, RightHandSide};
 //! use cageless::initial_conditions::initial_state;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let model = Model::new(&case)?;
 //! let (state, angles) = initial_state(&case)?;

@@ -1,11 +1,11 @@
 //! Numbers of a run in space beyond those of the plane.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::simulation::{Control, run};
 //! use cageless::summary::SummaryRecorder;
 //!
-//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let mut case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! case.operation.space.axial_load_n = 150.0;
 //! case.solver.duration_s = 0.002;
 //! let mut recorder = SummaryRecorder::new();
@@ -104,7 +104,7 @@ impl SpatialSummaryTracker {
     }
 
     /// Takes a step of a run in space.
-    pub fn step(&mut self, view: &StepView<'_, '_>) {
+    pub fn step(&mut self, view: &StepView<'_>) {
         let step_s = view.step.size_s();
         let coordinates = [
             RingCoordinate::Z,

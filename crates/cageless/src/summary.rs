@@ -1,11 +1,11 @@
 //! Headline numbers of a run.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::simulation::{Control, run};
 //! use cageless::summary::SummaryRecorder;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let mut recorder = SummaryRecorder::new();
 //! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
@@ -152,7 +152,7 @@ impl Observer for SummaryRecorder {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let counted = view.step.t1_s > self.settled_after_s;
         let counter = self.contact_counter.as_mut();
@@ -200,7 +200,7 @@ impl Observer for SummaryRecorder {
 impl SummaryRecorder {
     /// Takes the contacts with the raceways, this long after the last time.
     #[inline(never)] // most steps do without, as without the next
-    fn look_at_loads(&mut self, view: &StepView<'_, '_>, since_s: f64) {
+    fn look_at_loads(&mut self, view: &StepView<'_>, since_s: f64) {
         let contacts = &view.contacts;
         if contacts.are_in_space() {
             self.space.look(contacts, &self.contact_signs);
@@ -216,7 +216,7 @@ impl SummaryRecorder {
 
     /// Takes the places of the balls at the end of a step.
     #[inline(never)]
-    fn look_at_gaps(&mut self, view: &StepView<'_, '_>) {
+    fn look_at_gaps(&mut self, view: &StepView<'_>) {
         let ([x, y], centre_m) = (view.positions(), view.outer_ring_m());
         self.gaps.look(x, y, centre_m);
         if self.steps.is_multiple_of(SCATTER_EVERY) {

@@ -7,7 +7,7 @@ use crate::touchdown_reference::{difference, scaled, td1, td1_reference};
 use cageless::contact::FrictionTable;
 use cageless::simulation::RunOutcome;
 use cageless::{
-    Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start, StartState,
+    Bearing, BearingDimensions, Case, FrictionModel, Gaps, IntegrationMethod, Start, StartState,
     SupportStop,
 };
 
@@ -56,7 +56,7 @@ fn oblique_drop() -> Case {
 /// speed.
 fn falling_friction_drop() -> Case {
     let mut case = oblique_drop();
-    case.contact.friction_law = FrictionLaw::Table;
+    case.contact.friction_law = FrictionModel::Table;
     let rows = vec![
         [0.0, 0.12],
         [0.3, 0.1],
@@ -67,7 +67,7 @@ fn falling_friction_drop() -> Case {
     case.contact.friction.table = FrictionTable::new(rows).ok();
     case.contact.friction.coefficient = 0.05;
     let rotor = case.rotor.as_mut().unwrap();
-    rotor.friction_law = FrictionLaw::Stribeck;
+    rotor.friction_law = FrictionModel::Stribeck;
     rotor.friction.static_coefficient = Some(0.25);
     rotor.friction.stribeck_speed_m_s = Some(5.0);
     case

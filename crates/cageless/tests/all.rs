@@ -18,6 +18,7 @@ mod fit;
 mod fit_by_tolerance;
 mod free_rotor;
 mod friction;
+mod front_door;
 mod geometry;
 mod given_over_time;
 mod guard;

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crate::common::{complete, conventional, dimensions, steel, structure, undamped};
 use cageless::step_limits::StepLimits;
 use cageless::{
-    Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start, StartState,
+    Bearing, BearingDimensions, Case, FrictionModel, Gaps, IntegrationMethod, Start, StartState,
 };
 
 fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
@@ -97,7 +97,7 @@ fn coulomb_friction_says_how_far_it_creeps() {
     let mut case = conventional(dimensions());
     let creep = |case: &Case, method| StepLimits::new(case).creep_m_s2(method);
     assert_eq!(creep(&case, IntegrationMethod::Abm4), 0.0);
-    case.contact.friction_law = FrictionLaw::Coulomb;
+    case.contact.friction_law = FrictionModel::Coulomb;
     let low = creep(&case, IntegrationMethod::Abm4);
     case.contact.friction.coefficient = 0.3;
     let high = creep(&case, IntegrationMethod::Abm4);
@@ -162,7 +162,7 @@ fn a_ring_that_whirls_with_its_balls_keeps_its_energy_balance() {
     let mut four = row(4, 2.21e-3, 5.435e-3, 37e-6, 5e-4);
     four.start = Start::new(StartState::Settled, Gaps::Uniform, 5.1);
     for (mut case, rpm) in [(bunched, 16_000.0), (four, 80_000.0)] {
-        case.contact.friction_law = FrictionLaw::Stribeck;
+        case.contact.friction_law = FrictionModel::Stribeck;
         case.contact.friction.coefficient = 0.04;
         case.contact.friction.static_coefficient = Some(0.12);
         case.contact.friction.stribeck_speed_m_s = Some(1.3);

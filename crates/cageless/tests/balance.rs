@@ -10,7 +10,7 @@ use cageless::equilibrium::EquilibriumError;
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Cause, Control, Ending, run};
-use cageless::{Case, Formulation, FrictionLaw, Gaps, Start, StartState};
+use cageless::{Case, Formulation, FrictionModel, Gaps, Start, StartState};
 
 fn rough_start(case: &mut Case) {
     // One pair close together, so that there are collisions.
@@ -32,7 +32,7 @@ fn rough_start(case: &mut Case) {
 #[test]
 fn the_ledger_closes_in_both_formulations_and_laws() {
     for formulation in [Formulation::Physical, Formulation::Paper] {
-        for law in [FrictionLaw::Smooth, FrictionLaw::Coulomb] {
+        for law in [FrictionModel::Smooth, FrictionModel::Coulomb] {
             let mut case = structure(5.1, 25.2);
             case.formulation = formulation;
             case.contact.friction_law = law;
@@ -147,7 +147,7 @@ fn pure_rolling_stays_pure_rolling() {
 fn instruction_sets_agree_to_the_bit() {
     for balls in [3, 8, 14] {
         for formulation in [Formulation::Physical, Formulation::Paper] {
-            for law in [FrictionLaw::Smooth, FrictionLaw::Coulomb] {
+            for law in [FrictionModel::Smooth, FrictionModel::Coulomb] {
                 let mut d = dimensions();
                 d.balls = balls;
                 let mut case = conventional(d);
@@ -218,7 +218,7 @@ fn two_hundred_balls() {
 fn coulomb_friction_sticks() {
     let spread = |step: f64| {
         let mut case = conventional(dimensions());
-        case.contact.friction_law = FrictionLaw::Coulomb;
+        case.contact.friction_law = FrictionModel::Coulomb;
         case.solver.step_s = step;
         case.solver.duration_s = 0.01;
         let end = complete(&case).state;

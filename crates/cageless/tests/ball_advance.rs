@@ -300,7 +300,7 @@ impl Turns {
 }
 
 impl Observer for Turns {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let balls = view.contacts.balls();
         let now: Vec<f64> = (0..balls).map(|k| view.angle_after_rad(k)).collect();
         if self.first_rad.is_empty() {

@@ -3,6 +3,8 @@
 use crate::common::{conventional, dimensions, raceway, structure};
 use cageless::contact::FrictionTable;
 use cageless::dynamics::ball::BallMotion;
+use std::sync::Arc;
+
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
@@ -10,7 +12,7 @@ use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::{
-    Case, FlankModel, Formulation, FrictionLaw, Gaps, IntegrationMethod, Start, StartState,
+    Case, FlankModel, Formulation, FrictionModel, Gaps, IntegrationMethod, Start, StartState,
 };
 
 /// Cases that differ in everything that may differ side by side.
@@ -108,7 +110,7 @@ fn company_changes_no_bit() {
             let mu = 1e-4 * case.operation.radial_load_n;
             let table = vec![[0.0, 2.0 * mu], [mu, 1.5 * mu], [3.0 * mu, mu]];
             case.contact.friction.coefficient = mu;
-            case.contact.friction_law = FrictionLaw::Table;
+            case.contact.friction_law = FrictionModel::Table;
             case.contact.friction.table = Some(FrictionTable::new(table).unwrap());
         },
         |case| case.flanks = FlankModel::Elastic,
@@ -156,7 +158,7 @@ fn one_bearing_does_not_take_the_others_along() {
     // implicit whatever the load: one kind.
     for case in &mut cases {
         case.solver.step_s = 0.4e-6;
-        case.contact.friction_law = FrictionLaw::Coulomb;
+        case.contact.friction_law = FrictionModel::Coulomb;
     }
     let expected: Vec<_> = cases.iter().map(alone).collect();
     cases[1].contact.friction.coefficient = f64::NAN;
@@ -215,11 +217,12 @@ fn batches_hold_every_case_once() {
 fn every_pair_is_seen_to_touch() {
     for balls in [7, 14, 15] {
         let cases = mixed_of(balls, BATCH_WIDTH);
-        let models: Vec<Model> = cases.iter().map(|case| Model::new(case).unwrap()).collect();
+        let models: Vec<Arc<Model>> = cases.iter().map(|case| Model::new(case).unwrap()).collect();
         let (start, _) = initial_state(&cases[0]).unwrap();
         let alone = RightHandSide::new(&models[0]);
         let isa = InstructionSet::chosen();
-        let together = RightHandSide::side_by_side(std::array::from_fn(|k| &models[k]), isa);
+        let together =
+            RightHandSide::side_by_side(std::array::from_fn(|k| Arc::clone(&models[k])), isa);
         for mut rhs in [alone, together] {
             let width = rhs.layout().width();
             let (mut y, mut rates) = (vec![0.0; rhs.layout().len()], vec![0.0; rhs.layout().len()]);

@@ -17,7 +17,7 @@ use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, RunOutcome, run, run_batch};
 use cageless::{
-    Case, FlankModel, Formulation, FrictionLaw, Gaps, InputError, IntegrationMethod, Motion,
+    Case, FlankModel, Formulation, FrictionModel, Gaps, InputError, IntegrationMethod, Motion,
     Snapshot, Start, StartState,
 };
 
@@ -211,7 +211,7 @@ fn the_ledger_closes_to_second_order() {
 fn the_ledger_closes_in_explicit_methods() {
     let stribeck = {
         let mut case = elastic(structure(5.1, 25.2));
-        case.contact.friction_law = FrictionLaw::Stribeck;
+        case.contact.friction_law = FrictionModel::Stribeck;
         case.contact.friction.static_coefficient = Some(0.02);
         case.contact.friction.stribeck_speed_m_s = Some(0.3);
         case
@@ -467,7 +467,7 @@ fn what_has_no_elastic_flanks_is_refused() {
     let paper = refused(|case| case.formulation = Formulation::Paper);
     assert_eq!(paper.field, "flanks");
     assert!(paper.to_string().contains("published equations"), "{paper}");
-    let coulomb = refused(|case| case.contact.friction_law = FrictionLaw::Coulomb);
+    let coulomb = refused(|case| case.contact.friction_law = FrictionModel::Coulomb);
     assert!(
         coulomb.to_string().contains("regularisation speed"),
         "{coulomb}"

@@ -1,7 +1,7 @@
 //! Implicit friction of the production method: a ball that slips and then rolls, in closed
 //! form; dry friction against the explicit reference; ledger; side by side.
 
-use crate::common::{conventional, dimensions, structure, undamped};
+use crate::common::{conventional, dimensions, run_from, structure, undamped};
 use cageless::contact::FrictionTable;
 use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -9,13 +9,13 @@ use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
-use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run, run_from};
+use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run};
 use cageless::snapshot::Snapshot;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, IntegrationMethod};
+use cageless::{Case, FrictionModel, IntegrationMethod};
 
 /// Three balls in an outer ring without gravity; the inner ring is out of reach.
-fn free_balls(law: FrictionLaw, step_s: f64) -> Case {
+fn free_balls(law: FrictionModel, step_s: f64) -> Case {
     let mut d = dimensions();
     d.balls = 3;
     d.outer_groove_bottom_radius_m += 1e-3;
@@ -112,10 +112,10 @@ fn only_the_outer_raceway_has_its_factor() {
 fn a_ball_slips_then_rolls_at_five_sevenths() {
     let (speed, coefficient) = (2.0, 0.2);
     for (law, factor) in [
-        (FrictionLaw::Coulomb, 1.0),
-        (FrictionLaw::Smooth, 1.0),
-        (FrictionLaw::Coulomb, 0.4),
-        (FrictionLaw::Smooth, 0.4),
+        (FrictionModel::Coulomb, 1.0),
+        (FrictionModel::Smooth, 1.0),
+        (FrictionModel::Coulomb, 0.4),
+        (FrictionModel::Smooth, 0.4),
     ] {
         let mut case = free_balls(law, 1e-6);
         case.contact.friction.coefficient = coefficient / factor;
@@ -130,7 +130,7 @@ fn a_ball_slips_then_rolls_at_five_sevenths() {
         assert!(slip > 0.1);
         let [v, slip] = speed_and_slip(&case, &slide(&case, speed, 1.2 * rolls_s));
         assert!((v / (5.0 / 7.0 * speed) - 1.0).abs() < 2e-4, "{law:?}: {v}");
-        let creep = if law == FrictionLaw::Coulomb {
+        let creep = if law == FrictionModel::Coulomb {
             1e-9
         } else {
             1e-6
@@ -148,7 +148,7 @@ struct MeanMotion {
 }
 
 impl Observer for MeanMotion {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         if view.step.t0_s >= self.from_s {
             let h = view.step.size_s();
             let n = view.layout().balls as f64;
@@ -225,10 +225,10 @@ fn small_regularisation_speeds_go_over_into_coulombs_law() {
     case.solver.duration_s = 0.01;
     case.contact.friction.coefficient = 0.3;
     case.contact.damping_n_s_m1_5 = 2e5;
-    case.contact.friction_law = FrictionLaw::Coulomb;
+    case.contact.friction_law = FrictionModel::Coulomb;
     case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let (coulomb, _) = means(&case);
-    case.contact.friction_law = FrictionLaw::Smooth;
+    case.contact.friction_law = FrictionModel::Smooth;
     for (scale, distance_m) in [(0.02, 1e-9), (2e-4, 5e-11), (1e-6, 5e-12)] {
         case.contact.friction.regularisation_speed_m_s = scale;
         let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
@@ -257,7 +257,7 @@ fn a_level_table_is_the_smooth_law() {
     case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let end = |case: &Case| run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
     let smooth = end(&case);
-    case.contact.friction_law = FrictionLaw::Table;
+    case.contact.friction_law = FrictionModel::Table;
     let level = FrictionTable::new(vec![[0.0, 0.1], [0.2, 0.1], [1.0, 0.1]]);
     case.contact.friction.table = Some(level.unwrap());
     let table = end(&case);
@@ -281,7 +281,7 @@ fn tables_come_with_their_law() {
     case.contact.friction.table = Some(falling_table());
     let field = |case: &Case| case.check().unwrap_err().field;
     assert_eq!(field(&case), "friction_table");
-    case.contact.friction_law = FrictionLaw::Table;
+    case.contact.friction_law = FrictionModel::Table;
     assert!(case.check().is_ok());
     case.contact.friction.scale(1.3);
     assert!(case.check().is_ok());
@@ -306,21 +306,21 @@ fn tables_come_with_their_law() {
 #[test]
 fn every_law_is_finite_and_closes_its_ledger() {
     for law in [
-        FrictionLaw::Smooth,
-        FrictionLaw::Coulomb,
-        FrictionLaw::Stribeck,
-        FrictionLaw::Table,
+        FrictionModel::Smooth,
+        FrictionModel::Coulomb,
+        FrictionModel::Stribeck,
+        FrictionModel::Table,
     ] {
         let mut case = structure(5.1, 25.2);
         case.solver.method = IntegrationMethod::VelocityVerlet;
         case.solver.duration_s = 0.005;
         case.contact.friction.coefficient = 0.1;
         case.contact.friction_law = law;
-        if law == FrictionLaw::Stribeck {
+        if law == FrictionModel::Stribeck {
             case.contact.friction.static_coefficient = Some(0.2);
             case.contact.friction.stribeck_speed_m_s = Some(0.1);
         }
-        if law == FrictionLaw::Table {
+        if law == FrictionModel::Table {
             case.contact.friction.table = Some(falling_table());
         }
         case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
@@ -352,7 +352,7 @@ struct Rows {
 }
 
 impl Observer for Rows {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         self.steps += 1;
         if self.steps.is_multiple_of(40) {
             let row = view.snapshot(view.step.t1_s);
@@ -401,7 +401,7 @@ fn rows_hold_the_exact_cone() {
     case.solver.duration_s = 0.004;
     case.solver.step_s = 2e-6;
     case.contact.friction.coefficient = 0.1;
-    case.contact.friction_law = FrictionLaw::Coulomb;
+    case.contact.friction_law = FrictionModel::Coulomb;
     let mut rows = Rows::default();
     run(&case, &mut [&mut rows], &mut |_| Control::Continue(())).unwrap();
     assert!(rows.loaded > 100, "{}", rows.loaded);

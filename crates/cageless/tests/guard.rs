@@ -1,13 +1,13 @@
 //! Every cause for which a run stops, by a state that is edited, from both sides of its limit.
 
-use crate::common::{conventional, dimensions, drop_case};
+use crate::common::{conventional, dimensions, drop_case, run_from};
 use cageless::dynamics::Model;
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
-use cageless::simulation::{Cause, Control, Ending, run_from};
+use cageless::simulation::{Cause, Control, Ending};
 use cageless::{Case, IntegrationMethod, Motion, Row};
 
 /// A time in which nothing moves.

@@ -1,13 +1,13 @@
 //! A free impact of two balls against conservation laws and closed forms.
 
-use crate::common::{conventional, dimensions, steel, undamped};
+use crate::common::{conventional, dimensions, run_from, steel, undamped};
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::contact::hertz;
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::state::State;
 use cageless::integrator::{Abm4, Integrator};
-use cageless::simulation::{Control, run_from};
+use cageless::simulation::Control;
 use cageless::{Bearing, Case, IntegrationMethod, Motion, dynamics};
 
 /// Rings so far apart, and everything else so quiet, that balls 1 and 2 meet in free

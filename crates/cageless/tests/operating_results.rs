@@ -34,7 +34,7 @@ struct EveryStep {
 }
 
 impl Observer for EveryStep {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let all = || 0..contacts.balls();
         let friction: f64 = all().map(|k| contacts.inner_friction_n(k)).sum();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::common::{STRUCTURES, dimensions, raceway, steel};
+use crate::common::{dimensions, raceway, steel, structures};
 use crate::slot_ring;
 use crate::turned_ring::{angular, turned_back};
 use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side};
@@ -102,7 +102,7 @@ fn volume_with_raceways() {
 /// α against its own slope by finite differences, up to the very ends.
 #[test]
 fn contact_angle_has_its_slope() {
-    for (span, angle, ..) in STRUCTURES {
+    for (span, angle, ..) in structures() {
         let raceway = raceway(&bearing(), span, angle, 0.0);
         let theta = raceway.half_angle_rad();
         for fraction in [-0.999_99, -0.7, 0.1, 0.5, 0.9, 0.999, 0.999_95] {

@@ -60,7 +60,7 @@ struct EveryStep {
 }
 
 impl Observer for EveryStep {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
         self.inside.resize(x.len(), None);
         for k in 0..x.len() {
@@ -133,7 +133,7 @@ struct TimeInside {
 }
 
 impl Observer for TimeInside {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
         self.inside_s.resize(x.len(), None);
         for k in 0..x.len() {

@@ -32,7 +32,7 @@ struct EveryStep {
 }
 
 impl Observer for EveryStep {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
         self.touching.resize(c.balls(), false);
         for k in 0..c.balls() {

@@ -151,7 +151,7 @@ struct Forces {
 }
 
 impl Observer for Forces {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         for k in 0..view.contacts.balls() {
             for force in [
                 view.contacts.inner_force_n(k),

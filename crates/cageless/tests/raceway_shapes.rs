@@ -16,7 +16,7 @@ use cageless::{
     RacewayDimensions, RacewayForm, RacewayShape, Start, StartState,
 };
 
-use crate::common::{STRUCTURES, complete, conventional, dimensions, steel, structure, undamped};
+use crate::common::{complete, conventional, dimensions, steel, structure, structures, undamped};
 
 /// Every shape with and without blends.
 fn forms() -> [RacewayForm; 12] {
@@ -508,7 +508,7 @@ fn shapes_are_not_bound_to_the_path_of_the_paper() {
         Raceway::formed(dimensions, *form, &bearing).unwrap();
     }
     // Every structure of the paper takes the blend of its exported ring.
-    for (span, angle, ..) in STRUCTURES {
+    for (span, angle, ..) in structures() {
         let case = structure(span, angle);
         case.raceways[0]
             .clone()

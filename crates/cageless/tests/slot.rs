@@ -192,7 +192,7 @@ struct OnEdge {
 }
 
 impl Observer for OnEdge {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let case = self.case.as_ref().unwrap();
         let ([x, y], centre) = (view.positions(), view.outer_ring_m());
         let angle = (x[0] - centre[0]).atan2(centre[1] - y[0]);

@@ -10,7 +10,7 @@ use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::time_table::TimeTable;
 use cageless::touchdown::{DropRecorder, DropSummary, EndState};
 use cageless::{
-    Bearing, Case, FrictionLaw, IntegrationMethod, Motion, Rotor, Row, Shaft, SupportStop, Tilt,
+    Bearing, Case, FrictionModel, IntegrationMethod, Motion, Rotor, Row, Shaft, SupportStop, Tilt,
 };
 
 use crate::common::{complete, drop_case, raceway, steel};
@@ -592,7 +592,7 @@ fn what_cannot_fall_in_space_is_named() {
             };
         }),
         ("rotor_friction_law", |case| {
-            rotor(case).friction_law = FrictionLaw::Coulomb
+            rotor(case).friction_law = FrictionModel::Coulomb
         }),
     ] {
         assert_eq!(refused(change), field);

@@ -7,13 +7,13 @@ use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::passage::{PassageRecorder, PassageTally};
-use cageless::simulation::{Control, Ending, run, run_from};
+use cageless::simulation::{Control, Ending, run};
 use cageless::summary::SummaryRecorder;
 use cageless::{
     Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Motion, Start, StartState, Tilt,
 };
 
-use crate::common::{complete, conventional, dimensions, raceway, steel, structure};
+use crate::common::{complete, conventional, dimensions, raceway, run_from, steel, structure};
 
 fn in_space(mut case: Case) -> Case {
     case.motion = Motion::Space;

@@ -60,7 +60,7 @@ struct Watch {
 }
 
 impl Observer for Watch {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         if view.step.t1_s <= self.from_s {
             return Ok(Control::Continue(()));
         }

@@ -3,7 +3,9 @@
 use crate::common::{conventional, dimensions, drop_case, raceway, structure, undamped};
 use cageless::contact::FrictionTable;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start, StartState, SupportStop, Tilt};
+use cageless::{
+    Case, FrictionModel, Gaps, IntegrationMethod, Start, StartState, SupportStop, Tilt,
+};
 
 const METHODS: [IntegrationMethod; 3] = [
     IntegrationMethod::Abm4,
@@ -122,7 +124,7 @@ fn expected(case: &Case, preload: f64) -> Expected {
         let pair = case.rotor.as_ref().zip(fall.as_ref());
         pair.map_or(0.0, |(rotor, f)| of(rotor) * f.force * f.mobility)
     };
-    let smooth = f64::from(u8::from(contact.friction_law != FrictionLaw::Coulomb));
+    let smooth = f64::from(u8::from(contact.friction_law != FrictionModel::Coulomb));
     let coefficient = contact
         .friction
         .static_coefficient
@@ -143,7 +145,7 @@ fn expected(case: &Case, preload: f64) -> Expected {
         friction_1_s: (smooth * 5.0 * coefficient * load
             / (mass * contact.friction.regularisation_speed_m_s))
             .max(at_rotor(&|r| match r.friction_law {
-                FrictionLaw::Coulomb => 0.0,
+                FrictionModel::Coulomb => 0.0,
                 _ => {
                     r.friction
                         .static_coefficient
@@ -189,7 +191,7 @@ fn given_stiffness(mut case: Case) -> Case {
 
 fn stribeck(case: &mut Case) {
     let contact = &mut case.contact;
-    contact.friction_law = FrictionLaw::Stribeck;
+    contact.friction_law = FrictionModel::Stribeck;
     contact.friction.static_coefficient = Some(0.02);
     contact.friction.stribeck_speed_m_s = Some(0.3);
 }
@@ -214,7 +216,7 @@ fn rates_of_a_loaded_bearing_are_the_closed_forms() {
         compare(name, &other, 0.0, 1e-9);
         stribeck(&mut other);
         compare(name, &other, 0.0, 1e-9);
-        other.contact.friction_law = FrictionLaw::Coulomb;
+        other.contact.friction_law = FrictionModel::Coulomb;
         other.contact.friction.static_coefficient = None;
         other.contact.friction.stribeck_speed_m_s = None;
         compare(name, &other, 0.0, 1e-9);
@@ -308,13 +310,13 @@ fn rates_of_a_drop_are_the_closed_forms() {
     change("fixed", &|c| c.support = None);
     change("journal of falling friction", &|c| {
         let rotor = c.rotor.as_mut().unwrap();
-        rotor.friction_law = FrictionLaw::Stribeck;
+        rotor.friction_law = FrictionModel::Stribeck;
         rotor.friction.static_coefficient = Some(0.5);
         rotor.friction.stribeck_speed_m_s = Some(0.01);
         rotor.friction.regularisation_speed_m_s = 1e-4;
     });
     change("sticking journal", &|c| {
-        c.rotor.as_mut().unwrap().friction_law = FrictionLaw::Coulomb;
+        c.rotor.as_mut().unwrap().friction_law = FrictionModel::Coulomb;
         c.contact.friction.coefficient = 1e-3;
     });
     for (name, case) in &cases {
@@ -360,7 +362,7 @@ fn steps_follow_from_rates_and_methods() {
     let mut falling = structure(5.1, 25.2);
     stribeck(&mut falling);
     let mut table = structure(5.1, 25.2);
-    table.contact.friction_law = FrictionLaw::Table;
+    table.contact.friction_law = FrictionModel::Table;
     table.contact.friction.table = FrictionTable::new(vec![[0.0, 0.1], [0.1, 0.02]]).ok();
     table.contact.friction.coefficient = 0.02;
     let mut damped = conventional(dimensions());
@@ -425,8 +427,8 @@ fn steps_follow_from_rates_and_methods() {
     }
     case.solver.step_s = 0.1 / rate;
     let mut journal = case.clone();
-    journal.rotor.as_mut().unwrap().friction_law = FrictionLaw::Coulomb;
-    case.contact.friction_law = FrictionLaw::Coulomb;
+    journal.rotor.as_mut().unwrap().friction_law = FrictionModel::Coulomb;
+    case.contact.friction_law = FrictionModel::Coulomb;
     assert!(StepLimits::friction_is_stiff(&case) && StepLimits::friction_is_stiff(&journal));
 }
 

@@ -8,7 +8,7 @@ use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run, run_batch};
-use cageless::{Case, FrictionLaw, IntegrationMethod, Start, StartState, SupportStop};
+use cageless::{Case, FrictionModel, IntegrationMethod, Start, StartState, SupportStop};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
 fn near_contact(mut case: Case) -> Case {
@@ -55,7 +55,7 @@ fn rough() -> Case {
 #[test]
 fn the_ledger_of_a_drop_closes() {
     let mut cases = vec![];
-    for law in [FrictionLaw::Smooth, FrictionLaw::Coulomb] {
+    for law in [FrictionModel::Smooth, FrictionModel::Coulomb] {
         let mut case = rough();
         case.contact.friction_law = law;
         case.rotor.as_mut().unwrap().friction_law = law;
@@ -109,7 +109,7 @@ fn the_ledger_closes_beyond_the_stop() {
         worst: f64,
     }
     impl Observer for Ledger<'_> {
-        fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
             let state = view.state(view.step.t1_s);
             let outer = state.outer_ring_motion();
             self.beyond += u32::from(outer.x.hypot(outer.y) > 3.1e-5);
@@ -254,7 +254,7 @@ fn snapshots_hold_the_rotor() {
 #[test]
 fn angular_momentum_closes() {
     let mut case = near_contact(rough());
-    case.contact.friction_law = FrictionLaw::Smooth;
+    case.contact.friction_law = FrictionModel::Smooth;
     let model = Model::new(&case).unwrap();
     let mut states = vec![];
     let mut recorder = Recorder::new(1.5e-4, |_| Ok(()));

@@ -31,7 +31,7 @@ fn dropped(case: &Case, more: &mut dyn Observer) -> (DropSummary, f64, f64) {
 struct Heats(Vec<(f64, f64, f64)>);
 
 impl Observer for Heats {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let (layout, y) = (view.layout(), &view.step.y1);
         let heat = InterfaceHeat::of(|term| y[layout.energy_term(term)]);
         let speed = layout.rotor_motion(y).unwrap().speed;

@@ -30,7 +30,7 @@ fn dropped(case: &Case, observer: &mut dyn Observer) -> (DropSummary, RunOutcome
 
 struct Nothing;
 impl Observer for Nothing {
-    fn step(&mut self, _: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, _: &StepView<'_>) -> Result<Control, ObserverError> {
         Ok(Control::Continue(()))
     }
 }
@@ -154,7 +154,7 @@ impl<'c> Loads<'c> {
 }
 
 impl Observer for Loads<'_> {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         for k in 0..contacts.balls() {
             let (radius, force) = (contacts.effective_radius_m(k), contacts.outer_force_n(k));

@@ -10,7 +10,7 @@ use cageless::{Case, Gaps, Housing, Start, StartState};
 struct EveryStep(Vec<(f64, [f64; 2], bool)>);
 
 impl Observer for EveryStep {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let force = contacts.outer_ring_force_n();
         self.0.push((view.step.t1_s, force, contacts.balls_touch()));
@@ -170,7 +170,7 @@ fn the_force_on_the_outer_ring_is_the_sum_over_its_contacts() {
     let mut rising_n: f64 = 0.0;
     struct Sum<'a>(&'a mut f64);
     impl Observer for Sum<'_> {
-        fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
             let (c, [x, y]) = (&view.contacts, view.positions());
             let mut sum = [0.0; 2];
             for k in 0..c.balls() {

@@ -13,8 +13,8 @@ use cageless::steady::SteadyOperation;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
 use cageless::{
-    Bearing, Case, Ends, FlankModel, FrictionParameters, InputError, Raceway, RacewayDimensions,
-    RacewayForm, Row, Solver, Support,
+    Bearing, Case, Ends, FlankModel, InputError, Raceway, RacewayDimensions, RacewayForm, Row,
+    Solver, Support,
 };
 
 use cageless_results::{Kind, LIMITED, Quantity};
@@ -119,10 +119,7 @@ impl Converter<'_> {
             output: s.output.clone(),
         };
         if !self.regularised && case.rotor.is_none() {
-            let rolling_m_s =
-                case.rolling_orbit_speed_rad_s().abs() * case.bearing.pitch_radius_m();
-            case.contact.friction.regularisation_speed_m_s =
-                FrictionParameters::regularisation_of_rolling_m_s(rolling_m_s);
+            case.contact.friction.regularisation_speed_m_s = case.automatic_regularisation_m_s();
         }
         let automatic = s.solver.step_s.0.is_none();
         if automatic {

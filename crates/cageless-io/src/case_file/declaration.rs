@@ -88,7 +88,10 @@ macro_rules! section {
             ) -> Result<Self, $crate::case_file::error::CaseError> {
                 Ok(Self {
                     $( $field: reader.field(stringify!($key))?, )*
-                    $( $group: $($Group)::+ { $( $part: reader.field(stringify!($inner))?, )* },
+                    $( $group: $($Group)::+ {
+                        $( $part: reader.field(stringify!($inner))?, )*
+                        ..Default::default() // what no file can say
+                    },
                     $( $later_field: reader.field(stringify!($later))?, )* )?
                 })
             }

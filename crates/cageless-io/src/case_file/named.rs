@@ -2,7 +2,7 @@
 
 use cageless::touchdown::LimitSide;
 use cageless::{
-    Assembly, BearingClass, FlankModel, Formulation, FrictionLaw, IntegrationMethod, Lubricant,
+    Assembly, BearingClass, FlankModel, Formulation, FrictionModel, IntegrationMethod, Lubricant,
     Motion, RacewayShape, Shaft, SkfSeries, steady::SteadyStart,
 };
 use cageless_results::Computation;
@@ -94,7 +94,7 @@ named!(
     BearingClass,
     Computation,
     FlankModel,
-    FrictionLaw,
+    FrictionModel,
     IntegrationMethod,
     LimitSide,
     Lubricant,

@@ -1,6 +1,6 @@
 //! Completion of a document: its keys are known, none is missing, and defaults are filled in.
 
-use cageless::{FlankModel, Formulation, FrictionLaw};
+use cageless::{FlankModel, Formulation, FrictionModel};
 
 use super::document::CaseDocument;
 use super::error::CaseError;
@@ -60,7 +60,7 @@ fn complete_sections(document: &mut CaseDocument, defaults: &mut Vec<String>) {
     }
     let published = document.value("model.formulation") == Some(Formulation::Paper.name().into());
     let law = document.value("contact.friction_law");
-    let sticks = FrictionLaw::NAMES
+    let sticks = FrictionModel::NAMES
         .iter()
         .any(|(name, of)| of.sticks() && law == Some((*name).into()));
     if is_default("model.flanks", defaults) && (published || sticks) {

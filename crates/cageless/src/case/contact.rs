@@ -1,7 +1,7 @@
 //! Friction, damping and stiffness of the contacts.
 
 use crate::contact::friction::ContactKind;
-use crate::contact::{FrictionLaw, FrictionParameters};
+use crate::contact::{FrictionModel, FrictionParameters};
 use crate::error::InputError;
 use crate::limits::{not_negative, positive, require};
 
@@ -9,7 +9,7 @@ use crate::limits::{not_negative, positive, require};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// Law of friction.
-    pub friction_law: FrictionLaw,
+    pub friction_law: FrictionModel,
     /// Its parameters.
     pub friction: FrictionParameters,
     /// Friction at the outer raceway over that of the law, which the inner raceway has.

@@ -1,8 +1,8 @@
 //! A case: everything that one computation needs, in SI units.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! use cageless::reference::Structure;
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! assert_eq!(case.bearing.balls(), 14);
 //! assert!(case.check().is_ok());
 //! // Balls orbit at somewhat less than half the speed of the inner ring.
@@ -10,6 +10,7 @@
 //! assert!(0.35 < ratio && ratio < 0.45);
 //! ```
 
+mod builder;
 mod check;
 mod contact;
 mod operating_clearance;
@@ -34,6 +35,7 @@ use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 use crate::touchdown::{Limit, PARTS, Thermal};
 
+pub use builder::CaseBuilder;
 pub use contact::{Contact, STRIPS_MAX};
 pub use space::SPATIAL_FIELDS;
 pub use spatial_load::{Motion, Row, SpatialLoad, Tilt};

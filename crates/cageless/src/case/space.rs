@@ -1,7 +1,7 @@
 //! What takes a case out of its plane: axial load, moments or tilt, contact angles, rows.
 
 use super::{Case, Motion, Row, SpatialLoad, Tilt};
-use crate::contact::FrictionLaw;
+use crate::contact::FrictionModel;
 use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
@@ -149,7 +149,7 @@ impl Case {
         ];
         for (field, law) in laws {
             let rule = "smooth, stribeck or table: sliding in two directions needs a smooth knee";
-            require(field, 0.0, !law.is_some_and(FrictionLaw::sticks), rule)?;
+            require(field, 0.0, !law.is_some_and(FrictionModel::sticks), rule)?;
         }
         if let (
             Tilt::Free {

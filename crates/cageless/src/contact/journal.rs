@@ -258,7 +258,7 @@ const ITERATIONS_MAX: u32 = 100;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
+    use crate::contact::{FrictionModel, FrictionParameters, FrictionTable};
 
     const JOURNAL: Journal = Journal {
         radius: 14.8e-3,
@@ -298,9 +298,9 @@ mod tests {
             Friction::new(law, &parameters, 0.0)
         };
         for law in [
-            FrictionLaw::Smooth,
-            FrictionLaw::Stribeck,
-            FrictionLaw::Table,
+            FrictionModel::Smooth,
+            FrictionModel::Stribeck,
+            FrictionModel::Table,
         ] {
             let friction = friction(law);
             for free in [-40.0, -0.1, -1e-4, 0.0, 1e-3, 0.3, 46.0] {
@@ -315,7 +315,7 @@ mod tests {
                 }
             }
         }
-        let law = friction(FrictionLaw::Coulomb);
+        let law = friction(FrictionModel::Coulomb);
         let coulomb = |free| {
             let end = implicit_slip(&law, free, 1e-5, 2000.0, JournalSlip::default());
             [end.slip, end.friction]

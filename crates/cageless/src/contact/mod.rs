@@ -38,7 +38,9 @@ pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
 pub use flank_friction::{AtFlanks, FlankSliding};
 pub use flank_section::{FlankPress, FlankSection};
 pub use flanks::{FlankContact, flank_contact};
-pub use friction::{Friction, FrictionLaw, FrictionParameters, FrictionTable, Law, tanh};
+pub use friction::{
+    Friction, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Law, OwnFriction, tanh,
+};
 pub use implicit_friction::{
     MAX_ITERATIONS, RacewayContacts, end_weights, further_step, newton_step,
 };

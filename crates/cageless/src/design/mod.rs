@@ -2,12 +2,12 @@
 //! a recommendation.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::{self, Structure};
 //! use cageless::design::{Eq11, theoretical_gap_rad};
 //!
 //! # use cageless::Bearing;
-//! let bearing = Bearing::new(common::dimensions(), common::steel())?; // Zhao 2022, Table 1
-//! # let raceway = common::raceway(&bearing, 5.1, 25.2, 0.0);
+//! let bearing = reference::bearing(); // Zhao 2022, Table 1
+//! # let raceway = Structure::D.raceway(&bearing)?;
 //!
 //! let gap = theoretical_gap_rad(&bearing, &raceway, Eq11::Published);
 //! assert!((gap.to_degrees() - 1.817).abs() < 2e-3); // Table 2: 1.8171°

@@ -338,7 +338,7 @@ const STARTING_FRACTION: f64 = 0.3;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::common::{STRUCTURES, structure};
+    use crate::common::{structure, structures};
     use crate::design::Criterion;
 
     #[test]
@@ -357,7 +357,7 @@ mod tests {
     #[test]
     fn spans_of_the_curve_are_those_of_the_paper() {
         let case = structure(5.1, 25.2);
-        for (span_mm, angle_deg, ..) in STRUCTURES {
+        for (span_mm, angle_deg, ..) in structures() {
             let span = span_for_angle(&case, angle_deg.to_radians()).unwrap();
             assert!((span * 1e3 - span_mm).abs() < 0.01, "{span_mm}: {span}");
             let on_curve = on_curve(&case, span).unwrap().half_angle_rad();

@@ -208,6 +208,12 @@ impl Contacts<'_> {
         self.space.map(|space| space.contacts(k))
     }
 
+    /// ωi, rad/s, counter-clockwise.
+    pub(crate) fn inner_ring_speed_rad_s(&self) -> f64 {
+        let (inner, lane) = (&self.parameters.inner, self.bearing);
+        inner.surface_speed.0[lane] / inner.radius.0[lane]
+    }
+
     /// Contact of the rotor with the inner ring, if there is a rotor.
     pub fn rotor(&self) -> Option<RotorContact> {
         let rotor = &self.work.rotors[self.bearing];

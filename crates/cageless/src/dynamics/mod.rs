@@ -2,11 +2,11 @@
 //! energy, and the right-hand side over them.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::dynamics::Model;
 //! use cageless::initial_conditions::initial_state;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let model = Model::new(&case)?;
 //! let (state, _angles) = initial_state(&case)?;

@@ -1,5 +1,7 @@
 //! Every constant of the equations of motion, derived once from a case.
 
+use std::sync::Arc;
+
 use super::ball::{Ball, PolarMotion};
 use super::inner_ring::InnerRing;
 use super::layout::Layout;
@@ -8,8 +10,8 @@ use super::rotor::RotorBody;
 use super::space::SpaceModel;
 use crate::bearing::Bearing;
 use crate::case::Case;
-use crate::contact::FrictionLaw;
-use crate::contact::friction::STICK_FRACTION;
+use crate::contact::FrictionModel;
+use crate::contact::friction::{FrictionFault, STICK_FRACTION};
 use crate::contact::{
     Friction, InnerRaceway, OuterGeometry, OuterRaceway, RacewayConstants, outer_deflection,
     restitution_damping,
@@ -39,12 +41,12 @@ pub(crate) struct RacewayModel {
     pub ellipse: Vec<f64>,
 }
 
-/// The equations of motion of one case.
+/// The equations of motion of one case, shared by whatever evaluates them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     pub(crate) layout: Layout,
     pub(crate) formulation: Formulation,
-    pub(crate) law: FrictionLaw,
+    pub(crate) law: FrictionModel,
     pub(crate) balls: Vec<Ball>,
     /// J of each ball, kg·m².
     pub(crate) inertia: Vec<f64>,
@@ -79,7 +81,12 @@ impl Model {
     ///
     /// # Errors
     /// The [`InputError`] of [`Case::check`].
-    pub fn new(case: &Case) -> Result<Self, InputError> {
+    pub fn new(case: &Case) -> Result<Arc<Self>, InputError> {
+        Self::of_case(case).map(Arc::new)
+    }
+
+    /// [`Self::new`], not yet shared.
+    pub(crate) fn of_case(case: &Case) -> Result<Self, InputError> {
         step_limits::check(case)?;
         let bearing = &case.bearing;
         let d = bearing.dimensions();
@@ -195,6 +202,17 @@ impl Model {
     /// Layout of the state vector.
     pub fn layout(&self) -> Layout {
         self.layout
+    }
+
+    /// Rings and balls.
+    pub(crate) fn bearing(&self) -> &Bearing {
+        &self.bearing
+    }
+
+    /// First answer of a law of friction of one's own that cannot be.
+    pub(crate) fn friction_fault(&self) -> Option<&FrictionFault> {
+        let journal = self.rotor.as_ref().map(|rotor| &rotor.friction);
+        self.friction.fault().or(journal.and_then(Friction::fault))
     }
 
     /// Formulation of the equations.

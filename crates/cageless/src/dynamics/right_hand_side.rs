@@ -1,6 +1,8 @@
 //! The right-hand side of one bearing, or of several side by side, compiled for every
 //! instruction set and chosen at run time.
 
+use std::sync::Arc;
+
 use super::contacts::Contacts;
 use super::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use super::layout::Layout;
@@ -24,8 +26,8 @@ pub(super) type JournalLoad = [f64; 4];
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
-pub struct RightHandSide<'m> {
-    models: Vec<&'m Model>,
+pub struct RightHandSide {
+    models: Vec<Arc<Model>>,
     parameters: Parameters,
     work: Workspace,
     /// What motion in space needs besides.
@@ -39,16 +41,16 @@ pub struct RightHandSide<'m> {
     second_order_blocks: Vec<SecondOrderBlock>,
 }
 
-impl<'m> RightHandSide<'m> {
+impl RightHandSide {
     /// The equations of `model` with the instructions of [`InstructionSet::chosen`].
-    pub fn new(model: &'m Model) -> Self {
+    pub fn new(model: &Arc<Model>) -> Self {
         Self::with_instruction_set(model, InstructionSet::chosen())
     }
 
     /// The equations of `model` with given instructions; wider ones than the processor has are
     /// replaced by its own widest.
-    pub fn with_instruction_set(model: &'m Model, isa: InstructionSet) -> Self {
-        Self::build(vec![model], model.layout, isa)
+    pub fn with_instruction_set(model: &Arc<Model>, isa: InstructionSet) -> Self {
+        Self::build(vec![Arc::clone(model)], model.layout, isa)
     }
 
     /// [`BATCH_WIDTH`] bearings side by side, each in its own lanes of every block, with the same number
@@ -57,23 +59,23 @@ impl<'m> RightHandSide<'m> {
     ///
     /// # Panics
     /// If they differ in one of these.
-    pub fn side_by_side(models: [&'m Model; BATCH_WIDTH], isa: InstructionSet) -> Self {
-        let first = models[0];
+    pub fn side_by_side(models: [Arc<Model>; BATCH_WIDTH], isa: InstructionSet) -> Self {
         assert!(
-            models.iter().all(|m| m.kind() == first.kind()),
+            models.iter().all(|m| m.kind() == models[0].kind()),
             "bearings side by side must be of one kind"
         );
-        Self::build(models.to_vec(), first.layout.side_by_side(), isa)
+        let layout = models[0].layout.side_by_side();
+        Self::build(models.into(), layout, isa)
     }
 
-    fn build(models: Vec<&'m Model>, layout: Layout, isa: InstructionSet) -> Self {
+    fn build(models: Vec<Arc<Model>>, layout: Layout, isa: InstructionSet) -> Self {
         let parameters = Parameters::new(&models, layout);
         Self {
             work: Workspace::new(&parameters, models[0].formulation),
             space: models[0]
                 .space
                 .as_ref()
-                .map(|space| SpaceWorkspace::new(models[0], space)),
+                .map(|space| SpaceWorkspace::new(&models[0], space)),
             parameters,
             isa: isa.min(InstructionSet::detect()),
             evaluations: 0,
@@ -86,9 +88,25 @@ impl<'m> RightHandSide<'m> {
         }
     }
 
+    /// Sets the speed of the inner ring, rad/s, and the radial load, N, from here on.
+    pub(crate) fn set_operation(&mut self, [inner_speed_rad_s, radial_load_n]: [f64; 2]) {
+        let p = &mut self.parameters;
+        for lane in 0..LANES {
+            p.inner.surface_speed.0[lane] = inner_speed_rad_s * p.inner.radius.0[lane];
+            p.ring.radial_load.0[lane] = radial_load_n;
+        }
+    }
+
+    /// Sets the torque of the drive of the rotor, N·m, from here on.
+    pub(crate) fn set_drive_torque(&mut self, torque_n_m: f64) {
+        for (body, _) in &mut self.parameters.drops {
+            body.drive_torque = torque_n_m;
+        }
+    }
+
     /// The model of the first bearing.
-    pub fn model(&self) -> &'m Model {
-        self.models[0]
+    pub fn model(&self) -> &Arc<Model> {
+        &self.models[0]
     }
 
     /// Layout of the vector that is integrated, with the places of the first bearing.
@@ -143,7 +161,7 @@ impl<'m> RightHandSide<'m> {
         }
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let b = (p, self.models[0], space, drive(p));
+            let b = (p, &*self.models[0], space, drive(p));
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
@@ -211,7 +229,7 @@ impl<'m> RightHandSide<'m> {
         let system = self;
         with_instructions!(
             system.isa,
-            [M: Method](integrator: &mut Integrator<M>, system: &mut RightHandSide<'_>, limit_s: f64)
+            [M: Method](integrator: &mut Integrator<M>, system: &mut RightHandSide, limit_s: f64)
                 -> Result<(), UnresolvedStep>,
             integrator.advance(system, limit_s)
         )
@@ -276,12 +294,13 @@ impl<'m> RightHandSide<'m> {
         end: &Contacts<'_>,
     ) -> Snapshot {
         let model = self.model();
+        let balls = model.balls();
         if !(model.friction.sticks() && model.implicit_friction) {
             return self.snapshot(time_s, state, angle_rad);
         }
         let mut rate = vec![0.0; state.layout().len()];
         self.evaluate(time_s, state.values(), &mut rate, false);
-        let of_step: Vec<[f64; 4]> = (0..model.balls())
+        let of_step: Vec<[f64; 4]> = (0..balls)
             .map(|k| {
                 [
                     end.outer_friction_n(k),
@@ -393,7 +412,7 @@ pub(super) fn mix(hash: u64, bits: u64) -> u64 {
         .rotate_left(5)
 }
 
-impl System for RightHandSide<'_> {
+impl System for RightHandSide {
     fn dimension(&self) -> usize {
         self.parameters.layout.len()
     }
@@ -415,7 +434,7 @@ impl System for RightHandSide<'_> {
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let b = (p, self.models[0], space, drive(p));
+            let b = (p, &*self.models[0], space, drive(p));
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),

@@ -1,10 +1,10 @@
 //! A rigid rotor in the plane of the bearing: constants, motion and acceleration.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
 //! use cageless::initial_conditions::initial_state;
 //!
-//! let (state, _angles) = initial_state(&common::drop_case())?;
+//! let (state, _angles) = initial_state(&reference::rotor_drop())?;
 //! let rotor = state.rotor_motion().unwrap();
 //! assert!((rotor.speed - 3141.6).abs() < 0.1); // 30 000 rpm
 //! assert_eq!((rotor.y, state.ring_speed_rad_s()), (0.0, Some(0.0)));
@@ -19,7 +19,7 @@ use crate::contact::{Friction, Journal, JournalContact, JournalMotion, journal_c
 use crate::rotor::Rotor;
 
 /// Constants of the rotor, of its contact with the inner ring, and of the turning of that ring.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RotorBody {
     /// m, kg.
     pub mass: f64,
@@ -343,13 +343,13 @@ mod tests {
         let (eccentric, ring_mass) = (eccentric(), 0.2);
         let centred = RotorBody {
             eccentricity: 0.0,
-            ..eccentric
+            ..eccentric.clone()
         };
         let guided = RotorBody {
             guide: Some([[0.07, 0.01, 0.3], [0.01, 0.04, -0.2], [0.3, -0.2, 60.0]]),
-            ..centred
+            ..centred.clone()
         };
-        for body in [eccentric, centred, guided] {
+        for body in [eccentric.clone(), centred.clone(), guided] {
             let (motion, ring, contact) = touching(&body);
             let bare = JournalContact {
                 force: 0.0,

@@ -5,6 +5,8 @@
 //! rates, and the energy ledger of the rotor. Along the axis bearings in space alone act on it. The motion of a journal follows from u linearly, and every method here keeps
 //! linear relations, so that the journals stay those of the rotor.
 
+use std::sync::Arc;
+
 use nalgebra::DVectorView;
 
 use super::Model;
@@ -34,7 +36,7 @@ pub(crate) enum RotorEnergyTerm {
 pub(crate) struct RotorOnBearings<'m> {
     rotor: &'m LinearRotor,
     equations: RotorEquations<'m>,
-    bearings: Vec<RightHandSide<'m>>,
+    bearings: Vec<RightHandSide>,
     /// Places of each bearing.
     layouts: Vec<Layout>,
     /// Z of the rotor in each bearing at the start, m.
@@ -59,7 +61,7 @@ pub struct PlaneDisplacement {
 
 impl<'m> RotorOnBearings<'m> {
     /// The rotor on the bearings of `models`, one for each of its journals.
-    pub fn new(rotor: &'m LinearRotor, loads: RotorLoads, models: &'m [Model]) -> Self {
+    pub fn new(rotor: &'m LinearRotor, loads: RotorLoads, models: &[Arc<Model>]) -> Self {
         let mut start = 0;
         let mut layouts = vec![];
         for model in models {
@@ -246,7 +248,7 @@ impl<'m> RotorOnBearings<'m> {
     }
 
     /// The equations of bearing `k`.
-    pub fn bearing(&self, k: usize) -> &RightHandSide<'m> {
+    pub fn bearing(&self, k: usize) -> &RightHandSide {
         &self.bearings[k]
     }
 }

@@ -6,10 +6,10 @@
 //! reactions.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::equilibrium;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let rest = equilibrium::solve(&case)?;
 //! assert!(rest.ring_y_m < 0.0); // the load presses the ring down

@@ -76,6 +76,12 @@ impl<M: Method> Integrator<M> {
         self.method.perform_step(system, &mut self.step, limit_s)
     }
 
+    /// Forgets all history at the end of the last step, where f or the size of the steps changes.
+    pub fn restart_here<S: System>(&mut self, system: &mut S) {
+        let end = self.step.y1.clone();
+        self.restart(system, self.step.t1_s, &end);
+    }
+
     /// The last step. The system's last evaluation was at its end.
     pub fn step(&self) -> &StepState {
         &self.step
@@ -108,20 +114,40 @@ macro_rules! named_methods {
             }
         }
 
-        /// Evaluates an expression with the method of a case, whichever it is.
-        macro_rules! with_method {
-            ($chosen:expr, ($dimension:expr, $step_s:expr, $tolerance:expr), $name:ident => $body:expr) => {
-                match $chosen {
-                    $(crate::integrator::IntegrationMethod::$method => {
-                        let $name = <crate::integrator::$method as crate::integrator::NamedMethod>::of_case(
-                            $dimension, $step_s, $tolerance,
-                        );
-                        $body
+        /// The method of a case with its history.
+        #[derive(Debug, Clone)]
+        #[allow(clippy::large_enum_variant)] // one per simulation
+        pub enum CaseMethod {
+            $(#[doc = concat!("[`", stringify!($method), "`].")] $method($method),)*
+        }
+
+        impl CaseMethod {
+            /// The method for systems of this dimension, with steps of `step_s` or, under error control, at most that
+            /// and errors per step up to `tolerance`.
+            pub fn new(method: IntegrationMethod, dimension: usize, step_s: f64, tolerance: f64) -> Self {
+                match method {
+                    $(IntegrationMethod::$method => {
+                        Self::$method($method::of_case(dimension, step_s, tolerance))
                     })*
                 }
-            };
+            }
         }
-        pub(crate) use with_method;
+
+        impl Method for CaseMethod {
+            fn restart<S: System>(&mut self, system: &mut S, step: &StepState) {
+                match self { $(Self::$method(method) => method.restart(system, step),)* }
+            }
+
+            #[inline(always)] // into callers compiled for wider vectors
+            fn perform_step<S: System>(
+                &mut self,
+                system: &mut S,
+                step: &mut StepState,
+                limit_s: f64,
+            ) -> Result<(), UnresolvedStep> {
+                match self { $(Self::$method(method) => method.perform_step(system, step, limit_s),)* }
+            }
+        }
     };
 }
 
@@ -164,14 +190,12 @@ mod tests {
 
     /// The state after steps of size `h` from x = x′ = 1.
     fn after(method: IntegrationMethod, mut system: Oscillator, steps: u32, h: f64) -> [f64; 2] {
-        with_method!(method, (2, h, 1e-9), method => {
-            let mut integrator = Integrator::new(method, 2);
-            integrator.restart(&mut system, 0.0, &[1.0, 1.0]);
-            for _ in 0..steps {
-                integrator.advance(&mut system, f64::INFINITY).unwrap();
-            }
-            [integrator.step().y1[0], integrator.step().y1[1]]
-        })
+        let mut integrator = Integrator::new(CaseMethod::new(method, 2, h, 1e-9), 2);
+        integrator.restart(&mut system, 0.0, &[1.0, 1.0]);
+        for _ in 0..steps {
+            integrator.advance(&mut system, f64::INFINITY).unwrap();
+        }
+        [integrator.step().y1[0], integrator.step().y1[1]]
     }
 
     fn of_fixed_step() -> impl Iterator<Item = (IntegrationMethod, Properties)> {

@@ -5,11 +5,11 @@
 //! at any clearance. Local coordinates have the middle of the raceway at −Y.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
 //! use cageless::{Raceway, RacewayDimensions};
 //!
 //! # use cageless::Bearing;
-//! let bearing = Bearing::new(common::dimensions(), common::steel())?; // Zhao 2022, Table 1
+//! let bearing = reference::bearing(); // Zhao 2022, Table 1
 //!
 //! let dimensions = RacewayDimensions {
 //!     axial_span_m: 5.1e-3,

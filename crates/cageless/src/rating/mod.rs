@@ -7,10 +7,10 @@
 //! with plain grooves: of a discrete raceway and of ceramic balls the lives are an indication.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::{equilibrium, rating::Rating};
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! let rating = Rating::new(&case, &equilibrium::solve(&case)?);
 //!
 //! assert!((rating.basic.dynamic_n - 22_102.0).abs() < 1.0);

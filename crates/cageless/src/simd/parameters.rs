@@ -1,5 +1,7 @@
 //! The constants of one bearing, or of several side by side, block by block.
 
+use std::sync::Arc;
+
 use super::flank_polynomials::FlankPolynomials;
 use super::motions::ring_speeds;
 use crate::contact::{
@@ -64,9 +66,9 @@ impl Parameters {
     }
 
     /// Sets what is given over time to its values at `time_s`.
-    pub fn set_time(&mut self, models: &[&Model], time_s: f64) {
+    pub fn set_time(&mut self, models: &[Arc<Model>], time_s: f64) {
         for lane in 0..LANES {
-            let model = models[lane % models.len()];
+            let model = &models[lane % models.len()];
             if let Some(speed) = &model.inner_speed {
                 self.inner.surface_speed.0[lane] = speed.value(time_s) * model.inner.radius;
             }
@@ -87,9 +89,9 @@ impl Parameters {
 
     /// Constants of the bearings whose places `layout` has; lane l belongs to bearing l modulo
     /// their number.
-    pub fn new(models: &[&Model], layout: Layout) -> Self {
-        let first = models[0];
-        let model = |lane: usize| models[lane % models.len()];
+    pub fn new(models: &[Arc<Model>], layout: Layout) -> Self {
+        let first = &models[0];
+        let model = |lane: usize| &models[lane % models.len()];
         let raceways = models.iter().map(|m| m.raceway_models.len()).max();
         // Padding has neither stiffness nor mass, and so feels nothing.
         let padding = Ball {
@@ -110,9 +112,9 @@ impl Parameters {
             elastic: first.flanks == FlankModel::Elastic,
             drops: models
                 .iter()
-                .filter_map(|m| Some((m.rotor?, m.outer_ring)))
+                .filter_map(|m| Some((m.rotor.clone()?, m.outer_ring)))
                 .collect(),
-            friction: FrictionLanes::from_fn(|lane| model(lane).friction),
+            friction: FrictionLanes::from_fn(|lane| model(lane).friction.clone()),
             outer: OuterRacewayLanes::from_fn(|lane| model(lane).outer),
             inner: InnerRacewayLanes::from_fn(|lane| model(lane).inner),
             ring: InnerRingLanes::from_fn(|lane| model(lane).ring),
@@ -126,7 +128,7 @@ impl Parameters {
     }
 }
 
-fn raceway_block(models: &[&Model], k: usize) -> RacewayBlock {
+fn raceway_block(models: &[Arc<Model>], k: usize) -> RacewayBlock {
     let raceway = |lane: usize| models[lane % models.len()].raceway_models.get(k);
     let absent = RacewayConstants {
         end: -1.0,

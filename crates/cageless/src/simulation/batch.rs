@@ -1,11 +1,14 @@
 //! Batches: several bearings integrated side by side in the lanes of the vectors.
 
+use std::sync::Arc;
+
 use super::observer::{Observer, RunContext};
 use super::outcome::RunOutcome;
 use super::run::{drive, run};
 use super::run_tracker::RunTracker;
+use super::watch::Watch;
 use crate::case::Case;
-use crate::contact::FrictionLaw;
+use crate::contact::FrictionModel;
 use crate::control::Control;
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
@@ -21,7 +24,7 @@ use crate::step_limits::{self, StepLimits};
 struct Kind {
     balls: usize,
     formulation: Formulation,
-    law: FrictionLaw,
+    law: FrictionModel,
     implicit_friction: bool,
     has_nominal_geometry: bool,
     step_s: f64,
@@ -124,7 +127,7 @@ pub fn run_batch(
 
 /// A case with its model and initial state.
 struct Prepared {
-    model: Model,
+    model: Arc<Model>,
     start: State,
     angles: Vec<f64>,
 }
@@ -149,25 +152,26 @@ fn side_by_side(
     let Some(last) = ready.last() else {
         return vec![];
     };
-    let models = std::array::from_fn(|lane| &ready.get(lane).unwrap_or(last).1.model);
+    let models = std::array::from_fn(|lane| Arc::clone(&ready.get(lane).unwrap_or(last).1.model));
     let rhs = RightHandSide::side_by_side(models, InstructionSet::chosen());
     let watched = observers
         .iter_mut()
         .zip(prepared)
         .filter(|(_, p)| p.is_ok());
-    let mut trackers: Vec<RunTracker<'_, '_, '_>> = ready
+    let contexts = ready.iter().map(|(case, prepared)| RunContext {
+        case,
+        model: &prepared.model,
+        start: &prepared.start,
+        start_angle_rad: &prepared.angles,
+    });
+    let contexts: Vec<RunContext<'_>> = contexts.collect();
+    let watch = |(bearing, context)| Watch::new(context, rhs.layout().of_bearing(bearing), bearing);
+    let mut watches: Vec<Watch> = contexts.iter().enumerate().map(watch).collect();
+    let mut trackers: Vec<RunTracker<'_, '_>> = contexts
         .iter()
+        .zip(&mut watches)
         .zip(watched)
-        .enumerate()
-        .map(|(bearing, ((case, prepared), (observers, _)))| {
-            let context = RunContext {
-                case,
-                model: &prepared.model,
-                start: &prepared.start,
-                start_angle_rad: &prepared.angles,
-            };
-            RunTracker::new(context, rhs.layout().of_bearing(bearing), observers)
-        })
+        .map(|((context, watch), (observers, _))| RunTracker::new(*context, watch, observers))
         .collect();
     drive(rhs, &mut trackers, control);
     trackers

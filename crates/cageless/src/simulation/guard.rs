@@ -1,7 +1,10 @@
 //! Guard against states outside the physical range.
 
+use std::sync::Arc;
+
 use crate::bearing::{Bearing, BeyondGroove};
 use crate::case::Case;
+use crate::contact::friction::FrictionFault;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::coordinates::SlidingCoordinate;
 use crate::dynamics::layout::Layout;
@@ -51,6 +54,8 @@ pub enum Cause {
     },
     /// The error control could not resolve a step.
     NotResolved,
+    /// A law of friction of one's own returned what cannot be.
+    Friction(FrictionFault),
 }
 
 /// Time and cause at which a run stopped.
@@ -109,6 +114,7 @@ impl std::fmt::Display for Cause {
                 100.0 * residual_fraction.abs()
             ),
             Self::NotResolved => f.write_str("a step could not be resolved"),
+            Self::Friction(fault) => fault.fmt(f),
         }
     }
 }
@@ -128,7 +134,8 @@ impl Cause {
             | Self::RotorThroughInnerRing
             | Self::EnergyFromNowhere { .. }
             | Self::Unbalanced { .. }
-            | Self::NotResolved => false,
+            | Self::NotResolved
+            | Self::Friction(_) => false,
         }
     }
 }
@@ -159,7 +166,7 @@ impl Stop {
             true => format!("set solver.step_us to \"auto\", {automatic_us} µs in this case"),
             false => format!("set solver.step_us to {half_us}, half the step of this run"),
         };
-        match self.cause {
+        match &self.cause {
             Cause::RingsMeet {
                 balls_that_hold: Some(balls),
                 ..
@@ -214,6 +221,9 @@ impl Stop {
                 row + 1
             ),
             Cause::Unbalanced { .. } => halve,
+            Cause::Friction(_) => {
+                "return μ of 0 or more with its finite slope at every sliding speed".to_owned()
+            }
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
                 "{halve}; contacts without damping need some (contact.damping_n_s_m1_5, \
                  contact.ball_restitution)"
@@ -233,8 +243,8 @@ const RESIDUAL_MAX: f64 = 0.05;
 pub(super) const ENERGY_MIN_J: f64 = 1e-12;
 
 /// Guard against states outside the physical range.
-pub(super) struct Guard<'m> {
-    model: &'m Model,
+pub(super) struct Guard {
+    model: Arc<Model>,
     /// Places of the bearing.
     layout: Layout,
     start_energy: f64,
@@ -247,15 +257,14 @@ pub(super) struct Guard<'m> {
     deflection_max: f64,
     /// Sines of the contact angles at the shoulders: inner, outer.
     shoulder_sines: [f64; 2],
-    bearing: &'m Bearing,
     rotor_deflection_max: f64,
     support_max: f64,
     /// Rows whose outer rings slide, from 0.
     sprung_rows: Vec<usize>,
 }
 
-impl<'m> Guard<'m> {
-    pub fn new(model: &'m Model, layout: Layout, case: &'m Case, start: &State) -> Self {
+impl Guard {
+    pub fn new(model: &Arc<Model>, layout: Layout, case: &Case, start: &State) -> Self {
         let bearing = &case.bearing;
         let start_energy = model.energy_j(start);
         let gravity = case.operation.gravity_m_s2;
@@ -268,7 +277,7 @@ impl<'m> Guard<'m> {
         let holding =
             Bearing::balls_that_hold_ring(bearing.ball_radius_m(), bearing.pitch_radius_m());
         Self {
-            model,
+            model: Arc::clone(model),
             layout,
             start_energy,
             energy_scale: case.rotor.as_ref().map_or(start_energy, translation),
@@ -276,7 +285,6 @@ impl<'m> Guard<'m> {
             balls_that_hold: (bearing.balls() < holding).then_some(holding),
             deflection_max: DEFLECTION_FRACTION_MAX * bearing.ball_radius_m(),
             shoulder_sines: bearing.shoulder_angles_rad().map(f64::sin),
-            bearing,
             rotor_deflection_max: bearing.inner_ring_bore().map_or(f64::INFINITY, |bore| {
                 DEFLECTION_FRACTION_MAX * bore.radius_m
             }),
@@ -307,13 +315,16 @@ impl<'m> Guard<'m> {
     /// Checks a state with its contacts.
     pub fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         let layout = self.layout;
+        if let Some(fault) = self.model.friction_fault() {
+            return Err(Cause::Friction(fault.clone()));
+        }
         if !layout.is_finite(values) {
             return Err(Cause::NotFinite);
         }
         let (inner, outer) = (layout.ring_motion(values), layout.outer_ring_motion(values));
         let [x, y] = [inner.x - outer.x, inner.y - outer.y];
         // Through the outer ring, between one look and the next.
-        if x * x + y * y > self.bearing.pitch_radius_m().powi(2) {
+        if x * x + y * y > self.model.bearing().pitch_radius_m().powi(2) {
             return Err(Cause::NotResolved);
         }
         if x * x + y * y > self.ring_max * self.ring_max {
@@ -363,7 +374,7 @@ impl<'m> Guard<'m> {
                 let [cosine, sine] = point.normal;
                 if sine.abs() > self.shoulder_sines[ring] {
                     let angle = sine.atan2(cosine);
-                    if let Some(beyond) = self.bearing.beyond_groove(k, ring, angle) {
+                    if let Some(beyond) = self.model.bearing().beyond_groove(k, ring, angle) {
                         return Err(Cause::BeyondGroove(beyond));
                     }
                 }

@@ -1,6 +1,7 @@
 //! Observers of a run.
 
 use std::cell::RefCell;
+use std::sync::Arc;
 
 use crate::case::Case;
 use crate::control::Control;
@@ -21,7 +22,7 @@ pub struct RunContext<'a> {
     /// The case.
     pub case: &'a Case,
     /// Its equations.
-    pub model: &'a Model,
+    pub model: &'a Arc<Model>,
     /// State at t = 0.
     pub start: &'a State,
     /// ψ of every ball at t = 0.
@@ -29,20 +30,23 @@ pub struct RunContext<'a> {
 }
 
 /// One step of a run.
-pub struct StepView<'a, 'm> {
+#[derive(Clone, Copy)]
+pub struct StepView<'a> {
     /// States and rates at both ends, perhaps with those of other bearings in between:
     /// [`Self::layout`] has the places.
     pub step: &'a StepState,
     /// Contacts at the end of the step.
     pub contacts: Contacts<'a>,
+    /// Constants of the bearing.
+    pub(super) model: &'a Model,
     /// A second right-hand side for snapshots within the step.
-    pub(super) interpolator: &'a RefCell<RightHandSide<'m>>,
+    pub(super) interpolator: &'a RefCell<RightHandSide>,
     /// Continuous ψ of each ball less than half a turn ago.
     pub(super) recent_angle_rad: &'a [f64],
     pub(super) layout: &'a Layout,
 }
 
-impl StepView<'_, '_> {
+impl StepView<'_> {
     /// Places of this bearing in the vectors of the step.
     #[inline]
     pub fn layout(&self) -> Layout {
@@ -181,7 +185,7 @@ pub trait Observer {
     ///
     /// # Errors
     /// Ends the run.
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError>;
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError>;
 }
 
 impl<O: Observer + ?Sized> Observer for &mut O {
@@ -189,7 +193,22 @@ impl<O: Observer + ?Sized> Observer for &mut O {
         (**self).begin(context)
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         (**self).step(view)
+    }
+}
+
+/// A closure as an observer.
+#[derive(Debug, Clone)]
+pub struct EachStep<F>(F);
+
+/// The observer that calls `watch` after every step; `Break(())` ends the run.
+pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> EachStep<F> {
+    EachStep(watch)
+}
+
+impl<F: FnMut(&StepView<'_>) -> Control> Observer for EachStep<F> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
+        Ok((self.0)(view))
     }
 }

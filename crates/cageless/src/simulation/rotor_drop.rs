@@ -1,9 +1,12 @@
 //! The drop of a rotor into its touchdown bearings.
 
+use std::sync::Arc;
+
 use super::observer::{Observer, RunContext};
 use super::outcome::RunOutcome;
 use super::run::{Bearings, drive_from, run};
 use super::run_tracker::RunTracker;
+use super::watch::Watch;
 use crate::case::Case;
 use crate::control::Control;
 use crate::dynamics::rotor_equations::RotorLoads;
@@ -285,7 +288,7 @@ impl RotorDrop {
         let mut models = vec![];
         for case in &self.cases {
             starts.push(initial_state_controlled(case, &mut || control(0.0))?);
-            models.push(Model::new(case)?.guided(rotor.mass_kg()));
+            models.push(Arc::new(Model::of_case(case)?.guided(rotor.mass_kg())));
         }
         let gravity = self.cases[0].operation.gravity_m_s2;
         let [across, along] = match self.is_vertical() {
@@ -315,18 +318,20 @@ impl RotorDrop {
         let states: Vec<State> = (0..models.len())
             .map(|k| State::from_vector(system.layout(k), &start))
             .collect();
-        let mut trackers: Vec<RunTracker<'_, '_, '_>> = observers
-            .iter_mut()
-            .enumerate()
-            .map(|(k, observers)| {
-                let context = RunContext {
-                    case: &self.cases[k],
-                    model: &models[k],
-                    start: &states[k],
-                    start_angle_rad: &starts[k].1,
-                };
-                RunTracker::new(context, system.layout(k), observers).numbered(k)
-            })
+        let contexts = (0..models.len()).map(|k| RunContext {
+            case: &self.cases[k],
+            model: &models[k],
+            start: &states[k],
+            start_angle_rad: &starts[k].1,
+        });
+        let contexts: Vec<RunContext<'_>> = contexts.collect();
+        let watch = |(k, context)| Watch::new(context, system.layout(k), k);
+        let mut watches: Vec<Watch> = contexts.iter().enumerate().map(watch).collect();
+        let mut trackers: Vec<RunTracker<'_, '_>> = contexts
+            .iter()
+            .zip(&mut watches)
+            .zip(observers)
+            .map(|((context, watch), observers)| RunTracker::new(*context, watch, observers))
             .collect();
         system.look_at_planes(&start);
         let start_energy = system.rotor_energy_j(&start);

@@ -2,18 +2,17 @@
 
 use std::cell::Cell;
 
+use super::Simulation;
 use super::guard::{Cause, Stop};
-use super::observer::{Observer, RunContext};
+use super::observer::Observer;
 use super::outcome::{Ending, RunOutcome};
 use super::run_tracker::RunTracker;
+use super::watch::Made;
 use crate::case::Case;
 use crate::control::Control;
-use crate::dynamics::state::State;
-use crate::dynamics::{Contacts, InstructionSet, Model, RightHandSide};
+use crate::dynamics::{Contacts, InstructionSet, RightHandSide};
 use crate::equilibrium::EquilibriumError;
-use crate::error::InputError;
-use crate::initial_conditions::initial_state_controlled;
-use crate::integrator::{self, Integrator, System, UnresolvedStep, with_method};
+use crate::integrator::{self, CaseMethod, Integrator, System, UnresolvedStep};
 
 /// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;
@@ -27,8 +26,8 @@ pub fn steps_of_thread() -> u64 {
     STEPS.get()
 }
 
-/// Runs a case. `control` is called every thousand steps or so with the simulated time, and with 0 while the
-/// start is sought.
+/// Runs a case to its end. `control` is called every thousand steps or so with the simulated time, and with 0 while
+/// the start is sought.
 ///
 /// # Errors
 /// The case is impossible, its start has no equilibrium, or `control` ended its search. Everything later is an
@@ -38,32 +37,9 @@ pub fn run(
     observers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<RunOutcome, EquilibriumError> {
-    let (state, angles) = initial_state_controlled(case, &mut || control(0.0))?;
-    Ok(run_from(case, &state, &angles, observers, control)?.of_whole_run(case))
-}
-
-/// Runs a case from a given state and ψ of its balls.
-///
-/// # Errors
-/// The case is impossible.
-pub fn run_from(
-    case: &Case,
-    start: &State,
-    start_angle_rad: &[f64],
-    observers: &mut [&mut dyn Observer],
-    control: &mut dyn FnMut(f64) -> Control,
-) -> Result<RunOutcome, InputError> {
-    let model = Model::new(case)?;
-    let rhs = RightHandSide::new(&model);
-    let context = RunContext {
-        case,
-        model: &model,
-        start,
-        start_angle_rad,
-    };
-    let mut tracker = RunTracker::new(context, rhs.layout(), observers);
-    drive(rhs, std::slice::from_mut(&mut tracker), control);
-    Ok(tracker.outcome())
+    let mut simulation = Simulation::controlled(case, &mut || control(0.0))?;
+    let outcome = simulation.run_controlled(case.solver.duration_s, observers, control);
+    Ok(outcome.of_whole_run(case))
 }
 
 /// Equations of motion of bearings that are advanced together.
@@ -101,7 +77,7 @@ pub(super) trait Bearings: System {
     }
 }
 
-impl Bearings for RightHandSide<'_> {
+impl Bearings for RightHandSide {
     fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         self.contacts_of(bearing)
     }
@@ -123,11 +99,10 @@ impl Bearings for RightHandSide<'_> {
     }
 }
 
-/// Advances bearings of one kind, method, step and duration, alone or side by side, until each has
-/// ended.
-pub(super) fn drive<'m>(
-    mut rhs: RightHandSide<'m>,
-    trackers: &mut [RunTracker<'_, 'm, '_>],
+/// Advances bearings of one kind, method, step and duration side by side, until each has ended.
+pub(super) fn drive(
+    mut rhs: RightHandSide,
+    trackers: &mut [RunTracker<'_, '_>],
     control: &mut dyn FnMut(f64) -> Control,
 ) {
     let mut start = vec![0.0; rhs.layout().len()];
@@ -145,32 +120,32 @@ pub(super) fn drive<'m>(
 pub(super) fn drive_from(
     start: &[f64],
     bearings: &mut impl Bearings,
-    trackers: &mut [RunTracker<'_, '_, '_>],
+    trackers: &mut [RunTracker<'_, '_>],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Vec<f64> {
     let solver = &trackers[0].context.case.solver;
-    let dimension = start.len();
-    with_method!(solver.method, (dimension, solver.step_s, solver.tolerance), method => {
-        advance(method, bearings, start, trackers, control)
-    })
+    let method = CaseMethod::new(solver.method, start.len(), solver.step_s, solver.tolerance);
+    let mut integrator = Integrator::new(method, start.len());
+    integrator.restart(bearings, 0.0, start);
+    let duration_s = solver.duration_s;
+    advance(&mut integrator, bearings, trackers, duration_s, control);
+    integrator.step().y1.to_vec()
 }
 
-fn advance(
-    method: impl integrator::Method,
+/// Advances bearings to `until_s`, or until each has ended.
+pub(super) fn advance<M: integrator::Method>(
+    integrator: &mut Integrator<M>,
     rhs: &mut impl Bearings,
-    start: &[f64],
-    trackers: &mut [RunTracker<'_, '_, '_>],
+    trackers: &mut [RunTracker<'_, '_>],
+    until_s: f64,
     control: &mut dyn FnMut(f64) -> Control,
-) -> Vec<f64> {
-    let mut integrator = Integrator::new(method, start.len());
-    integrator.restart(rhs, 0.0, start);
-    let duration = trackers[0].context.case.solver.duration_s;
+) {
     let mut steps = 0;
     while trackers.iter().any(RunTracker::under_way) {
-        if let Err(error) = rhs.advance(&mut integrator, duration) {
+        if let Err(error) = rhs.advance(integrator, until_s) {
             for tracker in trackers.iter_mut() {
                 let stop = Stop::new(tracker.context.case, error.time_s, Cause::NotResolved);
-                tracker.end(Ending::Stopped(stop), &integrator.step().y1);
+                tracker.stop(stop, &integrator.step().y1);
             }
             break;
         }
@@ -178,9 +153,9 @@ fn advance(
         let step = integrator.step();
         rhs.look(&step.y1);
         for tracker in trackers.iter_mut().filter(|c| c.under_way()) {
-            tracker.follow(step, |bearing| rhs.contacts_of(bearing), steps, duration);
+            tracker.follow(step, |bearing| rhs.contacts_of(bearing), until_s);
         }
-        if step.t1_s >= duration {
+        if step.t1_s >= until_s {
             break;
         }
         if !rhs.independent() && !trackers.iter().all(RunTracker::under_way) {
@@ -188,7 +163,7 @@ fn advance(
                 tracker.end(Ending::Interrupted, &step.y1);
             }
         }
-        if steps.is_multiple_of(ASK_EVERY) && control(step.t1_s).is_break() {
+        if steps % ASK_EVERY == 0 && control(step.t1_s).is_break() {
             for tracker in trackers.iter_mut() {
                 tracker.end(Ending::Interrupted, &step.y1);
             }
@@ -196,8 +171,9 @@ fn advance(
     }
     STEPS.set(STEPS.get() + steps * trackers.len() as u64);
     for tracker in trackers {
-        tracker.rhs_evaluations = rhs.evaluations();
-        tracker.instruction_set = rhs.instruction_set();
+        tracker.made = Made {
+            evaluations: rhs.evaluations(),
+            instruction_set: rhs.instruction_set(),
+        };
     }
-    integrator.step().y1.to_vec()
 }

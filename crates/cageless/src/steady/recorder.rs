@@ -73,7 +73,7 @@ impl Observer for SteadyRecorder {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let begun = self.counter.as_mut().and_then(|c| c.step(view));
         let (h_s, time_s) = (view.step.size_s(), view.step.t1_s);
         let touch = view.contacts.balls_touch();
@@ -110,7 +110,7 @@ impl Observer for SteadyRecorder {
 
 impl SteadyBlock {
     #[inline(never)]
-    fn look_at_force(&mut self, view: &StepView<'_, '_>) {
+    fn look_at_force(&mut self, view: &StepView<'_>) {
         let [fx, fy] = view.contacts.outer_ring_force_n();
         let [x, y] = view.about_outer_ring_m(0);
         let distance = x.hypot(y);

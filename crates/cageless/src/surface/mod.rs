@@ -13,10 +13,10 @@
 //! in (ρ, z), with zo of the groove's centre. Both shoulders have the radius Ros.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::surface::{OuterRing, OuterRingDimensions};
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!
 //! let dimensions = OuterRingDimensions {
 //!     outer_ring_outer_radius_m: 31e-3,

@@ -124,7 +124,7 @@ impl HeatHistory {
         }
     }
 
-    pub(super) fn step(&mut self, view: &StepView<'_, '_>, rotor: &Rotor) {
+    pub(super) fn step(&mut self, view: &StepView<'_>, rotor: &Rotor) {
         let (layout, y) = (view.layout(), &view.step.y1);
         let Some(motion) = layout.rotor_motion(y) else {
             return;

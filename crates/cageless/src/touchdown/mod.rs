@@ -2,11 +2,11 @@
 //! end.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference;
 //! use cageless::simulation::{Control, run};
 //! use cageless::touchdown::{DropRecorder, EndState};
 //!
-//! let mut case = common::drop_case(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
+//! let mut case = reference::rotor_drop(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
 //! case.solver.duration_s = 0.002; // it falls for 6.4 ms
 //! let mut drop = DropRecorder::new();
 //! let outcome = run(&case, &mut [&mut drop], &mut |_| Control::Continue(()))?;

@@ -235,7 +235,7 @@ impl DropRecorder {
 }
 
 impl Dropped {
-    fn rotor_contact(&self, view: &StepView<'_, '_>, found: &mut Found, whirl: &mut WhirlTracker) {
+    fn rotor_contact(&self, view: &StepView<'_>, found: &mut Found, whirl: &mut WhirlTracker) {
         let Some(rotor) = view.contacts.rotor() else {
             return;
         };
@@ -293,7 +293,7 @@ impl Dropped {
         }
     }
 
-    fn support_force(&self, view: &StepView<'_, '_>, found: &mut Found) {
+    fn support_force(&self, view: &StepView<'_>, found: &mut Found) {
         let Some(outer_ring) = &self.outer_ring else {
             return;
         };
@@ -309,7 +309,7 @@ impl Dropped {
 
     fn ball_contacts(
         &mut self,
-        view: &StepView<'_, '_>,
+        view: &StepView<'_>,
         found: &mut DropSummary,
         whirl: &mut WhirlTracker,
     ) {
@@ -373,7 +373,7 @@ impl Observer for DropRecorder {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let found = &mut self.found;
         found.end_s = view.step.t1_s;
         if let Some(dropped) = &mut self.dropped {

@@ -8,10 +8,10 @@
 //! [biased by the step](Convergence::StepBiased). Definitions and limits: `docs/theory/verification.md`.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::verification::replicas;
 //!
-//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! // The run, its replicas from slightly and strongly perturbed starts, and those at half the step.
 //! let runs = replicas(&case, 2);
 //! assert!(runs.iter().any(|replica| replica.role.half_step));

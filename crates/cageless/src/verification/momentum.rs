@@ -1,5 +1,7 @@
 //! Balance of linear momentum.
 
+use std::sync::Arc;
+
 use crate::contact::published;
 use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
@@ -18,7 +20,7 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 /// Impulses are sums by the trapezoidal rule over the steps.
 #[derive(Debug, Clone, Default)]
 pub(super) struct MomentumBalance {
-    model: Option<Model>,
+    model: Option<Arc<Model>>,
     start: [f64; 3],
     now: [f64; 3],
     impulse: [f64; 3],
@@ -76,7 +78,7 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> (
     let motion = layout.ring_motion(values);
     let ring = &model.ring;
     let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
-    let rotor = model.rotor.map_or(0.0, |body| body.mass);
+    let rotor = model.rotor.as_ref().map_or(0.0, |body| body.mass);
     let weight = (ring.mass + balls + rotor) * ring.gravity;
     let outer = if model.outer_ring.mass > 0.0 {
         let outer_ring = layout.outer_ring_motion(values);
@@ -134,13 +136,13 @@ impl Observer for MomentumBalance {
             start,
             now: start,
             last: Some(external(context.model, layout, values, outer)),
-            model: Some(context.model.clone()),
+            model: Some(Arc::clone(context.model)),
             ..Self::default()
         };
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let Some(model) = &self.model else {
             return Ok(Control::Continue(()));
         };

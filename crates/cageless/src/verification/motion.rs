@@ -45,7 +45,7 @@ impl Observer for MotionRecorder {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         if step.t1_s <= self.settled_after_s {
             return Ok(Control::Continue(()));

@@ -263,7 +263,7 @@ impl Observer for ReplicaObserver {
         self.momentum.begin(context)
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         self.lead_angle_rad = view.angle_after_rad(0);
         let observers: [&mut dyn Observer; 5] = [
             &mut self.summary,

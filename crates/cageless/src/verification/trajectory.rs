@@ -51,7 +51,7 @@ impl TrajectoryRecorder {
 }
 
 impl Observer for TrajectoryRecorder {
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         // The energy ledger is left out.
         self.width = view.layout().alone().motion_len();

@@ -92,7 +92,7 @@ impl Observer for VibrationRecorder {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let (mut from_s, to_s) = (view.step.t0_s, view.step.t1_s);
         if let Some(cut) = &mut self.cut {
             if view.contacts.balls_touch() {

@@ -78,7 +78,7 @@ impl Observer for EveryStep {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let (c, layout) = (&view.contacts, view.layout());
         let ball = |k| {
             let at = |coordinate| view.after(coordinate)[k];

@@ -1,5 +1,6 @@
 //! Bearing of a case.
 
+use cageless::bearing::{CONFORMITY, INNER_RING_DAMPING_N_S_M};
 use cageless::error::Allowed;
 use cageless::{
     Bearing, BearingDimensions, Fit, InnerRingBore, InputError, Materials, OperatingClearance,
@@ -8,13 +9,10 @@ use cageless::{
 use crate::case_file::converter::{Converter, refused_in};
 use crate::case_file::error::CaseError;
 use crate::case_file::sections::alternatives_in;
-use crate::case_file::sections::bearing::{CONFORMITY, assumptions};
+use crate::case_file::sections::bearing::assumptions;
 use crate::case_file::spanned_toml::join;
 use crate::case_file::unit::Side;
 use crate::case_file::unit::Unit::{Micrometre, Millimetre};
-
-/// Damping of the inner ring's translation that the paper's bearing needs to settle, N s/m.
-const INNER_RING_DAMPING_N_S_M: f64 = 2000.0;
 
 /// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
 const OUTER_RADII_MAX: f64 = 10.0;

@@ -1,20 +1,12 @@
 //! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
-use cageless::bearing::{BALLS_MIN, SHOULDER_HEIGHT};
+use cageless::bearing::{BALLS_MIN, CONFORMITY, SHOULDER_HEIGHT};
 use cageless::{Assembly, Bearing, BearingDimensions};
 use serde::Serialize;
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::spanned_toml::Tree;
 use crate::case_file::unit::{Side, round};
-
-/// Radius of a groove over the diameter of the ball: the usual one of deep groove ball bearings,
-/// which ISO 281 presupposes for its load ratings.
-pub(in crate::case_file) const CONFORMITY: f64 = 0.52;
-/// Width of a ring over the diameter of the ball.
-const WIDTH: f64 = 1.6;
-/// Density of the inner ring, kg/m³: bearing steel.
-const RING_DENSITY_KG_M3: f64 = 7850.0;
 
 section! {
     /// `[bearing]`: dimensions and masses of rings and balls.
@@ -157,7 +149,7 @@ pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> V
     let key = "bearing.inner_ring_mass_kg";
     let width = tree.number("bearing.outer_ring_width_mm");
     let rings = tree.count("row").max(1) as f64;
-    let mass = rings * ring_mass_kg(d, width.map(|mm| Millimetre.to_si(mm)));
+    let mass = rings * d.inner_ring_mass_estimate_kg(width.map(|mm| Millimetre.to_si(mm)));
     assume(
         tree.find(key).is_none(),
         key,
@@ -166,16 +158,6 @@ pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> V
          1.6 ball diameters wide unless outer_ring_width_mm is given; as many as there are rows",
     );
     list
-}
-
-/// Mass of an inner ring between bore and shoulders.
-fn ring_mass_kg(d: &BearingDimensions, width_m: Option<f64>) -> f64 {
-    let diameter = 2.0 * d.ball_radius_m;
-    let bottom = d.inner_groove_bottom_radius_m;
-    let bore = d.bore_radius_estimate_m();
-    let shoulder = bottom + d.inner_shoulder_height_m();
-    let width = width_m.unwrap_or(WIDTH * diameter);
-    RING_DENSITY_KG_M3 * std::f64::consts::PI * (shoulder.powi(2) - bore.powi(2)) * width
 }
 
 /// Fills in what is estimated.

@@ -1,6 +1,6 @@
 //! `[contact]`.
 
-use cageless::FrictionLaw;
+use cageless::FrictionModel;
 use cageless::case::STRIPS_MAX;
 use cageless::contact::FrictionTable;
 

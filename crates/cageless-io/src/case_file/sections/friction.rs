@@ -29,7 +29,7 @@ macro_rules! section_with_friction {
             $(#[$doc])*
             impl $Name {
                 $($before)*
-                friction_law => friction_law: FrictionLaw = default(FrictionLaw::Smooth.name()), Plain,
+                friction_law => friction_law: FrictionModel = default(FrictionModel::Smooth.name()), Plain,
                     concat!("friction", $between, " against sliding speed"), $law_line;
                 @friction: cageless::FrictionParameters {
                     friction_coefficient => coefficient: f64 = $coefficient, Plain; AtLeast(0.0),

@@ -1,7 +1,7 @@
 //! `[rotor]`: a rotor that falls onto the inner ring.
 
 use cageless::contact::FrictionTable;
-use cageless::{FrictionLaw, Shaft};
+use cageless::{FrictionModel, Shaft};
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::sections::friction::section_with_friction;

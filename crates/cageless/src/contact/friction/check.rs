@@ -1,14 +1,15 @@
 //! Check of the parameters of a law.
 
-use super::FrictionLaw;
+use super::FrictionModel;
 use super::friction_table::FrictionTable;
+use super::own::OwnFriction;
 use super::parameters::{ContactKind, FrictionParameters, field};
 use crate::error::{Allowed, InputError};
 
 /// Rounding of a table that was multiplied by a factor.
 const SAME_COEFFICIENT: f64 = 1e-9;
 
-impl FrictionLaw {
+impl FrictionModel {
     /// Checks the parameters, and that what only one law has is given with it and with no other.
     pub(crate) fn check(
         self,
@@ -17,7 +18,8 @@ impl FrictionLaw {
     ) -> Result<(), InputError> {
         let static_coefficient = field!(of, "static_friction_coefficient");
         let last = friction.table.as_ref().map(FrictionTable::coefficient_fast);
-        let stribeck = (FrictionLaw::Stribeck, "the Stribeck law");
+        let own = friction.own.as_ref().map(OwnFriction::coefficient_fast);
+        let stribeck = (FrictionModel::Stribeck, "the Stribeck law");
         for (field, value, (law, name)) in [
             (static_coefficient, friction.static_coefficient, stribeck),
             (
@@ -28,7 +30,12 @@ impl FrictionLaw {
             (
                 field!(of, "friction_table"),
                 last,
-                (FrictionLaw::Table, "the law \"table\""),
+                (FrictionModel::Table, "the law \"table\""),
+            ),
+            (
+                field!(of, "own_friction"),
+                own,
+                (FrictionModel::Own, "a law of one's own"),
             ),
         ] {
             match value {

@@ -4,7 +4,7 @@ use super::parameters::FrictionParameters;
 use crate::contact::slip_problem::{SlipProblem, Slips};
 
 /// A law of friction with its constants.
-pub trait Law: Copy {
+pub trait Law: Clone {
     /// Whether a rolling contact sticks: the friction within the cone is then no function of
     /// the sliding speed. Implicit methods call [`Law::end_of_step`]; explicit ones get a stick
     /// that is relaxed over a few steps, `stick_gain` times the sliding speed.

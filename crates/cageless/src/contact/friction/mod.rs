@@ -27,6 +27,7 @@ pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::{FrictionTable, POINTS_MAX};
 pub(crate) use law::LawLanes;
 pub use law::{Law, LawConstants};
+pub use own::{FrictionFault, FrictionLaw, OwnFriction};
 pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
 pub use tanh::tanh;
@@ -52,7 +53,7 @@ macro_rules! law_struct {
 
 /// Declares the list of laws and what follows from it.
 macro_rules! friction_laws {
-    ($(
+    (of files { $($named:ident,)* } $(
         $(#[$meta:meta])*
         $module:ident: $law:ident per lane $lanes:ident,
     )*) => {
@@ -61,12 +62,12 @@ macro_rules! friction_laws {
 
         /// Law of friction over the sliding speed.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum FrictionLaw {
+        pub enum FrictionModel {
             $($(#[$meta])* $law,)*
         }
 
         /// A law with its constants.
-        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[derive(Debug, Clone, PartialEq)]
         #[allow(clippy::large_enum_variant)] // a table, one per contact partner
         pub enum Friction {
             $(#[doc = concat!("[`", stringify!($law), "`].")] $law($law),)*
@@ -79,10 +80,10 @@ macro_rules! friction_laws {
             $($law($module::$lanes),)*
         }
 
-        impl FrictionLaw {
-            /// Every law with its name in files.
+        impl FrictionModel {
+            /// Every law that a file can name, with its name.
             pub const NAMES: &'static [(&'static str, Self)] =
-                &[$((<$law as LawConstants>::NAME, Self::$law)),*];
+                &[$((<$named as LawConstants>::NAME, Self::$named)),*];
 
             /// Name in files.
             pub fn name(self) -> &'static str {
@@ -113,12 +114,12 @@ macro_rules! friction_laws {
         impl Friction {
             /// The law with these parameters; explicit methods give a law that sticks this gain.
             pub fn new(
-                law: FrictionLaw,
+                law: FrictionModel,
                 parameters: &FrictionParameters,
                 stick_gain_n_s_m: f64,
             ) -> Self {
                 match law {
-                    $(FrictionLaw::$law => Self::$law($law::new(parameters, stick_gain_n_s_m)),)*
+                    $(FrictionModel::$law => Self::$law($law::new(parameters, stick_gain_n_s_m)),)*
                 }
             }
 
@@ -153,6 +154,16 @@ macro_rules! friction_laws {
             }
         }
 
+        impl Friction {
+            /// First answer of a law of one's own that cannot be.
+            pub(crate) fn fault(&self) -> Option<&FrictionFault> {
+                match self {
+                    Self::Own(own) => own.fault(),
+                    _ => None,
+                }
+            }
+        }
+
         impl FrictionLanes {
             /// Constants lane by lane; all of one law, that of the first lane.
             pub fn from_fn(value: impl Fn(usize) -> Friction) -> Self {
@@ -160,8 +171,7 @@ macro_rules! friction_laws {
                     $(Friction::$law(first) => Self::$law(LawLanes::filled(|lane| {
                         match value(lane) {
                             Friction::$law(law) => law,
-                            #[allow(unreachable_patterns)] // where there is one law
-                            _ => first,
+                            _ => first.clone(),
                         }
                     })),)*
                 }
@@ -181,6 +191,8 @@ macro_rules! friction_laws {
 }
 
 friction_laws! {
+    of files { Smooth, Coulomb, Stribeck, Table, }
+
     /// μ·tanh(ΔV/scale)·N.
     smooth: Smooth per lane SmoothLanes,
     /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling: exact in
@@ -192,6 +204,8 @@ friction_laws! {
     stribeck: Stribeck per lane StribeckLanes,
     /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a table of measured points.
     table: Table per lane TableLanes,
+    /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a [`FrictionLaw`] of one's own.
+    own: Own per lane OwnLanes,
 }
 
 #[cfg(test)]
@@ -207,7 +221,7 @@ mod tests {
             ..FrictionParameters::smooth(0.1, 0.02)
         };
         for law in [
-            Friction::new(FrictionLaw::Table, &measured, 0.0),
+            Friction::new(FrictionModel::Table, &measured, 0.0),
             Friction::Smooth(Smooth {
                 coefficient: 0.1,
                 inverse_regularisation_speed: 50.0,

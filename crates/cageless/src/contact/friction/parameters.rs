@@ -1,6 +1,7 @@
 //! Parameters of the laws of friction.
 
 use super::friction_table::FrictionTable;
+use super::own::OwnFriction;
 use crate::error::InputError;
 use crate::limits::{not_negative, positive};
 
@@ -25,7 +26,7 @@ macro_rules! field {
 pub(super) use field;
 
 /// Parameters of the laws of friction for one kind of contact; a law has those that it uses.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct FrictionParameters {
     /// μ; of the Stribeck law and a table that of fast sliding.
     pub coefficient: f64,
@@ -37,15 +38,20 @@ pub struct FrictionParameters {
     pub stribeck_speed_m_s: Option<f64>,
     /// μ over |ΔV|, of the law of that name; of no other law.
     pub table: Option<FrictionTable>,
+    /// Law of one's own; of no other law.
+    pub own: Option<OwnFriction>,
 }
 
 /// Creep of a rolling contact at its limit of friction, over the rolling speed: that of Kalker's theory for steel at
 /// μ = 0.1.
 const CREEP: f64 = 1e-3;
 /// Least and largest regularisation speed that a rolling speed gives, m/s.
-const REGULARISATION_M_S: [f64; 2] = [1e-6, 0.02];
+const REGULARISATION_M_S: [f64; 2] = [1e-6, FrictionParameters::REGULARISATION_MAX_M_S];
 
 impl FrictionParameters {
+    /// Largest regularisation speed that a rolling speed gives, m/s.
+    pub const REGULARISATION_MAX_M_S: f64 = 0.02;
+
     /// Regularisation speed of balls whose centres roll at this speed, m/s: a thousandth of it, from 1e-6 to
     /// 0.02 m/s.
     ///
@@ -68,6 +74,15 @@ impl FrictionParameters {
             static_coefficient: None,
             stribeck_speed_m_s: None,
             table: None,
+            own: None,
+        }
+    }
+
+    /// Those of a law of one's own.
+    pub fn own(law: OwnFriction, regularisation_speed_m_s: f64) -> Self {
+        Self {
+            own: Some(law.clone()),
+            ..Self::smooth(law.coefficient_fast(), regularisation_speed_m_s)
         }
     }
 
@@ -76,6 +91,7 @@ impl FrictionParameters {
         self.coefficient *= factor;
         self.static_coefficient = self.static_coefficient.map(|mu| mu * factor);
         self.table = self.table.as_ref().map(|t| t.scaled(factor));
+        self.own = self.own.as_ref().map(|own| own.scaled(factor));
     }
 
     /// Checks each parameter.

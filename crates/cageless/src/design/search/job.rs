@@ -101,6 +101,20 @@ impl Job {
     }
 }
 
+/// Does the work of jobs on the calling thread, without interruption: the `execute` of a
+/// [`search`](super::search) that needs no other.
+///
+/// # Errors
+/// None; the type is that of [`Execute`](super::Execute).
+pub fn run_here(case: &Case, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
+    let jobs: Vec<&Job> = jobs.iter().collect();
+    let outcomes = run_jobs(case, &jobs, &mut |_| Control::Continue(()));
+    outcomes
+        .into_iter()
+        .map(|one| one.ok_or(Interrupted))
+        .collect()
+}
+
 /// Does the work of several jobs, their runs side by side; outcomes come in the order of the
 /// jobs, `None` where `control` ended a run. Which jobs are done together changes no outcome.
 pub fn run_jobs(

@@ -46,7 +46,7 @@ pub use axial::AxialSeparation;
 pub use budget::BUDGET_LEAST;
 pub use evaluation::{Confirmed, Evaluation, Role, Statistics};
 pub use grid::{MapCell, SpeedMap};
-pub use job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task, run_jobs};
+pub use job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task, run_here, run_jobs};
 pub use pareto::{OBJECTIVES, ObjectiveScale, RESOLUTION, pareto_front};
 pub use perturbed_run::{
     BUNCHED_TURNS, Motion, PerturbedRunError, TURNS, UnevenStart, VALUES, from_uneven_start,

@@ -315,7 +315,7 @@ impl Observer for ContactCounter {
         Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
         let h = view.step.t1_s - view.step.t0_s;
         let late = view.step.t1_s > self.half_s;

@@ -1,10 +1,10 @@
 //! Points at which a ball of a given place touches its grooves.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::equilibrium::space::{outer_points, solve};
 //!
-//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let mut case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! case.operation.space.axial_load_n = 150.0;
 //!
 //! // Ball 1, in the middle of the raceway, rests on both flanks.

@@ -7,10 +7,10 @@
 //! the extension: without axial load and tilt the two agree on a conventional ring.
 //!
 //! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::reference::Structure;
 //! use cageless::equilibrium::space;
 //!
-//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let mut case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! case.operation.space.axial_load_n = 300.0;
 //!
 //! let rest = space::solve(&case)?;

@@ -1,13 +1,15 @@
 //! The equations of motion as one writes them down first: scalar, ball by ball, contact by contact,
 //! in the order of Zhao 2022, Eq. (12) to (22), `physical` formulation and smooth friction; of a drop
-//! with the bodies of [`DROP`](cageless::dynamics::coordinates::DROP).
+//! with the bodies of [`DROP`](crate::dynamics::coordinates::DROP).
 //!
 //! Not slowed down on purpose: contacts that carry nothing are skipped, each pair of neighbours is
 //! looked at once, and the effective radius takes a few Newton steps on the contact path, Eq. (4),
 //! and no general root finder.
 
-use cageless::contact::restitution_damping;
-use cageless::{Case, Raceway, Rotor, Support};
+use crate::case::Case;
+use crate::contact::restitution_damping;
+use crate::raceway::Raceway;
+use crate::rotor::{Rotor, Support};
 
 /// Constants of one case.
 #[derive(Debug, Clone)]
@@ -315,51 +317,5 @@ impl Falling {
         let (ax, ay) = (journal * nx - ex, journal * ny - ey);
         let moment = ax * force[1] - ay * force[0];
         (force, moment, friction * self.bore_radius)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use cageless::dynamics::{Model, RightHandSide};
-    use cageless::integrator::System;
-
-    use super::*;
-    use crate::problem::{Problem, motion, scales};
-    use crate::right_hand_side::states;
-
-    /// Rates of both implementations along a run and along a drop, over a millisecond in the
-    /// scales of the states.
-    #[test]
-    fn the_textbook_has_the_equations_of_the_library() {
-        let mut run = Problem::run(&[]).unwrap().short;
-        run.solver.duration_s = 0.1;
-        let drop = Problem::drop(&[]).unwrap().short;
-        let mut touching = 0;
-        for (case, interval_s) in [(run, 5e-5), (drop, 5e-6)] {
-            let mut carrying = 0;
-            let model = Model::new(&case).unwrap();
-            let mut rhs = RightHandSide::new(&model);
-            let textbook = Textbook::new(&case);
-            for state in states(&case, interval_s).unwrap() {
-                let mut rate = vec![0.0; state.layout().len()];
-                rhs.derivative(0.0, state.values(), &mut rate);
-                let library = motion(&state, &rate);
-                let y = motion(&state, state.values());
-                let mut own = vec![0.0; y.len()];
-                textbook.derivative(&y, &mut own);
-                let scales = scales(case.bearing.balls(), y.len());
-                for (k, ((a, b), scale)) in own.iter().zip(&library).zip(scales).enumerate() {
-                    assert!((a - b).abs() * 1e-3 / scale < 1e-9, "state {k}: {a} {b}");
-                }
-                let (x, y) = (state.x_m(), state.y_m());
-                touching += (0..x.len())
-                    .map(|k| (k, (k + 1) % x.len()))
-                    .filter(|&(k, j)| (x[j] - x[k]).hypot(y[j] - y[k]) < 2.0 * 4.7625e-3)
-                    .count();
-                carrying += usize::from(own.last().is_some_and(|rate| *rate != 0.0));
-            }
-            assert!(carrying > 0, "the last body feels no force");
-        }
-        assert!(touching > 0, "no contact between balls among the states");
     }
 }

@@ -1,0 +1,33 @@
+//! A search for the raceway of a bearing: the span and half angle that it recommends.
+//!
+//! `cargo run --release -p cageless --example search`
+
+use cageless::design::search::{Request, run_here, search};
+use cageless::prelude::*;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let case = reference::conventional();
+    let mut request = Request::from_case(&case);
+    request.half_angle_range_rad = Some([20.0, 30.0].map(f64::to_radians));
+    request.starts = 1;
+    request.budget = request.budget_least();
+    let found = search(&case, &request, &mut |_, jobs| run_here(&case, jobs))?;
+    match found
+        .recommended
+        .map(|best| &found.evaluations[best].structure)
+    {
+        Some(best) => println!(
+            "lC = {:.2} mm, θ = {:.1}°, of {} raceways",
+            1e3 * best.axial_span_m,
+            best.half_angle_rad.to_degrees(),
+            found.evaluations.len()
+        ),
+        None => println!("no raceway spreads the balls: {:?}", found.first_failure()),
+    }
+    Ok(())
+}
+
+#[test]
+fn runs() {
+    main().unwrap();
+}

@@ -1,0 +1,273 @@
+//! A bearing in motion, stepped from a loop of one's own or run with observers.
+
+use std::sync::Arc;
+
+use super::guard::{Cause, Stop};
+use super::observer::{Observer, RunContext, StepView};
+use super::outcome::{Ending, RunOutcome};
+use super::run::advance;
+use super::run_tracker::RunTracker;
+use super::watch::{Made, Watch};
+use crate::case::Case;
+use crate::control::Control;
+use crate::dynamics::state::State;
+use crate::dynamics::{Model, RightHandSide};
+use crate::equilibrium::EquilibriumError;
+use crate::error::InputError;
+use crate::initial_conditions::initial_state_controlled;
+use crate::integrator::{CaseMethod, Integrator, Method};
+use crate::limits::require;
+
+/// A bearing in motion with its equations, its method and its guard.
+///
+/// ```
+/// use cageless::prelude::*;
+///
+/// let mut simulation = Simulation::new(&reference::Structure::D.case())?;
+/// while simulation.time_s() < 1e-3 {
+///     simulation.step()?;
+/// }
+/// let most_n = simulation.view().balls().map(|ball| ball.outer_force_n());
+/// assert!(most_n.fold(0.0, f64::max) > 500.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Simulation<M = CaseMethod> {
+    case: Case,
+    model: Arc<Model>,
+    rhs: RightHandSide,
+    integrator: Integrator<M>,
+    watch: Watch,
+    stop: Option<Stop>,
+}
+
+impl Simulation {
+    /// The bearing of `case` at its start, with the method of the case.
+    ///
+    /// # Errors
+    /// The case is impossible, or its start has no equilibrium.
+    pub fn new(case: &Case) -> Result<Self, EquilibriumError> {
+        Self::controlled(case, &mut || Control::Continue(()))
+    }
+
+    /// [`Self::new`], with `control` called before every place of the ring that the search of the start tries.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`], or `control` ended the search.
+    pub fn controlled(
+        case: &Case,
+        control: &mut dyn FnMut() -> Control,
+    ) -> Result<Self, EquilibriumError> {
+        let (state, angle_rad) = initial_state_controlled(case, control)?;
+        Ok(Self::at(case, &state, &angle_rad)?)
+    }
+
+    /// The bearing of `case` in a given state at t = 0, with ψ of each ball in rad.
+    ///
+    /// # Errors
+    /// The case is impossible.
+    pub fn at(case: &Case, state: &State, angle_rad: &[f64]) -> Result<Self, InputError> {
+        let model = Model::new(case)?;
+        let mut rhs = RightHandSide::new(&model);
+        let (solver, dimension) = (&case.solver, rhs.layout().len());
+        let method = CaseMethod::new(solver.method, dimension, solver.step_s, solver.tolerance);
+        let context = RunContext {
+            case,
+            model: &model,
+            start: state,
+            start_angle_rad: angle_rad,
+        };
+        let watch = Watch::new(&context, rhs.layout(), 0);
+        let mut values = vec![0.0; dimension];
+        rhs.layout().spread_padding(&mut values);
+        state.write_to(rhs.layout(), &mut values);
+        let mut integrator = Integrator::new(method, dimension);
+        integrator.restart(&mut rhs, 0.0, &values);
+        Ok(Self {
+            case: case.clone(),
+            model,
+            rhs,
+            integrator,
+            watch,
+            stop: None,
+        })
+    }
+}
+
+impl<M: Method> Simulation<M> {
+    /// The simulation, continued by a method of one's own.
+    pub fn with_method<O: Method>(mut self, method: O) -> Simulation<O> {
+        let step = self.integrator.step();
+        let (time_s, values) = (step.t1_s, step.y1.clone());
+        let mut integrator = Integrator::new(method, values.len());
+        integrator.restart(&mut self.rhs, time_s, &values);
+        Simulation {
+            case: self.case,
+            model: self.model,
+            rhs: self.rhs,
+            integrator,
+            watch: self.watch,
+            stop: self.stop,
+        }
+    }
+
+    /// The case, with the speed and load of the moment.
+    pub fn case(&self) -> &Case {
+        &self.case
+    }
+
+    /// The equations of motion.
+    pub fn model(&self) -> &Arc<Model> {
+        &self.model
+    }
+
+    /// Simulated time, s.
+    pub fn time_s(&self) -> f64 {
+        self.integrator.step().t1_s
+    }
+
+    /// Balls, ring, rotor and contacts at the end of the last step.
+    pub fn view(&self) -> StepView<'_> {
+        self.watch.view(self.integrator.step(), self.rhs.contacts())
+    }
+
+    /// Makes one step.
+    ///
+    /// # Errors
+    /// The [`Stop`] of a state outside the physical range, from then on at every call.
+    pub fn step(&mut self) -> Result<(), Stop> {
+        self.step_until(f64::INFINITY)
+    }
+
+    /// Makes steps up to `time_s`, the last of which ends there.
+    ///
+    /// # Errors
+    /// Those of [`Self::step`].
+    pub fn advance_to(&mut self, time_s: f64) -> Result<(), Stop> {
+        while self.time_s() < time_s {
+            self.step_until(time_s)?;
+        }
+        // The last step was perhaps cut short.
+        self.integrator.restart_here(&mut self.rhs);
+        Ok(())
+    }
+
+    fn step_until(&mut self, limit_s: f64) -> Result<(), Stop> {
+        if let Some(stop) = &self.stop {
+            return Err(stop.clone());
+        }
+        let stop_at = |time_s| Stop::new(&self.case, time_s, Cause::NotResolved);
+        let made = self.rhs.advance(&mut self.integrator, limit_s);
+        let looked = made.map_err(|error| stop_at(error.time_s)).and_then(|()| {
+            let (step, rhs) = (self.integrator.step(), &self.rhs);
+            let contacts_of = |bearing| rhs.contacts_of(bearing);
+            self.watch.look(&self.case, step, &contacts_of, false)
+        });
+        self.stop = looked.clone().err();
+        looked
+    }
+
+    /// Runs to `until_s` with these observers, from where the simulation is.
+    pub fn run(&mut self, until_s: f64, observers: &mut [&mut dyn Observer]) -> RunOutcome {
+        self.run_controlled(until_s, observers, &mut |_| Control::Continue(()))
+    }
+
+    /// [`Self::run`], with `control` called every thousand steps or so with the simulated time.
+    pub fn run_controlled(
+        &mut self,
+        until_s: f64,
+        observers: &mut [&mut dyn Observer],
+        control: &mut dyn FnMut(f64) -> Control,
+    ) -> RunOutcome {
+        let start = self.state();
+        let start_angle_rad = self.watch.angles_rad(self.integrator.step());
+        let context = RunContext {
+            case: &self.case,
+            model: &self.model,
+            start: &start,
+            start_angle_rad: &start_angle_rad,
+        };
+        let mut tracker = RunTracker::new(context, &mut self.watch, observers);
+        let alone = std::slice::from_mut(&mut tracker);
+        advance(&mut self.integrator, &mut self.rhs, alone, until_s, control);
+        let outcome = tracker.outcome();
+        if let Ending::Stopped(stop) = &outcome.ending {
+            self.stop = Some(stop.clone());
+        }
+        outcome
+    }
+
+    /// State at the end of the last step, with the energy ledger.
+    pub fn state(&self) -> State {
+        self.watch.state_in(&self.integrator.step().y1)
+    }
+
+    /// Outcome of the steps so far.
+    pub fn outcome(&self) -> RunOutcome {
+        let ending = match &self.stop {
+            Some(stop) => Ending::Stopped(stop.clone()),
+            None => Ending::Interrupted,
+        };
+        let made = Made {
+            evaluations: self.rhs.evaluations(),
+            instruction_set: self.rhs.instruction_set(),
+        };
+        self.watch.outcome(ending, self.state(), made)
+    }
+
+    /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise.
+    ///
+    /// # Errors
+    /// It is not finite, or the ring turns freely below a rotor, or its speed is given over time.
+    pub fn set_inner_speed_rad_s(&mut self, speed_rad_s: f64) -> Result<(), InputError> {
+        let operation = &self.case.operation;
+        let free = self.case.rotor.is_none() && operation.inner_speed_table.is_none();
+        let rule = "finite, of a ring without a rotor whose speed is not given over time";
+        let kept = free && speed_rad_s.is_finite();
+        require("inner_speed_rad_s", speed_rad_s, kept, rule)?;
+        self.case.operation.inner_speed_rad_s = speed_rad_s;
+        self.apply_operation();
+        Ok(())
+    }
+
+    /// Sets the radial load from here on, N, along −Y.
+    ///
+    /// # Errors
+    /// It is not finite or negative, a rotor loads the ring, or the load is given over time.
+    pub fn set_radial_load_n(&mut self, load_n: f64) -> Result<(), InputError> {
+        let operation = &self.case.operation;
+        let free = self.case.rotor.is_none() && operation.radial_load_table.is_none();
+        let rule = "0 or more, of a ring without a rotor whose load is not given over time";
+        let kept = free && load_n.is_finite() && load_n >= 0.0;
+        require("radial_load_n", load_n, kept, rule)?;
+        self.case.operation.radial_load_n = load_n;
+        self.apply_operation();
+        Ok(())
+    }
+
+    /// Sets the torque of the drive of the rotor from here on, N·m, counter-clockwise.
+    ///
+    /// # Errors
+    /// It is not finite, or there is no rotor.
+    pub fn set_drive_torque_n_m(&mut self, torque_n_m: f64) -> Result<(), InputError> {
+        let rule = "finite, of a case with a rotor";
+        let kept = self.case.rotor.is_some() && torque_n_m.is_finite();
+        require("drive_torque_n_m", torque_n_m, kept, rule)?;
+        if let Some(rotor) = &mut self.case.rotor {
+            rotor.drive_torque_n_m = torque_n_m;
+        }
+        self.rhs.set_drive_torque(torque_n_m);
+        self.watch.interpolator().set_drive_torque(torque_n_m);
+        self.integrator.restart_here(&mut self.rhs);
+        Ok(())
+    }
+
+    fn apply_operation(&mut self) {
+        let operation = &self.case.operation;
+        let given = [operation.inner_speed_rad_s, operation.radial_load_n];
+        self.rhs.set_operation(given);
+        self.watch.interpolator().set_operation(given);
+        self.watch.look_as_often_as(&self.case);
+        // f has jumped: no history may reach across.
+        self.integrator.restart_here(&mut self.rhs);
+    }
+}

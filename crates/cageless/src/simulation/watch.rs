@@ -1,0 +1,171 @@
+//! Guard and position angles of one bearing on its way through a run.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use super::guard::{ENERGY_MIN_J, Guard, Stop};
+use super::observer::{RunContext, StepView};
+use super::outcome::{Ending, RunOutcome};
+use crate::case::Case;
+use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::layout::Layout;
+use crate::dynamics::state::State;
+use crate::dynamics::{Contacts, InstructionSet, Model, RightHandSide};
+use crate::integrator::StepState;
+use crate::numerics::angle::unwrap_angle_rad;
+
+/// ψ is brought up to date when a rolling ball has gone this far: well below the half turn
+/// beyond which it would be lost, even for a ball that is thrown.
+const RECENT_RAD: f64 = 0.3;
+
+/// Speed of balls that nothing drives and something pushes: a rolling one would not move.
+const SLOW_ORBIT_RAD_S: f64 = 100.0;
+
+/// Flows of less than this fraction of the energy at the start are rounding: nothing flows.
+const ROUNDING_FRACTION: f64 = 1e-6;
+
+/// Guard and position angles of one bearing, alone or among others.
+pub(super) struct Watch {
+    model: Arc<Model>,
+    /// Index of the bearing among those that are advanced together.
+    bearing: usize,
+    /// Places of the bearing in the vectors of the steps.
+    layout: Layout,
+    guard: Guard,
+    interpolator: RefCell<RightHandSide>,
+    recent_angle: Vec<f64>,
+    recent_s: f64,
+    recent_for_s: f64,
+    end_s: f64,
+    steps: u64,
+}
+
+impl Watch {
+    /// The watch of the bearing with these places, numbered among those that are advanced together.
+    pub fn new(context: &RunContext<'_>, layout: Layout, bearing: usize) -> Self {
+        let RunContext { case, model, .. } = context;
+        let mut watch = Self {
+            model: Arc::clone(model),
+            bearing,
+            layout,
+            guard: Guard::new(model, layout, case, context.start),
+            interpolator: RefCell::new(RightHandSide::new(model)),
+            recent_angle: context.start_angle_rad.to_vec(),
+            recent_s: 0.0,
+            recent_for_s: 0.0,
+            end_s: 0.0,
+            steps: 0,
+        };
+        watch.look_as_often_as(case);
+        watch
+    }
+
+    /// Sets how often position angles are brought up to date, from the speed of a case.
+    pub fn look_as_often_as(&mut self, case: &Case) {
+        let rolling = case.rolling_orbit_speed_rad_s();
+        let orbit = if case.has_constant_operation() {
+            rolling
+        } else {
+            rolling.max(SLOW_ORBIT_RAD_S)
+        };
+        self.recent_for_s = RECENT_RAD / orbit;
+    }
+
+    /// Right-hand side of snapshots within a step.
+    pub fn interpolator(&mut self) -> &mut RightHandSide {
+        self.interpolator.get_mut()
+    }
+
+    /// Looks at a step, at whose end a bearing has these contacts; `thorough` where it is the last.
+    ///
+    /// # Errors
+    /// The state has left the physical range.
+    pub fn look<'c>(
+        &mut self,
+        case: &Case,
+        step: &StepState,
+        contacts_of: &impl Fn(usize) -> Contacts<'c>,
+        thorough: bool,
+    ) -> Result<(), Stop> {
+        (self.end_s, self.steps) = (step.t1_s, self.steps + 1);
+        if thorough || Guard::is_due(self.steps) {
+            let contacts = contacts_of(self.bearing);
+            let checked = match thorough {
+                true => self.guard.look(&contacts, &step.y1),
+                false => self.guard.check(self.steps, &contacts, &step.y1),
+            };
+            checked.map_err(|cause| Stop::new(case, step.t1_s, cause))?;
+        }
+        if step.t1_s - self.recent_s > self.recent_for_s {
+            self.update_angles(step);
+        }
+        Ok(())
+    }
+
+    #[inline(never)] // most steps do without
+    fn update_angles(&mut self, step: &StepState) {
+        self.recent_angle = self.angles_rad(step);
+        self.recent_s = step.t1_s;
+    }
+
+    /// View of the step.
+    pub fn view<'a>(&'a self, step: &'a StepState, contacts: Contacts<'a>) -> StepView<'a> {
+        StepView {
+            step,
+            contacts,
+            model: &self.model,
+            interpolator: &self.interpolator,
+            recent_angle_rad: &self.recent_angle,
+            layout: &self.layout,
+        }
+    }
+
+    /// Continuous ψ of each ball at the end of a step, rad.
+    pub fn angles_rad(&self, step: &StepState) -> Vec<f64> {
+        let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
+        let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);
+        let centre = self.layout.outer_ring_motion(&step.y1);
+        let recent = self.recent_angle.iter().enumerate();
+        let angle = |(k, recent): (usize, &f64)| {
+            unwrap_angle_rad((x[k] - centre.x).atan2(-(y[k] - centre.y)), *recent)
+        };
+        recent.map(angle).collect()
+    }
+
+    /// Index of the bearing among those that are advanced together.
+    pub fn bearing(&self) -> usize {
+        self.bearing
+    }
+
+    /// State of the bearing in a vector of all.
+    pub fn state_in(&self, values: &[f64]) -> State {
+        State::from_vector(self.layout, values)
+    }
+
+    /// Outcome of a run that ended so.
+    pub fn outcome(&self, ending: Ending, last: State, made: Made) -> RunOutcome {
+        let start_energy_j = self.guard.start_energy_j();
+        let (residual, flows) = self.model.energy_residual_j(start_energy_j, &last);
+        let least = ENERGY_MIN_J.max(ROUNDING_FRACTION * start_energy_j);
+        RunOutcome {
+            ending,
+            end_s: self.end_s,
+            steps: self.steps,
+            rhs_evaluations: made.evaluations,
+            end_energy_j: self.model.energy_j(&last),
+            state: last,
+            start_energy_j,
+            energy_residual_relative: residual / flows.max(least),
+            instruction_set: made.instruction_set,
+        }
+    }
+}
+
+/// Work of a right-hand side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Made {
+    /// Evaluations.
+    pub evaluations: u64,
+    /// Instructions in use.
+    pub instruction_set: InstructionSet,
+}
