@@ -74,19 +74,18 @@ fn range(range: [Option<RangeEnd>; 2]) -> String {
 fn the_table_of_the_documentation_has_every_key() {
     let mut text = String::from(
         "# Case file\n\n\
-         A case file describes one bearing, its operating conditions and the simulation, in TOML. \
-         The names of its keys end in their unit. `cageless new` prints a commented case file, and \
-         `cageless check` validates one. The tables are generated from the source and list every \
-         key. *Derived*: the value follows from the rest of the case unless it is given; \
-         `cageless check` lists it with the defaults. A name after *formerly* is that of earlier \
-         versions, and is read as well. *Range*: what a number may be whatever the other values \
-         are; an end in parentheses is not allowed itself.\n\n\
-         Editors with a TOML language server complete keys and mark impossible values by the JSON \
-         schema [case-file.schema.json](case-file.schema.json): its path, or that of a copy, goes \
-         into the first line of the case file, `#:schema case-file.schema.json`. Plans and rotor \
-         files have [plan.schema.json](plan.schema.json) and \
-         [rotor-file.schema.json](rotor-file.schema.json). Releases have all three in `docs`, the \
-         Python package in the folder `schemas` of its files.\n",
+         One bearing, its operating conditions and the simulation, in TOML. `cageless new` prints a commented \
+         case file,\nand `cageless check` validates one. Names of keys end in their unit. The tables are generated \
+         from the source:\n\n\
+         - *derived*: the value follows from the rest of the case unless given; `cageless check` lists it with the \
+         defaults\n\
+         - *formerly*: the name in earlier versions, read as well\n\
+         - *range*: what a number may be whatever the other values are, without ends in parentheses\n\n\
+         Editors with a TOML language server complete keys and mark impossible values by the JSON schema\n\
+         [case-file.schema.json](case-file.schema.json), named in the first line of the case file:\n\
+         `#:schema case-file.schema.json`. Plans and rotor files have [plan.schema.json](plan.schema.json) and\n\
+         [rotor-file.schema.json](rotor-file.schema.json). Releases have all three in `docs`, the Python package in \
+         its folder\n`schemas`.\n",
     );
     for section in reference() {
         let heading = match (section.name, section.optional) {
