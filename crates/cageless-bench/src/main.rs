@@ -1,6 +1,7 @@
 //! Speed of Cageless beside a general solver: see README.md.
 
 mod integration;
+mod own_law;
 mod problem;
 mod right_hand_side;
 
@@ -18,6 +19,8 @@ struct Arguments {
 enum Command {
     /// Time per evaluation of the right-hand side, by instruction set
     Rhs(right_hand_side::Options),
+    /// Cost of a law of friction of one's own beside the built-in one
+    OwnLaw(own_law::Options),
     /// Work against precision on cases/cb74.toml
     Run(integration::Options),
     /// Work against precision on cases/touchdown-d.toml
@@ -27,6 +30,7 @@ enum Command {
 fn main() -> Result<()> {
     match Arguments::parse().command {
         Command::Rhs(options) => right_hand_side::measure(&options),
+        Command::OwnLaw(options) => own_law::measure(&options),
         Command::Run(options) => {
             integration::measure(&problem::Problem::run(&options.set)?, &options)
         }

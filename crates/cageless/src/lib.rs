@@ -1,23 +1,116 @@
-//! Physics of cageless (full-complement) ball bearings whose outer ring carries
-//! a *discrete raceway*: a short local groove that slows each ball a little as
-//! it passes, so that the balls spread apart.
+//! Motion of the balls in cageless (full-complement) ball bearings whose outer ring carries a *discrete raceway*: a
+//! short local groove that slows each ball a little as it passes, so that the balls spread apart.
 //!
-//! The model is that of Zhao, Zhou, Wang, *Discrete Dynamics of Balls in
-//! Cageless Ball Bearings*, Symmetry 2022, 14, 2242 ("Zhao 2022" below), with a
-//! switch between the equations as published and a physically consistent set
-//! ([`Formulation`]).
+//! The model is that of Zhao, Zhou, Wang, *Discrete Dynamics of Balls in Cageless Ball Bearings*, Symmetry 2022, 14,
+//! 2242 ("Zhao 2022" below), as published or in a physically consistent form ([`Formulation`]), in the plane or in
+//! space, with static equilibrium, design, life, touch-down of rotors and tolerances.
+//!
+//! # First program
+//! A bearing, a raceway, a case, and 2 ms of motion. What is not given has a default that [`Case::of`] and
+//! [`BearingDimensions::estimated`] state. Everything is SI (radians, seconds, metres, newtons); names end in their unit.
+//!
+//! ```
+//! use cageless::prelude::*;
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3);
+//!     let bearing = Bearing::new(dimensions, Material::STEEL)?;
+//!     let raceway = reference::Structure::D.raceway(&bearing)?;
+//!     let case = CaseBuilder::of(bearing).raceway(raceway).inner_speed_rad_s(1257.0).radial_load_n(1500.0);
+//!     let mut simulation = Simulation::new(&case.build()?)?;
+//!     simulation.advance_to(2e-3)?;
+//!     for ball in simulation.view().balls() {
+//!         println!("ball {}: {:.2}° to the next", ball.index() + 1, ball.gap_rad().to_degrees());
+//!     }
+//!     Ok(())
+//! }
+//! ```
+//!
+//! A case file is read into the same [`Case`] by `cageless_io::case_file::CaseFile`.
+//!
+//! # A loop of one's own
+//! [`Simulation`](simulation::Simulation) makes one step, or those up to a time. Between them its
+//! [view](simulation::StepView) shows balls, ring, rotor and contacts without copying, and a controller sets the speed,
+//! the load or the torque of a drive.
+//!
+//! ```
+//! # use cageless::prelude::*;
+//! let mut simulation = Simulation::new(&reference::Structure::D.case())?;
+//! while simulation.time_s() < 1e-3 {
+//!     simulation.step()?;
+//!     let loads_n = simulation.view().balls().map(|ball| ball.outer_force_n());
+//!     if loads_n.fold(0.0, f64::max) > 620.0 {
+//!         simulation.set_radial_load_n(1400.0)?;
+//!     }
+//! }
+//! assert!(simulation.outcome().energy_residual_relative.abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Observers
+//! [`run`](simulation::Simulation::run) goes on to a time and shows every step to observers: those of the crate
+//! ([`collision`], [`recorder`], [`summary`]), closures by [`each_step`](simulation::each_step), or any
+//! [`Observer`](simulation::Observer). A guard ends a run that has left the physical range, with time, cause and advice.
+//!
+//! ```
+//! # use cageless::prelude::*;
+//! let mut simulation = Simulation::new(&reference::Structure::D.case())?;
+//! let mut least_rad = f64::INFINITY;
+//! let mut gaps = each_step(|view| {
+//!     least_rad = view.balls().fold(least_rad, |least, ball| least.min(ball.gap_rad()));
+//!     Control::Continue(())
+//! });
+//! let outcome = simulation.run(1e-3, &mut [&mut gaps]);
+//! assert!(matches!(outcome.ending, Ending::Complete) && least_rad > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A law of friction, a method
+//! One method makes a [law](FrictionLaw): μ and its slope over the sliding speed. Regularisation, implicit treatment and
+//! step limits follow from it.
+//!
+//! ```
+//! # use cageless::prelude::*;
+//! struct Falling;
+//! impl FrictionLaw for Falling {
+//!     fn coefficient(&self, sliding_m_s: f64) -> [f64; 2] {
+//!         let excess = 0.06 * (-sliding_m_s).exp();
+//!         [0.06 + excess, -excess]
+//!     }
+//! }
+//! let case = CaseBuilder::of(reference::bearing()).own_friction(Falling).inner_speed_rad_s(100.0);
+//! Simulation::new(&case.radial_load_n(100.0).build()?)?.advance_to(1e-4)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`with_method`](simulation::Simulation::with_method) goes on by any [`Method`](integrator::Method) of integration:
+//! the example `own_integrator` is Heun's, with guard, ledger and observers.
+//!
+//! # Where things are
+//! | question | module |
+//! |---|---|
+//! | where a ring settles, and what each ball bears | [`equilibrium`], [`rating`], [`fit`] |
+//! | how far a raceway slows a ball, and whether it helps | [`design`], [`critical_gap`], [`ball_advance`], [`steady`] |
+//! | which raceway | [`design::search`]; the example `search` |
+//! | a rotor that falls onto its touch-down bearings | [`simulation::RotorDrop`], [`touchdown`], [`linear_rotor`]; the example `drop` |
+//! | what deviations from the drawing change | [`tolerance`], [`surface`] |
+//! | whether a result can be trusted | [`verification`], [`reference`](mod@reference) |
+//! | forces on the housing | [`vibration`] |
+//!
+//! The examples of the crate, a screen each: `first_bearing`, `own_friction_law`, `own_observer`, `own_integrator`,
+//! `speed_controller`, `drop`, `search`, `critical_gap` (`cargo run -p cageless --example first_bearing`).
 //!
 //! # Frame
 //! Origin at the centre of the fixed outer ring; +Y up, gravity and radial load
 //! along −Y, the inner ring turns counter-clockwise. ψ is the position angle of
 //! a ball from −Y, counter-clockwise positive. Balls are numbered along the
-//! motion: ball i+1 is ahead of ball i. Everything is plain SI `f64` (radians,
-//! seconds, metres, newtons); public names end in their unit.
+//! motion: ball i+1 is ahead of ball i.
 
 mod assembly;
 pub mod ball_advance;
 pub mod bearing;
 pub mod case;
+mod case_builder;
 pub mod collision;
 pub mod contact;
 pub mod contact_peaks;
@@ -74,9 +167,10 @@ pub mod vibration;
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
-    Case, CaseBuilder, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS,
-    Solver, SpatialLoad, Start, StartState, Tilt,
+    Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS, Solver,
+    SpatialLoad, Start, StartState, Tilt,
 };
+pub use case_builder::CaseBuilder;
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
 pub use error::InputError;

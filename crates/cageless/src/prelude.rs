@@ -10,7 +10,8 @@
 //! ```
 
 pub use crate::bearing::{Bearing, BearingDimensions, InnerRingBore};
-pub use crate::case::{Case, CaseBuilder, Gaps, Motion};
+pub use crate::case::{Case, Gaps, Motion};
+pub use crate::case_builder::CaseBuilder;
 pub use crate::collision::{Collision, CollisionDetector};
 pub use crate::contact::{FrictionLaw, FrictionTable};
 pub use crate::critical_gap::{PairTest, critical_gap_rad};

@@ -19,7 +19,8 @@ const CONVERSIONS: [(&str, usize); 10] = [
 ];
 
 /// The reader of documents, the table of quantities and the lengths of figures and drawings: where units are converted.
-const CONVERTERS: [&str; 4] = [
+const CONVERTERS: [&str; 5] = [
+    "cageless/src/reference.rs",
     "case_file/unit.rs",
     "cageless-results/src/table/",
     "drawing/dimension.rs",

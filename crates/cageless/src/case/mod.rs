@@ -10,11 +10,11 @@
 //! assert!(0.35 < ratio && ratio < 0.45);
 //! ```
 
-mod builder;
 mod check;
 mod contact;
 mod operating_clearance;
 mod over_time;
+mod plain;
 mod space;
 mod spatial_load;
 
@@ -35,7 +35,6 @@ use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 use crate::touchdown::{Limit, PARTS, Thermal};
 
-pub use builder::CaseBuilder;
 pub use contact::{Contact, STRIPS_MAX};
 pub use space::SPATIAL_FIELDS;
 pub use spatial_load::{Motion, Row, SpatialLoad, Tilt};

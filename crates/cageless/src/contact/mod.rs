@@ -66,7 +66,7 @@ pub use slip_problem::{SlipProblem, Slips};
 pub(crate) use ball_ball::BallBallContactLanes;
 pub(crate) use flank_friction::FlankSlidingLanes;
 pub(crate) use flanks::FlankContactLanes;
-pub(crate) use friction::{FrictionLanes, LawLanes, with_law};
+pub(crate) use friction::{EvaluatedLaws, FrictionLanes, LawLanes, with_law};
 pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
 pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};
 pub(crate) use outer_geometry::{RacewayConstantsLanes, RacewayPositionLanes, RacewayValuesLanes};

@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::workspace::BlockResults;
-use crate::contact::{Law, LawLanes, with_law};
+use crate::contact::{EvaluatedLaws, Law, LawLanes, with_law};
 use crate::numerics::lanes::{LANES, Lanes, larger};
 
 /// Friction of one contact of each lane by the law of the case.
@@ -22,6 +22,7 @@ pub(super) fn both_raceways(p: &Parameters, results: &mut BlockResults) {
 
 #[inline(always)]
 fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
+    let law = law.evaluated([slip, slip]);
     for lane in 0..LANES {
         [force.0[lane], _] = law.lane(lane).force(slip.0[lane], normal.0[lane]);
     }

@@ -8,8 +8,8 @@ use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
 use crate::contact::{
-    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step, inner_slip,
-    outer_slip, with_law,
+    EvaluatedLaws, Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step,
+    inner_slip, outer_slip, with_law,
 };
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -208,6 +208,7 @@ fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
     results: &mut BlockResults,
     friction: &mut ImplicitFriction,
 ) {
+    let law = law.evaluated([&results.outer.slip, &results.inner.slip]);
     for lane in 0..LANES {
         let (law, motion) = (law.lane(lane), motions.get(lane));
         let outer_centre = outer_centre::<ROTOR>(outer_ring, lane);
@@ -253,8 +254,9 @@ fn iterate<L: LawLanes>(
                 flanks::keep_slips(results, friction);
             }
             let ImplicitFriction { problem, slips, .. } = &mut *friction;
+            let laws = law.evaluated([&slips.outer, &slips.inner]);
             for lane in 0..LANES {
-                let next = further_step(&law.lane(lane), &problem.get(lane), &slips.get(lane));
+                let next = further_step(&laws.lane(lane), &problem.get(lane), &slips.get(lane));
                 slips.put(lane, next);
             }
             if elastic {

@@ -271,3 +271,19 @@ impl<M: Method> Simulation<M> {
         self.integrator.restart_here(&mut self.rhs);
     }
 }
+
+/// Runs a case to its end. `control` is called every thousand steps or so with the simulated time, and with 0 while
+/// the start is sought.
+///
+/// # Errors
+/// The case is impossible, its start has no equilibrium, or `control` ended its search. Everything later is an
+/// [`Ending`].
+pub fn run(
+    case: &Case,
+    observers: &mut [&mut dyn Observer],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<RunOutcome, EquilibriumError> {
+    let mut simulation = Simulation::controlled(case, &mut || control(0.0))?;
+    let outcome = simulation.run_controlled(case.solver.duration_s, observers, control);
+    Ok(outcome.of_whole_run(case))
+}

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use super::front::run;
 use super::observer::{Observer, RunContext};
 use super::outcome::RunOutcome;
-use super::run::{Bearings, drive_from, run};
+use super::run::{Bearings, drive_from};
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
 use crate::case::Case;

@@ -2,16 +2,12 @@
 
 use std::cell::Cell;
 
-use super::Simulation;
 use super::guard::{Cause, Stop};
-use super::observer::Observer;
-use super::outcome::{Ending, RunOutcome};
+use super::outcome::Ending;
 use super::run_tracker::RunTracker;
 use super::watch::Made;
-use crate::case::Case;
 use crate::control::Control;
 use crate::dynamics::{Contacts, InstructionSet, RightHandSide};
-use crate::equilibrium::EquilibriumError;
 use crate::integrator::{self, CaseMethod, Integrator, System, UnresolvedStep};
 
 /// Steps between two calls of `control`.
@@ -24,22 +20,6 @@ thread_local! {
 /// Steps that the calling thread has made in all of its runs; bearings side by side count one by one.
 pub fn steps_of_thread() -> u64 {
     STEPS.get()
-}
-
-/// Runs a case to its end. `control` is called every thousand steps or so with the simulated time, and with 0 while
-/// the start is sought.
-///
-/// # Errors
-/// The case is impossible, its start has no equilibrium, or `control` ended its search. Everything later is an
-/// [`Ending`].
-pub fn run(
-    case: &Case,
-    observers: &mut [&mut dyn Observer],
-    control: &mut dyn FnMut(f64) -> Control,
-) -> Result<RunOutcome, EquilibriumError> {
-    let mut simulation = Simulation::controlled(case, &mut || control(0.0))?;
-    let outcome = simulation.run_controlled(case.solver.duration_s, observers, control);
-    Ok(outcome.of_whole_run(case))
 }
 
 /// Equations of motion of bearings that are advanced together.

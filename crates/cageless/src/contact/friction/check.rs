@@ -2,7 +2,7 @@
 
 use super::FrictionModel;
 use super::friction_table::FrictionTable;
-use super::own::OwnFriction;
+use super::own_law::OwnFriction;
 use super::parameters::{ContactKind, FrictionParameters, field};
 use crate::error::{Allowed, InputError};
 

@@ -2,6 +2,7 @@
 
 use super::parameters::FrictionParameters;
 use crate::contact::slip_problem::{SlipProblem, Slips};
+use crate::numerics::lanes::Lanes;
 
 /// A law of friction with its constants.
 pub trait Law: Clone {
@@ -81,10 +82,39 @@ pub(crate) trait LawLanes {
     type Law<'a>: Law
     where
         Self: 'a;
+    /// The laws at given sliding speeds of two contacts.
+    type Evaluated<'a>: EvaluatedLaws
+    where
+        Self: 'a;
     /// The law in a lane.
     fn lane(&self, lane: usize) -> Self::Law<'_>;
+    /// The laws at these sliding speeds of two contacts of each lane, m/s: at no others.
+    fn evaluated(&self, slips_m_s: [&Lanes; 2]) -> Self::Evaluated<'_>;
     /// The lanes filled one by one.
     fn filled(value: impl Fn(usize) -> Self::Constants) -> Self;
+}
+
+/// Laws of the lanes of a block, ready at given sliding speeds.
+pub(crate) trait EvaluatedLaws {
+    /// The law in one lane.
+    type Law<'l>: Law
+    where
+        Self: 'l;
+    /// The law in a lane.
+    fn lane(&self, lane: usize) -> Self::Law<'_>;
+}
+
+/// Laws that need no preparation.
+impl<L: LawLanes> EvaluatedLaws for &L {
+    type Law<'l>
+        = L::Law<'l>
+    where
+        Self: 'l;
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> L::Law<'_> {
+        (**self).lane(lane)
+    }
 }
 
 /// Coefficient and knee of a law that has them as fields.

@@ -20,14 +20,15 @@
 mod check;
 mod friction_table;
 mod law;
+mod own_law;
 mod parameters;
 mod tanh;
 
 pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::{FrictionTable, POINTS_MAX};
-pub(crate) use law::LawLanes;
+pub(crate) use law::{EvaluatedLaws, LawLanes};
 pub use law::{Law, LawConstants};
-pub use own::{FrictionFault, FrictionLaw, OwnFriction};
+pub use own_law::{FrictionFault, FrictionLaw, OwnFriction};
 pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
 pub use tanh::tanh;
@@ -40,9 +41,14 @@ macro_rules! law_struct {
         impl super::law::LawLanes for $lanes {
             type Constants = $name;
             type Law<'a> = $name;
+            type Evaluated<'a> = &'a Self;
             #[inline(always)]
             fn lane(&self, lane: usize) -> $name {
                 self.get(lane)
+            }
+            #[inline(always)]
+            fn evaluated(&self, _: [&crate::numerics::lanes::Lanes; 2]) -> &Self {
+                self
             }
             fn filled(value: impl Fn(usize) -> $name) -> Self {
                 Self::from_fn(value)

@@ -1,7 +1,7 @@
 //! Parameters of the laws of friction.
 
 use super::friction_table::FrictionTable;
-use super::own::OwnFriction;
+use super::own_law::OwnFriction;
 use crate::error::InputError;
 use crate::limits::{not_negative, positive};
 

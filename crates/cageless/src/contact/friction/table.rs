@@ -103,10 +103,16 @@ pub(crate) struct TableLane<'a> {
 impl LawLanes for TableLanes {
     type Constants = Table;
     type Law<'a> = TableLane<'a>;
+    type Evaluated<'a> = &'a Self;
 
     #[inline(always)]
     fn lane(&self, lane: usize) -> TableLane<'_> {
         TableLane { table: self, lane }
+    }
+
+    #[inline(always)]
+    fn evaluated(&self, _: [&Lanes; 2]) -> &Self {
+        self
     }
 
     fn filled(value: impl Fn(usize) -> Table) -> Self {

@@ -14,7 +14,9 @@ use super::block::{INNER, KnownStrip, KnownStripLanes, PLACES, SpaceBlock, Strip
 use super::frame::{FrameLanes, SIZE, TractionLanes, of_lane};
 use super::model::SpaceModel;
 use super::strips::{Patch, SlidingLanes, Strip, StripFriction};
-use crate::contact::{FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law};
+use crate::contact::{
+    EvaluatedLaws, FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law,
+};
 use crate::numerics::cholesky;
 use crate::numerics::lanes::{LANES, Lanes, larger};
 
@@ -61,21 +63,25 @@ fn slide_strip(
     strip: &Strip,
     step: &mut StripStep,
 ) {
+    let mut speeds = Lanes::ZERO;
     for lane in 0..LANES {
-        let patch = Patch {
-            law: law.lane(lane),
-            normal_n: frame.friction_normal_n.0[lane],
-            half_length_m: frame.half_length_m.0[lane],
-            curvature: curvature.0[lane],
-        };
-        let sliding = sliding.get(lane);
-        let x = patch.place(strip);
-        let slip = sliding.at(x, patch.curvature);
-        let shear = sliding.shear(x, patch.curvature);
+        let (sliding, x) = (sliding.get(lane), strip.place * frame.half_length_m.0[lane]);
+        let slip = sliding.at(x, curvature.0[lane]);
+        speeds.0[lane] = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
         step.slip[0].0[lane] = slip[0];
         step.slip[1].0[lane] = slip[1];
-        step.shear.0[lane] = shear;
-        step.friction.put(lane, patch.friction(strip, slip, shear));
+        step.shear.0[lane] = sliding.shear(x, curvature.0[lane]);
+    }
+    let laws = law.evaluated([&speeds, &speeds]);
+    for lane in 0..LANES {
+        let patch = Patch {
+            law: laws.lane(lane),
+            normal_n: frame.friction_normal_n.0[lane],
+            half_length_m: frame.half_length_m.0[lane],
+        };
+        let slip = step.slip.each_ref().map(|slips| slips.0[lane]);
+        let friction = patch.friction(strip, slip, step.shear.0[lane]);
+        step.friction.put(lane, friction);
     }
 }
 

@@ -156,17 +156,9 @@ pub(crate) struct Patch<L> {
     pub normal_n: f64,
     /// a, m.
     pub half_length_m: f64,
-    /// κ, 1/m.
-    pub curvature: f64,
 }
 
 impl<L: Law> Patch<L> {
-    /// Place of a strip, m.
-    #[inline(always)]
-    pub fn place(&self, strip: &Strip) -> f64 {
-        strip.place * self.half_length_m
-    }
-
     /// Friction of a strip that slides with `slip` and shears at `shear`.
     ///
     /// With F the law under w N, k = √(vs² + (hγ)²) its knee, u = |s|/k and F′ = ∂F/∂|s|,
@@ -258,11 +250,10 @@ mod tests {
             },
             normal_n: 1.0,
             half_length_m: 1e-3,
-            curvature,
         };
         let mut sums = [0.0; 3];
         for strip in &strips(count) {
-            let x = patch.place(strip);
+            let x = strip.place * patch.half_length_m;
             let (slip, shear) = (sliding.at(x, curvature), sliding.shear(x, curvature));
             let f = patch.friction(strip, slip, shear);
             sums[0] += f.along;

@@ -1,94 +1,13 @@
-//! A case in a few lines.
+//! A case in a few lines, checked before anything is computed.
 
-use super::{
-    Case, Contact, Gaps, Motion, Operation, Output, Solver, SpatialLoad, Start, StartState,
-};
 use crate::bearing::Bearing;
+use crate::case::{Case, Gaps, StartState};
 use crate::contact::{FrictionLaw, FrictionModel, FrictionParameters, OwnFriction};
 use crate::error::InputError;
-use crate::flank_model::FlankModel;
-use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
 use crate::step_limits;
-
-/// Method of a case unless one is given.
-const METHOD: IntegrationMethod = IntegrationMethod::VelocityVerlet;
-/// Step until the automatic one is known, s.
-const PROVISIONAL_STEP_S: f64 = 1e-6;
-
-impl Case {
-    /// The case of a bearing that nothing loads or turns.
-    ///
-    /// No raceway, elastic flanks, μ = 0.007 (lubricated) with the smooth law, contact damping 2·10⁵ N·s·m^(−3/2),
-    /// restitution 0.95 between balls, balls evenly spaced in static equilibrium, g = 9.81 m/s², velocity Verlet over
-    /// 0.5 s with a step of 1 µs, a row of output each 0.1 ms.
-    pub fn of(bearing: Bearing) -> Self {
-        Self {
-            title: String::new(),
-            bearing,
-            raceways: vec![],
-            operation: Operation {
-                clockwise: false,
-                inner_speed_rad_s: 0.0,
-                radial_load_n: 0.0,
-                gravity_m_s2: 9.81,
-                inner_speed_table: None,
-                radial_load_table: None,
-                space: SpatialLoad::default(),
-            },
-            contact: Contact {
-                friction_law: FrictionModel::Smooth,
-                friction: FrictionParameters::smooth(
-                    0.007,
-                    FrictionParameters::REGULARISATION_MAX_M_S,
-                ),
-                outer_friction_factor: 1.0,
-                ball_friction_factor: 1.0,
-                friction_strips: 3,
-                damping_n_s_m1_5: 2e5,
-                ball_restitution: 0.95,
-                inner_stiffness_n_m1_5: None,
-                outer_stiffness_n_m1_5: None,
-                ball_stiffness_n_m1_5: None,
-            },
-            formulation: Formulation::Physical,
-            motion: Motion::BySymmetry,
-            flanks: FlankModel::Elastic,
-            start: Start::new(StartState::Settled, Gaps::Uniform, 0.0),
-            solver: Solver {
-                method: METHOD,
-                step_s: PROVISIONAL_STEP_S,
-                tolerance: 1e-8,
-                duration_s: 0.5,
-                transient_s: None,
-            },
-            seed: 0,
-            housing: None,
-            rotor: None,
-            support: None,
-            rows: vec![],
-            fit: None,
-            lubrication: None,
-            thermal: Default::default(),
-            limits: vec![],
-            output: Output { interval_s: 1e-4 },
-        }
-    }
-
-    /// Regularisation speed that goes with the speed of the bearing, m/s; with a rotor the largest one.
-    pub fn automatic_regularisation_m_s(&self) -> f64 {
-        match self.rotor {
-            Some(_) => FrictionParameters::REGULARISATION_MAX_M_S,
-            None => {
-                let orbit_rad_s = self.rolling_orbit_speed_rad_s().abs();
-                let rolling_m_s = orbit_rad_s * self.bearing.pitch_radius_m();
-                FrictionParameters::regularisation_of_rolling_m_s(rolling_m_s)
-            }
-        }
-    }
-}
 
 /// A case under construction: that of [`Case::of`] with changes.
 ///

@@ -1,0 +1,264 @@
+//! Laws of friction of one's own, as a case holds them.
+
+use std::sync::Arc;
+
+use crate::error::InputError;
+use crate::numerics::lanes::{LANES, Lanes};
+
+/// A law of friction of one's own: μ over the sliding speed.
+///
+/// The force is μ(|ΔV|)·tanh(ΔV/scale)·N with the regularisation speed of the case as its scale. Implicit treatment and
+/// step limits follow from μ and its slope.
+///
+/// ```
+/// use cageless::prelude::*;
+///
+/// /// Friction that falls from 0.12 at rest to 0.06 of fast sliding.
+/// struct Falling;
+///
+/// impl FrictionLaw for Falling {
+///     fn coefficient(&self, sliding_m_s: f64) -> [f64; 2] {
+///         let excess = 0.06 * (-sliding_m_s).exp();
+///         [0.06 + excess, -excess]
+///     }
+/// }
+///
+/// let case = CaseBuilder::of(reference::bearing()).own_friction(Falling).build()?;
+/// assert_eq!(case.contact.friction.coefficient, 0.06);
+/// # Ok::<(), InputError>(())
+/// ```
+pub trait FrictionLaw: Send + Sync {
+    /// μ at a sliding speed of 0 or more, m/s, and its slope dμ/d|ΔV|, s/m.
+    fn coefficient(&self, sliding_m_s: f64) -> [f64; 2];
+
+    /// [`Self::coefficient`] of several speeds at once, into arrays of the same length.
+    fn coefficients(&self, sliding_m_s: &[f64], mu: &mut [f64], slope_s_m: &mut [f64]) {
+        for ((speed, mu), slope) in sliding_m_s.iter().zip(mu).zip(slope_s_m) {
+            [*mu, *slope] = self.coefficient(*speed);
+        }
+    }
+
+    /// Name in messages; that of the type unless it is given.
+    fn name(&self) -> &str {
+        let path = std::any::type_name::<Self>();
+        path.rsplit("::").next().unwrap_or(path)
+    }
+}
+
+/// Sliding speeds at which a law is tried before a run, m/s.
+const TRIED_M_S: [f64; 2] = [1e-4, 1e3];
+/// Speeds tried in each decade.
+const TRIED_PER_DECADE: i32 = 24;
+/// Largest μ, as of the other laws.
+const COEFFICIENT_MAX: f64 = 2.0;
+/// Largest difference of a slope from that of μ between neighbouring speeds, of the change of μ.
+const SLOPE_TOLERANCE: f64 = 0.5;
+/// Largest change of μ over the tried speeds that counts as none.
+const ROUNDING: f64 = 1e-9;
+
+/// A [`FrictionLaw`] that has been tried over the sliding speeds, shared by whatever evaluates it.
+#[derive(Clone)]
+pub struct OwnFriction {
+    law: Arc<dyn FrictionLaw>,
+    fast: f64,
+    most: f64,
+    steepest_fall_s_m: f64,
+    kinked: bool,
+    factor: f64,
+}
+
+impl std::fmt::Debug for OwnFriction {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "OwnFriction({}, {} to {})",
+            self.law.name(),
+            self.most,
+            self.fast
+        )
+    }
+}
+
+/// Equal if they share the law.
+impl PartialEq for OwnFriction {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.law, &other.law) && self.factor == other.factor
+    }
+}
+
+impl OwnFriction {
+    /// Tries a law over the sliding speeds from 0 to 1000 m/s.
+    ///
+    /// # Errors
+    /// An [`InputError`] of `own_friction` with what the law returned: μ below 0, above 2 or not finite, or a slope
+    /// that is not that of μ.
+    pub fn new(law: impl FrictionLaw + 'static) -> Result<Self, InputError> {
+        let law: Arc<dyn FrictionLaw> = Arc::new(law);
+        let decades = (TRIED_M_S[1] / TRIED_M_S[0]).log10().round() as i32;
+        let of = |k: i32| TRIED_M_S[0] * 10f64.powf(f64::from(k) / f64::from(TRIED_PER_DECADE));
+        let speeds = std::iter::once(0.0).chain((0..=decades * TRIED_PER_DECADE).map(of));
+        let tried: Vec<Tried> = speeds.map(|speed| Tried::of(&*law, speed)).collect();
+        for one in &tried {
+            if !one.is_possible() || one.mu > COEFFICIENT_MAX {
+                return Err(one.refused(&*law, "μ from 0 to 2 and a finite slope"));
+            }
+        }
+        for pair in tried.windows(2) {
+            let [before, after] = [&pair[0], &pair[1]];
+            let width = after.speed_m_s - before.speed_m_s;
+            let change = after.mu - before.mu;
+            let middle = Tried::of(&*law, before.speed_m_s + 0.5 * width);
+            // Simpson's rule of the slope is the change of μ.
+            let sum = width / 6.0 * (before.slope + 4.0 * middle.slope + after.slope);
+            let scale = change.abs().max(sum.abs());
+            if scale > ROUNDING && (sum - change).abs() > SLOPE_TOLERANCE * scale {
+                let rule = format!("the slope of μ, here about {:.3e} s/m", change / width);
+                return Err(middle.refused(&*law, &rule));
+            }
+        }
+        let most = tried.iter().fold(0.0, |most: f64, one| most.max(one.mu));
+        let fall = tried
+            .iter()
+            .fold(0.0, |most: f64, one| most.max(-one.slope));
+        Ok(Self {
+            fast: tried[tried.len() - 1].mu,
+            most,
+            steepest_fall_s_m: fall,
+            kinked: tried[0].slope != 0.0,
+            factor: 1.0,
+            law,
+        })
+    }
+
+    /// Name of the law.
+    pub fn name(&self) -> &str {
+        self.law.name()
+    }
+
+    /// μ of fast sliding.
+    pub fn coefficient_fast(&self) -> f64 {
+        self.factor * self.fast
+    }
+
+    /// Largest μ at the speeds that were tried.
+    pub(super) fn coefficient_max(&self) -> f64 {
+        self.factor * self.most
+    }
+
+    /// Largest fall of μ over the sliding speed at the speeds that were tried, s/m.
+    pub(super) fn steepest_fall(&self) -> f64 {
+        self.factor * self.steepest_fall_s_m
+    }
+
+    /// μ and its slope, s/m, at a sliding speed.
+    ///
+    /// # Errors
+    /// What the law returned, where that cannot be.
+    #[inline(always)]
+    pub(super) fn coefficient(&self, sliding_m_s: f64) -> Result<[f64; 2], [f64; 2]> {
+        let [mu, slope] = self.law.coefficient(sliding_m_s);
+        match possible(mu, slope) {
+            true => Ok([self.factor * mu, self.factor * slope]),
+            false => Err([mu, slope]),
+        }
+    }
+
+    /// [`Self::coefficient`] of a block of speeds.
+    ///
+    /// # Errors
+    /// Index of the first speed whose answer cannot be.
+    #[inline(always)]
+    pub(super) fn coefficients(
+        &self,
+        speeds: &Lanes,
+        mu: &mut Lanes,
+        slope: &mut Lanes,
+    ) -> Result<(), usize> {
+        self.law.coefficients(&speeds.0, &mut mu.0, &mut slope.0);
+        let mut all = true;
+        for lane in 0..LANES {
+            all &= possible(mu.0[lane], slope.0[lane]);
+            mu.0[lane] *= self.factor;
+            slope.0[lane] *= self.factor;
+        }
+        match all {
+            true => Ok(()),
+            false => Err((0..LANES)
+                .find(|k| !possible(mu.0[*k], slope.0[*k]))
+                .unwrap_or(0)),
+        }
+    }
+
+    /// Whether μ rises or falls from rest on, so that friction has a kink there.
+    pub(super) fn is_kinked(&self) -> bool {
+        self.kinked
+    }
+
+    /// The law with every μ times `factor`.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            factor: self.factor * factor,
+            ..self.clone()
+        }
+    }
+}
+
+/// Whether a law may answer so.
+#[inline(always)]
+fn possible(mu: f64, slope: f64) -> bool {
+    (mu >= 0.0) & (mu < f64::INFINITY) & (slope.abs() < f64::INFINITY)
+}
+
+/// Answer of a law at a sliding speed.
+struct Tried {
+    speed_m_s: f64,
+    mu: f64,
+    slope: f64,
+}
+
+impl Tried {
+    fn of(law: &dyn FrictionLaw, speed_m_s: f64) -> Self {
+        let [mu, slope] = law.coefficient(speed_m_s);
+        Self {
+            speed_m_s,
+            mu,
+            slope,
+        }
+    }
+
+    fn is_possible(&self) -> bool {
+        possible(self.mu, self.slope)
+    }
+
+    fn refused(&self, law: &dyn FrictionLaw, rule: &str) -> InputError {
+        let rule = format!(
+            "{rule}: {} returned μ = {} with slope {} s/m at {} m/s",
+            law.name(),
+            self.mu,
+            self.slope,
+            self.speed_m_s
+        );
+        InputError::rule("own_friction", self.mu, rule)
+    }
+}
+
+/// What an own law returned in a run that cannot be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionFault {
+    /// Name of the law.
+    pub law: String,
+    /// Sliding speed, m/s.
+    pub sliding_m_s: f64,
+    /// μ and its slope, s/m, as returned.
+    pub returned: [f64; 2],
+}
+
+impl std::fmt::Display for FrictionFault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "the law of friction {} returned μ = {} with slope {} s/m at a sliding speed of {} m/s",
+            self.law, self.returned[0], self.returned[1], self.sliding_m_s
+        )
+    }
+}
