@@ -81,7 +81,7 @@ const LIMITED: [&str; 3] = [
 ];
 
 /// Change over the value with the reference below which nothing is said of it.
-const TRIFLE: f64 = 0.01;
+pub(crate) const TRIFLE: f64 = 0.01;
 
 cageless::named_enum! {
     /// Benefit in a word.
@@ -283,8 +283,8 @@ impl Benefit {
     /// error.
     pub(crate) fn is_clearly_worse(&self, than: &Self) -> bool {
         let difference = Estimate::of_differences(&self.scores, &than.scores);
-        let is_higher = difference.is_none_or(|difference| difference.change() == Change::Higher);
-        is_higher || self.rank.breaks_limit && !than.rank.breaks_limit
+        let is_higher = difference.is_some_and(|difference| difference.change() == Change::Higher);
+        self.scores.is_empty() || is_higher || self.rank.breaks_limit && !than.rank.breaks_limit
     }
 }
 
@@ -329,14 +329,16 @@ fn scores(ring: &RingResults, reference: &RingResults) -> Vec<f64> {
     }
 }
 
-/// Ratio of two results of one draw; none at all over none is 1, none over something the least that counts.
-fn ratio(value: f64, reference: f64) -> f64 {
+/// Ratio of two results of one draw; none at all over none is 1, none over something the least that counts, and what is
+/// no number stays none.
+pub(crate) fn ratio(value: f64, reference: f64) -> f64 {
     /// Nothing counts as a thousandth of what it is compared with.
     const LEAST: f64 = 1e-3;
     match (value, reference) {
         (0.0, 0.0) => 1.0,
         (_, 0.0) => 1.0 / LEAST,
-        _ => (value / reference).max(LEAST),
+        _ if value / reference < LEAST => LEAST,
+        _ => value / reference,
     }
 }
 

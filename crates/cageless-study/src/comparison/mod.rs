@@ -20,6 +20,7 @@ use cageless_io::case_file::{CaseError, CaseFile};
 use rayon::prelude::*;
 
 pub use benefit::{Benefit, BenefitCriterion, BenefitRank, BenefitWord};
+pub(crate) use benefit::{TRIFLE, ratio};
 pub use remedies::remedies;
 pub(crate) use remedies::{plain_ring, with_fewer_balls};
 pub use result::{ComparedResult, RingComparison};
