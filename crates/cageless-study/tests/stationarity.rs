@@ -12,12 +12,13 @@ const JUDGED: usize = 4;
 /// Orbits of each run.
 const ORBITS: f64 = 24.0;
 
+/// What is changed in a case of so many seconds.
+type Change = dyn Fn(&mut Case, f64);
+/// Name, whether with the raceway, changes of keys and of the case.
+type Condition<'a> = (&'a str, bool, &'a [&'a str], &'a Change);
+
 /// Runs measured from their start, changed by `change`, which has the duration.
-fn runs(
-    with_raceway: bool,
-    set: &[&str],
-    change: &dyn Fn(&mut Case, f64),
-) -> Vec<Vec<SteadyBlock>> {
+fn runs(with_raceway: bool, set: &[&str], change: &Change) -> Vec<Vec<SteadyBlock>> {
     let orbits = format!("steady.measured_orbits={ORBITS}");
     let own = [
         "steady.transient_orbits=0",
@@ -95,7 +96,7 @@ fn runs_that_physics_changes_are_rarely_called_stationary() {
     let none = |_: &mut Case, _: f64| {};
     let settled = ["steady.transient_orbits=24"];
     let random = "steady.start=random";
-    let conditions: [(&str, bool, &[&str], &dyn Fn(&mut Case, f64)); 8] = [
+    let conditions: [Condition; 8] = [
         (
             "plain, random start",
             false,
