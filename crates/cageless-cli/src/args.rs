@@ -186,7 +186,8 @@ pub struct DropArgs {
     /// Case with a [rotor], or file of a rotor on several bearings; output.
     #[command(flatten)]
     pub case: CaseArgs,
-    /// Drop the rotor onto another outer ring as well, in all bearings, and show both.
+    /// Drop the rotor onto another outer ring as well, in all bearings, and show both; with --samples
+    /// say whether the raceway helps in the same drops.
     #[arg(long, value_enum, value_name = "RING")]
     pub compare: Option<Reference>,
     /// Drop the rotor N times with random friction (±30 %), clearance (±10 %), support damping

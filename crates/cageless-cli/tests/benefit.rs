@@ -70,8 +70,11 @@ fn a_search_recommends_nothing_whose_benefit_is_not_judged() {
     let benefit = &found["benefit"];
     let runs = benefit["comparison"]["runs"].as_array().unwrap().len();
     let candidates = benefit["candidates"].as_array().unwrap();
-    // Short runs leave the best of many: what the search recommends and two more.
-    assert_eq!((runs, candidates.len()), (5, 8), "{benefit}");
+    // Short runs leave the best of many, and one that is not clearly worse.
+    assert!(
+        (3..=4).contains(&runs) && candidates.len() == 8,
+        "{benefit}"
+    );
     let scores: Vec<f64> = (candidates.iter())
         .map(|c| c["score"].as_f64().unwrap())
         .collect();

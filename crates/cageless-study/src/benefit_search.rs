@@ -1,5 +1,6 @@
 //! The raceway that helps most in steady operation, beside a plain ring and one ball fewer.
 
+use cageless::steady::TRANSIENT_ORBITS;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_results::{Provenance, Record};
 use serde::Serialize;
@@ -14,10 +15,12 @@ use crate::task::Task;
 
 /// Raceways of a search that short runs compare.
 pub const CANDIDATES: usize = 8;
-/// Raceways of these that long runs judge, beside the one that the search recommends.
+/// Raceways of these that long runs judge at most.
 const FINALISTS: usize = 2;
-/// Draws of balls and measured orbits of short runs.
-const SHORT: (u64, f64) = (4, 80.0);
+/// Draws of balls of short runs: with so many, two raceways fill the lanes of a vector.
+const SHORT_DRAWS: u64 = 4;
+/// Orbits that short runs measure, after the transient of the case or of the default, whichever is shorter.
+const SHORT_ORBITS: f64 = 80.0;
 
 /// Names of the tasks of short and long runs.
 const CHOICE: &str = "benefit: candidates";
@@ -95,7 +98,9 @@ fn plain_rings(file: &CaseFile) -> Result<Vec<(String, CaseFile)>, StudyError> {
 fn short(rings: &[(String, CaseFile)]) -> Result<Vec<(String, CaseFile)>, CaseError> {
     let shorter = rings.iter().map(|(name, file)| {
         let mut document = file.document().clone();
-        document.set("steady.measured_orbits", SHORT.1);
+        let transient = file.steady().transient_orbits.min(TRANSIENT_ORBITS);
+        document.set("steady.transient_orbits", transient);
+        document.set("steady.measured_orbits", SHORT_ORBITS);
         Ok((name.clone(), CaseFile::from_document(document, "case")?))
     });
     shorter.collect()
@@ -108,20 +113,20 @@ fn short(rings: &[(String, CaseFile)]) -> Result<Vec<(String, CaseFile)>, CaseEr
 pub fn tasks(file: &CaseFile, candidates: usize) -> Result<Vec<Task>, StudyError> {
     let mut rings = plain_rings(file)?;
     let own = ("raceway".to_owned(), quick(file)?);
-    let judged = candidates.min(FINALISTS + 1);
+    let judged = candidates.min(FINALISTS);
     let mut tasks = vec![];
     if candidates > judged {
         let mut all = vec![rings[0].clone()];
         all.resize(candidates + 1, own.clone());
-        tasks.push(steady_task(CHOICE, &short(&all)?, SHORT.0)?);
+        tasks.push(steady_task(CHOICE, &short(&all)?, SHORT_DRAWS)?);
     }
     rings.resize(judged + 2, own);
     tasks.push(steady_task(JUDGEMENT, &rings, DRAWS)?);
     Ok(tasks)
 }
 
-/// Judges raceways in steady operation against the plain ring of a case, and one ball fewer beside them. Short runs
-/// leave the best of many and the first. Candidates that do not work otherwise are left out.
+/// Judges raceways in steady operation against the plain ring of a case, and one ball fewer beside them. Of many, short
+/// runs leave the best and one that is not clearly worse. Candidates that do not work otherwise are left out.
 ///
 /// # Errors
 /// A case cannot start, a run left the physical range, or the progress ended the work.
@@ -134,27 +139,31 @@ pub fn search_benefit(
     let mut rings = plain_rings(file)?;
     let named = |c: &Candidate| Ok::<_, CaseError>((c.name.clone(), quick(&c.file)?));
     let all: Vec<_> = candidates.iter().map(named).collect::<Result<_, _>>()?;
-    let mut order: Vec<usize> = (0..candidates.len()).collect();
-    let mut scores = vec![];
-    if candidates.len() > FINALISTS + 1 {
+    let (mut scores, mut judged) = (vec![], vec![]);
+    if candidates.len() > FINALISTS {
         let begun: Vec<_> = [&rings[..1], &all].concat();
-        let found = judged_rings(&short(&begun)?, SHORT.0, CHOICE, progress)?;
+        let found = judged_rings(&short(&begun)?, SHORT_DRAWS, CHOICE, progress)?;
         let mut ranked: Vec<(usize, &Benefit)> =
             found.benefits.iter().flatten().enumerate().collect();
         ranked.sort_by(|(_, a), (_, b)| a.rank.compare(&b.rank));
-        order = ranked.iter().map(|(k, _)| *k).collect();
         let scored = ranked.iter().map(|(k, benefit)| CandidateScore {
             name: candidates[*k].name.clone(),
             score: Some(benefit.rank.score).filter(|score| score.is_finite()),
         });
         scores = scored.collect();
-        // Long runs judge the first of all in any case.
-        order.sort_by_key(|k| *k != 0);
-    }
-    let mut judged = vec![];
-    for k in order {
-        if judged.len() <= FINALISTS && works(k)? {
-            judged.push(k);
+        let mut leader = None;
+        for (k, benefit) in ranked {
+            let contends = leader.is_none_or(|leader| !benefit.is_clearly_worse(leader));
+            if judged.len() < FINALISTS && contends && works(k)? {
+                leader = leader.or(Some(benefit));
+                judged.push(k);
+            }
+        }
+    } else {
+        for k in 0..candidates.len() {
+            if works(k)? {
+                judged.push(k);
+            }
         }
     }
     rings.extend(judged.iter().map(|&k| all[k].clone()));

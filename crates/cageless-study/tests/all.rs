@@ -9,6 +9,7 @@ mod rotor_drops;
 mod rotor_sweeps;
 mod run_results;
 mod static_values;
+mod stationarity;
 mod studies;
 mod succession;
 mod sweep_analysis;

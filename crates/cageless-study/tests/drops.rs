@@ -609,3 +609,46 @@ fn a_run_of_a_falling_rotor_has_no_verdict_and_nothing_of_continuous_running() {
         );
     }
 }
+
+/// With a comparison the scattered drops go onto the plain ring as well, with the same draws; without a raceway there
+/// is nothing to judge.
+#[test]
+fn a_raceway_is_judged_by_the_same_scattered_drops() {
+    let both = DropRequest {
+        compare: true,
+        samples: Some(3),
+        ..DropRequest::default()
+    };
+    let alone = DropRequest {
+        compare: false,
+        ..both
+    };
+    let file = drop(&["solver.duration_s=0.02", "start.gaps=bunched"]);
+    let plain = file.with_conventional_ring().unwrap();
+    let found = studied(&file, both);
+    let other = studied(&plain, alone).ensemble.unwrap();
+    let benefit = found.benefit.as_ref().unwrap();
+    let mean = |ensemble: &cageless_study::drop::Ensemble, name: &str| {
+        let of = |row: &cageless_study::drop::DropRow| row.bearings[0].result.results.number(name);
+        ensemble.drops.iter().map(of).sum::<f64>() / 3.0
+    };
+    assert_eq!(benefit.criteria.len(), 4);
+    for criterion in &benefit.criteria {
+        let expected = [found.ensemble.as_ref().unwrap(), &other].map(|e| mean(e, criterion.name));
+        for (mean, expected) in [criterion.raceway.mean, criterion.conventional.mean]
+            .iter()
+            .zip(expected)
+        {
+            assert!((mean / expected - 1.0).abs() < 1e-12, "{}", criterion.name);
+        }
+    }
+    let heat = &benefit.criteria[3];
+    assert!(heat.raceway.mean != heat.conventional.mean);
+    let json = texts(&found, &file);
+    assert_eq!(
+        json["benefit"]["headline"].as_str(),
+        Some(&*benefit.headline)
+    );
+    assert!(studied(&file, alone).benefit.is_none());
+    assert!(studied(&plain, both).benefit.is_none());
+}

@@ -66,7 +66,11 @@ pub(super) fn listed(values: &[f64]) -> String {
 }
 
 fn text(study: &DropStudy) -> String {
-    let mut text = verdict(&study.judgement) + &rotor_text(study);
+    let mut text = verdict(&study.judgement);
+    if let Some(benefit) = &study.benefit {
+        text += &format!("{}\n", pairs(&[("benefit", benefit.headline.clone())]));
+    }
+    text += &rotor_text(study);
     text += &drops(&study.results("this drop", "conventional"));
     text += &succession_text(&study.succession);
     if let Some(ensemble) = &study.ensemble {

@@ -101,6 +101,9 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     page.figures(bearings.iter().map(heat));
     if let Some(ensemble) = &study.ensemble {
         scattered(&mut page, &bearings, ensemble);
+        if let Some(benefit) = &study.benefit {
+            page.note(Note::Remark, &format!("{}.", benefit.headline));
+        }
     }
     if let Some(verification) = &study.verification {
         verification_section(&mut page, &bearings, verification);

@@ -81,7 +81,7 @@ const LIMITED: [&str; 3] = [
 ];
 
 /// Change over the value with the reference below which nothing is said of it.
-const TRIFLE: f64 = 0.01;
+pub(crate) const TRIFLE: f64 = 0.01;
 
 cageless::named_enum! {
     /// Benefit in a word.
@@ -154,6 +154,9 @@ pub struct Benefit {
     pub score: Option<Estimate>,
     /// What was compared.
     pub criteria: Vec<BenefitCriterion>,
+    /// Weighted mean of ln(ratio) with each draw, judged or not; empty without results.
+    #[serde(skip)]
+    pub(crate) scores: Vec<f64>,
     /// Order among rings that are compared with one: lower is better, judged or not.
     #[serde(skip)]
     pub rank: BenefitRank,
@@ -191,7 +194,8 @@ impl Benefit {
             .into_iter()
             .filter_map(|r| r.stopped.clone());
         let stopped: Vec<String> = stopped.collect();
-        let score = score(ring, reference);
+        let scores = scores(ring, reference);
+        let score = Estimate::new(&scores);
         let criteria: Vec<BenefitCriterion> = (asked(reference))
             .chain(COSTS.iter().map(|cost| (cost.name, 0.0)))
             .filter_map(|(name, weight)| criterion(ring, reference, name, weight))
@@ -269,7 +273,18 @@ impl Benefit {
             },
             score: score.filter(|_| word != BenefitWord::NotJudged),
             criteria,
+            scores,
         }
+    }
+}
+
+impl Benefit {
+    /// Whether it breaks a limit that the other keeps, or its score with the same draws is higher by more than its
+    /// error.
+    pub(crate) fn is_clearly_worse(&self, than: &Self) -> bool {
+        let difference = Estimate::of_differences(&self.scores, &than.scores);
+        let is_higher = difference.is_some_and(|difference| difference.change() == Change::Higher);
+        self.scores.is_empty() || is_higher || self.rank.breaks_limit && !than.rank.breaks_limit
     }
 }
 
@@ -294,8 +309,8 @@ fn asked(reference: &RingResults) -> impl Iterator<Item = (&'static str, f64)> {
     ASKED.iter().map(move |asked| (asked.name, weight(asked)))
 }
 
-/// Weighted mean of ln(ratio) of what is asked for over the draws; `None` if a ring lacks one of them.
-fn score(ring: &RingResults, reference: &RingResults) -> Option<Estimate> {
+/// Weighted mean of ln(ratio) of what is asked for with each draw; none if a ring lacks one of them.
+fn scores(ring: &RingResults, reference: &RingResults) -> Vec<f64> {
     let draws = asked(reference).map(|(name, _)| ring.of(name).len().min(reference.of(name).len()));
     let count = draws.min().unwrap_or(0);
     let all: f64 = asked(reference).map(|(_, weight)| weight).sum();
@@ -308,17 +323,22 @@ fn score(ring: &RingResults, reference: &RingResults) -> Option<Estimate> {
     };
     let values: Vec<f64> = (0..count).map(of_draw).collect();
     let complete = values.iter().all(|value| value.is_finite());
-    Estimate::new(&values).filter(|_| complete && count >= 2)
+    match complete && count >= 2 {
+        true => values,
+        false => vec![],
+    }
 }
 
-/// Ratio of two results of one draw; none at all over none is 1, none over something the least that counts.
-fn ratio(value: f64, reference: f64) -> f64 {
+/// Ratio of two results of one draw; none at all over none is 1, none over something the least that counts, and what is
+/// no number stays none.
+pub(crate) fn ratio(value: f64, reference: f64) -> f64 {
     /// Nothing counts as a thousandth of what it is compared with.
     const LEAST: f64 = 1e-3;
     match (value, reference) {
         (0.0, 0.0) => 1.0,
         (_, 0.0) => 1.0 / LEAST,
-        _ => (value / reference).max(LEAST),
+        _ if value / reference < LEAST => LEAST,
+        _ => value / reference,
     }
 }
 
@@ -456,6 +476,34 @@ mod tests {
             let found = benefit.score.unwrap().mean;
             assert!((found - score).abs() < 1e-12, "{set}: {found} {score}");
         }
+    }
+
+    /// The scatter between draws is the same with both and leaves their difference; without results none contends.
+    #[test]
+    fn a_raceway_is_clearly_worse_by_the_same_draws() {
+        let plain = ring("plain", "title=x", PLAIN, 900.0);
+        let of = |contacts: [f64; 4], pressure: f64| {
+            let draws: Vec<Vec<(&'static str, f64)>> = (contacts.iter())
+                .map(|contacts| {
+                    let values = [*contacts, 3.0, 10.0];
+                    let values = ASKED.iter().zip(values).map(|(a, value)| (a.name, value));
+                    values
+                        .chain([("ball_pressure_max_mpa", pressure)])
+                        .collect()
+                })
+                .collect();
+            let file = CaseFile::parse(&template(false), "case", &[]).unwrap();
+            let verdict = RingVerdict::of_summary(&Map::new());
+            Benefit::of(&RingResults::of_draws("A", &file, &draws, verdict), &plain)
+        };
+        let leader = of([100.0, 200.0, 400.0, 800.0], 900.0);
+        // The means differ by far less than the draws do.
+        let worse = of([110.0, 222.0, 438.0, 885.0], 900.0);
+        let unclear = of([110.0, 182.0, 438.0, 805.0], 900.0);
+        assert!(worse.is_clearly_worse(&leader) && !leader.is_clearly_worse(&worse));
+        assert!(!unclear.is_clearly_worse(&leader) && !leader.is_clearly_worse(&leader));
+        assert!(of([50.0, 100.0, 200.0, 400.0], 4201.0).is_clearly_worse(&leader));
+        assert!(of([f64::NAN; 4], 900.0).is_clearly_worse(&leader));
     }
 
     /// A broken limit harms whatever is gained, and puts a ring behind all that keep theirs.

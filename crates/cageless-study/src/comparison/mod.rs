@@ -12,14 +12,15 @@ mod verdict;
 use cageless::Case;
 use cageless::design::RunVerdict;
 use cageless::equilibrium::settle;
-use cageless::simulation::Observer;
+use cageless::simulation::{Observer, batches};
 use cageless::steady::{Stationarity, SteadyBlock, SteadyRecorder, SteadySummary};
 use cageless::summary::transient_s;
 use cageless::vibration::VibrationRecorder;
-use cageless_io::case_file::CaseFile;
+use cageless_io::case_file::{CaseError, CaseFile};
 use rayon::prelude::*;
 
 pub use benefit::{Benefit, BenefitCriterion, BenefitRank, BenefitWord};
+pub(crate) use benefit::{TRIFLE, ratio};
 pub use remedies::remedies;
 pub(crate) use remedies::{plain_ring, with_fewer_balls};
 pub use result::{ComparedResult, RingComparison};
@@ -87,18 +88,38 @@ pub fn in_steady_operation(
 ) -> Result<RingComparison, StudyError> {
     let sampling = Sampling::Draws(draws);
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
-    let results: Vec<RingResults> = each(rings)
+    let mut drawn: Vec<CaseFile> = vec![];
+    for (_, file) in rings {
+        drawn.extend(all_draws(file, sampling, seed)?);
+    }
+    let count = draws as usize;
+    let named = |k: usize| format!("{}, draw {}", rings[k / count].0, k % count + 1);
+    // Draws of several rings fill the lanes of a batch; who runs beside whom changes no bit.
+    let cases: Vec<Case> = drawn.iter().map(|file| file.case().clone()).collect();
+    let groups = batches(&cases);
+    let found: Vec<_> = each(&groups)
         .with_max_len(1)
-        .enumerate()
-        .map(
-            |(k, (name, file))| match ring_results(name, file, sampling, seed, work) {
-                Err(StudyError::Stopped { run, stop }) if k > 0 => {
-                    Ok(RingResults::stopped(name, file, format!("{run}: {stop}")))
-                }
-                found => found,
-            },
-        )
-        .collect::<Result<_, _>>()?;
+        .map(|members| {
+            let block: Vec<&CaseFile> = members.iter().map(|k| &drawn[*k]).collect();
+            let found = outcomes(&block, work, &|at| named(members[at]))?;
+            Ok(members.iter().copied().zip(found).collect::<Vec<_>>())
+        })
+        .collect::<Result<_, StudyError>>()?;
+    let mut found: Vec<_> = found.into_iter().flatten().collect();
+    found.sort_by_key(|(k, _)| *k);
+    let mut found = found.into_iter().map(|(_, outcome)| outcome);
+    let mut results: Vec<RingResults> = vec![];
+    for (k, (name, file)) in rings.iter().enumerate() {
+        let of_ring: Vec<_> = found.by_ref().take(count).collect();
+        let first = drawn[k * count].case();
+        results.push(match of_ring.into_iter().collect::<Result<Vec<_>, _>>() {
+            Ok(of_draws) => finished(name, file, first, &of_draws)?,
+            Err(StudyError::Stopped { run, stop }) if k > 0 => {
+                RingResults::stopped(name, file, format!("{run}: {stop}"))
+            }
+            Err(error) => return Err(error),
+        });
+    }
     Ok(RingComparison::new(
         &results,
         Draws::of(&rings[0].1, sampling),
@@ -141,9 +162,17 @@ pub fn with_steady_operation(
     rings: &[(String, CaseFile)],
     draws: u64,
 ) -> Result<Task, StudyError> {
-    rings.iter().try_fold(task, |task, (_, file)| {
-        with_samples(task, file, Sampling::Draws(draws), rings.len())
-    })
+    let mut cases: Vec<Case> = vec![];
+    for (_, file) in rings {
+        let first = Sampling::Draws(draws).sample(file, 0, 0)?;
+        cases.extend((0..draws).map(|_| first.case().clone()));
+    }
+    let groups = batches(&cases);
+    Ok(groups.iter().fold(task, |task, members| {
+        let (case, together) = (&cases[members[0]], members.len());
+        let steps = members.iter().map(|k| cases[*k].solver.steps()).sum();
+        task.with_together(case, together, steps, groups.len())
+    }))
 }
 
 /// The task with the runs of a case with every sample side by side.
@@ -198,20 +227,37 @@ fn ring_results(
     seed: u64,
     work: &Work<'_>,
 ) -> Result<RingResults, StudyError> {
-    let draws: Vec<CaseFile> = (0..sampling.count())
-        .map(|draw| sampling.sample(file, seed, draw))
-        .collect::<Result<_, _>>()?;
+    let draws = all_draws(file, sampling, seed)?;
     // A block for each thread; who runs beside whom changes no bit.
     let blocks = groups_of(&draws, DRAWS as usize).enumerate();
     let found = blocks.map(|(k, block)| {
         let first = k * DRAWS as usize;
         let named = |at: usize| format!("{name}, draw {}", first + at + 1);
-        outcomes(block, work, &named)
+        let block: Vec<&CaseFile> = block.iter().collect();
+        outcomes(&block, work, &named)?.into_iter().collect()
     });
-    let found = found.collect::<Result<Vec<_>, _>>()?;
+    let found = found.collect::<Result<Vec<Vec<_>>, _>>()?;
     let drawn: Vec<DrawOutcome> = found.into_iter().flatten().collect();
+    finished(name, file, draws[0].case(), &drawn)
+}
+
+/// A case with every sample.
+fn all_draws(file: &CaseFile, sampling: Sampling, seed: u64) -> Result<Vec<CaseFile>, CaseError> {
+    let numbers = 0..sampling.count();
+    numbers
+        .map(|draw| sampling.sample(file, seed, draw))
+        .collect()
+}
+
+/// Results of a ring from what came out with its draws, of which `first` is the first.
+fn finished(
+    name: &str,
+    file: &CaseFile,
+    first: &Case,
+    drawn: &[DrawOutcome],
+) -> Result<RingResults, StudyError> {
     let verdicts: Vec<RunVerdict> = drawn.iter().map(|d| d.verdict.clone()).collect();
-    let verdict = RunVerdict::of_starts(draws[0].case(), &verdicts);
+    let verdict = RunVerdict::of_starts(first, &verdicts);
     let blocks: Vec<&[SteadyBlock]> = drawn.iter().map(|d| d.blocks.as_slice()).collect();
     let at_rest = at_rest(file)?;
     let values = drawn
@@ -285,11 +331,14 @@ struct DrawOutcome {
 }
 
 /// Outcomes with each draw of a block, side by side.
+///
+/// # Errors
+/// The progress ended the work.
 fn outcomes(
-    block: &[CaseFile],
+    block: &[&CaseFile],
     work: &Work<'_>,
     named: &dyn Fn(usize) -> String,
-) -> Result<Vec<DrawOutcome>, StudyError> {
+) -> Result<Vec<Result<DrawOutcome, StudyError>>, StudyError> {
     let cases: Vec<Case> = block.iter().map(|file| file.case().clone()).collect();
     let record = |case: &Case| DrawRecorder {
         run: RunRecorder::new(case),
@@ -324,5 +373,5 @@ fn outcomes(
             blocks,
         })
     });
-    outcomes.collect()
+    Ok(outcomes.collect())
 }

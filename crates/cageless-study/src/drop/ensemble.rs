@@ -172,7 +172,7 @@ impl DropRow {
     }
 
     /// Whether the drop passes in every bearing; `None` if one was not judged and none fails.
-    fn passes(&self) -> Option<bool> {
+    pub(super) fn passes(&self) -> Option<bool> {
         let bearings = self.bearings.iter();
         all_pass(bearings.map(|bearing| bearing.result.judgement.passes()))
     }
@@ -184,7 +184,7 @@ impl DropRow {
     }
 }
 
-fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
+pub(super) fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
     let complete: Vec<&DropRow> = drops.iter().filter(|d| d.stopped().is_none()).collect();
     let whirls = complete.iter().filter(|d| d.whirls_backward()).count();
     let stopped = drops.len() - complete.len();

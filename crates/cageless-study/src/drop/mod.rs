@@ -2,6 +2,7 @@
 //! conditions scatter, and its verification.
 
 mod bearings;
+mod benefit;
 mod distribution;
 mod ensemble;
 mod record;
@@ -13,6 +14,7 @@ mod summary;
 mod verification;
 
 pub use bearings::Bearings;
+pub use benefit::{DropBenefit, DropCriterion};
 pub use distribution::{
     BearingRow, DROPS_MAX, Distribution, EndStateCount, PassProbability, Quantiles,
     WhirlProbability, check_drops,

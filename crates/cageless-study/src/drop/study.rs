@@ -11,7 +11,7 @@ use cageless_results::{DropJudgement, DropResult, Record};
 use super::record::{TASK, steps};
 use super::side_by_side::drop_task;
 use super::verification::verify;
-use super::{BearingRecord, DropRecord, Ensemble, Succession, check_drops, ensemble};
+use super::{BearingRecord, DropBenefit, DropRecord, Ensemble, Succession, check_drops, ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::Rows;
@@ -23,7 +23,7 @@ use crate::warnings::{of_drop, of_scattered};
 pub struct DropRequest {
     /// Whether the rotor drops onto the same bearings with conventional outer rings as well.
     pub compare: bool,
-    /// Number of drops with scattered conditions.
+    /// Number of drops with scattered conditions; those of a comparison are judged.
     pub samples: Option<u64>,
     /// Whether the drop is verified.
     pub verify: bool,
@@ -33,12 +33,19 @@ pub struct DropRequest {
 }
 
 impl DropRequest {
+    /// Whether the raceways are judged by scattered drops onto both rings.
+    fn judges(&self, drop: &RotorDrop) -> bool {
+        let mut cases = drop.cases().iter();
+        self.compare && cases.any(|case| !case.raceways.is_empty())
+    }
+
     /// The tasks of [`study`].
     fn tasks(&self, drop: &RotorDrop) -> Vec<Task> {
         let drops = self.drops.unwrap_or(1) + u64::from(self.compare);
         let one = drops as f64 * steps(drop);
         let own = drop_task(Task::new(TASK), drop, 1, one, 1);
-        let samples = self.samples.map(|count| super::ensemble::task(drop, count));
+        let rings = if self.judges(drop) { 2 } else { 1 };
+        let samples = (self.samples).map(|count| super::ensemble::task(drop, rings * count));
         let verification = self.verify.then(|| super::verification::task(drop));
         [own]
             .into_iter()
@@ -104,6 +111,8 @@ pub struct DropStudy {
     pub conventional: Option<DropRecord>,
     /// Scattered drops.
     pub ensemble: Option<Ensemble>,
+    /// Benefit of the raceways by the same drops onto conventional outer rings.
+    pub benefit: Option<DropBenefit>,
     /// The drop, its spin-down to standstill and the drops after it; empty of one drop alone.
     pub succession: Succession,
     /// Verification of the drop.
@@ -164,6 +173,13 @@ pub fn study<'r>(
             let warnings = scattered_warnings(&study.drop, ensemble);
             study.warnings.extend(warnings);
         }
+        if request.judges(&study.drop) && !study.interrupted {
+            let plain = study.drop.conventional();
+            let done = ensemble(&plain, count, &Scatter::default(), progress);
+            let other = study.keep("the scattered drops onto the plain ring", done);
+            let pair = study.ensemble.as_ref().zip(other.as_ref());
+            study.benefit = pair.map(|(own, other)| DropBenefit::new(own, other));
+        }
     }
     if request.verify && !study.interrupted {
         let done = verify(&study.drop, &study.record, progress);
@@ -187,6 +203,7 @@ impl DropStudy {
             record,
             conventional: None,
             ensemble: None,
+            benefit: None,
             succession: Succession::default(),
             verification: None,
             warnings,

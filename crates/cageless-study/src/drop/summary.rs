@@ -6,7 +6,7 @@ use cageless_io::results::{SCHEMA, VERSION};
 use cageless_results::{DropResult, Record, plane_records};
 use serde::Serialize;
 
-use super::{Bearings, DropRecord, DropStudy, Ensemble};
+use super::{Bearings, DropBenefit, DropRecord, DropStudy, Ensemble};
 
 impl DropStudy {
     /// `summary.json` of the study of the drop of `file`.
@@ -32,6 +32,7 @@ impl DropStudy {
             bearings: Bearings::new(&self.drop, bearings),
             conventional: self.conventional.as_ref().map(OfBearings::results),
             ensemble: self.ensemble.as_ref(),
+            benefit: self.benefit.as_ref(),
             succession: &self.succession.records,
             verification: self.verification.as_ref(),
             warnings: &self.warnings,
@@ -75,6 +76,8 @@ struct Summary<'a> {
     conventional: Option<OfBearings<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a Ensemble>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    benefit: Option<&'a DropBenefit>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     succession: &'a [Record],
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -14,12 +14,14 @@
 //! assert_eq!(leading_ball(&[0.0, 2.0, -3.0, 1.0]), 2);
 //! ```
 
+mod held_pair;
 mod operation;
 mod queue;
 mod recorder;
 mod stationarity;
 mod summary;
 
+pub use held_pair::HeldPair;
 pub use operation::{
     BenefitWeights, GRADE, MEASURED_ORBITS, SteadyDraw, SteadyOperation, SteadyStart,
     TRANSIENT_ORBITS, WEIGHT,
