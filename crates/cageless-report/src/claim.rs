@@ -135,7 +135,7 @@ impl Requirement {
         } else {
             missed
         };
-        let limit = significant(limit, 4) + unit;
+        let limit = significant(limit, digits.max(3)) + unit;
         self.shown = significant(self.value, digits) + unit;
         self.brief = format!("{} {sign} {limit}", self.shown);
         self.limit = format!("{words} {limit}");

@@ -404,7 +404,7 @@ fn the_result_is_on_top() {
     };
     let (html, _) = split(&design_page(&data));
     let (header, body) = html.split_once("</header>").expect("a header");
-    assert!(opening(body).contains("id=\"axial-span-and-half-angle\""));
+    assert!(opening(body).contains("id=\"design-map-verdicts"));
     let recommended = header
         .find("Recommended raceway: works")
         .expect("a verdict");

@@ -87,8 +87,8 @@ pub fn table2_overview(table: &Table2) -> Figure {
     };
     let grey = json!({ "color": "#777777", "dash": "dash", "width": 1.5 });
     let theory = json!({ "mode": "lines", "line": grey });
-    let mut plot = Plot::new(400)
-        .margin([64, 16, 64, 46])
+    let mut plot = Plot::new(350)
+        .margin([64, 16, 44, 46])
         .legend()
         .x("", json!({ "type": "category" }))
         .y("Critical gap (°)", json!({}))

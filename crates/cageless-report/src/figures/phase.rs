@@ -16,8 +16,6 @@ const COLUMNS: usize = 5;
 /// Height of a row of portraits, pixels.
 const ROW_PX: u32 = 240;
 
-/// Portraits in a row at a glance.
-const GLANCE_COLUMNS: usize = 4;
 /// Points of a portrait at a glance.
 const GLANCE_POINTS: usize = 600;
 
@@ -25,12 +23,12 @@ const GLANCE_POINTS: usize = 600;
 pub fn overview(portraits: &PhasePortraits) -> Figure {
     let count = portraits.portraits.len();
     let most = most_m_s(portraits);
-    let rows = count.div_ceil(GLANCE_COLUMNS).max(1);
-    let mut plot = Plot::new(115 * rows as u32 + 55)
+    let rows = count.div_ceil(COLUMNS).max(1);
+    let mut plot = Plot::new(120 * rows as u32 + 90)
         .margin([54, 10, 40, 46])
         .set("meta", json!({ "side_by_side": true }));
     let range = json!([number(-most), number(most)]);
-    let panels = Panel::grid(count, GLANCE_COLUMNS, [0.03, 0.12]);
+    let panels = Panel::grid(count, COLUMNS, [0.03, 0.24]);
     for (panel, portrait) in panels.iter().zip(&portraits.portraits) {
         let axis = |shown: bool, more| {
             let few = json!({
