@@ -140,9 +140,8 @@ fn open(page: &mut Page, data: &DesignData) {
     let caption = "The last orbits of the run in which the initial design was judged, to scale. \
                    The inner ring turns counter-clockwise, load and gravity point down; the \
                    discrete raceway is shaded orange, balls 1 and 2 blue, touching balls ringed.";
-    let motion = data.motion.iter().filter(|_| data.benefit.is_none());
-    let motion = motion.map(|motion| MotionFigure::new("Motion", caption, vec![motion.clone()]));
-    page.open_with_motion(motion.last());
+    let motion = data.motion.clone().filter(|_| data.benefit.is_none());
+    page.open_with_motion(motion.map(|of| MotionFigure::new("Motion", caption, vec![of])));
     if data.search.is_none() {
         page.open_with(data.curve.as_ref().map(curve));
     }
