@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 # At their places, so that links between them hold.
 WITH_THE_COMMAND = [
-    "README.md", "CHANGELOG.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE",
+    "README.md", "CHANGELOG.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "RECIPES.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE",
     "crates/cageless-py/THIRD-PARTY-LICENSES.txt", "docs", "cases", "plans",
 ]  # fmt: skip
 

@@ -229,7 +229,7 @@ def check_in_text(cageless):
         return options_of[command]
 
     found = 0
-    for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
+    for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "RECIPES.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         text = BLOCK.sub("", path.read_text(encoding="utf-8"))
         for code in dict.fromkeys(" ".join(of.split()) for of in re.findall(r"`((?:cageless|cargo test) [^`]*)`", text)):
             name = f"{path.relative_to(ROOT).as_posix()}: {code}"

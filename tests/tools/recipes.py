@@ -1,4 +1,4 @@
-"""Follows the recipes of CONTRIBUTING.md on a copy of the project, all of them at once: each touches the files
+"""Follows the recipes of RECIPES.md on a copy of the project, all of them at once: each touches the files
 that it lists and no other, and the command then has a law of friction, a shape of raceway, a method, a result, a figure and a key more.
 
     recipes.py FOLDER [BUILT]
@@ -261,8 +261,8 @@ def copied(folder):
 
 
 def follow(tree):
-    """Makes the changes of all recipes, each as its text in CONTRIBUTING.md says."""
-    text = (HERE / "CONTRIBUTING.md").read_text()
+    """Makes the changes of all recipes, each as its text in RECIPES.md says."""
+    text = (HERE / "RECIPES.md").read_text()
     for title, changes in RECIPES.items():
         heading = re.search(rf"### {title}: (\d) files?\n(.*?)(?=\n###? )", text, re.S)
         checks.check(f"{title} is a recipe", heading)
@@ -328,7 +328,7 @@ def main():
     folder = Path(sys.argv[1]).resolve()
     tree = copied(folder)
     follow(tree)
-    if checks.failed:
+    if checks.failed():
         return checks.exit_code()
     cageless = build(folder, tree, Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None)
     short = ["solver.duration_s=0.02", "solver.method=heun", "solver.step_us=0.2", "contact.roughness_ratio=0.5"]

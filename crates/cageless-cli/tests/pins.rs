@@ -1,5 +1,5 @@
 //! What every command prints and writes, in `snapshots/`, to the last digit: text, JSON, help, the outline of
-//! each page and the bits of each table. CONTRIBUTING.md says how a wanted change is taken over.
+//! each page and the bits of each table. RECIPES.md says how a wanted change is taken over.
 
 use std::ffi::OsStr;
 use std::fs::File;

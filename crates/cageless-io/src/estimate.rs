@@ -2,7 +2,7 @@
 
 use cageless::numerics::moments::Moments;
 use cageless::numerics::student::two_sided_limit;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use cageless_results::number_text::{fixed, significant};
 
@@ -10,7 +10,7 @@ use cageless_results::number_text::{fixed, significant};
 pub const SIGNIFICANCE: f64 = 0.05;
 
 /// Mean over independent starts with its standard error.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Mean.
     pub mean: f64,

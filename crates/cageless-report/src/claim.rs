@@ -6,7 +6,7 @@
 //!
 //! let claim = |difference_deg: f64| {
 //!     let requirement = Requirement::at_most("largest difference", difference_deg, 5e-5, "°");
-//!     let requirement = requirement.says("[All|Not all] values agree.");
+//!     let requirement = requirement.says("All values agree.", "Not all values agree.");
 //!     Claim::of_the_model("Table 2", "The theoretical values.", vec![requirement])
 //! };
 //! assert_eq!(claim(4e-5).status(), ClaimStatus::Confirmed);
@@ -15,13 +15,13 @@
 //! assert_eq!(claim(f64::NAN).status(), ClaimStatus::NotTested);
 //! ```
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::text::{escape, rich, significant};
 
 /// Status of a claim of the paper, given by [`Claim::of_the_model`] and [`Claim::as_printed`]
 /// alone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ClaimStatus {
     /// Every requirement is met.
@@ -36,8 +36,40 @@ pub enum ClaimStatus {
     NotTested,
 }
 
+impl ClaimStatus {
+    const ALL: [Self; 5] = [
+        Self::Confirmed,
+        Self::Partly,
+        Self::NotConfirmed,
+        Self::Erratum,
+        Self::NotTested,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Confirmed => "confirmed",
+            Self::Partly => "partly",
+            Self::NotConfirmed => "not confirmed",
+            Self::Erratum => "erratum",
+            Self::NotTested => "not tested",
+        }
+    }
+}
+
+/// How many claims have each status: `38 claims: 9 confirmed, 17 partly, …`.
+pub(crate) fn counts(claims: &[Claim]) -> String {
+    let count = |status| {
+        claims
+            .iter()
+            .filter(|claim| claim.verdict == status)
+            .count()
+    };
+    let counts = ClaimStatus::ALL.map(|status| format!("{} {}", count(status), status.name()));
+    format!("{} claims: {}.", claims.len(), counts.join(", "))
+}
+
 /// How far a requirement is met.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Holds {
     /// The number keeps its limit.
@@ -53,101 +85,119 @@ pub enum Holds {
 }
 
 /// A quantity of a claim with its computed value and its limit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Requirement {
     quantity: String,
     value: f64,
-    unit: &'static str,
+    unit: String,
     /// In words: `at most 0.033°`.
     limit: String,
     holds: Holds,
     /// The value with its unit.
-    #[serde(skip)]
     shown: String,
+    /// The value beside the limit: `0.07° > 0.02°`, `9 of 10`.
+    brief: String,
     /// If it is met and if it is missed.
     #[serde(skip)]
     sentences: [String; 2],
 }
 
+/// Sides of a limit with their words and signs: kept, missed.
+const AT_MOST: [&str; 3] = ["at most", "≤", ">"];
+const AT_LEAST: [&str; 3] = ["at least", "≥", "<"];
+
 impl Requirement {
-    fn new(quantity: &str, value: f64, unit: &'static str, limit: String, met: bool) -> Self {
+    fn new(quantity: &str, value: f64, unit: &str, met: bool) -> Self {
         Self {
             quantity: quantity.to_owned(),
             value,
-            unit: unit.trim(),
-            limit,
+            unit: unit.trim().to_owned(),
+            limit: String::new(),
             holds: match met {
                 _ if value.is_nan() => Holds::Unknown,
                 true => Holds::Met,
                 false => Holds::Missed,
             },
-            shown: with_unit(value, unit),
+            shown: String::new(),
+            brief: String::new(),
             sentences: Default::default(),
         }
     }
 
+    /// The requirement with its limit and its value in the unit that follows the numbers.
+    fn limited(mut self, [words, kept, missed]: [&str; 3], limit: f64, unit: &str) -> Self {
+        // So few digits that the value still lies on its side of the limit.
+        let apart =
+            |digits: &usize| significant(self.value, *digits) != significant(limit, *digits);
+        let digits = (2..4).find(apart).unwrap_or(4);
+        let sign = if self.holds == Holds::Met {
+            kept
+        } else {
+            missed
+        };
+        let limit = significant(limit, digits.max(3)) + unit;
+        self.shown = significant(self.value, digits) + unit;
+        self.brief = format!("{} {sign} {limit}", self.shown);
+        self.limit = format!("{words} {limit}");
+        self
+    }
+
     /// `value` of `quantity` must be `limit` or less; the unit follows the numbers: `"°"`, `" N"`.
-    pub fn at_most(quantity: &str, value: f64, limit: f64, unit: &'static str) -> Self {
-        let words = format!("at most {}", with_unit(limit, unit));
-        Self::new(quantity, value, unit, words, value <= limit)
+    pub fn at_most(quantity: &str, value: f64, limit: f64, unit: &str) -> Self {
+        Self::new(quantity, value, unit, value <= limit).limited(AT_MOST, limit, unit)
     }
 
     /// `value` of `quantity` must be `limit` or more.
-    pub fn at_least(quantity: &str, value: f64, limit: f64, unit: &'static str) -> Self {
-        let words = format!("at least {}", with_unit(limit, unit));
-        Self::new(quantity, value, unit, words, value >= limit)
+    pub fn at_least(quantity: &str, value: f64, limit: f64, unit: &str) -> Self {
+        Self::new(quantity, value, unit, value >= limit).limited(AT_LEAST, limit, unit)
     }
 
     /// `value` of `quantity`, known to ± `error`, must be more than `limit`; within its error it is undecided.
     pub fn above(quantity: &str, value: f64, error: f64, limit: f64) -> Self {
-        let words = format!("more than {}", with_unit(limit, ""));
-        let found = Self::new(quantity, value, "", words, value - error > limit);
-        let decided = value.is_nan() || (value - limit).abs() > error;
-        Self {
-            shown: format!("{} ± {}", significant(value, 3), significant(error, 2)),
-            holds: match decided {
-                true => found.holds,
-                false => Holds::Undecided,
-            },
-            ..found
+        let mut found = Self::new(quantity, value, "", value - error > limit);
+        if !value.is_nan() && (value - limit).abs() <= error {
+            found.holds = Holds::Undecided;
         }
+        let limit = significant(limit, 4);
+        found.limit = format!("more than {limit}");
+        found.shown = format!("{} ± {}", significant(value, 3), significant(error, 2));
+        let sign = match found.holds {
+            Holds::Met => ">",
+            Holds::Undecided => "≈",
+            _ => "<",
+        };
+        found.brief = format!("{} {sign} {limit}", found.shown);
+        found
     }
 
     /// Something must hold in all of `cases`; it holds in `value` of them.
     pub fn in_all(quantity: &str, value: usize, cases: usize) -> Self {
         let number = if cases == 0 { f64::NAN } else { value as f64 };
-        let words = format!("all of {cases}");
-        let found = Self::new(quantity, number, "", words, value >= cases);
-        match (1..cases).contains(&value) {
-            true => Self {
-                holds: Holds::InPart,
-                ..found
-            },
-            false => found,
+        let mut found = Self::new(quantity, number, "", value >= cases);
+        if (1..cases).contains(&value) {
+            found.holds = Holds::InPart;
         }
+        found.limit = format!("all of {cases}");
+        found.shown = value.to_string();
+        found.brief = format!("{value} of {cases}");
+        found
     }
 
-    /// Sentence of the finding. Of words in brackets, `[all|not all]`, the first are said if the
-    /// requirement is met, the second if it is not.
-    pub fn says(mut self, sentence: &str) -> Self {
-        let said = |choice: usize| {
-            let parts = sentence.split(['[', ']']).enumerate();
-            let part = |(k, part): (usize, &'_ str)| match k % 2 {
-                0 => part.to_owned(),
-                _ => part.split('|').nth(choice).unwrap_or_default().to_owned(),
-            };
-            parts.map(part).collect()
-        };
-        self.sentences = [said(0), said(1)];
+    /// Sentence of the finding if the requirement is met, and if it is not.
+    pub fn says(mut self, met: impl Into<String>, missed: impl Into<String>) -> Self {
+        self.sentences = [met.into(), missed.into()];
         self
     }
 
-    /// The requirement on one of several things: `name` stands before the quantity and for
-    /// `{name}` in the sentence.
+    /// The requirement on one of several things, whose name stands before the quantity.
     pub fn on(mut self, name: &str) -> Self {
         self.quantity = format!("{name}: {}", self.quantity);
-        self.sentences = self.sentences.map(|said| said.replace("{name}", name));
         self
+    }
+
+    /// How far it is met.
+    pub fn holds(&self) -> Holds {
+        self.holds
     }
 
     fn sentence(&self) -> &str {
@@ -176,13 +226,8 @@ impl Requirement {
     }
 }
 
-/// Four digits and the unit that follows them.
-fn with_unit(value: f64, unit: &str) -> String {
-    format!("{}{unit}", significant(value, 4))
-}
-
 /// A claim of the paper with what was found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
     /// Quoted or paraphrased.
     pub claim: String,
@@ -265,27 +310,34 @@ impl Claim {
         &self.criterion
     }
 
-    /// Block of a page.
+    /// The requirement that decides: the first that is not met, or else the first.
+    fn deciding(&self) -> Option<&Requirement> {
+        let mut missed = self.criterion.iter().filter(|one| one.holds != Holds::Met);
+        missed.next().or(self.criterion.first())
+    }
+
+    /// Line of a page with status, claim and number, which unfolds to the finding.
     pub(crate) fn html(&self) -> String {
-        let (class, status) = match self.verdict {
-            ClaimStatus::Confirmed => ("confirmed", "confirmed"),
-            ClaimStatus::Partly => ("partly", "partly confirmed"),
-            ClaimStatus::NotConfirmed => ("refuted", "not confirmed"),
-            ClaimStatus::Erratum => ("erratum", "erratum"),
-            ClaimStatus::NotTested => ("untested", "not tested"),
-        };
+        let status = self.verdict.name();
+        let class = status.replace(' ', "-");
         let mut below: String = self.criterion.iter().map(Requirement::html).collect();
         if !below.is_empty() {
             below = format!("<ul class=\"numbers\">{below}</ul>");
         }
         if !self.numbers.is_empty() {
-            below += &format!("<div class=\"numbers\">{}</div>", rich(&self.numbers));
+            below += &format!("<p class=\"numbers\">{}</p>", rich(&self.numbers));
         }
+        let number = match self.deciding() {
+            Some(one) if one.holds != Holds::Unknown => one.brief.as_str(),
+            _ => "",
+        };
         format!(
-            "<div class=\"claim {class}\"><div class=\"said\"><span class=\"place\">{}</span> {}</div>\
-             <div class=\"found\"><span class=\"verdict\">{status}</span> {}{below}</div></div>\n",
-            rich(&self.place),
+            "<details class=\"claim {class}\"><summary><span class=\"verdict\">{status}</span> \
+             <span class=\"said\">{}</span> <span class=\"number\">{}</span></summary>\n\
+             <p><span class=\"place\">{}.</span> {}</p>{below}</details>\n",
             rich(&self.claim),
+            escape(number),
+            rich(&self.place),
             rich(&self.finding),
         )
     }
@@ -307,7 +359,7 @@ mod tests {
         let status = |values: &[(f64, f64)]| {
             let above = |(value, error): &(f64, f64)| {
                 Requirement::above("density over chance", *value, *error, 1.0)
-                    .says("It is [|not clearly ]denser.")
+                    .says("It is denser.", "It is not clearly denser.")
             };
             let claim = Claim::of_the_model("§", "Denser.", values.iter().map(above).collect());
             (claim.status(), claim.finding.clone())

@@ -22,7 +22,7 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         None => run.name.clone(),
     };
     let lead: Vec<String> = (runs.iter())
-        .map(|run| format!("{}: {}. {}", shown(run), run.data.title, run.data.lead))
+        .map(|run| format!("{}: {}", shown(run), run.data.lead))
         .collect();
     let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
     let judged = comparison.benefits.iter().flatten();
@@ -46,6 +46,12 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         head.limits(&named)
     });
     page.head(&head);
+    if comparison.draws.seed.is_some() {
+        page.open_with(figures::benefit(comparison, &provenance(runs)));
+    } else {
+        page.open_with(figures::spacing(runs));
+    }
+    page.open_with_motion(motion(runs, comparison));
     for run in runs {
         for warning in &run.data.warnings {
             page.note(Note::Warning, &format!("{}: {warning}", shown(run)));
@@ -77,22 +83,6 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     page.figures(figures::spacing(runs));
     section(&mut page, "Inner ring and loads");
     page.figures(figures::ring(runs).into_iter().chain(figures::loads(runs)));
-    let motions = motions(runs);
-    if let Some(first) = motions.first() {
-        page.section("Balls in motion");
-        let (from, to) = range(&first.time_s);
-        let caption = format!(
-            "The last orbits of each run{}, to scale, side by side at the same speed: {} from \
-             t = {} s to {} s. The inner rings turn counter-clockwise, load and gravity point \
-             down; discrete raceways are shaded orange, balls 1 and 2 blue, balls in contact \
-             ringed.",
-            of_start(comparison),
-            first.title,
-            short(from),
-            short(to)
-        );
-        page.motion(&MotionFigure::new("Motion", &caption, motions));
-    }
     page.html()
 }
 
@@ -143,6 +133,24 @@ fn of_start(comparison: &RingComparison) -> String {
         Some(_) => format!(" with draw 1 of {}", comparison.draws.count),
         None => String::new(),
     }
+}
+
+/// The last orbits of the runs side by side.
+fn motion(runs: &[ComparedRun], comparison: &RingComparison) -> Option<MotionFigure> {
+    let motions = motions(runs);
+    let first = motions.first()?;
+    let (from, to) = range(&first.time_s);
+    let caption = format!(
+        "The last orbits of each run{}, to scale, side by side at the same speed: {} from \
+         t = {} s to {} s. The inner rings turn counter-clockwise, load and gravity point \
+         down; discrete raceways are shaded orange, balls 1 and 2 blue, balls in contact \
+         ringed.",
+        of_start(comparison),
+        first.title,
+        short(from),
+        short(to)
+    );
+    Some(MotionFigure::new("Motion", &caption, motions))
 }
 
 /// The motions on the time axis of the first; runs may have different lengths.

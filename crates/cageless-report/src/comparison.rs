@@ -2,13 +2,13 @@
 //! Section 5).
 
 use cageless_io::estimate::Estimate;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::data::{Provenance, RacewayLabel};
 use crate::table::Table;
 
 /// Rings, lots of balls and speeds, each combination from several starts.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RingComparison {
     /// One cell per combination: by speed, lot and ring, the conventional ring first.
     pub cells: Vec<ComparisonCell>,
@@ -25,7 +25,7 @@ pub struct RingComparison {
 }
 
 /// One ring with one lot of balls at one speed: means over the starts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ComparisonCell {
     /// Speed of the inner ring, rpm.
     pub speed_rpm: f64,
@@ -55,7 +55,7 @@ pub struct ComparisonCell {
 }
 
 /// Change over time within a record.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RecordChange {
     /// RMS of the acceleration of the housing, m/s².
     pub rms_m_s2: Estimate,
@@ -67,7 +67,7 @@ pub struct RecordChange {
 
 /// Vibration, gaps and contacts of a ring, or of a ring less the conventional one with the same balls
 /// from the same starts.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RingNumbers {
     /// RMS of the vertical acceleration of the housing, m/s².
     pub rms_m_s2: Estimate,

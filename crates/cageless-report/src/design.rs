@@ -10,9 +10,10 @@ use cageless_study::search::point_label;
 
 use crate::compare::benefit_section;
 use crate::data::{Motion, Parameter, Provenance};
+use crate::figure::Figure;
 use crate::figures::axial_load::{AxialLoads, axial_gap, axial_load};
-use crate::figures::search as figures;
-use crate::figures::{design, shape};
+use crate::figures::search as search_figures;
+use crate::figures::{compare, design, shape};
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::head::Head;
 use crate::motion::MotionFigure;
@@ -84,6 +85,7 @@ pub struct DesignData {
 pub fn design_page(data: &DesignData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
     page.head(&head(data));
+    open(&mut page, data);
     page.notes(Note::Warning, &data.warnings);
     if let Some(benefit) = &data.benefit {
         benefit_section(&mut page, &benefit.comparison, &benefit.provenance);
@@ -103,8 +105,7 @@ pub fn design_page(data: &DesignData) -> String {
         page.section("A raceway near the curve of Eq. (11)");
         page.verdict(data.recommendation_passes, &data.recommendation);
     }
-    let curve = data.curve.as_ref().map(design::curve);
-    page.figures(curve.map(|figure| figure.labelled("Axial span and half angle")));
+    page.figures(data.curve.as_ref().map(curve));
     if !data.results.is_empty() {
         page.section("The raceway of the case");
         page.verdict(data.passes, &data.headline);
@@ -125,17 +126,29 @@ pub fn design_page(data: &DesignData) -> String {
     page.notes(Note::Remark, &data.axial_findings);
     let axial = data.axial.iter();
     page.figures(axial.flat_map(|axial| [axial_load(axial), axial_gap(axial)]));
-    if let Some(motion) = &data.motion {
-        page.section("Balls in motion");
-        let caption = "The last orbits of the run in which the initial design was judged, to scale. \
-                       The inner ring turns counter-clockwise, load and gravity point down; the \
-                       discrete raceway is shaded orange, balls 1 and 2 blue, touching balls ringed.";
-        let bearings = vec![motion.clone()];
-        page.motion(&MotionFigure::new("Motion", caption, bearings));
-    }
     let title = "The case as computed";
     case_sections(&mut page, title, &data.parameters, &data.case_toml);
     page.html()
+}
+
+/// Opens the page with benefit and search, or with the balls of the run that was judged and the curve.
+fn open(page: &mut Page, data: &DesignData) {
+    if let Some(benefit) = &data.benefit {
+        page.open_with(compare::benefit(&benefit.comparison, &benefit.provenance));
+    }
+    page.open_with(data.search.as_ref().map(search_figures::verdicts));
+    let caption = "The last orbits of the run in which the initial design was judged, to scale. \
+                   The inner ring turns counter-clockwise, load and gravity point down; the \
+                   discrete raceway is shaded orange, balls 1 and 2 blue, touching balls ringed.";
+    let motion = data.motion.clone().filter(|_| data.benefit.is_none());
+    page.open_with_motion(motion.map(|of| MotionFigure::new("Motion", caption, vec![of])));
+    if data.search.is_none() {
+        page.open_with(data.curve.as_ref().map(curve));
+    }
+}
+
+fn curve(of: &DesignCurve) -> Figure {
+    design::curve(of).labelled("Axial span and half angle")
 }
 
 /// Verdict and key numbers of the recommended raceway, then the verdict on the case's own.
@@ -213,15 +226,15 @@ fn search_sections(page: &mut Page, search: &Record, with_benefit: bool) {
     }
     page.section("Feasible designs");
     page.paragraph(MAPS);
-    page.figure(&figures::verdicts(search));
-    page.figure(&figures::critical_gaps(search));
+    page.figure(&search_figures::verdicts(search));
+    page.figure(&search_figures::critical_gaps(search));
     page.table(&tables::rejections(search));
     if search.parts("placements").len() > 1 {
         page.table(&tables::placements(search));
     }
     page.section("Trade-offs");
     if !search.parts("front").is_empty() {
-        page.figure(&figures::trade_offs(search));
+        page.figure(&search_figures::trade_offs(search));
         page.table(&tables::front(search));
     }
 }

@@ -55,8 +55,9 @@ impl Figure {
         Self::new(label, caption, &provenance, plot)
     }
 
-    /// HTML with the anchor `id`.
-    pub fn html(&self, id: &str) -> String {
+    /// HTML with the anchor `id`, and with its provenance if it is `sourced`.
+    pub fn html(&self, id: &str, sourced: bool) -> String {
+        let sources: &[&Provenance] = if sourced { &[&self.provenance] } else { &[] };
         format!(
             "<figure id=\"{id}\" class=\"fig\">\n{views}\
              <div class=\"plot\" id=\"{id}-plot\" role=\"img\" aria-label=\"{label}\" \
@@ -67,7 +68,7 @@ impl Figure {
             label = escape(&self.spoken()),
             height = self.plot.height_px,
             spec = script_json(&self.plot.spec()),
-            below = below(id, &self.label, &self.caption, &[&self.provenance]),
+            below = below(id, &self.label, &self.caption, sources),
         )
     }
 
@@ -130,7 +131,8 @@ pub(crate) fn captioned<'p>(
     caption: &str,
     sources: impl Iterator<Item = &'p Provenance>,
 ) -> String {
-    let sources = sources.map(|source| {
+    let given = |source: &&Provenance| **source != Provenance::default();
+    let sources = sources.filter(given).map(|source| {
         let line = rich(&source.line());
         format!("<div class=\"provenance\">{line}</div>")
     });

@@ -3,7 +3,10 @@
 use cageless_results::open_benefit;
 
 use crate::data::Parameter;
-use crate::text::{escape, rich};
+use crate::text::{escape, rich, significant};
+
+/// Key numbers that fit on a line.
+const FACTS: usize = 6;
 
 /// The important result of a page.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -59,7 +62,7 @@ impl Head {
             .iter()
             .map(|(passes, headline)| verdict_html(*passes, headline))
             .collect();
-        let facts: String = self.facts.iter().map(fact_html).collect();
+        let facts: String = self.facts.iter().take(FACTS).map(fact_html).collect();
         let facts = match facts.as_str() {
             "" => String::new(),
             facts => format!("<dl class=\"facts\">{facts}</dl>\n"),
@@ -83,8 +86,16 @@ fn fact_html(fact: &Parameter) -> String {
     format!(
         "<div{title}><dt>{}</dt><dd>{}{unit}</dd></div>",
         rich(&fact.name),
-        rich(&fact.value)
+        rich(&of_four_digits(&fact.value))
     )
+}
+
+/// A number to four digits; other text as it is.
+fn of_four_digits(value: &str) -> String {
+    match value.replace('−', "-").parse::<f64>() {
+        Ok(number) => significant(number, 4),
+        Err(_) => value.to_owned(),
+    }
 }
 
 fn class_of(passes: Option<bool>) -> &'static str {

@@ -52,8 +52,15 @@ impl MotionFigure {
         slug(&self.label)
     }
 
-    /// HTML with the anchor `id`.
-    pub fn html(&self, id: &str) -> String {
+    /// Provenances of the bearings, each once.
+    pub fn sources(&self) -> Vec<&Provenance> {
+        let mut sources: Vec<&Provenance> = self.bearings.iter().map(|b| &b.provenance).collect();
+        sources.dedup();
+        sources
+    }
+
+    /// HTML with the anchor `id` and these provenances.
+    pub fn html(&self, id: &str, sources: &[&Provenance]) -> String {
         let single = if self.bearings.len() < 2 {
             " single"
         } else {
@@ -62,8 +69,6 @@ impl MotionFigure {
         let button =
             |s: &f64| format!("<button type=\"button\" data-moment=\"{s}\">{s} s</button>");
         let moments: String = self.moments_s.iter().map(button).collect();
-        let mut sources: Vec<&Provenance> = self.bearings.iter().map(|b| &b.provenance).collect();
-        sources.dedup();
         format!(
             "<figure id=\"{id}\" class=\"fig motion{single}\">\n{svg}\n\
              <div class=\"controls\"><button type=\"button\" data-play>Play</button>\
@@ -82,7 +87,7 @@ impl MotionFigure {
             stretches = self.stretches_html(),
             svg = self.svg(id),
             data = script_json(&self.data()),
-            below = below(id, &self.label, &self.caption, &sources),
+            below = below(id, &self.label, &self.caption, sources),
         )
     }
 

@@ -37,7 +37,7 @@
 
   const other = (axis, letter) => letter + "axis" + (axis || letter).slice(1);
 
-  // Panels side by side go one below the other, legends below the plot.
+  // Panels side by side go one below the other unless they are small, legends below the plot.
   function narrowed({ data, layout }, height) {
     const margin = Object.assign({ l: 72, r: 24, t: 44, b: 58 }, layout.margin);
     const inside = height - margin.t - margin.b;
@@ -51,7 +51,9 @@
     // Room for the angles at the right of a polar diagram.
     margin.r = Math.min(margin.r, panels.some((p) => p.polar) ? 40 : 12);
     let full = inside, space = inside;
-    if (new Set(panels.map((p) => p.across[0].toFixed(3))).size > 1) {
+    if (layout.meta && layout.meta.side_by_side) {
+      full = Math.round(0.6 * inside);
+    } else if (new Set(panels.map((p) => p.across[0].toFixed(3))).size > 1) {
       const gap = 96, heights = panels.map(function (p) {
         const high = Math.max((p.up[1] - p.up[0]) * inside, 170);
         return p.polar || p.x.scaleanchor || p.y.scaleanchor ? Math.min(high, 290) : high;
@@ -105,6 +107,13 @@
     return Math.round(full + (space - inside) + margin.t + margin.b);
   }
 
+  // In half of the width a legend above the plot has more lines.
+  function besideAnother({ layout }, height) {
+    if (!layout.showlegend || !layout.legend || layout.legend.orientation !== "h") return height;
+    layout.margin = Object.assign({}, layout.margin, { t: (layout.margin && layout.margin.t || 44) + 36 });
+    return height + 36;
+  }
+
   // The specification of a plot as it is drawn here, and its height.
   function shown(el, light, wide) {
     if (!specs.has(el)) specs.set(el, document.getElementById(el.id.replace(/-plot$/, "-spec")).textContent);
@@ -116,6 +125,7 @@
     }
     // Paper is wide enough for what stands side by side.
     if (small.matches && !wide && !printing) height = narrowed(spec, height);
+    else if (!wide && !printing && el.clientWidth < 700) height = besideAnother(spec, height);
     return { data: spec.data, layout: spec.layout, height };
   }
 

@@ -20,7 +20,12 @@ pub struct Page {
     lead: String,
     head: String,
     software: String,
+    opening: String,
+    /// Labels of the figures in the opening, which stand nowhere else.
+    opened: HashSet<String>,
     body: String,
+    /// Provenance under the last figure or table.
+    source: String,
     contents: Vec<(String, String)>,
     ids: HashSet<String>,
     /// Title of a section that has begun, until something is added to it.
@@ -108,6 +113,30 @@ impl Page {
         self.add(&verdict_html(passes, headline));
     }
 
+    /// Opens the page with figures: on the first screen, above the contents, and in no section below.
+    pub fn open_with(&mut self, figures: impl IntoIterator<Item = Figure>) {
+        for figure in figures {
+            let html = self.figure_html(&figure);
+            self.opening += &html;
+            self.opened.insert(figure.label);
+        }
+    }
+
+    /// Opens the page with balls in motion.
+    pub fn open_with_motion(&mut self, motion: Option<MotionFigure>) {
+        if let Some(motion) = motion {
+            let html = self.motion_html(&motion);
+            self.opening += &html;
+            self.opened.insert(motion.label);
+        }
+    }
+
+    /// Whether this provenance differs from that of the figure or table before.
+    fn is_new(&mut self, source: &Provenance) -> bool {
+        let line = source.line();
+        line != std::mem::replace(&mut self.source, line.clone())
+    }
+
     /// Sets the box on top of the page.
     pub fn head(&mut self, head: &Head) {
         self.head = head.html();
@@ -131,9 +160,10 @@ impl Page {
     /// Adds what `add` adds, if anything, folded away until it is asked for.
     pub fn fold(&mut self, summary: &str, add: impl FnOnce(&mut Self)) {
         let (before, begun) = (std::mem::take(&mut self.body), self.begun.take());
+        let source = self.source.clone();
         add(self);
         let folded = std::mem::replace(&mut self.body, before);
-        self.begun = begun;
+        (self.begun, self.source) = (begun, source);
         if !folded.is_empty() {
             let summary = rich(summary);
             self.add(&format!(
@@ -142,11 +172,19 @@ impl Page {
         }
     }
 
-    /// Adds a figure.
+    /// Adds a figure that the page does not open with.
     pub fn figure(&mut self, figure: &Figure) {
+        if !self.opened.contains(&figure.label) {
+            let html = self.figure_html(figure);
+            self.add(&html);
+        }
+    }
+
+    fn figure_html(&mut self, figure: &Figure) -> String {
         let id = self.unique(&figure.slug());
         self.plots = true;
-        self.add(&figure.html(&id));
+        let sourced = self.is_new(&figure.provenance);
+        figure.html(&id, sourced)
     }
 
     /// Adds figures.
@@ -175,7 +213,9 @@ impl Page {
     /// Adds a table.
     pub fn table(&mut self, table: &Table) {
         let id = self.unique(&table.slug());
-        self.add(&table.html(&id));
+        let source = table.provenance.as_ref();
+        let sourced = source.is_some_and(|source| self.is_new(source));
+        self.add(&table.html(&id, sourced));
     }
 
     /// Adds a drawing.
@@ -186,11 +226,12 @@ impl Page {
         ));
     }
 
-    /// Adds balls in motion.
-    pub fn motion(&mut self, motion: &MotionFigure) {
+    fn motion_html(&mut self, motion: &MotionFigure) -> String {
         let id = self.unique(&motion.slug());
         self.motion = true;
-        self.add(&motion.html(&id));
+        let mut sources = motion.sources();
+        sources.retain(|source| self.is_new(source));
+        motion.html(&id, &sources)
     }
 
     /// Adds a studio of the case in `toml`, which computes in the page what its reader changes.
@@ -199,11 +240,13 @@ impl Page {
         self.add(&studio::place(toml, opening));
     }
 
-    /// Adds claims, if there are any, with their criteria and statuses.
+    /// Adds claims, if there are any: how many have each status, and a line for each.
     pub fn claims(&mut self, claims: &[Claim]) {
-        if !claims.is_empty() {
-            self.paragraph(claim::RULE);
+        if claims.is_empty() {
+            return;
         }
+        self.paragraph(&claim::counts(claims));
+        self.fold("How a status follows", |page| page.paragraph(claim::RULE));
         claims.iter().for_each(|c| self.add(&c.html()));
     }
 
@@ -238,12 +281,18 @@ impl Page {
         } else {
             format!("<p class=\"lead\">{}</p>\n", rich(&self.lead))
         };
+        let opening = match self.opening.as_str() {
+            "" => String::new(),
+            pictures => format!(
+                "<section class=\"opening\" aria-label=\"Overview\">\n{pictures}</section>\n"
+            ),
+        };
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{css}</style></head>\n\
-             <body><header><h1>{title}</h1>\n{head}{lead}</header>\n\
-             {nav}\
+             <body><header><h1>{title}</h1>\n{lead}{head}</header>\n\
+             {opening}{nav}\
              <noscript><p class=\"note warning\">The figures are drawn by JavaScript, which is \
              switched off here; tables and captions can be read without it.</p></noscript>\n\
              <main>\n{body}</main>\n<footer>{software}</footer>\n{scripts}</body></html>\n",

@@ -1,17 +1,13 @@
 //! Every table and figure of Zhao 2022 beside the paper's own numbers.
 
 use cageless::vibration::AFTER_CONTACT_S;
-use cageless_study::parameter;
 
-use crate::claim::ClaimStatus;
 use crate::figures::{comparison, design, orbit, phase, shape, spacing, vibration};
-use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::reproduce_data::ReproduceData;
 use crate::studio_page::studio_section;
 use crate::tables;
-use crate::text::short;
 
 /// Moments of the high-speed photographs in the paper's Fig. 13 and 14, s.
 const PHOTOGRAPHS_S: [f64; 4] = [0.05, 0.1, 0.15, 0.2];
@@ -23,9 +19,9 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
         &data.lead,
         &data.software,
     );
-    page.head(&head(data));
+    open(&mut page, data);
     page.note(Note::Remark, SOURCE);
-    page.section("Claims of the paper and what was found");
+    page.section("Claims of the paper");
     page.claims(&data.claims);
     page.section("Parameters");
     if !data.table1.is_empty() {
@@ -42,8 +38,10 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     page.section("Ten structures: theory and simulation");
     if let Some(table) = &data.table2 {
         page.table(&tables::table2(table));
-        tables::spread(table).iter().for_each(|t| page.table(t));
         page.figure(&design::table2(table));
+        page.fold("What moves with what the paper leaves open", |page| {
+            tables::spread(table).iter().for_each(|t| page.table(t));
+        });
     }
     page.section("Phase portraits of ball 1");
     for portraits in &data.phase_portraits {
@@ -82,43 +80,22 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
         page.figure(&comparison::comparison(rings));
         rings.tables().iter().for_each(|t| page.table(t));
     }
-    if !data.motions.is_empty() {
-        page.section("Balls in motion");
-        let caption = "The balls over time, to scale. The inner ring turns counter-clockwise, load and \
-                       gravity point down; the discrete raceway is shaded orange, balls 1 and 2 \
-                       blue, touching balls ringed. The buttons show the moments of the paper's \
-                       photographs.";
-        page.motion(&MotionFigure {
-            moments_s: PHOTOGRAPHS_S.to_vec(),
-            ..MotionFigure::new("Figures 13 and 14", caption, data.motions.clone())
-        });
-    }
     studio_section(&mut page, &data.case_toml, STUDIO);
     page.html()
 }
 
-/// How many claims hold, and how far Table 2 is from the paper.
-fn head(data: &ReproduceData) -> Head {
-    let count = |status| data.claims.iter().filter(|c| c.status() == status).count();
-    let facts = [
-        ("Confirmed", count(ClaimStatus::Confirmed)),
-        ("Partly confirmed", count(ClaimStatus::Partly)),
-        ("Not confirmed", count(ClaimStatus::NotConfirmed)),
-        ("Errata", count(ClaimStatus::Erratum)),
-        ("Not tested", count(ClaimStatus::NotTested)),
-    ];
-    let facts = facts.map(|(name, count)| parameter(name, count.to_string(), "claims"));
-    let off = data.table2.iter().flat_map(|table| &table.rows).map(|row| {
-        let own = row.theory_deg;
-        (own - row.paper_theory_deg).abs()
-    });
-    let theory = off.reduce(f64::max);
-    let theory =
-        theory.map(|most| parameter("β0 of Table 2, largest difference", short(most), "°"));
-    if data.claims.is_empty() {
-        return Head::default().facts(theory);
+/// What a reader wants to see: Table 2, the phase portraits, the balls.
+fn open(page: &mut Page, data: &ReproduceData) {
+    page.open_with(data.table2.iter().map(design::table2_overview));
+    page.open_with(data.phase_portraits.first().map(phase::overview));
+    if !data.motions.is_empty() {
+        let caption = "The balls of the conventional and of the discrete bearing, with the moments of the paper's \
+                       photographs.";
+        page.open_with_motion(Some(MotionFigure {
+            moments_s: PHOTOGRAPHS_S.to_vec(),
+            ..MotionFigure::new("Figures 13 and 14", caption, data.motions.clone())
+        }));
     }
-    Head::default().facts(facts).facts(theory)
 }
 
 const STUDIO: &str = "Structure (d) of Table 2, the raceway of the experiment, with the equations of \

@@ -12,7 +12,7 @@ use crate::geometry::{ContactTrack, RacewaySurface};
 ///
 /// Figures that exist once per formulation are vectors, one figure per entry. What is
 /// left empty is left out of the page.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ReproduceData {
     /// Name and version of the program, instruction set.
     pub software: String,
@@ -49,7 +49,7 @@ pub struct ReproduceData {
 }
 
 /// Table 2: theory and critical gap of the ten structures.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Table2 {
     /// Computed columns, in the order of [`Table2Row::critical_gap_deg`].
     pub variants: Vec<Variant>,
@@ -62,7 +62,7 @@ pub struct Table2 {
 }
 
 /// A computed column of Table 2.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Variant {
     /// `paper`, `physical`, or [`Self::ELASTIC`]: physical on elastic flanks.
     pub formulation: String,
@@ -81,7 +81,7 @@ impl Variant {
 }
 
 /// A row of Table 2.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Table2Row {
     /// The raceway.
     pub structure: RacewayLabel,
@@ -100,7 +100,7 @@ pub struct Table2Row {
 }
 
 /// How far the computed critical gap moves with one thing that the paper leaves open.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Spread {
     /// What is changed: `step 1 to 0.5 µs`, `start at ψ = −120°`, `touch read as δb > 0`.
     pub cause: String,
@@ -180,7 +180,7 @@ pub enum LimitedQuantity {
 }
 
 /// Gap of one pair over a long time and over one turn (Fig. 6).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct GapHistory {
     /// The raceway.
     pub structure: RacewayLabel,
@@ -205,7 +205,7 @@ pub struct GapHistory {
 }
 
 /// Three adjacent balls on their way through the discrete raceway (Fig. 7).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Neighbours {
     /// The raceway.
     pub structure: RacewayLabel,
@@ -224,7 +224,7 @@ pub struct Neighbours {
 }
 
 /// Phase portraits of ball 1, one per structure (Fig. 8).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhasePortraits {
     /// Up to ten portraits.
     pub portraits: Vec<PhasePortrait>,
@@ -233,7 +233,7 @@ pub struct PhasePortraits {
 }
 
 /// Phase portrait of one ball.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PhasePortrait {
     /// The raceway.
     pub structure: RacewayLabel,
@@ -248,7 +248,7 @@ pub struct PhasePortrait {
 }
 
 /// Orbital speed of a ball against its place, for all structures (Fig. 9).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct OrbitSpeeds {
     /// One passage per structure.
     pub passages: Vec<OrbitSpeed>,
@@ -257,7 +257,7 @@ pub struct OrbitSpeeds {
 }
 
 /// Orbital speed of a ball on its way through one discrete raceway.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct OrbitSpeed {
     /// The raceway.
     pub structure: RacewayLabel,

@@ -1,6 +1,7 @@
 //! Page of a run.
 
 use crate::data::Motion;
+use crate::figures::gap_map::gap_map;
 use crate::figures::{RUN, SPACING};
 use crate::head::Head;
 use crate::motion::MotionFigure;
@@ -19,12 +20,18 @@ pub fn run_page(data: &RunData) -> String {
             .verdict(data.passes, &data.headline)
             .facts(data.facts.clone()),
     );
+    page.open_with_motion(
+        data.motion
+            .as_ref()
+            .map(|m| motion_figure(m, &data.passages)),
+    );
+    page.open_with(gap_map(data));
     page.notes(Note::Warning, &data.warnings);
     for (title, figures) in RUN {
         page.section(title);
         page.figures(figures.iter().filter_map(|figure| (figure.draw)(data)));
         if title == SPACING {
-            motion(&mut page, data);
+            remarks(&mut page, data);
         }
     }
     let source = &data.provenance;
@@ -56,8 +63,8 @@ const CLOSES: &str = "Inside the discrete raceway a pair closes up by design: th
     show that the gaps have not settled. A gap is the angle between two balls less that at which they \
     just touch: in a contact, which flattens both, it is a little negative.";
 
-/// What the gaps mean, and the balls in motion.
-fn motion(page: &mut Page, data: &RunData) {
+/// What the gaps mean.
+fn remarks(page: &mut Page, data: &RunData) {
     if !data.balls.is_empty() {
         let note = if data.sectors.is_empty() {
             FLATTENED
@@ -68,10 +75,6 @@ fn motion(page: &mut Page, data: &RunData) {
     }
     if data.collisions.is_empty() && !data.balls.is_empty() {
         page.note(Note::Remark, "No two balls touched.");
-    }
-    if let Some(motion) = &data.motion {
-        page.section("Balls in motion");
-        page.motion(&motion_figure(motion, &data.passages));
     }
 }
 

@@ -18,6 +18,7 @@ use crate::data::{
 use crate::lead;
 use crate::rotor_track::rotor_track;
 use crate::run_data::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
+use crate::text::short;
 use crate::verification::VerificationTable;
 
 /// The balls of snapshots in motion.
@@ -293,19 +294,13 @@ fn passage_stretches(
 }
 
 /// Key numbers of a run, those with a bearing on the verdict first.
-const FACTS: [&str; 12] = [
+const FACTS: [&str; 6] = [
     "double_collision_fraction",
-    "friction_torque_n_m",
+    "collisions",
     "power_loss_w",
     "inner_pressure_max_mpa",
     "outer_pressure_max_mpa",
     "ball_pressure_max_mpa",
-    "collisions",
-    "gap_min_deg",
-    "sliding_max_m_s",
-    "ring_y_mean_um",
-    "bpfo_observed_hz",
-    "energy_residual_relative",
 ];
 
 /// The key numbers that have a value.
@@ -315,7 +310,7 @@ fn facts(summary: &RunSummary) -> Vec<Parameter> {
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
     format!(
-        "{}, {}, {}: {:.4} s simulated in {} steps. {}",
+        "{}, {}, {}: {} s simulated. {}",
         lead::balls(case),
         lead::operation(case),
         if case.raceways.is_empty() {
@@ -323,8 +318,7 @@ fn lead(case: &Case, outcome: &RunOutcome) -> String {
         } else {
             "discrete raceway"
         },
-        outcome.end_s,
-        outcome.steps,
+        short(outcome.end_s),
         case.operation.view(),
     )
     .trim_end()

@@ -15,17 +15,13 @@ use crate::table::{Row, Table};
 use crate::tables::parameter_table;
 
 /// Results at the head of the page.
-const FACTS: [&str; 10] = [
+const FACTS: [&str; 6] = [
     "inner_pressure_max_mpa",
     "outer_pressure_max_mpa",
     "static_safety_factor",
-    "l10_h",
     "l10r_h",
     "stiffness_yy_n_m",
-    "ring_y_um",
-    "ring_z_um",
     "stiffness_zz_n_m",
-    "ftf_hz",
 ];
 
 /// Contact forces and pressures of a static equilibrium over ψ.
@@ -47,11 +43,11 @@ fn provenance(file: &CaseFile) -> Provenance {
 /// The page of a static equilibrium.
 pub fn static_page(file: &CaseFile, record: &Record) -> String {
     let mut page = head(file, record);
-    page.section("Load distribution");
-    page.figure(&load_distribution(file, record));
-    page.table(&balls(file, record));
+    page.open_with([load_distribution(file, record)]);
     page.section("Results");
     page.table(&results(file, record));
+    page.section("Balls");
+    page.table(&balls(file, record));
     page.notes(Note::Remark, record.sentences("notes"));
     // A seed beyond the whole numbers of TOML leaves the page without a studio, which moves the balls.
     let toml = match file.case().check_motion() {

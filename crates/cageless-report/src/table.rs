@@ -94,12 +94,13 @@ impl Table {
         }
     }
 
-    /// HTML with the anchor `id`.
-    pub fn html(&self, id: &str) -> String {
+    /// HTML with the anchor `id`, and with its provenance if it is `sourced`.
+    pub fn html(&self, id: &str, sourced: bool) -> String {
+        let source = self.provenance.iter().filter(|_| sourced);
         let mut out = format!(
             "<figure id=\"{id}\" class=\"tab\">{}</figcaption><div class=\"scroll\" role=\"region\" \
              tabindex=\"0\" aria-label=\"{}\"><table><thead>",
-            captioned(&self.label, &self.caption, self.provenance.iter()),
+            captioned(&self.label, &self.caption, source),
             escape(&self.label)
         );
         if !self.groups.is_empty() {

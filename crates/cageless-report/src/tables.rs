@@ -123,15 +123,15 @@ fn table2_row(table: &Table2, row: &Table2Row, polar: bool) -> Row {
         fixed(Some(row.paper_theory_deg), 4),
     ];
     if polar {
-        cells.push(fixed(row.theory_polar_deg, 4));
+        cells.push(fixed(row.theory_polar_deg, 3));
     }
     cells.push(fixed(Some(row.paper_simulated_deg), 4));
     cells.push(less(Some(row.paper_simulated_deg - row.paper_theory_deg)));
     for (k, variant) in table.variants.iter().enumerate() {
         let gap = row.critical_gap_deg.get(k).copied().flatten();
-        cells.push(fixed(gap, 4));
-        let difference = gap.map(|g| g - row.paper_simulated_deg);
         let compared = variant.is_of_the_paper();
+        cells.push(fixed(gap, if compared { 4 } else { 3 }));
+        let difference = gap.map(|g| g - row.paper_simulated_deg);
         cells.extend(compared.then(|| less(difference)));
     }
     Row {
@@ -184,7 +184,7 @@ pub fn spread(table: &Table2) -> Option<Table> {
             .filter(|c| c.is_finite());
         let most = finite.reduce(|a, b| if b.abs() > a.abs() { b } else { a });
         let changes = (0..table.rows.len()).map(change).chain([most]);
-        let changes = changes.map(|change| signed(change, 4));
+        let changes = changes.map(|change| signed(change, 3));
         let first = [s.cause.clone(), s.variant.clone()];
         first.into_iter().chain(changes).collect()
     }));

@@ -146,15 +146,25 @@ fn axes_have_units_and_figures_have_captions_and_provenance() {
             assert!(caption.len() > 20, "{name}");
             if figure.contains("data-save") {
                 assert!(
-                    figure.contains("class=\"provenance\""),
-                    "{name}: {}",
-                    &caption[..40]
-                );
-                assert!(
                     figure.contains("data-save=\"svg\"") && figure.contains("data-save=\"png\"")
                 );
             }
         }
+    }
+}
+
+/// A provenance stands below the first figure of several that share it.
+#[test]
+fn a_provenance_is_not_repeated() {
+    for (name, page) in pages() {
+        let lines: Vec<&str> = (page.split("class=\"provenance\">").skip(1))
+            .filter_map(|part| part.split("</div>").next())
+            .collect();
+        assert!(!lines.is_empty(), "{name}");
+        assert!(
+            lines.windows(2).all(|pair| pair[0] != pair[1]),
+            "{name}: {lines:?}"
+        );
     }
 }
 
@@ -359,11 +369,23 @@ fn pages_say_what_passes() {
     );
 }
 
-/// The verdict and the key numbers come before everything else.
+/// What stands between the header and the contents.
+fn opening(body: &str) -> &str {
+    body.split("<nav").next().expect("a beginning")
+}
+
+/// The verdict and the key numbers come first, then the pictures, which stand nowhere else.
 #[test]
 fn the_result_is_on_top() {
     let (html, _) = split(&run_page(&crate::synthetic::run_data()));
-    let (header, _) = html.split_once("</header>").expect("a header");
+    let (header, body) = html.split_once("</header>").expect("a header");
+    for id in ["motion", "gaps-of-all-pairs"] {
+        let figure = format!("<figure id=\"{id}\"");
+        assert!(
+            opening(body).contains(&figure) && body.matches(&figure).count() == 1,
+            "{id}"
+        );
+    }
     assert!(header.contains("class=\"head fail\"") && header.contains("✘ does not work"));
     assert!(header.contains("<dt>Peak pressure</dt><dd>2100 <span class=\"unit\">MPa</span></dd>"));
     let data = DesignData {
@@ -382,6 +404,7 @@ fn the_result_is_on_top() {
     };
     let (html, _) = split(&design_page(&data));
     let (header, body) = html.split_once("</header>").expect("a header");
+    assert!(opening(body).contains("id=\"design-map-verdicts"));
     let recommended = header
         .find("Recommended raceway: works")
         .expect("a verdict");

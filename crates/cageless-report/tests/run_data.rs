@@ -195,7 +195,7 @@ fn rows_of_balls_move_side_by_side() {
     assert_eq!((first.angle_deg.len(), second.balls_before), (14, 14));
     assert_eq!(second.angle_deg[..], motion.angle_deg[14..]);
     assert_eq!(second.gap_deg[..], motion.gap_deg[14..]);
-    let html = figure.html("motion");
+    let html = figure.html("motion", &[]);
     assert_eq!(html.matches(">15</text>").count(), 1);
     assert!(html.contains("\"before\":14"));
     let map = spec(gap_map::gap_map(&data));

@@ -179,7 +179,7 @@ fn every_public_module_begins_with_an_example() {
 fn paths_in_the_guides_exist() {
     let root = crate_folder().join("../..");
     let mut paths = 0;
-    for guide in ["ARCHITECTURE.md", "CONTRIBUTING.md"] {
+    for guide in ["ARCHITECTURE.md", "CONTRIBUTING.md", "RECIPES.md"] {
         let text = fs::read_to_string(root.join(guide)).unwrap();
         for quoted in text.split('`').filter(|q| q.starts_with("crates/")) {
             assert!(root.join(quoted).exists(), "{guide}: no {quoted}");

@@ -44,15 +44,24 @@ pub struct Evidence {
 /// Names of the readings.
 pub(super) const NAMES: [&str; 2] = ["`paper`", "`physical`"];
 
-/// A requirement under each reading, by its name and what was found.
+/// A requirement under each reading, of its name and what was found; where both hold alike, one sentence says so.
 pub(super) fn of_both<'e, T>(
     found: &'e [T; 2],
-    requirement: impl Fn(&'e T) -> Requirement,
+    requirement: impl Fn(&'static str, &'e T) -> Requirement,
 ) -> Vec<Requirement> {
-    let pairs = NAMES.iter().zip(found);
-    pairs
-        .map(|(name, found)| requirement(found).on(name))
-        .collect()
+    let [paper, physical] = NAMES;
+    let each = [
+        requirement(paper, &found[0]),
+        requirement(physical, &found[1]),
+    ];
+    let [first, second] = match each[0].holds() == each[1].holds() {
+        true => [
+            requirement("both readings", &found[0]),
+            each[1].clone().says("", ""),
+        ],
+        false => each,
+    };
+    vec![first.on(paper), second.on(physical)]
 }
 
 /// Largest of `values`; NaN if there is none or one is not a number.

@@ -44,13 +44,11 @@ pub fn lead(e: &Evidence) -> String {
     });
     let slide = (3..10).all(|row| t.gap_deg(3, row) < t.gap_deg(0, row));
     format!(
-        "The critical gaps of the equations exactly as published, with Coulomb friction, differ \
-         from the paper's simulated column by up to {published}. Those of mechanically consistent \
-         equations differ by up to {consistent}{}. \
-         Elastic flanks, which yield under the load and on which balls slide and spin, lower these \
-         by {least:.2}° to {most:.2}°: the published equations have rigid ones.",
+        "With the published equations, critical gaps differ from the paper's simulated values by up to {published}; \
+         with mechanically consistent ones by up to {consistent}{}. Elastic flanks lower these by {least:.2}° to \
+         {most:.2}°.",
         if slide {
-            "; they are smaller from structure (d) on, because balls slide earlier"
+            ", because balls slide earlier"
         } else {
             ""
         }

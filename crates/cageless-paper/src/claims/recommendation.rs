@@ -68,7 +68,7 @@ fn classes(e: &Evidence) -> Claim {
                 format!(" (2θ predicts {})", prediction(b).label())
             };
             format!(
-                "lC {:.3} mm, 2θ {:.2}°: {}{other}",
+                "lC {:.2} mm, 2θ {:.1}°: {}{other}",
                 b.axial_span_mm,
                 2.0 * b.half_angle_deg,
                 verdict.label()
@@ -86,18 +86,16 @@ fn classes(e: &Evidence) -> Claim {
                 e.between.len(),
             )
             .says(
-                "The limits of 2θ [predict the|do not predict all] verdicts on structures to \
-                 which nothing was fitted.",
-            ),
+"The limits of 2θ predict the verdicts on structures to which nothing was fitted.",
+"The limits of 2θ do not predict all verdicts on structures to which nothing was fitted."),
             Requirement::in_all(
                 "`physical`: the ten structures with the paper's verdict",
                 as_published(physical),
                 physical.len(),
             )
             .says(
-                "The same thresholds [give the paper's classes in `physical`, too.|do not \
-                 give all of the paper's classes in `physical`.]",
-            ),
+"The same thresholds give the paper's classes in `physical`, too.",
+"The same thresholds do not give all of the paper's classes in `physical`."),
         ],
     )
     .remark(
@@ -120,14 +118,14 @@ fn three_balls(e: &Evidence) -> Claim {
     let quantity = "difference from twice 360°/N, which ε + β0 is";
     let value = (2.0 * m.spacing_deg - printed).abs();
     let criterion = Requirement::at_most(quantity, value, 100.0 * ROUNDING_DEG, "°")
-        .says("[It is.|The paper's own ε and β0 give another value.]");
+        .says("It is.", "The paper's own ε and β0 give another value.");
     Claim::as_printed(
         "Section 4.3",
         &format!("2(ε + β0) = {printed:.2}°."),
         vec![criterion],
     )
     .numbers(&format!(
-        "2 × ({:.4}° + {:.4}°) = {:.2}°",
+        "2 × ({:.2}° + {:.4}°) = {:.2}°",
         m.epsilon_deg,
         m.spacing_deg - m.epsilon_deg,
         2.0 * m.spacing_deg
@@ -139,8 +137,10 @@ fn recommended(e: &Evidence) -> Claim {
     let high = 2.0 * e.mechanics.epsilon_deg;
     let outside = (sample - high).max(low - sample);
     let quantity = "distance of the sample's 2θ from the range";
-    let criterion = Requirement::at_most(quantity, outside.max(0.0), 0.0, "°")
-        .says("The sample [lies in|that was made, called reasonable, lies outside] the range.");
+    let criterion = Requirement::at_most(quantity, outside.max(0.0), 0.0, "°").says(
+        "The sample lies in the range.",
+        "The paper's own sample lies outside the range.",
+    );
     Claim::as_printed(
         "Sections 4.3, 5, 6",
         &format!("2θ should lie in [{low}°, 2ε]."),
@@ -158,7 +158,7 @@ fn least_angle(e: &Evidence) -> Claim {
     let text = |r: &Option<StartingPoint>| {
         r.map_or("none".to_owned(), |r| {
             format!(
-                "2θ in [{:.1}°, {:.1}°], middle lC {:.3} mm, θ {:.2}°",
+                "2θ in [{:.1}°, {:.1}°], middle lC {:.2} mm, θ {:.1}°",
                 2.0 * r.half_angle_min_rad.to_degrees(),
                 2.0 * r.half_angle_max_rad.to_degrees(),
                 r.axial_span_m * 1e3,
@@ -173,9 +173,10 @@ fn least_angle(e: &Evidence) -> Claim {
             let size = if least < printed { "smaller" } else { "larger" };
             let quantity =
                 format!("{name}: difference of the 2θ at which sliding takes 5 % of the gap");
-            Requirement::at_most(&quantity, (least - printed).abs(), 1.0, "°").says(&format!(
-                "[They do in {name}|In {name} they slide from another angle on, a {size} one]."
-            ))
+            Requirement::at_most(&quantity, (least - printed).abs(), 1.0, "°").says(
+                format!("They do in {name}."),
+                format!("In {name} they slide from another angle on, a {size} one."),
+            )
         })
         .collect();
     Claim::of_the_model(
@@ -212,16 +213,20 @@ fn spread_outside(e: &Evidence) -> Claim {
                 .map(|s| s.gap_outside_deviation_deg),
         )
     };
-    let mut criterion = of_both(&e.structures, |found| {
+    let mut criterion = of_both(&e.structures, |name, found| {
         let quantity = "mean gap of balls inside the raceway";
-        Requirement::at_most(quantity, inside(found), beta0, "°")
-            .says("The gap inside is [|not ]smaller than β0 in {name}.")
+        Requirement::at_most(quantity, inside(found), beta0, "°").says(
+            format!("The gap inside is smaller than β0 in {name}."),
+            format!("The gap inside is not smaller than β0 in {name}."),
+        )
     });
-    criterion.extend(of_both(&e.structures, |found| {
+    criterion.extend(of_both(&e.structures, |name, found| {
         let quantity = "standard deviation of the gaps outside";
         Requirement::at_most(quantity, outside(found), e.printed.neglected_deg, "°").says(
-            "Balls outside are [evenly spaced in {name}.|not evenly spaced in {name}, though \
-             they were at the start.]",
+            format!("Balls outside are evenly spaced in {name}."),
+            format!(
+                "Balls outside are not evenly spaced in {name}, though they were at the start."
+            ),
         )
     }));
     Claim::of_the_model(

@@ -47,13 +47,21 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
         None => head(&study.record.bearings[0].result, facts),
         Some(rotor) => head_of_rotor(rotor, study, facts),
     });
+    // Without any clearance the place of the journal is that of the first figure all the same.
+    let first = |bearing: &&Bearing<'_>| planes.is_empty() || rotor::has_clearance(bearing);
+    let displacements = bearings.iter().filter(first).map(rotor::displacement);
+    let displacements: Vec<_> = rotor::planes(planes, source)
+        .into_iter()
+        .chain(displacements)
+        .collect();
+    // Beside one bearing in motion there is room for one figure, above several for two.
+    let shown = bearings.len().min(2);
+    page.open_with(displacements.iter().take(shown).cloned());
+    page.open_with_motion(Some(balls_in_motion(study)));
     page.notes(Note::Warning, &study.warnings);
     page.section("Requirements");
     report::requirements(&mut page, study, &bearings);
-    page.figures(rotor::planes(planes, source));
-    // Without any clearance the place of the journal is that of the first figure all the same.
-    let first = |bearing: &&Bearing<'_>| planes.is_empty() || rotor::has_clearance(bearing);
-    page.figures(bearings.iter().filter(first).map(rotor::displacement));
+    page.figures(displacements);
     page.section("Architecture");
     report::architecture(&mut page, &bearings);
     let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, &bearings, sections);
@@ -96,7 +104,6 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     }
     page.section("Balls");
     page.figures(bearings.iter().map(loads));
-    page.motion(&balls_in_motion(study));
     page.section("Energy");
     page.figures(bearings.iter().map(heat));
     if let Some(ensemble) = &study.ensemble {

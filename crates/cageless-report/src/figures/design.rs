@@ -1,10 +1,11 @@
-//! Choice of the discrete raceway: θ over lC (Fig. 5) and Table 2 as a figure.
+//! Choice of the discrete raceway: θ over lC (Fig. 5), and Table 2 as figures.
 
 use serde_json::{Value, json};
 
+use crate::data::Provenance;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, markers, number, plain, with};
-use crate::reproduce_data::{DesignCurve, LimitedQuantity, Table2, Table2Row};
+use crate::plot::{PALETTE, Plot, Trace, line, markers, number, plain, with};
+use crate::reproduce_data::{DesignCurve, LimitedQuantity, Table2, Table2Row, Variant};
 use crate::sampling::range;
 
 /// Fig. 5: θ over lC that satisfies Zhao 2022, Eq. (11), with the paper's structures.
@@ -73,6 +74,70 @@ pub fn curve(design: &DesignCurve) -> Figure {
     Figure::new("Figure 5", &caption, &design.provenance, plot)
 }
 
+/// Table 2 at a glance: the paper's simulated gaps of its structures, its theory, and what the published and the
+/// consistent equations give.
+pub fn table2_overview(table: &Table2) -> Figure {
+    let letter = |row: &Table2Row| plain(&format!("({})", row.structure.letter));
+    let letters: Value = table.rows.iter().map(letter).collect();
+    let series = |name: &str, of: &dyn Fn(&Table2Row) -> Option<f64>, style: Value| {
+        let gap = |row| number(of(row).unwrap_or(f64::NAN));
+        let gaps: Value = table.rows.iter().map(gap).collect();
+        let trace = json!({ "type": "scatter", "name": name, "x": letters, "y": gaps });
+        Trace(with(trace, style))
+    };
+    let grey = json!({ "color": "#777777", "dash": "dash", "width": 1.5 });
+    let theory = json!({ "mode": "lines", "line": grey });
+    let mut plot = Plot::new(350)
+        .margin([64, 16, 44, 46])
+        .legend()
+        .x("", json!({ "type": "category" }))
+        .y("Critical gap (°)", json!({}))
+        .trace(series("theory", &|row| Some(row.theory_deg), theory));
+    for (reading, name, symbol, colour) in [
+        (
+            ["paper", "coulomb"],
+            "published equations",
+            "square-open",
+            PALETTE[0],
+        ),
+        (
+            ["physical", "smooth"],
+            "consistent equations",
+            "circle-open",
+            PALETTE[1],
+        ),
+    ] {
+        let is = |of: &Variant| [of.formulation.as_str(), of.friction_law.as_str()] == reading;
+        if let Some(column) = table.variants.iter().position(is) {
+            let gap = |row: &Table2Row| row.critical_gap_deg.get(column).copied().flatten();
+            let style = json!({
+                "mode": "lines+markers", "line": { "color": colour, "width": 1.5 },
+                "marker": { "symbol": symbol, "size": 9, "color": colour },
+            });
+            plot = plot.trace(series(name, &gap, style));
+        }
+    }
+    let cross = json!({ "symbol": "x", "size": 9, "color": "#111111" });
+    let crosses = json!({ "mode": "markers", "marker": cross });
+    plot = plot.trace(series(
+        "paper, simulated",
+        &|row| Some(row.paper_simulated_deg),
+        crosses,
+    ));
+    let rows = table.rows.iter().enumerate();
+    for (k, row) in rows.filter(|(_, row)| !row.remark.is_empty()) {
+        let at = (k as f64, row.paper_simulated_deg);
+        let arrow = json!({
+            "showarrow": true, "arrowhead": 0, "arrowcolor": "#777", "ax": 10, "ay": -34,
+            "font": { "size": 11, "color": "#555" },
+        });
+        plot = plot.text(&plain(&row.remark), at, ("x", "y"), arrow);
+    }
+    let caption = "Critical gaps of the structures (a) to (j): the paper's simulated values, computed with the \
+                   published and with mechanically consistent equations, and the theory of Eq. (11).";
+    Figure::new("Table 2, drawn", caption, &Provenance::default(), plot)
+}
+
 /// Table 2 drawn: critical gap over θ, per variant, with the paper's columns.
 pub fn table2(table: &Table2) -> Figure {
     let column =
@@ -120,5 +185,10 @@ pub fn table2(table: &Table2) -> Figure {
     plot = plot.x("Half angle θ of the raceway (°)", shown);
     let caption = "Critical gap over θ: the paper's simulated column (crosses), the computed \
                   variants, and the theory that supposes rolling without sliding.";
-    Figure::new("Table 2 as a figure", caption, &table.provenance, plot)
+    Figure::new(
+        "Table 2 over θ, all readings",
+        caption,
+        &table.provenance,
+        plot,
+    )
 }

@@ -3,8 +3,9 @@
 use serde_json::json;
 
 use super::panels::{Panel, panel_title};
+use crate::data::Provenance;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line_of, number, with};
+use crate::plot::{PALETTE, Plot, line_of, number, plain, with};
 use crate::reproduce_data::{PhasePortrait, PhasePortraits};
 use crate::sampling::{curve, range};
 
@@ -15,14 +16,62 @@ const COLUMNS: usize = 5;
 /// Height of a row of portraits, pixels.
 const ROW_PX: u32 = 240;
 
+/// Points of a portrait at a glance.
+const GLANCE_POINTS: usize = 600;
+
+/// Fig. 8 at a glance, small and coloured by the verdict.
+pub fn overview(portraits: &PhasePortraits) -> Figure {
+    let count = portraits.portraits.len();
+    let most = most_m_s(portraits);
+    let rows = count.div_ceil(COLUMNS).max(1);
+    let mut plot = Plot::new(120 * rows as u32 + 90)
+        .margin([54, 10, 40, 46])
+        .set("meta", json!({ "side_by_side": true }));
+    let range = json!([number(-most), number(most)]);
+    let panels = Panel::grid(count, COLUMNS, [0.03, 0.24]);
+    for (panel, portrait) in panels.iter().zip(&portraits.portraits) {
+        let axis = |shown: bool, more| {
+            let few = json!({
+                "tickfont": { "size": 10 }, "nticks": 3, "automargin": false, "range": range,
+                "constrain": "domain", "showticklabels": shown,
+            });
+            with(few, more)
+        };
+        let [x, y] = panel.axes();
+        let across = axis(panel.lowest, json!({ "scaleanchor": y }));
+        let up = axis(panel.leftmost, json!({}));
+        let colour = match portrait.verdict.as_str() {
+            "smooth" => PALETTE[2],
+            "slips" => PALETTE[0],
+            _ => PALETTE[1],
+        };
+        let name = portrait.structure.label();
+        let drawn = curve(&portrait.vx_m_s, &portrait.vy_m_s, GLANCE_POINTS);
+        let title = format!("<b>({})</b>", plain(&portrait.structure.letter));
+        plot = plot
+            .panel(
+                panel,
+                panel.at_edges(["vx (m/s)", "vy (m/s)"]),
+                [across, up],
+            )
+            .trace(line_of(&name, drawn, colour).width(0.8).on([x, y]))
+            .title_above(panel, &title, json!({ "size": 12 }));
+    }
+    let caption = "Velocity of ball 1 in the structures (a) to (j), published equations: orange with double \
+                   collisions, green smooth, blue sliding.";
+    Figure::new("Figure 8, drawn", caption, &Provenance::default(), plot)
+}
+
+/// Largest component of a velocity with a little room, m/s.
+fn most_m_s(portraits: &PhasePortraits) -> f64 {
+    let all = portraits.portraits.iter();
+    let ranges = all.flat_map(|p| [range(&p.vx_m_s), range(&p.vy_m_s)]);
+    1.06 * ranges.fold(1e-9, |most: f64, (low, high)| most.max(-low).max(high))
+}
+
 /// Fig. 8: x-velocity against y-velocity, all on one scale.
 pub fn velocities(portraits: &PhasePortraits) -> Figure {
-    let most = portraits
-        .portraits
-        .iter()
-        .flat_map(|p| [range(&p.vx_m_s), range(&p.vy_m_s)])
-        .fold(1e-9, |most: f64, (low, high)| most.max(-low).max(high))
-        * 1.06;
+    let most = most_m_s(portraits);
     let both = json!([number(-most), number(most)]);
     let y_more = json!({ "range": both, "constrain": "domain" });
     let plot = multiples(portraits, ["vx (m/s)", "vy (m/s)"], y_more, true, |p| {

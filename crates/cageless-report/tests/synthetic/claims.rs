@@ -8,7 +8,8 @@ pub fn claims() -> Vec<Claim> {
         let requirement = |value: &f64| {
             let quantity = "critical gap of `paper` less 1.8190°";
             Requirement::at_most(quantity, *value, 0.02, "°").says(
-                "The computation [finds it, in a sentence that states how far|does not find it].",
+                "The computation finds it, in a sentence that states how far.",
+                "The computation does not find it.",
             )
         };
         values.iter().map(requirement).collect()
