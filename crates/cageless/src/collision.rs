@@ -92,7 +92,7 @@ pub(crate) struct Pair<'s, 'v> {
     distance_m: f64,
 }
 
-impl<'s, 'v, 'm> Pair<'s, 'v> {
+impl<'s, 'v> Pair<'s, 'v> {
     /// Ball `k` and the ball ahead, which touch at `distance_m` between their centres.
     pub fn new(view: &'s StepView<'v>, k: usize, distance_m: f64) -> Self {
         Self {

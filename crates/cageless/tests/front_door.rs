@@ -178,13 +178,14 @@ fn a_drive_torque_brakes_a_rotor() {
 /// Laws that return nonsense are refused before anything is computed, with what they returned.
 #[test]
 fn nonsense_is_refused_before_a_run() {
-    struct Law(fn(f64) -> [f64; 2]);
+    type Answer = fn(f64) -> [f64; 2];
+    struct Law(Answer);
     impl FrictionLaw for Law {
         fn coefficient(&self, sliding_m_s: f64) -> [f64; 2] {
             self.0(sliding_m_s)
         }
     }
-    let tried: [(fn(f64) -> [f64; 2], &str); 4] = [
+    let tried: [(Answer, &str); 4] = [
         (|_| [f64::NAN, 0.0], "NaN"),
         (|_| [-0.1, 0.0], "-0.1"),
         (|_| [3.0, 0.0], "3"),

@@ -59,7 +59,7 @@ macro_rules! law_struct {
 
 /// Declares the list of laws and what follows from it.
 macro_rules! friction_laws {
-    (of files { $($named:ident,)* } $(
+    ($(
         $(#[$meta:meta])*
         $module:ident: $law:ident per lane $lanes:ident,
     )*) => {
@@ -87,9 +87,12 @@ macro_rules! friction_laws {
         }
 
         impl FrictionModel {
-            /// Every law that a file can name, with its name.
+            const ALL: &'static [(&'static str, Self)] =
+                &[$((<$law as LawConstants>::NAME, Self::$law)),*];
+
+            /// Every law that a file can name, with its name: all but the last, a law of one's own.
             pub const NAMES: &'static [(&'static str, Self)] =
-                &[$((<$named as LawConstants>::NAME, Self::$named)),*];
+                Self::ALL.split_at(Self::ALL.len() - 1).0;
 
             /// Name in files.
             pub fn name(self) -> &'static str {
@@ -197,8 +200,6 @@ macro_rules! friction_laws {
 }
 
 friction_laws! {
-    of files { Smooth, Coulomb, Stribeck, Table, }
-
     /// μ·tanh(ΔV/scale)·N.
     smooth: Smooth per lane SmoothLanes,
     /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling: exact in
@@ -210,7 +211,7 @@ friction_laws! {
     stribeck: Stribeck per lane StribeckLanes,
     /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a table of measured points.
     table: Table per lane TableLanes,
-    /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a [`FrictionLaw`] of one's own.
+    /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a [`FrictionLaw`] of one's own; the last, as no file names it.
     own: Own per lane OwnLanes,
 }
 

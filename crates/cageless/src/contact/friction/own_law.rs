@@ -206,7 +206,7 @@ impl OwnFriction {
 /// Whether a law may answer so.
 #[inline(always)]
 fn possible(mu: f64, slope: f64) -> bool {
-    (mu >= 0.0) & (mu < f64::INFINITY) & (slope.abs() < f64::INFINITY)
+    (mu >= 0.0) & mu.is_finite() & slope.is_finite()
 }
 
 /// Answer of a law at a sliding speed.

@@ -1,0 +1,75 @@
+"""Writes a page of docs/rust for each example of the crate `cageless`, with its source and what it prints.
+
+    examples.py           runs the examples and compares the pages
+    examples.py --write   runs the examples and writes the pages
+
+An example runs as its own test, which `cargo test` has compiled.
+"""
+
+import re
+import subprocess
+import sys
+
+from checks import check, exit_code
+from studies import ROOT
+from tutorials import same_machine
+
+EXAMPLES = ROOT / "crates/cageless/examples"
+PAGES = ROOT / "docs/rust"
+# What the runner of tests says around the output.
+RUNNER = re.compile(r"^(?:running 1 test|test runs \.\.\. (?:ok)?|ok|test result: .*)?\n", re.MULTILINE)
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+
+
+def printed(name):
+    """What an example prints."""
+    command = ["cargo", "test", "--locked", "--quiet", "--profile", "tests", "-p", "cageless", "--example", name]
+    run = subprocess.run([*command, "--", "--nocapture", "--test-threads=1"], cwd=ROOT, capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit(f"example {name}: {run.stderr}")
+    text = RUNNER.sub("", run.stdout)
+    return re.sub(r"^test runs \.\.\. |^\.$", "", text, flags=re.MULTILINE).strip()
+
+
+def page(name):
+    """The page of an example."""
+    source = (EXAMPLES / f"{name}.rs").read_text(encoding="utf-8")
+    head, _, code = source.partition("\n\n")
+    lines = [line.removeprefix("//!").strip() for line in head.splitlines()]
+    about, command = " ".join(lines[: lines.index("")]), lines[-1].strip("`")
+    code = code.partition("\n#[test]")[0].strip()
+    title = name.replace("_", " ").capitalize()
+    return "\n".join(
+        [f"# {title}", "", *wrapped(about), "", "```sh", command, "```", "", "```rust", code, "```", "", "It prints", ""]
+        + ["```text", printed(name), "```", ""]
+    )
+
+
+def wrapped(text):
+    """Lines of at most 120 characters."""
+    line = ""
+    for word in text.split():
+        if len(line) + len(word) >= 120:
+            yield line
+            line = word
+        else:
+            line = f"{line} {word}".strip()
+    yield line
+
+
+def main():
+    for example in sorted(EXAMPLES.glob("*.rs")):
+        name, text = example.stem, page(example.stem)
+        path = PAGES / f"{name}.md"
+        if sys.argv[1:] == ["--write"]:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            continue
+        now = path.read_text(encoding="utf-8") if path.is_file() else ""
+        # On another machine the last digits may differ.
+        told = (lambda page: page) if same_machine() else lambda page: NUMBER.sub("0", page)
+        check(f"docs/rust/{name}.md: the page of its example (examples.py --write)", told(now) == told(text))
+    sys.exit(exit_code())
+
+
+main()
