@@ -28,7 +28,7 @@ def printed(name):
     if run.returncode != 0:
         sys.exit(f"example {name}: {run.stderr}")
     text = RUNNER.sub("", run.stdout)
-    return re.sub(r"^test runs \.\.\. |^\.$", "", text, flags=re.MULTILINE).strip()
+    return re.sub(r"^test runs \.\.\. |^\.$", "", text, flags=re.MULTILINE).strip("\n")
 
 
 def page(name):

@@ -1,4 +1,5 @@
-//! A law of friction of one's own, and what it changes: the heat of 20 ms beside that of the built-in smooth law.
+//! A law of friction of one's own, and the heat of 20 ms in a discrete raceway, where balls slide, beside that of the
+//! built-in smooth law.
 //!
 //! `cargo run -p cageless --example own_friction_law`
 
@@ -23,12 +24,14 @@ fn heat_j(case: CaseBuilder) -> Result<f64, Box<dyn std::error::Error>> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let case = |bearing| {
-        let case = CaseBuilder::of(bearing).inner_speed_rad_s(1257.0);
-        case.radial_load_n(1500.0)
-    };
-    let smooth_j = heat_j(case(reference::bearing()).friction_coefficient(0.06))?;
-    let own_j = heat_j(case(reference::bearing()).own_friction(DryFilm))?;
+    let bearing = reference::bearing();
+    let raceway = reference::Structure::D.raceway(&bearing)?;
+    let case = CaseBuilder::of(bearing)
+        .raceway(raceway)
+        .inner_speed_rad_s(1257.0)
+        .radial_load_n(1500.0);
+    let smooth_j = heat_j(case.clone().friction_coefficient(0.06))?;
+    let own_j = heat_j(case.own_friction(DryFilm))?;
     println!(
         "μ = 0.06: {:.3} mJ; falling from 0.12: {:.3} mJ",
         1e3 * smooth_j,

@@ -10,7 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut request = Request::from_case(&case);
     request.half_angle_range_rad = Some([20.0, 30.0].map(f64::to_radians));
     request.starts = 1;
-    request.budget = request.budget_least();
+    request.budget = 60; // simulations of all balls at most; 400 unless it is set
     let found = search(&case, &request, &mut |_, jobs| run_here(&case, jobs))?;
     match found
         .recommended
@@ -22,7 +22,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             best.half_angle_rad.to_degrees(),
             found.evaluations.len()
         ),
-        None => println!("no raceway spreads the balls: {:?}", found.first_failure()),
+        None => println!(
+            "none of {} raceways spreads the balls",
+            found.evaluations.len()
+        ),
     }
     Ok(())
 }

@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .inner_speed_rad_s(600.0)
         .radial_load_n(1500.0);
     let mut simulation = Simulation::new(&case.build()?)?;
-    let mut speed_rad_s = 600.0;
+    let mut speed_rad_s: f64 = 600.0;
     for decision in 1..=40 {
         simulation.advance_to(f64::from(decision) * INTERVAL_S)?;
         let view = simulation.view();
