@@ -39,7 +39,7 @@ AXES = """
 
 def plots(tab, name):
     count = tab.js("document.querySelectorAll('.plot').length")
-    check(f"{name}: has figures", count > (0 if name.startswith("static") else 3), count)
+    check(f"{name}: has figures", count > (0 if name.startswith(("static", "compare")) else 3), count)
     tab.js("window.cagelessDrawAll()")
     drawn = tab.js("document.querySelectorAll('.plot .main-svg, .plot canvas').length")
     check(f"{name}: figures are drawn", drawn >= count, drawn)

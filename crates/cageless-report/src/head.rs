@@ -106,16 +106,65 @@ fn class_of(passes: Option<bool>) -> &'static str {
     }
 }
 
-/// A verdict with its sign: green if it passes, red if it fails, grey if nothing was judged.
+/// Characters of a verdict that stand unfolded.
+const UNFOLDED: usize = 180;
+
+/// A verdict with its sign: green if it passes, red if it fails, grey if nothing was judged. Of a long one the first
+/// reasons stand, and the rest is folded.
 pub fn verdict_html(passes: Option<bool>, headline: &str) -> String {
     let sign = match passes {
         Some(true) => "✔ ",
         Some(false) => "✘ ",
         None => "",
     };
-    format!(
-        "<p class=\"judged {}\" role=\"status\">{sign}{}</p>\n",
-        class_of(passes),
-        rich(headline)
-    )
+    let class = class_of(passes);
+    match folded(headline) {
+        None => format!(
+            "<p class=\"judged {class}\" role=\"status\">{sign}{}</p>\n",
+            rich(headline)
+        ),
+        Some((first, rest)) => format!(
+            "<div class=\"judged {class}\" role=\"status\"><details><summary>{sign}{}; …</summary>{}\
+             </details></div>\n",
+            rich(first),
+            rich(rest)
+        ),
+    }
+}
+
+/// The reasons of a long verdict that stand, and those that are folded.
+fn folded(headline: &str) -> Option<(&str, &str)> {
+    let (end, _) = headline.char_indices().nth(UNFOLDED)?;
+    let first = headline[..end]
+        .rfind("; ")
+        .or_else(|| headline.find("; "))?;
+    Some((&headline[..first], &headline[first + 2..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every reason stands once, before or behind the fold.
+    #[test]
+    fn a_long_verdict_folds_between_two_reasons() {
+        let reasons: Vec<String> = (0..9)
+            .map(|k| format!("reason {k} with its number β"))
+            .collect();
+        let long = reasons.join("; ");
+        let html = verdict_html(None, &long);
+        let (stands, rest) = html.split_once("; …</summary>").expect("a fold");
+        assert!(
+            stands.ends_with(&reasons[5]) && rest.starts_with(&reasons[6]),
+            "{html}"
+        );
+        assert!(
+            reasons
+                .iter()
+                .all(|reason| html.matches(reason.as_str()).count() == 1)
+        );
+        for whole in [&reasons[..6].join("; "), &"a".repeat(400)] {
+            assert!(verdict_html(Some(true), whole).contains(&format!("✔ {whole}</p>")));
+        }
+    }
 }
