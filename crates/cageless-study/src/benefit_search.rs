@@ -126,7 +126,7 @@ pub fn tasks(file: &CaseFile, candidates: usize) -> Result<Vec<Task>, StudyError
 }
 
 /// Judges raceways in steady operation against the plain ring of a case, and one ball fewer beside them. Of many, short
-/// runs leave the best and one that is not clearly worse. Candidates that do not work otherwise are left out.
+/// runs leave the best, and one that is not clearly worse if the best may help. Candidates that do not work otherwise are left out.
 ///
 /// # Errors
 /// A case cannot start, a run left the physical range, or the progress ended the work.
@@ -151,9 +151,11 @@ pub fn search_benefit(
             score: Some(benefit.rank.score).filter(|score| score.is_finite()),
         });
         scores = scored.collect();
-        let mut leader = None;
+        let mut leader: Option<&Benefit> = None;
         for (k, benefit) in ranked {
-            let contends = leader.is_none_or(|leader| !benefit.is_clearly_worse(leader));
+            // Where the best is worse than the plain ring, the next changes no answer.
+            let contends =
+                leader.is_none_or(|leader| !leader.loses() && !benefit.is_clearly_worse(leader));
             if judged.len() < FINALISTS && contends && works(k)? {
                 leader = leader.or(Some(benefit));
                 judged.push(k);

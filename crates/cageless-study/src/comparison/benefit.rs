@@ -279,6 +279,11 @@ impl Benefit {
 }
 
 impl Benefit {
+    /// Whether its score says worse than the reference by more than its error, judged or not.
+    pub(crate) fn loses(&self) -> bool {
+        Estimate::new(&self.scores).is_some_and(|score| score.change() == Change::Higher)
+    }
+
     /// Whether it breaks a limit that the other keeps, or its score with the same draws is higher by more than its
     /// error.
     pub(crate) fn is_clearly_worse(&self, than: &Self) -> bool {
@@ -504,6 +509,10 @@ mod tests {
         assert!(!unclear.is_clearly_worse(&leader) && !leader.is_clearly_worse(&leader));
         assert!(of([50.0, 100.0, 200.0, 400.0], 4201.0).is_clearly_worse(&leader));
         assert!(of([f64::NAN; 4], 900.0).is_clearly_worse(&leader));
+        // Half the scatter and half the variation of the force, at almost 5 times the contacts, and at 1 to 50 times.
+        assert!(of([2400.0, 2450.0, 2500.0, 2450.0], 900.0).loses());
+        assert!(!of([500.0, 5000.0, 1000.0, 25_000.0], 900.0).loses());
+        assert!(!leader.loses() && !of([f64::NAN; 4], 900.0).loses());
     }
 
     /// A broken limit harms whatever is gained, and puts a ring behind all that keep theirs.
