@@ -11,7 +11,8 @@
 //! let (state, _angles) = initial_state(&case)?;
 //! let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
 //!     .map(|coordinate| state.layout().balls_of(state.values(), coordinate));
-//! let mut range = GapRange::new(&Model::new(&case)?);
+//! let model = Model::new(&case)?;
+//! let mut range = GapRange::new(&model);
 //! range.look(x, y, [0.0; 2]);
 //! // All gaps are equal at the start.
 //! let [least, most] = range.range_rad();

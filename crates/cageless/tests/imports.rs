@@ -215,7 +215,7 @@ fn cases_know_nothing_of_dynamics() {
     let dynamic = ["crate::dynamics", "crate::simd", "crate::simulation"];
     for case in uses
         .keys()
-        .filter(|module| module.starts_with("crate::case"))
+        .filter(|module| *module == "crate::case" || module.starts_with("crate::case::"))
     {
         let mut known = reached(&uses, case);
         known.retain(|module| dynamic.iter().any(|d| module.starts_with(d)));

@@ -28,7 +28,7 @@ use crate::limits::require;
 ///     simulation.step()?;
 /// }
 /// let most_n = simulation.view().balls().map(|ball| ball.outer_force_n());
-/// assert!(most_n.fold(0.0, f64::max) > 500.0);
+/// assert!(most_n.fold(0.0, f64::max) > 400.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Simulation<M = CaseMethod> {

@@ -23,7 +23,8 @@ use crate::numerics::lanes::{LANES, Lanes};
 ///     }
 /// }
 ///
-/// let case = CaseBuilder::of(reference::bearing()).own_friction(Falling).build()?;
+/// let case = CaseBuilder::of(reference::bearing()).own_friction(Falling);
+/// let case = case.inner_speed_rad_s(100.0).build()?;
 /// assert_eq!(case.contact.friction.coefficient, 0.06);
 /// # Ok::<(), InputError>(())
 /// ```
