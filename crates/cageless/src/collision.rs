@@ -94,7 +94,7 @@ pub(crate) struct Pair<'s, 'v> {
 
 impl<'s, 'v> Pair<'s, 'v> {
     /// Ball `k` and the ball ahead, which touch at `distance_m` between their centres.
-    pub fn new(view: &'s StepView<'v>, k: usize, distance_m: f64) -> Self {
+    pub(crate) fn new(view: &'s StepView<'v>, k: usize, distance_m: f64) -> Self {
         Self {
             view,
             ball: k,
@@ -128,7 +128,7 @@ impl<'s, 'v> Pair<'s, 'v> {
 
     /// The contact that begins within the step. One that is closed at the start of the run has no
     /// approach speed.
-    pub fn touch(&self) -> Collision {
+    pub(crate) fn touch(&self) -> Collision {
         let from = self.view.step.t0_s;
         let start_s = self.crossing_s(from);
         let closed = start_s == 0.0 && self.deflection_m(start_s) > 0.0;

@@ -198,7 +198,7 @@ pub(crate) struct ContactPeakTracker {
 }
 
 impl ContactPeakTracker {
-    pub fn new(case: &Case) -> Self {
+    pub(crate) fn new(case: &Case) -> Self {
         let slots = case.raceways.iter().filter(|r| r.slot().is_some());
         Self {
             inner: Largest::none(),
@@ -210,7 +210,7 @@ impl ContactPeakTracker {
     }
 
     /// Takes the contacts of the balls with the raceways, at this ωi over the largest.
-    pub fn look(&mut self, contacts: &Contacts<'_>, speed_ratio: f64) {
+    pub(crate) fn look(&mut self, contacts: &Contacts<'_>, speed_ratio: f64) {
         if contacts.are_in_space() || !self.edges.is_empty() {
             return (0..contacts.balls()).for_each(|k| self.look_at(contacts, k, speed_ratio));
         }
@@ -281,12 +281,12 @@ impl ContactPeakTracker {
     }
 
     /// Largest |α| + a/R to which a contact ellipse reaches in space: inner, outer groove.
-    pub fn ellipse_edge_max_rad(&self) -> [f64; 2] {
+    pub(crate) fn ellipse_edge_max_rad(&self) -> [f64; 2] {
         self.ellipse_edges.largest_rad()
     }
 
     /// Takes the contacts between balls, which last some tens of microseconds.
-    pub fn look_between_balls(&mut self, contacts: &Contacts<'_>, speed_ratio: f64) {
+    pub(crate) fn look_between_balls(&mut self, contacts: &Contacts<'_>, speed_ratio: f64) {
         for k in 0..contacts.balls() {
             let force_n = contacts.pair_force_n(k);
             if force_n > 0.0 {
@@ -297,7 +297,7 @@ impl ContactPeakTracker {
     }
 
     /// The peaks so far. Surfaces pass the contacts at the speeds of rolling of the time of each.
-    pub fn peaks(&self, case: &Case) -> ContactPeaks {
+    pub(crate) fn peaks(&self, case: &Case) -> ContactPeaks {
         let bearing = &case.bearing;
         let orbit = case.rolling_orbit_speed_rad_s();
         let d = bearing.dimensions();

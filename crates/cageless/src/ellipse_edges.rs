@@ -12,7 +12,7 @@ pub(crate) struct EllipseEdges {
 impl EllipseEdges {
     /// Takes the contacts of a ball of this radius.
     #[inline]
-    pub fn look(&mut self, radius_m: f64, ball: &BallContacts) {
+    pub(crate) fn look(&mut self, radius_m: f64, ball: &BallContacts) {
         for (ring, point) in ball.bearing_points() {
             let [cosine, sine] = [point.normal[0], point.normal[1].abs()];
             let half = point.half_length_m / radius_m;
@@ -25,7 +25,7 @@ impl EllipseEdges {
     }
 
     /// The largest so far; 0 without contacts.
-    pub fn largest_rad(&self) -> [f64; 2] {
+    pub(crate) fn largest_rad(&self) -> [f64; 2] {
         self.largest.map(|[angle, _]| angle)
     }
 }

@@ -39,14 +39,14 @@ pub(crate) struct Direction {
 impl Direction {
     /// Direction from ball `k` to the ball ahead, forwards, about the centre of the outer ring.
     #[inline]
-    pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
+    pub(crate) fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
         let about = |k: usize| [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
         Self::between(about(k), about(x_m.next(k)))
     }
 
     /// Direction from one place to the next, forwards, about the origin.
     #[inline]
-    pub fn between([x, y]: [f64; 2], [next_x, next_y]: [f64; 2]) -> Self {
+    pub(crate) fn between([x, y]: [f64; 2], [next_x, next_y]: [f64; 2]) -> Self {
         Self {
             sine: x * next_y - y * next_x,
             cosine: x * next_x + y * next_y,
@@ -54,7 +54,7 @@ impl Direction {
     }
 
     /// Direction of an angle.
-    pub fn of(angle_rad: f64) -> Self {
+    pub(crate) fn of(angle_rad: f64) -> Self {
         let (sine, cosine) = angle_rad.sin_cos();
         Self { sine, cosine }
     }
@@ -62,7 +62,7 @@ impl Direction {
     /// The angle from another direction on, rad, if its tangent is at most 0.2: 11 terms of its series, of which the
     /// next is below 1e-17.
     #[inline]
-    pub fn small_angle_from(self, other: Self) -> Option<f64> {
+    pub(crate) fn small_angle_from(self, other: Self) -> Option<f64> {
         let across = self.sine * other.cosine - self.cosine * other.sine;
         let along = self.cosine * other.cosine + self.sine * other.sine;
         let tangent = across / along;
@@ -74,7 +74,7 @@ impl Direction {
 
     /// Whether the angle is the smaller one.
     #[inline]
-    pub fn below(self, other: Self) -> bool {
+    pub(crate) fn below(self, other: Self) -> bool {
         let (beyond, other_beyond) = (self.sine < 0.0, other.sine < 0.0);
         if beyond != other_beyond {
             return other_beyond;
@@ -85,7 +85,7 @@ impl Direction {
 
     /// The angle, less `pair_angle_rad`, that of two balls that touch
     /// ([`Model::pair_angle_rad`]).
-    pub fn gap_rad(self, pair_angle_rad: f64) -> f64 {
+    pub(crate) fn gap_rad(self, pair_angle_rad: f64) -> f64 {
         let angle = self.sine.atan2(self.cosine);
         (if angle < 0.0 { angle + TAU } else { angle }) - pair_angle_rad
     }

@@ -41,7 +41,7 @@ pub(crate) struct GapVariance {
 
 impl GapVariance {
     /// Variance for the balls of a model.
-    pub fn new(model: &Model) -> Self {
+    pub(crate) fn new(model: &Model) -> Self {
         let (balls, pitch_rad) = (model.balls(), TAU / model.layout().row as f64);
         let touching = (0..balls).map(|k| model.pair_angle_rad(k));
         let mean_rad = touching.sum::<f64>() / balls as f64;
@@ -55,7 +55,7 @@ impl GapVariance {
     }
 
     /// Variance at these positions of the balls and of the centre of the outer ring, rad².
-    pub fn of(&self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) -> f64 {
+    pub(crate) fn of(&self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) -> f64 {
         // The gaps of a row leave what its balls leave of a turn: their mean is known.
         let from_mean_rad = |(k, size_rad): (usize, &f64)| {
             let direction = Direction::to_next(x_m, y_m, centre_m, k);
@@ -78,7 +78,7 @@ pub(crate) struct GapScatter {
 
 impl GapScatter {
     /// Scatter of the balls of a model from `from_s` to `to_s`.
-    pub fn new(model: &Model, from_s: f64, to_s: f64) -> Self {
+    pub(crate) fn new(model: &Model, from_s: f64, to_s: f64) -> Self {
         Self {
             instant: GapVariance::new(model),
             last_s: from_s,
@@ -89,7 +89,7 @@ impl GapScatter {
 
     /// Takes the positions of the balls and of the centre of the outer ring at `time_s`, for the
     /// time since the last look.
-    pub fn look(&mut self, time_s: f64, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
+    pub(crate) fn look(&mut self, time_s: f64, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
         let variance = self.instant.of(x_m, y_m, centre_m);
         let half = usize::from(time_s > self.half_s);
         self.variance[half].add(variance, time_s - self.last_s);
@@ -97,14 +97,14 @@ impl GapScatter {
     }
 
     /// Standard deviation of the gaps: root of their mean variance, rad; NaN before the first look.
-    pub fn deviation_rad(&self) -> f64 {
+    pub(crate) fn deviation_rad(&self) -> f64 {
         let [first, second] = self.variance;
         let weight = first.weight() + second.weight();
         ((first.mean() * first.weight() + second.mean() * second.weight()) / weight).sqrt()
     }
 
     /// Standard deviation in the second half less that in the first, rad; NaN if either is empty.
-    pub fn change_rad(&self) -> f64 {
+    pub(crate) fn change_rad(&self) -> f64 {
         let [first, second] = self.variance.map(|half| {
             if half.weight() > 0.0 {
                 half.mean().sqrt()

@@ -135,7 +135,7 @@ pub(crate) struct OrbitMeansTracker {
 impl OrbitMeansTracker {
     /// Takes a step after the transient; `sampled` steps add to the rotational speed.
     #[inline]
-    pub fn step(&mut self, view: &StepView<'_>, sampled: bool) {
+    pub(crate) fn step(&mut self, view: &StepView<'_>, sampled: bool) {
         let [x, y] = view.ball_m(0);
         if sampled {
             self.add_rotations(view);
@@ -197,7 +197,7 @@ impl OrbitMeansTracker {
     }
 
     /// The means so far; `None` before two samples.
-    pub fn means(&self, case: &Case) -> Option<OrbitMeans> {
+    pub(crate) fn means(&self, case: &Case) -> Option<OrbitMeans> {
         let (begin, end) = (self.begin.as_ref()?, self.end.as_ref()?);
         let angle = |mark: &Mark| mark.angles.iter().map(BallAngle::rad).sum::<f64>();
         let time_s = end.time_s - begin.time_s;

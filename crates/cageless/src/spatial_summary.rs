@@ -80,7 +80,7 @@ pub(crate) struct SpatialSummaryTracker {
 
 impl SpatialSummaryTracker {
     /// Follows a run of this case from its state at the start.
-    pub fn new(case: &Case, start: &State) -> Self {
+    pub(crate) fn new(case: &Case, start: &State) -> Self {
         if !start.layout().is_in_space() {
             return Self::default();
         }
@@ -104,7 +104,7 @@ impl SpatialSummaryTracker {
     }
 
     /// Takes a step of a run in space.
-    pub fn step(&mut self, view: &StepView<'_>) {
+    pub(crate) fn step(&mut self, view: &StepView<'_>) {
         let step_s = view.step.size_s();
         let coordinates = [
             RingCoordinate::Z,
@@ -126,7 +126,7 @@ impl SpatialSummaryTracker {
     }
 
     /// Takes the contacts at the end of a step, with the sign of each ball's row.
-    pub fn look(&mut self, contacts: &Contacts<'_>, signs: &[f64]) {
+    pub(crate) fn look(&mut self, contacts: &Contacts<'_>, signs: &[f64]) {
         for (k, row) in self.rows.iter_mut().enumerate() {
             row.force_n += contacts.row_axial_force_n(k);
         }
@@ -144,7 +144,7 @@ impl SpatialSummaryTracker {
     }
 
     /// The numbers so far, with how far ellipses reach; `None` in the plane.
-    pub fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
+    pub(crate) fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
         let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
         let [z, p, q] = self.ring.map(|sum| sum / self.time_s);
         (self.time_s > 0.0).then_some(SpatialSummary {

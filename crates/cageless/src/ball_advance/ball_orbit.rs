@@ -46,7 +46,7 @@ pub(super) struct BallOrbit {
 }
 
 impl BallOrbit {
-    pub fn new(
+    pub(super) fn new(
         case: &Case,
         settled: &SpatialEquilibrium,
         row: usize,
@@ -116,11 +116,11 @@ impl BallOrbit {
     }
 
     /// Ω̄, rad/s.
-    pub fn mean_rad_s(&self) -> f64 {
+    pub(super) fn mean_rad_s(&self) -> f64 {
         TAU / self.period_s()
     }
 
-    pub fn speed_difference_rad_s(&self) -> f64 {
+    pub(super) fn speed_difference_rad_s(&self) -> f64 {
         span(self.places.iter().map(|place| place.orbit_speed_rad_s))
     }
 
@@ -129,7 +129,7 @@ impl BallOrbit {
         place.angle_rad - self.mean_rad_s() * place.time_s
     }
 
-    pub fn advance_rad(&self) -> f64 {
+    pub(super) fn advance_rad(&self) -> f64 {
         span(self.places.iter().map(|place| self.ahead_rad(place)))
     }
 
@@ -144,14 +144,14 @@ impl BallOrbit {
     }
 
     /// Largest loss of the gap of one of `balls` to the next in an orbit.
-    pub fn closing_rad(&self, balls: usize) -> f64 {
+    pub(super) fn closing_rad(&self, balls: usize) -> f64 {
         let lag_s = self.period_s() / balls as f64;
         let lost = |place: &Place| self.ahead_rad(place) - self.ahead_at_rad(place.time_s + lag_s);
         self.places.iter().map(lost).fold(0.0, f64::max)
     }
 
     /// Twice the energy over the mass at ψ, m²/s²: that of the place before it.
-    pub fn energy_at_m2_s2(&self, angle_rad: f64) -> f64 {
+    pub(super) fn energy_at_m2_s2(&self, angle_rad: f64) -> f64 {
         let beyond_rad = (angle_rad - self.first_rad).rem_euclid(TAU);
         let next = self
             .places

@@ -14,7 +14,7 @@ pub(super) struct RollingRow {
 impl RollingRow {
     /// Row of `case` whose balls all deviate by `deviation_m` in radius; the inner ring, and the outer one of the row,
     /// stay where `settled` has them. `None` where the deviation is none of a ball.
-    pub fn new(
+    pub(super) fn new(
         case: &Case,
         settled: &SpatialEquilibrium,
         row: usize,
@@ -38,7 +38,7 @@ impl RollingRow {
     }
 
     /// Its balls, the first at ψ = `lead_rad`.
-    pub fn balls(&mut self, lead_rad: f64) -> Vec<RollingBall> {
+    pub(super) fn balls(&mut self, lead_rad: f64) -> Vec<RollingBall> {
         self.case.start.lead_ball_angle_rad = lead_rad;
         rolling_balls(&self.case, self.ring)
     }

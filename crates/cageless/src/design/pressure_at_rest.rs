@@ -22,7 +22,7 @@ pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
 ///
 /// # Errors
 /// Those of [`pressure_at_rest_pa`], or `control` ended the search.
-pub fn pressure_at_rest_controlled_pa(
+pub(super) fn pressure_at_rest_controlled_pa(
     case: &Case,
     control: &mut dyn FnMut() -> Control,
 ) -> Result<[f64; 2], EquilibriumError> {

@@ -5,7 +5,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of the inner ring and the forces on it that do not come from the balls.
-    pub struct InnerRing per lane InnerRingLanes {
+    pub(crate) struct InnerRing per lane InnerRingLanes {
         /// mi, kg.
         mass,
         /// C, viscous damping of its translation, N·s/m.
@@ -21,7 +21,7 @@ impl InnerRing {
     /// Acceleration of the centre under the sum of the balls' reactions, m/s²:
     /// mi(Ẍ, Ÿ) + C(Ẋ, Ẏ) = Fr + weight + Σ reactions (Zhao 2022, Eq. (14)).
     #[inline(always)]
-    pub fn acceleration(&self, motion: &Centre, reactions_n: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn acceleration(&self, motion: &Centre, reactions_n: [f64; 2]) -> [f64; 2] {
         let [x, y] = reactions_n;
         [
             (x - self.drag * motion.vx) / self.mass,
@@ -31,7 +31,7 @@ impl InnerRing {
 
     /// mi·g, N.
     #[inline(always)]
-    pub fn weight_n(&self) -> f64 {
+    pub(crate) fn weight_n(&self) -> f64 {
         self.mass * self.gravity
     }
 }

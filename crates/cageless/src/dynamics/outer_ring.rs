@@ -22,7 +22,7 @@ pub(crate) struct OuterRing {
 
 impl OuterRing {
     /// The outer ring on `support`; fixed without one.
-    pub fn new(support: Option<&Support>) -> Self {
+    pub(crate) fn new(support: Option<&Support>) -> Self {
         let Some(support) = support else {
             return Self::default();
         };
@@ -39,7 +39,7 @@ impl OuterRing {
     /// Force of the support, N: −ks zo − cs żo, and beyond the gap of the stop the force that it
     /// adds radially. The weight of the ring is carried at its rest place already.
     #[inline(always)]
-    pub fn support_force(&self, motion: &Centre) -> [f64; 2] {
+    pub(crate) fn support_force(&self, motion: &Centre) -> [f64; 2] {
         let distance = (motion.x * motion.x + motion.y * motion.y).sqrt();
         let beyond = distance - self.stop_gap;
         let stop = if beyond > 0.0 && self.stop_stiffness > 0.0 {
@@ -55,13 +55,13 @@ impl OuterRing {
 
     /// Force of the support along the axis, N: the hard stop is radial.
     #[inline(always)]
-    pub fn support_force_along_axis(&self, z: f64, vz: f64) -> f64 {
+    pub(crate) fn support_force_along_axis(&self, z: f64, vz: f64) -> f64 {
         -self.stiffness * z - self.damping * vz
     }
 
     /// Acceleration under the sum of the balls' reactions: mo z̈o + cs żo + ks zo = Σ reactions.
     #[inline(always)]
-    pub fn acceleration(&self, motion: &Centre, reactions: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn acceleration(&self, motion: &Centre, reactions: [f64; 2]) -> [f64; 2] {
         let support = self.support_force(motion);
         [
             (reactions[0] + support[0]) * self.inverse_mass,
@@ -71,12 +71,12 @@ impl OuterRing {
 
     /// Power that the damping of the support dissipates, W.
     #[inline(always)]
-    pub fn damping_power(&self, motion: &Centre) -> f64 {
+    pub(crate) fn damping_power(&self, motion: &Centre) -> f64 {
         self.damping * (motion.vx * motion.vx + motion.vy * motion.vy)
     }
 
     /// Kinetic energy of the ring and energy stored in the support, J.
-    pub fn energy_j(&self, motion: &Centre) -> f64 {
+    pub(crate) fn energy_j(&self, motion: &Centre) -> f64 {
         let distance = (motion.x * motion.x + motion.y * motion.y).sqrt();
         let beyond = (distance - self.stop_gap).max(0.0);
         0.5 * self.mass * (motion.vx.powi(2) + motion.vy.powi(2))

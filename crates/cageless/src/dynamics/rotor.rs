@@ -78,7 +78,7 @@ pub struct RotorContact {
 
 impl RotorBody {
     /// The rotor of a case that has one.
-    pub fn new(case: &Case) -> Option<Self> {
+    pub(crate) fn new(case: &Case) -> Option<Self> {
         let (rotor, bore) = (case.rotor.as_ref()?, case.bearing.inner_ring_bore()?);
         let body = Self::in_bore(rotor, bore, case.operation.gravity_m_s2);
         let ring_mass = case.bearing.dimensions().inner_ring_mass_kg;
@@ -91,7 +91,7 @@ impl RotorBody {
     }
 
     /// A rotor in the bore of a ring. Coulomb's law slides only.
-    pub fn in_bore(rotor: &Rotor, bore: InnerRingBore, gravity_m_s2: f64) -> Self {
+    pub(crate) fn in_bore(rotor: &Rotor, bore: InnerRingBore, gravity_m_s2: f64) -> Self {
         Self {
             mass: rotor.mass_kg,
             polar_inertia: rotor.polar_inertia_kg_m2,
@@ -114,7 +114,7 @@ impl RotorBody {
     }
 
     /// Journal of a rotor that rests on other bearings as well: its contact without a mass of its own.
-    pub fn guided(self) -> Self {
+    pub(crate) fn guided(self) -> Self {
         Self {
             mass: 0.0,
             polar_inertia: 0.0,
@@ -127,7 +127,7 @@ impl RotorBody {
 
     /// ε·e^(i(θ+φ)), m.
     #[inline(always)]
-    pub fn offset(&self, angle: f64) -> [f64; 2] {
+    pub(crate) fn offset(&self, angle: f64) -> [f64; 2] {
         if self.eccentricity == 0.0 {
             return [0.0; 2];
         }
@@ -137,7 +137,7 @@ impl RotorBody {
 
     /// Motion of the centre of the journal: zr = zg − ε·e^(i(θ+φ)), żr = żg − iΩ·ε·e^(i(θ+φ)).
     #[inline(always)]
-    pub fn journal_motion(&self, motion: &RotorMotion, offset: [f64; 2]) -> JournalMotion {
+    pub(crate) fn journal_motion(&self, motion: &RotorMotion, offset: [f64; 2]) -> JournalMotion {
         let [ex, ey] = offset;
         JournalMotion {
             x: motion.x - ex,
@@ -150,7 +150,7 @@ impl RotorBody {
 
     /// Contact with the inner ring, without friction.
     #[inline(always)]
-    pub fn contact(&self, motion: &RotorMotion, ring: &Centre, ring_speed: f64) -> RotorContact {
+    pub(crate) fn contact(&self, motion: &RotorMotion, ring: &Centre, ring_speed: f64) -> RotorContact {
         let offset = self.offset(motion.angle);
         let journal = self.journal_motion(motion, offset);
         RotorContact {
@@ -162,13 +162,13 @@ impl RotorBody {
 
     /// m·g, N.
     #[inline(always)]
-    pub fn weight_n(&self) -> f64 {
+    pub(crate) fn weight_n(&self) -> f64 {
         self.mass * self.gravity
     }
 
     /// Moment about the mass centre of a force on the journal at zr + Rj·n, N·m.
     #[inline(always)]
-    pub fn moment(&self, contact: &RotorContact, force: [f64; 2]) -> f64 {
+    pub(crate) fn moment(&self, contact: &RotorContact, force: [f64; 2]) -> f64 {
         let (c, [ex, ey]) = (&contact.contact, contact.offset);
         let (ax, ay) = (
             self.journal.radius * c.nx - ex,
@@ -181,7 +181,7 @@ impl RotorBody {
     /// m z̈g = F − i·m·g and Ip Ω̇ = moment of F + torque of the drive. A guided journal has the part
     /// that the force adds alone.
     #[inline(always)]
-    pub fn acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
+    pub(crate) fn acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
         if self.guide.is_some() {
             return self.added_acceleration(contact, force);
         }
@@ -194,14 +194,14 @@ impl RotorBody {
 
     /// Acceleration that a force of the inner ring adds.
     #[inline(always)]
-    pub fn added_acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
+    pub(crate) fn added_acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
         self.response(force, self.moment(contact, force))
     }
 
     /// Accelerations under a force and a moment about the mass centre, which a guided journal has on its
     /// axis.
     #[inline(always)]
-    pub fn response(&self, [fx, fy]: [f64; 2], moment: f64) -> [f64; 3] {
+    pub(crate) fn response(&self, [fx, fy]: [f64; 2], moment: f64) -> [f64; 3] {
         match &self.guide {
             None => [fx / self.mass, fy / self.mass, moment / self.polar_inertia],
             Some(compliance) => compliance.map(|[x, y, turn]| x * fx + y * fy + turn * moment),
@@ -211,7 +211,7 @@ impl RotorBody {
     /// Power that enters the bearing by the drive of the rotor, W; where the journal is guided,
     /// by the journal: that of the force of the inner ring on it, negative.
     #[inline(always)]
-    pub fn drive_power(
+    pub(crate) fn drive_power(
         &self,
         motion: &RotorMotion,
         contact: &RotorContact,
@@ -226,13 +226,13 @@ impl RotorBody {
 
     /// Power of a force of the inner ring on the rotor, W.
     #[inline(always)]
-    pub fn power(&self, motion: &RotorMotion, contact: &RotorContact, force: [f64; 2]) -> f64 {
+    pub(crate) fn power(&self, motion: &RotorMotion, contact: &RotorContact, force: [f64; 2]) -> f64 {
         force[0] * motion.vx + force[1] * motion.vy + self.moment(contact, force) * motion.speed
     }
 
     /// Accelerations of the centre of the journal and of the rotation under a unit of each load on it: with
     /// w = (εy, −εx, 1), diag(1/m, 1/m, 0) + w wᵀ/Ip.
-    pub fn compliance(&self, [ex, ey]: [f64; 2]) -> JournalCompliance {
+    pub(crate) fn compliance(&self, [ex, ey]: [f64; 2]) -> JournalCompliance {
         if let Some(guide) = self.guide {
             return guide;
         }
@@ -246,7 +246,7 @@ impl RotorBody {
 
     /// Torque of a friction `friction_n` of the rotor on the inner ring, N·m: it acts at the bore.
     #[inline(always)]
-    pub fn ring_torque(&self, friction_n: f64) -> f64 {
+    pub(crate) fn ring_torque(&self, friction_n: f64) -> f64 {
         friction_n * self.journal.bore_radius
     }
 
@@ -254,7 +254,7 @@ impl RotorBody {
     /// 1/m + (t·ia)²/Ip + 1/mi + Rb²/Ji. With the compliance G of a guided journal and
     /// p = (t, Rj), pᵀ·G·p stands for the first two.
     #[inline(always)]
-    pub fn slip_mobility(&self, contact: &RotorContact, ring_mass: f64) -> f64 {
+    pub(crate) fn slip_mobility(&self, contact: &RotorContact, ring_mass: f64) -> f64 {
         let (c, [ex, ey]) = (&contact.contact, contact.offset);
         let rotor = match &self.guide {
             None => {

@@ -58,7 +58,7 @@ pub(super) fn at(rows: &DMatrix<f64>, u: &[f64]) -> [f64; 2] {
 
 impl<'m> RotorEquations<'m> {
     /// The equations of a rotor under loads.
-    pub fn new(rotor: &'m LinearRotor, loads: RotorLoads) -> Self {
+    pub(super) fn new(rotor: &'m LinearRotor, loads: RotorLoads) -> Self {
         let zeros = || DVector::zeros(rotor.coordinates());
         Self {
             rotor,
@@ -74,7 +74,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Sets the coupling of bending and spin.
-    pub fn couple(&mut self, motion: &Motion<'_>) {
+    pub(super) fn couple(&mut self, motion: &Motion<'_>) {
         self.unbalance.fill(0.0);
         for unbalance in &self.rotor.unbalances {
             let (sin, cos) = (motion.angle + unbalance.phase_rad).sin_cos();
@@ -88,7 +88,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Sets forces and torque to those of everything but the bearings.
-    pub fn load(&mut self, motion: &Motion<'_>) {
+    pub(super) fn load(&mut self, motion: &Motion<'_>) {
         let (r, loads, forces) = (self.rotor, &self.loads, &mut self.forces);
         forces.copy_from(&r.lift);
         *forces *= -loads.gravity;
@@ -106,7 +106,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Adds a load on journal `k`.
-    pub fn add_load(&mut self, k: usize, [x, y, z, moment]: &JournalLoad) {
+    pub(super) fn add_load(&mut self, k: usize, [x, y, z, moment]: &JournalLoad) {
         let force = Vector2::new(*x, *y);
         self.forces
             .gemv_tr(1.0, &self.rotor.journals[k], &force, 1.0);
@@ -115,7 +115,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Accelerations under the loads.
-    pub fn respond(&mut self) -> Response<'_> {
+    pub(super) fn respond(&mut self) -> Response<'_> {
         let speed = (self.torque - self.unbalance.dot(&self.forces)) / self.inertia;
         self.forces.axpy(-speed, &self.spin_up, 1.0);
         let axial = self.axial / self.rotor.mass_kg();
@@ -123,7 +123,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Accelerations under a load on journal `k` alone.
-    pub fn respond_at(&mut self, k: usize, load: &JournalLoad) -> Response<'_> {
+    pub(super) fn respond_at(&mut self, k: usize, load: &JournalLoad) -> Response<'_> {
         self.forces.fill(0.0);
         (self.torque, self.axial) = (0.0, 0.0);
         self.add_load(k, load);
@@ -131,7 +131,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Response of journal `k` to unit loads across the axis and about it.
-    pub fn compliance(&mut self, k: usize) -> JournalCompliance {
+    pub(super) fn compliance(&mut self, k: usize) -> JournalCompliance {
         let journal = &self.rotor.journals[k];
         let units = [0, 1, 3].map(|axis| std::array::from_fn(|k| f64::from(u8::from(k == axis))));
         let columns = units.map(|unit| {
@@ -143,14 +143,14 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Power of a load on journal `k`, W.
-    pub fn power(&self, k: usize, motion: &Motion<'_>, [x, y, z, moment]: &JournalLoad) -> f64 {
+    pub(super) fn power(&self, k: usize, motion: &Motion<'_>, [x, y, z, moment]: &JournalLoad) -> f64 {
         let rate = at(&self.rotor.journals[k], motion.rates.as_slice());
         x * rate[0] + y * rate[1] + moment * motion.speed + z * motion.axial_speed
     }
 
     /// Powers of weight with given load and of the drive, and what damping, cross-coupled stiffness and Ksdt take out, W,
     /// with an acceleration of the spin.
-    pub fn powers(&mut self, motion: &Motion<'_>, spin: f64) -> [f64; 3] {
+    pub(super) fn powers(&mut self, motion: &Motion<'_>, spin: f64) -> [f64; 3] {
         let (r, gravity) = (self.rotor, self.loads.gravity);
         let mut weight =
             -gravity * r.lift.dot(&motion.rates) + self.loads.axial * motion.axial_speed;
@@ -174,7 +174,7 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Kinetic and elastic energy, J.
-    pub fn energy_j(&mut self, motion: &Motion<'_>) -> f64 {
+    pub(super) fn energy_j(&mut self, motion: &Motion<'_>) -> f64 {
         self.couple(motion);
         let coupling = self.unbalance.dot(&motion.rates);
         0.5 * motion.rates.norm_squared()

@@ -61,7 +61,7 @@ pub struct PlaneDisplacement {
 
 impl<'m> RotorOnBearings<'m> {
     /// The rotor on the bearings of `models`, one for each of its journals.
-    pub fn new(rotor: &'m LinearRotor, loads: RotorLoads, models: &[Arc<Model>]) -> Self {
+    pub(crate) fn new(rotor: &'m LinearRotor, loads: RotorLoads, models: &[Arc<Model>]) -> Self {
         let mut start = 0;
         let mut layouts = vec![];
         for model in models {
@@ -90,13 +90,13 @@ impl<'m> RotorOnBearings<'m> {
     }
 
     /// Places of bearing `k`.
-    pub fn layout(&self, k: usize) -> Layout {
+    pub(crate) fn layout(&self, k: usize) -> Layout {
         self.layouts[k]
     }
 
     /// Sets the rotor in a state that holds the bearings, with speed and velocity along the axis: journals
     /// at these places with these velocities, in the shape that needs no force elsewhere.
-    pub fn set_rotor(
+    pub(crate) fn set_rotor(
         &mut self,
         y: &mut [f64],
         places: &[f64],
@@ -209,13 +209,13 @@ impl<'m> RotorOnBearings<'m> {
     }
 
     /// Kinetic and elastic energy of the rotor, J.
-    pub fn rotor_energy_j(&mut self, y: &[f64]) -> f64 {
+    pub(crate) fn rotor_energy_j(&mut self, y: &[f64]) -> f64 {
         let motion = self.motion(y);
         self.equations.energy_j(&motion)
     }
 
     /// What the rotor lacks to balance its ledger, and the sum of the absolute terms, J.
-    pub fn rotor_residual_j(&mut self, start_energy_j: f64, y: &[f64]) -> (f64, f64) {
+    pub(crate) fn rotor_residual_j(&mut self, start_energy_j: f64, y: &[f64]) -> (f64, f64) {
         let change = self.rotor_energy_j(y) - start_energy_j;
         let at = |term: RotorEnergyTerm| y[self.term(term)];
         let flows = [
@@ -229,14 +229,14 @@ impl<'m> RotorOnBearings<'m> {
     }
 
     /// Takes the displacements of the planes of the rotor from the centre of the stator.
-    pub fn look_at_planes(&mut self, y: &[f64]) {
+    pub(crate) fn look_at_planes(&mut self, y: &[f64]) {
         for (plane, path) in self.rotor.planes.iter().zip(&mut self.paths) {
             path.look(at(&plane.place, &y[self.start..]));
         }
     }
 
     /// The planes of the rotor with their largest displacements so far.
-    pub fn planes(&self) -> Vec<PlaneDisplacement> {
+    pub(crate) fn planes(&self) -> Vec<PlaneDisplacement> {
         let planes = self.rotor.planes.iter().zip(&self.paths);
         planes
             .map(|(plane, path)| PlaneDisplacement {
@@ -248,7 +248,7 @@ impl<'m> RotorOnBearings<'m> {
     }
 
     /// The equations of bearing `k`.
-    pub fn bearing(&self, k: usize) -> &RightHandSide {
+    pub(crate) fn bearing(&self, k: usize) -> &RightHandSide {
         &self.bearings[k]
     }
 }

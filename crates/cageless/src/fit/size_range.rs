@@ -94,7 +94,7 @@ pub(super) fn size_mm(size_m: f64) -> f64 {
 
 impl SizeRange {
     /// The range of a nominal size; `None` beyond 1 to 500 mm.
-    pub fn of(size_m: f64) -> Option<&'static Self> {
+    pub(super) fn of(size_m: f64) -> Option<&'static Self> {
         let mm = size_mm(size_m);
         let [least, most] = SIZES_MM;
         let is_ranged = mm >= least && mm <= most;
@@ -102,12 +102,12 @@ impl SizeRange {
     }
 
     /// ITn, n from 3 to 9.
-    pub fn tolerance_um(&self, grade: usize) -> f64 {
+    pub(super) fn tolerance_um(&self, grade: usize) -> f64 {
         self.tolerances_um[grade - 3]
     }
 
     /// Δ = ITn − IT(n−1) of holes; 0 up to 3 mm.
-    pub fn step_um(&self, grade: usize) -> f64 {
+    pub(super) fn step_um(&self, grade: usize) -> f64 {
         match self.to_mm > 3.0 {
             true => self.tolerance_um(grade) - self.tolerance_um(grade - 1),
             false => 0.0,
@@ -115,7 +115,7 @@ impl SizeRange {
     }
 
     /// ei of r.
-    pub fn r_um(size_m: f64) -> f64 {
+    pub(super) fn r_um(size_m: f64) -> f64 {
         let mm = size_mm(size_m);
         let found = R.iter().find(|(to_mm, _)| mm <= *to_mm);
         found.map_or(f64::NAN, |(_, um)| *um)

@@ -35,7 +35,7 @@ fn beyond(side: f64, value: f64) -> bool {
 
 impl Edges {
     /// Starts at the state of the last evaluation.
-    pub fn start<S: System>(&mut self, system: &S, y: &[f64]) {
+    pub(super) fn start<S: System>(&mut self, system: &S, y: &[f64]) {
         self.values.clear();
         system.edges(y, &mut self.values);
         self.sides.resize(self.values.len(), 0.0);
@@ -43,7 +43,7 @@ impl Edges {
     }
 
     /// Starts another attempt from the same state.
-    pub fn again(&mut self) {
+    pub(super) fn again(&mut self) {
         self.values.truncate(self.sides.len());
         self.nodes.clear();
         self.nodes.push(0.0);
@@ -71,7 +71,7 @@ impl Edges {
 
     /// Takes the state of the last evaluation at a share `node` of the step; returns the share
     /// at which the first edge is crossed, if one is.
-    pub fn crossed<S: System>(&mut self, system: &S, y: &[f64], node: f64) -> Option<f64> {
+    pub(super) fn crossed<S: System>(&mut self, system: &S, y: &[f64], node: f64) -> Option<f64> {
         let (count, sample) = (self.sides.len(), self.nodes.len());
         if count == 0 {
             return None;
@@ -125,7 +125,7 @@ impl Edges {
 
     /// Time at which an edge is deepest that the step crosses and crosses back between its
     /// samples, by the parabolas through three of them; the first if there are several.
-    pub fn hidden(&mut self) -> Option<f64> {
+    pub(super) fn hidden(&mut self) -> Option<f64> {
         let count = self.sides.len();
         self.ranges.clear();
         self.ranges.resize(count, [f64::INFINITY, 0.0]);

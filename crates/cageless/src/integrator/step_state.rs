@@ -92,7 +92,7 @@ pub(super) struct FixedSteps {
 }
 
 impl FixedSteps {
-    pub fn new(h: f64) -> Self {
+    pub(super) fn new(h: f64) -> Self {
         Self {
             h,
             start_s: 0.0,
@@ -100,13 +100,13 @@ impl FixedSteps {
         }
     }
 
-    pub fn restart(&mut self, time_s: f64) {
+    pub(super) fn restart(&mut self, time_s: f64) {
         (self.start_s, self.steps) = (time_s, 0);
     }
 
     /// End of the next step, at most `limit_s`, and whether it lies on the grid.
     #[inline(always)]
-    pub fn next_end(&mut self, limit_s: f64) -> (f64, bool) {
+    pub(super) fn next_end(&mut self, limit_s: f64) -> (f64, bool) {
         self.steps += 1;
         let regular = self.start_s + self.steps as f64 * self.h;
         let end = bounded(regular, limit_s, self.h);

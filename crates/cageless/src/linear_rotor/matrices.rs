@@ -47,9 +47,9 @@ pub struct Reduction {
 }
 
 /// Coordinates of a node.
-pub const NODE_COORDINATES: usize = 4;
+pub(super) const NODE_COORDINATES: usize = 4;
 /// Coordinates of a housing.
-pub const HOUSING_COORDINATES: usize = 2;
+pub(super) const HOUSING_COORDINATES: usize = 2;
 
 /// Asymmetry that rounding explains, as a fraction of the largest element.
 const ROUNDING: f64 = 1e-9;

@@ -26,7 +26,7 @@ pub(super) struct Lateral {
 
 impl Lateral {
     /// Changes to normal coordinates.
-    pub fn normal(self) -> Result<LinearRotor, RotorError> {
+    pub(super) fn normal(self) -> Result<LinearRotor, RotorError> {
         let not_definite = || RotorError::Property {
             name: "M",
             property: "positive definite",

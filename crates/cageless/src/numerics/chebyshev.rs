@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 /// A polynomial on [lo, hi], kept as powers of u = 2(x − lo)/(hi − lo) − 1 so that
 /// Horner's rule evaluates it without the cancellation of powers of x.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Polynomial {
+pub(crate) struct Polynomial {
     /// c₀ … c_d of Σ c_k u^k.
     pub coefficients: Vec<f64>,
     /// u = scale·x + shift.
@@ -19,7 +19,7 @@ impl Polynomial {
     /// coefficients are below `tolerance`, or the highest. A tolerance below the rounding
     /// of `f` only costs: high degrees amplify it. The ends themselves are not
     /// evaluated.
-    pub fn fit(f: impl Fn(f64) -> f64, lo: f64, hi: f64, tolerance: f64) -> Self {
+    pub(crate) fn fit(f: impl Fn(f64) -> f64, lo: f64, hi: f64, tolerance: f64) -> Self {
         let mut chebyshev = vec![];
         for degree in [14, 19, 24, 32, 40] {
             chebyshev = coefficients(&f, lo, hi, degree);
@@ -35,7 +35,7 @@ impl Polynomial {
     }
 
     /// Value at `x`.
-    pub fn value(&self, x: f64) -> f64 {
+    pub(crate) fn value(&self, x: f64) -> f64 {
         let u = self.scale * x + self.shift;
         self.coefficients
             .iter()
@@ -44,7 +44,7 @@ impl Polynomial {
     }
 
     /// Value and slope at `x`.
-    pub fn value_and_slope(&self, x: f64) -> [f64; 2] {
+    pub(crate) fn value_and_slope(&self, x: f64) -> [f64; 2] {
         let u = self.scale * x + self.shift;
         let mut both = [0.0; 2];
         for c in self.coefficients.iter().rev() {
@@ -74,7 +74,7 @@ fn coefficients(f: &impl Fn(f64) -> f64, lo: f64, hi: f64, degree: usize) -> Vec
 }
 
 /// Σ a_j T_j(u) as powers of u, by T_{j+1} = 2u T_j − T_{j−1}.
-pub fn to_powers(chebyshev: &[f64]) -> Vec<f64> {
+pub(crate) fn to_powers(chebyshev: &[f64]) -> Vec<f64> {
     let n = chebyshev.len();
     let mut powers = vec![0.0; n];
     let mut previous = vec![0.0; n];

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Complete elliptic integrals K(m) and E(m) of the first and second kind, with
 /// parameter m = k² in [0, 1), by the arithmetic–geometric mean
 /// (Abramowitz & Stegun, 17.6). For m = 1, K is infinite and E is 1.
-pub fn complete(m: f64) -> (f64, f64) {
+pub(crate) fn complete(m: f64) -> (f64, f64) {
     if m >= 1.0 {
         return (f64::INFINITY, 1.0);
     }

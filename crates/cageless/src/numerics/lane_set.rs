@@ -7,12 +7,12 @@ use super::lanes::{BATCH_WIDTH, LANES};
 pub(crate) struct LaneSet(u32);
 
 impl LaneSet {
-    pub const NONE: Self = Self(0);
-    pub const ALL: Self = Self(u32::MAX);
+    pub(crate) const NONE: Self = Self(0);
+    pub(crate) const ALL: Self = Self(u32::MAX);
 
     /// Those for which a test holds.
     #[inline(always)]
-    pub fn of(test: impl Fn(usize) -> bool) -> Self {
+    pub(crate) fn of(test: impl Fn(usize) -> bool) -> Self {
         // In a loop of its own, or the test does not become vector code.
         let mut bits = [0; LANES];
         for lane in 0..LANES {
@@ -23,7 +23,7 @@ impl LaneSet {
 
     /// Those of the bearing of this index, of one alone or of [`BATCH_WIDTH`], among the first `entries`.
     #[inline]
-    pub fn of_bearing(self, bearing: usize, alone: bool, entries: usize) -> Self {
+    pub(crate) fn of_bearing(self, bearing: usize, alone: bool, entries: usize) -> Self {
         const EVERY: u32 = u32::MAX / ((1 << BATCH_WIDTH) - 1);
         let own = if alone { u32::MAX } else { EVERY << bearing };
         Self(self.0 & own & ((1 << entries.min(LANES)) - 1))
@@ -31,13 +31,13 @@ impl LaneSet {
 
     /// These and others.
     #[inline(always)]
-    pub fn or(self, others: Self) -> Self {
+    pub(crate) fn or(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 
     /// Whether a lane is one of them.
     #[inline(always)]
-    pub fn has(self, lane: usize) -> bool {
+    pub(crate) fn has(self, lane: usize) -> bool {
         self.0 >> lane & 1 == 1
     }
 }

@@ -18,15 +18,15 @@ pub const BATCH_WIDTH: usize = 8;
 pub(crate) struct Lanes(pub [f64; LANES]);
 
 impl Lanes {
-    pub const ZERO: Self = Self([0.0; LANES]);
+    pub(crate) const ZERO: Self = Self([0.0; LANES]);
 
-    pub fn all(value: f64) -> Self {
+    pub(crate) fn all(value: f64) -> Self {
         Self([value; LANES])
     }
 
     /// Adds others times a factor.
     #[inline(always)]
-    pub fn add(&mut self, others: &Self, factor: f64) {
+    pub(crate) fn add(&mut self, others: &Self, factor: f64) {
         for lane in 0..LANES {
             self.0[lane] += factor * others.0[lane];
         }
@@ -34,7 +34,7 @@ impl Lanes {
 
     /// Sum of all lanes, one after the other.
     #[inline(always)]
-    pub fn sum(&self) -> f64 {
+    pub(crate) fn sum(&self) -> f64 {
         let mut sum = 0.0;
         for lane in 0..LANES {
             sum += self.0[lane];

@@ -19,7 +19,7 @@ pub(crate) struct Local<const N: usize> {
 
 impl<const N: usize> Local<N> {
     /// No energy.
-    pub fn nothing(place: [f64; N]) -> Self {
+    pub(crate) fn nothing(place: [f64; N]) -> Self {
         Self {
             place,
             energy: 0.0,
@@ -30,7 +30,7 @@ impl<const N: usize> Local<N> {
     }
 
     /// Sum of terms of the energy.
-    pub fn sum(place: [f64; N], terms: impl IntoIterator<Item = Taylor<N>>) -> Self {
+    pub(crate) fn sum(place: [f64; N], terms: impl IntoIterator<Item = Taylor<N>>) -> Self {
         let (mut sum, mut magnitude) = (Taylor::constant(0.0), 0.0);
         for term in terms {
             sum = sum + term;
@@ -46,7 +46,7 @@ impl<const N: usize> Local<N> {
     }
 
     /// Rounding of the energy.
-    pub fn rounding(&self) -> f64 {
+    pub(crate) fn rounding(&self) -> f64 {
         16.0 * f64::EPSILON * self.magnitude
     }
 }

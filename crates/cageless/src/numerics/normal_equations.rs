@@ -18,7 +18,7 @@ struct Factors {
 const PIVOT_MIN: f64 = 1e-12;
 
 impl NormalEquations {
-    pub fn new(unknowns: usize) -> Self {
+    pub(crate) fn new(unknowns: usize) -> Self {
         Self {
             matrix: vec![vec![0.0; unknowns]; unknowns],
             right: vec![0.0; unknowns],
@@ -26,7 +26,7 @@ impl NormalEquations {
     }
 
     /// Adds an error with its weight and its slopes over some of the unknowns.
-    pub fn add(
+    pub(crate) fn add(
         &mut self,
         slopes: impl Iterator<Item = (usize, f64)> + Clone,
         error: f64,
@@ -41,7 +41,7 @@ impl NormalEquations {
     }
 
     /// Solution and inverse of JᵀWJ, with those unknowns 0 that are held; `None` if errors leave another open.
-    pub fn solve(&self, held: &[bool]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+    pub(crate) fn solve(&self, held: &[bool]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
         let free: Vec<usize> = (0..self.right.len()).filter(|k| !held[*k]).collect();
         let factors = self.factors(&free)?;
         let spread = |part: Vec<f64>| {

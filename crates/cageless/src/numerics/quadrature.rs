@@ -12,7 +12,7 @@ const GAUSS_10: [(f64, f64); 5] = [
 
 /// ∫ f over [a, b] by the composite ten-point Gauss rule on `panels` panels.
 /// Exact to rounding for functions that a polynomial of degree 19 per panel follows.
-pub fn gauss(f: impl Fn(f64) -> f64, a: f64, b: f64, panels: usize) -> f64 {
+pub(crate) fn gauss(f: impl Fn(f64) -> f64, a: f64, b: f64, panels: usize) -> f64 {
     let half = (b - a) / (2 * panels) as f64;
     (0..panels)
         .map(|k| {

@@ -4,13 +4,13 @@
 /// to `tolerance` in the argument.
 ///
 /// Returns `None` if `f` has the same sign at both ends or is not finite there.
-pub fn brent(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Option<f64> {
+pub(crate) fn brent(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Option<f64> {
     try_brent(|x| Ok::<_, std::convert::Infallible>(f(x)), a, b, tolerance).unwrap_or(None)
 }
 
 /// The last place on the way from `good`, where `holds`, to `bad`, where it does not, by bisection to
 /// `tolerance`.
-pub fn last_where(mut good: f64, mut bad: f64, tolerance: f64, holds: impl Fn(f64) -> bool) -> f64 {
+pub(crate) fn last_where(mut good: f64, mut bad: f64, tolerance: f64, holds: impl Fn(f64) -> bool) -> f64 {
     while (bad - good).abs() > tolerance {
         let middle = 0.5 * (good + bad);
         match holds(middle) {
@@ -25,7 +25,7 @@ pub fn last_where(mut good: f64, mut bad: f64, tolerance: f64, holds: impl Fn(f6
 ///
 /// # Errors
 /// Errors of `f`.
-pub fn try_brent<E>(
+pub(crate) fn try_brent<E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
     a: f64,
     b: f64,
@@ -91,7 +91,7 @@ pub fn try_brent<E>(
 
 /// Root of a rising function.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Rise {
+pub(crate) enum Rise {
     /// Here, the last point at which it was evaluated.
     At(f64),
     /// Below the range: it is above zero at the low end.
@@ -110,7 +110,7 @@ pub enum Rise {
 ///
 /// # Errors
 /// Errors of `f`.
-pub fn try_rise<E>(
+pub(crate) fn try_rise<E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
     guess: f64,
     [low, high]: [f64; 2],

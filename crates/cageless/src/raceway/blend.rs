@@ -60,7 +60,7 @@ impl Blend {
     ///
     /// # Errors
     /// An [`InputError`] if it is too short or too long, or the angle does not fall over it.
-    pub fn new(
+    pub(super) fn new(
         flanks: impl Fn(f64) -> [f64; 2],
         half_angle_rad: f64,
         blend_m: f64,
@@ -83,7 +83,7 @@ impl Blend {
     }
 
     /// Blend over the last `length_rad` before the ends ±θ of a function and its slope over ψ.
-    pub fn over(flanks: impl Fn(f64) -> [f64; 2], half_angle_rad: f64, length_rad: f64) -> Self {
+    pub(super) fn over(flanks: impl Fn(f64) -> [f64; 2], half_angle_rad: f64, length_rad: f64) -> Self {
         let start_rad = half_angle_rad - length_rad;
         let slope_at = |local: f64| flanks(local)[1];
         // Far from the end in its own scale, where the slope is analytic.
@@ -106,12 +106,12 @@ impl Blend {
     }
 
     /// Local ψ at which the blend before +θ starts.
-    pub fn start_rad(&self) -> f64 {
+    pub(super) fn start_rad(&self) -> f64 {
         self.start_rad
     }
 
     /// Value and slope over ψ at local ψ beyond its start.
-    pub fn value_and_slope(&self, local_angle_rad: f64) -> [f64; 2] {
+    pub(super) fn value_and_slope(&self, local_angle_rad: f64) -> [f64; 2] {
         let local = local_angle_rad.abs();
         let [value, slope] = self.along((local - self.start_rad) / self.length_rad);
         [value, slope * local_angle_rad.signum()]

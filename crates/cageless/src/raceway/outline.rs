@@ -20,7 +20,7 @@ pub(super) struct Outline<'a> {
 
 impl Outline<'_> {
     /// α0, with sin α0 = lC/(2 Rw).
-    pub fn middle_rad(&self) -> f64 {
+    pub(super) fn middle_rad(&self) -> f64 {
         (self.axial_span_m / (2.0 * self.bearing.ball_radius_m())).asin()
     }
 }

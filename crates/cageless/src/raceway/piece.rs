@@ -67,27 +67,27 @@ impl Piece {
     }
 
     /// Local ψ at which it begins and ends.
-    pub fn range_rad(&self) -> [f64; 2] {
+    pub(crate) fn range_rad(&self) -> [f64; 2] {
         self.range_rad
     }
 
     /// sin²ψ where it begins and where it ends.
-    pub fn squares(&self) -> [f64; 2] {
+    pub(crate) fn squares(&self) -> [f64; 2] {
         self.range_rad.map(|angle| angle.sin().powi(2))
     }
 
     /// sin²ψ over which its polynomials are fitted.
-    pub fn domain(&self) -> [f64; 2] {
+    pub(crate) fn domain(&self) -> [f64; 2] {
         self.domain
     }
 
     /// r as a polynomial in sin²ψ.
-    pub fn radius(&self) -> &Polynomial {
+    pub(crate) fn radius(&self) -> &Polynomial {
         &self.radius
     }
 
     /// n and the polynomial P in sin²ψ of αc = (sin²θ − sin²ψ)ⁿ P, with sin²θ = `end`.
-    pub fn angle(&self, end: f64) -> (f64, Polynomial) {
+    pub(crate) fn angle(&self, end: f64) -> (f64, Polynomial) {
         let regular = |s: f64| self.flanks.regular(s, end);
         let [lo, hi] = self.domain;
         let polynomial = Polynomial::fit(regular, lo, hi, ANGLE_TOLERANCE);

@@ -24,7 +24,7 @@ const SLOPE_AT: f64 = 1e-12;
 
 impl PowerAngle {
     /// αc = α0 (1 − (ψ/θ)²)^p.
-    pub fn new(middle_rad: f64, half_angle_rad: f64, exponent: f64) -> Self {
+    pub(crate) fn new(middle_rad: f64, half_angle_rad: f64, exponent: f64) -> Self {
         let mut polynomial = [0.0; TERMS_MAX];
         polynomial[0] = 1.0;
         Self {
@@ -36,7 +36,7 @@ impl PowerAngle {
     }
 
     /// αc = (1 − (ψ/θ)²)^p times this polynomial in 2 (ψ/θ)² − 1.
-    pub fn with_polynomial(mut self, polynomial: [f64; TERMS_MAX]) -> Self {
+    pub(crate) fn with_polynomial(mut self, polynomial: [f64; TERMS_MAX]) -> Self {
         let [middle, _] = horner(&polynomial, -1.0);
         self.middle_rad = middle;
         self.polynomial = polynomial.map(|c| c / middle);
@@ -44,7 +44,7 @@ impl PowerAngle {
     }
 
     /// The same shape with another α0 and θ.
-    pub fn scaled(self, middle_rad: f64, half_angle_rad: f64) -> Self {
+    pub(crate) fn scaled(self, middle_rad: f64, half_angle_rad: f64) -> Self {
         Self {
             middle_rad,
             half_angle_rad,
@@ -53,12 +53,12 @@ impl PowerAngle {
     }
 
     /// α0.
-    pub fn middle_rad(&self) -> f64 {
+    pub(crate) fn middle_rad(&self) -> f64 {
         self.middle_rad
     }
 
     /// θ.
-    pub fn half_angle_rad(&self) -> f64 {
+    pub(crate) fn half_angle_rad(&self) -> f64 {
         self.half_angle_rad
     }
 
@@ -70,7 +70,7 @@ impl PowerAngle {
     }
 
     /// αc and dαc/dψ at local ψ within ±θ.
-    pub fn at(&self, local_angle_rad: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, local_angle_rad: f64) -> [f64; 2] {
         let (theta, p) = (self.half_angle_rad, self.exponent);
         let rest = (theta - local_angle_rad) * (theta + local_angle_rad) / (theta * theta);
         let slope_at = rest.max(SLOPE_AT);

@@ -50,7 +50,7 @@ impl SlotPlan {
     /// # Errors
     /// An [`InputError`] if the edges leave no slot between them, reach beyond the shoulders or
     /// the slot is shorter than wide.
-    pub fn new(outline: &Outline<'_>) -> Result<Self, InputError> {
+    pub(super) fn new(outline: &Outline<'_>) -> Result<Self, InputError> {
         let edge = outline.edge_radius_m;
         let d = outline.bearing.dimensions();
         let (rw, re) = (d.ball_radius_m, d.outer_groove_curvature_radius_m);

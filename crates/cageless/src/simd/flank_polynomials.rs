@@ -10,7 +10,7 @@ pub(super) struct FlankPolynomials(Vec<[f64; 6]>);
 
 impl FlankPolynomials {
     /// Those of a raceway.
-    pub fn new(raceway: Option<&RacewayModel>) -> Self {
+    pub(super) fn new(raceway: Option<&RacewayModel>) -> Self {
         let polynomials = raceway.map_or([&[][..]; 3], |r| {
             [&r.radius[..], &r.radius_slope, &r.ellipse]
         });
@@ -26,7 +26,7 @@ impl FlankPolynomials {
 
     /// The values at u; r has the bits of that of rigid flanks.
     #[inline(always)]
-    pub fn values(&self, u: f64) -> RacewayValues {
+    pub(super) fn values(&self, u: f64) -> RacewayValues {
         let square = u * u;
         let mut sums = [0.0; 6];
         for row in self.0.iter().rev() {

@@ -57,7 +57,7 @@ pub(crate) struct Parameters {
 impl Parameters {
     /// Constants of the balls of a block.
     #[inline(always)]
-    pub fn balls(&self, block: usize) -> &BallLanes {
+    pub(crate) fn balls(&self, block: usize) -> &BallLanes {
         if self.balls.len() == 1 {
             &self.balls[0]
         } else {
@@ -66,7 +66,7 @@ impl Parameters {
     }
 
     /// Sets what is given over time to its values at `time_s`.
-    pub fn set_time(&mut self, models: &[Arc<Model>], time_s: f64) {
+    pub(crate) fn set_time(&mut self, models: &[Arc<Model>], time_s: f64) {
         for lane in 0..LANES {
             let model = &models[lane % models.len()];
             if let Some(speed) = &model.inner_speed {
@@ -80,7 +80,7 @@ impl Parameters {
 
     /// Sets the surface speed of the inner raceway from a state under a rotor.
     #[inline(always)]
-    pub fn set_ring_speed(&mut self, y: &[f64]) {
+    pub(crate) fn set_ring_speed(&mut self, y: &[f64]) {
         let speed = ring_speeds(self.layout, y);
         for lane in 0..LANES {
             self.inner.surface_speed.0[lane] = speed.0[lane] * self.inner.radius.0[lane];
@@ -89,7 +89,7 @@ impl Parameters {
 
     /// Constants of the bearings whose places `layout` has; lane l belongs to bearing l modulo
     /// their number.
-    pub fn new(models: &[Arc<Model>], layout: Layout) -> Self {
+    pub(crate) fn new(models: &[Arc<Model>], layout: Layout) -> Self {
         let first = &models[0];
         let model = |lane: usize| &models[lane % models.len()];
         let raceways = models.iter().map(|m| m.raceway_models.len()).max();

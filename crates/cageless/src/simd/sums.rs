@@ -29,31 +29,31 @@ pub(super) enum Sum {
 }
 
 impl Sum {
-    pub const COUNT: usize = 16;
-    pub const NORMAL: [Self; 4] = [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
-    pub const FRICTION: [Self; 3] = [Self::Drive, Self::InnerFriction, Self::OuterFriction];
-    pub const RACEWAY_FRICTION: [Self; 5] = [
+    pub(super) const COUNT: usize = 16;
+    pub(super) const NORMAL: [Self; 4] = [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
+    pub(super) const FRICTION: [Self; 3] = [Self::Drive, Self::InnerFriction, Self::OuterFriction];
+    pub(super) const RACEWAY_FRICTION: [Self; 5] = [
         Self::RingX,
         Self::RingY,
         Self::Drive,
         Self::InnerFriction,
         Self::OuterFriction,
     ];
-    pub const PUBLISHED: [Self; 3] = [
+    pub(super) const PUBLISHED: [Self; 3] = [
         Self::Centrifugal,
         Self::FrictionDirection,
         Self::RelativeSpin,
     ];
-    pub const OUTER_RING: [Self; 2] = [Self::OuterX, Self::OuterY];
-    pub const RING_FRICTION: [Self; 5] = [
+    pub(super) const OUTER_RING: [Self; 2] = [Self::OuterX, Self::OuterY];
+    pub(super) const RING_FRICTION: [Self; 5] = [
         Self::RingX,
         Self::RingY,
         Self::RingTorque,
         Self::OuterX,
         Self::OuterY,
     ];
-    pub const HEAT: [Self; 2] = [Self::InnerFriction, Self::OuterFriction];
-    pub const BALL_CONTACTS: [Self; 2] = [Self::BallFriction, Self::BallDamping];
+    pub(super) const HEAT: [Self; 2] = [Self::InnerFriction, Self::OuterFriction];
+    pub(super) const BALL_CONTACTS: [Self; 2] = [Self::BallFriction, Self::BallDamping];
 }
 
 /// Number of partial sums: ball k adds to number k mod 4 and the four are added in one order,
@@ -72,13 +72,13 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    pub const ZERO: Self = Self {
+    pub(super) const ZERO: Self = Self {
         alone: [[0.0; PARTS]; Sum::COUNT],
         batch: [[[0.0; BATCH_WIDTH]; Sum::COUNT]; PARTS],
     };
 
     #[inline(always)]
-    pub fn clear(&mut self, alone: bool) {
+    pub(super) fn clear(&mut self, alone: bool) {
         if alone {
             self.alone = [[0.0; PARTS]; Sum::COUNT];
         } else {
@@ -88,7 +88,7 @@ impl Sums {
 
     /// Adds what the balls of block number `block` contribute to the sums `which`.
     #[inline(always)]
-    pub fn add(&mut self, which: &[Sum], addends: &Addends, alone: bool, block: usize) {
+    pub(super) fn add(&mut self, which: &[Sum], addends: &Addends, alone: bool, block: usize) {
         if alone {
             self.add_alone(which, addends);
         } else {
@@ -125,7 +125,7 @@ impl Sums {
 
     /// Total of one bearing; the only one has index 0.
     #[inline(always)]
-    pub fn total(&self, sum: Sum, alone: bool, bearing: usize) -> f64 {
+    pub(super) fn total(&self, sum: Sum, alone: bool, bearing: usize) -> f64 {
         let part = |part: usize| {
             if alone {
                 self.alone[sum as usize][part]

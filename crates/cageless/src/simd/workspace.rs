@@ -136,7 +136,7 @@ pub(crate) struct Workspace {
 }
 
 impl Workspace {
-    pub fn new(p: &Parameters, formulation: Formulation) -> Self {
+    pub(crate) fn new(p: &Parameters, formulation: Formulation) -> Self {
         let blocks = p.layout.stride / LANES;
         let zero = || vec![Lanes::ZERO; blocks];
         Self {

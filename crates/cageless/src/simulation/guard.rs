@@ -266,7 +266,7 @@ pub(super) struct Guard {
 }
 
 impl Guard {
-    pub fn new(model: &Arc<Model>, layout: Layout, case: &Case, start: &State) -> Self {
+    pub(super) fn new(model: &Arc<Model>, layout: Layout, case: &Case, start: &State) -> Self {
         let bearing = &case.bearing;
         let start_energy = model.energy_j(start);
         let gravity = case.operation.gravity_m_s2;
@@ -295,18 +295,18 @@ impl Guard {
         }
     }
 
-    pub fn start_energy_j(&self) -> f64 {
+    pub(super) fn start_energy_j(&self) -> f64 {
         self.start_energy
     }
 
     /// Whether the state after `steps` steps is to be checked.
     #[inline]
-    pub fn is_due(steps: u64) -> bool {
+    pub(super) fn is_due(steps: u64) -> bool {
         steps.is_multiple_of(LOOK_EVERY)
     }
 
     /// Checks the state after `steps` steps, with its contacts.
-    pub fn check(&self, steps: u64, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
+    pub(super) fn check(&self, steps: u64, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         self.look(contacts, values)?;
         match steps.is_multiple_of(BALANCE_EVERY) {
             true => self.balance(values),
@@ -315,7 +315,7 @@ impl Guard {
     }
 
     /// Checks a state with its contacts.
-    pub fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
+    pub(super) fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         let layout = self.layout;
         if let Some(fault) = self.model.friction_fault() {
             return Err(Cause::Friction(fault.clone()));

@@ -166,7 +166,7 @@ pub(crate) struct BallAngle {
 
 impl BallAngle {
     /// The angle, rad.
-    pub fn rad(&self) -> f64 {
+    pub(crate) fn rad(&self) -> f64 {
         unwrap_angle_rad(self.x_m.atan2(-self.y_m), self.recent_rad)
     }
 }

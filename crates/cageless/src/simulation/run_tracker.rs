@@ -20,7 +20,7 @@ pub(super) struct RunTracker<'s, 'o> {
 }
 
 impl<'s, 'o> RunTracker<'s, 'o> {
-    pub fn new(
+    pub(super) fn new(
         context: RunContext<'o>,
         watch: &'o mut Watch,
         observers: &'o mut [&'s mut dyn Observer],
@@ -45,12 +45,12 @@ impl<'s, 'o> RunTracker<'s, 'o> {
     }
 
     /// Whether the run of the bearing has not ended.
-    pub fn under_way(&self) -> bool {
+    pub(super) fn under_way(&self) -> bool {
         self.ending.is_none()
     }
 
     /// Ends here, unless it has already, at the state in `values`.
-    pub fn end(&mut self, ending: Ending, values: &[f64]) {
+    pub(super) fn end(&mut self, ending: Ending, values: &[f64]) {
         if self.under_way() {
             self.last = self.watch.state_in(values);
             self.ending = Some(ending);
@@ -58,13 +58,13 @@ impl<'s, 'o> RunTracker<'s, 'o> {
     }
 
     /// Ends at a step that the method could not make.
-    pub fn stop(&mut self, stop: Stop, values: &[f64]) {
+    pub(super) fn stop(&mut self, stop: Stop, values: &[f64]) {
         self.end(Ending::Stopped(stop), values);
     }
 
     /// Looks at a step, at whose end a bearing has these contacts, shows it to the observers, and ends at
     /// `until_s`.
-    pub fn follow<'c>(
+    pub(super) fn follow<'c>(
         &mut self,
         step: &StepState,
         contacts_of: impl Fn(usize) -> Contacts<'c>,
@@ -94,13 +94,13 @@ impl<'s, 'o> RunTracker<'s, 'o> {
     }
 
     /// Outcome of a whole run.
-    pub fn whole_outcome(self) -> RunOutcome {
+    pub(super) fn whole_outcome(self) -> RunOutcome {
         let case = self.context.case;
         self.outcome().of_whole_run(case)
     }
 
     /// Outcome of the run.
-    pub fn outcome(self) -> RunOutcome {
+    pub(super) fn outcome(self) -> RunOutcome {
         let ending = self.ending.unwrap_or(Ending::Interrupted);
         self.watch.outcome(ending, self.last, self.made)
     }

@@ -42,7 +42,7 @@ pub(super) struct Watch {
 
 impl Watch {
     /// The watch of the bearing with these places, numbered among those that are advanced together.
-    pub fn new(context: &RunContext<'_>, layout: Layout, bearing: usize) -> Self {
+    pub(super) fn new(context: &RunContext<'_>, layout: Layout, bearing: usize) -> Self {
         let RunContext { case, model, .. } = context;
         let mut watch = Self {
             model: Arc::clone(model),
@@ -61,7 +61,7 @@ impl Watch {
     }
 
     /// Sets how often position angles are brought up to date, from the speed of a case.
-    pub fn look_as_often_as(&mut self, case: &Case) {
+    pub(super) fn look_as_often_as(&mut self, case: &Case) {
         let rolling = case.rolling_orbit_speed_rad_s();
         let orbit = if case.has_constant_operation() {
             rolling
@@ -72,7 +72,7 @@ impl Watch {
     }
 
     /// Right-hand side of snapshots within a step.
-    pub fn interpolator(&mut self) -> &mut RightHandSide {
+    pub(super) fn interpolator(&mut self) -> &mut RightHandSide {
         self.interpolator.get_mut()
     }
 
@@ -80,7 +80,7 @@ impl Watch {
     ///
     /// # Errors
     /// The state has left the physical range.
-    pub fn look<'c>(
+    pub(super) fn look<'c>(
         &mut self,
         case: &Case,
         step: &StepState,
@@ -109,7 +109,7 @@ impl Watch {
     }
 
     /// View of the step.
-    pub fn view<'a>(&'a self, step: &'a StepState, contacts: Contacts<'a>) -> StepView<'a> {
+    pub(super) fn view<'a>(&'a self, step: &'a StepState, contacts: Contacts<'a>) -> StepView<'a> {
         StepView {
             step,
             contacts,
@@ -121,7 +121,7 @@ impl Watch {
     }
 
     /// Continuous ψ of each ball at the end of a step, rad.
-    pub fn angles_rad(&self, step: &StepState) -> Vec<f64> {
+    pub(super) fn angles_rad(&self, step: &StepState) -> Vec<f64> {
         let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
         let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);
         let centre = self.layout.outer_ring_motion(&step.y1);
@@ -133,17 +133,17 @@ impl Watch {
     }
 
     /// Index of the bearing among those that are advanced together.
-    pub fn bearing(&self) -> usize {
+    pub(super) fn bearing(&self) -> usize {
         self.bearing
     }
 
     /// State of the bearing in a vector of all.
-    pub fn state_in(&self, values: &[f64]) -> State {
+    pub(super) fn state_in(&self, values: &[f64]) -> State {
         State::from_vector(self.layout, values)
     }
 
     /// Outcome of a run that ended so.
-    pub fn outcome(&self, ending: Ending, last: State, made: Made) -> RunOutcome {
+    pub(super) fn outcome(&self, ending: Ending, last: State, made: Made) -> RunOutcome {
         let start_energy_j = self.guard.start_energy_j();
         let (residual, flows) = self.model.energy_residual_j(start_energy_j, &last);
         let least = ENERGY_MIN_J.max(ROUNDING_FRACTION * start_energy_j);

@@ -20,7 +20,7 @@ impl MadeRaceway {
     ///
     /// # Errors
     /// No raceway has such dimensions.
-    pub fn moved(&self, bearing: &Bearing, step: [f64; 4]) -> Result<Self, InputError> {
+    pub(super) fn moved(&self, bearing: &Bearing, step: [f64; 4]) -> Result<Self, InputError> {
         let [span, angle, turn, depth] = step;
         let d = self.raceway.dimensions();
         let dimensions = RacewayDimensions {
@@ -37,7 +37,7 @@ impl MadeRaceway {
     }
 
     /// Section at ψ in a groove of this frame; `None` outside the raceway.
-    pub fn meridian(&self, frame: &SectionFrame, angle_rad: f64) -> Option<Meridian> {
+    pub(super) fn meridian(&self, frame: &SectionFrame, angle_rad: f64) -> Option<Meridian> {
         let local = self.raceway.local_angle_rad(angle_rad);
         (local.abs() < self.raceway.half_angle_rad()).then(|| {
             let mut frame = frame.deeper(self.raceway.depth_at_m(angle_rad));

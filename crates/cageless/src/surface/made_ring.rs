@@ -63,7 +63,7 @@ pub(super) type Neighbours = Vec<Option<[[MadeRaceway; 2]; RACEWAY]>>;
 
 impl MadeRing {
     /// The ring of a case as drawn, in its own frame.
-    pub fn drawn(case: &Case) -> Self {
+    pub(super) fn drawn(case: &Case) -> Self {
         let first = &case.raceways[0];
         let slots = case.raceways.iter().filter_map(|raceway| {
             let slot = raceway.slot()?;
@@ -91,7 +91,7 @@ impl MadeRing {
     }
 
     /// With raceways of the drawing's place and dimensions, and the drawing's groove, turned by as much as they were made.
-    pub fn as_drawn(&self, case: &Case, turn_rad: f64) -> Self {
+    pub(super) fn as_drawn(&self, case: &Case, turn_rad: f64) -> Self {
         let mut drawn = Self::drawn(case);
         for (made, drawn) in self.raceways.iter().zip(&mut drawn.raceways) {
             *drawn = drawn.take().filter(|_| made.is_some());
@@ -103,7 +103,7 @@ impl MadeRing {
     ///
     /// # Errors
     /// That of a raceway beyond a turn.
-    pub fn turned(&self, case: &Case, turn_rad: f64) -> Result<Self, InputError> {
+    pub(super) fn turned(&self, case: &Case, turn_rad: f64) -> Result<Self, InputError> {
         let raceways = self.raceways.iter().map(|raceway| {
             let Some(raceway) = raceway else {
                 return Ok(None);
@@ -124,7 +124,7 @@ impl MadeRing {
     ///
     /// # Errors
     /// No raceway has such a span.
-    pub fn scaled(&self, case: &Case, factor: f64) -> Result<Self, InputError> {
+    pub(super) fn scaled(&self, case: &Case, factor: f64) -> Result<Self, InputError> {
         let raceways = self.raceways.iter().map(|raceway| match raceway {
             Some(raceway) if factor > 0.0 => {
                 let span_m = raceway.raceway.dimensions().axial_span_m;
@@ -160,7 +160,7 @@ impl MadeRing {
     }
 
     /// Re − Rw as drawn.
-    pub fn offset_m(&self) -> f64 {
+    pub(super) fn offset_m(&self) -> f64 {
         self.drawn.offset_m
     }
 
@@ -173,7 +173,7 @@ impl MadeRing {
     }
 
     /// Whether a point belongs to the groove: neither to a slot nor to shoulders and faces.
-    pub fn has(&self, point_m: Vec3) -> bool {
+    pub(super) fn has(&self, point_m: Vec3) -> bool {
         let [x, y, z] = self.pose.in_ring_m(point_m);
         let (radius, angle) = (x.hypot(y), x.atan2(-y));
         let frame = self.frame();
@@ -193,7 +193,7 @@ impl MadeRing {
     }
 
     /// Distance of a point from the groove, positive inside the material, and the raceway that it lies on.
-    pub fn distance_m(&self, point_m: Vec3) -> (f64, Option<usize>) {
+    pub(super) fn distance_m(&self, point_m: Vec3) -> (f64, Option<usize>) {
         self.distance_in_ring_m(&self.frame(), self.pose.in_ring_m(point_m))
     }
 
@@ -206,7 +206,7 @@ impl MadeRing {
     ///
     /// # Errors
     /// No raceway has such dimensions.
-    pub fn neighbours(&self, case: &Case) -> Result<Neighbours, InputError> {
+    pub(super) fn neighbours(&self, case: &Case) -> Result<Neighbours, InputError> {
         let around = |made: &MadeRaceway| {
             let moved = |k: usize, sign: f64| {
                 let mut step = [0.0; RACEWAY];
@@ -222,7 +222,7 @@ impl MadeRing {
     }
 
     /// A point with the derivatives of its distance.
-    pub fn observed(&self, neighbours: &Neighbours, point_m: Vec3) -> Observed {
+    pub(super) fn observed(&self, neighbours: &Neighbours, point_m: Vec3) -> Observed {
         let (frame, place) = (self.frame(), self.pose.in_ring_m(point_m));
         let (error_m, raceway) = self.distance_in_ring_m(&frame, place);
         let [x, y, z] = place;
@@ -296,7 +296,7 @@ impl MadeRing {
     ///
     /// # Errors
     /// No raceway has such dimensions.
-    pub fn moved(&self, case: &Case, step: &[f64]) -> Result<Self, InputError> {
+    pub(super) fn moved(&self, case: &Case, step: &[f64]) -> Result<Self, InputError> {
         let mut ring = self.clone();
         (0..3).for_each(|k| ring.pose.shift_m[k] += step[k]);
         (0..2).for_each(|k| ring.pose.tilt_rad[k] += step[3 + k]);
@@ -312,7 +312,7 @@ impl MadeRing {
 
     /// A point of the machine in the frame of the ring, where it would be as far from the groove with the radii of the
     /// drawing.
-    pub fn on_drawn_radii_m(&self, point_m: Vec3) -> Vec3 {
+    pub(super) fn on_drawn_radii_m(&self, point_m: Vec3) -> Vec3 {
         let place = self.pose.in_ring_m(point_m);
         let [x, y, z] = place;
         let frame = self.frame();

@@ -27,7 +27,7 @@ pub(super) struct Steps {
 
 impl Row {
     /// That of a stretch at a place.
-    pub fn new(stretch: Stretch<'_>, at: f64, steps: Steps) -> Self {
+    pub(super) fn new(stretch: Stretch<'_>, at: f64, steps: Steps) -> Self {
         let (ring, recess) = match stretch {
             Stretch::Groove(ring, sector) => {
                 return Self::groove(ring.meridian_in(sector, at), steps.groove);

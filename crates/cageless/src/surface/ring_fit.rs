@@ -54,7 +54,7 @@ enum Loss {
 
 impl RingFit {
     /// The ring that fits points of a groove best, from a first guess; `None` if they leave it open.
-    pub fn of(case: &Case, guess: MadeRing, points_m: &[Vec3]) -> Option<Self> {
+    pub(super) fn of(case: &Case, guess: MadeRing, points_m: &[Vec3]) -> Option<Self> {
         let stride = points_m.len().div_ceil(FIRST_POINTS).max(1);
         let first: Vec<Vec3> = points_m.iter().step_by(stride).copied().collect();
         let mut ring = guess;
@@ -91,22 +91,22 @@ impl RingFit {
     }
 
     /// Shift, m.
-    pub fn shift_m(&self) -> [MeasuredValue; 3] {
+    pub(super) fn shift_m(&self) -> [MeasuredValue; 3] {
         [0, 1, 2].map(|k| self.measured(k, self.ring.pose.shift_m[k]))
     }
 
     /// Tilt about x and y, rad.
-    pub fn tilt_rad(&self) -> [MeasuredValue; 2] {
+    pub(super) fn tilt_rad(&self) -> [MeasuredValue; 2] {
         [0, 1].map(|k| self.measured(3 + k, self.ring.pose.tilt_rad[k]))
     }
 
     /// Changes of Ro and Re, m.
-    pub fn sizes_m(&self) -> [MeasuredValue; 2] {
+    pub(super) fn sizes_m(&self) -> [MeasuredValue; 2] {
         [0, 1].map(|k| self.measured(5 + k, self.ring.sizes_m[k]))
     }
 
     /// lC, θ, ψ of the middle and depth error of a raceway; `None` if it is none.
-    pub fn raceway(&self, index: usize) -> Option<[MeasuredValue; RACEWAY]> {
+    pub(super) fn raceway(&self, index: usize) -> Option<[MeasuredValue; RACEWAY]> {
         let made = self.ring.raceways[index].as_ref()?;
         let d = made.raceway.dimensions();
         let values = [
@@ -120,7 +120,7 @@ impl RingFit {
     }
 
     /// Largest distance of a point of the plain groove that is no outlier, m.
-    pub fn gate_m(&self, raceway: Option<usize>) -> f64 {
+    pub(super) fn gate_m(&self, raceway: Option<usize>) -> f64 {
         gate_m(self.deviations_m[raceway.map_or(0, |k| k + 1)])
     }
 }

@@ -18,7 +18,7 @@ pub(super) enum Stretch<'a> {
 
 impl<'a> Stretch<'a> {
     /// Those of a sector in the order of ψ, with the range of what they go over.
-    pub fn of(ring: &'a OuterRing, sector: &'a RingSector) -> Vec<(Self, [f64; 2])> {
+    pub(super) fn of(ring: &'a OuterRing, sector: &'a RingSector) -> Vec<(Self, [f64; 2])> {
         let groove = Self::Groove(ring, sector);
         let Some(recess) = sector.slot.map(|k| &ring.recesses()[k]) else {
             return vec![(groove, [sector.start_rad, sector.end_rad])];
@@ -38,12 +38,12 @@ impl<'a> Stretch<'a> {
     }
 
     /// Whether its last row is the tip of a slot.
-    pub fn ends_in_tip(self) -> bool {
+    pub(super) fn ends_in_tip(self) -> bool {
         matches!(self, Self::End(_, _, end) if end > 0.0)
     }
 
     /// Place of the edge of a slot on a side, 1 or −1.
-    pub fn place(self, side: f64, at: f64) -> EdgePlace {
+    pub(super) fn place(self, side: f64, at: f64) -> EdgePlace {
         match self {
             Self::End(_, _, end) => EdgePlace::End(end, side * at),
             _ => EdgePlace::Straight(side, at),
@@ -51,7 +51,7 @@ impl<'a> Stretch<'a> {
     }
 
     /// Both edges of a slot, lower and upper.
-    pub fn edges(self, recess: &Recess, at: f64) -> [Edge; 2] {
+    pub(super) fn edges(self, recess: &Recess, at: f64) -> [Edge; 2] {
         [-1.0, 1.0].map(|side| recess.edge(self.place(side, at)))
     }
 }

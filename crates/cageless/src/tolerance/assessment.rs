@@ -137,7 +137,7 @@ pub struct Samples {
 }
 
 /// Fraction of the bearings that have to pass for the tolerances to pass.
-pub const PASS_FRACTION: f64 = 0.95;
+pub(super) const PASS_FRACTION: f64 = 0.95;
 
 impl Samples {
     /// Whether 95 % of all bearings pass; `None` where the interval leaves it open.

@@ -30,7 +30,7 @@ pub(super) struct MomentumBalance {
 
 impl MomentumBalance {
     /// |momentum now − momentum at the start − impulses| over the sum of absolute impulses.
-    pub fn residual_relative(&self) -> f64 {
+    pub(super) fn residual_relative(&self) -> f64 {
         let [x, y, z] = [0, 1, 2].map(|k| self.now[k] - self.start[k] - self.impulse[k]);
         if self.absolute_impulse > 0.0 {
             x.hypot(y).hypot(z) / self.absolute_impulse

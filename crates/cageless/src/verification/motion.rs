@@ -20,17 +20,17 @@ pub(super) struct MotionRecorder {
 
 impl MotionRecorder {
     /// Standard deviations of the ring's x and y over time, m.
-    pub fn ring_deviation_m(&self) -> [f64; 2] {
+    pub(super) fn ring_deviation_m(&self) -> [f64; 2] {
         self.ring.map(|m| m.deviation())
     }
 
     /// Mean orbital speed of the balls, rad/s.
-    pub fn orbit_speed_rad_s(&self) -> f64 {
+    pub(super) fn orbit_speed_rad_s(&self) -> f64 {
         self.orbit.mean()
     }
 
     /// Mean absolute spin of the balls, rad/s.
-    pub fn rotation_rad_s(&self) -> f64 {
+    pub(super) fn rotation_rad_s(&self) -> f64 {
         self.spin.mean()
     }
 }

@@ -32,7 +32,7 @@ pub(super) struct TrajectoryRecorder {
 
 impl TrajectoryRecorder {
     /// Recorder of the states at `times`, ascending.
-    pub fn new(times: Vec<f64>) -> Self {
+    pub(super) fn new(times: Vec<f64>) -> Self {
         Self {
             times,
             ..Self::default()
@@ -40,12 +40,12 @@ impl TrajectoryRecorder {
     }
 
     /// State at the k-th time; `None` if the run did not get there.
-    pub fn state(&self, k: usize) -> Option<&[f64]> {
+    pub(super) fn state(&self, k: usize) -> Option<&[f64]> {
         self.values.get(k * self.width..(k + 1) * self.width)
     }
 
     /// The times.
-    pub fn times_s(&self) -> &[f64] {
+    pub(super) fn times_s(&self) -> &[f64] {
         &self.times
     }
 }

@@ -15,7 +15,7 @@ pub(super) struct Oscillator {
 
 impl Oscillator {
     /// Oscillator at rest under `force`.
-    pub fn new(housing: &Housing, h: f64, force: f64) -> Self {
+    pub(super) fn new(housing: &Housing, h: f64, force: f64) -> Self {
         let (m, k, c) = (
             housing.mass_kg,
             housing.stiffness_n_m,
@@ -31,7 +31,7 @@ impl Oscillator {
     }
 
     /// Advances one interval; returns the acceleration at its end.
-    pub fn push(&mut self, force: f64) -> f64 {
+    pub(super) fn push(&mut self, force: f64) -> f64 {
         let rest = force / self.stiffness;
         let [[a, b], [c, d]] = self.propagator;
         let (x, v) = (self.state[0] - rest, self.state[1]);

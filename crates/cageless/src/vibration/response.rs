@@ -22,7 +22,7 @@ pub(super) struct Response {
 
 impl Response {
     /// Recorder for a housing, sampled at `rate_hz`, without the transient before `after_s`.
-    pub fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
+    pub(super) fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
         let measurement = Measurement::new(HOUSING_INTERVAL_S, rate_hz, after_s);
         Self {
             housing: housing.clone(),
@@ -36,14 +36,14 @@ impl Response {
     }
 
     /// Takes the force at the start of a run.
-    pub fn begin(&mut self, context: &RunContext<'_>) {
+    pub(super) fn begin(&mut self, context: &RunContext<'_>) {
         let mut rhs = crate::dynamics::RightHandSide::new(context.model);
         let snapshot = rhs.snapshot(0.0, context.start, context.start_angle_rad);
         self.last_force = [snapshot.ring.outer_force_x_n, snapshot.ring.outer_force_y_n];
     }
 
     /// Adds what acted until `to_s`, where the force is `force`, closing samples on the way.
-    pub fn add(&mut self, from_s: f64, to_s: f64, force: [f64; 2]) {
+    pub(super) fn add(&mut self, from_s: f64, to_s: f64, force: [f64; 2]) {
         let slope = |k: usize| (force[k] - self.last_force[k]) / (to_s - from_s);
         let slopes = [slope(0), slope(1)];
         let mut at = from_s;

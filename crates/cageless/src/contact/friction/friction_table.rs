@@ -38,7 +38,7 @@ lane_struct! {
 
 impl Piece {
     /// A piece that is never reached.
-    pub const BEYOND: Self = Self {
+    pub(super) const BEYOND: Self = Self {
         start: f64::INFINITY,
         c0: 0.0,
         c1: 0.0,
@@ -56,7 +56,7 @@ impl Piece {
 
     /// μ and dμ/d|ΔV|.
     #[inline(always)]
-    pub fn coefficient(&self, speed: f64) -> [f64; 2] {
+    pub(super) fn coefficient(&self, speed: f64) -> [f64; 2] {
         let t = speed - self.start;
         [
             self.c0 + t * (self.c1 + t * (self.c2 + t * self.c3)),

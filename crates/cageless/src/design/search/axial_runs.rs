@@ -7,7 +7,7 @@ use super::request::Stage;
 
 impl Batch<'_, '_> {
     /// Lags of some structures in space without and under the largest axial load, and what they reject.
-    pub fn axial_lags(&mut self, of: &mut [&mut Evaluation]) -> Result<(), Interrupted> {
+    pub(super) fn axial_lags(&mut self, of: &mut [&mut Evaluation]) -> Result<(), Interrupted> {
         let loads_n = [0.0, self.request.axial_load_max_n];
         let mut jobs = vec![];
         for e in of.iter().filter(|e| !e.axial.is_empty()) {

@@ -218,12 +218,12 @@ impl Evaluation {
 
 impl Batch<'_, '_> {
     /// Whether the flanks are elastic.
-    pub fn elastic(&self) -> bool {
+    pub(super) fn elastic(&self) -> bool {
         !self.row_seats.is_empty()
     }
 
     /// Closed forms of equal raceways.
-    pub fn closed_forms(&self, raceways: &[Raceway]) -> ClosedForms {
+    pub(super) fn closed_forms(&self, raceways: &[Raceway]) -> ClosedForms {
         match self.elastic() {
             true => ClosedForms::elastic(self.bearing, raceways, &self.row_seats),
             false => ClosedForms::new(self.bearing, raceways),
@@ -231,7 +231,7 @@ impl Batch<'_, '_> {
     }
 
     /// Whether a structure lies within what was asked for.
-    pub fn within(&self, structure: &RacewayLayout) -> bool {
+    pub(super) fn within(&self, structure: &RacewayLayout) -> bool {
         let inside = |range: Option<[f64; 2]>, value: f64| {
             // Snapping to whole micrometres may step over an end by rounding.
             range.is_none_or(|[low, high]| {
@@ -242,7 +242,7 @@ impl Batch<'_, '_> {
             && inside(self.request.half_angle_range_rad, structure.half_angle_rad)
     }
 
-    pub fn execute(&mut self, stage: Stage, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
+    pub(super) fn execute(&mut self, stage: Stage, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
         if jobs.is_empty() {
             return Ok(vec![]);
         }
@@ -254,7 +254,7 @@ impl Batch<'_, '_> {
     }
 
     /// Critical gap and stress of all that are not rejected.
-    pub fn spacing(
+    pub(super) fn spacing(
         &mut self,
         stage: Stage,
         evaluations: &mut [Evaluation],
@@ -295,7 +295,7 @@ impl Batch<'_, '_> {
     }
 
     /// Motion of at most `limit` of those that are not rejected, spread evenly over them.
-    pub fn motion(
+    pub(super) fn motion(
         &mut self,
         stage: Stage,
         evaluations: &mut [Evaluation],
@@ -352,14 +352,14 @@ impl Batch<'_, '_> {
     }
 
     /// Simulations of all balls that the confirmation of one structure takes.
-    pub fn of_confirmation(&self) -> usize {
+    pub(super) fn of_confirmation(&self) -> usize {
         self.request.points.len() * (self.request.confirming_starts() as usize + 1)
     }
 
     /// Numbers of one structure from [`Request::confirming_starts`] and a bunched start, whether it is
     /// acceptable or not. What is read from the motion is required of the means over the drawn starts, and
     /// of the bunched one by itself, which a mean would hide.
-    pub fn confirm(
+    pub(super) fn confirm(
         &mut self,
         role: Role,
         structure: &RacewayLayout,

@@ -7,7 +7,7 @@ use cobyla::{Func, RhoBeg, StopTols, minimize};
 
 /// Objective and constraints (0 or more is kept) at one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value<const C: usize> {
+pub(super) struct Value<const C: usize> {
     /// Objective to minimise.
     pub objective: f64,
     /// Constraints, each satisfied at 0 or more.
@@ -16,7 +16,7 @@ pub struct Value<const C: usize> {
 
 /// The best place near 0 found by about `evaluations` of the model within ±`reach`, in units of the
 /// caller's steps; `None` if no place but the start was better and kept to the constraints.
-pub fn minimise<const C: usize>(
+pub(super) fn minimise<const C: usize>(
     reach: f64,
     evaluations: usize,
     start: Value<C>,

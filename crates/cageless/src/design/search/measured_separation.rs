@@ -8,7 +8,7 @@ pub(super) struct MeasuredSeparation {
 
 impl MeasuredSeparation {
     /// Sorts the cells of each line by β0 over the steady gap; no line may be empty.
-    pub fn new(lines: impl Iterator<Item = (f64, Vec<[f64; 2]>)>) -> Self {
+    pub(super) fn new(lines: impl Iterator<Item = (f64, Vec<[f64; 2]>)>) -> Self {
         let sorted = lines.map(|(half_angle_rad, mut cells)| {
             cells.sort_by(|a, b| a[0].total_cmp(&b[0]));
             (half_angle_rad, cells)
@@ -20,7 +20,7 @@ impl MeasuredSeparation {
 
     /// Critical gap over the steady gap that a raceway of this θ and β0 over the steady gap is expected to have:
     /// linear between the cells of the nearest line.
-    pub fn expected(&self, half_angle_rad: f64, fraction: f64) -> f64 {
+    pub(super) fn expected(&self, half_angle_rad: f64, fraction: f64) -> f64 {
         let apart = |line: &&(f64, Vec<[f64; 2]>)| (line.0 - half_angle_rad).abs();
         let nearest = self.lines.iter();
         let nearest = nearest.min_by(|a, b| apart(a).total_cmp(&apart(b)));

@@ -41,7 +41,7 @@ pub(super) struct Totals {
 
 impl Totals {
     /// Force on the inner ring and moment about its centre.
-    pub fn on_ring(&self) -> [Vector; 2] {
+    pub(super) fn on_ring(&self) -> [Vector; 2] {
         let [fx, fy, fz, mx, my, mz] = self.ring;
         [Vector::new(fx, fy, fz), Vector::new(mx, my, mz)]
     }

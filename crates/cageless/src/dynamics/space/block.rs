@@ -105,7 +105,7 @@ pub(crate) struct SpaceBlock {
 
 impl SpaceBlock {
     /// Work arrays of the balls from `first` on.
-    pub fn new(model: &Model, space: &SpaceModel, first: usize) -> Self {
+    pub(crate) fn new(model: &Model, space: &SpaceModel, first: usize) -> Self {
         let ball = |lane: usize| Some(first + lane).filter(|k| *k < model.layout.balls);
         let of_balls = |value: &dyn Fn(usize) -> f64, padding: f64| {
             Lanes(std::array::from_fn(|lane| {
@@ -161,7 +161,7 @@ impl SpaceBlock {
 
     /// V of the balls in a vector.
     #[inline(always)]
-    pub fn velocities(&self, layout: Layout, y: &[f64], block: usize) -> [Lanes; SIZE] {
+    pub(crate) fn velocities(&self, layout: Layout, y: &[f64], block: usize) -> [Lanes; SIZE] {
         let mut velocities = [Lanes::ZERO; SIZE];
         for i in 0..SIZE {
             let (coordinate, sign) = VELOCITIES[i];
@@ -180,14 +180,14 @@ impl SpaceBlock {
 
     /// κ at a place.
     #[inline(always)]
-    pub fn curvature_at(&self, place: usize) -> &Lanes {
+    pub(crate) fn curvature_at(&self, place: usize) -> &Lanes {
         &self.curvature[usize::from(place == INNER)]
     }
 
     /// Sliding at a place of balls with these velocities, with the rings at the start (0) or the end (1)
     /// of the step.
     #[inline(always)]
-    pub fn sliding(&self, place: usize, velocity: &[Lanes; SIZE], end: usize) -> SlidingLanes {
+    pub(crate) fn sliding(&self, place: usize, velocity: &[Lanes; SIZE], end: usize) -> SlidingLanes {
         let at_rest = &self.at_rest[end][place];
         let mut sliding = SlidingLanes::ZERO;
         for lane in 0..LANES {

@@ -75,7 +75,7 @@ lane_struct! {
 impl TractionLanes {
     /// Adds a strip at x with this force along τ and l and this moment.
     #[inline(always)]
-    pub fn add(&mut self, lane: usize, strip: [f64; 3], x_m: f64, curvature: f64) {
+    pub(super) fn add(&mut self, lane: usize, strip: [f64; 3], x_m: f64, curvature: f64) {
         let [along, across, moment] = strip;
         let bend = curvature * x_m * x_m;
         self.along.0[lane] += along;
@@ -105,7 +105,7 @@ impl Frame {
 
     /// Sliding of a ball at rest against a ring with this velocity of its centre and rotation.
     #[inline(always)]
-    pub fn sliding_at_rest(&self, velocity: [f64; 3], rotation: [f64; 3]) -> Sliding {
+    pub(crate) fn sliding_at_rest(&self, velocity: [f64; 3], rotation: [f64; 3]) -> Sliding {
         let [normal, across, along] = self.axes();
         let turning = cross(rotation, self.arm());
         let mut surface = [0.0; 3];
@@ -124,7 +124,7 @@ impl Frame {
     /// Sliding of a ball with these velocities against a ring at which a ball at rest slides with
     /// `at_rest`.
     #[inline(always)]
-    pub fn sliding(&self, v: [f64; SIZE], inverse_radius: f64, at_rest: &Sliding) -> Sliding {
+    pub(crate) fn sliding(&self, v: [f64; SIZE], inverse_radius: f64, at_rest: &Sliding) -> Sliding {
         let [normal, across, along] = self.axes();
         let (linear, turning) = ([v[0], v[1], v[2]], [v[3], v[4], v[5]]);
         let (roll, yaw) = (dot(across, turning), dot(along, turning));
@@ -139,7 +139,7 @@ impl Frame {
 
     /// What makes V the sliding along τ and l and the spin times R.
     #[inline(always)]
-    pub fn rows(&self) -> [[f64; SIZE]; 3] {
+    pub(crate) fn rows(&self) -> [[f64; SIZE]; 3] {
         let [n, l, t] = self.axes();
         [
             [t[0], t[1], t[2], -l[0], -l[1], -l[2]],
@@ -150,7 +150,7 @@ impl Frame {
 
     /// Force on the ball.
     #[inline(always)]
-    pub fn on_ball(&self, traction: &Traction, inverse_radius: f64) -> [f64; SIZE] {
+    pub(crate) fn on_ball(&self, traction: &Traction, inverse_radius: f64) -> [f64; SIZE] {
         let [n, l, t] = self.axes();
         let (along, across) = (traction.along, traction.across);
         let spin = traction.spin * inverse_radius;
@@ -166,7 +166,7 @@ impl Frame {
 
     /// Force on the inner ring and moment about its centre.
     #[inline(always)]
-    pub fn on_ring(&self, traction: &Traction) -> [f64; SIZE] {
+    pub(crate) fn on_ring(&self, traction: &Traction) -> [f64; SIZE] {
         let [n, l, t] = self.axes();
         let mut force = [0.0; SIZE];
         for i in 0..3 {

@@ -40,7 +40,7 @@ lane_struct! {
 impl InnerTouch {
     /// **n** from the ball into the ring, **l** across the groove and **τ** = **n** × **l**.
     #[inline(always)]
-    pub fn axes(&self, axis: [f64; 3]) -> [[f64; 3]; 3] {
+    pub(crate) fn axes(&self, axis: [f64; 3]) -> [[f64; 3]; 3] {
         let direction = [self.direction_x, self.direction_y, self.direction_z];
         let still = [0.0; 3];
         let normal = plus(plus(still, -self.cosine, direction), -self.sine, axis);
@@ -52,7 +52,7 @@ impl InnerTouch {
 impl InnerGroove {
     /// Contact of a ball at this place from the centre of the ring with this axis.
     #[inline(always)]
-    pub fn touch(&self, ball: [f64; 3], axis: [f64; 3]) -> InnerTouch {
+    pub(crate) fn touch(&self, ball: [f64; 3], axis: [f64; 3]) -> InnerTouch {
         let along = dot(ball, axis);
         let radial = plus(ball, -along, axis);
         let distance = dot(radial, radial).sqrt();

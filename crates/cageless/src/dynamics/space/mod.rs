@@ -31,7 +31,7 @@ pub(crate) use energy::energy_j;
 pub(crate) use evaluation::evaluate;
 pub(crate) use friction::add_implicit_friction;
 pub(crate) use model::SpaceModel;
-pub use rotor_touch::FaceContact;
+pub(crate) use rotor_touch::FaceContact;
 pub(crate) use sliding::outer_z_m;
 pub use workspace::BallContacts;
 pub(crate) use workspace::SpaceWorkspace;

@@ -55,7 +55,7 @@ pub(crate) struct SpaceModel {
 
 impl SpaceModel {
     /// The constants of a case that moves in space.
-    pub fn new(case: &Case) -> Option<Self> {
+    pub(crate) fn new(case: &Case) -> Option<Self> {
         if !case.moves_in_space() {
             return None;
         }
@@ -130,7 +130,7 @@ impl SpaceModel {
 
     /// The flanks under ball `k` in the direction **e**; `None` outside the discrete raceways.
     #[inline(always)]
-    pub fn flanks_at(&self, k: usize, direction: [f64; 2]) -> Option<FlanksHere> {
+    pub(crate) fn flanks_at(&self, k: usize, direction: [f64; 2]) -> Option<FlanksHere> {
         let mut flanks = self.flanks.iter();
         let (flanks, angle) = flanks.find_map(|f| Some((f, f.within(direction)?)))?;
         flanks.at(angle, self.balls[k].contact_sign)

@@ -56,7 +56,7 @@ pub(crate) struct FlanksHere {
 }
 
 impl FlankModel {
-    pub fn new(raceway: &Raceway, piece: &Piece) -> Self {
+    pub(crate) fn new(raceway: &Raceway, piece: &Piece) -> Self {
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
         let (sin_section, cos_section) = raceway.section_angle_rad().sin_cos();
         let end = raceway.half_angle_rad().sin().powi(2);
@@ -86,7 +86,7 @@ impl FlankModel {
     }
 
     /// sin²ψ at its end less that of the direction **e**, above 0 before the end.
-    pub fn left(&self, direction: [f64; 2]) -> f64 {
+    pub(crate) fn left(&self, direction: [f64; 2]) -> f64 {
         let [sine, cosine] = self.sine_and_cosine(direction);
         self.squares[1] - if cosine > 0.0 { sine * sine } else { 1.0 }
     }
@@ -106,7 +106,7 @@ impl FlankModel {
 
     /// Sine and cosine of the angle from the middle to the direction **e**; `None` outside.
     #[inline(always)]
-    pub fn within(&self, direction: [f64; 2]) -> Option<[f64; 2]> {
+    pub(crate) fn within(&self, direction: [f64; 2]) -> Option<[f64; 2]> {
         let [sine, cosine] = self.sine_and_cosine(direction);
         let square = sine * sine;
         let [begin, end] = self.squares;
@@ -115,7 +115,7 @@ impl FlankModel {
 
     /// The flanks at an angle [`Self::within`]; those of a section that is turned to the other side
     /// where the sign is −1; `None` where they are the plain groove.
-    pub fn at(&self, [sine, cosine]: [f64; 2], contact_sign: f64) -> Option<FlanksHere> {
+    pub(crate) fn at(&self, [sine, cosine]: [f64; 2], contact_sign: f64) -> Option<FlanksHere> {
         let square = sine * sine;
         let left = self.end - square;
         let turning = 2.0 * sine * cosine;
@@ -197,7 +197,7 @@ lane_struct! {
 impl OuterTouch {
     /// nρ, nz, w and its cube root of both points.
     #[inline(always)]
-    pub fn points(&self) -> [[f64; 4]; 2] {
+    pub(crate) fn points(&self) -> [[f64; 4]; 2] {
         [
             [self.radial_0, self.axial_0, self.share_0, self.root_0],
             [self.radial_1, self.axial_1, self.share_1, self.root_1],
@@ -206,7 +206,7 @@ impl OuterTouch {
 
     /// Σ w nρ and Σ w nz.
     #[inline(always)]
-    pub fn resultant(&self) -> [f64; 2] {
+    pub(crate) fn resultant(&self) -> [f64; 2] {
         [
             self.share_0 * self.radial_0 + self.share_1 * self.radial_1,
             self.share_0 * self.axial_0 + self.share_1 * self.axial_1,
@@ -262,7 +262,7 @@ impl OuterGroove {
     /// Contact of a ball `beyond` the place at which it touches the plain groove in its middle and
     /// at z, outside the discrete raceways.
     #[inline(always)]
-    pub fn touch(&self, beyond: f64, z: f64) -> OuterTouch {
+    pub(crate) fn touch(&self, beyond: f64, z: f64) -> OuterTouch {
         let (approach, [radial_0, axial_0]) =
             approach([beyond + self.gap, z - self.axial], self.gap);
         OuterTouch {
@@ -278,7 +278,7 @@ impl OuterGroove {
     }
 
     /// Contact of such a ball within a discrete raceway.
-    pub fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
+    pub(crate) fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
         let plain = [beyond + self.gap, z - self.axial];
         let (sin, cos) = here.angle.sin_cos();
         let g = self.nominal_gap;

@@ -23,7 +23,7 @@ pub(crate) struct RingMotion {
 
 impl RingMotion {
     /// A ring at rest in the middle.
-    pub fn at_rest() -> Self {
+    pub(crate) fn at_rest() -> Self {
         let zero = Vector::zeros();
         Self {
             centre: zero,
@@ -36,7 +36,7 @@ impl RingMotion {
     }
 
     #[inline(always)]
-    pub fn new(layout: Layout, y: &[f64], inner_speed_rad_s: f64) -> Self {
+    pub(crate) fn new(layout: Layout, y: &[f64], inner_speed_rad_s: f64) -> Self {
         let at = |coordinate| y[layout.ring(coordinate)];
         let (p, q) = (at(RingCoordinate::TiltP), at(RingCoordinate::TiltQ));
         let (p_rate, q_rate) = (at(RingCoordinate::TiltPRate), at(RingCoordinate::TiltQRate));
@@ -63,7 +63,7 @@ impl RingMotion {
     }
 
     /// The ring at this place with the velocities of another motion.
-    pub fn with_velocities_of(&self, other: &Self) -> Self {
+    pub(crate) fn with_velocities_of(&self, other: &Self) -> Self {
         Self {
             centre: self.centre,
             axis: self.axis,

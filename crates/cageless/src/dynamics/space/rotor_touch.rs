@@ -47,7 +47,7 @@ pub(crate) struct RotorAlongAxis {
 
 impl RotorAlongAxis {
     /// Those of a rotor over a ring with this mean radius between its bore and its raceway.
-    pub fn new(rotor: &Rotor, mean_radius_m: f64) -> Self {
+    pub(crate) fn new(rotor: &Rotor, mean_radius_m: f64) -> Self {
         Self {
             faces: (rotor.axial_clearance_m)
                 .map(|clearance| [clearance, rotor.shoulder_radius_m.unwrap_or(mean_radius_m)]),
@@ -57,7 +57,7 @@ impl RotorAlongAxis {
     }
 
     /// Those of a rotor of this mass that rests on other bearings as well, whose load acts on it alone.
-    pub fn guided(self, mass: f64) -> Self {
+    pub(crate) fn guided(self, mass: f64) -> Self {
         Self {
             load: 0.0,
             mass,
@@ -126,7 +126,7 @@ fn relative(body: &RotorBody, layout: Layout, y: &[f64], offset: [f64; 2]) -> Re
 
 impl RotorTouch {
     /// Contacts that nothing has closed yet.
-    pub fn new(along_axis: Option<&RotorAlongAxis>) -> Self {
+    pub(crate) fn new(along_axis: Option<&RotorAlongAxis>) -> Self {
         let mut touch = Self::default();
         let Some([_, radius]) = along_axis.and_then(|along_axis| along_axis.faces) else {
             return touch;
@@ -141,7 +141,7 @@ impl RotorTouch {
     }
 
     /// Contact of the rotor of a state with the ring, and its loads; friction only if asked for.
-    pub fn evaluate(
+    pub(crate) fn evaluate(
         &mut self,
         (body, along_axis): (&RotorBody, &RotorAlongAxis),
         layout: Layout,
@@ -210,7 +210,7 @@ impl RotorTouch {
     /// Friction over a step of `h_s` from the first to the second state, to which all else leads: the
     /// loads that change the velocities, its heat, W, and friction and sliding speed of the journal along
     /// the bore at the end.
-    pub fn implicit_friction(
+    pub(crate) fn implicit_friction(
         &mut self,
         (body, along_axis, ring_mass): (&RotorBody, &RotorAlongAxis, f64),
         contact: &RotorContact,

@@ -26,7 +26,7 @@ pub(crate) struct SlidingWork {
 
 impl SlidingRing {
     /// Those of a case, row by row.
-    pub fn of_case(case: &Case) -> Vec<Self> {
+    pub(crate) fn of_case(case: &Case) -> Vec<Self> {
         let sprung = case.sprung_rows().into_iter();
         sprung
             .map(|row| (row, &case.rows[row]))

@@ -31,7 +31,7 @@ lane_struct! {
 impl Sliding {
     /// Sliding velocity along τ and l of the point at x.
     #[inline(always)]
-    pub fn at(&self, x_m: f64, curvature: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, x_m: f64, curvature: f64) -> [f64; 2] {
         let bend = curvature * x_m * x_m;
         [
             self.along + x_m * self.spin + bend * self.roll,
@@ -41,7 +41,7 @@ impl Sliding {
 
     /// γ, how fast the sliding velocity changes across the contact at x, rad/s.
     #[inline(always)]
-    pub fn shear(&self, x_m: f64, curvature: f64) -> f64 {
+    pub(crate) fn shear(&self, x_m: f64, curvature: f64) -> f64 {
         self.spin + 2.0 * curvature * x_m * self.roll
     }
 }
@@ -169,7 +169,7 @@ impl<L: Law> Patch<L> {
     ///
     /// these two as of the smooth law, for which F′ k = μ w N sech² u.
     #[inline(always)]
-    pub fn friction(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
+    pub(super) fn friction(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
         let knee = 1.0 / self.law.inverse_regularisation_speed();
         let half = strip.half_width * self.half_length_m;
         let spread = half * shear;

@@ -112,7 +112,7 @@ pub(crate) struct SpaceWorkspace {
 }
 
 impl SpaceWorkspace {
-    pub fn new(model: &Model, space: &SpaceModel) -> Self {
+    pub(crate) fn new(model: &Model, space: &SpaceModel) -> Self {
         Self {
             ring: RingMotion::at_rest(),
             outer_ring_velocity: [0.0; 3],
@@ -128,7 +128,7 @@ impl SpaceWorkspace {
 
     /// Contacts of ball `k`.
     #[inline]
-    pub fn contacts(&self, k: usize) -> BallContacts {
+    pub(crate) fn contacts(&self, k: usize) -> BallContacts {
         let (block, lane) = (&self.blocks[k / LANES], k % LANES);
         let normals = [
             [&block.outer.radial_0, &block.outer.axial_0],
@@ -146,14 +146,14 @@ impl SpaceWorkspace {
     }
 
     /// Force of the balls of a row on its outer ring along +Z, N.
-    pub fn row_force_n(&self, layout: Layout, row: usize) -> f64 {
+    pub(crate) fn row_force_n(&self, layout: Layout, row: usize) -> f64 {
         let balls = row * layout.row..(row + 1) * layout.row;
         let along = |k: usize| self.blocks[k / LANES].outer_ring_force_n[2].0[k % LANES];
         balls.map(along).sum()
     }
 
     /// Force of the balls on the outer ring, N.
-    pub fn outer_ring_force_n(&self) -> [f64; 3] {
+    pub(crate) fn outer_ring_force_n(&self) -> [f64; 3] {
         [0, 1, 2].map(|axis| {
             let lanes = self.blocks.iter().map(|b| b.outer_ring_force_n[axis].0);
             lanes.flatten().sum()

@@ -76,7 +76,7 @@ fn coordinates<const N: usize>(values: [f64; 7], free: [usize; N]) -> [Taylor<N>
 
 impl SpatialBall {
     /// ρ.
-    pub fn distance_m(&self, [beyond, _]: [f64; 2]) -> f64 {
+    pub(crate) fn distance_m(&self, [beyond, _]: [f64; 2]) -> f64 {
         self.orbit_radius_m + beyond
     }
 
@@ -137,7 +137,7 @@ impl SpatialBall {
 
     /// Force and contact angle at the inner raceway; the angle is positive where the ball presses
     /// the ring towards −Z. `None` where it is open.
-    pub fn inner_contact(&self, place: [f64; 2], ring: Ring) -> Option<(f64, f64)> {
+    pub(crate) fn inner_contact(&self, place: [f64; 2], ring: Ring) -> Option<(f64, f64)> {
         let (place, ring) = (place.map(Taylor::<0>::constant), ring.map(Taylor::constant));
         let depth = self.inner_approach(place, ring)?.value;
         let [radial, axial] = self.relative_to_inner_centre(place, ring);
@@ -146,14 +146,14 @@ impl SpatialBall {
     }
 
     /// δi, below 0 the gap where the inner raceway is open.
-    pub fn inner_depth_m(&self, place: [f64; 2], ring: Ring) -> f64 {
+    pub(crate) fn inner_depth_m(&self, place: [f64; 2], ring: Ring) -> f64 {
         let (place, ring) = (place.map(Taylor::<0>::constant), ring.map(Taylor::constant));
         let [radial, axial] = self.relative_to_inner_centre(place, ring);
         radial.hypot(axial).value - self.inner_gap_m
     }
 
     /// Force K δe^(3/2) at the outer raceway.
-    pub fn outer_force_n(&self, place: [f64; 2]) -> f64 {
+    pub(crate) fn outer_force_n(&self, place: [f64; 2]) -> f64 {
         let flank = self.outer.flanks.map_or(0.0, |f| f.angle_rad);
         let place = place.map(Taylor::<0>::constant);
         let depth = self.outer.approach(place, Taylor::constant(flank));
@@ -192,7 +192,7 @@ impl SpatialBall {
     }
 
     /// Where the energy is least for a place of the ring.
-    pub fn rest(&self, ring: Ring) -> Rest {
+    pub(crate) fn rest(&self, ring: Ring) -> Rest {
         match self.planar {
             true => self.rest_over([0], [0, 2, 3], ring),
             false => self.rest_over([0, 1], [0, 1, 2, 3, 4, 5, 6], ring),

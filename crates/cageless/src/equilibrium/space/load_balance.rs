@@ -59,7 +59,7 @@ pub(in crate::equilibrium) struct Balanced {
 
 impl Balanced {
     /// Coordinates of the ring, seen from the outer ring of a row.
-    pub fn ring_of(&self, row: usize) -> Ring {
+    pub(crate) fn ring_of(&self, row: usize) -> Ring {
         seen_from(self.ring, self.shifts_m[row])
     }
 }
@@ -142,7 +142,7 @@ impl LoadBalance {
     }
 
     /// Every ball, and the outer ring of every row, for a place of the ring.
-    pub fn around(&self, ring: Ring) -> Balanced {
+    pub(crate) fn around(&self, ring: Ring) -> Balanced {
         let [mx, my] = match self.tilt {
             Tilt::Held { .. } => [0.0; 2],
             Tilt::Free {
@@ -254,7 +254,7 @@ impl LoadBalance {
     ///
     /// # Errors
     /// There is none, or `control` ended the search.
-    pub fn settle(
+    pub(crate) fn settle(
         &self,
         depth_m: f64,
         control: &mut dyn FnMut() -> Control,

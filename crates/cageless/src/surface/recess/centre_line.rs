@@ -23,7 +23,7 @@ pub(super) struct CentreLine {
 }
 
 impl CentreLine {
-    pub fn new(frame: &RecessFrame, place: EdgePlace) -> Self {
+    pub(super) fn new(frame: &RecessFrame, place: EdgePlace) -> Self {
         let half = frame.half_span_m;
         // ψ from the middle and distance from the axis of the section with their slopes.
         let ([local, turning], [across, crossing], mill_rad, sense) = match place {

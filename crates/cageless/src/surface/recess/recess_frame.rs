@@ -37,7 +37,7 @@ impl RecessFrame {
     ///
     /// # Errors
     /// An [`InputError`] if the edges around an end would meet.
-    pub fn new(section: &SectionFrame, raceway: &Raceway, slot: &Slot) -> Result<Self, InputError> {
+    pub(super) fn new(section: &SectionFrame, raceway: &Raceway, slot: &Slot) -> Result<Self, InputError> {
         let ([radius, height], (sin, cos)) = (section.ball_m, section.axis_rad.sin_cos());
         let groove_m = [
             radius - section.offset_m * cos,
@@ -64,32 +64,32 @@ impl RecessFrame {
     }
 
     /// ρ and z of a place in a section.
-    pub fn section_m(&self, along_m: f64, across_m: f64) -> [f64; 2] {
+    pub(super) fn section_m(&self, along_m: f64, across_m: f64) -> [f64; 2] {
         let [radial, axial] = self.turned(along_m, across_m);
         [self.groove_m[0] + radial, self.groove_m[1] + axial]
     }
 
     /// Components outwards and along z of a vector in a section.
-    pub fn turned(&self, along: f64, across: f64) -> [f64; 2] {
+    pub(super) fn turned(&self, along: f64, across: f64) -> [f64; 2] {
         let (sin, cos) = self.axis_rad.sin_cos();
         [along * cos - across * sin, along * sin + across * cos]
     }
 
     /// Distance of a point from the floor, positive inside the slot.
-    pub fn above_floor_m(&self, [x, y, z]: Vec3) -> f64 {
+    pub(super) fn above_floor_m(&self, [x, y, z]: Vec3) -> f64 {
         let (sin, cos) = self.axis_rad.sin_cos();
         let along = (x.hypot(y) - self.groove_m[0]) * cos + (z - self.groove_m[1]) * sin;
         self.floor_m - along
     }
 
     /// Distance of a point from the axis of its section, towards +z.
-    pub fn across_m(&self, [x, y, z]: Vec3) -> f64 {
+    pub(super) fn across_m(&self, [x, y, z]: Vec3) -> f64 {
         let (sin, cos) = self.axis_rad.sin_cos();
         (z - self.groove_m[1]) * cos - (x.hypot(y) - self.groove_m[0]) * sin
     }
 
     /// ∫ ρ²/2 dz along the floor, to this point of it.
-    pub fn floor_moment_m3(&self, point: Vec3) -> f64 {
+    pub(super) fn floor_moment_m3(&self, point: Vec3) -> f64 {
         let ((sin, cos), [middle, _]) =
             (self.axis_rad.sin_cos(), self.section_m(self.floor_m, 0.0));
         let across = self.across_m(point);
@@ -98,7 +98,7 @@ impl RecessFrame {
     }
 
     /// ∫ ρ²/2 dz along the plain groove, to this point of it.
-    pub fn groove_moment_m3(&self, [x, y, z]: Vec3) -> f64 {
+    pub(super) fn groove_moment_m3(&self, [x, y, z]: Vec3) -> f64 {
         let eta = (z - self.groove_m[1]).atan2(x.hypot(y) - self.groove_m[0]);
         moment_m3(self.groove_m[0], self.curvature_radius_m, eta) / 2.0
     }
