@@ -175,7 +175,7 @@ impl Bearing {
     }
 
     /// d/2, or [the estimate](BearingDimensions::bore_radius_estimate_m), m.
-    pub fn bore_radius_or_estimate_m(&self) -> f64 {
+    pub(crate) fn bore_radius_or_estimate_m(&self) -> f64 {
         self.bore_radius_m()
             .unwrap_or_else(|| self.dimensions.bore_radius_estimate_m())
     }

@@ -215,7 +215,7 @@ fn step_s(case: &Case, test: &PairTest) -> f64 {
 }
 
 /// Steps that the critical gap of the case's first raceway takes as a rule; 0 without one.
-pub fn pair_steps(case: &Case, test: &PairTest) -> f64 {
+pub(crate) fn pair_steps(case: &Case, test: &PairTest) -> f64 {
     let Some(raceway) = case.raceways.first() else {
         return 0.0;
     };

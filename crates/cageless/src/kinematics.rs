@@ -44,7 +44,7 @@ pub fn orbit_speed_of_rad_s(
 ///   Ω = ωi (Ri + ri (1 − cos αi))/Rm · ro/(ro + ri′),
 ///
 /// which is Ω(r) for αi = 0, ro = r, ri′ = Rw.
-pub fn orbit_speed_in_space_rad_s(
+pub(crate) fn orbit_speed_in_space_rad_s(
     bearing: &Bearing,
     inner_speed_rad_s: f64,
     [outer_m, inner_m]: [f64; 2],

@@ -71,7 +71,7 @@ pub fn outer_contact_geometry(
 }
 
 /// Flanks at a ball of radius `ball_radius_m` at ψ = `angle_rad`; `None` on the plain raceway.
-pub fn flank_section(
+pub(crate) fn flank_section(
     bearing: &Bearing,
     raceways: &[Raceway],
     angle_rad: f64,

@@ -174,7 +174,7 @@ impl PassageTally {
 
     /// Mean of the smallest orbital speed in each, at the largest speed of the inner ring. NaN where that stands in
     /// all.
-    pub fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
+    pub(crate) fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
         self.sums[5] / self.turned as f64
     }
 }

@@ -104,7 +104,7 @@ pub struct SupportStop {
 }
 
 /// Exponents of the contact between journal and bore: flat surfaces to a Hertz contact.
-pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
+pub(crate) const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 
 impl Rotor {
     /// A balanced horizontal rotor at rest in the middle of its air gap, turning at `speed_rad_s`, without a drive: its

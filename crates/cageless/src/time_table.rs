@@ -130,7 +130,7 @@ impl TimeTable {
     }
 
     /// Smallest and largest value from t = 0 up to a time.
-    pub fn range_until(&self, end_s: f64) -> [f64; 2] {
+    pub(crate) fn range_until(&self, end_s: f64) -> [f64; 2] {
         let corners = self.times_s.iter().zip(&self.values);
         let before = corners.filter(|(t, _)| **t < end_s).map(|(_, v)| *v);
         let first = self.value(0.0);

@@ -164,7 +164,7 @@ impl BearingDimensions {
     }
 
     /// Height of the shoulders of the inner ring, m.
-    pub fn inner_shoulder_height_m(&self) -> f64 {
+    pub(crate) fn inner_shoulder_height_m(&self) -> f64 {
         match self.inner_shoulder_radius_m {
             Some(radius_m) => radius_m - self.inner_groove_bottom_radius_m,
             None => SHOULDER_HEIGHT * 2.0 * self.ball_radius_m,

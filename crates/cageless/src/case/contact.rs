@@ -35,7 +35,7 @@ pub const STRIPS_MAX: usize = 21;
 
 impl Contact {
     /// Largest friction of a kind of contact over that of the law.
-    pub fn friction_factor_max(&self) -> f64 {
+    pub(crate) fn friction_factor_max(&self) -> f64 {
         self.outer_friction_factor
             .max(self.ball_friction_factor)
             .max(1.0)

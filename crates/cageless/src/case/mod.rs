@@ -271,7 +271,7 @@ pub(crate) fn series_stiffness_n_m1_5(inner: f64, outer: f64) -> f64 {
 pub const STEPS_MAX: f64 = 1e12;
 
 /// Shortest run that is accepted.
-pub const DURATION_MIN_S: f64 = 1e-15;
+pub(crate) const DURATION_MIN_S: f64 = 1e-15;
 
 /// Shortest time between rows.
 pub const INTERVAL_MIN_S: f64 = 1e-9;
@@ -291,7 +291,7 @@ impl Case {
     }
 
     /// Indices of the rows whose outer rings slide under preload springs.
-    pub fn sprung_rows(&self) -> Vec<usize> {
+    pub(crate) fn sprung_rows(&self) -> Vec<usize> {
         let rows = self.rows.iter().enumerate();
         let sprung = rows.filter(|(_, row)| row.preload_n > 0.0);
         sprung.map(|(row, _)| row).collect()
@@ -330,7 +330,7 @@ impl Case {
     }
 
     /// Largest Fr of the run, N.
-    pub fn largest_radial_load_n(&self) -> f64 {
+    pub(crate) fn largest_radial_load_n(&self) -> f64 {
         let table = self.operation.radial_load_table.as_ref();
         table.map_or(self.operation.radial_load_n, |t| t.range()[1])
     }
@@ -444,7 +444,7 @@ impl Case {
 
     /// Whether every ball sits in the outer ring where a nominal one does in a raceway as
     /// designed.
-    pub fn has_nominal_geometry(&self) -> bool {
+    pub(crate) fn has_nominal_geometry(&self) -> bool {
         self.bearing.ball_radius_deviations_m().is_empty()
             && self.raceways.iter().all(Raceway::is_flush)
     }

@@ -5,7 +5,7 @@ use crate::time_table::TimeTable;
 
 impl Case {
     /// ωi at a time over the largest of the run, [`Case::largest_inner_speed_rad_s`]: exactly 1 at constant speed.
-    pub fn inner_speed_ratio(&self, time_s: f64) -> f64 {
+    pub(crate) fn inner_speed_ratio(&self, time_s: f64) -> f64 {
         match &self.operation.inner_speed_table {
             Some(table) => table.value(time_s) / self.largest_inner_speed_rad_s(),
             None => 1.0,
@@ -14,7 +14,7 @@ impl Case {
 
     /// Time in which the inner ring at its largest speed turns as far as it does between two times, s: exactly
     /// what lies between them at constant speed.
-    pub fn time_at_largest_speed_s(&self, between_s: [f64; 2]) -> f64 {
+    pub(crate) fn time_at_largest_speed_s(&self, between_s: [f64; 2]) -> f64 {
         match &self.operation.inner_speed_table {
             Some(table) => table.integral(between_s) / self.largest_inner_speed_rad_s(),
             None => between_s[1] - between_s[0],
@@ -44,7 +44,7 @@ impl Case {
     }
 
     /// The case at the constant speed and load of a time.
-    pub fn held_at(&self, time_s: f64) -> Self {
+    pub(crate) fn held_at(&self, time_s: f64) -> Self {
         let mut held = self.clone();
         held.operation = self.operation.from_time(time_s);
         (
@@ -55,7 +55,7 @@ impl Case {
     }
 
     /// Times of the largest load and of the largest speed of the run, s; t = 0 alone where both are constant.
-    pub fn extreme_times_s(&self) -> Vec<f64> {
+    pub(crate) fn extreme_times_s(&self) -> Vec<f64> {
         let end_s = self.solver.duration_s;
         let largest = |table: &Option<TimeTable>| {
             let table = table.as_ref()?;

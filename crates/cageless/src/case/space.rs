@@ -37,7 +37,7 @@ pub const SPATIAL_FIELDS: [&str; 15] = [
 impl Case {
     /// The first field that takes the bearing out of its plane, with its value; `None` for a
     /// planar case.
-    pub fn spatial_field(&self) -> Option<(&'static str, f64)> {
+    pub(crate) fn spatial_field(&self) -> Option<(&'static str, f64)> {
         let angle = self.bearing.contact_angle_rad();
         let turned = self.raceways.iter().map(|r| r.section_angle_rad());
         let turned = turned.map(|a| ("raceway_contact_angle_rad", a, a != 0.0));

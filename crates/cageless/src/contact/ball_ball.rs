@@ -28,7 +28,7 @@ lane_struct! {
 
 /// δb = 2Rw − |rj − rk|, m (Zhao 2022, Eq. (17)); negative: apart.
 #[inline(always)]
-pub fn ball_deflection(ball: &Ball, dx_m: f64, dy_m: f64) -> f64 {
+pub(crate) fn ball_deflection(ball: &Ball, dx_m: f64, dy_m: f64) -> f64 {
     ball.pair_distance - (dx_m * dx_m + dy_m * dy_m).sqrt()
 }
 
@@ -37,7 +37,7 @@ pub fn ball_deflection(ball: &Ball, dx_m: f64, dy_m: f64) -> f64 {
 /// With u the unit vector to the ball ahead and p = u turned by +90°, the surfaces slide at
 /// (v − v′)·p − (ω·R + ω′·R′).
 #[inline(always)]
-pub fn ball_ball_contact(
+pub(crate) fn ball_ball_contact(
     constants: &Ball,
     ball: &BallMotion,
     next: &BallMotion,

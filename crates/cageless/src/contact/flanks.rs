@@ -30,7 +30,7 @@ lane_struct! {
 /// The ellipse is that of the plain groove under the elastic part of N = F/(2 c),
 /// a² = A δe/(2 c)^(2/3) with A the [`OuterRaceway::axis_square_per_m`].
 #[inline(always)]
-pub fn flank_contact(
+pub(crate) fn flank_contact(
     ball: &Ball,
     raceway: &OuterRaceway,
     shape: &FlankShape,

@@ -27,7 +27,7 @@ use crate::numerics::{elliptic, root};
 /// 1e-4 of the ball's diameter (ISO 76).
 pub const STRESS_LIMIT_PA: f64 = 4.2e9;
 /// Deflection that no elastic contact survives, as a fraction of the ball radius.
-pub const DEFLECTION_FRACTION_MAX: f64 = 0.05;
+pub(crate) const DEFLECTION_FRACTION_MAX: f64 = 0.05;
 
 /// Elastic energy 2/5 K δ^(5/2) of a contact with stiffness K in N·m^(−3/2), J; 0 for δ < 0.
 pub fn energy_j(stiffness_n_m1_5: f64, deflection_m: f64) -> f64 {
@@ -47,12 +47,12 @@ pub struct PointContact {
 
 /// E* of two bodies of one material: 1/E* = 2(1 − ν²)/E (Johnson, Eq. (3.28) and
 /// (4.24)).
-pub fn contact_modulus_pa(material: &Material) -> f64 {
+pub(crate) fn contact_modulus_pa(material: &Material) -> f64 {
     material.youngs_modulus_pa / (2.0 * (1.0 - material.poisson_ratio.powi(2)))
 }
 
 /// E* of two bodies: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ (Johnson, Eq. (4.24)).
-pub fn modulus_of_pair_pa([one, other]: [&Material; 2]) -> f64 {
+pub(crate) fn modulus_of_pair_pa([one, other]: [&Material; 2]) -> f64 {
     // Elastically equal bodies keep the one rounding of the short form.
     let elastic = |m: &Material| (m.youngs_modulus_pa, m.poisson_ratio);
     if elastic(one) == elastic(other) {

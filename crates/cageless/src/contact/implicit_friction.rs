@@ -32,7 +32,7 @@ const SLIDING: f64 = 4.0;
 const LAST_SLIDE: [f64; 2] = [1.0, 1e-3];
 
 /// Largest number of iterations; from anywhere some ten suffice.
-pub const MAX_ITERATIONS: u32 = 30;
+pub(crate) const MAX_ITERATIONS: u32 = 30;
 
 /// The two contacts of a ball with the raceways and what they slide against.
 #[derive(Debug, Clone, Copy)]
@@ -111,7 +111,7 @@ impl SlipProblem {
 impl Slips {
     /// These sliding speeds with the friction and its slopes by `law`, to iterate from.
     #[inline(always)]
-    pub fn with_friction(self, law: &impl Law, problem: &SlipProblem) -> Self {
+    pub(crate) fn with_friction(self, law: &impl Law, problem: &SlipProblem) -> Self {
         let [[outer_friction, outer_slope], [inner_friction, inner_slope]] = law.forces(
             [self.outer, self.inner],
             [problem.outer_normal, problem.inner_normal],
@@ -132,7 +132,7 @@ impl Slips {
 /// s + Δ = s_free − H·(f(s) + D·Δ): sliding speeds and linearised friction belong together.
 /// A step from full sliding past zero, where the slope of f is largest, ends there.
 #[inline(always)]
-pub fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
+pub(crate) fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
     let (outer, inner) = (slips.outer, slips.inner);
     let (fo, fi) = (slips.outer_friction, slips.inner_friction);
     let (do_, di) = (slips.outer_slope, slips.inner_slope);
@@ -176,7 +176,7 @@ pub fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slip
 /// [`newton_step`] from sliding speeds that an earlier step left; a solution that has converged
 /// stays.
 #[inline(always)]
-pub fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
+pub(crate) fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
     let next = newton_step(law, problem, &slips.with_friction(law, problem));
     let done = slips.converged > 0.0;
     let keep = |kept: f64, new: f64| if done { kept } else { new };
@@ -199,7 +199,7 @@ pub fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Sli
 /// for rolling ones (Hairer & Wanner, *Solving Ordinary Differential Equations II*,
 /// section IV.3).
 #[inline(always)]
-pub fn end_weights(rates: [f64; 2]) -> [f64; 2] {
+pub(crate) fn end_weights(rates: [f64; 2]) -> [f64; 2] {
     // Squares of larger rates could overflow; 1 is exact to six digits there.
     let [y, z] = [rates[0].min(1e6), rates[1].min(1e6)];
     let [below_y, below_z] = [12.0 + (4.0 + y) * y, 12.0 + (4.0 + z) * z];

@@ -76,7 +76,7 @@ pub fn inner_slip(
 /// Force and moment of the inner contact on the ball under the friction `friction_n`, μFi
 /// (Zhao 2022, Eq. (20)); the ring takes the opposite force.
 #[inline(always)]
-pub fn inner_load(
+pub(crate) fn inner_load(
     contact: &InnerContact,
     ball: &Ball,
     polar: &PolarMotion,

@@ -118,7 +118,7 @@ impl Journal {
 
 /// t·(żr − żi) + Ω·Rj − ωi·Rb, m/s, with n = `normal`.
 #[inline(always)]
-pub fn journal_slip(
+pub(crate) fn journal_slip(
     constants: &Journal,
     normal: [f64; 2],
     rotor: &JournalMotion,
@@ -130,7 +130,7 @@ pub fn journal_slip(
 }
 
 /// Energy stored at a deflection, K δ^(p+1)/(p+1), J.
-pub fn journal_energy_j(constants: &Journal, deflection_m: f64) -> f64 {
+pub(crate) fn journal_energy_j(constants: &Journal, deflection_m: f64) -> f64 {
     let (depth, p) = (positive(deflection_m), constants.exponent);
     constants.stiffness * depth * power(depth, p) / (p + 1.0)
 }
@@ -152,7 +152,7 @@ fn power(depth: f64, exponent: f64) -> f64 {
 impl JournalContact {
     /// Force of the ring on the journal under the friction `friction_n` along −slip, N: −F·n − f·t.
     #[inline(always)]
-    pub fn force_on_journal(&self, friction_n: f64) -> [f64; 2] {
+    pub(crate) fn force_on_journal(&self, friction_n: f64) -> [f64; 2] {
         [
             -self.force * self.nx + friction_n * self.ny,
             -self.force * self.ny - friction_n * self.nx,
@@ -190,7 +190,7 @@ impl JournalSlip {
 /// Newton's method within that interval from `guess`, halved where a step leaves it. Coulomb's
 /// law exactly.
 #[inline(always)] // into callers compiled for wider vectors
-pub fn implicit_slip(
+pub(crate) fn implicit_slip(
     law: &Friction,
     free_m_s: f64,
     mobility: f64,

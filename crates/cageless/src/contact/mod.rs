@@ -34,32 +34,29 @@ mod outer_geometry;
 pub mod published;
 mod slip_problem;
 
-pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
+pub use ball_ball::BallBallContact;
+pub(crate) use ball_ball::{ball_ball_contact, ball_deflection};
 pub use flank_friction::{AtFlanks, FlankSliding};
 pub use flank_section::{FlankPress, FlankSection};
-pub use flanks::{FlankContact, flank_contact};
+pub use flanks::FlankContact;
+pub(crate) use flanks::flank_contact;
 pub use friction::{
     Friction, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Law, OwnFriction, tanh,
 };
-pub use implicit_friction::{
-    MAX_ITERATIONS, RacewayContacts, end_weights, further_step, newton_step,
-};
-pub use inner::{
-    InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_slip,
-};
-pub use journal::{
-    Journal, JournalContact, JournalMotion, JournalSlip, implicit_slip, journal_contact,
-    journal_energy_j, journal_slip,
-};
-pub use normal_force::{NormalForce, restitution_damping};
+pub use implicit_friction::RacewayContacts;
+pub(crate) use implicit_friction::{MAX_ITERATIONS, end_weights, further_step, newton_step};
+pub(crate) use inner::inner_load;
+pub use inner::{InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_slip};
+pub use journal::{Journal, JournalContact, JournalMotion, JournalSlip, journal_contact};
+pub(crate) use journal::{implicit_slip, journal_energy_j, journal_slip};
+pub use normal_force::NormalForce;
+pub(crate) use normal_force::restitution_damping;
 pub use outer::{
-    OuterContact, OuterGeometry, OuterRaceway, outer_contact, outer_deflection, outer_load,
-    outer_slip, slope_force,
+    OuterContact, OuterGeometry, OuterRaceway, outer_contact, outer_deflection, outer_slip,
 };
-pub use outer_geometry::{
-    FlankShape, OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues, nominal_geometry,
-    unequal_geometry,
-};
+pub(crate) use outer::{outer_load, slope_force};
+pub use outer_geometry::{FlankShape, OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues};
+pub(crate) use outer_geometry::{nominal_geometry, unequal_geometry};
 
 pub use slip_problem::{SlipProblem, Slips};
 

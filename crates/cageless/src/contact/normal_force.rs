@@ -17,7 +17,7 @@ impl NormalForce {
     /// Contact with a raceway: F = max(0, K δ^(3/2) + c √δ·dδ/dt) for a deflection δ ≥ 0 in m,
     /// its rate in m/s, K in N·m^(−3/2), c in N·s·m^(−3/2).
     #[inline(always)]
-    pub fn at_raceway(stiffness: f64, damping: f64, deflection: f64, rate: f64) -> Self {
+    pub(crate) fn at_raceway(stiffness: f64, damping: f64, deflection: f64, rate: f64) -> Self {
         let root = deflection.sqrt();
         Self::damped(stiffness * deflection * root, damping * root, rate)
     }
@@ -25,7 +25,7 @@ impl NormalForce {
     /// Contact between balls: F = max(0, K δ^(3/2) + α √(m K)·δ^(1/4)·dδ/dt), `damping` being
     /// α √(m K) with α of [`restitution_damping`] and m the reduced mass.
     #[inline(always)]
-    pub fn between_balls(stiffness: f64, damping: f64, deflection: f64, rate: f64) -> Self {
+    pub(crate) fn between_balls(stiffness: f64, damping: f64, deflection: f64, rate: f64) -> Self {
         let root = deflection.sqrt();
         Self::damped(stiffness * deflection * root, damping * root.sqrt(), rate)
     }
@@ -46,7 +46,7 @@ impl NormalForce {
 ///
 /// Exact while the force may pull; clamped at zero it restores a little more
 /// (e = 0.5 gives 0.55, e = 0.95 gives 0.9505).
-pub fn restitution_damping(restitution: f64) -> f64 {
+pub(crate) fn restitution_damping(restitution: f64) -> f64 {
     let log = restitution.ln();
     // The sign keeps −0 out for e = 1.
     (5f64.sqrt() * log.abs()) / PI.hypot(log)

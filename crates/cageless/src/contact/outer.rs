@@ -114,7 +114,7 @@ pub fn outer_slip(geometry: &OuterGeometry, motion: &BallMotion, polar: &PolarMo
 /// acts with arm r: 2μF′o on a discrete raceway, μFo on the plain one (Zhao 2022,
 /// Eq. (22)).
 #[inline(always)]
-pub fn outer_load(
+pub(crate) fn outer_load(
     contact: &OuterContact,
     geometry: &OuterGeometry,
     polar: &PolarMotion,
@@ -130,6 +130,10 @@ pub fn outer_load(
 /// Force along ψ of an outer contact whose geometry changes with ψ, Fo·(d|rb|/dψ)/|rb|, N:
 /// the tangential part of −Fo·grad δo. Positive along the motion.
 #[inline(always)]
-pub fn slope_force(contact: &OuterContact, geometry: &OuterGeometry, distance_m: f64) -> f64 {
+pub(crate) fn slope_force(
+    contact: &OuterContact,
+    geometry: &OuterGeometry,
+    distance_m: f64,
+) -> f64 {
     contact.force * geometry.slope / distance_m
 }

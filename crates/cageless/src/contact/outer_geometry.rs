@@ -85,7 +85,7 @@ impl RacewayPosition {
 /// Geometry of a nominal ball: r of Zhao 2022, Eq. (6), on the discrete raceway, `plain`
 /// elsewhere.
 #[inline(always)]
-pub fn nominal_geometry(
+pub(crate) fn nominal_geometry(
     position: &RacewayPosition,
     values: &RacewayValues,
     plain: OuterGeometry,
@@ -158,7 +158,7 @@ impl FlankShape {
 /// h = √(g² − f²(1 − c²)) beyond Oe, so that |rb| = Ro − Rw + h − f c + t and r = R h/g, with
 /// the slope d|rb|/dψ = (g e′ + f² c c′)/h − f c′ + t′ and e = E (1 − sin²ψ/sin²θ)², t likewise.
 #[inline(always)]
-pub fn unequal_geometry(
+pub(crate) fn unequal_geometry(
     raceway: &RacewayConstants,
     outer: &OuterRaceway,
     ball: &Ball,

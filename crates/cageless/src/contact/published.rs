@@ -54,7 +54,7 @@ impl FrictionDirection {
     /// (1, y′, z′)/√(1 + y′² + z′²) of the contact path, with the root as `along`, r as `radius` and
     /// y′ = x(4a x² + 2b) of Eq. (5).
     #[inline(always)]
-    pub fn on_path(
+    pub(crate) fn on_path(
         self,
         raceway: &RacewayConstants,
         [cubic, linear]: [f64; 2],
@@ -107,7 +107,7 @@ pub fn centrifugal_force(ball: &Ball, raceway: &OuterRaceway, polar: &PolarMotio
 /// Force and moment on the ball of its outer contact and of the centrifugal force: Fw − Fo along the
 /// radius, friction against r_f (Zhao 2022, Eq. (12), (13) and (22)).
 #[inline(always)]
-pub fn outer_load(
+pub(crate) fn outer_load(
     contact: &OuterContact,
     geometry: &OuterGeometry,
     direction: &FrictionDirection,
@@ -170,7 +170,11 @@ impl PublishedBall<'_> {
     /// Equations of the friction over a step of `h_s`, see [`SlipProblem::new`], under these normal forces:
     /// ΔVo = co·vt − ω·r and ΔVi = ωi·Ri − (ci·vt,i + ω·Rw) with co = (r + Rm)/|rb| and ci = Ri/|rb − ri|.
     #[inline(always)]
-    pub fn slip_problem(&self, [outer_normal, inner_normal]: [f64; 2], h_s: f64) -> SlipProblem {
+    pub(crate) fn slip_problem(
+        &self,
+        [outer_normal, inner_normal]: [f64; 2],
+        h_s: f64,
+    ) -> SlipProblem {
         let (ball, polar, inner_polar) = (self.ball, self.polar, self.inner_polar);
         let (r, radius) = (self.geometry.effective_radius, ball.radius);
         let (dx, dy) = (self.direction.x, self.direction.y);

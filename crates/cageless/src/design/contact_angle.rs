@@ -108,7 +108,7 @@ pub fn seats_controlled(
 /// Share of the lag of rigid raceways without a contact angle that rolling leaves at the [`seats`] of a case, of the
 /// worst row and raceway, 0 of a row that carries nothing; the angle counts from that by which the section is
 /// turned.
-pub fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
+pub(crate) fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
     let of_row = |(row, [angle_rad, pressed_in_m]): (Row, &[f64; 2])| {
         // A row without load.
         if angle_rad.is_nan() {

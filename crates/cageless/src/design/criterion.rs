@@ -125,7 +125,7 @@ impl Criterion {
     }
 
     /// Whether the value is a number: without one nothing is judged.
-    pub fn is_known(self) -> bool {
+    pub(crate) fn is_known(self) -> bool {
         !self.value().is_nan()
     }
 
@@ -160,7 +160,7 @@ impl Criterion {
 
     /// Margin over that of a raceway without load, sliding and collisions: 1 there, 0 at the limit. The
     /// load that makes a pressure grows as its cube.
-    pub fn relative_margin(self) -> f64 {
+    pub(crate) fn relative_margin(self) -> f64 {
         let ideal = match self {
             Self::Pressure(value) | Self::PeakPressure(value) => return 1.0 - value.powi(3),
             Self::SteadyGap { least, .. } => 0.5 * (1.0 - least),
@@ -214,7 +214,7 @@ fn decimals(value: f64, limit: f64, least: usize) -> usize {
 }
 
 /// A fraction in per cent with as many decimals as tell it from its limit: `5.003 %`.
-pub fn percent_beside(value: f64, limit: f64) -> String {
+pub(crate) fn percent_beside(value: f64, limit: f64) -> String {
     let [value, limit] = [value, limit].map(|x| 100.0 * x);
     format!("{:.*} %", decimals(value, limit, 1), value)
 }

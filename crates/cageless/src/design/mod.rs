@@ -37,13 +37,14 @@ pub use axial::{
     AXIAL_ORBITS, AxialLag, AxialLimit, LagAndAngle, NoLag, axial_critical_gap_rad, axial_lag,
     axial_load_keeping, axial_points, axial_sample,
 };
+pub(crate) use contact_angle::rolling_lag_fraction;
 pub use contact_angle::{
-    ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction, seats,
-    seats_controlled,
+    ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, seats, seats_controlled,
 };
+pub(crate) use criterion::percent_beside;
+pub use criterion::{CRITICAL_GAP_MIN_FRACTION, Criterion};
 pub use criterion::{
-    CRITICAL_GAP_MIN_FRACTION, Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION,
-    SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
+    DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
 };
 pub use estimate::{Estimate, EstimateTerm};
 pub use pressure_at_rest::pressure_at_rest_pa;
@@ -52,7 +53,7 @@ pub use raceway_verdict::RacewayVerdict;
 pub use recommendation::{
     Recommendation, StartingPoint, recommend, recommendation_steps, starting_point,
 };
-pub use run_verdict::{PASSAGES_MIN, RunEvidence, RunVerdict};
+pub use run_verdict::{RunEvidence, RunVerdict};
 pub use verdict::{
     Judgement, PassageStatistics, RacewayJudgement, judge, judge_watched, steady_after_s,
     steady_case, verdict_steps,

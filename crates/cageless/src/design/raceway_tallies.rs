@@ -46,7 +46,7 @@ impl RacewayTallies {
     }
 
     /// Passages of the ball that has passed a raceway least often, through the raceway that it has passed least.
-    pub fn least_of_a_ball(&self) -> u64 {
+    pub(crate) fn least_of_a_ball(&self) -> u64 {
         self.of_ball.iter().flatten().copied().min().unwrap_or(0)
     }
 

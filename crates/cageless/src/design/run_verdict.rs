@@ -10,7 +10,7 @@ use crate::summary::{TRANSIENT_TURNS, transient_s};
 
 /// Passages of every ball through every raceway after the transient that a verdict on a run takes: a lag is read
 /// between two.
-pub const PASSAGES_MIN: u64 = 2;
+pub(crate) const PASSAGES_MIN: u64 = 2;
 
 /// What a run is judged by.
 #[derive(Debug, Clone, Copy)]

@@ -118,7 +118,7 @@ impl BallMotion {
 impl PolarMotion {
     /// Motion at this position with the velocities of `ball` and `centre`.
     #[inline(always)]
-    pub fn with_velocity(&self, ball: &BallMotion, centre: &Centre) -> Self {
+    pub(crate) fn with_velocity(&self, ball: &BallMotion, centre: &Centre) -> Self {
         let (vx, vy) = (ball.vx - centre.vx, ball.vy - centre.vy);
         let tangential = vy * self.ex - vx * self.ey;
         Self {

@@ -48,7 +48,7 @@ impl PlanePath {
     }
 
     /// Largest distance from the centre of the stator, m.
-    pub fn farthest_distance_m(&self) -> f64 {
+    pub(crate) fn farthest_distance_m(&self) -> f64 {
         square(self.farthest_m).sqrt()
     }
 }

@@ -150,7 +150,12 @@ impl RotorBody {
 
     /// Contact with the inner ring, without friction.
     #[inline(always)]
-    pub(crate) fn contact(&self, motion: &RotorMotion, ring: &Centre, ring_speed: f64) -> RotorContact {
+    pub(crate) fn contact(
+        &self,
+        motion: &RotorMotion,
+        ring: &Centre,
+        ring_speed: f64,
+    ) -> RotorContact {
         let offset = self.offset(motion.angle);
         let journal = self.journal_motion(motion, offset);
         RotorContact {
@@ -226,7 +231,12 @@ impl RotorBody {
 
     /// Power of a force of the inner ring on the rotor, W.
     #[inline(always)]
-    pub(crate) fn power(&self, motion: &RotorMotion, contact: &RotorContact, force: [f64; 2]) -> f64 {
+    pub(crate) fn power(
+        &self,
+        motion: &RotorMotion,
+        contact: &RotorContact,
+        force: [f64; 2],
+    ) -> f64 {
         force[0] * motion.vx + force[1] * motion.vy + self.moment(contact, force) * motion.speed
     }
 

@@ -143,7 +143,12 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Power of a load on journal `k`, W.
-    pub(super) fn power(&self, k: usize, motion: &Motion<'_>, [x, y, z, moment]: &JournalLoad) -> f64 {
+    pub(super) fn power(
+        &self,
+        k: usize,
+        motion: &Motion<'_>,
+        [x, y, z, moment]: &JournalLoad,
+    ) -> f64 {
         let rate = at(&self.rotor.journals[k], motion.rates.as_slice());
         x * rate[0] + y * rate[1] + moment * motion.speed + z * motion.axial_speed
     }

@@ -136,7 +136,7 @@ impl State {
     }
 
     /// Sets Z and the axis (p, q) of the inner ring in space.
-    pub fn set_ring_in_space(&mut self, z_m: f64, axis: [f64; 2]) {
+    pub(crate) fn set_ring_in_space(&mut self, z_m: f64, axis: [f64; 2]) {
         for (coordinate, value) in [
             (RingCoordinate::Z, z_m),
             (RingCoordinate::TiltP, axis[0]),

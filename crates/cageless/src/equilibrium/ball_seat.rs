@@ -23,7 +23,7 @@ pub fn start_angles_rad(case: &Case) -> Vec<f64> {
 }
 
 /// Geometry of the outer contact of ball `k` of a case at ψ = `angle_rad`.
-pub fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContactGeometry {
+pub(crate) fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContactGeometry {
     let radius = case.bearing.ball(k).radius_m;
     outer_contact_geometry(&case.bearing, &case.raceways, angle_rad, radius)
 }

@@ -77,7 +77,7 @@ impl<M: Method> Integrator<M> {
     }
 
     /// Forgets all history at the end of the last step, where f or the size of the steps changes.
-    pub fn restart_here<S: System>(&mut self, system: &mut S) {
+    pub(crate) fn restart_here<S: System>(&mut self, system: &mut S) {
         let end = self.step.y1.clone();
         self.restart(system, self.step.t1_s, &end);
     }

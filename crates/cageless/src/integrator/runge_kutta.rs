@@ -57,7 +57,7 @@ impl RungeKutta {
     }
 
     /// The pair with steps that end where f is not smooth ([`System::edges`]).
-    pub fn ending_at_edges(self) -> Self {
+    pub(crate) fn ending_at_edges(self) -> Self {
         Self {
             edges: Some(Edges::default()),
             ..self

@@ -220,7 +220,7 @@ impl LinearRotor {
 
     /// Mass that the journal in bearing `k` shows to a sudden force across the axis, kg; the least
     /// over all directions.
-    pub fn effective_mass_kg(&self, k: usize) -> f64 {
+    pub(crate) fn effective_mass_kg(&self, k: usize) -> f64 {
         let journal = &self.journals[k];
         let most = (journal * journal.transpose())
             .symmetric_eigenvalues()
@@ -229,7 +229,7 @@ impl LinearRotor {
     }
 
     /// ω of the fastest normal coordinate at rest, rad/s.
-    pub fn fastest_rad_s(&self) -> f64 {
+    pub(crate) fn fastest_rad_s(&self) -> f64 {
         // The symmetric part of K is diagonal.
         self.stiffness.diagonal().max().max(0.0).sqrt()
     }

@@ -10,7 +10,12 @@ pub(crate) fn brent(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f6
 
 /// The last place on the way from `good`, where `holds`, to `bad`, where it does not, by bisection to
 /// `tolerance`.
-pub(crate) fn last_where(mut good: f64, mut bad: f64, tolerance: f64, holds: impl Fn(f64) -> bool) -> f64 {
+pub(crate) fn last_where(
+    mut good: f64,
+    mut bad: f64,
+    tolerance: f64,
+    holds: impl Fn(f64) -> bool,
+) -> f64 {
     while (bad - good).abs() > tolerance {
         let middle = 0.5 * (good + bad);
         match holds(middle) {

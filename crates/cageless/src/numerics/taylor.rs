@@ -86,7 +86,7 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// 1/x.
-    pub fn recip(self) -> Self {
+    pub(crate) fn recip(self) -> Self {
         let inverse = 1.0 / self.value;
         let square = inverse * inverse;
         self.map([inverse, -square, 2.0 * inverse * square])

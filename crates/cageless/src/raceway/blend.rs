@@ -83,7 +83,11 @@ impl Blend {
     }
 
     /// Blend over the last `length_rad` before the ends ±θ of a function and its slope over ψ.
-    pub(super) fn over(flanks: impl Fn(f64) -> [f64; 2], half_angle_rad: f64, length_rad: f64) -> Self {
+    pub(super) fn over(
+        flanks: impl Fn(f64) -> [f64; 2],
+        half_angle_rad: f64,
+        length_rad: f64,
+    ) -> Self {
         let start_rad = half_angle_rad - length_rad;
         let slope_at = |local: f64| flanks(local)[1];
         // Far from the end in its own scale, where the slope is analytic.

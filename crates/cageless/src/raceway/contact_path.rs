@@ -117,7 +117,7 @@ impl ContactPath {
 
     /// dz/dx of the branch z > 0: z′ = −r r′/z. At the ends, where r = Rw and
     /// r′ = 0, the limit from within.
-    pub fn axial_slope(&self, x_m: f64) -> f64 {
+    pub(crate) fn axial_slope(&self, x_m: f64) -> f64 {
         let near = self.end_m() * NEAR_END;
         // The slope itself is smooth.
         let x = x_m.clamp(-near, near);
@@ -128,7 +128,7 @@ impl ContactPath {
     }
 
     /// r at the point of the path with abscissa x (Zhao 2022, Eq. (6)).
-    pub fn effective_radius_at_x_m(&self, x_m: f64) -> f64 {
+    pub(crate) fn effective_radius_at_x_m(&self, x_m: f64) -> f64 {
         if x_m.abs() < self.end_m() {
             x_m.hypot(self.y_m(x_m)) - self.outer_orbit_radius_m()
         } else {

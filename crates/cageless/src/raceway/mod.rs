@@ -347,7 +347,7 @@ impl Raceway {
     }
 
     /// r at the contact point with abscissa x from the middle of the raceway (Zhao 2022, Eq. (6)).
-    pub fn effective_radius_at_x_m(&self, x_m: f64) -> f64 {
+    pub(crate) fn effective_radius_at_x_m(&self, x_m: f64) -> f64 {
         if let Some(path) = self.contact_path() {
             return path.effective_radius_at_x_m(x_m);
         }
@@ -441,7 +441,7 @@ impl Raceway {
 
     /// sin αc dαc/dψ at local ψ within ±θ; at the ends the limit from within, which is finite there also where
     /// the flanks meet the plain raceway at a right angle.
-    pub fn contact_angle_sine_slope(&self, local_angle_rad: f64) -> f64 {
+    pub(crate) fn contact_angle_sine_slope(&self, local_angle_rad: f64) -> f64 {
         self.piece_up_to(local_angle_rad)
             .flanks()
             .sine_slope(local_angle_rad)

@@ -52,7 +52,7 @@ impl ReferenceLife {
 
     /// L10r of a bearing of several rows, million revolutions, from the forces of each at both
     /// raceways: L10r = (Σ Lk^(−10/9))^(−9/10).
-    pub fn l10r_of_rows_mrev<'f>(
+    pub(crate) fn l10r_of_rows_mrev<'f>(
         &self,
         rows: impl IntoIterator<Item = [&'f [f64]; 2]>,
     ) -> Option<f64> {

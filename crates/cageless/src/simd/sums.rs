@@ -30,7 +30,8 @@ pub(super) enum Sum {
 
 impl Sum {
     pub(super) const COUNT: usize = 16;
-    pub(super) const NORMAL: [Self; 4] = [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
+    pub(super) const NORMAL: [Self; 4] =
+        [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
     pub(super) const FRICTION: [Self; 3] = [Self::Drive, Self::InnerFriction, Self::OuterFriction];
     pub(super) const RACEWAY_FRICTION: [Self; 5] = [
         Self::RingX,

@@ -306,7 +306,12 @@ impl Guard {
     }
 
     /// Checks the state after `steps` steps, with its contacts.
-    pub(super) fn check(&self, steps: u64, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
+    pub(super) fn check(
+        &self,
+        steps: u64,
+        contacts: &Contacts<'_>,
+        values: &[f64],
+    ) -> Result<(), Cause> {
         self.look(contacts, values)?;
         match steps.is_multiple_of(BALANCE_EVERY) {
             true => self.balance(values),

@@ -122,7 +122,7 @@ impl StepView<'_> {
     }
 
     /// ωi at the end of the step over the largest of the case; exactly 1 at constant speed.
-    pub fn inner_speed_ratio(&self, case: &Case) -> f64 {
+    pub(crate) fn inner_speed_ratio(&self, case: &Case) -> f64 {
         match self.layout.ring_speed_rad_s(&self.step.y1) {
             Some(speed) => speed.abs() / case.largest_inner_speed_rad_s().max(f64::MIN_POSITIVE),
             None => case.inner_speed_ratio(self.step.t1_s),
@@ -130,7 +130,7 @@ impl StepView<'_> {
     }
 
     /// Centre of the outer ring at `time_s` within the step.
-    pub fn outer_ring_at_m(&self, time_s: f64) -> [f64; 2] {
+    pub(crate) fn outer_ring_at_m(&self, time_s: f64) -> [f64; 2] {
         if !self.layout.has_rotor() {
             return [0.0; 2];
         }

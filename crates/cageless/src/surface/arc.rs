@@ -86,7 +86,7 @@ impl Arc {
     }
 
     /// dη/dψ of [`Self::valley_rad`] and of [`Self::shoulder_rad`].
-    pub fn limit_slopes(&self) -> [f64; 2] {
+    pub(crate) fn limit_slopes(&self) -> [f64; 2] {
         let re = self.curvature_radius_m;
         [
             -self.lateral_m[1] / (re * (self.valley_rad() - self.axis_rad).cos()),

@@ -23,7 +23,7 @@ impl Pose {
     }
 
     /// Point of the machine in the frame of the ring.
-    pub fn in_ring_m(&self, [x, y, z]: Vec3) -> Vec3 {
+    pub(crate) fn in_ring_m(&self, [x, y, z]: Vec3) -> Vec3 {
         let [(sa, ca), (sb, cb)] = self.tilt_rad.map(f64::sin_cos);
         let [dx, dy, dz] = self.shift_m;
         let [x, y, z] = [x - dx, y - dy, z - dz];

@@ -26,7 +26,6 @@ mod spectrum;
 pub use filter::{Decimator, FILTER_CORNER, FILTER_ORDER};
 pub use measurement::{Measurement, STRETCH};
 pub use passing::{LEAST_ORBITS, PassingSplit};
-pub use response::HOUSING_INTERVAL_S;
 pub use spectrum::{Spectrum, Welch, spectrum};
 
 use crate::case::Housing;

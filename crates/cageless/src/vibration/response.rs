@@ -6,7 +6,7 @@ use crate::case::Housing;
 use crate::simulation::RunContext;
 
 /// Sampling of the housing's motion; resolves 10 kHz and all housings below it.
-pub const HOUSING_INTERVAL_S: f64 = 1e-5;
+pub(crate) const HOUSING_INTERVAL_S: f64 = 1e-5;
 
 /// Acceleration of the housing along x and y under the force on the outer ring.
 pub(super) struct Response {

@@ -104,7 +104,7 @@ impl FrictionTable {
     }
 
     /// Largest fall of μ over the sliding speed, s/m; 0 if it rises everywhere.
-    pub fn steepest_fall(&self) -> f64 {
+    pub(crate) fn steepest_fall(&self) -> f64 {
         let pieces = self.pieces();
         let slope = |speed: f64| {
             let piece = pieces.iter().rfind(|p| speed >= p.start);
@@ -119,7 +119,7 @@ impl FrictionTable {
     }
 
     /// μ of fast sliding: that of the last row.
-    pub fn coefficient_fast(&self) -> f64 {
+    pub(crate) fn coefficient_fast(&self) -> f64 {
         self.points[self.points.len() - 1][1]
     }
 

@@ -110,7 +110,7 @@ macro_rules! friction_laws {
             }
 
             /// Largest fall of the coefficient of friction over the sliding speed, s/m.
-            pub fn steepest_fall(self, parameters: &FrictionParameters) -> f64 {
+            pub(crate) fn steepest_fall(self, parameters: &FrictionParameters) -> f64 {
                 match self { $(Self::$law => <$law as LawConstants>::steepest_fall(parameters),)* }
             }
 

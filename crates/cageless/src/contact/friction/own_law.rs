@@ -137,7 +137,7 @@ impl OwnFriction {
     }
 
     /// μ of fast sliding.
-    pub fn coefficient_fast(&self) -> f64 {
+    pub(crate) fn coefficient_fast(&self) -> f64 {
         self.factor * self.fast
     }
 

@@ -50,7 +50,7 @@ const REGULARISATION_M_S: [f64; 2] = [1e-6, FrictionParameters::REGULARISATION_M
 
 impl FrictionParameters {
     /// Largest regularisation speed that a rolling speed gives, m/s.
-    pub const REGULARISATION_MAX_M_S: f64 = 0.02;
+    pub(crate) const REGULARISATION_MAX_M_S: f64 = 0.02;
 
     /// Regularisation speed of balls whose centres roll at this speed, m/s: a thousandth of it, from 1e-6 to
     /// 0.02 m/s.

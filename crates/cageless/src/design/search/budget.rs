@@ -24,12 +24,12 @@ impl Request {
     }
 
     /// Structures that are simulated for the front.
-    pub fn front_structures(&self) -> usize {
+    pub(crate) fn front_structures(&self) -> usize {
         self.budget / 2 / self.of_structure()
     }
 
     /// Cells of all maps together that are simulated.
-    pub fn map_cells_simulated(&self) -> usize {
+    pub(crate) fn map_cells_simulated(&self) -> usize {
         (self.budget / 4 - self.bunched()) / self.starts as usize
     }
 
@@ -39,7 +39,7 @@ impl Request {
     }
 
     /// Structures that the optimiser tries.
-    pub fn optimised_structures(&self) -> usize {
+    pub(crate) fn optimised_structures(&self) -> usize {
         OPTIMISED_MAX.min(self.budget / 8 / self.of_structure())
     }
 

@@ -242,7 +242,11 @@ impl Batch<'_, '_> {
             && inside(self.request.half_angle_range_rad, structure.half_angle_rad)
     }
 
-    pub(super) fn execute(&mut self, stage: Stage, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
+    pub(super) fn execute(
+        &mut self,
+        stage: Stage,
+        jobs: &[Job],
+    ) -> Result<Vec<Outcome>, Interrupted> {
         if jobs.is_empty() {
             return Ok(vec![]);
         }

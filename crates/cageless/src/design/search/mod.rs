@@ -41,21 +41,21 @@ mod rehearsal;
 mod rejection;
 mod request;
 
-pub use crate::critical_gap::{CROWDED_MAX, NEIGHBOURS_WIDER};
+pub use crate::critical_gap::NEIGHBOURS_WIDER;
 pub use axial::AxialSeparation;
 pub use budget::BUDGET_LEAST;
 pub use evaluation::{Confirmed, Evaluation, Role, Statistics};
 pub use grid::{MapCell, SpeedMap};
 pub use job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task, run_here, run_jobs};
-pub use pareto::{OBJECTIVES, ObjectiveScale, RESOLUTION, pareto_front};
+pub use pareto::ObjectiveScale;
+pub(crate) use pareto::pareto_front;
 pub use perturbed_run::{
-    BUNCHED_TURNS, Motion, PerturbedRunError, TURNS, UnevenStart, VALUES, from_uneven_start,
-    perturbed_runs, uneven_gaps_rad,
+    BUNCHED_TURNS, Motion, PerturbedRunError, UnevenStart, VALUES, perturbed_runs, uneven_gaps_rad,
 };
 pub use placement::placements;
 pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 pub use rehearsal::{ExpectedRuns, expected_runs};
-pub use rejection::{Cause, CauseKind, RETAINED_FRACTION, Rejection};
+pub use rejection::{Cause, CauseKind, Rejection};
 pub use request::{BUDGET, CONFIRMING_STARTS, Execute, Request, Stage};
 
 use crate::case::Case;

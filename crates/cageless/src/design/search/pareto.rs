@@ -1,10 +1,10 @@
 //! Objectives, Pareto front and compromise choice of a search.
 
 /// Number of objectives.
-pub const OBJECTIVES: usize = 7;
+pub(crate) const OBJECTIVES: usize = 7;
 
 /// Differences below this fraction of the range count as none.
-pub const RESOLUTION: f64 = 0.01;
+pub(crate) const RESOLUTION: f64 = 0.01;
 
 /// Scale of the objectives: smallest and largest on the front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +53,7 @@ impl ObjectiveScale {
 
 /// Indices of those that no other beats: none is at least as good in everything, to
 /// [`RESOLUTION`] of the range, and better by more than that in something.
-pub fn pareto_front(all: &[[f64; OBJECTIVES]]) -> Vec<usize> {
+pub(crate) fn pareto_front(all: &[[f64; OBJECTIVES]]) -> Vec<usize> {
     let Some(scale) = ObjectiveScale::new(all) else {
         return vec![];
     };

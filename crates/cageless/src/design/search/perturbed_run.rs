@@ -19,7 +19,7 @@ use crate::simulation::{
 };
 
 /// Orbits of the balls in a perturbed run; spacing is looked at in the second half.
-pub const TURNS: f64 = 32.0;
+pub(crate) const TURNS: f64 = 32.0;
 /// Orbits from a bunched start: a raceway takes some hundred to take a bunch apart.
 pub const BUNCHED_TURNS: f64 = 256.0;
 
@@ -215,7 +215,7 @@ pub fn perturbed_runs(
 }
 
 /// `case` with this uneven start, as long as so many orbits of the balls.
-pub fn from_uneven_start(case: &Case, start: UnevenStart, orbits: f64) -> Case {
+pub(crate) fn from_uneven_start(case: &Case, start: UnevenStart, orbits: f64) -> Case {
     let gaps = match start {
         UnevenStart::Drawn(number) => Gaps::List(uneven_gaps_rad(case, case.seed, number)),
         UnevenStart::Bunched => Gaps::bunched(&case.bearing),

@@ -15,7 +15,7 @@ use crate::raceway::RacewayShape;
 /// Least gap with which balls come back, over the critical gap, with about which they leave the raceway.
 /// In the load zone it is 0.7 (at low speed) to 1; where a raceway lies so that its way out has
 /// no load, a fifth.
-pub const RETAINED_FRACTION: f64 = 0.5;
+pub(crate) const RETAINED_FRACTION: f64 = 0.5;
 
 /// Cause for which a raceway design is rejected.
 #[derive(Debug, Clone, PartialEq)]

@@ -187,7 +187,12 @@ impl SpaceBlock {
     /// Sliding at a place of balls with these velocities, with the rings at the start (0) or the end (1)
     /// of the step.
     #[inline(always)]
-    pub(crate) fn sliding(&self, place: usize, velocity: &[Lanes; SIZE], end: usize) -> SlidingLanes {
+    pub(crate) fn sliding(
+        &self,
+        place: usize,
+        velocity: &[Lanes; SIZE],
+        end: usize,
+    ) -> SlidingLanes {
         let at_rest = &self.at_rest[end][place];
         let mut sliding = SlidingLanes::ZERO;
         for lane in 0..LANES {

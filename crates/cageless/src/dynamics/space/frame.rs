@@ -124,7 +124,12 @@ impl Frame {
     /// Sliding of a ball with these velocities against a ring at which a ball at rest slides with
     /// `at_rest`.
     #[inline(always)]
-    pub(crate) fn sliding(&self, v: [f64; SIZE], inverse_radius: f64, at_rest: &Sliding) -> Sliding {
+    pub(crate) fn sliding(
+        &self,
+        v: [f64; SIZE],
+        inverse_radius: f64,
+        at_rest: &Sliding,
+    ) -> Sliding {
         let [normal, across, along] = self.axes();
         let (linear, turning) = ([v[0], v[1], v[2]], [v[3], v[4], v[5]]);
         let (roll, yaw) = (dot(across, turning), dot(along, turning));

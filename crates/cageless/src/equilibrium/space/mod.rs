@@ -105,7 +105,7 @@ pub fn solve(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
 ///
 /// # Errors
 /// Those of [`solve`], or `control` ended the search.
-pub fn solve_controlled(
+pub(crate) fn solve_controlled(
     case: &Case,
     control: &mut dyn FnMut() -> Control,
 ) -> Result<SpatialEquilibrium, EquilibriumError> {
@@ -178,7 +178,7 @@ pub(crate) fn rolling_balls(case: &Case, ring: Ring) -> Vec<RollingBall> {
 ///
 /// # Errors
 /// Those of [`solve`].
-pub fn forces_at_rest(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+pub(crate) fn forces_at_rest(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
     let mut still = case.conventional();
     still.operation.gravity_m_s2 = 0.0;
     // What keeps an unloaded ball in its groove is next to nothing.

@@ -102,7 +102,7 @@ impl Edge {
     }
 
     /// Share of the arc at which its normal is nearest to this direction.
-    pub fn share_towards(&self, direction: Vec3) -> f64 {
+    pub(crate) fn share_towards(&self, direction: Vec3) -> f64 {
         dot(direction, self.inside).atan2(dot(direction, self.groove)) / self.arc_rad
     }
 }

@@ -198,7 +198,7 @@ impl Recess {
     }
 
     /// Unit normal of the floor at a point, out of the material.
-    pub fn floor_normal(&self, [x, y, _]: Vec3) -> Vec3 {
+    pub(crate) fn floor_normal(&self, [x, y, _]: Vec3) -> Vec3 {
         let [out, up] = self.frame.turned(-1.0, 0.0);
         super::directions::vector(x.atan2(-y), [out, 0.0, up])
     }

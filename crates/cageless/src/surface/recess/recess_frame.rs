@@ -37,7 +37,11 @@ impl RecessFrame {
     ///
     /// # Errors
     /// An [`InputError`] if the edges around an end would meet.
-    pub(super) fn new(section: &SectionFrame, raceway: &Raceway, slot: &Slot) -> Result<Self, InputError> {
+    pub(super) fn new(
+        section: &SectionFrame,
+        raceway: &Raceway,
+        slot: &Slot,
+    ) -> Result<Self, InputError> {
         let ([radius, height], (sin, cos)) = (section.ball_m, section.axis_rad.sin_cos());
         let groove_m = [
             radius - section.offset_m * cos,
