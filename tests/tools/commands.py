@@ -28,7 +28,7 @@ from studies import ROOT
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 SHELL, PYTHON = ("sh", "console"), ("python", "pycon")
 # Shown, not run.
-SHOWN = ("math", "mermaid", "text")
+SHOWN = ("math", "mermaid", "rust", "text")
 TUTORIALS = "docs/tutorials/"
 
 # What does not run here: a pattern of the command, the reason, and the step of ./test that runs it or its like.
@@ -37,6 +37,7 @@ LEFT = [
     (r"^pip install", "installs", "python package"),
     (r"^rustup target add|^cargo install", "installs", "build"),
     (r"^cargo run --release -- reproduce", "minutes", "reproduce"),
+    (r"^cargo run (--release )?-p cageless --example", "compiled as a test", "programs in rust"),
     (r"^\./test ", "every test", ""),
     (r"^python3 docs/studies compute", "hours", "numbers in documents"),
     (r"SLURMCluster|KubeCluster|^FROM python", "needs a cluster", ""),

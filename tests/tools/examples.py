@@ -6,6 +6,7 @@
 An example runs as its own test, which `cargo test` has compiled.
 """
 
+import json
 import re
 import subprocess
 import sys
@@ -21,17 +22,27 @@ RUNNER = re.compile(r"^(?:running 1 test|test runs \.\.\. (?:ok)?|ok|test result
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 
 
-def printed(name):
-    """What an example prints."""
-    command = ["cargo", "test", "--locked", "--quiet", "--profile", "tests", "-p", "cageless", "--example", name]
-    run = subprocess.run([*command, "--", "--nocapture", "--test-threads=1"], cwd=ROOT, capture_output=True, text=True)
+def programs():
+    """The examples, compiled with all other tests."""
+    command = ["cargo", "test", "--locked", "--profile", "tests", "--workspace", "--exclude", "cageless-bench"]
+    command += ["--no-run", "--message-format", "json"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     if run.returncode != 0:
-        sys.exit(f"example {name}: {run.stderr}")
+        sys.exit(f"examples: {run.stderr}")
+    artifacts = (json.loads(line) for line in run.stdout.splitlines() if line.startswith("{"))
+    return {a["target"]["name"]: a["executable"] for a in artifacts if "example" in a.get("target", {}).get("kind", [])}
+
+
+def printed(program):
+    """What an example prints."""
+    run = subprocess.run([program, "--nocapture", "--test-threads=1"], cwd=ROOT, capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit(f"{program}: {run.stdout}{run.stderr}")
     text = RUNNER.sub("", run.stdout)
     return re.sub(r"^test runs \.\.\. |^\.$", "", text, flags=re.MULTILINE).strip("\n")
 
 
-def page(name):
+def page(name, program):
     """The page of an example."""
     source = (EXAMPLES / f"{name}.rs").read_text(encoding="utf-8")
     head, _, code = source.partition("\n\n")
@@ -41,7 +52,7 @@ def page(name):
     title = name.replace("_", " ").capitalize()
     return "\n".join(
         [f"# {title}", "", *wrapped(about), "", "```sh", command, "```", "", "```rust", code, "```", "", "It prints", ""]
-        + ["```text", printed(name), "```", ""]
+        + ["```text", printed(program), "```", ""]
     )
 
 
@@ -58,8 +69,9 @@ def wrapped(text):
 
 
 def main():
+    compiled = programs()
     for example in sorted(EXAMPLES.glob("*.rs")):
-        name, text = example.stem, page(example.stem)
+        name, text = example.stem, page(example.stem, compiled[example.stem])
         path = PAGES / f"{name}.md"
         if sys.argv[1:] == ["--write"]:
             path.parent.mkdir(exist_ok=True)

@@ -120,8 +120,11 @@ impl Watch {
         }
     }
 
-    /// Continuous ψ of each ball at the end of a step, rad.
+    /// Continuous ψ of each ball at the end of a step, rad; as given before the first.
     pub(super) fn angles_rad(&self, step: &StepState) -> Vec<f64> {
+        if self.steps == 0 {
+            return self.recent_angle.clone();
+        }
         let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
         let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);
         let centre = self.layout.outer_ring_motion(&step.y1);
