@@ -232,6 +232,7 @@ pub fn magnitudes(run: &RunData) -> Option<Figure> {
         CORE
         + "case/contact.rs": [
             ["    /// Friction between balls over that", "    /// Roughness over film thickness.\n    pub roughness_ratio: f64,\n"],
+            ["            ball_friction_factor: 1.0,", "            roughness_ratio: 0.0,\n"],
             ['        not_negative("ball_friction_factor"', '        not_negative("roughness_ratio", self.roughness_ratio)?;\n'],
         ],
         IO

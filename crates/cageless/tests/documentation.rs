@@ -94,7 +94,8 @@ fn functions(text: &str) -> Vec<Function> {
         if trimmed.starts_with('#') {
             continue;
         }
-        let before = trimmed.split('(').next().unwrap();
+        let visible = trimmed.replacen("pub(crate) ", "pub ", 1);
+        let before = visible.split('(').next().unwrap();
         if let Some((qualifiers, name)) = before.split_once("fn ")
             && (qualifiers.is_empty() || qualifiers.ends_with(' '))
         {

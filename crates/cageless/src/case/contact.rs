@@ -33,6 +33,24 @@ pub struct Contact {
 /// Most strips of a contact: twice as many change the sliding by less than a hundredth.
 pub const STRIPS_MAX: usize = 21;
 
+/// Lubricated steel, μ = 0.007 with the smooth law, damped.
+impl Default for Contact {
+    fn default() -> Self {
+        Self {
+            friction_law: FrictionModel::Smooth,
+            friction: FrictionParameters::smooth(0.007, FrictionParameters::REGULARISATION_MAX_M_S),
+            outer_friction_factor: 1.0,
+            ball_friction_factor: 1.0,
+            friction_strips: 3,
+            damping_n_s_m1_5: 2e5,
+            ball_restitution: 0.95,
+            inner_stiffness_n_m1_5: None,
+            outer_stiffness_n_m1_5: None,
+            ball_stiffness_n_m1_5: None,
+        }
+    }
+}
+
 impl Contact {
     /// Largest friction of a kind of contact over that of the law.
     pub(crate) fn friction_factor_max(&self) -> f64 {

@@ -4,7 +4,7 @@ use super::{
     Case, Contact, Gaps, Motion, Operation, Output, Solver, SpatialLoad, Start, StartState,
 };
 use crate::bearing::Bearing;
-use crate::contact::{FrictionModel, FrictionParameters};
+use crate::contact::FrictionParameters;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
@@ -34,21 +34,7 @@ impl Case {
                 radial_load_table: None,
                 space: SpatialLoad::default(),
             },
-            contact: Contact {
-                friction_law: FrictionModel::Smooth,
-                friction: FrictionParameters::smooth(
-                    0.007,
-                    FrictionParameters::REGULARISATION_MAX_M_S,
-                ),
-                outer_friction_factor: 1.0,
-                ball_friction_factor: 1.0,
-                friction_strips: 3,
-                damping_n_s_m1_5: 2e5,
-                ball_restitution: 0.95,
-                inner_stiffness_n_m1_5: None,
-                outer_stiffness_n_m1_5: None,
-                ball_stiffness_n_m1_5: None,
-            },
+            contact: Contact::default(),
             formulation: Formulation::Physical,
             motion: Motion::BySymmetry,
             flanks: FlankModel::Elastic,
