@@ -15,7 +15,7 @@ struct Held {
     reserve_deg: f64,
     /// Contacts of a held pair in an orbit, by its gaps and grade.
     expected: f64,
-    /// The same in the runs.
+    /// Contacts of a held pair in an orbit of the runs.
     of_pair: f64,
 }
 

@@ -14,7 +14,7 @@ pub use design::{design, search_json};
 pub use run::run_data;
 
 use cageless::kinematics::rolling_orbit_speed_rad_s;
-use cageless::{Bearing, BearingDimensions, Material, Raceway, RacewayDimensions};
+use cageless::{Bearing, Raceway, RacewayDimensions, reference};
 use cageless_report::*;
 
 /// lC, θ, theory and simulated value of the paper's Table 2.
@@ -34,26 +34,7 @@ const SPEED: f64 = 12_000.0 * std::f64::consts::PI / 30.0;
 const STEP: f64 = 2e-5;
 
 pub fn bearing() -> Bearing {
-    Bearing::new(
-        BearingDimensions {
-            balls: 14,
-            ball_radius_m: 4.7625e-3,
-            inner_groove_bottom_radius_m: 18.24e-3,
-            outer_groove_bottom_radius_m: 27.765e-3,
-            outer_shoulder_radius_m: 26e-3,
-            inner_shoulder_radius_m: None,
-            inner_groove_curvature_radius_m: 4.953e-3,
-            outer_groove_curvature_radius_m: 4.953e-3,
-            inner_ring_mass_kg: 0.2,
-            inner_ring_damping_n_s_m: 2000.0,
-        },
-        Material {
-            density_kg_m3: 7850.0,
-            youngs_modulus_pa: 206e9,
-            poisson_ratio: 0.3,
-        },
-    )
-    .expect("the paper's bearing")
+    reference::bearing()
 }
 
 pub fn structure(k: usize) -> RacewayLabel {

@@ -164,11 +164,12 @@ mod tests {
     use std::path::Path;
 
     use cageless_io::plan_file::VariantFile;
-    use cageless_results::{Cell, DropJudgement, DropResult, Results, Stopped};
+    use cageless_results::{Cell, Stopped};
 
     use super::*;
     use crate::drop::ensemble::evaluate;
-    use crate::drop::{BearingRow, Bearings, DropRequest, RotorRow};
+    use crate::drop::ensemble::tests::bearing_with;
+    use crate::drop::{Bearings, DropRequest, RotorRow};
 
     /// Drops with these contacts, pressures, forces and heat, each scaled by the draw and all by a factor.
     fn drops(values: [f64; 4], factors: &[f64], stopped: bool) -> Ensemble {
@@ -185,29 +186,12 @@ mod tests {
                 ("rotor_force_max_n", Cell::Number(force)),
                 ("dissipated_j", Cell::Number(heat)),
             ];
-            let bearing = BearingRow {
-                rotor_friction: 0.1,
-                rotor_static_friction: None,
-                rotor_friction_table: None,
-                ball_friction: 0.1,
-                ball_static_friction: None,
-                ball_friction_table: None,
-                radial_clearance_um: 200.0,
-                support_damping_n_s_m: None,
-                lead_ball_angle_deg: None,
-                gaps_deg: None,
-                result: DropResult {
-                    results: Results::only(DROP, &results),
-                    judgement: DropJudgement::default(),
-                    stopped: stopped.then(|| Stopped {
-                        time_s: 1e-3,
-                        cause: "a cause".to_owned(),
-                        advice: String::new(),
-                    }),
-                    unheated: vec![],
-                    windows: vec![],
-                },
-            };
+            let stop = stopped.then(|| Stopped {
+                time_s: 1e-3,
+                cause: "a cause".to_owned(),
+                advice: String::new(),
+            });
+            let bearing = bearing_with(&results, stop);
             DropRow {
                 drop: number,
                 rotor: RotorRow::Case {

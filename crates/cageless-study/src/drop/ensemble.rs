@@ -204,19 +204,19 @@ pub(super) fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
     }
 }
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::path::Path;
 
     use cageless_io::rotor_file::RotorFile;
-    use cageless_results::{Cell, DROP, DropJudgement, Results};
+    use cageless_results::{Cell, DROP, DropJudgement, Results, Stopped};
 
     use super::*;
 
-    fn bearing(state: &str, force: f64) -> BearingRow {
-        let results = [
-            ("end_state", Cell::Text(state.to_owned())),
-            ("rotor_force_max_n", Cell::Number(force)),
-        ];
+    /// A bearing of a drop with these results.
+    pub(in crate::drop) fn bearing_with(
+        results: &[(&str, Cell)],
+        stopped: Option<Stopped>,
+    ) -> BearingRow {
         BearingRow {
             rotor_friction: 0.1,
             rotor_static_friction: None,
@@ -229,13 +229,21 @@ mod tests {
             lead_ball_angle_deg: None,
             gaps_deg: None,
             result: DropResult {
-                results: Results::only(DROP, &results),
+                results: Results::only(DROP, results),
                 judgement: DropJudgement::default(),
-                stopped: None,
+                stopped,
                 unheated: vec![],
                 windows: vec![],
             },
         }
+    }
+
+    fn bearing(state: &str, force: f64) -> BearingRow {
+        let results = [
+            ("end_state", Cell::Text(state.to_owned())),
+            ("rotor_force_max_n", Cell::Number(force)),
+        ];
+        bearing_with(&results, None)
     }
 
     fn row(bearings: Vec<BearingRow>, stopped: Option<&str>) -> DropRow {

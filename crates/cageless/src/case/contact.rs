@@ -59,10 +59,11 @@ impl Contact {
             .max(1.0)
     }
 
-    /// Adds to μ; with a table every μ grows by the same fraction.
+    /// Adds to μ; with a table or a law of one's own every μ grows by the same fraction.
     pub fn shift_friction(&mut self, by: f64) {
         let sliding = self.friction.coefficient;
-        if self.friction.table.is_some() && sliding > 0.0 {
+        let by_speed = self.friction.table.is_some() || self.friction.own.is_some();
+        if by_speed && sliding > 0.0 {
             self.friction.scale((sliding + by) / sliding);
         } else {
             self.friction.coefficient += by;

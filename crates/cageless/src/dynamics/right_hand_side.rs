@@ -89,7 +89,7 @@ impl RightHandSide {
     }
 
     /// Sets the speed of the inner ring, rad/s, and the radial load, N, from here on.
-    pub(crate) fn set_operation(&mut self, [inner_speed_rad_s, radial_load_n]: [f64; 2]) {
+    pub(crate) fn set_operation(&mut self, inner_speed_rad_s: f64, radial_load_n: f64) {
         let p = &mut self.parameters;
         for lane in 0..LANES {
             p.inner.surface_speed.0[lane] = inner_speed_rad_s * p.inner.radius.0[lane];

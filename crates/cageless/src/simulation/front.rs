@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
-use super::run::advance;
+use super::run::{advance, made};
 use super::run_tracker::RunTracker;
-use super::watch::{Made, Watch};
+use super::watch::Watch;
 use crate::case::Case;
 use crate::control::Control;
 use crate::dynamics::state::State;
@@ -207,11 +207,7 @@ impl<M: Method> Simulation<M> {
             Some(stop) => Ending::Stopped(stop.clone()),
             None => Ending::Interrupted,
         };
-        let made = Made {
-            evaluations: self.rhs.evaluations(),
-            instruction_set: self.rhs.instruction_set(),
-        };
-        self.watch.outcome(ending, self.state(), made)
+        self.watch.outcome(ending, self.state(), made(&self.rhs))
     }
 
     /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise.
@@ -263,9 +259,9 @@ impl<M: Method> Simulation<M> {
 
     fn apply_operation(&mut self) {
         let operation = &self.case.operation;
-        let given = [operation.inner_speed_rad_s, operation.radial_load_n];
-        self.rhs.set_operation(given);
-        self.watch.interpolator().set_operation(given);
+        let (speed_rad_s, load_n) = (operation.inner_speed_rad_s, operation.radial_load_n);
+        self.rhs.set_operation(speed_rad_s, load_n);
+        self.watch.interpolator().set_operation(speed_rad_s, load_n);
         self.watch.look_as_often_as(&self.case);
         // f has jumped: no history may reach across.
         self.integrator.restart_here(&mut self.rhs);

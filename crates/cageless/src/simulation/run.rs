@@ -112,6 +112,14 @@ pub(super) fn drive_from(
     integrator.step().y1.to_vec()
 }
 
+/// Work of the equations so far.
+pub(super) fn made(bearings: &impl Bearings) -> Made {
+    Made {
+        evaluations: bearings.evaluations(),
+        instruction_set: bearings.instruction_set(),
+    }
+}
+
 /// Advances bearings to `until_s`, or until each has ended.
 pub(super) fn advance<M: integrator::Method>(
     integrator: &mut Integrator<M>,
@@ -151,9 +159,6 @@ pub(super) fn advance<M: integrator::Method>(
     }
     STEPS.set(STEPS.get() + steps * trackers.len() as u64);
     for tracker in trackers {
-        tracker.made = Made {
-            evaluations: rhs.evaluations(),
-            instruction_set: rhs.instruction_set(),
-        };
+        tracker.made = made(rhs);
     }
 }

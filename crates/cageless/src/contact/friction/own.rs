@@ -56,10 +56,9 @@ impl Law for Own {
         let Some(law) = self.law.as_ref().filter(|_| normal_n != 0.0) else {
             return [0.0; 2];
         };
-        let [mu, mu_slope] = self.mu(law, speed(sliding_m_s));
+        let mu = self.mu(law, speed(sliding_m_s));
         let knee = tanh(sliding_m_s * inverse_knee_s_m);
-        let slope = mu * (1.0 - knee * knee) * inverse_knee_s_m + mu_slope * knee.abs();
-        [mu * normal_n * knee, slope * normal_n]
+        at_knee(mu, knee, normal_n, inverse_knee_s_m)
     }
 
     /// Zero sliding, where μ changes to both sides from there.
@@ -101,6 +100,13 @@ impl LawConstants for Own {
     }
 }
 
+/// Force and slope under μ with its slope, where the knee at the sliding speed has this value.
+#[inline(always)]
+fn at_knee([mu, mu_slope]: [f64; 2], knee: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
+    let slope = mu * (1.0 - knee * knee) * inverse_knee_s_m + mu_slope * knee.abs();
+    [mu * normal_n * knee, slope * normal_n]
+}
+
 /// |ΔV|; 0 in the padding of the lanes, which has no number.
 #[inline(always)]
 fn speed(sliding_m_s: f64) -> f64 {
@@ -127,21 +133,16 @@ impl OwnLanes {
         for lane in 0..LANES {
             speeds.0[lane] = speed(slips_m_s.0[lane]);
         }
-        match &self.lanes[0].law {
-            Some(law) if self.same => {
-                if let Err(lane) = law.coefficients(&speeds, &mut mu, &mut slope) {
-                    self.lanes[0].report(law, speeds.0[lane], [mu.0[lane], slope.0[lane]]);
-                    [mu, slope] = [Lanes::ZERO; 2];
-                }
-            }
-            _ => {
-                for lane in 0..LANES {
-                    let own = &self.lanes[lane];
-                    if let Some(law) = &own.law {
-                        [mu.0[lane], slope.0[lane]] = own.mu(law, speeds.0[lane]);
-                    }
-                }
-            }
+        if let Some(law) = self.lanes[0].law.as_ref().filter(|_| self.same)
+            && law.coefficients(&speeds, &mut mu, &mut slope)
+        {
+            return [mu, slope];
+        }
+        // One by one, so that an answer that cannot be is told of its own bearing.
+        for lane in 0..LANES {
+            let own = &self.lanes[lane];
+            let found = own.law.as_ref().map(|law| own.mu(law, speeds.0[lane]));
+            [mu.0[lane], slope.0[lane]] = found.unwrap_or_default();
         }
         [mu, slope]
     }
@@ -194,15 +195,7 @@ impl Law for &Own {
         (**self).edge(sliding_m_s)
     }
 
-    #[inline(always)]
-    fn coefficient(&self) -> f64 {
-        self.coefficient
-    }
-
-    #[inline(always)]
-    fn inverse_regularisation_speed(&self) -> f64 {
-        self.inverse_regularisation_speed
-    }
+    knee!();
 }
 
 /// [`OwnLanes`] with μ at the sliding speeds of two contacts of each lane.
@@ -237,21 +230,11 @@ pub(crate) struct OwnAt {
     inverse_regularisation_speed: f64,
 }
 
-impl OwnAt {
-    /// Force and slope at the contact `k` where the knee at its speed has this value.
-    #[inline(always)]
-    fn at_knee(&self, k: usize, knee: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
-        let [mu, mu_slope] = self.mu[k];
-        let slope = mu * (1.0 - knee * knee) * inverse_knee_s_m + mu_slope * knee.abs();
-        [mu * normal_n * knee, slope * normal_n]
-    }
-}
-
 impl Law for OwnAt {
     #[inline(always)]
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let knee = tanh(sliding_m_s * inverse_knee_s_m);
-        self.at_knee(0, knee, normal_n, inverse_knee_s_m)
+        at_knee(self.mu[0], knee, normal_n, inverse_knee_s_m)
     }
 
     #[inline(always)]
@@ -259,8 +242,8 @@ impl Law for OwnAt {
         let inverse = self.inverse_regularisation_speed;
         let [outer, inner] = tanh_pair(slips_m_s.map(|slip| slip * inverse));
         [
-            self.at_knee(0, outer, normals_n[0], inverse),
-            self.at_knee(1, inner, normals_n[1], inverse),
+            at_knee(self.mu[0], outer, normals_n[0], inverse),
+            at_knee(self.mu[1], inner, normals_n[1], inverse),
         ]
     }
 

@@ -164,17 +164,9 @@ impl OwnFriction {
         }
     }
 
-    /// [`Self::coefficient`] of a block of speeds.
-    ///
-    /// # Errors
-    /// Index of the first speed whose answer cannot be.
+    /// [`Self::coefficient`] of a block of speeds; whether the law may answer so at all of them.
     #[inline(always)]
-    pub(super) fn coefficients(
-        &self,
-        speeds: &Lanes,
-        mu: &mut Lanes,
-        slope: &mut Lanes,
-    ) -> Result<(), usize> {
+    pub(super) fn coefficients(&self, speeds: &Lanes, mu: &mut Lanes, slope: &mut Lanes) -> bool {
         self.law.coefficients(&speeds.0, &mut mu.0, &mut slope.0);
         let mut all = true;
         for lane in 0..LANES {
@@ -182,12 +174,7 @@ impl OwnFriction {
             mu.0[lane] *= self.factor;
             slope.0[lane] *= self.factor;
         }
-        match all {
-            true => Ok(()),
-            false => Err((0..LANES)
-                .find(|k| !possible(mu.0[*k], slope.0[*k]))
-                .unwrap_or(0)),
-        }
+        all
     }
 
     /// Whether μ rises or falls from rest on, so that friction has a kink there.
