@@ -661,3 +661,26 @@ fn bunched_balls_settle_under_an_axial_load() {
         cageless::initial_conditions::initial_state(file.case()).unwrap();
     }
 }
+
+/// What a file leaves out is what the library takes: the same case from a file and from the builder.
+#[test]
+fn defaults_of_files_are_those_of_the_library() {
+    let text = "[bearing]\nballs = 14\nball_radius_mm = 4.7625\npitch_diameter_mm = 46\n\
+        radial_internal_clearance_um = 0\n[operation]\ninner_speed_rpm = 12000\nradial_load_n = 1500\n";
+    let file = CaseFile::parse(text, "a case", &[]).unwrap();
+    let (case, operation) = (file.case(), &file.case().operation);
+    let built = cageless::CaseBuilder::of(case.bearing.clone())
+        .inner_speed_rad_s(operation.inner_speed_rad_s)
+        .radial_load_n(operation.radial_load_n);
+    assert_eq!(case, &built.build().unwrap());
+    let estimated = cageless::BearingDimensions::estimated(14, 4.7625e-3, 23e-3);
+    let found = case.bearing.dimensions();
+    let masses = [estimated.inner_ring_mass_kg, found.inner_ring_mass_kg];
+    // Files state six digits of a mass.
+    assert!((masses[0] / masses[1] - 1.0).abs() < 1e-6, "{masses:?}");
+    let shoulders = [
+        estimated.outer_shoulder_radius_m,
+        found.outer_shoulder_radius_m,
+    ];
+    assert!((shoulders[0] - shoulders[1]).abs() < 1e-9, "{shoulders:?}");
+}
