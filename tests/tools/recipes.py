@@ -1,5 +1,6 @@
 """Follows the recipes of RECIPES.md on a copy of the project, all of them at once: each touches the files
-that it lists and no other, and the command then has a law of friction, a shape of raceway, a method, a result, a figure and a key more.
+that it lists and no other, and the command then has a law of friction, a shape of raceway, a method, a result,
+a figure, a criterion and a key more.
 
     recipes.py FOLDER [BUILT]
 
@@ -228,6 +229,40 @@ pub fn magnitudes(run: &RunData) -> Option<Figure> {
             ['            named("energy"', '            named("magnitudes", "magnitudes of the terms", magnitudes::magnitudes),\n'],
         ],
     },
+    "A criterion of a verdict": {
+        CORE
+        + "design/criterion/often.rs": """//! Contacts of a passing ball.
+
+use super::super::raceway_verdict::RacewayVerdict;
+use super::requirement::{Bound, CauseKind, Requirement};
+
+/// Contacts with neighbours per passage.
+pub static OFTEN: Requirement = Requirement {
+    name: "often",
+    most: Some(Bound {
+        limit: 1e-3,
+        verdict: RacewayVerdict::DoubleCollision,
+        cause: CauseKind {
+            name: "often-hit",
+            meaning: "balls are hit too often",
+            remedy: "a shallower raceway",
+        },
+    }),
+    sentence: |_| "balls are hit in {} of the passages",
+    unknown: "the number of contacts",
+    ..Requirement::PERCENT
+};
+""",
+        CORE
+        + "design/criterion/mod.rs": [
+            ["mod pressure;", "mod often;\n"],
+            ["pub use pressure::", "pub use often::OFTEN;\n"],
+        ],
+        CORE
+        + "design/verdict.rs": [
+            ["        STEADY_GAP.of(largest", "        super::criterion::OFTEN.of(s.collisions_mean),\n"],
+        ],
+    },
     "A key of the case file": {
         CORE
         + "case/contact.rs": [
@@ -350,6 +385,9 @@ def main():
     design = [cageless, "design", "cases/zhao-d.toml", "--json", "--set", "raceway.shape=cosine"]
     done = subprocess.run(design, cwd=tree, capture_output=True, text=True)
     checks.check("design takes the new shape", done.returncode == 0, done.stderr)
+    verdict = json.loads(done.stdout)
+    checks.check("the new criterion decides", verdict["criterion"] == "often", verdict["headline"])
+    checks.check("it says its value", "balls are hit in " in verdict["headline"], verdict["headline"])
     raceway, bearing = more["case"]["raceway"], more["case"]["bearing"]
     expected = cosine_demand(raceway["axial_span_mm"], math.radians(raceway["half_angle_deg"]), bearing["ball_radius_mm"])
     found = json.loads(done.stdout)["speed_change_max_per_rad"]

@@ -1,7 +1,7 @@
 //! The numbers of a design in the units in which they are shown.
 
 use cageless::design::{
-    Criterion, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
+    DECELERATION, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
     StartingPoint, steady_gap_rad,
 };
 use cageless::raceway::RacewayDimensions;
@@ -36,7 +36,7 @@ fn judgement(verdict: RacewayVerdict, number: f64) -> Judgement {
     Judgement {
         verdict,
         reasons: vec![format!("reason {number}")],
-        deciding: Some(Criterion::Deceleration(0.6)),
+        deciding: Some(DECELERATION.of(0.6)),
         critical_gap_rad: Some(0.5 * number * DEGREE),
         pressure_at_rest_pa: Some(1e8 * number),
         steady_gap_rad: None,

@@ -101,10 +101,10 @@ fn judged(case: &Case) -> (RunVerdict, f64, ContactPeaks) {
         pressure_max_pa: Some(1e9),
     };
     let verdict = RunVerdict::new(case, &found);
-    let slowing = match verdict.deciding {
-        Some(Criterion::Deceleration(value) | Criterion::Lag(value)) => value,
-        _ => f64::NAN,
-    };
+    let slowing = verdict
+        .deciding
+        .filter(|c| ["deceleration", "lag"].contains(&c.name()))
+        .map_or(f64::NAN, Criterion::value);
     (verdict, slowing, summary.summary().unwrap().peaks)
 }
 

@@ -7,8 +7,8 @@ use crate::common::*;
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
 use cageless::design::{
-    Criterion, Eq11, RacewayTallies, RacewayVerdict, RunEvidence, RunVerdict, judge, judge_watched,
-    recommend, starting_point, steady_after_s, steady_case, theoretical_gap_rad,
+    Eq11, RacewayTallies, RacewayVerdict, RunEvidence, RunVerdict, judge, judge_watched, recommend,
+    starting_point, steady_after_s, steady_case, theoretical_gap_rad,
 };
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::raceway::RacewayDimensions;
@@ -99,10 +99,9 @@ fn what_is_recommended_passes_its_own_verdict() {
     });
     let judgement = judge(&middle.unwrap(), &mut go_on).unwrap();
     assert_eq!(judgement.passes(), Some(false));
-    let Some(Criterion::BothNeighbours(fraction)) = judgement.deciding else {
-        panic!("{:?}", judgement.deciding);
-    };
-    assert!(fraction > 0.25, "{fraction}");
+    let deciding = judgement.deciding.unwrap();
+    assert_eq!(deciding.name(), "both-neighbours");
+    assert!(deciding.value() > 0.25, "{deciding}");
     let headline = judgement.headline();
     assert!(
         headline.starts_with("does not work from evenly spaced balls: double collision; "),

@@ -1,8 +1,7 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
 use super::{
-    CRITICAL_GAP_MIN_FRACTION, Eq11, LAG_MIN_FRACTION, SLIP_SHORTFALL, rolling_lag_fraction,
-    steady_gap_rad, theoretical_gap_rad,
+    Eq11, LAG, SEPARATION, STEADY_GAP, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad,
 };
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
@@ -79,7 +78,7 @@ impl Estimate {
                 name: "lag",
                 meaning: "lag of rolling under load and contact angle over that of rigid parts without one",
                 value: rolling_lag_fraction(case, seats),
-                limit: LAG_MIN_FRACTION,
+                limit: LAG.limit(),
                 at_least: true,
             },
             equilibrium,
@@ -90,8 +89,8 @@ impl Estimate {
         let bearing = &case.bearing;
         // What a raceway must keep of β0, or of the lag, is what it may be too deep by.
         let kept_fraction = match case.has_elastic_flanks() {
-            true => LAG_MIN_FRACTION,
-            false => 1.0 - SLIP_SHORTFALL,
+            true => LAG.limit(),
+            false => 1.0 - SEPARATION.limit(),
         };
         let mut terms = vec![];
         if !case.raceways.is_empty() {
@@ -104,7 +103,7 @@ impl Estimate {
                 name: "separation",
                 meaning: "β0 of Eq. (11) over the gap outside the raceways",
                 value: largest(&|r| theoretical_gap_rad(bearing, r, Eq11::Published) / steady),
-                limit: CRITICAL_GAP_MIN_FRACTION,
+                limit: STEADY_GAP.limit(),
                 at_least: true,
             });
             terms.push(EstimateTerm {

@@ -41,11 +41,11 @@ pub(crate) use contact_angle::rolling_lag_fraction;
 pub use contact_angle::{
     ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, seats, seats_controlled,
 };
-pub(crate) use criterion::percent_beside;
-pub use criterion::{CRITICAL_GAP_MIN_FRACTION, Criterion};
 pub use criterion::{
-    DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
+    AXIAL_LAG, BOTH_NEIGHBOURS, CauseKind, Criterion, DECELERATION, LAG, PEAK_PRESSURE,
+    PRESSURE_AT_REST, Requirement, SEPARATION, STEADY_GAP,
 };
+use criterion::{OF_SEARCH, RETAINED_GAP, THEORETICAL_GAP};
 pub use estimate::{Estimate, EstimateTerm};
 pub use pressure_at_rest::pressure_at_rest_pa;
 pub use raceway_tallies::RacewayTallies;

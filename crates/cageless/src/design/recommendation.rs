@@ -1,9 +1,8 @@
 //! A raceway near the curve of Zhao 2022, Eq. (11), that passes its verdict.
 
-use super::criterion::CRITICAL_GAP_MIN_FRACTION;
 use super::{
-    Eq11, Judgement, LAG_MIN_FRACTION, RacewayVerdict, SLIP_SHORTFALL, half_angle_for_gap_rad,
-    judge, steady_gap_rad, theoretical_gap_rad, verdict_steps,
+    Eq11, Judgement, LAG, RacewayVerdict, SEPARATION, STEADY_GAP, half_angle_for_gap_rad, judge,
+    steady_gap_rad, theoretical_gap_rad, verdict_steps,
 };
 use crate::case::Case;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
@@ -15,8 +14,8 @@ use crate::simulation::Control;
 /// its middle. Critical gaps bound it; the motion of all balls is not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartingPoint {
-    /// Smallest θ, below which slip takes more than [`SLIP_SHORTFALL`] of the separation, on elastic flanks all
-    /// that lowers it leaves less than [`LAG_MIN_FRACTION`].
+    /// Smallest θ, below which slip takes more than [`SEPARATION`] allows of the separation, on elastic flanks all
+    /// that lowers it leaves less than [`LAG`] needs.
     pub half_angle_min_rad: f64,
     /// Largest θ = ε + nominal gap, above which three evenly spaced balls are inside at once.
     pub half_angle_max_rad: f64,
@@ -139,8 +138,8 @@ pub fn starting_point(
     };
     // On elastic flanks more is taken than by sliding.
     let allowed = match case.has_elastic_flanks() {
-        true => 1.0 - LAG_MIN_FRACTION,
-        false => SLIP_SHORTFALL,
+        true => 1.0 - LAG.limit(),
+        false => SEPARATION.limit(),
     };
     let mut gaps = 0.0;
     let mut excess = |span: f64| match on_curve(case, span) {
@@ -216,7 +215,7 @@ fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayD
             let raceway = Raceway::formed(dimensions, case.raceway_form(), &case.bearing).ok()?;
             // A shallower raceway passes without spreading the balls.
             let steady = steady_gap_rad(&case.bearing, std::slice::from_ref(&raceway));
-            (gap >= CRITICAL_GAP_MIN_FRACTION * steady).then_some(dimensions)
+            (gap >= STEADY_GAP.limit() * steady).then_some(dimensions)
         })
         .collect()
 }
@@ -339,7 +338,7 @@ const STARTING_FRACTION: f64 = 0.3;
 mod tests {
     use super::*;
     use crate::common::{structure, structures};
-    use crate::design::Criterion;
+    use crate::design::DECELERATION;
 
     #[test]
     fn dimensions_are_rounded_to_what_a_drawing_states() {
@@ -451,7 +450,7 @@ mod tests {
         };
         let mut count = 0;
         let mut judged = |dimensions: RacewayDimensions| {
-            let deciding = reached[count].map(Criterion::Deceleration);
+            let deciding = reached[count].map(|reached| DECELERATION.of(reached));
             count += 1;
             Ok(deciding.map(|deciding| Recommendation {
                 starting_point: start,

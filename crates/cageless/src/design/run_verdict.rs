@@ -1,7 +1,7 @@
 //! Verdict on the passages of a run, or of runs from several starts.
 
 use super::RacewayVerdict;
-use super::criterion::{Criterion, percent_beside};
+use super::criterion::{BOTH_NEIGHBOURS, Criterion, PEAK_PRESSURE, percentage_points};
 use super::raceway_tallies::RacewayTallies;
 use crate::case::{Case, Gaps};
 use crate::contact::hertz::STRESS_LIMIT_PA;
@@ -44,14 +44,14 @@ impl RunVerdict {
     pub fn new(case: &Case, run: &RunEvidence<'_>) -> Self {
         let pressure = run
             .pressure_max_pa
-            .map(|pa| Criterion::PeakPressure(pa / STRESS_LIMIT_PA));
+            .map(|pa| PEAK_PRESSURE.of(pa / STRESS_LIMIT_PA));
         let missing = too_few(case, run.passages);
         let mut criteria = vec![];
         if missing.is_none() && case.rotor.is_none() {
             for k in 0..case.raceways.len() {
                 let twice = run.passages.of_raceway(k).double_collision_fraction();
                 criteria.push(run.passages.slowing(case, k));
-                criteria.push(Criterion::BothNeighbours(twice));
+                criteria.push(BOTH_NEIGHBOURS.of(twice));
             }
         }
         criteria.extend(pressure);
@@ -80,7 +80,7 @@ impl RunVerdict {
             let found: Vec<Criterion> = found.copied().collect();
             let first = *found.first()?;
             let values = || found.iter().map(|c| c.value());
-            if let Criterion::PeakPressure(_) = first {
+            if first.largest_counts() {
                 return Some((first.with_value(values().fold(0.0, f64::max)), None));
             }
             let mut moments = Moments::default();
@@ -133,8 +133,7 @@ impl RunVerdict {
                     false => "",
                 };
                 let error = standard_error.map_or(String::new(), |error| {
-                    let shown = percent_beside(error, 0.0);
-                    let points = shown.trim_end_matches(" %");
+                    let points = percentage_points(error);
                     format!(", standard error {points} percentage points")
                 });
                 format!(

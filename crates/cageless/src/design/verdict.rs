@@ -1,9 +1,6 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
-use super::criterion::{
-    CRITICAL_GAP_MIN_FRACTION, Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION,
-    SLIP_SHORTFALL, SPEED_DROP_FRACTION,
-};
+use super::criterion::{BOTH_NEIGHBOURS, Criterion, PRESSURE_AT_REST, STEADY_GAP};
 use super::pressure_at_rest::pressure_at_rest_controlled_pa;
 use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
@@ -113,7 +110,7 @@ pub fn verdict_steps(case: &Case) -> f64 {
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
 /// 16 are discarded. On elastic flanks and in space it looks at the share of the lag that load, contact angle and
 /// sliding leave, and at double collisions; the critical gap is that of the row with the least. It has to lie between
-/// [`CRITICAL_GAP_MIN_FRACTION`] and all of the steady-state gap. What stopped early or lacks a number is not judged.
+/// the least value of [`STEADY_GAP`] and all of the steady-state gap. What stopped early or lacks a number is not judged.
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
@@ -388,95 +385,22 @@ fn decide(
     let three = 2.0 * (bearing.ball_angle_rad() + bearing.nominal_gap_rad());
     let wide = 2.0 * raceway.half_angle_rad();
     let elastic = case.has_elastic_flanks();
-    let mut criteria = vec![Criterion::Pressure(pressure_pa / STRESS_LIMIT_PA)];
+    let mut criteria = vec![PRESSURE_AT_REST.of(pressure_pa / STRESS_LIMIT_PA)];
     criteria.extend(Criterion::separation(elastic, shortfall));
     criteria.extend([
         Criterion::slowing(elastic, s.speed_drop_fraction, s.lag_fraction),
-        Criterion::SteadyGap {
-            value: largest / steady,
-            least: CRITICAL_GAP_MIN_FRACTION,
-        },
-        Criterion::BothNeighbours(s.double_collision_fraction),
+        STEADY_GAP.of(largest / steady),
+        BOTH_NEIGHBOURS.of(s.double_collision_fraction),
     ]);
     let verdict = Criterion::verdict_of(&criteria);
-    let gap_and_lag = match elastic {
-        true => {
-            format!(
-                "critical gap {:.4}°, {:.0} % of the gap between evenly spaced balls ({:.4}°); lag per \
-                 pass {:.2}° in the mean, {}{:.0} % of that of rolling on rigid flanks (at least {:.0} % \
-                 required)",
-                critical.to_degrees(),
-                100.0 * critical / steady,
-                steady.to_degrees(),
-                s.lag_mean_rad.to_degrees(),
-                match case.rows.len() {
-                    0 | 1 => "",
-                    _ => "in the row with the least ",
-                },
-                100.0 * s.lag_fraction,
-                100.0 * LAG_MIN_FRACTION
-            )
-        }
-        false => format!(
-            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}°{}",
-            critical.to_degrees(),
-            100.0 * shortfall.abs(),
-            if shortfall < 0.0 { "above" } else { "below" },
-            beta0.to_degrees(),
-            match shortfall > 0.0 {
-                true => format!(
-                    " (lowered by sliding, at most {:.0} % allowed)",
-                    100.0 * SLIP_SHORTFALL
-                ),
-                false => String::new(),
-            },
-        ),
-    };
-    let mut reasons = vec![
-        gap_and_lag,
-        format!(
-            "{:.0} % of {} passages with a double collision (at most {:.0} % allowed), \
-             {:.2} contacts per passage",
-            100.0 * s.double_collision_fraction,
-            s.passages,
-            100.0 * DOUBLE_COLLISION_FRACTION,
-            s.collisions_mean
-        ),
-        format!(
-            "contact pressure at rest up to {:.0} MPa (at most {:.0} MPa allowed, ISO 76)",
-            1e-6 * pressure_pa,
-            1e-6 * STRESS_LIMIT_PA
-        ),
-    ];
-    // Those that follow compare with rolling on rigid flanks.
+    let mut reasons: Vec<String> = criteria.iter().map(Criterion::to_string).collect();
     if !elastic {
-        reasons.extend([
-            format!(
-                "largest sliding speed in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
-                 the kinematic value (at least {:.0} % required)",
-                s.sliding_mean_m_s,
-                100.0 * s.speed_drop_fraction,
-                100.0 * SPEED_DROP_FRACTION
-            ),
-            format!(
-                "2θ = {:.2}°: up to {} evenly spaced balls inside at once (three from {:.2}°)",
-                wide.to_degrees(),
-                (2.0 * wide / three).floor() as usize + 1,
-                three.to_degrees(),
-            ),
-            format!(
-                "β0 = {:.0} % of the nominal gap {:.4}°: evenly spaced balls {}",
-                100.0 * beta0 / bearing.nominal_gap_rad(),
-                bearing.nominal_gap_rad().to_degrees(),
-                if beta0 < 0.9 * bearing.nominal_gap_rad() {
-                    "do not touch"
-                } else if beta0 > 1.1 * bearing.nominal_gap_rad() {
-                    "collide: raceway too deep"
-                } else {
-                    "just touch"
-                },
-            ),
-            ]);
+        reasons.push(format!(
+            "2θ = {:.2}°: up to {} evenly spaced balls inside at once (three from {:.2}°)",
+            wide.to_degrees(),
+            (2.0 * wide / three).floor() as usize + 1,
+            three.to_degrees(),
+        ));
     }
     RacewayJudgement {
         verdict,

@@ -1,6 +1,6 @@
 //! The section `[search]`, ranges of `design --search`.
 
-use cageless::design::CRITICAL_GAP_MIN_FRACTION;
+use cageless::design::STEADY_GAP;
 use cageless::design::search::{BUDGET, BUDGET_LEAST};
 
 use crate::case_file::declaration::prelude::*;
@@ -39,7 +39,7 @@ section! {
             Commented("\"own\"", "\"own\": the shape of the case; \"all\": every shape");
         edge_radius_mm => edge_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "radius of the edges of the slots that shapes = \"all\" tries as well, of a case in space; slots of the case keep their own", Absent;
-        critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(CRITICAL_GAP_MIN_FRACTION), Plain; Inside(0.0, 1.0),
+        critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(STEADY_GAP.limit()), Plain; Inside(0.0, 1.0),
             "smallest accepted critical gap, as a fraction of the steady-state gap",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");
         axial_load_max_n => axial_load_max_n: f64 = default(0.0), Si("N"); AtLeast(0.0),

@@ -196,7 +196,7 @@ fn tried(search: &Record) -> Trace {
 
 /// What is wrong with the structures of a verdict.
 fn in_words(verdict: &str) -> &str {
-    let kind = Cause::KINDS.iter().find(|kind| kind.name == verdict);
+    let kind = Cause::kinds().find(|kind| kind.name == verdict);
     kind.map_or(VERDICTS[0].2, |kind| kind.meaning)
 }
 

@@ -2,6 +2,7 @@ use cageless::design::search::{
     Cause, ClosedForms, MapCell, Motion, PairSeparation, RacewayLayout, Rejection, Request, Role,
     Statistics,
 };
+use cageless::design::{BOTH_NEIGHBOURS, SEPARATION};
 use cageless_io::case_file::template;
 use cageless_results::Cell;
 
@@ -53,7 +54,7 @@ fn found() -> (CaseFile, Found) {
     let mut rejected = evaluation(3.0, None);
     rejected.placement = 1;
     rejected.rejection = Some(Rejection {
-        cause: Cause::Slips(0.09),
+        cause: Cause::Missed(SEPARATION.of(0.09)),
         point: Some(1),
         bunched: false,
     });
@@ -302,7 +303,7 @@ fn candidates_that_are_not_confirmed_are_named() {
     let mut failed = found.confirmed[0].clone();
     failed.role = Role::Unconfirmed;
     failed.evaluation.rejection = Some(Rejection {
-        cause: Cause::DoubleCollision(0.338),
+        cause: Cause::Missed(BOTH_NEIGHBOURS.of(0.338)),
         point: Some(1),
         bunched: true,
     });
@@ -313,8 +314,8 @@ fn candidates_that_are_not_confirmed_are_named() {
     assert_structure(unconfirmed, 6.0);
     let judged = ["status", "reason"].map(|name| unconfirmed.text(name));
     assert_eq!(judged, ["rejected", "double-collision"]);
-    let named = "lC 5.060 mm, θ 26.00° at ψ = 0°, 30°, double collisions in 33.8 % of the passages (25 % \
-                 allowed) from a bunched start at 9549 rpm, 70 N";
+    let named = "lC 5.060 mm, θ 26.00° at ψ = 0°, 30°, 33.8 % of the passages have a double collision (limit \
+                 25 %, missed by 8.8 percentage points) from a bunched start at 9549 rpm, 70 N";
     let sentence = &data.sentences("findings")[2];
     assert!(
         sentence.starts_with("Better rated, but rejected by the same starts: lC"),

@@ -11,7 +11,7 @@ use super::raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 use super::rejection::Cause;
 use super::request::{BUDGET, Request, Stage};
 use crate::bearing::Bearing;
-use crate::design::SLIP_SHORTFALL;
+use crate::design::SEPARATION;
 use crate::numerics::root;
 use crate::raceway::{RacewayForm, RacewayShape, axial_span_limit_m};
 
@@ -306,7 +306,7 @@ impl Family {
 }
 
 /// Candidates of all placements, forms and section angles. Without slip the critical gap is β0, with slip it may
-/// fall short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
+/// fall short of it by what [`SEPARATION`] allows; so β0 over the steady gap must lie between
 /// [`Request::critical_gap_min_fraction`] and 1/(1 − that). In space the maps show by how much it falls short.
 pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
@@ -381,7 +381,7 @@ fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evalu
         1.005 * batch.request.critical_gap_min_fraction,
         match batch.measured {
             Some(_) => 1.0,
-            None => 1.0 / (1.0 - SLIP_SHORTFALL),
+            None => 1.0 / (1.0 - SEPARATION.limit()),
         },
     ];
     let mut found: Vec<RacewayLayout> = spread(fractions, CANDIDATES[1])

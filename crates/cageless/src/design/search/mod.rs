@@ -55,14 +55,12 @@ pub use perturbed_run::{
 pub use placement::placements;
 pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 pub use rehearsal::{ExpectedRuns, expected_runs};
-pub use rejection::{Cause, CauseKind, Rejection};
+pub use rejection::{Cause, Rejection};
 pub use request::{BUDGET, CONFIRMING_STARTS, Execute, Request, Stage};
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
-use crate::design::{
-    DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, pressure_at_rest_pa,
-};
+use crate::design::{AXIAL_LAG, BOTH_NEIGHBOURS, CauseKind, LAG, SEPARATION, pressure_at_rest_pa};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::raceway::axial_span_limit_m;
@@ -144,7 +142,7 @@ impl Found {
     /// How many cells of the maps at the operating points and candidates each
     /// cause excludes, those that exclude most first.
     pub fn rejections(&self) -> Vec<Excluded> {
-        let kinds = Cause::KINDS.iter();
+        let kinds = Cause::kinds();
         let mut all: Vec<Excluded> = kinds.map(|kind| Excluded { kind, count: 0 }).collect();
         for cause in self.causes() {
             if let Some(excluded) = all.iter_mut().find(|e| e.kind == cause.kind()) {
@@ -171,9 +169,7 @@ impl Found {
             e.rejection
                 .as_ref()
                 .filter(|r| r.point.is_some())
-                .map_or(f64::INFINITY, |r| {
-                    r.cause.excess(self.request.critical_gap_min_fraction)
-                })
+                .map_or(f64::INFINITY, |r| r.cause.excess())
         };
         self.evaluations
             .iter()
@@ -496,19 +492,20 @@ impl Evaluation {
             };
             let fraction = s.critical_gap_rad / forms.steady_gap_rad;
             if !elastic {
-                slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
+                slack[0] = slack[0].min(SEPARATION.of(s.shortfall).margin());
             }
             slack[1] = slack[1].min(1.0 - fraction);
             slack[2] = slack[2].min(fraction - critical_gap_min_fraction);
         }
         for axial in &self.axial {
-            slack[2] = slack[2].min(axial.rolling_fraction - LAG_MIN_FRACTION);
+            slack[2] = slack[2].min(AXIAL_LAG.of(axial.rolling_fraction).margin());
         }
         for motion in self.motion.iter().flatten() {
             if elastic {
-                slack[0] = slack[0].min(motion.lag_fraction - LAG_MIN_FRACTION);
+                slack[0] = slack[0].min(LAG.of(motion.lag_fraction).margin());
             }
-            slack[3] = slack[3].min(DOUBLE_COLLISION_FRACTION - motion.double_collision_fraction);
+            let twice = BOTH_NEIGHBOURS.of(motion.double_collision_fraction);
+            slack[3] = slack[3].min(twice.margin());
         }
         slack.map(|s| if s.is_finite() { s } else { 0.0 })
     }

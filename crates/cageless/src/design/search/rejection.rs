@@ -6,16 +6,11 @@ use super::perturbed_run::Motion;
 use super::raceway_layout::ClosedForms;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::design::{
-    Criterion, DOUBLE_COLLISION_FRACTION, LAG_MIN_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION,
-    percent_beside,
+    AXIAL_LAG, BOTH_NEIGHBOURS, CauseKind, Criterion, OF_SEARCH, PRESSURE_AT_REST, RETAINED_GAP,
+    STEADY_GAP, THEORETICAL_GAP,
 };
 use crate::error::InputError;
 use crate::raceway::RacewayShape;
-
-/// Least gap with which balls come back, over the critical gap, with about which they leave the raceway.
-/// In the load zone it is 0.7 (at low speed) to 1; where a raceway lies so that its way out has
-/// no load, a fifth.
-pub(crate) const RETAINED_FRACTION: f64 = 0.5;
 
 /// Cause for which a raceway design is rejected.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,30 +23,8 @@ pub enum Cause {
     Slot,
     /// Overlap of two raceways.
     Overlap,
-    /// Separation as a fraction of the mean ball spacing; the raceway is too shallow.
-    InsufficientSeparation {
-        /// The fraction.
-        fraction: f64,
-        /// Whether the critical gap was measured; else it is β0, which it is without slip.
-        measured: bool,
-    },
-    /// Critical gap as a multiple of the mean ball spacing; the raceway is too deep.
-    ExcessiveSeparation(f64),
-    /// Loss of separation through sliding, as a fraction of β0.
-    Slips(f64),
-    /// Fraction of the passages with hits from both sides.
-    DoubleCollision(f64),
-    /// The balls reach this fraction of the theoretical drop of orbital speed: they slide over the
-    /// raceway, and its critical gap means nothing.
-    GrossSliding(f64),
-    /// Gap on return to the raceway, as a fraction of the critical gap.
-    GapNotRetained(f64),
-    /// Contact pressure at the outer raceway, Pa.
-    Stress(f64),
-    /// Share of the lag that load, contact angle and sliding leave in space.
-    LosesLag(f64),
-    /// Share of the lag that is left under the largest axial load.
-    AxialLoad(f64),
+    /// A requirement on the motion of the balls that is not met.
+    Missed(Criterion),
     /// Verdict of the raceway in the place of the case's own, with its reason.
     Verdict(String),
     /// Failure of a run, with its message.
@@ -80,80 +53,63 @@ impl std::fmt::Display for Rejection {
     }
 }
 
-/// Kind of a cause.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CauseKind {
-    /// Name in files.
-    pub name: &'static str,
-    /// What is wrong with the raceway.
-    pub meaning: &'static str,
-    /// What to change of a search in which it decides.
-    pub remedy: &'static str,
-}
+/// Kinds of causes in the geometry.
+static OF_GEOMETRY: [CauseKind; 4] = [
+    CauseKind {
+        name: "eq-8",
+        meaning: "wider than the groove (Zhao 2022, Eq. (8))",
+        remedy: "smaller spans (search.axial_span_mm)",
+    },
+    CauseKind {
+        name: "eq-9",
+        meaning: "too long for its width: the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
+        remedy: "smaller half angles (search.half_angle_deg)",
+    },
+    CauseKind {
+        name: "slot",
+        meaning: "no room for a slot between its edges and its ends",
+        remedy: "sharper edges (search.edge_radius_mm)",
+    },
+    CauseKind {
+        name: "overlap",
+        meaning: "raceways overlap",
+        remedy: "fewer raceways (search.raceways_max)",
+    },
+];
 
-/// Declares the kinds of causes.
-macro_rules! kinds {
-    ($($name:literal: $meaning:literal, $remedy:literal;)*) => {
-        [$(CauseKind { name: $name, meaning: $meaning, remedy: $remedy }),*]
-    };
-}
+/// Kind of a verdict that a raceway fails.
+static OF_VERDICT: CauseKind = CauseKind {
+    name: "verdict",
+    meaning: "fails its verdict from evenly spaced balls",
+    remedy: "a lower speed or a higher load, with which balls slide less",
+};
+
+/// Kind of a run that stopped.
+static OF_FAILURE: CauseKind = CauseKind {
+    name: "failed",
+    meaning: "a run stopped",
+    remedy: "another shape (search.shapes), or blended ends (raceway.blend_mm)",
+};
 
 impl Cause {
     /// All kinds, in the order in which they are tested.
-    pub const KINDS: [CauseKind; 15] = kinds! {
-        "eq-8": "wider than the groove (Zhao 2022, Eq. (8))",
-            "smaller spans (search.axial_span_mm)";
-        "eq-9": "too long for its width: the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
-            "smaller half angles (search.half_angle_deg)";
-        "slot": "no room for a slot between its edges and its ends",
-            "sharper edges (search.edge_radius_mm)";
-        "overlap": "raceways overlap",
-            "fewer raceways (search.raceways_max)";
-        "insufficient-separation": "too shallow: balls leave too close together",
-            "a smaller search.critical_gap_min_fraction, or wider ranges of search.axial_span_mm and \
-             search.half_angle_deg";
-        "slips": "balls slide too much to leave at the full distance",
-            "a lower speed or a higher load, with which balls slide less";
-        "excessive-separation": "too deep: balls are spaced too far, so that three meet",
-            "a lower speed or a higher load, with which shallower raceways space the balls";
-        "stress": "contact pressure above 4200 MPa (ISO 76)",
-            "a lower load";
-        "gross-sliding": "balls slide over the raceway and slow down too little",
-            "a lower speed or a higher load, with which balls slide less";
-        "loses-lag": "load, contact angle and sliding leave too little of the lag",
-            "a lower speed, or less axial load";
-        "gap-not-retained": "balls close up again before they are loaded",
-            "places nearer to the load (search.centre_angle_deg)";
-        "double-collision": "double collisions in too many passages",
-            "a lower speed, or balls with more room (bearing.balls)";
-        "axial-load": "too little of the lag is left under the largest axial load",
-            "a smaller search.axial_load_max_n";
-        "verdict": "fails its verdict from evenly spaced balls",
-            "a lower speed or a higher load, with which balls slide less";
-        "failed": "a run stopped",
-            "another shape (search.shapes), or blended ends (raceway.blend_mm)";
-    };
+    pub fn kinds() -> impl Iterator<Item = &'static CauseKind> {
+        let criteria = OF_SEARCH.iter().flat_map(|required| required.causes());
+        let last = [&OF_VERDICT, &OF_FAILURE];
+        OF_GEOMETRY.iter().chain(criteria).chain(last)
+    }
 
     /// Kind of this cause.
     pub fn kind(&self) -> &'static CauseKind {
-        let at = match self {
-            Self::Span => 0,
-            Self::Path => 1,
-            Self::Slot => 2,
-            Self::Overlap => 3,
-            Self::InsufficientSeparation { .. } => 4,
-            Self::Slips(_) => 5,
-            Self::ExcessiveSeparation(_) => 6,
-            Self::Stress(_) => 7,
-            Self::GrossSliding(_) => 8,
-            Self::LosesLag(_) => 9,
-            Self::GapNotRetained(_) => 10,
-            Self::DoubleCollision(_) => 11,
-            Self::AxialLoad(_) => 12,
-            Self::Verdict(_) => 13,
-            Self::Failed(_) => 14,
-        };
-        &Self::KINDS[at]
+        match self {
+            Self::Span => &OF_GEOMETRY[0],
+            Self::Path => &OF_GEOMETRY[1],
+            Self::Slot => &OF_GEOMETRY[2],
+            Self::Overlap => &OF_GEOMETRY[3],
+            Self::Missed(criterion) => criterion.cause().unwrap_or(&OF_FAILURE),
+            Self::Verdict(_) => &OF_VERDICT,
+            Self::Failed(_) => &OF_FAILURE,
+        }
     }
 
     /// Name in files.
@@ -162,24 +118,10 @@ impl Cause {
     }
 
     /// Excess over the limit, as a fraction; infinite where there is no numerical limit.
-    pub fn excess(&self, critical_gap_min_fraction: f64) -> f64 {
+    pub fn excess(&self) -> f64 {
         match self {
-            Self::InsufficientSeparation { fraction, .. } => {
-                1.0 - fraction / critical_gap_min_fraction
-            }
-            Self::ExcessiveSeparation(fraction) => fraction - 1.0,
-            Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
-            Self::DoubleCollision(fraction) => fraction - DOUBLE_COLLISION_FRACTION,
-            Self::Stress(pa) => pa / STRESS_LIMIT_PA - 1.0,
-            Self::LosesLag(fraction) | Self::AxialLoad(fraction) => LAG_MIN_FRACTION - fraction,
-            Self::GrossSliding(fraction) => SPEED_DROP_FRACTION - fraction,
-            Self::GapNotRetained(fraction) => RETAINED_FRACTION - fraction,
-            Self::Span
-            | Self::Path
-            | Self::Slot
-            | Self::Overlap
-            | Self::Verdict(_)
-            | Self::Failed(_) => f64::INFINITY,
+            Self::Missed(criterion) => -criterion.margin(),
+            _ => f64::INFINITY,
         }
     }
 
@@ -200,10 +142,8 @@ impl Cause {
         forms: &ClosedForms,
         critical_gap_min_fraction: f64,
     ) -> Option<Self> {
-        (forms.fraction() < critical_gap_min_fraction).then(|| Self::InsufficientSeparation {
-            fraction: forms.fraction(),
-            measured: false,
-        })
+        let gap = THEORETICAL_GAP.of(forms.fraction());
+        Self::of_criterion(gap.with_least(critical_gap_min_fraction))
     }
 
     /// Cause of rejection by critical gap and contact stress. On elastic flanks what sliding takes from β0 is no
@@ -214,15 +154,12 @@ impl Cause {
         critical_gap_min_fraction: f64,
         elastic: bool,
     ) -> Option<Self> {
-        let separation = Criterion::separation(elastic, spacing.shortfall);
+        let gap = STEADY_GAP.of(spacing.critical_gap_rad / forms.steady_gap_rad);
         let others = [
-            Criterion::SteadyGap {
-                value: spacing.critical_gap_rad / forms.steady_gap_rad,
-                least: critical_gap_min_fraction,
-            },
-            Criterion::Pressure(spacing.stress_pa / STRESS_LIMIT_PA),
+            gap.with_least(critical_gap_min_fraction),
+            PRESSURE_AT_REST.of(spacing.stress_pa / STRESS_LIMIT_PA),
         ];
-        separation
+        Criterion::separation(elastic, spacing.shortfall)
             .into_iter()
             .chain(others)
             .find_map(Self::of_criterion)
@@ -230,24 +167,10 @@ impl Cause {
 
     /// Cause of a rejection by a criterion of the verdict; `None` where it is met.
     fn of_criterion(criterion: Criterion) -> Option<Self> {
-        let value = criterion.value();
-        match criterion {
-            _ if criterion.is_met() => None,
-            _ if !criterion.is_known() => Criterion::missing(&[criterion]).map(Self::Failed),
-            Criterion::Separation(_) => Some(Self::Slips(value)),
-            Criterion::SteadyGap { .. } if criterion.at_least() => {
-                Some(Self::InsufficientSeparation {
-                    fraction: value,
-                    measured: true,
-                })
-            }
-            Criterion::SteadyGap { .. } => Some(Self::ExcessiveSeparation(value)),
-            Criterion::Pressure(_) | Criterion::PeakPressure(_) => {
-                Some(Self::Stress(value * STRESS_LIMIT_PA))
-            }
-            Criterion::Lag(_) => Some(Self::LosesLag(value)),
-            Criterion::Deceleration(_) => Some(Self::GrossSliding(value)),
-            Criterion::BothNeighbours(_) => Some(Self::DoubleCollision(value)),
+        match criterion.is_met() {
+            true => None,
+            false if criterion.is_known() => Some(Self::Missed(criterion)),
+            false => Criterion::missing(&[criterion]).map(Self::Failed),
         }
     }
 
@@ -255,7 +178,7 @@ impl Cause {
     /// as that is not known.
     pub(super) fn of_axial(axial: &AxialSeparation) -> Option<Self> {
         let fraction = axial.fraction().unwrap_or(axial.rolling_fraction);
-        (fraction < LAG_MIN_FRACTION).then_some(Self::AxialLoad(fraction))
+        Self::of_criterion(AXIAL_LAG.of(fraction))
     }
 
     /// Cause of rejection by the motion of all balls.
@@ -264,82 +187,25 @@ impl Cause {
         spacing: &PairSeparation,
         elastic: bool,
     ) -> Option<Self> {
-        let slowing = Criterion::slowing(elastic, motion.speed_drop_fraction, motion.lag_fraction);
-        let kept = motion.gap_min_rad / spacing.critical_gap_rad;
-        Self::of_criterion(slowing)
-            .or_else(|| (kept < RETAINED_FRACTION).then_some(Self::GapNotRetained(kept)))
-            .or_else(|| {
-                let twice = motion.double_collision_fraction;
-                Self::of_criterion(Criterion::BothNeighbours(twice))
-            })
+        [
+            Criterion::slowing(elastic, motion.speed_drop_fraction, motion.lag_fraction),
+            RETAINED_GAP.of(motion.gap_min_rad / spacing.critical_gap_rad),
+            BOTH_NEIGHBOURS.of(motion.double_collision_fraction),
+        ]
+        .into_iter()
+        .find_map(Self::of_criterion)
     }
 }
 
 impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        // A value that misses its limit must not be printed as the limit.
-        let beside = |x: &f64, limit: f64| percent_beside(*x, limit);
         match self {
             Self::Span | Self::Path | Self::Slot | Self::Overlap => {
                 f.write_str(self.kind().meaning)
             }
-            Self::InsufficientSeparation { fraction, measured } => write!(
-                f,
-                "too shallow: {} only {:.1} % of the steady-state gap",
-                if *measured { "critical gap" } else { "β0" },
-                100.0 * fraction
-            ),
-            Self::ExcessiveSeparation(fraction) => write!(
-                f,
-                "too deep: critical gap {} of the steady-state gap, so that three balls meet",
-                beside(fraction, 1.0)
-            ),
-            Self::Slips(shortfall) => write!(
-                f,
-                "sliding lowers the critical gap by {} of β0 ({:.0} % allowed)",
-                beside(shortfall, SLIP_SHORTFALL),
-                100.0 * SLIP_SHORTFALL
-            ),
-            Self::GrossSliding(fraction) => write!(
-                f,
-                "balls slide over the raceway: they slow down by {} of what rolling balls do \
-                 ({:.0} % required)",
-                beside(fraction, SPEED_DROP_FRACTION),
-                100.0 * SPEED_DROP_FRACTION
-            ),
-            Self::LosesLag(fraction) => write!(
-                f,
-                "balls keep {} of the lag of rolling on rigid flanks ({:.0} % required)",
-                beside(fraction, LAG_MIN_FRACTION),
-                100.0 * LAG_MIN_FRACTION
-            ),
-            Self::GapNotRetained(fraction) => write!(
-                f,
-                "balls close up again before they are loaded: they return with as little as {} of the \
-                 critical gap ({:.0} % required)",
-                beside(fraction, RETAINED_FRACTION),
-                100.0 * RETAINED_FRACTION
-            ),
-            Self::DoubleCollision(fraction) => write!(
-                f,
-                "double collisions in {} of the passages ({:.0} % allowed)",
-                beside(fraction, DOUBLE_COLLISION_FRACTION),
-                100.0 * DOUBLE_COLLISION_FRACTION
-            ),
-            Self::AxialLoad(fraction) => write!(
-                f,
-                "under the largest axial load {} of the lag is left ({:.0} % required)",
-                beside(fraction, LAG_MIN_FRACTION),
-                100.0 * LAG_MIN_FRACTION
-            ),
-            Self::Stress(pa) => write!(
-                f,
-                "contact pressure {:.0} MPa ({:.0} MPa allowed, ISO 76)",
-                pa * 1e-6,
-                STRESS_LIMIT_PA * 1e-6
-            ),
+            Self::Missed(criterion) => write!(f, "{criterion}"),
             Self::Verdict(headline) => write!(f, "with evenly spaced balls {headline}"),
-            Self::Failed(reason) => write!(f, "{reason}"),
+            Self::Failed(reason) => f.write_str(reason),
         }
     }
 }
@@ -347,6 +213,7 @@ impl std::fmt::Display for Cause {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::design::LAG;
 
     const STEADY: f64 = 0.04;
     const FORMS: ClosedForms = ClosedForms {
@@ -462,34 +329,34 @@ mod tests {
         let rows = [
             (
                 spacing_of(0.016, 0.0, 0.0),
-                0.2,
-                "critical gap only 40.0 % of the steady-state gap",
+                0.1,
+                "the critical gap is 40.0 % of the steady-state gap (50 to 100 % needed",
             ),
             (
                 spacing_of(0.05, 0.0, 0.0),
                 0.25,
-                "critical gap 125.0 % of the steady-state gap",
+                "the critical gap is 125.0 % of the steady-state gap",
             ),
             (
                 spacing_of(0.03, 0.08, 0.0),
                 0.03,
-                "by 8.0 % of β0 (5 % allowed)",
+                "by 8.0 % of β0 (limit 5 %",
             ),
             (
                 spacing_of(0.03, 0.0, 5.04e9),
                 0.2,
-                "contact pressure 5040 MPa (4200 MPa allowed",
+                "5040 MPa (limit 4200 MPa of ISO 76",
             ),
-            (motion_of(0.7, 0.03, 0.0), 0.1, "they slow down by 70.0 %"),
+            (motion_of(0.7, 0.03, 0.0), 0.1, "balls reach 70.0 %"),
             (
                 motion_of(1.0, 0.009, 0.0),
                 0.2,
-                "as little as 30.0 % of the critical gap (50 %",
+                "with 30.0 % of the critical gap (50 %",
             ),
             (
                 motion_of(1.0, 0.03, 0.35),
                 0.1,
-                "double collisions in 35.0 % of the passages",
+                "35.0 % of the passages have a double collision",
             ),
         ];
         let names = [
@@ -503,7 +370,7 @@ mod tests {
         ];
         assert_eq!(rows.each_ref().map(|row| row.0.name()), names);
         for (cause, excess, text) in rows {
-            assert!((cause.excess(0.5) - excess).abs() < 1e-12, "{cause:?}");
+            assert!((cause.excess() - excess).abs() < 1e-12, "{cause:?}");
             assert!(cause.to_string().contains(text), "{cause}");
         }
         for (cause, name) in [
@@ -514,9 +381,9 @@ mod tests {
             (Cause::Verdict("does not work".to_owned()), "verdict"),
             (Cause::Failed("no".to_owned()), "failed"),
         ] {
-            assert_eq!((cause.name(), cause.excess(0.5)), (name, f64::INFINITY));
+            assert_eq!((cause.name(), cause.excess()), (name, f64::INFINITY));
         }
-        let kept = [Cause::LosesLag(0.4), Cause::AxialLoad(0.4)];
+        let kept = [Cause::Missed(LAG.of(0.4)), Cause::Missed(AXIAL_LAG.of(0.4))];
         assert_eq!(kept.map(|cause| cause.name()), ["loses-lag", "axial-load"]);
     }
 }

@@ -1,6 +1,6 @@
 //! Ranges, limits and stages of a search.
 
-use super::super::criterion::CRITICAL_GAP_MIN_FRACTION;
+use super::super::criterion::STEADY_GAP;
 use super::job::{Interrupted, Job, Outcome};
 use super::raceway_layout::OperatingPoint;
 use crate::case::Case;
@@ -25,7 +25,7 @@ pub struct Request {
     pub section_angles_rad: Vec<f64>,
     /// Fraction of the steady gap that the critical gap must reach, above 0 and below 1.
     pub critical_gap_min_fraction: f64,
-    /// Largest axial load of a search in the plane, under which a raceway must keep [`crate::design::LAG_MIN_FRACTION`] of its lag, N; 0
+    /// Largest axial load of a search in the plane, under which a raceway must keep the share of its lag of [`crate::design::AXIAL_LAG`], N; 0
     /// asks for none.
     pub axial_load_max_n: f64,
     /// Uneven starts per structure, 1 or more.
@@ -53,7 +53,7 @@ impl Request {
             half_angle_range_rad: None,
             placements: vec![vec![centre]],
             forms: vec![case.raceway_form()],
-            critical_gap_min_fraction: CRITICAL_GAP_MIN_FRACTION,
+            critical_gap_min_fraction: STEADY_GAP.limit(),
             axial_load_max_n: 0.0,
             starts: 2,
             budget: BUDGET,
