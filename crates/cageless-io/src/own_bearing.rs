@@ -202,7 +202,8 @@ mod tests {
         });
         let text = head.to_owned() + &sections.collect::<String>();
         let file = CaseFile::parse(&text, "new", &[]).unwrap();
-        assert!(file.case().fit.is_some() && file.case().lubrication.is_some());
+        let own = file.particulars();
+        assert!(own.fit.is_some() && own.lubrication.is_some());
     }
 
     #[test]

@@ -263,7 +263,7 @@ fn bad_overrides_quote_themselves() {
     for &(set, key, fragments) in SETS {
         if fragments.is_empty() {
             let file = CaseFile::parse(&template(false), "case.toml", &[set.to_owned()]);
-            assert_eq!(file.map(|f| f.case().seed), Ok(4));
+            assert_eq!(file.map(|f| f.particulars().seed), Ok(4));
             continue;
         }
         let error = refused(&template(false), &[set]);

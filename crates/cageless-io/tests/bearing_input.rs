@@ -369,7 +369,11 @@ fn materials_by_name_have_the_numbers_of_their_sources() {
         let found = |sets: &[&str]| {
             let file = parse(SHORT, sets);
             let materials = *file.case().bearing.materials();
-            (materials, file.case().thermal.clone(), file.softening_c())
+            (
+                materials,
+                file.particulars().thermal.clone(),
+                file.softening_c(),
+            )
         };
         let key = format!("ball_material.preset={name}");
         let (materials, thermal, softening) = found(&[&key]);

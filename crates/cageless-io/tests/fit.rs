@@ -22,7 +22,7 @@ fn the_bearing_has_the_clearance_in_operation() {
         (clearances[0] - clearances[1]).abs() < 1e-13,
         "{clearances:?}"
     );
-    assert_eq!(bare.case().fit, None);
+    assert_eq!(bare.particulars().fit, None);
     for clearance in ["", "bearing.radial_internal_clearance_um=20"] {
         let mut sets = vec![
             "fit.shaft_interference_um=10",
@@ -30,7 +30,7 @@ fn the_bearing_has_the_clearance_in_operation() {
         ];
         sets.extend((!clearance.is_empty()).then_some(clearance));
         let file = parse(&text, &sets).unwrap();
-        let (case, fit) = (file.case(), file.case().fit.unwrap());
+        let (case, fit) = (file.case(), file.particulars().fit.unwrap());
         let found = case.bearing.radial_internal_clearance_m();
         assert!((found - fit.operating_m()).abs() < 1e-15, "{found} {fit:?}");
         assert!(found < fit.initial_m - 10e-6);
@@ -56,7 +56,7 @@ fn the_bearing_has_the_clearance_in_operation() {
 fn a_fit_takes_the_largest_speed_of_the_file() {
     let text = template(false) + DIAMETERS;
     let reduction_um = |sets: &[&str]| {
-        let fit = parse(&text, sets).unwrap().case().fit.unwrap();
+        let fit = parse(&text, sets).unwrap().particulars().fit.unwrap();
         1e6 * fit.speed_reduction_m
     };
     let fast = reduction_um(&["operation.inner_speed_rpm=30000"]);
@@ -67,7 +67,7 @@ fn a_fit_takes_the_largest_speed_of_the_file() {
     }
     let drop = include_str!("../../../cases/touchdown-d.toml");
     let drop = parse(drop, &["fit.inner_ring_temperature_c=30"]).unwrap();
-    assert_eq!(drop.case().fit.unwrap().speed_reduction_m, 0.0);
+    assert_eq!(drop.particulars().fit.unwrap().speed_reduction_m, 0.0);
 }
 
 #[test]
@@ -130,8 +130,8 @@ fn bore_and_outside_are_given_once() {
         with(&rings).unwrap(),
         with(&["fit.bore_diameter_mm=30", "fit.outside_diameter_mm=62"]).unwrap(),
     ];
-    assert_eq!(of_rings.case().fit, of_fit.case().fit);
-    assert!(of_rings.case().fit.unwrap().shaft_reduction_m > 0.0);
+    assert_eq!(of_rings.particulars().fit, of_fit.particulars().fit);
+    assert!(of_rings.particulars().fit.unwrap().shaft_reduction_m > 0.0);
     let outside = |file: &CaseFile| file.case().bearing.outside_radius_m();
     assert_eq!(outside(&of_rings), outside(&of_fit));
     // Both, and the same.
@@ -206,7 +206,7 @@ fn materials_by_name_expand_by_their_own_coefficients() {
             "fit.outer_ring_temperature_c=50",
         ];
         let file = parse(&text, &[&sets[..], more].concat()).unwrap();
-        file.case().fit.unwrap().thermal_change_m
+        file.particulars().fit.unwrap().thermal_change_m
     };
     let expected = |ring: f64, ball: f64| {
         2.0 * (ring * (27.765e-3 * 30.0 - 18.24e-3 * 50.0) - ball * 2.0 * 4.7625e-3 * 40.0)
@@ -240,7 +240,7 @@ fn a_warm_inner_ring_preloads_a_pair() {
     assert!((cold.case().rows[0].preload_m - 15e-6).abs() < 1e-13);
     sets.push("fit.inner_ring_temperature_c=40");
     let warm = parse(&text, &sets).unwrap();
-    let (case, fit) = (warm.case(), warm.case().fit.unwrap());
+    let (case, fit) = (warm.case(), warm.particulars().fit.unwrap());
     let room = 2.0 * (4.953e-3 - 4.7625e-3);
     let angle = 15f64.to_radians();
     // Opened by the angle before anything warms.
@@ -284,7 +284,7 @@ fn a_warm_outer_ring_takes_preload() {
 fn fits_are_given_by_name() {
     let text = template(false) + DIAMETERS + "shaft = \"k5\"\nhousing = \"J7\"\n";
     let named = parse(&text, &[]).unwrap();
-    let range = named.case().fit.unwrap().range.unwrap();
+    let range = named.particulars().fit.unwrap().range.unwrap();
     let operating_m = named.case().bearing.radial_internal_clearance_m();
     assert!(range.probable_m[0] < operating_m && operating_m < range.probable_m[1]);
     // k5 of 30 mm: +2 to +11, its bore −10 to 0; J7 of 62 mm: −12 to +18, its outside −13 to 0.
@@ -292,15 +292,17 @@ fn fits_are_given_by_name() {
         "fit.shaft_interference_um=9.75",
         "fit.housing_interference_um=-11.25",
     ];
-    let typed = parse(&text, &typed).unwrap().case().clone();
-    assert_eq!(typed.fit.unwrap().range, None);
+    let typed = parse(&text, &typed).unwrap();
+    assert_eq!(typed.particulars().fit.unwrap().range, None);
+    let typed = typed.case();
     let clearance_m = typed.bearing.radial_internal_clearance_m();
     assert!((clearance_m - operating_m).abs() < 1e-15);
     let written = named.document().to_toml().unwrap();
     assert_eq!(parse(&written, &[]).unwrap().case(), named.case());
     let fine = parse(&text, &["fit.tolerance_class=5", "fit.smoothing_um=0"]).unwrap();
     let loss_m = 1e-6 * (9.75 - (6.5 + 3.0));
-    let [fine, usual] = [&fine, &named].map(|file| file.case().fit.unwrap().shaft_interference_m);
+    let [fine, usual] =
+        [&fine, &named].map(|file| file.particulars().fit.unwrap().shaft_interference_m);
     assert!((usual - fine - loss_m).abs() < 1e-15);
 
     let exclusive = text.clone() + "shaft_interference_um = 0.0\n";

@@ -37,7 +37,7 @@ pub(crate) fn compare(
     for file in &files {
         file.checked(|case| case.check_constant_operation("a comparison in the studio"))?;
     }
-    let seed = files[0].case().seed;
+    let seed = files[0].particulars().seed;
     let [a, b] = [0usize, 1].map(|k| {
         let share = 0.5 * k as f64;
         results(&files[k], seed, &mut |done| control(share + 0.5 * done))

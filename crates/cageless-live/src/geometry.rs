@@ -32,7 +32,7 @@ pub(crate) fn geometry(
     let bearing = &case.bearing;
     let d = bearing.dimensions();
     let constant = constant(file).map_err(|error| error.to_string());
-    let settled = match constant.map(|()| settled(case, control)) {
+    let settled = match constant.map(|()| settled(file, control)) {
         Ok(Err(EquilibriumError::Interrupted)) => return Err(EquilibriumError::Interrupted.into()),
         Ok(settled) => settled.map_err(|error| error.to_string()),
         Err(refused) => Err(refused),
@@ -64,7 +64,7 @@ pub(crate) fn geometry(
     Ok(json!({
         "document": file.document(),
         "defaults": file.defaults(),
-        "title": case.title,
+        "title": file.particulars().title,
         "bearing": {
             "balls": bearing.balls(),
             "ball_radius_mm": bearing.ball_radius_m() * 1e3,
@@ -89,16 +89,16 @@ pub(crate) fn geometry(
 
 /// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.
 fn settled(
-    case: &Case,
+    file: &CaseFile,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<(Record, Estimate), EquilibriumError> {
-    let mut ask = || control(0.0);
+    let (case, mut ask) = (file.case(), || control(0.0));
     let solved = settle_controlled(case, &mut ask)?;
     let estimate = match case.has_elastic_flanks() {
         true => Estimate::elastic(case, &seats_controlled(case, &mut ask)?, Some(&solved.rest)),
         false => Estimate::new(case, &solved.rest),
     };
-    Ok((static_record(case, &solved), estimate))
+    Ok((static_record(case, file.particulars(), &solved), estimate))
 }
 
 /// Contact signs of the rows and shoulder angles, inner and outer, of a case that moves in space.
@@ -189,7 +189,7 @@ pub(crate) fn equilibrium(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Value, Refusal> {
     constant(file)?;
-    Ok(json!(settled(file.case(), control)?.0))
+    Ok(json!(settled(file, control)?.0))
 }
 
 /// Passes a case that has one equilibrium, not one for each time.

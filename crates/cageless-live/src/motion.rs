@@ -3,7 +3,6 @@
 use std::f64::consts::{PI, TAU};
 
 use cageless::Case;
-use cageless::case::INTERVAL_MIN_S;
 use cageless::dynamics::layout::Layout;
 use cageless::dynamics::state::State;
 use cageless::equilibrium::space::{inner_point, outer_points};
@@ -12,6 +11,7 @@ use cageless::recorder::Recorder;
 use cageless::rotor::Rotor;
 use cageless::simulation::{Control, Ending, Simulation};
 use cageless::snapshot::{RotorSnapshot, Snapshot};
+use cageless_results::Particulars;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -72,9 +72,10 @@ pub(crate) fn motion(
         return Err(Refusal::new(message));
     }
     let interval_s = duration_s / stretch.frames as f64;
-    if !(interval_s >= INTERVAL_MIN_S) {
+    const LEAST_S: f64 = Particulars::INTERVAL_MIN_S;
+    if !(interval_s >= LEAST_S) {
         return Err(Refusal::new(format!(
-            "duration_s = {duration_s:e} in {} frames is not possible: at least {INTERVAL_MIN_S:e} s \
+            "duration_s = {duration_s:e} in {} frames is not possible: at least {LEAST_S:e} s \
              from one to the next",
             stretch.frames
         )));

@@ -801,7 +801,9 @@ fn a_case_is_compared_from_the_same_uneven_starts() {
     let file = CaseFile::parse(&case, "case", &[]).unwrap();
     let mut sum = 0.0;
     for start in 0..8 {
-        let started = file.with_uneven_start(file.case().seed, start).unwrap();
+        let started = file
+            .with_uneven_start(file.particulars().seed, start)
+            .unwrap();
         let mut case = started.case().clone();
         case.solver.duration_s = 18.0 * case.rolling_orbit_s();
         let mut recorder = SummaryRecorder::new();

@@ -118,7 +118,7 @@ pub(crate) const HOUSING: [&str; 3] = [
 ///
 /// # Errors
 /// Never: the cases are sound.
-pub fn experiment() -> Result<[Case; 2], CaseError> {
+pub fn experiment() -> Result<[CaseFile; 2], CaseError> {
     // Not in the paper: four bunches of balls for the raceway to spread apart.
     let both = [
         "operation.inner_speed_rpm=3000.0",
@@ -135,7 +135,7 @@ pub fn experiment() -> Result<[Case; 2], CaseError> {
     );
     let discrete = [&both[..], &raceway_overrides(EXPERIMENT)].concat();
     let discrete = paper_case(false, &title, &discrete)?;
-    Ok([conventional, discrete].map(|file| file.case().clone()))
+    Ok([conventional, discrete])
 }
 
 /// Structure `k` under one reading of the equations, with further overrides

@@ -139,7 +139,7 @@ pub fn add_to(task: Task, grades: &[u32]) -> Result<Task, StudyError> {
 
 /// The combinations, by speed, lot and ring.
 fn plans(grades: &[u32]) -> Result<Vec<Plan>, StudyError> {
-    let [conventional, discrete] = cases::experiment()?;
+    let [conventional, discrete] = cases::experiment()?.map(|file| file.case().clone());
     let mut plans = vec![];
     for speed in &SPEEDS {
         let found = with_raceway(&discrete, speed)?;
@@ -425,6 +425,7 @@ fn source(plans: &[Plan]) -> Provenance {
         method: Some(format!("velocity Verlet, step {} µs", steps.join(" to "))),
         step_us: None,
         ..provenance(
+            "",
             case,
             format!(
                 "the first half of {}; {}",

@@ -1,12 +1,12 @@
 //! Vibration (Fig. 12) and the two bearings side by side (Fig. 13, 14).
 
-use cageless::Case;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::numerics::moments::Moments;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::run;
 use cageless::snapshot::Snapshot;
 use cageless::vibration::VibrationRecorder;
+use cageless_io::case_file::CaseFile;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};
 
 use crate::cases;
@@ -99,11 +99,12 @@ pub fn compute(progress: &Work<'_>) -> Result<Experiment, StudyError> {
         || one(&both[1], names[1], progress),
     );
     let ones = [ones.0?, ones.1?];
-    let case = &both[1];
+    let case = both[1].case();
     let source = Provenance {
         case: "Zhao 2022, experiment: 3000 rpm, 1.5 kN, four bunches of balls at the start"
             .to_owned(),
         ..provenance(
+            "",
             case,
             format!(
                 "nothing of the record, t < {SETTLED_AFTER_S} s of spectrum and RMS; {}",
@@ -124,7 +125,8 @@ pub fn compute(progress: &Work<'_>) -> Result<Experiment, StudyError> {
     })
 }
 
-fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, StudyError> {
+fn one(file: &CaseFile, name: &str, progress: &Work<'_>) -> Result<One, StudyError> {
+    let case = file.case();
     let housing = housing(case)?;
     let mut settled = VibrationRecorder::new(housing, SAMPLING_HZ, SETTLED_AFTER_S);
     let mut whole = VibrationRecorder::new(housing, SAMPLING_HZ, 0.0);
@@ -167,7 +169,7 @@ fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, StudyError> 
         gap_deviation_deg: [deviation(snapshots.first()), deviation(last.as_ref())],
         touching: [0.05, 0.1, 0.15, 0.2].map(|moment| touching_at(&snapshots, moment)),
     };
-    let source = provenance(case, "nothing".to_owned());
+    let source = provenance(&file.particulars().title, case, "nothing".to_owned());
     Ok(One {
         signal,
         motion: motion(case, name, &snapshots, source),

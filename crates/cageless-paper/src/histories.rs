@@ -75,7 +75,8 @@ fn one(reading: (Formulation, FrictionModel), progress: &Work<'_>) -> Result<His
         "start.ring_y_um=0.0".to_owned(),
         "solver.duration_s=0.3".to_owned(),
     ];
-    let case = cases::structure(0, reading, &overrides)?;
+    let file = cases::structure_file(0, reading, &overrides)?;
+    let case = file.case().clone();
     let mut snapshots: Vec<Snapshot> = vec![];
     let mut collisions: Vec<Collision> = vec![];
     let mut recorder = Recorder::new(INTERVAL_S, keeping(&mut snapshots, |_| true));
@@ -87,7 +88,11 @@ fn one(reading: (Formulation, FrictionModel), progress: &Work<'_>) -> Result<His
     )?;
     drop((recorder, detector));
     StudyError::unless_complete(&outcome.ending)?;
-    let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
+    let source = provenance(
+        &file.particulars().title,
+        &case,
+        format!("t < {SETTLED_AFTER_S} s (shaded)"),
+    );
     let (neighbours, ball, double_passages) = neighbours(&case, &snapshots, &collisions, &source);
     let (gap, stages) = gap_history(&case, &snapshots, ball, source);
     let first_fall_deg = first_fall_deg(&case, &snapshots);

@@ -42,7 +42,7 @@ pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, StudyError> {
     let computed = Simulations::new(progress, &comparison::GRADES)?;
     let file_d = cases::structure_file(3, READINGS[1], &[])?;
     let case_d = file_d.case().clone();
-    let design_curve = parameters::design_curve(&case_d);
+    let design_curve = parameters::design_curve(&file_d);
     let evidence = computed.evidence(&design_curve)?;
     Ok(ReproduceData {
         software: cageless_results::software(),

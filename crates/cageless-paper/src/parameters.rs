@@ -3,6 +3,7 @@
 use cageless::design::span_angle_curve;
 use cageless::raceway::axial_span_limit_m;
 use cageless::{Case, RacewayForm};
+use cageless_io::case_file::CaseFile;
 use cageless_report::{
     ContactTrack, DesignCurve, DesignLimit, LimitedQuantity, Parameter, Provenance, RacewaySurface,
 };
@@ -67,8 +68,8 @@ pub fn surface(case: &Case) -> RacewaySurface {
 }
 
 /// Fig. 5.
-pub fn design_curve(case: &Case) -> DesignCurve {
-    let bearing = &case.bearing;
+pub fn design_curve(file: &CaseFile) -> DesignCurve {
+    let bearing = &file.case().bearing;
     let curve = span_angle_curve(bearing, RacewayForm::default(), 240);
     let (epsilon, gap) = (bearing.ball_angle_rad(), bearing.nominal_gap_rad());
     let three_balls_deg = (epsilon + gap).to_degrees();
@@ -89,7 +90,7 @@ pub fn design_curve(case: &Case) -> DesignCurve {
             DesignLimit::new(LimitedQuantity::HalfAngle, 22.0, "sliding, Section 4.3"),
         ],
         provenance: Provenance {
-            case: case.title.clone(),
+            case: file.particulars().title.clone(),
             ..Provenance::default()
         },
         ..DesignCurve::new(&curve, gap.to_degrees())

@@ -300,6 +300,7 @@ fn shared_provenance(case: &Case) -> Provenance {
     Provenance {
         case: "Zhao 2022, structures (a) to (j), balls evenly spaced at the start".to_owned(),
         ..provenance(
+            "",
             case,
             format!(
                 "all but the last {PORTRAIT_ORBITS} of 32 orbits (t < {:.3} s)",

@@ -27,8 +27,11 @@ fn structures_are_those_of_the_case_files() {
 #[test]
 fn the_experiment_is_that_of_the_case_files() {
     let [conventional, discrete] = experiment().unwrap();
-    assert_is_of_file(conventional, "experiment-3000rpm-conventional");
-    assert_is_of_file(discrete, "experiment-3000rpm");
+    assert_is_of_file(
+        conventional.case().clone(),
+        "experiment-3000rpm-conventional",
+    );
+    assert_is_of_file(discrete.case().clone(), "experiment-3000rpm");
 }
 
 #[test]

@@ -105,7 +105,7 @@ pub fn drop(
 #[pyfunction]
 pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
     let (file, note) = file.case().clone().resting()?;
-    let record = py.detach(|| equilibrium_record_noted(file.case(), note))?;
+    let record = py.detach(|| equilibrium_record_noted(file.case(), file.particulars(), note))?;
     with_seed(py, "static", pretty(&record)?, vec![], move || {
         Ok(files([("case.toml", file.document().to_toml()?)]))
     })

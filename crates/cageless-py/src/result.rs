@@ -77,7 +77,7 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
         "static" => {
             let case = all.remove("case.toml").unwrap_or_default();
             let file = CaseFile::parse(&case, "case", &[])?;
-            let record = equilibrium_record(file.case())?;
+            let record = equilibrium_record(file.case(), file.particulars())?;
             static_page(&file, &record)
         }
         "design" | "search" => {

@@ -23,10 +23,10 @@ const CURVE_POINTS: usize = 240;
 
 /// Data of the page of a design.
 pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot]) -> DesignData {
-    let case = file.case();
+    let (case, name) = (file.case(), file.particulars().title.as_str());
     let steady = steady_case(case);
     let discarded = format!("t < {:.4} s", steady_after_s(case));
-    let source = provenance(&steady, discarded);
+    let source = provenance(name, &steady, discarded);
     let first = case.raceways.first();
     let own = RacewayLabel::new("", first);
     let (record, results_of) = (&result.record, &result.record.results);
@@ -43,10 +43,9 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     DesignData {
         // A seed beyond the whole numbers of TOML leaves the page without a studio.
         case_toml: file.document().to_toml().unwrap_or_default(),
-        title: if case.title.is_empty() {
-            "Design".to_owned()
-        } else {
-            format!("Design: {}", case.title)
+        title: match name {
+            "" => "Design".to_owned(),
+            name => format!("Design: {name}"),
         },
         software: software(),
         lead: lead(case),
@@ -61,7 +60,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         }),
         limits: record.limits().verdicts(),
         reasons: record.sentences("reasons").to_vec(),
-        curve: Some(curve(case, result, &own)),
+        curve: Some(curve(file, result, &own)),
         contact_track: first.map(|r| ContactTrack::sample(r, &case.bearing, own.clone())),
         surface: first.map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
         motion: (!snapshots.is_empty()).then(|| motion(case, &title, snapshots, source.clone())),
@@ -69,7 +68,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         axial: result.axial.as_ref().map(|axial| {
             let [settles, counts] = AXIAL_ORBITS;
             let discarded = format!("first {settles} of {} orbits", settles + counts);
-            let source = provenance(&steady, discarded);
+            let source = provenance(name, &steady, discarded);
             AxialLoads::new(axial, case.operation.radial_load_n, source)
         }),
         axial_findings: (result.axial.iter())
@@ -119,7 +118,8 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
     all
 }
 
-fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve {
+fn curve(file: &CaseFile, result: &DesignResult, own: &RacewayLabel) -> DesignCurve {
+    let case = file.case();
     let bearing = &case.bearing;
     let points = span_angle_curve(bearing, case.raceway_form(), CURVE_POINTS);
     let number = |name| result.record.results.number(name);
@@ -141,7 +141,7 @@ fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve 
         paper: Vec::from_iter(own.axial_span_mm.is_finite().then(|| own.clone())),
         limits: limits.into_iter().chain(near).collect(),
         provenance: Provenance {
-            case: case.title.clone(),
+            case: file.particulars().title.clone(),
             ..Provenance::default()
         },
         ..DesignCurve::new(&points, number("uniform_gap_deg"))

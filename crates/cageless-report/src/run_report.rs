@@ -94,7 +94,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         ..
     } = record;
     let vibration = record.vibration();
-    let case = file.case();
+    let (case, title) = (file.case(), file.particulars().title.as_str());
     let settled = summary.results.number("settled_after_s");
     let bearing = &case.bearing;
     let orbit = case.rolling_orbit_speed_rad_s();
@@ -103,7 +103,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     } else {
         "nothing".to_owned()
     };
-    let provenance = provenance(case, discarded.clone());
+    let provenance = provenance(title, case, discarded.clone());
     let RunHistories {
         snapshots,
         stretch_s,
@@ -133,10 +133,9 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     RunData {
         // A seed beyond the whole numbers of TOML leaves the page without a studio.
         case_toml: file.document().to_toml().unwrap_or_default(),
-        title: if case.title.is_empty() {
-            "Run".to_owned()
-        } else {
-            case.title.clone()
+        title: match title {
+            "" => "Run".to_owned(),
+            title => title.to_owned(),
         },
         software: format!("Cageless {VERSION}, {}", outcome.instruction_set.name()),
         lead: lead(case, outcome),

@@ -62,7 +62,7 @@ impl SheetFiles {
 fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &str>) -> String {
     let case = file.case();
     let record = &result.equilibrium;
-    let title = match case.title.as_str() {
+    let title = match file.particulars().title.as_str() {
         "" => "Bearing sheet",
         title => title,
     };

@@ -33,7 +33,7 @@ pub fn load_distribution(file: &CaseFile, record: &Record) -> Figure {
 
 fn provenance(file: &CaseFile) -> Provenance {
     Provenance {
-        case: file.case().title.clone(),
+        case: file.particulars().title.clone(),
         method: Some("static equilibrium".to_owned()),
         formulation: Some(file.case().formulation.name().to_owned()),
         ..Provenance::default()
@@ -60,7 +60,7 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
 
 fn head(file: &CaseFile, record: &Record) -> Page {
     let case = file.case();
-    let title = match case.title.as_str() {
+    let title = match file.particulars().title.as_str() {
         "" => "Static equilibrium".to_owned(),
         title => format!("Static equilibrium: {title}"),
     };

@@ -17,7 +17,7 @@ fn rows_stand_side_by_side() {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let load = ["operation.axial_load_n=800".to_owned()];
     let file = CaseFile::read(&cases.join("preloaded-pair.toml"), &load).expect("a case");
-    let record = equilibrium_record(file.case()).expect("an equilibrium");
+    let record = equilibrium_record(file.case(), file.particulars()).expect("an equilibrium");
     let forces = record.results.values("outer_force_n");
     let (_, spec) = specs(&static_page(&file, &record)).remove(0);
     let bars: Vec<&Value> = (spec["data"].as_array().expect("traces").iter())

@@ -10,8 +10,8 @@ use cageless::equilibrium::{settle, solve};
 use crate::number_text::significant;
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
-    AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, PROFILE, Part, RACEWAY, Record,
-    Results, Subject, VERDICT,
+    AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, PROFILE, Part, Particulars,
+    RACEWAY, Record, Results, Subject, VERDICT,
 };
 
 /// Points of the lC–θ curve.
@@ -21,6 +21,7 @@ const CURVE_POINTS: usize = 60;
 /// `passages`, each of the `raceways`, a `recommendation` near the curve of Eq. (11), and that `curve`.
 pub fn design_record(
     case: &Case,
+    particulars: &Particulars,
     judgement: &Judgement,
     recommendation: Option<&Recommendation>,
 ) -> Record {
@@ -59,7 +60,7 @@ pub fn design_record(
             "warnings",
             settle(case).map_or(vec![], |at_rest| at_rest.warnings(case)),
         )
-        .with_limits(&case.limits)
+        .with_limits(&particulars.limits)
         .with_part("passages", passages(judgement.passages.as_ref()))
         .with_part("raceways", Part::Many(raceways.collect()))
         .with_part("recommendation", recommendation)

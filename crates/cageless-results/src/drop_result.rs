@@ -10,7 +10,9 @@ use crate::kind::Kind;
 use crate::limited::{limited, limited_in_succession};
 use crate::results::is_zero;
 use crate::table::DROP;
-use crate::{Cell, DropJudgement, FinishedDrop, Quantity, Results, Stopped, Subject, value_text};
+use crate::{
+    Cell, DropJudgement, FinishedDrop, Particulars, Quantity, Results, Stopped, Subject, value_text,
+};
 
 /// A result of drops side by side: label, value of each, unit.
 pub type ShownBeside = (&'static str, Vec<String>, String);
@@ -80,8 +82,8 @@ const TEMPERATURES: [&str; 3] = [
 const WARMED_K: f64 = 0.05;
 
 /// Temperatures that are those of the start.
-fn unheated(case: &Case, results: &Results) -> Vec<&'static str> {
-    let parts = TEMPERATURES.into_iter().zip(case.parts_c());
+fn unheated(particulars: &Particulars, results: &Results) -> Vec<&'static str> {
+    let parts = TEMPERATURES.into_iter().zip(particulars.parts_c());
     let cold = parts.filter(|(name, start_c)| {
         let end_c = results.value(name);
         end_c.is_some_and(|end_c| end_c - start_c < WARMED_K)
@@ -91,20 +93,26 @@ fn unheated(case: &Case, results: &Results) -> Vec<&'static str> {
 
 impl DropResult {
     /// Results `summary` of the drop of `case` that ended as `outcome`.
-    pub fn new(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
+    pub fn new(
+        case: &Case,
+        particulars: &Particulars,
+        summary: &DropSummary,
+        outcome: &RunOutcome,
+    ) -> Self {
         let mut finished = FinishedDrop {
             case,
+            particulars,
             summary,
             outcome,
             judgement: DropJudgement::of_drop(case, summary, outcome),
         };
-        if !case.limits.is_empty() {
+        if !particulars.limits.is_empty() {
             let results = Results::of(DROP, Subject::Drop(&finished));
-            finished.judgement = limited(finished.judgement, &case.limits, &results);
+            finished.judgement = limited(finished.judgement, &particulars.limits, &results);
         }
         let results = Results::of(DROP, Subject::Drop(&finished));
         Self {
-            unheated: unheated(case, &results),
+            unheated: unheated(particulars, &results),
             results,
             judgement: finished.judgement,
             stopped: Stopped::of(case, outcome),

@@ -4,7 +4,7 @@ use cageless::simulation::{PlaneDisplacement, RotorDrop, RotorDropOutcome, Rotor
 use cageless::touchdown::DropRecorder;
 
 use crate::table::PLANE;
-use crate::{Across, Cell, DropJudgement, DropResult, Quantity, Record, Subject};
+use crate::{Across, Cell, DropJudgement, DropResult, Particulars, Quantity, Record, Subject};
 
 /// Results of a drop.
 #[derive(Debug, Clone)]
@@ -18,12 +18,18 @@ pub struct DropRun {
 }
 
 impl DropRun {
-    /// Results of `drop`, which ended as `outcome`, with the recorder of each bearing.
-    pub fn new(drop: &RotorDrop, recorders: Vec<DropRecorder>, outcome: &RotorDropOutcome) -> Self {
-        let ended = drop.cases().iter().zip(recorders).zip(&outcome.bearings);
+    /// Results of `drop`, which ended as `outcome`, with particulars and recorder of each bearing.
+    pub fn new<'p>(
+        drop: &RotorDrop,
+        particulars: impl IntoIterator<Item = &'p Particulars>,
+        recorders: Vec<DropRecorder>,
+        outcome: &RotorDropOutcome,
+    ) -> Self {
+        let bearings = drop.cases().iter().zip(particulars);
+        let ended = bearings.zip(recorders).zip(&outcome.bearings);
         let mut bearings: Vec<DropResult> = ended
-            .map(|((case, recorder), ended)| {
-                DropResult::new(case, &recorder.summary(&ended.state), ended)
+            .map(|(((case, own), recorder), ended)| {
+                DropResult::new(case, own, &recorder.summary(&ended.state), ended)
             })
             .collect();
         let stopped = outcome.stopped_bearing().map(|k| {

@@ -66,10 +66,10 @@ pub fn instruction_set() -> &'static str {
     InstructionSet::chosen().name()
 }
 
-/// Provenance of a simulated figure.
-pub fn provenance(case: &Case, discarded: String) -> Provenance {
+/// Provenance of a simulated figure; `title` is that of the case.
+pub fn provenance(title: &str, case: &Case, discarded: String) -> Provenance {
     Provenance {
-        case: case.title.clone(),
+        case: title.to_owned(),
         formulation: Some(case.formulation.name().to_owned()),
         friction_law: Some(case.contact.friction_law.describe(&case.contact.friction)),
         method: Some(case.solver.method.properties().label.to_owned()),

@@ -11,7 +11,7 @@ use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{Equilibrium, settle};
 use cageless::passage::PassageTally;
 use cageless::raceway::MeasuredFlanks;
-use cageless::rating::Rating;
+use cageless::rating::{LubricatedRating, Rating};
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::steady::SteadySummary;
 use cageless::summary::Summary;
@@ -24,15 +24,20 @@ use cageless::{Case, Raceway};
 use crate::cell::Cell;
 use crate::drop_judgement::DropJudgement;
 use crate::judged::{JudgedResult, VerifiedDrop};
+use crate::particulars::Particulars;
 
 /// A static equilibrium.
 pub struct Solved<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its particulars.
+    pub particulars: &'a Particulars,
     /// Its equilibrium.
     pub equilibrium: &'a Equilibrium,
     /// Ratings of the bearing in it.
     pub rating: Rating,
+    /// Ratings with the lubricant, where there is one and the inner ring turns.
+    pub lubricated: Option<LubricatedRating>,
     /// What it has in space.
     pub space: Option<&'a SpatialEquilibrium>,
     /// Orbital speeds of its balls, where the inner ring drives them.
@@ -44,18 +49,26 @@ pub struct Solved<'a> {
 
 impl<'a> Solved<'a> {
     /// The equilibrium of `case` ([`cageless::equilibrium::settle`]) with its ratings.
-    pub fn new(case: &'a Case, settled: &'a SpatialEquilibrium) -> Self {
+    pub fn new(
+        case: &'a Case,
+        particulars: &'a Particulars,
+        settled: &'a SpatialEquilibrium,
+    ) -> Self {
         let space = case.moves_in_space().then_some(settled);
+        let rating = match space {
+            Some(space) => Rating::in_space(case, space),
+            None => Rating::new(case, &settled.rest),
+        };
+        let lubrication = particulars.lubrication.as_ref();
         Self {
             case,
+            particulars,
             equilibrium: &settled.rest,
-            rating: match space {
-                Some(space) => Rating::in_space(case, space),
-                None => Rating::new(case, &settled.rest),
-            },
+            lubricated: lubrication.and_then(|own| LubricatedRating::new(case, &rating, own)),
+            rating,
             space,
             advance: BallAdvance::new(case, settled),
-            l10r_of_range_mrev: match case.fit.and_then(|fit| fit.range) {
+            l10r_of_range_mrev: match particulars.fit.and_then(|fit| fit.range) {
                 Some(range) => range.probable_m.map(|m| l10r_at_clearance_mrev(case, m)),
                 None => [None; 2],
             },
@@ -111,6 +124,8 @@ pub struct Finished<'a> {
 pub struct FinishedDrop<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its particulars.
+    pub particulars: &'a Particulars,
     /// What was recorded.
     pub summary: &'a DropSummary,
     /// How it ended.
@@ -127,6 +142,8 @@ pub struct SuccessiveDrop<'a> {
     pub bearing: usize,
     /// The case, with the clearances of this drop.
     pub case: &'a Case,
+    /// Its particulars, with the temperatures of this drop.
+    pub particulars: &'a Particulars,
     /// Heat of all interfaces in the drop, J.
     pub heat_j: f64,
     /// Time from its end to the standstill of the rotor, s; `None` without an estimate.
@@ -192,6 +209,8 @@ impl Dimension {
 pub struct Tolerated<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its particulars.
+    pub particulars: &'a Particulars,
     /// Grade of the balls by ISO 3290-1, 0 for equal ones.
     pub ball_grade: u32,
     /// Judgement of the bearings that deviate.
@@ -228,6 +247,8 @@ pub struct CountedVerdict<'a> {
 pub struct Searched<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Seed of its uneven starts.
+    pub seed: u64,
     /// What it found.
     pub found: &'a Found,
     /// lC, m, and θ, rad, of the curve of Eq. (11).

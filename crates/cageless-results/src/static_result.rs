@@ -7,19 +7,24 @@ use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
 use crate::{
-    CLEARANCE_RANGE, DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject,
+    CLEARANCE_RANGE, DEFECTS, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
+    Solved, Subject,
 };
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
-pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
-    let solved = Solved::new(case, settled);
+pub fn static_record(
+    case: &Case,
+    particulars: &Particulars,
+    settled: &SpatialEquilibrium,
+) -> Record {
+    let solved = Solved::new(case, particulars, settled);
     let warnings = settled.warnings(case).into_iter();
     let warnings = warnings.chain(solved.rating.warnings()).collect();
     let mut groups = vec![STATIC, DEFECTS];
-    groups.extend(case.fit.map(|_| FIT));
-    let range = case.fit.and_then(|fit| fit.range);
+    groups.extend(particulars.fit.map(|_| FIT));
+    let range = particulars.fit.and_then(|fit| fit.range);
     groups.extend(range.map(|_| CLEARANCE_RANGE));
-    groups.extend(case.lubrication.as_ref().map(|_| LUBRICATION));
+    groups.extend(particulars.lubrication.as_ref().map(|_| LUBRICATION));
     groups.extend(solved.space.map(|_| SPACE));
     let results = groups
         .into_iter()
@@ -27,16 +32,19 @@ pub fn static_record(case: &Case, settled: &SpatialEquilibrium) -> Record {
     Record::from(results.reduce(Results::and).unwrap_or_default())
         .with_sentences("warnings", warnings)
         .with_sentences("notes", notes(&solved))
-        .with_limits(&case.limits)
+        .with_limits(&particulars.limits)
 }
 
 /// Results of the static equilibrium of a case, in space where the case is not planar.
 ///
 /// # Errors
 /// The case has no equilibrium, or not one: its speed or load is a table over time.
-pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
+pub fn equilibrium_record(
+    case: &Case,
+    particulars: &Particulars,
+) -> Result<Record, EquilibriumError> {
     case.check_constant_operation("a static equilibrium")?;
-    Ok(static_record(case, &settle(case)?))
+    Ok(static_record(case, particulars, &settle(case)?))
 }
 
 /// [`equilibrium_record`] of a bearing with a further note.
@@ -45,9 +53,10 @@ pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
 /// Those of [`equilibrium_record`].
 pub fn equilibrium_record_noted(
     case: &Case,
+    particulars: &Particulars,
     note: Option<String>,
 ) -> Result<Record, EquilibriumError> {
-    let record = equilibrium_record(case)?;
+    let record = equilibrium_record(case, particulars)?;
     let notes = record.sentences("notes").iter().cloned();
     let notes = note.into_iter().chain(notes).collect();
     Ok(record.with_sentences("notes", notes))
@@ -109,7 +118,11 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if case.fit.is_some_and(|fit| fit.range.is_some()) {
+    if solved
+        .particulars
+        .fit
+        .is_some_and(|fit| fit.range.is_some())
+    {
         notes.push(format!(
             "the range of the clearance takes bearings of class Normal (ISO 492) unless fit.tolerance_class is given, \
              {} µm of smoothing unless fit.smoothing_um is, and fit.clearance_tolerance_um about the clearance of \
@@ -135,7 +148,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
 
 /// What the ratings with a lubricant leave out.
 fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
-    let Some(rating) = &solved.rating.lubricated else {
+    let Some(rating) = &solved.lubricated else {
         return vec![];
     };
     let operation = &solved.case.operation;
@@ -160,7 +173,7 @@ fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
             .to_owned()
     });
     let other = solved
-        .case
+        .particulars
         .lubrication
         .as_ref()
         .is_some_and(|l| l.skf_series.is_some());

@@ -65,6 +65,25 @@ fn case() -> Case {
     file.case().clone()
 }
 
+/// Those of a file, whose type is that of the library that is not under test.
+fn particulars(file: &CaseFile) -> Particulars {
+    let own = file.particulars();
+    Particulars {
+        title: own.title.clone(),
+        seed: own.seed,
+        interval_s: own.interval_s,
+        fit: own.fit,
+        lubrication: own.lubrication.clone(),
+        thermal: own.thermal.clone(),
+        limits: own.limits.clone(),
+    }
+}
+
+/// Those of a case that says nothing.
+fn no_particulars() -> Particulars {
+    particulars(&CaseFile::parse(&template(false), "case.toml", &[]).unwrap())
+}
+
 const MPA: f64 = 1e6;
 const DEGREE: f64 = PI / 180.0;
 const MICROMETRE: f64 = 1e-6;
@@ -346,7 +365,8 @@ fn an_axial_load_without_result_has_its_reason() {
 fn frequencies_of_defects_are_multiples_of_the_shaft_frequency() {
     let case = case();
     let equilibrium = cageless::equilibrium::settle(&case).unwrap();
-    let solved = Solved::new(&case, &equilibrium);
+    let particulars = no_particulars();
+    let solved = Solved::new(&case, &particulars, &equilibrium);
     let g = 9.525 / 46.005;
     let expected = [
         ("ftf_order", 0.5 * (1.0 - g)),
@@ -358,7 +378,7 @@ fn frequencies_of_defects_are_multiples_of_the_shaft_frequency() {
     ];
     let results = Results::of(DEFECTS, Subject::Static(&solved));
     compare(&results, &expected, &[], 1e-12);
-    let record = static_record(&case, &equilibrium);
+    let record = static_record(&case, &particulars, &equilibrium);
     assert_eq!(
         record.results.number("bpfo_order"),
         results.number("bpfo_order")
@@ -376,10 +396,10 @@ fn results_with_a_fit_are_its_fields() {
     ];
     let sets = sets.map(|set| format!("fit.{set}"));
     let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
-    let case = file.case();
+    let (case, particulars) = (file.case(), particulars(&file));
     let equilibrium = cageless::equilibrium::settle(case).unwrap();
-    let solved = Solved::new(case, &equilibrium);
-    let fit = case.fit.unwrap();
+    let solved = Solved::new(case, &particulars, &equilibrium);
+    let fit = particulars.fit.unwrap();
     let um = 1e6;
     let expected = [
         ("initial_clearance_um", fit.initial_m * um),
@@ -401,7 +421,7 @@ fn results_with_a_fit_are_its_fields() {
     ];
     let results = Results::of(FIT, Subject::Static(&solved));
     compare(&results, &expected, &[], 1e-9);
-    let record = static_record(case, &equilibrium);
+    let record = static_record(case, &particulars, &equilibrium);
     assert_eq!(
         record.results.number("operating_clearance_um"),
         results.number("operating_clearance_um")
@@ -427,8 +447,8 @@ fn ratings_with_a_lubricant_are_there_or_said_to_be_left_out() {
         let sets = lubricant.into_iter().chain([set]);
         let sets: Vec<String> = sets.map(str::to_owned).collect();
         let file = CaseFile::parse(&template(true), "case.toml", &sets).unwrap();
-        let case = file.case();
-        let record = static_record(case, &cageless::equilibrium::settle(case).unwrap());
+        let settled = cageless::equilibrium::settle(file.case()).unwrap();
+        let record = static_record(file.case(), &particulars(&file), &settled);
         let has = |name: &str| record.results.number(name).is_finite();
         assert!(has("viscosity_ratio") && has("l10mr_h"), "{set}");
         assert_eq!(
@@ -454,11 +474,14 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
     ];
     let sets = sets.map(|set| format!("lubrication.{set}"));
     let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
-    let case = file.case();
-    assert_eq!(case.lubrication.as_ref().unwrap().viscosity_m2_s, 6e-6);
+    let (case, particulars) = (file.case(), particulars(&file));
+    assert_eq!(
+        particulars.lubrication.as_ref().unwrap().viscosity_m2_s,
+        6e-6
+    );
     let equilibrium = cageless::equilibrium::settle(case).unwrap();
-    let solved = Solved::new(case, &equilibrium);
-    let rating = solved.rating.lubricated.unwrap();
+    let solved = Solved::new(case, &particulars, &equilibrium);
+    let rating = solved.lubricated.unwrap();
     let life = rating.l10m_mrev.unwrap();
     let skf = rating.skf_friction.unwrap();
     let expected = [
@@ -487,7 +510,7 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
     ];
     let results = Results::of(LUBRICATION, Subject::Static(&solved));
     compare(&results, &expected, &[], 1e-12);
-    let record = static_record(case, &equilibrium);
+    let record = static_record(case, &particulars, &equilibrium);
     assert_eq!(record.results.number("l10m_mrev"), life);
 }
 
@@ -724,9 +747,9 @@ fn results_with_tolerances_are_those_at_the_ends() {
     ]
     .map(str::to_owned);
     let file = CaseFile::parse(&text, "case.toml", &sets).unwrap();
-    let case = file.case();
-    let record = static_record(case, &cageless::equilibrium::settle(case).unwrap());
-    let range = case.fit.unwrap().range.unwrap();
+    let settled = cageless::equilibrium::settle(file.case()).unwrap();
+    let record = static_record(file.case(), &particulars(&file), &settled);
+    let range = file.particulars().fit.unwrap().range.unwrap();
     let um = 1e6;
     let life_h = |clearance_m: f64| {
         let set = format!(
@@ -735,7 +758,7 @@ fn results_with_tolerances_are_those_at_the_ends() {
         );
         let file = CaseFile::parse(&text, "case.toml", &[set]).unwrap();
         let settled = cageless::equilibrium::settle(file.case()).unwrap();
-        static_record(file.case(), &settled)
+        static_record(file.case(), &particulars(&file), &settled)
             .results
             .number("l10r_h")
     };

@@ -6,8 +6,8 @@ use cageless::tolerance::{Assessment, Tolerances};
 
 use crate::table::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 use crate::{
-    CountedVerdict, Deviation, Part, Provenance, Record, Sampled, Shape, Subject, Tolerated,
-    provenance,
+    CountedVerdict, Deviation, Part, Particulars, Provenance, Record, Sampled, Shape, Subject,
+    Tolerated, provenance,
 };
 
 /// What a tolerance analysis holds.
@@ -36,6 +36,7 @@ pub const TOLERANCE_SHAPE: Shape = Shape {
 /// ones): the nominal bearing, the `influences` one at a time, and the `samples` by their `verdicts`.
 pub fn tolerance_record(
     case: &Case,
+    particulars: &Particulars,
     ball_grade: u32,
     tolerances: &Tolerances,
     assessment: &Assessment,
@@ -68,13 +69,14 @@ pub fn tolerance_record(
             };
             Record::of(VERDICT_COUNT, Subject::VerdictCount(&counted))
         });
-        let seed = case.seed;
+        let seed = particulars.seed;
         let sampled = Sampled { samples, seed };
         Record::of(SAMPLES, Subject::Samples(&sampled))
             .with_part("verdicts", Part::Many(verdicts.collect()))
     });
     let tolerated = Tolerated {
         case,
+        particulars,
         ball_grade,
         assessment,
     };
@@ -84,6 +86,6 @@ pub fn tolerance_record(
         .with_part("samples", samples)
         .with_provenance(Provenance {
             discarded: "the first 16 orbits of each run".to_owned(),
-            ..provenance(case, String::new())
+            ..provenance(&particulars.title, case, String::new())
         })
 }

@@ -45,10 +45,10 @@ pub struct DesignResult {
 }
 
 impl DesignResult {
-    /// Results of the verdict on the raceways of `case`.
-    pub fn new(case: &Case, judgement: &Judgement, near: Option<&Recommendation>) -> Self {
+    /// Results of the verdict on the raceways of a case.
+    pub fn new(file: &CaseFile, judgement: &Judgement, near: Option<&Recommendation>) -> Self {
         Self {
-            record: design_record(case, judgement, near),
+            record: design_record(file.case(), file.particulars(), judgement, near),
             axial: None,
             search: None,
             benefit: None,
@@ -141,7 +141,7 @@ pub fn design(
     };
     let judgement = judgement.map_err(|error| StudyError::of_run(file, error))?;
     let mut designed = Designed {
-        result: DesignResult::new(file.case(), &judgement, near.as_ref()),
+        result: DesignResult::new(file, &judgement, near.as_ref()),
         snapshots,
         stopped: judgement.stopped,
         none_found: None,

@@ -50,11 +50,11 @@ pub struct Histories {
 }
 
 impl Histories {
-    /// Empty histories of a run of `case`.
-    pub fn new(case: &Case) -> Self {
+    /// Empty histories of a run of `case` with a row each `interval_s`.
+    pub fn new(case: &Case, interval_s: f64) -> Self {
         let balls = case.balls();
         Self {
-            interval_s: case.output.interval_s,
+            interval_s,
             rows: MinMaxDecimator::new((ROWS * 14 / balls).min(ROWS)),
             recent: VecDeque::new(),
             collisions: vec![],
@@ -129,7 +129,7 @@ mod tests {
 
     fn histories() -> Histories {
         let file = CaseFile::parse(&template(false), "case.toml", &[]).unwrap();
-        Histories::new(file.case())
+        Histories::new(file.case(), file.particulars().interval_s)
     }
 
     fn collision(impulse_n_s: f64) -> Collision {

@@ -112,19 +112,21 @@ pub fn run(
     options: Options<'_>,
     progress: &dyn Progress,
 ) -> Result<RunRecord, StudyError> {
-    let case = file.case();
+    let (case, particulars) = (file.case(), file.particulars());
     let settled_s = transient_s(case);
     let recorded = options.rows.is_some();
     let mut summary = SummaryRecorder::new();
     let mut ring_path = RingPathRecorder::new();
     let mut passages = Passages::new(case);
-    let mut verification = options.verify.then(|| VerificationRuns::new(case));
+    let mut verification = options
+        .verify
+        .then(|| VerificationRuns::new(case, particulars.seed));
     let mut vibration = (case.housing.as_ref())
         .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
-    let kept = RefCell::new((options.rows, Histories::new(case)));
+    let kept = RefCell::new((options.rows, Histories::new(case, particulars.interval_s)));
     let started = Instant::now();
     let outcome = {
-        let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
+        let mut recorder = Recorder::new(particulars.interval_s, |snapshot| {
             let (rows, histories) = &mut *kept.borrow_mut();
             if let Some(rows) = rows {
                 rows.snapshot(&snapshot)?;

@@ -63,7 +63,7 @@ impl<'a> Sheet<'a> {
         Ok(Self {
             file,
             name,
-            equilibrium: equilibrium_record_noted(resting.case(), note)?,
+            equilibrium: equilibrium_record_noted(resting.case(), resting.particulars(), note)?,
             request,
         })
     }

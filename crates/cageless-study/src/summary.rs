@@ -57,7 +57,7 @@ impl RunSummary {
         );
         let results = Results::of(RUN, Subject::Run(run));
         Self {
-            limits: LimitJudgement::of(&file.case().limits, &results),
+            limits: LimitJudgement::of(&file.particulars().limits, &results),
             schema: SCHEMA,
             version: VERSION.to_owned(),
             isa: outcome.instruction_set.name().to_owned(),

@@ -102,7 +102,7 @@ pub fn tolerance(
         .benefit
         .then(|| TolerancedRings::new(file, &tolerances));
     let rings = rings.transpose()?;
-    let trials = trials(case, &tolerances, request.samples, case.seed);
+    let trials = trials(case, &tolerances, request.samples, file.particulars().seed);
     let mut tasks = vec![task(case, &trials)];
     tasks.extend(rings.as_ref().map(TolerancedRings::task).transpose()?);
     progress.whole(&tasks);
@@ -132,7 +132,14 @@ pub fn tolerance(
     let warnings = interrupted.into_iter().chain(stopped).collect();
     let grade = request.ball_grade;
     Ok(ToleranceResult {
-        record: tolerance_record(case, grade, &tolerances, &assessment, warnings),
+        record: tolerance_record(
+            case,
+            file.particulars(),
+            grade,
+            &tolerances,
+            &assessment,
+            warnings,
+        ),
         benefit,
     })
 }

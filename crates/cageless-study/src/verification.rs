@@ -30,8 +30,8 @@ fn steps(replicas: &[Replica]) -> f64 {
 
 impl VerificationRuns {
     /// Replicas of the run of `case`.
-    pub fn new(case: &Case) -> Self {
-        let replicas = replicas(case, LARGE_PERTURBATIONS);
+    pub fn new(case: &Case, seed: u64) -> Self {
+        let replicas = replicas(case, seed, LARGE_PERTURBATIONS);
         let observer = replicas[0].observer();
         Self { replicas, observer }
     }

@@ -95,7 +95,7 @@ fn every_number_is_in_its_unit() {
         judged: 9,
     };
     let result = DesignResult::new(
-        case,
+        &file,
         &judgement(RacewayVerdict::Slips, 5.0),
         Some(&recommendation),
     );
@@ -159,9 +159,8 @@ fn every_number_is_in_its_unit() {
         half_angle_rad: 23.457 * DEGREE,
         centre_angle_rad: 0.0,
     };
-    let case = file.case();
     let sentence = |near: &Recommendation| {
-        let result = DesignResult::new(case, &judgement(RacewayVerdict::Slips, 5.0), Some(near));
+        let result = DesignResult::new(&file, &judgement(RacewayVerdict::Slips, 5.0), Some(near));
         result.recommendation().unwrap().sentence()
     };
     let in_the_middle = "Recommended: lC 5.123 mm, θ 23.457° (the middle of the usable range of θ";

@@ -538,7 +538,9 @@ fn a_drop_out_of_balance_is_not_judged() {
     let mut recorder = DropRecorder::new();
     let mut outcome = run_case(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
     let summary = recorder.summary(&outcome.state);
-    let judged = |outcome: &RunOutcome| DropResult::new(case, &summary, outcome).judgement;
+    let judged = |outcome: &RunOutcome| {
+        DropResult::new(case, file.particulars(), &summary, outcome).judgement
+    };
     assert_eq!(judged(&outcome).passes(), Some(true));
     outcome.ending = Ending::Stopped(Stop {
         time_s: 0.007,
@@ -571,7 +573,12 @@ fn a_spin_up_that_was_not_reached_says_so() {
         spin_up_s: None,
         ..recorder.summary(&outcome.state)
     };
-    let groups = DropResult::groups(&[&DropResult::new(case, &summary, &outcome)]);
+    let groups = DropResult::groups(&[&DropResult::new(
+        case,
+        file.particulars(),
+        &summary,
+        &outcome,
+    )]);
     let mut rows = groups.iter().flat_map(|(_, rows)| rows);
     let (_, values, unit) = (rows.find(|row| row.0 == "spin-up of the inner ring")).unwrap();
     assert_eq!(*values, ["not reached (7544 of 7926 rpm)"]);

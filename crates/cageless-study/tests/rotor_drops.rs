@@ -13,7 +13,7 @@ use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::{
     RotorBody, RotorClearance, RotorDescription, RotorFile, RotorPlace, RotorUnbalance,
 };
-use cageless_study::drop::{DropRequest, RotorRow, ensemble, study};
+use cageless_study::drop::{DropRequest, FiledDrop, RotorRow, ensemble, study};
 use cageless_study::{Progress, Silent, StudyError, Workload, on_threads};
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
@@ -73,9 +73,16 @@ fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     let cases = std::slice::from_ref(&case);
     let file = RotorFile::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
     let scatter = Scatter::default();
-    let alone = RotorDrop::of_case(case.case()).unwrap();
+    let alone = FiledDrop {
+        drop: RotorDrop::of_case(case.case()).unwrap(),
+        files: cases,
+    };
+    let linear = FiledDrop {
+        drop: file.drop().clone(),
+        files: file.bearings(),
+    };
     let one = ensemble(&alone, 3, &scatter, &Silent).unwrap();
-    let several = ensemble(file.drop(), 3, &scatter, &Silent).unwrap();
+    let several = ensemble(&linear, 3, &scatter, &Silent).unwrap();
     assert_eq!((several.completed, several.bearings.len()), (3, 1));
     for (a, b) in one.drops.iter().zip(&several.drops) {
         assert_eq!(unbalance_deg(&a.rotor), unbalance_deg(&b.rotor));
@@ -180,7 +187,10 @@ fn cancelled_drops_leave_the_drop_itself() {
     let endings = found.record.bearings.iter().map(|b| &b.outcome.ending);
     assert_eq!(endings.filter(|e| matches!(e, Ending::Complete)).count(), 2);
     let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0003"]);
-    let alone = RotorDrop::of_case(case.case()).unwrap();
+    let alone = FiledDrop {
+        drop: RotorDrop::of_case(case.case()).unwrap(),
+        files: &[case],
+    };
     let done = ensemble(&alone, 50, &Scatter::default(), &Cancelled::default());
     assert!(matches!(done, Err(StudyError::Interrupted)));
 }

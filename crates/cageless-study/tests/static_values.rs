@@ -19,7 +19,11 @@ fn result(changes: &[&str]) -> Record {
         .map(|s| (*s).to_owned())
         .collect();
     let file = CaseFile::parse(&text, "case.toml", &sets).unwrap();
-    static_record(file.case(), &settle(file.case()).unwrap())
+    static_record(
+        file.case(),
+        file.particulars(),
+        &settle(file.case()).unwrap(),
+    )
 }
 
 #[test]

@@ -127,7 +127,8 @@ fn a_rotor_in_two_bearings_heats_both() {
         "contact.friction_coefficient=0.01",
         "bearing.inner_ring_polar_inertia_kg_m2=5e-6",
     ];
-    let done = dropped(&file("rotors/two-bearings.toml", &sets), 2);
+    let rotor = file("rotors/two-bearings.toml", &sets);
+    let done = dropped(&rotor, 2);
     let rows = &done.succession.records;
     assert_eq!(rows.len(), 4, "{:?}", done.warnings);
     assert_eq!(
@@ -178,7 +179,8 @@ fn a_rotor_in_two_bearings_heats_both() {
     let energy_j = 0.5 * done.drop.rotor().unwrap().polar_inertia_kg_m2() * speed * speed;
     for (k, (own, rolling)) in brakes.into_iter().enumerate() {
         let (case, results) = (&done.drop.cases()[k], results(k));
-        let capacities = case.thermal.capacities_j_k(&case.bearing, 1).unwrap();
+        let thermal = &rotor.cases()[k].particulars().thermal;
+        let capacities = thermal.capacities_j_k(&case.bearing, 1).unwrap();
         let mut warmed_j = 0.0;
         let mut power_w = 0.0;
         for (part, capacity) in parts.iter().zip(capacities) {
@@ -331,12 +333,10 @@ fn a_ring_that_slides_at_the_end_has_no_spin_down() {
 #[test]
 fn drops_in_succession_ask_for_all_numbers_of_a_material() {
     let hybrid = "ball_material.preset=\"Si3N4\"";
-    let done = dropped(
-        &file("touchdown-d.toml", &[&BRAKED[..], &[hybrid]].concat()),
-        2,
-    );
+    let warm = file("touchdown-d.toml", &[&BRAKED[..], &[hybrid]].concat());
+    let done = dropped(&warm, 2);
     assert_eq!(done.succession.records.len(), 2, "{:?}", done.warnings);
-    let capacities = &done.drop.cases()[0].thermal;
+    let capacities = &warm.cases()[0].particulars().thermal;
     assert_eq!(capacities.ball_specific_heat_j_kg_k, Some(800.0));
 
     let refused = |name: &str, sets: &[&str], drops: u64| {

@@ -205,7 +205,7 @@ fn statics_are_in_space_where_their_case_is() {
             format!("model.motion={motion}"),
         ];
         let file = CaseFile::parse(&template(false), "case.toml", &changes).unwrap();
-        let record = equilibrium_record(file.case()).unwrap();
+        let record = equilibrium_record(file.case(), file.particulars()).unwrap();
         assert_eq!(ring[k], record.results.number("ring_y_um"), "{changes:?}");
     }
     assert!(ring[0] != ring[1] && ring[2] == ring[3], "{ring:?}");

@@ -40,7 +40,7 @@ use crate::material::{Material, Materials, check_poisson_ratio};
 use crate::rotating_ring::rotating_growth_m;
 
 /// Temperature at which clearance and interferences are stated, °C (ISO 1).
-pub(crate) const REFERENCE_TEMPERATURE_C: f64 = 20.0;
+pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
 /// Coefficient of thermal expansion of bearing steel, 1/K (NTN 2203/E, Eq. (8.5); NSK E1102f, Eq. (9.6)).
 pub const STEEL_EXPANSION_PER_K: f64 = 12.5e-6;
 /// Largest coefficient of thermal expansion, 1/K: plastics have 2e-4.

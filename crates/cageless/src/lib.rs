@@ -167,8 +167,8 @@ pub mod vibration;
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
-    Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS, Solver,
-    SpatialLoad, Start, StartState, Tilt,
+    Case, Contact, Gaps, Housing, Motion, Operation, Row, SPATIAL_FIELDS, Solver, SpatialLoad,
+    Start, StartState, Tilt,
 };
 pub use case_builder::CaseBuilder;
 pub use collision::Collision;

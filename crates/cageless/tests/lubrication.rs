@@ -8,13 +8,6 @@ use cageless::rating::{
 };
 use cageless::{Case, Lubricant, Lubrication, SkfSeries};
 
-fn lubricated(lubrication: Lubrication) -> Case {
-    Case {
-        lubrication: Some(lubrication),
-        ..conventional(dimensions())
-    }
-}
-
 fn oil() -> Lubrication {
     Lubrication {
         viscosity_m2_s: 13e-6,
@@ -39,9 +32,9 @@ fn at(radial_load_n: f64, [bore_mm, outside_mm]: [f64; 2]) -> SkfOperation {
     }
 }
 
-fn rating(case: &Case) -> LubricatedRating {
+fn rating(case: &Case, lubrication: &Lubrication) -> LubricatedRating {
     let rating = Rating::new(case, &solve(case).unwrap());
-    rating.lubricated.unwrap()
+    LubricatedRating::new(case, &rating, lubrication).unwrap()
 }
 
 /// SKF, *Rolling bearings* PUB 17000 (2018), example C.2: a rope sheave on 6207-2RSH, 2450 rpm, dm 53.5 mm,
@@ -206,8 +199,8 @@ fn friction_by_the_model_of_skf() {
 
 #[test]
 fn ratings_of_a_case_are_those_of_its_lubricant() {
-    let case = lubricated(oil());
-    let found = rating(&case);
+    let case = conventional(dimensions());
+    let found = rating(&case, &oil());
     let basic = Rating::new(&case, &solve(&case).unwrap());
     // 12 000 rpm, Dpw = 46.005 mm.
     let kappa = 13.0 / 4500.0 * (12_000.0 * 46.005f64).sqrt();
@@ -219,16 +212,16 @@ fn ratings_of_a_case_are_those_of_its_lubricant() {
     assert!((life / factor - 1.0).abs() < 1e-9);
     assert_eq!(found.minimum_radial_load_n, None);
 
-    let given = lubricated(Lubrication {
+    let given = Lubrication {
         fatigue_load_limit_n: Some(77.0),
         minimum_load_factor: Some(0.02),
         skf_series: Some(SkfSeries::S63),
         ..oil()
-    });
-    let found = rating(&given);
+    };
+    let found = rating(&case, &given);
     // No bore is given: 18.24 mm less 0.3 ball diameters; dm = Dpw.
     let bore = 2.0 * (18.24 - 0.3 * 9.525);
-    let load_n = given.operation.radial_load_n;
+    let load_n = case.operation.radial_load_n;
     let diameters = [bore, 2.0 * 46.005 - bore];
     let skf = SkfFriction::new(SkfSeries::S63, &oil(), at(load_n, diameters));
     let torque = found.skf_friction.unwrap().torque_n_m();
@@ -238,9 +231,9 @@ fn ratings_of_a_case_are_those_of_its_lubricant() {
     let least = 20.0 * 156f64.powf(2.0 / 3.0) * 0.46005f64.powi(2);
     assert!((found.minimum_radial_load_n.unwrap() / least - 1.0).abs() < 1e-9);
 
-    let mut unloaded = lubricated(oil());
+    let mut unloaded = case;
     unloaded.operation.radial_load_n = 0.0;
-    let found = rating(&unloaded);
+    let found = rating(&unloaded, &oil());
     assert_eq!(
         (found.life_modification_factor, found.l10m_mrev),
         (None, None)
@@ -250,9 +243,10 @@ fn ratings_of_a_case_are_those_of_its_lubricant() {
 /// aISO of the reference life stands at the load Cr/L10r^(1/3), which brings that life.
 #[test]
 fn the_reference_life_is_modified_at_its_own_load() {
-    let case = lubricated(oil());
+    let case = conventional(dimensions());
     let rating = Rating::new(&case, &solve(&case).unwrap());
-    let (found, life) = (rating.lubricated.unwrap(), rating.l10r_mrev.unwrap());
+    let found = LubricatedRating::new(&case, &rating, &oil()).unwrap();
+    let life = rating.l10r_mrev.unwrap();
     let load_n = rating.basic.dynamic_n / life.cbrt();
     let ratio = 0.5 * found.fatigue_load_limit_n / load_n;
     let factor = life_modification_factor(found.viscosity_ratio, ratio).unwrap();
@@ -299,14 +293,15 @@ fn lubricants_that_cannot_be_are_refused() {
             },
         ),
     ] {
-        assert_eq!(lubricated(wrong).check().unwrap_err().field, field);
+        let bearing = conventional(dimensions()).bearing;
+        assert_eq!(wrong.check(&bearing).unwrap_err().field, field);
     }
 }
 
 /// From exactly 1000 rpm on the second equation of ν1 holds, whatever rounding made of the speed on its way.
 #[test]
 fn a_speed_at_which_the_equations_change_is_that_speed() {
-    let mut case = lubricated(oil());
+    let mut case = conventional(dimensions());
     let mut other_equation = 0;
     for k in 0..200 {
         let mut dimensions = dimensions();
@@ -314,7 +309,7 @@ fn a_speed_at_which_the_equations_change_is_that_speed() {
         case.bearing = conventional(dimensions).bearing;
         let of = |speed_rpm: f64, case: &mut Case| {
             case.operation.inner_speed_rad_s = speed_rpm * std::f64::consts::PI / 30.0;
-            rating(case).viscosity_ratio
+            rating(case, &oil()).viscosity_ratio
         };
         let pitch_mm = 2e3 * case.bearing.pitch_radius_m();
         let expected = 13.0 / 4500.0 * (1000.0 * pitch_mm).sqrt();
@@ -336,13 +331,13 @@ fn skf_takes_bore_and_outside_of_the_case() {
         skf_series: Some(SkfSeries::S62),
         ..oil()
     };
-    let mut case = lubricated(lubrication.clone());
+    let mut case = conventional(dimensions());
     let [bore_m, outside_m] = [15e-3, 31e-3];
     case.bearing = case
         .bearing
         .with_boundary_radii(Some(bore_m), Some(outside_m))
         .unwrap();
-    let found = rating(&case).skf_friction.unwrap();
+    let found = rating(&case, &lubrication).skf_friction.unwrap();
     let load_n = case.operation.radial_load_n;
     let expected = SkfFriction::new(SkfSeries::S62, &lubrication, at(load_n, [30.0, 62.0]));
     let ratio = found.torque_n_m() / expected.torque_n_m();
@@ -352,7 +347,7 @@ fn skf_takes_bore_and_outside_of_the_case() {
         .bearing
         .with_boundary_radii(Some(bore_m), None)
         .unwrap();
-    let found = rating(&case).skf_friction.unwrap();
+    let found = rating(&case, &lubrication).skf_friction.unwrap();
     let diameters = [30.0, 2.0 * 46.005 - 30.0];
     let expected = SkfFriction::new(SkfSeries::S62, &lubrication, at(load_n, diameters));
     let ratio = found.torque_n_m() / expected.torque_n_m();

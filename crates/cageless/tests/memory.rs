@@ -49,7 +49,7 @@ fn peak_bytes(case: &Case) -> (usize, u64, u64) {
     let mut rows = MinMaxDecimator::new(40);
     let mut tally = PassageTally::new();
     let mut vibration = VibrationRecorder::new(&housing, 1e5, 0.0);
-    let mut watch = replicas(case, 1)[0].observer();
+    let mut watch = replicas(case, 0, 1)[0].observer();
     {
         let mut recorder = Recorder::new(1e-4, |snapshot| {
             rows.push(snapshot.to_row());

@@ -57,9 +57,12 @@ fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
     let raceways = [(4.9, 24.0, 20.0), (4.7, 20.0, -70.0)];
     let raceways =
         raceways.map(|(span, angle, centre)| raceway(&case.bearing, span, angle, centre));
-    let mut case = case.with_raceways(raceways.to_vec());
-    case.seed = 11;
-    let found = perturbed_runs(&[(&case, UnevenStart::Drawn(3))], &mut go_on)
+    let case = case.with_raceways(raceways.to_vec());
+    let start = UnevenStart::Drawn {
+        seed: 11,
+        number: 3,
+    };
+    let found = perturbed_runs(&[(&case, start)], &mut go_on)
         .swap_remove(0)
         .unwrap();
 
@@ -211,7 +214,7 @@ fn work_that_is_ended_has_no_outcome() {
     let mut case = as_searched(4.9, 24.0);
     case.flanks = FlankModel::Elastic;
     let tasks = [
-        Task::Motion(UnevenStart::Drawn(0)),
+        Task::Motion(UnevenStart::Drawn { seed: 0, number: 0 }),
         Task::Motion(UnevenStart::Bunched),
         Task::PairSeparation,
         Task::AxialLag(100.0),

@@ -49,9 +49,18 @@ fn steady_and_critical_gap_are_those_of_the_motion() {
     assert!(steady > 1.05 * case.bearing.nominal_gap_rad());
     let critical = spacing(&case, RacewayLayout::from_case(&case).unwrap()).critical_gap_rad;
     for start in 0..2 {
-        let motion = perturbed_runs(&[(&case, UnevenStart::Drawn(start))], &mut go_on)
-            .swap_remove(0)
-            .unwrap();
+        let motion = perturbed_runs(
+            &[(
+                &case,
+                UnevenStart::Drawn {
+                    seed: 0,
+                    number: start,
+                },
+            )],
+            &mut go_on,
+        )
+        .swap_remove(0)
+        .unwrap();
         let mean = motion.gap_mean_rad / steady;
         assert!((mean - 1.0).abs() < 0.01, "{start}: {mean}");
         let least = motion.gap_min_rad / critical;
@@ -111,9 +120,12 @@ fn raceways_without_load_are_not_called_smooth() {
         case.with_raceways(vec![raceway])
     };
     let fraction = |case: &Case| {
-        let motion = perturbed_runs(&[(case, UnevenStart::Drawn(0))], &mut go_on)
-            .swap_remove(0)
-            .unwrap();
+        let motion = perturbed_runs(
+            &[(case, UnevenStart::Drawn { seed: 0, number: 0 })],
+            &mut go_on,
+        )
+        .swap_remove(0)
+        .unwrap();
         (motion.speed_drop_fraction, motion.gap_min_rad)
     };
     let (bottom, top) = (at(0.0), at(170.0));
@@ -531,7 +543,7 @@ fn more_starts_confirm_what_is_recommended() {
                             confirmed.push(job.structure.clone());
                         }
                         let later = match start {
-                            UnevenStart::Drawn(number) => *number >= request.starts,
+                            UnevenStart::Drawn { number, .. } => *number >= request.starts,
                             UnevenStart::Bunched => false,
                         };
                         let fails = confirmed.len() <= colliding && later;

@@ -214,7 +214,7 @@ fn balls_that_start_unevenly_keep_the_same_lag() {
         let job = Job {
             structure: RacewayLayout::from_case(case).unwrap(),
             point: OperatingPoint::from_case(case),
-            task: Task::Motion(UnevenStart::Drawn(0)),
+            task: Task::Motion(UnevenStart::Drawn { seed: 0, number: 0 }),
         };
         match run_jobs(case, &[&job], &mut go_on).swap_remove(0) {
             Some(Ok(Numbers::Motion(motion))) => motion.lag_fraction,

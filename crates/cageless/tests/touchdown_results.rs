@@ -337,7 +337,9 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
     let case = drop_case();
     let scatter = Scatter::default();
     let drop = RotorDrop::of_case(&case).unwrap();
-    let drawn: Vec<_> = (0..200).map(|index| scatter.draw(&drop, index).1).collect();
+    let drawn: Vec<_> = (0..200)
+        .map(|index| scatter.draw(&drop, 0, index).1)
+        .collect();
     let rotor = case.rotor.as_ref().unwrap();
     let within = |name: &str, of: &dyn Fn(usize) -> f64, [least, most]: [f64; 2]| {
         let all: Vec<f64> = (0..200).map(of).collect();
@@ -356,7 +358,7 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
     let held = |case: &Case| case.rotor.as_ref().unwrap().journal_start_m();
     for index in 0..20 {
         let drawn = scatter
-            .draw(&RotorDrop::of_case(&eccentric).unwrap(), index)
+            .draw(&RotorDrop::of_case(&eccentric).unwrap(), 0, index)
             .0;
         let (drawn, start) = (held(&drawn.cases()[0]), held(&eccentric));
         let off = [0, 1].map(|axis| drawn[axis] - start[axis]);

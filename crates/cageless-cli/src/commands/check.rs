@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
 use cageless_io::cad::blend_not_simulated;
-use cageless_io::case_file::{Assumption, CaseDocument};
+use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
 use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::RotorFile;
 use cageless_results::number_text::significant;
@@ -76,7 +76,7 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     if let Some(sentence) = &blend_not_simulated {
         lines.push(("blend of the exported ring", sentence.clone()));
     }
-    let speed_expansion_left_out = expansion_left_out([file.case()]);
+    let speed_expansion_left_out = expansion_left_out([&*file]);
     lines.extend(expansion_line(&speed_expansion_left_out));
     lines.push(("steps of a run", steps_text(file.case())));
     let notes = check_warnings([file.case()]);
@@ -178,7 +178,7 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
     frequencies.truncate(FREQUENCIES);
     let shares = rotor.mass_shares_kg();
     let step_us = 1e6 * cases[0].solver.step_s;
-    let speed_expansion_left_out = expansion_left_out(cases);
+    let speed_expansion_left_out = expansion_left_out(file.bearings());
     let mut lines = vec![
         ("rotor", format!("{} is valid", args.case.display())),
         ("bearings", cases.len().to_string()),
@@ -223,8 +223,9 @@ const EXPANSION_UNSAID_M: f64 = 1e-6;
 const EXPANSION_UNSAID: f64 = 0.1;
 
 /// Largest expansion by speed that the clearances of cases leave out, in a sentence, where it is not small.
-fn expansion_left_out<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Option<String> {
-    let left_out = cases.into_iter().filter_map(|case| {
+fn expansion_left_out<'c>(files: impl IntoIterator<Item = &'c CaseFile>) -> Option<String> {
+    let left_out = files.into_iter().filter_map(|file| {
+        let case = file.case();
         let (growth_m, clearance_m) = (
             case.speed_expansion_m(),
             case.bearing.radial_internal_clearance_m(),
@@ -232,7 +233,7 @@ fn expansion_left_out<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Option<S
         let share = EXPANSION_UNSAID * clearance_m.abs();
         let is_said = growth_m > EXPANSION_UNSAID_M || clearance_m != 0.0 && growth_m > share;
         // A fit takes the expansion off, but from the clearance of a ring that a drop meets at rest.
-        let is_left_out = case.fit.is_none() || case.rotor.is_some();
+        let is_left_out = file.particulars().fit.is_none() || case.rotor.is_some();
         (is_said && is_left_out).then_some((growth_m, case.rotor.is_some()))
     });
     let (growth_m, drops) = left_out.max_by(|a, b| a.0.total_cmp(&b.0))?;

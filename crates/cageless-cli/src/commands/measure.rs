@@ -25,7 +25,7 @@ pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
             Some(_) => None,
             None => Some(file.edited(&measured.document)?.into()),
         };
-        let page = measured_page(&file.case().title, &measured);
+        let page = measured_page(&file.particulars().title, &measured);
         Ok(vec![(MEASURED, case), (PAGE, Some(page.into()))])
     })?;
     if let (Some(dir), None) = (&output.out, &measured.missing) {

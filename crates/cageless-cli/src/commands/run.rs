@@ -1,8 +1,8 @@
 //! `cageless run`.
 
-use cageless::Case;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
+use cageless_io::case_file::CaseFile;
 use cageless_io::results::SUMMARY;
 use cageless_report::run_report::run_data;
 use cageless_report::{run_json, run_page};
@@ -44,7 +44,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
                 (PAGE_DATA, Some(page_data.into())),
             ])
         })?;
-        let text = text(file.case(), &record.outcome, &record.summary);
+        let text = text(&file, &record.outcome, &record.summary);
         let rest = "interrupted while verifying: the run itself is complete.";
         let rest_interrupted = (verify && bars.interrupted()).then_some(rest);
         Ok(Answer {
@@ -56,10 +56,11 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
 }
 
 /// The verdict, then every result of the table.
-fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
+fn text(file: &CaseFile, outcome: &RunOutcome, summary: &RunSummary) -> String {
     let mut lines = vec![];
-    if !case.title.is_empty() {
-        lines.push(("case", case.title.clone()));
+    let title = &file.particulars().title;
+    if !title.is_empty() {
+        lines.push(("case", title.clone()));
     }
     let passes = summary.passes();
     lines.push(("verdict", judged(passes, summary.headline())));

@@ -13,7 +13,7 @@ pub fn static_equilibrium(args: &StaticArgs) -> Result<(), Failure> {
     let (balls, args) = (args.balls, &args.case);
     let (file, note) = read_case_at_rest(&args.case, &args.set)?.resting()?;
     file.checked(|case| case.check_constant_operation("a static equilibrium"))?;
-    let record = equilibrium_record_noted(file.case(), note)?;
+    let record = equilibrium_record_noted(file.case(), file.particulars(), note)?;
     let balls = match balls {
         true => columns(&record.results.columns()) + "\n",
         false => String::new(),

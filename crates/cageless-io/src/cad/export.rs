@@ -286,7 +286,7 @@ fn contents(
             if options.blend_mm == Some(0.0) {
                 blend_where_needed(file.case())?;
             }
-            let title = match file.case().title.as_str() {
+            let title = match file.particulars().title.as_str() {
                 "" => "outer ring",
                 title => title,
             };

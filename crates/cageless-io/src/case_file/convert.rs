@@ -13,11 +13,11 @@ use cageless::steady::SteadyOperation;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
 use cageless::{
-    Bearing, Case, Ends, FlankModel, InputError, Raceway, RacewayDimensions, RacewayForm, Row,
-    Solver, Support,
+    Bearing, Case, Ends, FlankModel, InputError, OperatingClearance, Raceway, RacewayDimensions,
+    RacewayForm, Row, Solver, Support,
 };
 
-use cageless_results::{Kind, LIMITED, Quantity};
+use cageless_results::{Kind, LIMITED, Particulars, Quantity};
 
 use super::converter::Converter;
 use super::document::CaseDocument;
@@ -57,6 +57,8 @@ pub(super) fn completed(document: &CaseDocument) -> CaseDocument {
 pub(super) struct Converted {
     /// The case.
     pub case: Case,
+    /// Its particulars.
+    pub particulars: Particulars,
     /// The request of its search.
     pub search: Request,
     /// Its steady operation.
@@ -73,24 +75,41 @@ pub(super) fn converted(document: &CaseDocument, check: Check) -> Result<Convert
         document: &completed,
         regularised,
     };
-    let case = converter.case(check)?;
+    let (bearing, fit) = converter.bearing()?;
+    let case = converter.case(bearing, check)?;
+    let particulars = converter.particulars(fit)?;
+    let refused = |error| converter.refused_case(&error, &case);
+    particulars.check(&case.bearing).map_err(refused)?;
     Ok(Converted {
         search: converter.search(&case)?,
         steady: converter.steady()?,
         case,
+        particulars,
     })
 }
 
 impl Converter<'_> {
-    fn case(&self, check: Check) -> Result<Case, CaseError> {
+    /// What results and commands need beside the case.
+    fn particulars(&self, fit: Option<OperatingClearance>) -> Result<Particulars, CaseError> {
         let s = self.sections;
-        let (bearing, fit) = self.bearing()?;
+        Ok(Particulars {
+            title: s.head.title.clone(),
+            seed: s.solver.seed,
+            interval_s: s.output.interval_s,
+            fit,
+            lubrication: s.lubrication.clone(),
+            thermal: self.thermal(),
+            limits: self.limits()?,
+        })
+    }
+
+    fn case(&self, bearing: Bearing, check: Check) -> Result<Case, CaseError> {
+        let s = self.sections;
         self.check_export_dimensions(&bearing)?;
         let raceways = self.raceways(&bearing)?;
         let rows = self.rows(&bearing)?;
         let start = self.start(&bearing)?;
         let mut case = Case {
-            title: s.head.title.clone(),
             bearing,
             raceways,
             operation: self.operation()?,
@@ -107,16 +126,10 @@ impl Converter<'_> {
                 duration_s: s.solver.duration_s,
                 transient_s: s.solver.transient_s,
             },
-            seed: s.solver.seed,
             housing: s.housing.clone(),
             rotor: s.rotor.clone(),
             support: self.support()?,
             rows,
-            fit,
-            lubrication: s.lubrication.clone(),
-            thermal: self.thermal(),
-            limits: self.limits()?,
-            output: s.output.clone(),
         };
         if !self.regularised && case.rotor.is_none() {
             case.contact.friction.regularisation_speed_m_s = case.automatic_regularisation_m_s();

@@ -66,7 +66,7 @@ impl CaseFile {
         };
         let materials = case.bearing.materials();
         let (thermal, fit) = (
-            &case.thermal,
+            &self.particulars.thermal,
             expanding(sections.fit.clone().unwrap_or_default(), &sections),
         );
         let needed = |key, material: &Material, given: Option<f64>| {

@@ -57,6 +57,7 @@ pub use value::CaseValue;
 use cageless::design::search::{Request, uneven_gaps_rad};
 use cageless::steady::{SteadyDraw, SteadyOperation};
 use cageless::step_limits;
+use cageless_results::Particulars;
 use convert::Check;
 use spanned_toml::{Origin, join, nth};
 use unit::Unit;
@@ -65,6 +66,7 @@ use unit::Unit;
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseFile {
     case: cageless::Case,
+    particulars: Particulars,
     search: Request,
     steady: SteadyOperation,
     document: CaseDocument,
@@ -125,11 +127,13 @@ impl CaseFile {
         let defaults = read::complete(&mut document)?;
         let convert::Converted {
             case,
+            particulars,
             search,
             steady,
         } = convert::converted(&document, check)?;
         Ok(Self {
             case,
+            particulars,
             search,
             steady,
             document,
@@ -165,6 +169,11 @@ impl CaseFile {
     /// The case in SI units.
     pub fn case(&self) -> &cageless::Case {
         &self.case
+    }
+
+    /// What results and commands need beside the case.
+    pub fn particulars(&self) -> &Particulars {
+        &self.particulars
     }
 
     /// What `check` makes of the case.

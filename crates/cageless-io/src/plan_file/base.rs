@@ -137,7 +137,7 @@ impl VariantFile {
     /// Free text.
     pub fn title(&self) -> &str {
         match self {
-            Self::Case(file) => &file.case().title,
+            Self::Case(file) => &file.particulars().title,
             Self::Rotor(file) => file.title(),
         }
     }

@@ -27,7 +27,6 @@ pub(crate) mod keys;
 mod matrices;
 mod read;
 
-use cageless::Case;
 use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 
@@ -89,15 +88,12 @@ impl RotorFile {
         });
         let step = given.reduce(f64::min);
         let speed_rad_s = speed_rpm * std::f64::consts::TAU / 60.0;
-        let own = cases.iter().enumerate().map(|(k, file)| Case {
-            title: bearing_title(title, k, cases.len()),
-            ..file.case().clone()
-        });
-        let drop = RotorDrop::new(rotor, speed_rad_s, drive_torque_n_m, own.collect(), step)?;
+        let own = cases.iter().map(|file| file.case().clone()).collect();
+        let drop = RotorDrop::new(rotor, speed_rad_s, drive_torque_n_m, own, step)?;
         let mut bearings = vec![];
         for (k, (file, case)) in cases.iter().zip(drop.cases()).enumerate() {
             let mut document = file.document().clone();
-            document.set("title", case.title.as_str());
+            document.set("title", bearing_title(title, k, cases.len()).as_str());
             document.set("solver.step_us", 1e6 * case.solver.step_s);
             if let Some(rotor) = &case.rotor {
                 document.set("rotor.mass_kg", rotor.mass_kg);

@@ -19,7 +19,7 @@ use crate::{Simulations, cases, parameters};
 fn evidence() -> &'static Evidence {
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     EVIDENCE.get_or_init(|| {
-        let case = cases::structure(3, READINGS[1], &[]).unwrap();
+        let file = cases::structure_file(3, READINGS[1], &[]).unwrap();
         let silent: &dyn Progress = &Silent;
         // On threads of their own the steps are counted: what is announced is what is done.
         let pool = cageless_study::pool(None).unwrap();
@@ -33,7 +33,7 @@ fn evidence() -> &'static Evidence {
             "{made} steps, {announced} announced"
         );
         simulated
-            .evidence(&parameters::design_curve(&case))
+            .evidence(&parameters::design_curve(&file))
             .unwrap()
     })
 }

@@ -32,7 +32,7 @@ pub fn ring_drawing(file: &CaseFile, limits: &Limits) -> Result<Paper, ExportErr
         bearing: &case.bearing,
         contact_sign: case.rows.first().map_or(1.0, |row| row.contact_sign),
     };
-    let name = match case.title.as_str() {
+    let name = match file.particulars().title.as_str() {
         "" => "Outer ring".to_owned(),
         title => format!("Outer ring: {title}"),
     };

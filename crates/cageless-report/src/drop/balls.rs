@@ -1,7 +1,6 @@
 //! Figures of the balls and of the heat of a drop.
 
 use cageless_study::drop::DropStudy;
-use cageless_study::provenance;
 use serde_json::json;
 
 use super::bearing::Bearing;
@@ -61,12 +60,13 @@ pub(super) fn loads(bearing: &Bearing<'_>) -> Figure {
 
 /// All bearings in motion, those with conventional outer rings beside them, from shortly before the
 /// first impact in the first bearing on.
-pub(super) fn balls_in_motion(study: &DropStudy) -> MotionFigure {
+pub(super) fn balls_in_motion(bearings: &[Bearing<'_>], study: &DropStudy) -> MotionFigure {
     let columns = study.columns("this drop", "conventional outer ring");
-    let source = |case| provenance(case, String::new());
-    let bearings = columns
-        .iter()
-        .map(|(name, case, record)| motion(case, name, &record.snapshots, source(case)));
+    // A conventional outer ring has the provenance of the other.
+    let sources = bearings.iter().map(|bearing| &bearing.source).cycle();
+    let bearings = (columns.iter().zip(sources)).map(|((name, case, record), source)| {
+        motion(case, name, &record.snapshots, source.clone())
+    });
     let first = &study.record.bearings[0];
     let end = first.outcome.end_s;
     let mut stretches = vec![];

@@ -1,7 +1,9 @@
 //! A bearing of a drop with what its tables and figures are made of.
 
 use cageless::Case;
-use cageless_results::Record;
+use cageless_io::case_file::CaseFile;
+use cageless_io::plan_file::VariantFile;
+use cageless_results::{Particulars, Record};
 use cageless_study::drop::{BearingRecord, DropStudy};
 use cageless_study::{Provenance, provenance};
 
@@ -13,6 +15,7 @@ pub(super) struct Bearing<'s> {
     /// Its number below a linear rotor; `None` of the only bearing of a case.
     pub number: Option<usize>,
     pub case: &'s Case,
+    pub particulars: &'s Particulars,
     pub record: &'s BearingRecord,
     /// Record of the same drop with a conventional outer ring, to compare with.
     pub conventional: Option<&'s BearingRecord>,
@@ -22,17 +25,22 @@ pub(super) struct Bearing<'s> {
 }
 
 impl<'s> Bearing<'s> {
-    /// The bearings of a drop.
-    pub fn all(study: &'s DropStudy) -> Vec<Self> {
-        let bearing = |(k, case): (usize, &'s Case)| Self {
+    /// The bearings of the drop of a file.
+    pub fn all(file: &'s VariantFile, study: &'s DropStudy) -> Vec<Self> {
+        let bearing = |(k, file): (usize, &'s CaseFile)| Self {
             number: study.drop.rotor().map(|_| k + 1),
-            case,
+            case: &study.drop.cases()[k],
+            particulars: file.particulars(),
             record: &study.record.bearings[k],
             conventional: study.conventional.as_ref().map(|other| &other.bearings[k]),
             succession: study.succession.records.get(k),
-            source: provenance(case, String::new()),
+            source: provenance(
+                &file.particulars().title,
+                &study.drop.cases()[k],
+                String::new(),
+            ),
         };
-        study.drop.cases().iter().enumerate().map(bearing).collect()
+        file.cases().iter().enumerate().map(bearing).collect()
     }
 
     /// Label of a table, figure or section of the bearing, below a linear rotor with its number.

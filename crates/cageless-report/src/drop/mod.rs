@@ -32,7 +32,7 @@ use succession::succession;
 
 /// The self-contained page of a drop of the rotor in `file`.
 pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
-    let bearings = Bearing::all(study);
+    let bearings = Bearing::all(file, study);
     let source = &bearings[0].source;
     let title = match (file.title(), study.drop.rotor()) {
         ("", None) => "Drop of a rotor",
@@ -57,7 +57,7 @@ pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
     // Beside one bearing in motion there is room for one figure, above several for two.
     let shown = bearings.len().min(2);
     page.open_with(displacements.iter().take(shown).cloned());
-    page.open_with_motion(Some(balls_in_motion(study)));
+    page.open_with_motion(Some(balls_in_motion(&bearings, study)));
     page.notes(Note::Warning, &study.warnings);
     page.section("Requirements");
     report::requirements(&mut page, study, &bearings);

@@ -100,7 +100,7 @@ pub(super) fn architecture(page: &mut Page, bearings: &[Bearing<'_>]) {
 pub(super) fn environment(page: &mut Page, bearings: &[Bearing<'_>]) {
     for bearing in bearings {
         let case = bearing.case;
-        let [inner, balls, outer] = case.parts_c().map(short);
+        let [inner, balls, outer] = bearing.particulars.parts_c().map(short);
         let journal = case.rotor.as_ref().map_or(0.0, |r| r.friction.coefficient);
         let name = bearing.label("Before the first drop");
         page.paragraph(&format!(
@@ -216,7 +216,7 @@ fn of_bearing(bearing: &Bearing<'_>) -> Vec<Requirement> {
             kept: found.map(|um| um <= limit_um),
         });
     }
-    for limit in &bearing.case.limits {
+    for limit in &bearing.particulars.limits {
         let of_drop = DROP.iter().any(|q| q.name == limit.result);
         let succession = bearing.succession.filter(|_| !of_drop);
         let results = succession.map_or(results, |record| &record.results);

@@ -63,7 +63,7 @@ fn temperatures(bearing: &Bearing<'_>, rows: &[&Record]) -> Option<Figure> {
         let points = points.filter_map(|(drop, at)| Some((drop, at?)));
         let measured = line_of(name, points.unzip(), colour);
         plot = plot.trace(measured.with(json!({ "mode": "lines+markers" })));
-        let limits = bearing.case.limits.iter();
+        let limits = bearing.particulars.limits.iter();
         for limit in limits.filter(|limit| limit.result == format!("{part}_standstill_c")) {
             let (x, y) = ([0.0, rows.len() as f64], [limit.value; 2]);
             let name = format!("limit, {name}: {}", limit.source);

@@ -26,7 +26,7 @@ fn the_load_distribution_draws_the_lists_that_it_names() {
     ] {
         let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
         let file = CaseFile::read(&Path::new(CASES).join(name), &sets).unwrap();
-        let record = equilibrium_record(file.case()).unwrap();
+        let record = equilibrium_record(file.case(), file.particulars()).unwrap();
         let page = static_page(&file, &record);
         let of_page: Value =
             serde_json::from_str(in_page(&page, "static", "loads").unwrap()).unwrap();

@@ -104,9 +104,9 @@ pub const PLANE: &[Quantity] = &[
 pub const SUCCESSION: &[Quantity] = &[
     part(integer("drop", "drop", Succession(|s| count(s.number)))),
     part(integer("bearing", "bearing", Succession(|s| count(s.bearing + 1)))),
-    file_only(quantity("inner_ring_start_c", "C", "inner ring at the start", Succession(|s| some(s.case.parts_c()[0])))),
-    file_only(quantity("ball_start_c", "C", "balls at the start", Succession(|s| some(s.case.parts_c()[1])))),
-    file_only(quantity("outer_ring_start_c", "C", "outer ring at the start", Succession(|s| some(s.case.parts_c()[2])))),
+    file_only(quantity("inner_ring_start_c", "C", "inner ring at the start", Succession(|s| some(s.particulars.parts_c()[0])))),
+    file_only(quantity("ball_start_c", "C", "balls at the start", Succession(|s| some(s.particulars.parts_c()[1])))),
+    file_only(quantity("outer_ring_start_c", "C", "outer ring at the start", Succession(|s| some(s.particulars.parts_c()[2])))),
     part(means("at the start of the drop, with the expansion of rings and balls by the heat of the drops before", quantity("radial_internal_clearance_um", "um", "Gr", Succession(|s| some(1e6 * s.case.bearing.radial_internal_clearance_m()))))),
     file_only(means("of the balls of each row on its outer ring, along z, at the start of the drop, before anything loads the bearing: the preload, of which that of held rings changes with the expansion and that of a spring does not; in space", few("row_axial_force_n", "N", "axial force of the rows", Succession(|s| preload_n(s.case))))),
     part(means("at the start of the drop, radial, with the expansion of the inner ring", quantity("touchdown_clearance_um", "um", "touch-down clearance", Succession(|s| s.case.rotor.as_ref().map(|r| 1e6 * r.radial_clearance_m).into())))),
@@ -148,12 +148,12 @@ fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {
 
 fn temperature(drop: &FinishedDrop<'_>, part: usize) -> Cell {
     let case = drop.case;
-    let capacities = case
-        .thermal
-        .capacities_j_k(&case.bearing, case.rows.len())
-        .ok();
+    let thermal = &drop.particulars.thermal;
+    let capacities = thermal.capacities_j_k(&case.bearing, case.rows.len()).ok();
     let rise_k = capacities.map(|c| drop.summary.heat.of_parts_j()[part] / c[part]);
-    rise_k.map(|rise_k| case.parts_c()[part] + rise_k).into()
+    rise_k
+        .map(|rise_k| drop.particulars.parts_c()[part] + rise_k)
+        .into()
 }
 
 fn judged(drop: &FinishedDrop<'_>, kind: Kind) -> Cell {

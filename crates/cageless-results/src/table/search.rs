@@ -18,7 +18,7 @@ pub const SEARCH: &[Quantity] = &[
     part(quantity("critical_gap_min_fraction", "", "smallest critical gap, share of the steady-state gap", Search(|s| some(s.found.request.critical_gap_min_fraction)))),
     part(quantity("axial_load_max_n", "N", "largest axial load", Search(|s| some(s.found.request.axial_load_max_n)))),
     part(integer("starts", "uneven initial states of each structure", Search(|s| s.found.request.starts.into()))),
-    part(integer("seed", "seed", Search(|s| s.case.seed.into()))),
+    part(integer("seed", "seed", Search(|s| s.seed.into()))),
     part(list("curve_axial_span_mm", "mm", "axial span lC of the curve of Eq. (11)", Search(|s| Cell::Numbers(s.curve.iter().map(|p| p.0 * 1e3).collect())))),
     part(list("curve_half_angle_deg", "deg", "half angle θ of the curve of Eq. (11)", Search(|s| Cell::Numbers(s.curve.iter().map(|p| p.1.to_degrees()).collect())))),
 ];

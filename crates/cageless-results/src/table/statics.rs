@@ -112,7 +112,7 @@ pub const CLEARANCE_RANGE: &[Quantity] = &[
     group(Group::Clearance, means("three standard deviations above", part(quantity("operating_clearance_largest_um", "um", "largest radial internal clearance in operation", Static(|s| end_um(s, |r| r.probable_m[1])))))),
     group(Group::Life, part(high(quantity("l10r_least_clearance_h", "h", "L10r at the least clearance", Static(|s| hours(s, s.l10r_of_range_mrev[0])))))),
     group(Group::Life, part(high(quantity("l10r_largest_clearance_h", "h", "L10r at the largest clearance", Static(|s| hours(s, s.l10r_of_range_mrev[1])))))),
-    means("all tolerances at their worst limits together: least and largest", file_only(range("operating_clearance_extremes_um", "um", "extreme radial internal clearances in operation", Static(|s| s.case.fit.and_then(|fit| fit.range).map_or(Cell::Null, |r| Cell::Numbers(r.extreme_m.map(|m| m * 1e6).to_vec())))))),
+    means("all tolerances at their worst limits together: least and largest", file_only(range("operating_clearance_extremes_um", "um", "extreme radial internal clearances in operation", Static(|s| s.particulars.fit.and_then(|fit| fit.range).map_or(Cell::Null, |r| Cell::Numbers(r.extreme_m.map(|m| m * 1e6).to_vec())))))),
 ];
 
 /// Further results of a static equilibrium with a lubricant.
@@ -122,14 +122,14 @@ pub const LUBRICATION: &[Quantity] = &[
     group(Group::Life, means("the load that no fatigue follows from, given or from a contact pressure of 1500 MPa", part(high(quantity("fatigue_load_limit_n", "N", "fatigue load limit Cu (ISO 281)", Static(|s| lubricated(s, |l| Some(l.fatigue_load_limit_n)))))))),
     group(Group::Life, means("from κ and eC Cu/P; none below κ = 0.1", part(high(quantity("life_modification_factor", "", "life modification factor aISO (ISO 281)", Static(|s| lubricated(s, |l| l.life_modification_factor))))))),
     group(Group::Life, means("aISO L10, of 90 % of the bearings", part(high(quantity("l10m_mrev", "Mrev", "modified rating life L10m (ISO 281)", Static(|s| lubricated(s, |l| l.l10m_mrev))))))),
-    group(Group::Life, part(high(quantity("l10m_h", "h", "modified rating life L10m at the speed of the case", Static(|s| hours(s, s.rating.lubricated.and_then(|l| l.l10m_mrev))))))),
+    group(Group::Life, part(high(quantity("l10m_h", "h", "modified rating life L10m at the speed of the case", Static(|s| hours(s, s.lubricated.and_then(|l| l.l10m_mrev))))))),
     group(Group::Life, means("aISO L10r, with aISO at the load of the basic reference rating life", part(high(quantity("l10mr_mrev", "Mrev", "modified reference rating life L10mr (ISO 16281)", Static(|s| lubricated(s, |l| l.l10mr_mrev))))))),
-    group(Group::Life, part(high(quantity("l10mr_h", "h", "modified reference rating life L10mr at the speed of the case", Static(|s| hours(s, s.rating.lubricated.and_then(|l| l.l10mr_mrev))))))),
+    group(Group::Life, part(high(quantity("l10mr_h", "h", "modified reference rating life L10mr at the speed of the case", Static(|s| hours(s, s.lubricated.and_then(|l| l.l10mr_mrev))))))),
     group(Group::Safety, means("below which balls may slide, by SKF's rule for deep groove ball bearings with a cage", part(quantity("minimum_radial_load_n", "N", "minimum radial load (SKF)", Static(|s| lubricated(s, |l| l.minimum_radial_load_n)))))),
     group(Group::Friction, means("φish φrs Mrr of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_rolling_torque_n_m", "N m", "rolling friction torque (SKF)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.rolling_n_m)))))))),
     group(Group::Friction, means("Msl of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_sliding_torque_n_m", "N m", "sliding friction torque (SKF)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.sliding_n_m)))))))),
     group(Group::Friction, means("of SKF's model, without seals and drag; next to the friction of the motion, which is dry, and no part of it", part(low(quantity("skf_model_torque_n_m", "N m", "friction torque (SKF model)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.torque_n_m())))))))),
-    group(Group::Friction, part(low(quantity("skf_model_power_w", "W", "power loss (SKF model)", Static(|s| s.rating.lubricated.and_then(|l| l.skf_friction).map(|f| f.torque_n_m() * s.case.operation.inner_speed_rad_s.abs()).into()))))),
+    group(Group::Friction, part(low(quantity("skf_model_power_w", "W", "power loss (SKF model)", Static(|s| s.lubricated.and_then(|l| l.skf_friction).map(|f| f.torque_n_m() * s.case.operation.inner_speed_rad_s.abs()).into()))))),
 ];
 
 /// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a
@@ -204,16 +204,16 @@ fn loaded(solved: &Solved<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell {
 }
 
 fn fitted(solved: &Solved<'_>, value: fn(&OperatingClearance) -> f64) -> Cell {
-    solved.case.fit.as_ref().map(value).into()
+    solved.particulars.fit.as_ref().map(value).into()
 }
 
 fn end_um(solved: &Solved<'_>, value: fn(&ClearanceRange) -> f64) -> Cell {
-    let range = solved.case.fit.and_then(|fit| fit.range);
+    let range = solved.particulars.fit.and_then(|fit| fit.range);
     range.map(|range| value(&range) * 1e6).into()
 }
 
 fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {
-    s.rating.lubricated.as_ref().and_then(value).into()
+    s.lubricated.as_ref().and_then(value).into()
 }
 
 fn hours(solved: &Solved<'_>, life_mrev: Option<f64>) -> Cell {

@@ -14,7 +14,7 @@ use crate::{Deviation, software};
 /// Results of the analysis as a whole; the nominal bearing is the one as drawn.
 #[rustfmt::skip]
 pub const TOLERANCE: &[Quantity] = &[
-    part(text("title", "title", Tolerance(|t| Cell::Text(format!("Tolerances: {}", t.case.title))))),
+    part(text("title", "title", Tolerance(|t| Cell::Text(format!("Tolerances: {}", t.particulars.title))))),
     part(text("software", "program and instruction set", Tolerance(|_| Cell::Text(software())))),
     part(integer("ball_grade", "grade of the balls (ISO 3290-1), 0 for equal balls", Tolerance(|t| Cell::Integer(t.ball_grade.into())))),
     part(high(flag("passes", "passes", Tolerance(|t| flagged(t.assessment.passes()))))),

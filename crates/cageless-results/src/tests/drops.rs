@@ -11,8 +11,22 @@ use crate::number_text::short;
 
 const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
 
+/// A drop that has ended.
+pub(super) struct Ended {
+    pub case: Case,
+    pub particulars: Particulars,
+    pub s: DropSummary,
+    pub outcome: RunOutcome,
+}
+
+impl Ended {
+    fn result(&self) -> DropResult {
+        DropResult::new(&self.case, &self.particulars, &self.s, &self.outcome)
+    }
+}
+
 /// A drop whose numbers all differ, and differ from those of another `counter`.
-pub(super) fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
+pub(super) fn drop(counter: &mut f64) -> Ended {
     let sets = [
         "solver.duration_s=0.0001",
         "rotor.clearance_limit_um=437",
@@ -81,19 +95,30 @@ pub(super) fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
     s.ellipse_edge_max_rad = Some([next(counter), next(counter)]);
     s.impacts = 11;
     (s.collisions.all, s.collisions.above) = (101, [53, 29, 17]);
-    (file.case().clone(), s, outcome)
+    Ended {
+        case: file.case().clone(),
+        particulars: particulars(&file),
+        s,
+        outcome,
+    }
 }
 
 #[test]
 fn results_of_a_drop_are_the_fields_of_its_summary() {
-    let (case, s, outcome) = drop(&mut 0.2);
+    let Ended {
+        case,
+        particulars,
+        s,
+        outcome,
+    } = drop(&mut 0.2);
     let (heat, weight_n) = (s.heat, s.rotor_weight_n.unwrap());
     let of_balls = heat.inner_friction_j + heat.outer_friction_j + heat.ball_friction_j;
     let edges = s.ellipse_edge_max_rad.unwrap();
     let rate = |k: usize| s.end_collision_rate_above_hz[k].unwrap();
     let (end, capacities) = (
         s.end_power.unwrap(),
-        case.thermal
+        particulars
+            .thermal
             .capacities_j_k(&case.bearing, case.rows.len())
             .unwrap(),
     );
@@ -183,6 +208,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
     ];
     let finished = FinishedDrop {
         case: &case,
+        particulars: &particulars,
         summary: &s,
         outcome: &outcome,
         judgement: DropJudgement::of_drop(&case, &s, &outcome),
@@ -219,11 +245,12 @@ fn row_of(groups: &Groups, label: &str) -> Option<(&'static str, Vec<String>, St
 
 #[test]
 fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
-    let (case, mut s, outcome) = drop(&mut 0.2);
-    s.heat.outer_friction_j = 1e4;
-    let full = DropResult::new(&case, &s, &outcome);
+    let mut ended = drop(&mut 0.2);
+    ended.s.heat.outer_friction_j = 1e4;
+    let full = ended.result();
+    let s = &mut ended.s;
     (s.backward_whirl_hz, s.collisions.above[2]) = (None, 0);
-    let less = DropResult::new(&case, &s, &outcome);
+    let less = ended.result();
     let groups = DropResult::groups(&[&less]);
     let headings: Vec<&str> = groups.iter().map(|(heading, _)| *heading).collect();
     let expected = [
@@ -246,8 +273,9 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     // A part that no heat warms has no temperature to show.
     let outer = "temperature of the outer ring at the end";
     assert!(row_of(&groups, outer).is_some());
-    (s.heat.outer_friction_j, s.heat.contact_damping_j) = (0.0, 0.0);
-    let cold = DropResult::new(&case, &s, &outcome);
+    let heat = &mut ended.s.heat;
+    (heat.outer_friction_j, heat.contact_damping_j) = (0.0, 0.0);
+    let cold = ended.result();
     assert_eq!(row_of(&DropResult::groups(&[&cold]), outer), None);
     assert_eq!(cold.results.number("outer_ring_temperature_c"), 29.0);
     // Files have it all the same, and tables that of another drop beside it.
@@ -272,12 +300,12 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
 fn results_of_a_rotor_are_those_of_its_bearings() {
     let mut counter = 0.2;
     let bearings = [-1.0, 1.0].map(|sign| {
-        let (case, mut s, mut outcome) = drop(&mut counter);
+        let mut ended = drop(&mut counter);
         // Neither bearing has all the larger numbers.
-        s.rotor_force_max_n += sign;
-        s.inner_pressure_max_pa -= sign;
-        outcome.energy_residual_relative -= sign;
-        DropResult::new(&case, &s, &outcome)
+        ended.s.rotor_force_max_n += sign;
+        ended.s.inner_pressure_max_pa -= sign;
+        ended.outcome.energy_residual_relative -= sign;
+        ended.result()
     });
     let [a, b] = [0, 1].map(|k: usize| bearings[k].results.clone());
     let plane = |radial_m: f64, displacement_max_m: f64| PlaneDisplacement {
@@ -354,8 +382,9 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
 /// succession is judged with its drop.
 #[test]
 fn limits_of_a_user_judge_a_drop_and_its_succession() {
-    let (mut case, mut s, mut outcome) = drop(&mut 0.2);
-    outcome.energy_residual_relative = 0.0;
+    let mut ended = drop(&mut 0.2);
+    ended.outcome.energy_residual_relative = 0.0;
+    let s = &mut ended.s;
     s.rotor_force_max_n = 4000.0;
     s.end_state = EndState::AtRest;
     s.rotor_displacement_max_m = 100e-6;
@@ -367,18 +396,17 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
         side: None,
         source: "the plant".to_owned(),
     };
-    let judged = |case: &Case| DropResult::new(case, &s, &outcome);
-    assert_eq!(judged(&case).judgement.passes(), Some(true));
+    assert_eq!(ended.result().judgement.passes(), Some(true));
     for (name, kept, broken) in [
         ("rotor_force_max_n", 4001.0, 3999.0),
         ("clearance_margin_um", 336.0, 338.0),
     ] {
-        case.limits = vec![limit(name, kept)];
-        let judgement = judged(&case).judgement;
+        ended.particulars.limits = vec![limit(name, kept)];
+        let judgement = ended.result().judgement;
         assert_eq!(judgement.passes(), Some(true), "{name}");
         assert!(judgement.headline().contains("(the plant)"), "{name}");
-        case.limits = vec![limit(name, broken)];
-        let judgement = judged(&case).judgement;
+        ended.particulars.limits = vec![limit(name, broken)];
+        let judgement = ended.result().judgement;
         assert_eq!(judgement.passes(), Some(false), "{name}");
         assert_eq!(judgement.reasons().len(), 1);
         assert!(
@@ -389,15 +417,16 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
 
     let per_k = 12.5e-6;
     let gr_um = 2.0 * per_k * (27_765.0 * 9.0 - 18_240.0 * 11.0 - 2.0 * 4_762.5 * 7.0);
-    case.limits = vec![limit("ball_standstill_c", 90.0)];
-    let result = judged(&case);
+    ended.particulars.limits = vec![limit("ball_standstill_c", 90.0)];
+    let result = ended.result();
     assert_eq!(result.judgement.passes(), None, "no succession");
     for (ball_c, verdict) in [(89.0, "pass"), (91.0, "fail")] {
         let mut result = result.clone();
-        let ended = SuccessiveDrop {
+        let successive = SuccessiveDrop {
             number: 3,
             bearing: 1,
-            case: &case,
+            case: &ended.case,
+            particulars: &ended.particulars,
             heat_j: 271.0,
             spin_down_s: Some(17.0),
             spin_down_heat_j: Some(333.0),
@@ -405,7 +434,7 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
             standstill_c: Some([61.0, ball_c, 43.0]),
             judgement: DropJudgement::default(),
         };
-        let record = succession_record(ended, &mut result);
+        let record = succession_record(successive, &mut result);
         assert_eq!(record.text("verdict"), verdict);
         assert_eq!(result.results.text("verdict"), verdict);
         assert_eq!(
@@ -436,14 +465,15 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
 /// A row does not pass where the rotor meets a seal in its drop, though its bearing does.
 #[test]
 fn a_row_fails_with_a_plane_of_the_rotor() {
-    let (mut case, mut s, mut outcome) = drop(&mut 0.2);
-    outcome.energy_residual_relative = 0.0;
+    let mut ended = drop(&mut 0.2);
+    ended.outcome.energy_residual_relative = 0.0;
+    let s = &mut ended.s;
     (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
-    case.limits = vec![];
+    ended.particulars.limits = vec![];
     let row = |displacement_max_m: f64| {
-        let mut result = DropResult::new(&case, &s, &outcome);
+        let mut result = ended.result();
         let clearance = Clearance {
             name: "seal".to_owned(),
             radial_m: 3e-4,
@@ -462,10 +492,11 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
             planes[0].text("verdict"),
             if beyond { "fail" } else { "pass" }
         );
-        let ended = SuccessiveDrop {
+        let successive = SuccessiveDrop {
             number: 1,
             bearing: 0,
-            case: &case,
+            case: &ended.case,
+            particulars: &ended.particulars,
             heat_j: 1.0,
             spin_down_s: None,
             spin_down_heat_j: None,
@@ -473,7 +504,7 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
             standstill_c: None,
             judgement: DropJudgement::default(),
         };
-        let record = succession_record(ended, &mut result);
+        let record = succession_record(successive, &mut result);
         assert_eq!(result.judgement.passes(), Some(true), "the bearing");
         (
             record.text("verdict").to_owned(),
@@ -490,14 +521,16 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
 /// and cannot be judged where that is open or where nothing computes the result.
 #[test]
 fn a_limit_on_a_result_without_a_value_does_not_pass() {
-    let (mut case, mut s, mut outcome) = drop(&mut 0.2);
-    outcome.energy_residual_relative = 0.0;
+    let mut ended = drop(&mut 0.2);
+    ended.outcome.energy_residual_relative = 0.0;
+    let s = &mut ended.s;
     (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
-    (s.spin_up_s, outcome.end_s) = (None, 0.1);
+    s.spin_up_s = None;
     s.backward_whirl_hz = None;
-    if let Some(rotor) = &mut case.rotor {
+    ended.outcome.end_s = 0.1;
+    if let Some(rotor) = &mut ended.case.rotor {
         rotor.clearance_limit_m = None;
     }
     for (name, value, verdict, said) in [
@@ -528,13 +561,13 @@ fn a_limit_on_a_result_without_a_value_does_not_pass() {
             "none, at most 0 Hz (the plant)",
         ),
     ] {
-        case.limits = vec![Limit {
+        ended.particulars.limits = vec![Limit {
             result: name.to_owned(),
             value,
             side: None,
             source: "the plant".to_owned(),
         }];
-        let found = DropResult::new(&case, &s, &outcome);
+        let found = ended.result();
         assert_eq!(found.results.text("verdict"), verdict, "{name} {value}");
         let headline = found.results.text("headline");
         assert!(headline.contains(said), "{headline}");

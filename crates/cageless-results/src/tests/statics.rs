@@ -94,8 +94,11 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         clearance_rad: 0.00135,
         neighbour_drift_rad_s: Some(0.015),
     };
+    let particulars = no_particulars();
     let solved = Solved {
         case,
+        particulars: &particulars,
+        lubricated: None,
         equilibrium: &e,
         rating: rating.clone(),
         space: Some(&space),
@@ -262,8 +265,12 @@ fn limits_on_a_static_equilibrium_are_judged() {
            [[limit]]\nresult = \"outer_pressure_max_mpa\"\nvalue = 2000\nsource = \"us\"\n\
            [[limit]]\nresult = \"orbit_speed_rpm\"\nvalue = 1\nsource = \"of a run\"\n";
     let file = CaseFile::parse(&text, "case.toml", &[]).unwrap();
-    let case = file.case();
-    let record = static_record(case, &settle(case).unwrap());
+    let record = |file: &CaseFile| {
+        let settled = settle(file.case()).unwrap();
+        static_record(file.case(), &particulars(file), &settled)
+    };
+    let judged_of = |file: &CaseFile| record(file).limits();
+    let record = record(&file);
     let judged = record.limits();
     let number = |name| record.results.number(name);
     assert!(number("l10_h") < 20_000.0 && number("ring_y_um") < -5.0);
@@ -285,7 +292,6 @@ fn limits_on_a_static_equilibrium_are_judged() {
     // Without load there is no life.
     let sets = ["operation.radial_load_n=0".to_owned()];
     let file = CaseFile::parse(&text, "case.toml", &sets).unwrap();
-    let case = file.case();
-    let judged = static_record(case, &settle(case).unwrap()).limits();
+    let judged = judged_of(&file);
     assert_eq!(judged.limits_not_judged.len(), 2, "{judged:?}");
 }

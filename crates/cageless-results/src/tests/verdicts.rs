@@ -6,7 +6,7 @@ use cageless::simulation::{
 };
 use cageless::touchdown::{DropSummary, EndState, EndWhirl};
 
-use super::drops::drop;
+use super::drops::{Ended, drop};
 use super::*;
 
 /// How a drop went.
@@ -38,7 +38,12 @@ const WAYS: [(Went, Option<bool>); 7] = [
 
 /// A drop that keeps every limit.
 fn good() -> (Case, DropSummary, RunOutcome) {
-    let (case, mut s, mut outcome) = drop(&mut 0.2);
+    let Ended {
+        case,
+        mut s,
+        mut outcome,
+        ..
+    } = drop(&mut 0.2);
     outcome.energy_residual_relative = 0.0;
     (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);

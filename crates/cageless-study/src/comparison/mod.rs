@@ -60,7 +60,7 @@ pub fn compare(
     progress: &dyn Progress,
 ) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
     sampling.check()?;
-    let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
+    let seed = rings.first().map_or(0, |(_, file)| file.particulars().seed);
     let task = task(rings, sampling)?;
     progress.whole(std::slice::from_ref(&task));
     let work = progress.begin(TASK, task.steps());
@@ -87,7 +87,7 @@ pub fn in_steady_operation(
     work: &Work<'_>,
 ) -> Result<RingComparison, StudyError> {
     let sampling = Sampling::Draws(draws);
-    let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
+    let seed = rings.first().map_or(0, |(_, file)| file.particulars().seed);
     let mut drawn: Vec<CaseFile> = vec![];
     for (_, file) in rings {
         drawn.extend(all_draws(file, sampling, seed)?);
@@ -141,7 +141,7 @@ pub(crate) fn judged_rings(
 pub(crate) fn steady_provenance(plain: &CaseFile) -> Provenance {
     let orbits = plain.steady().transient_orbits;
     let discarded = format!("the first {orbits} orbits of each run");
-    provenance(plain.case(), discarded)
+    provenance(&plain.particulars().title, plain.case(), discarded)
 }
 
 /// The task of [`judged_rings`].
@@ -271,7 +271,7 @@ fn finished(
 /// What the number of balls changes at rest.
 fn at_rest(file: &CaseFile) -> Result<Values, StudyError> {
     let settled = settle(file.case())?;
-    let solved = Solved::new(file.case(), &settled);
+    let solved = Solved::new(file.case(), file.particulars(), &settled);
     let results = Results::of(STATIC, Subject::Static(&solved));
     let values = results
         .iter()

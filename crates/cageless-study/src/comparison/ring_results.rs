@@ -75,7 +75,7 @@ impl RingResults {
             apart_from_remedies: Some(file.apart_from_remedies()),
             verdict,
             values,
-            limits: file.case().limits.clone(),
+            limits: file.particulars().limits.clone(),
             weights: steady.weights,
             is_long: steady.transient_orbits >= TRANSIENT_ORBITS
                 && steady.measured_orbits >= MEASURED_ORBITS,

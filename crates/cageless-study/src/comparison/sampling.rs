@@ -77,7 +77,7 @@ impl Draws {
         let steady = Some(file.steady()).filter(|_| matches!(sampling, Sampling::Draws(_)));
         Self {
             count: sampling.count(),
-            seed: Some(file.case().seed),
+            seed: Some(file.particulars().seed),
             grade: steady.map(|s| s.grade.number),
             start: steady.map(|s| s.start.name()),
             transient_orbits: steady.map(|s| s.transient_orbits),

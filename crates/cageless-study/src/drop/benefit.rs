@@ -202,7 +202,7 @@ mod tests {
                 bearings: Bearings::Case(bearing),
             }
         });
-        evaluate(&drop, rows.collect())
+        evaluate(&drop, 0, rows.collect())
     }
 
     const PLAIN: [f64; 4] = [1000.0, 3000.0, 900.0, 20.0];

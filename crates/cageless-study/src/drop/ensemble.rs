@@ -10,7 +10,9 @@ use cageless_results::{DropResult, DropRun};
 use super::distribution::{all_pass, whirls_backward};
 use super::record::steps;
 use super::side_by_side::{drop_task, run_drops, worth_together};
-use super::{BearingRow, Bearings, Distribution, PassProbability, WhirlProbability, check_drops};
+use super::{
+    BearingRow, Bearings, Distribution, FiledDrop, PassProbability, WhirlProbability, check_drops,
+};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
 use crate::task::Task;
@@ -103,28 +105,37 @@ pub(super) fn task(drop: &RotorDrop, count: u64) -> Task {
 /// # Errors
 /// A case is impossible, or the progress cancelled.
 pub fn ensemble(
-    drop: &RotorDrop,
+    filed: &FiledDrop<'_>,
     count: u64,
     scatter: &Scatter,
     progress: &dyn Progress,
 ) -> Result<Ensemble, StudyError> {
     check_drops("samples", count)?;
+    let drop = &filed.drop;
     let work = progress.begin(TASK, count as f64 * steps(drop));
     let indices: Vec<u64> = (0..count).collect();
     let rows: Result<Vec<Vec<DropRow>>, StudyError> = groups_of(&indices, worth_together(drop))
-        .map(|chunk| together(drop, chunk, scatter, &work))
+        .map(|chunk| together(filed, chunk, scatter, &work))
         .collect();
-    Ok(evaluate(drop, rows?.into_iter().flatten().collect()))
+    Ok(evaluate(
+        drop,
+        filed.seed(),
+        rows?.into_iter().flatten().collect(),
+    ))
 }
 
 fn together(
-    drop: &RotorDrop,
+    filed: &FiledDrop<'_>,
     indices: &[u64],
     scatter: &Scatter,
     work: &Work<'_>,
 ) -> Result<Vec<DropRow>, StudyError> {
-    let (drops, drawn): (Vec<RotorDrop>, Vec<Drawn>) =
-        indices.iter().map(|k| scatter.draw(drop, *k)).unzip();
+    let drop = &filed.drop;
+    let scattered = |index: &u64| {
+        let (scattered, drawn) = scatter.draw(drop, filed.seed(), *index);
+        (filed.like(scattered), drawn)
+    };
+    let (drops, drawn): (Vec<FiledDrop<'_>>, Vec<Drawn>) = indices.iter().map(scattered).unzip();
     let duration_s = drop.cases()[0].solver.duration_s;
     let control = |drops: usize| work.run_control(duration_s, drops as f64 * steps(drop));
     let runs = run_drops(&drops, control).ok_or(StudyError::Interrupted)?;
@@ -184,7 +195,7 @@ impl DropRow {
     }
 }
 
-pub(super) fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
+pub(super) fn evaluate(drop: &RotorDrop, seed: u64, drops: Vec<DropRow>) -> Ensemble {
     let complete: Vec<&DropRow> = drops.iter().filter(|d| d.stopped().is_none()).collect();
     let whirls = complete.iter().filter(|d| d.whirls_backward()).count();
     let stopped = drops.len() - complete.len();
@@ -194,7 +205,7 @@ pub(super) fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
     };
     let whirl = || WhirlProbability::new(whirls, complete.len(), stopped);
     Ensemble {
-        seed: drop.cases()[0].seed,
+        seed,
         completed: complete.len(),
         stopped: drops.iter().filter_map(DropRow::stopped).collect(),
         passing: PassProbability::new(drops.iter().map(DropRow::passes)),
@@ -276,7 +287,7 @@ pub(super) mod tests {
             "/../../cases/rotors/two-bearings.toml"
         );
         let file = RotorFile::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
-        let many = evaluate(file.drop(), drops);
+        let many = evaluate(file.drop(), file.bearings()[0].particulars().seed, drops);
         assert_eq!((many.seed, many.completed), (3, 4));
         assert_eq!(many.stopped, ["in bearing 1 at t = 0.1 s"]);
         // Nothing is the mean or a quantile of the rest: by Wilson 1927 from 2 of 5 to 3 of 5.
@@ -297,7 +308,7 @@ pub(super) mod tests {
         let text = many.stopped_text().unwrap();
         assert!(text.starts_with("1 of 5 drops stopped, the first in bearing 1 at t = 0.1 s"));
 
-        let many = evaluate(file.drop(), many.drops[..4].to_vec());
+        let many = evaluate(file.drop(), 3, many.drops[..4].to_vec());
         assert_eq!(many.stopped_text(), None);
         assert_eq!(many.in_any_bearing.unwrap().fraction, Some(0.5));
         let fractions = [0, 1].map(|k: usize| many.bearings[k].backward_whirl.fraction);
@@ -334,7 +345,7 @@ pub(super) mod tests {
             "/../../cases/rotors/two-bearings.toml"
         );
         let file = RotorFile::read(Path::new(path), &[]).unwrap();
-        let many = evaluate(file.drop(), drops.collect());
+        let many = evaluate(file.drop(), 0, drops.collect());
         let found = &many.bearings[0].quantiles;
         for (name, expected) in [
             ("rotor_force_max_n", [1000.0, 1100.0, 1190.0, 1200.0]),

@@ -5,6 +5,7 @@ mod bearings;
 mod benefit;
 mod distribution;
 mod ensemble;
+mod filed_drop;
 mod record;
 mod side_by_side;
 mod standstill;
@@ -20,6 +21,7 @@ pub use distribution::{
     WhirlProbability, check_drops,
 };
 pub use ensemble::{DropRow, Ensemble, RotorRow, ensemble};
+pub use filed_drop::FiledDrop;
 pub(crate) use record::steps;
 pub use record::{BearingRecord, DropRecord};
 pub(crate) use side_by_side::{drop_task, run_drops, worth_together};

@@ -8,6 +8,7 @@ use cageless::simulation::{Ending, Observer, RotorDrop, RotorOutcome, RunOutcome
 use cageless::snapshot::Snapshot;
 use cageless_results::{DropJudgement, DropResult, DropRun};
 
+use super::FiledDrop;
 use super::side_by_side::recorders;
 use crate::StudyError;
 use crate::progress::Progress;
@@ -55,11 +56,11 @@ impl DropRecord {
     /// A bearing cannot start, or the last rows could not be stored. Everything else is an
     /// [`Ending`] of the outcomes.
     pub fn of<'r>(
-        drop: &RotorDrop,
+        filed: &FiledDrop<'_>,
         rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
         progress: &dyn Progress,
     ) -> Result<Self, StudyError> {
-        let cases = drop.cases();
+        let (drop, cases) = (&filed.drop, filed.drop.cases());
         let work = progress.begin(TASK, steps(drop));
         let mut control = work.run_control(cases[0].solver.duration_s, steps(drop));
         let mut drops = recorders(drop);
@@ -73,9 +74,9 @@ impl DropRecord {
             })
             .collect();
         let outcome = {
-            let mut recorders: Vec<_> = (cases.iter().zip(&kept))
-                .map(|(case, kept)| {
-                    Recorder::new(case.output.interval_s, |snapshot: Snapshot| {
+            let mut recorders: Vec<_> = (filed.particulars().zip(&kept))
+                .map(|(particulars, kept)| {
+                    Recorder::new(particulars.interval_s, |snapshot: Snapshot| {
                         let kept = &mut *kept.borrow_mut();
                         if let Some(rows) = &mut kept.rows {
                             rows.snapshot(&snapshot)?;
@@ -109,7 +110,7 @@ impl DropRecord {
             }
             outcome
         };
-        let results = DropRun::new(drop, drops, &outcome).bearings;
+        let results = DropRun::new(drop, filed.particulars(), drops, &outcome).bearings;
         let records = results.into_iter().zip(outcome.bearings).zip(kept);
         let bearings = records.map(|((result, outcome), kept)| {
             let kept = kept.into_inner();

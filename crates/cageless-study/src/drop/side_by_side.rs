@@ -7,6 +7,7 @@ use cageless::simulation::{Control, Ending, Observer, RotorDrop, RotorDropOutcom
 use cageless::touchdown::DropRecorder;
 use cageless_results::DropRun;
 
+use super::FiledDrop;
 use crate::task::Task;
 use crate::together::{Record, run_together};
 
@@ -48,34 +49,36 @@ impl Record for DropRecorder {
 /// Computes drops in their order; `None` if interrupted. `control` has the control of so many drops
 /// together.
 pub(crate) fn run_drops<'c>(
-    drops: &[RotorDrop],
+    drops: &[FiledDrop<'_>],
     control: impl Fn(usize) -> Box<dyn FnMut(f64) -> Control + 'c>,
 ) -> Option<Vec<Result<DropRun, EquilibriumError>>> {
     // Short drops end before they ask for the first time.
     if control(1)(0.0).is_break() {
         return None;
     }
-    let of_case = drops.iter().filter(|drop| drop.rotor().is_none());
+    let of_case = drops.iter().map(|filed| &filed.drop);
+    let of_case = of_case.filter(|drop| drop.rotor().is_none());
     let cases: Vec<Case> = of_case.map(|drop| drop.cases()[0].clone()).collect();
     let mut of_case = run_together(&cases, |_| DropRecorder::new(), &control)?.into_iter();
-    let run = |drop: &RotorDrop| match drop.rotor() {
+    let run = |filed: &FiledDrop<'_>| match filed.drop.rotor() {
         None => Some(of_case.next()?.map(|(recorder, outcome)| {
             let outcome = RotorDropOutcome {
                 bearings: vec![outcome],
                 rotor: None,
             };
-            DropRun::new(drop, vec![recorder], &outcome)
+            DropRun::new(&filed.drop, filed.particulars(), vec![recorder], &outcome)
         })),
-        Some(_) => run_alone(drop, &mut *control(1)),
+        Some(_) => run_alone(filed, &mut *control(1)),
     };
     drops.iter().map(run).collect()
 }
 
 /// Computes the drop of a linear rotor; `None` if interrupted.
 fn run_alone(
-    drop: &RotorDrop,
+    filed: &FiledDrop<'_>,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Option<Result<DropRun, EquilibriumError>> {
+    let drop = &filed.drop;
     let mut recorders = recorders(drop);
     let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
         .map(|recorder| vec![recorder as &mut dyn Observer])
@@ -90,6 +93,11 @@ fn run_alone(
     // One that stops interrupts the others.
     match outcome.stopped_bearing() {
         None if interrupted => None,
-        _ => Some(Ok(DropRun::new(drop, recorders, &outcome))),
+        _ => Some(Ok(DropRun::new(
+            drop,
+            filed.particulars(),
+            recorders,
+            &outcome,
+        ))),
     }
 }

@@ -11,7 +11,9 @@ use cageless_results::{DropJudgement, DropResult, Record};
 use super::record::{TASK, steps};
 use super::side_by_side::drop_task;
 use super::verification::verify;
-use super::{BearingRecord, DropBenefit, DropRecord, Ensemble, Succession, check_drops, ensemble};
+use super::{
+    BearingRecord, DropBenefit, DropRecord, Ensemble, FiledDrop, Succession, check_drops, ensemble,
+};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::Rows;
@@ -40,13 +42,14 @@ impl DropRequest {
     }
 
     /// The tasks of [`study`].
-    fn tasks(&self, drop: &RotorDrop) -> Vec<Task> {
+    fn tasks(&self, filed: &FiledDrop<'_>) -> Vec<Task> {
+        let drop = &filed.drop;
         let drops = self.drops.unwrap_or(1) + u64::from(self.compare);
         let one = drops as f64 * steps(drop);
         let own = drop_task(Task::new(TASK), drop, 1, one, 1);
         let rings = if self.judges(drop) { 2 } else { 1 };
         let samples = (self.samples).map(|count| super::ensemble::task(drop, rings * count));
-        let verification = self.verify.then(|| super::verification::task(drop));
+        let verification = self.verify.then(|| super::verification::task(filed));
         [own]
             .into_iter()
             .chain(samples)
@@ -137,16 +140,18 @@ pub fn study<'r>(
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
     progress: &dyn Progress,
 ) -> Result<DropStudy, StudyError> {
+    let files = file.cases();
+    let filed = FiledDrop { drop, files };
     if request != DropRequest::default() {
-        progress.whole(&request.tasks(&drop));
+        progress.whole(&request.tasks(&filed));
     }
-    let record = DropRecord::of(&drop, rows, progress)?;
-    let mut study = DropStudy::new(drop, record);
+    let record = DropRecord::of(&filed, rows, progress)?;
+    let mut study = DropStudy::new(filed.drop.clone(), record);
     if !matches!(study.record.ending(), Ending::Complete) {
         return Ok(study);
     }
     if let Some(drops) = request.drops {
-        study.succession = Succession::new(file, &study.drop, &mut study.record, drops, progress)?;
+        study.succession = Succession::new(file, &filed, &mut study.record, drops, progress)?;
         study.judge();
         study.interrupted = study.succession.interrupted;
         let Succession {
@@ -160,21 +165,20 @@ pub fn study<'r>(
         study.warnings.extend(all);
     }
     if request.compare && !study.interrupted {
-        let drop = study.drop.conventional();
-        let none = drop.cases().iter().map(|_| None).collect();
-        let other = DropRecord::of(&drop, none, progress)?;
+        let none = files.iter().map(|_| None).collect();
+        let other = DropRecord::of(&filed.like(filed.drop.conventional()), none, progress)?;
         study.interrupted = matches!(other.ending(), Ending::Interrupted);
         study.conventional = Some(other);
     }
     if let (Some(count), false) = (request.samples, study.interrupted) {
-        let done = ensemble(&study.drop, count, &Scatter::default(), progress);
+        let done = ensemble(&filed, count, &Scatter::default(), progress);
         study.ensemble = study.keep("the scattered drops", done);
         if let Some(ensemble) = &study.ensemble {
             let warnings = scattered_warnings(&study.drop, ensemble);
             study.warnings.extend(warnings);
         }
         if request.judges(&study.drop) && !study.interrupted {
-            let plain = study.drop.conventional();
+            let plain = filed.like(filed.drop.conventional());
             let done = ensemble(&plain, count, &Scatter::default(), progress);
             let other = study.keep("the scattered drops onto the plain ring", done);
             let pair = study.ensemble.as_ref().zip(other.as_ref());
@@ -182,7 +186,7 @@ pub fn study<'r>(
         }
     }
     if request.verify && !study.interrupted {
-        let done = verify(&study.drop, &study.record, progress);
+        let done = verify(&filed, &study.record, progress);
         study.verification = study.keep("the verification", done);
     }
     Ok(study)

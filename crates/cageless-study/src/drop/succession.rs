@@ -9,8 +9,8 @@ use cageless_results::{
     DropJudgement, Quantity, Record, SuccessiveDrop, succession_record, table_of,
 };
 
-use super::DropRecord;
 use super::standstill::{Standstill, spun_up};
+use super::{DropRecord, FiledDrop};
 use crate::StudyError;
 use crate::progress::Progress;
 
@@ -58,17 +58,17 @@ impl Succession {
     /// A bearing cannot start.
     pub fn new(
         file: &VariantFile,
-        drop: &RotorDrop,
+        filed: &FiledDrop<'_>,
         first: &mut DropRecord,
         count: u64,
         progress: &dyn Progress,
     ) -> Result<Self, StudyError> {
         let mut done = Self::default();
-        let mut warm = done.add(file.cases(), drop, first);
+        let mut warm = done.add(filed, first);
         done.earliest = first.judgement();
         for number in 2..=count {
             let warmed = match &warm {
-                Ok(standstill_c) => warmed(file, drop, standstill_c),
+                Ok(standstill_c) => warmed(file, filed, standstill_c),
                 Err(reason) => {
                     let before = number - 1;
                     done.cut_short = Some(format!(
@@ -91,11 +91,13 @@ impl Succession {
                 }
             };
             let Some(drop) = warmed.drop() else { break };
-            let none = drop.cases().iter().map(|_| None).collect();
+            let files = warmed.cases();
+            let drop = FiledDrop { drop, files };
+            let none = files.iter().map(|_| None).collect();
             let mut record = DropRecord::of(&drop, none, progress)?;
             if matches!(record.ending(), Ending::Complete) {
-                slowed(first, &drop, &mut record);
-                warm = done.add(warmed.cases(), &drop, &mut record);
+                slowed(first, &drop.drop, &mut record);
+                warm = done.add(&drop, &mut record);
             }
             done.later.push(record.judgement());
             match record.ending() {
@@ -120,7 +122,8 @@ impl Succession {
     }
 
     /// Adds a drop; returns the temperatures of each bearing at standstill.
-    fn add(&mut self, files: &[CaseFile], drop: &RotorDrop, record: &mut DropRecord) -> Warm {
+    fn add(&mut self, filed: &FiledDrop<'_>, record: &mut DropRecord) -> Warm {
+        let drop = &filed.drop;
         let number = 1 + self.records.len() / record.bearings.len();
         let standstill = Standstill::after(drop, record);
         let doubts = standstill
@@ -130,13 +133,18 @@ impl Succession {
             .extend(doubts.map(|text| format!("drop {number}: {text}")));
         let rotor = record.rotor.as_ref();
         let results = record.bearings.iter_mut().map(|b| &mut b.result);
-        let cases = drop.cases().iter().zip(files).zip(results).enumerate();
+        let cases = drop
+            .cases()
+            .iter()
+            .zip(filed.files)
+            .zip(results)
+            .enumerate();
         let ended: Vec<_> = cases
             .map(|(bearing, ((case, file), result))| {
                 let heat = standstill.as_ref().ok().map(|s| &s.bearings[bearing]);
                 let standstill_c = heat.and_then(|heat| {
-                    let capacities = case
-                        .thermal
+                    let thermal = &file.particulars().thermal;
+                    let capacities = thermal
                         .capacities_j_k(&case.bearing, case.rows.len())
                         .ok()?;
                     let mut parts_c = [0.0; PARTS];
@@ -152,6 +160,7 @@ impl Succession {
                     number,
                     bearing,
                     case,
+                    particulars: file.particulars(),
                     heat_j: result.results.number("dissipated_j"),
                     spin_down_s: standstill.as_ref().ok().map(|s| s.time_s),
                     spin_down_heat_j: heat.map(|heat| heat.heat_j),
@@ -251,16 +260,18 @@ fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
 /// touch-down clearances.
 fn warmed(
     file: &VariantFile,
-    drop: &RotorDrop,
+    filed: &FiledDrop<'_>,
     standstill_c: &[[f64; PARTS]],
 ) -> Result<VariantFile, CaseError> {
+    let drop = &filed.drop;
     let prefix = |k: usize| match drop.rotor() {
         None => String::new(),
         Some(_) => format!("bearing.{}.", k + 1),
     };
     let cases = || drop.cases().iter().enumerate();
-    let start_c: Vec<_> = cases()
-        .map(|(k, case)| case.thermal.after_pause_c(standstill_c[k], case.parts_c()))
+    let start_c = filed.particulars().zip(standstill_c);
+    let start_c: Vec<_> = start_c
+        .map(|(own, standstill_c)| own.thermal.after_pause_c(*standstill_c, own.parts_c()))
         .collect();
     let temperatures = cases().flat_map(|(k, _)| {
         let parts = TEMPERATURES.iter().zip(start_c[k]);
@@ -269,9 +280,9 @@ fn warmed(
     let warm = file.changed(&temperatures.collect::<Vec<_>>())?;
     // The bore grows with the inner ring; the rotor stays as it is.
     let clearances = cases().filter_map(|(k, case)| {
-        let fit = warm.cases()[k].case().fit?;
+        let fit = warm.cases()[k].particulars().fit?;
         let (rotor, bore) = (case.rotor.as_ref()?, case.bearing.inner_ring_bore()?);
-        let rise_k = start_c[k][0] - case.parts_c()[0];
+        let rise_k = start_c[k][0] - filed.files[k].particulars().parts_c()[0];
         let growth_m = bore.radius_m * fit.ring_expansion_per_k * rise_k;
         let cold_um = warm.cases()[k].document().number(CLEARANCE)?;
         let clearance_um = cold_um * (1.0 + growth_m / rotor.radial_clearance_m);

@@ -8,6 +8,7 @@ use cageless_results::{
 use rayon::prelude::*;
 
 use super::DropRecord;
+use super::FiledDrop;
 use super::record::steps;
 use super::side_by_side::{drop_task, run_drops, worth_together};
 use crate::StudyError;
@@ -24,18 +25,18 @@ const LEFT_OUT: [&str; 2] = ["energy_residual_relative", "simulated_s"];
 /// # Errors
 /// A replica stopped, or the progress cancelled.
 pub(super) fn verify(
-    drop: &RotorDrop,
+    filed: &FiledDrop<'_>,
     done: &DropRecord,
     progress: &dyn Progress,
 ) -> Result<Record, StudyError> {
-    let case = &drop.cases()[0];
-    let roles = Role::all(case.seed, LARGE_PERTURBATIONS);
+    let (drop, case) = (&filed.drop, &filed.drop.cases()[0]);
+    let roles = Role::all(filed.seed(), LARGE_PERTURBATIONS);
     let task = progress.begin(TASK, replica_steps(drop, &roles[1..]));
     let (full, half): (Vec<Role>, Vec<Role>) = roles[1..].iter().partition(|r| !r.half_step);
     let together = worth_together(drop);
     let groups: Result<Vec<_>, StudyError> = groups_of(&half, together)
         .chain(groups_of(&full, together))
-        .map(|group| replicas(drop, group, &task))
+        .map(|group| replicas(filed, group, &task))
         .collect();
     let replicas: Vec<(Role, DropRun)> = groups?.into_iter().flatten().collect();
     let of_bearing = |k: usize| {
@@ -94,8 +95,9 @@ fn judged(step_s: f64, drops: &[(Role, &DropResult)]) -> Record {
 const TASK: &str = "verify";
 
 /// The task of [`verify`].
-pub(super) fn task(drop: &RotorDrop) -> Task {
-    let roles = Role::all(drop.cases()[0].seed, LARGE_PERTURBATIONS);
+pub(super) fn task(filed: &FiledDrop<'_>) -> Task {
+    let drop = &filed.drop;
+    let roles = Role::all(filed.seed(), LARGE_PERTURBATIONS);
     let replicas = &roles[1..];
     // Those at either step go side by side.
     let pieces = match drop.rotor() {
@@ -114,11 +116,13 @@ fn replica_steps(drop: &RotorDrop, roles: &[Role]) -> f64 {
 
 /// Replicas of a drop at one step.
 fn replicas(
-    drop: &RotorDrop,
+    filed: &FiledDrop<'_>,
     roles: &[Role],
     task: &Work<'_>,
 ) -> Result<Vec<(Role, DropRun)>, StudyError> {
-    let drops: Vec<RotorDrop> = roles.iter().map(|role| drop.replica(*role)).collect();
+    let drop = &filed.drop;
+    let replica = |role: &Role| filed.like(drop.replica(*role));
+    let drops: Vec<FiledDrop<'_>> = roles.iter().map(replica).collect();
     let (steps, duration_s) = (
         replica_steps(drop, &roles[..1]),
         drop.cases()[0].solver.duration_s,

@@ -26,12 +26,14 @@ pub fn search_record(
     paper: &[RacewayLabel],
 ) -> Record {
     let (case, request) = (file.case(), &found.request);
+    let title = &file.particulars().title;
     let form = case.raceway_form();
     let confirmed = |role: Role| found.of_role(role).next();
     let curve = span_angle_curve(&case.bearing, form, CURVE_POINTS).into_iter();
     let curve = curve.filter_map(|p| Some((p.axial_span_m, p.half_angle_rad?)));
     let searched = Searched {
         case,
+        seed: request.seed,
         found,
         curve: curve.collect(),
     };
@@ -74,7 +76,7 @@ pub fn search_record(
         .with_part("placements", placements(found))
         .with_part("maps", many(found.maps.iter().map(map)))
         .with_part("paper", many(paper))
-        .with_provenance(provenance(&point, discarded.to_owned()));
+        .with_provenance(provenance(title, &point, discarded.to_owned()));
     let findings = narrative::narrative(found, &record);
     record.with_sentences("findings", findings)
 }

@@ -280,7 +280,7 @@ pub fn refusal(file: &CaseFile, found: &Found) -> Option<String> {
         return None;
     }
     let message = why_none(found);
-    Some(match file.case().title.as_str() {
+    Some(match file.particulars().title.as_str() {
         "" => message,
         title => format!("{title}: {message}"),
     })

@@ -17,7 +17,7 @@ use super::feasibility;
 use super::outputs::{Output, outputs};
 use super::variants::Variants;
 use crate::StudyError;
-use crate::drop::run_drops;
+use crate::drop::{FiledDrop, run_drops};
 use crate::together::{RunRecorder, run_together};
 
 /// A plan that can be computed.
@@ -183,7 +183,11 @@ impl Sweep {
         let case = file.case();
         if self.wants(Computation::Static) {
             match settle(case) {
-                Ok(solved) => found.fill(Subject::Static(&Solved::new(case, &solved))),
+                Ok(solved) => found.fill(Subject::Static(&Solved::new(
+                    case,
+                    file.particulars(),
+                    &solved,
+                ))),
                 Err(error) => found.failed(Computation::Static, &error),
             }
         }
@@ -230,8 +234,10 @@ impl Sweep {
             return Some(());
         }
         let dropped = batch.iter_mut().filter_map(|variant| {
-            let drop = variant.file.as_ref()?.drop()?;
-            Some((&mut variant.found, drop))
+            let Variant { file, found, .. } = variant;
+            let file = file.as_ref()?;
+            let (drop, files) = (file.drop()?, file.cases());
+            Some((found, FiledDrop { drop, files }))
         });
         let (found, drops): (Vec<_>, Vec<_>) = dropped.unzip();
         let runs = run_drops(&drops, |_| Box::new(move |_| stop()))?;

@@ -4,9 +4,12 @@ use cageless_results::TOLERANCE_SHAPE;
 
 use super::*;
 
+fn file() -> CaseFile {
+    CaseFile::parse(&template(false), "case.toml", &[]).unwrap()
+}
+
 fn case() -> Case {
-    let file = CaseFile::parse(&template(false), "case.toml", &[]).unwrap();
-    file.case().clone()
+    file().case().clone()
 }
 
 const REQUEST: Request = Request {
@@ -145,7 +148,14 @@ fn results_are_in_the_units_of_the_drawing() {
     let outcomes: Vec<_> = (0..all.len())
         .map(|k| Some(outcome((k + 1) as f64, verdict(k))))
         .collect();
-    let found = tolerance_record(&case, 20, &tolerances, &assess(&all, &outcomes), vec![]);
+    let found = tolerance_record(
+        &case,
+        file().particulars(),
+        20,
+        &tolerances,
+        &assess(&all, &outcomes),
+        vec![],
+    );
     let near = |found: f64, expected: f64| {
         assert!(
             (found - expected).abs() < 1e-9 * (1e-3 + expected.abs()),
@@ -193,7 +203,7 @@ fn results_are_in_the_units_of_the_drawing() {
     }
     let samples = found.part("samples").unwrap();
     let counts = ["count", "passed", "seed"].map(|name| samples.number(name));
-    assert_eq!(counts, [3.0, 1.0, case.seed as f64]);
+    assert_eq!(counts, [3.0, 1.0, file().particulars().seed as f64]);
     near(samples.number("pass_probability"), 1.0 / 3.0);
     let quantiles = samples.values("critical_gap_quantiles_deg");
     for (quantile, number) in quantiles.iter().zip([1.1, 2.0, 2.9]) {

@@ -1,4 +1,4 @@
-//! A case: everything that one computation needs, in SI units.
+//! A case: the physics of one computation, in SI units.
 //!
 //! ```
 //! use cageless::reference::Structure;
@@ -21,19 +21,16 @@ mod spatial_load;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
-use crate::fit::{OperatingClearance, REFERENCE_TEMPERATURE_C};
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
-use crate::lubrication::Lubrication;
 use crate::numerics::random::RandomStream;
 use crate::numerics::root;
 use crate::raceway::{Ends, Raceway, RacewayForm};
 use crate::rotating_ring::rotating_growth_m;
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
-use crate::touchdown::{Limit, PARTS, Thermal};
 
 pub use contact::{Contact, STRIPS_MAX};
 pub use space::SPATIAL_FIELDS;
@@ -210,18 +207,9 @@ pub struct Housing {
     pub damping_n_s_m: f64,
 }
 
-/// Observations of a run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Output {
-    /// Time between rows.
-    pub interval_s: f64,
-}
-
-/// One computation, complete.
+/// The physics of one computation, complete.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
-    /// Free text.
-    pub title: String,
     /// Rings and balls.
     pub bearing: Bearing,
     /// Discrete raceways; none for a conventional outer ring.
@@ -240,8 +228,6 @@ pub struct Case {
     pub start: Start,
     /// Integration.
     pub solver: Solver,
-    /// Seed of whatever is random.
-    pub seed: u64,
     /// Housing for the vibration of the outer ring.
     pub housing: Option<Housing>,
     /// Rotor that falls onto the inner ring at t = 0.
@@ -250,16 +236,6 @@ pub struct Case {
     pub support: Option<Support>,
     /// Rows of balls on one inner ring; none for a single row in the middle plane.
     pub rows: Vec<Row>,
-    /// What fits and temperatures have made of the clearance; the bearing has that in operation.
-    pub fit: Option<OperatingClearance>,
-    /// Lubricant, which ratings need and the motion does not take.
-    pub lubrication: Option<Lubrication>,
-    /// What the heat of drops warms; its default where the case does not say.
-    pub thermal: Thermal,
-    /// Limits on results.
-    pub limits: Vec<Limit>,
-    /// Output.
-    pub output: Output,
 }
 
 /// K of a ball between two raceways whose forces on it are equal, N·m^(−3/2).
@@ -272,9 +248,6 @@ pub const STEPS_MAX: f64 = 1e12;
 
 /// Shortest run that is accepted.
 pub(crate) const DURATION_MIN_S: f64 = 1e-15;
-
-/// Shortest time between rows.
-pub const INTERVAL_MIN_S: f64 = 1e-9;
 
 impl Case {
     /// N, balls of all rows.
@@ -295,13 +268,6 @@ impl Case {
         let rows = self.rows.iter().enumerate();
         let sprung = rows.filter(|(_, row)| row.preload_n > 0.0);
         sprung.map(|(row, _)| row).collect()
-    }
-
-    /// Temperatures of inner ring, balls and outer ring, °C: those of the fit, else that at which
-    /// clearances are stated.
-    pub fn parts_c(&self) -> [f64; PARTS] {
-        self.fit
-            .map_or([REFERENCE_TEMPERATURE_C; PARTS], |fit| fit.parts_c)
     }
 
     /// Growth of the diameter of the inner raceway at the largest speed of the inner ring, m: that of a free ring from

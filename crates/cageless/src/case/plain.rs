@@ -1,8 +1,6 @@
 //! The case of a bearing with every default.
 
-use super::{
-    Case, Contact, Gaps, Motion, Operation, Output, Solver, SpatialLoad, Start, StartState,
-};
+use super::{Case, Contact, Gaps, Motion, Operation, Solver, SpatialLoad, Start, StartState};
 use crate::bearing::Bearing;
 use crate::contact::FrictionParameters;
 use crate::flank_model::FlankModel;
@@ -19,10 +17,9 @@ impl Case {
     ///
     /// No raceway, elastic flanks, μ = 0.007 (lubricated) with the smooth law, contact damping 2·10⁵ N·s·m^(−3/2),
     /// restitution 0.95 between balls, balls evenly spaced in static equilibrium, g = 9.81 m/s², velocity Verlet over
-    /// 0.5 s with a step of 1 µs, a row of output each 0.1 ms.
+    /// 0.5 s with a step of 1 µs.
     pub fn of(bearing: Bearing) -> Self {
         Self {
-            title: String::new(),
             bearing,
             raceways: vec![],
             operation: Operation {
@@ -46,16 +43,10 @@ impl Case {
                 duration_s: 0.5,
                 transient_s: None,
             },
-            seed: 0,
             housing: None,
             rotor: None,
             support: None,
             rows: vec![],
-            fit: None,
-            lubrication: None,
-            thermal: Default::default(),
-            limits: vec![],
-            output: Output { interval_s: 1e-4 },
         }
     }
 

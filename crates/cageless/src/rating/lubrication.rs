@@ -1,10 +1,10 @@
 //! What ISO 281 and catalogues rate from the lubricant: viscosity ratio, modified life, minimum load.
 
-use super::basic_ratings::BasicRatings;
-use super::equivalent_load::EquivalentLoad;
+use super::Rating;
 use super::skf_friction::SkfFriction;
 use super::speed_factor::speed_factor_mm_rpm;
 use crate::case::Case;
+use crate::lubrication::Lubrication;
 
 /// Speed at which the equation of the reference viscosity changes, rpm.
 const SLOW_RPM: f64 = 1000.0;
@@ -72,14 +72,6 @@ pub fn minimum_radial_load_n(
     1000.0 * factor * film * (pitch_diameter_mm / 100.0).powi(2)
 }
 
-/// Load and lives of a bearing without regard to its lubricant.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Lives {
-    pub equivalent: Option<EquivalentLoad>,
-    pub l10_mrev: Option<f64>,
-    pub l10r_mrev: Option<f64>,
-}
-
 /// Ratings of a bearing with its lubricant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LubricatedRating {
@@ -102,9 +94,9 @@ pub struct LubricatedRating {
 }
 
 impl LubricatedRating {
-    /// Ratings of a case from its basic ratings and lives; `None` of a case without lubricant, and at standstill.
-    pub(super) fn new(case: &Case, basic: &BasicRatings, lives: Lives) -> Option<Self> {
-        let lubrication = case.lubrication.as_ref()?;
+    /// Ratings of a case with a lubricant from those without regard to it; `None` at standstill.
+    pub fn new(case: &Case, rating: &Rating, lubrication: &Lubrication) -> Option<Self> {
+        let basic = &rating.basic;
         let pitch_diameter_mm = 2e3 * case.bearing.pitch_radius_m();
         let speed_rpm = speed_factor_mm_rpm(case) / pitch_diameter_mm;
         if speed_rpm == 0.0 {
@@ -119,7 +111,7 @@ impl LubricatedRating {
             let load_ratio = lubrication.contamination_factor * limit_n / load_n;
             life_modification_factor(viscosity_ratio, load_ratio)
         };
-        let factor = lives.equivalent.and_then(|load| modified(load.dynamic_n));
+        let factor = rating.equivalent.and_then(|load| modified(load.dynamic_n));
         let reference = |life: f64| Some(modified(basic.dynamic_n / life.cbrt())? * life);
         let minimum = |kr| minimum_radial_load_n(kr, viscosity, speed_rpm, pitch_diameter_mm);
         Some(Self {
@@ -127,11 +119,11 @@ impl LubricatedRating {
             fatigue_load_limit_n: limit_n,
             life_modification_factor: factor,
             l10m_mrev: factor
-                .zip(lives.l10_mrev)
+                .zip(rating.l10_mrev)
                 .map(|(factor, life)| factor * life),
-            l10mr_mrev: lives.l10r_mrev.and_then(reference),
+            l10mr_mrev: rating.l10r_mrev.and_then(reference),
             minimum_radial_load_n: lubrication.minimum_load_factor.map(minimum),
-            skf_friction: (lives.equivalent)
+            skf_friction: (rating.equivalent)
                 .and_then(|_| SkfFriction::of(case, lubrication, basic)),
         })
     }

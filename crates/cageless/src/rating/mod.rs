@@ -42,7 +42,6 @@ pub use basic_ratings::{BasicRatings, dynamic_factor, static_factor};
 pub use equivalent_load::{EquivalentLoad, LoadFactors, RowArrangement};
 pub use friction_torque::{rolling_torque_n_m, skf_friction_torque_n_m};
 pub use load_distribution::rigid_ring_forces_n;
-use lubrication::Lives;
 pub use lubrication::{
     LubricatedRating, VISCOSITY_RATIO_MIN, life_modification_factor, minimum_radial_load_n,
     reference_viscosity_m2_s,
@@ -78,8 +77,6 @@ pub struct Rating {
     pub loaded_contact_angle_rad: Option<f64>,
     /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
     pub speed_factor_mm_rpm: f64,
-    /// Ratings with the lubricant; `None` of a case without one.
-    pub lubricated: Option<LubricatedRating>,
     /// Materials, of which the standards rate the first two.
     pub materials: RatedMaterials,
 }
@@ -144,18 +141,12 @@ impl Rating {
         let basic = BasicRatings::of_rows(bearing, case.rows.len().max(1));
         let equivalent = EquivalentLoad::new(case);
         let l10_mrev = equivalent.map(|load| basic.l10_mrev(load.dynamic_n));
-        let lives = Lives {
-            equivalent,
-            l10_mrev,
-            l10r_mrev,
-        };
         let peak_pa = equilibrium
             .inner_pressure_max_pa
             .max(equilibrium.outer_pressure_max_pa);
         Self {
             equivalent,
             l10_mrev,
-            lubricated: LubricatedRating::new(case, &basic, lives),
             l10r_mrev,
             l10r_at_speed_mrev: None,
             static_safety_factor: equivalent.map(|load| basic.static_safety_factor(load.static_n)),

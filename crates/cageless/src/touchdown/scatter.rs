@@ -109,10 +109,8 @@ impl Streams {
 
 impl Scatter {
     /// Drop `index` of an ensemble and what was drawn for it: the direction of the unbalances once,
-    /// all else for each bearing on its own. The same seed, that of the first case, and index give
-    /// the same drop.
-    pub fn draw(&self, drop: &RotorDrop, index: u64) -> (RotorDrop, Drawn) {
-        let seed = drop.cases()[0].seed;
+    /// all else for each bearing on its own. The same seed and index give the same drop.
+    pub fn draw(&self, drop: &RotorDrop, seed: u64, index: u64) -> (RotorDrop, Drawn) {
         let mut bearings = vec![];
         let mut scattered = drop.map_cases(|case| {
             let streams = Streams::of_bearing(seed, index, bearings.len());

@@ -13,7 +13,7 @@
 //!
 //! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //! // The run, its replicas from slightly and strongly perturbed starts, and those at half the step.
-//! let runs = replicas(&case, 2);
+//! let runs = replicas(&case, 0, 2);
 //! assert!(runs.iter().any(|replica| replica.role.half_step));
 //! ```
 
@@ -50,7 +50,7 @@ const FALSE_ALARM: f64 = 0.0027;
 /// predictability time.
 ///
 /// # Panics
-/// If the values are not those of `replicas(case, large)`, large ≥ 1.
+/// If the values are not those of `replicas(case, seed, large)`, large ≥ 1.
 pub fn judge<Q>(quantity: Q, values: &[(Role, f64)], scale: f64, lost: bool) -> Judgement<Q> {
     let [perturbed, full, half] = samples(values, |(role, _)| *role)
         .map(|sample| -> Vec<f64> { sample.into_iter().map(|(_, value)| *value).collect() });
@@ -117,7 +117,7 @@ impl Verification {
     /// The case is impossible.
     ///
     /// # Panics
-    /// If the records are not those of `replicas(case, far)`, far ≥ 1.
+    /// If the records are not those of `replicas(case, seed, far)`, far ≥ 1.
     pub fn new(case: &Case, records: &[Record]) -> Result<Self, InputError> {
         let [perturbed, full, half] = samples(records, |r| r.role);
         let divergence = Divergence::new(case, &perturbed, half[0])?;

@@ -98,10 +98,10 @@ impl From<EquilibriumError> for ReplicaError {
     }
 }
 
-/// The runs that a verification of `case` compares, in the order of [`Role::all`].
-pub fn replicas(case: &Case, large: usize) -> Vec<Replica> {
+/// The runs that a verification of `case` compares, in the order of [`Role::all`], which says what the seed does.
+pub fn replicas(case: &Case, seed: u64, large: usize) -> Vec<Replica> {
     let times_s = sample_times_s(case);
-    let roles = Role::all(case.seed, large).into_iter();
+    let roles = Role::all(seed, large).into_iter();
     roles
         .map(|role| Replica {
             role,

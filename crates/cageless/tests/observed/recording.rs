@@ -154,7 +154,7 @@ pub static RECORDING: LazyLock<Recording> = LazyLock::new(|| {
     let mut every = EveryStep::default();
     let mut summary = SummaryRecorder::new();
     let mut steady = SteadyRecorder::new();
-    let mut replica = replicas(&case, 1)[0].observer();
+    let mut replica = replicas(&case, 0, 1)[0].observer();
     let mut detector = CollisionDetector::new(|collision| {
         collisions.push(collision);
         Ok(())

@@ -15,7 +15,10 @@ const MAPS_MAX: usize = 8;
 impl Converter<'_> {
     /// The request of `[search]`.
     pub(in crate::case_file) fn search(&self, case: &Case) -> Result<Request, CaseError> {
-        let mut request = Request::from_case(case);
+        let mut request = Request {
+            seed: self.sections.solver.seed,
+            ..Request::from_case(case)
+        };
         let Some(search) = &self.sections.search else {
             return Ok(request);
         };

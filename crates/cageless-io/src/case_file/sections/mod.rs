@@ -59,7 +59,7 @@ sections! {
         Heading::Commented("fits and temperatures: the clearance in operation");
     lubrication: Option<cageless::Lubrication>, "the lubricant, for modified life and minimum load of `static`",
         Heading::Commented("lubricant, for modified life and minimum load of `static`");
-    output: cageless::Output, "what a run writes", Heading::Shown("");
+    output: output::OutputSection, "what a run writes", Heading::Shown("");
     steady: Option<steady::SteadySection>, "steady operation with real balls, for `compare`",
         Heading::Commented("steady operation with real balls, for `cageless compare`");
     search: Option<search::SearchSection>, "what a search for the raceway looks at",

@@ -154,7 +154,7 @@ fn structures_have_every_number_in_its_unit() {
     let (file, found) = found();
     let data = search_record(&file, &found, vec![], &[]);
     let values = ["starts", "critical_gap_min_fraction", "seed"].map(|name| data.number(name));
-    assert_eq!(values, [3.0, 0.7, file.case().seed as f64]);
+    assert_eq!(values, [3.0, 0.7, file.particulars().seed as f64]);
     let point = &data.parts("points")[1];
     close(point.number("inner_speed_rpm"), 9_549.296_586);
     assert_eq!(point.number("radial_load_n"), 70.0);

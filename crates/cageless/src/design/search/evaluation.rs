@@ -337,21 +337,23 @@ impl Batch<'_, '_> {
 
     /// Runs of a structure at one point.
     pub(super) fn motion_jobs_at(
+        &self,
         structure: &RacewayLayout,
         point: super::OperatingPoint,
         starts: u64,
     ) -> impl Iterator<Item = Job> {
-        (0..starts).map(move |start| Job {
+        let seed = self.request.seed;
+        (0..starts).map(move |number| Job {
             structure: structure.clone(),
             point,
-            task: Task::Motion(UnevenStart::Drawn(start)),
+            task: Task::Motion(UnevenStart::Drawn { seed, number }),
         })
     }
 
     fn motion_jobs(&self, structure: &RacewayLayout, starts: u64) -> Vec<Job> {
         let points = self.request.points.iter();
         points
-            .flat_map(|&point| Self::motion_jobs_at(structure, point, starts))
+            .flat_map(|&point| self.motion_jobs_at(structure, point, starts))
             .collect()
     }
 

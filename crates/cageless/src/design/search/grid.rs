@@ -223,7 +223,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
     }
     let starts = batch.request.starts;
     let jobs = places.iter().flat_map(|&(k, c)| {
-        Batch::motion_jobs_at(&maps[k].cells[c].structure, maps[k].point, starts)
+        batch.motion_jobs_at(&maps[k].cells[c].structure, maps[k].point, starts)
     });
     let jobs: Vec<Job> = jobs.collect();
     let outcomes = batch.execute(Stage::Map, &jobs)?;

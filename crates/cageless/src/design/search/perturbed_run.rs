@@ -122,8 +122,13 @@ impl From<EquilibriumError> for PerturbedRunError {
 /// Start of a perturbed run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UnevenStart {
-    /// Gaps drawn at random, by number.
-    Drawn(u64),
+    /// Gaps drawn at random.
+    Drawn {
+        /// Seed of all draws.
+        seed: u64,
+        /// Number of this one.
+        number: u64,
+    },
     /// All balls in one group.
     Bunched,
 }
@@ -132,7 +137,7 @@ impl UnevenStart {
     /// Orbits of a perturbed run from it.
     pub fn turns(self) -> f64 {
         match self {
-            Self::Drawn(_) => TURNS,
+            Self::Drawn { .. } => TURNS,
             Self::Bunched => BUNCHED_TURNS,
         }
     }
@@ -141,7 +146,7 @@ impl UnevenStart {
 impl std::fmt::Display for UnevenStart {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Drawn(number) => write!(f, "{number}"),
+            Self::Drawn { number, .. } => write!(f, "{number}"),
             Self::Bunched => f.write_str("bunched"),
         }
     }
@@ -217,7 +222,7 @@ pub fn perturbed_runs(
 /// `case` with this uneven start, as long as so many orbits of the balls.
 pub(crate) fn from_uneven_start(case: &Case, start: UnevenStart, orbits: f64) -> Case {
     let gaps = match start {
-        UnevenStart::Drawn(number) => Gaps::List(uneven_gaps_rad(case, case.seed, number)),
+        UnevenStart::Drawn { seed, number } => Gaps::List(uneven_gaps_rad(case, seed, number)),
         UnevenStart::Bunched => Gaps::bunched(&case.bearing),
     };
     let mut case = Case {

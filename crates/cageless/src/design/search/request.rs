@@ -30,6 +30,8 @@ pub struct Request {
     pub axial_load_max_n: f64,
     /// Uneven starts per structure, 1 or more.
     pub starts: u64,
+    /// Seed of the uneven starts.
+    pub seed: u64,
     /// Simulations of all balls at most, [`Request::budget_least`] or more; below the default, maps
     /// and candidates are coarser, too.
     pub budget: usize,
@@ -56,6 +58,7 @@ impl Request {
             critical_gap_min_fraction: STEADY_GAP.limit(),
             axial_load_max_n: 0.0,
             starts: 2,
+            seed: 0,
             budget: BUDGET,
         }
     }
