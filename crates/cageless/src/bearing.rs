@@ -250,7 +250,7 @@ impl Bearing {
 
     /// K at the inner raceway, at the plain outer raceway of ball `k`, and between it and the
     /// ball ahead, N·m^(−3/2).
-    pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
+    pub(crate) fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
         if self.deviations_m.is_empty() {
             return [
                 self.inner_contact.stiffness_n_m1_5,

@@ -106,6 +106,8 @@
 //! a ball from −Y, counter-clockwise positive. Balls are numbered along the
 //! motion: ball i+1 is ahead of ball i.
 
+#![cfg_attr(not(test), warn(unreachable_pub))]
+
 mod assembly;
 pub mod ball_advance;
 pub mod bearing;

@@ -85,7 +85,7 @@ impl SlipProblem {
     /// (1 − θ)·f₀ + θ·f₁: s₁ = (s_free − H·(1 − θ)·f₀) − H·θ·f₁, with θ of both contacts and
     /// `rest` = (1 − θ)·f₀.
     #[inline(always)]
-    pub fn split(&self, [outer, inner]: [f64; 2], rest: [f64; 2]) -> Self {
+    pub(crate) fn split(&self, [outer, inner]: [f64; 2], rest: [f64; 2]) -> Self {
         let [outer_free, inner_free] = self.slips(rest);
         Self {
             outer_free,

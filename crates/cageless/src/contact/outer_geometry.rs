@@ -77,7 +77,7 @@ impl RacewayPosition {
 
     /// Whether the ball is in the raceway.
     #[inline(always)]
-    pub fn inside(&self) -> bool {
+    pub(crate) fn inside(&self) -> bool {
         self.sine <= 1.0
     }
 }

@@ -42,7 +42,7 @@ lane_struct! {
 impl FrictionDirection {
     /// Direction of the circumference.
     #[inline(always)]
-    pub fn circumference(polar: &PolarMotion) -> Self {
+    pub(crate) fn circumference(polar: &PolarMotion) -> Self {
         Self {
             x: -polar.ey,
             y: polar.ex,
@@ -155,7 +155,7 @@ impl PublishedBall<'_> {
     /// Powers of the friction fo and fi, W, that friction against the sliding with the absolute spin would
     /// not have: that of its direction, and that of the relative spin.
     #[inline(always)]
-    pub fn powers(&self, [fo, fi]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn powers(&self, [fo, fi]: [f64; 2]) -> [f64; 2] {
         let (motion, polar) = (self.motion, self.polar);
         let along = self.direction.x * motion.vx + self.direction.y * motion.vy;
         let slip = outer_slip(self.outer, self.geometry, motion, polar);

@@ -146,7 +146,7 @@ impl BallLoad {
     /// Acceleration of the centre, m(ẍ, ÿ) = Σ F, and of the spin, J·dωb/dt = Σ M
     /// (Zhao 2022, Eq. (12) and Eq. (13)).
     #[inline(always)]
-    pub fn acceleration(&self, ball: &Ball) -> [f64; 3] {
+    pub(crate) fn acceleration(&self, ball: &Ball) -> [f64; 3] {
         [
             self.fx * ball.inverse_mass,
             self.fy * ball.inverse_mass,

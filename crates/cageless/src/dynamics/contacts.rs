@@ -128,7 +128,7 @@ impl Contacts<'_> {
 
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
     #[inline(always)]
-    pub fn sliding_max_m_s(&self) -> f64 {
+    pub(crate) fn sliding_max_m_s(&self) -> f64 {
         match self.parameters.layout.width() {
             1 => lane_maxima(&self.work.slip_max, true)[0],
             _ => lane_maxima(&self.work.slip_max, false)[self.bearing],
@@ -167,7 +167,7 @@ impl Contacts<'_> {
 
     /// Where ball `k` bears on the inner raceway.
     #[inline]
-    pub fn inner_point(&self, k: usize) -> RacewayPoint {
+    pub(crate) fn inner_point(&self, k: usize) -> RacewayPoint {
         match self.in_space(k) {
             Some(ball) => ball.inner_point(),
             None => RacewayPoint {
@@ -204,7 +204,7 @@ impl Contacts<'_> {
 
     /// Contacts of ball `k` in space; `None` in the plane.
     #[inline]
-    pub fn in_space(&self, k: usize) -> Option<BallContacts> {
+    pub(crate) fn in_space(&self, k: usize) -> Option<BallContacts> {
         self.space.map(|space| space.contacts(k))
     }
 
@@ -221,7 +221,7 @@ impl Contacts<'_> {
     }
 
     /// Contact of a shoulder of the rotor with the inner ring, if there is a rotor in space.
-    pub fn face(&self) -> Option<FaceContact> {
+    pub(crate) fn face(&self) -> Option<FaceContact> {
         let space = self.space.filter(|_| self.parameters.layout.has_rotor());
         space.map(|space| space.rotor.face)
     }

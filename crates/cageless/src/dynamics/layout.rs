@@ -77,12 +77,12 @@ impl Layout {
     }
 
     /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
-    pub fn side_by_side(self) -> Self {
+    pub(crate) fn side_by_side(self) -> Self {
         self.of_width(BATCH_WIDTH)
     }
 
     /// Layout for one such bearing alone.
-    pub fn alone(self) -> Self {
+    pub(crate) fn alone(self) -> Self {
         self.of_width(1)
     }
 
@@ -123,7 +123,7 @@ impl Layout {
 
     /// Whether balls and ring move in space.
     #[inline]
-    pub fn is_in_space(&self) -> bool {
+    pub(crate) fn is_in_space(&self) -> bool {
         self.of_ball.len() > BALL.len()
     }
 
@@ -176,7 +176,7 @@ impl Layout {
     }
 
     /// Entries of an array over the balls that are not padding.
-    pub fn entries(&self) -> usize {
+    pub(crate) fn entries(&self) -> usize {
         self.balls * self.width
     }
 
@@ -263,7 +263,7 @@ impl Layout {
     }
 
     /// Motion of ball `k` in a vector.
-    pub fn ball_motion(&self, values: &[f64], k: usize) -> BallMotion {
+    pub(crate) fn ball_motion(&self, values: &[f64], k: usize) -> BallMotion {
         let at = |coordinate| values[self.ball(coordinate, k)];
         BallMotion {
             x: at(BallCoordinate::X),
@@ -455,7 +455,7 @@ impl<'a> Balls<'a> {
 
     /// The ball behind ball `k` in its row.
     #[inline]
-    pub fn previous(&self, k: usize) -> usize {
+    pub(crate) fn previous(&self, k: usize) -> usize {
         match k.is_multiple_of(self.row) {
             true => k + self.row - 1,
             false => k - 1,

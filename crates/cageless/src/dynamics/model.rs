@@ -215,11 +215,6 @@ impl Model {
         self.friction.fault().or(journal.and_then(Friction::fault))
     }
 
-    /// Formulation of the equations.
-    pub fn formulation(&self) -> Formulation {
-        self.formulation
-    }
-
     /// N.
     pub fn balls(&self) -> usize {
         self.layout.balls
@@ -239,7 +234,7 @@ impl Model {
     }
 
     /// Angle between ball `k` and the ball ahead when they touch on the pitch circle.
-    pub fn pair_angle_rad(&self, k: usize) -> f64 {
+    pub(crate) fn pair_angle_rad(&self, k: usize) -> f64 {
         self.pair_angle[k]
     }
 

@@ -115,7 +115,7 @@ impl RightHandSide {
     }
 
     /// Instructions in use.
-    pub fn instruction_set(&self) -> InstructionSet {
+    pub(crate) fn instruction_set(&self) -> InstructionSet {
         self.isa
     }
 

@@ -56,7 +56,7 @@ const ROUNDING: f64 = 1e-9;
 
 impl RotorMatrices {
     /// Number of nodes.
-    pub fn nodes(&self) -> usize {
+    pub(crate) fn nodes(&self) -> usize {
         self.shaft() / NODE_COORDINATES
     }
 

@@ -106,22 +106,22 @@ macro_rules! lane_struct {
 
         #[allow(dead_code)] // some are only read, some only written
         impl $lanes {
-            pub const ZERO: Self = Self {
+            pub(crate) const ZERO: Self = Self {
                 $($field: $crate::numerics::lanes::Lanes::ZERO),*
             };
 
             #[inline(always)]
-            pub fn get(&self, lane: usize) -> $name {
+            pub(crate) fn get(&self, lane: usize) -> $name {
                 $name { $($field: self.$field.0[lane]),* }
             }
 
             #[inline(always)]
-            pub fn put(&mut self, lane: usize, value: $name) {
+            pub(crate) fn put(&mut self, lane: usize, value: $name) {
                 $(self.$field.0[lane] = value.$field;)*
             }
 
             /// The lanes filled one by one.
-            pub fn from_fn(value: impl Fn(usize) -> $name) -> Self {
+            pub(crate) fn from_fn(value: impl Fn(usize) -> $name) -> Self {
                 let mut lanes = Self::ZERO;
                 for lane in 0..$crate::numerics::lanes::LANES {
                     lanes.put(lane, value(lane));

@@ -64,18 +64,18 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// √(x² + y²), not 0.
-    pub fn hypot(self, other: Self) -> Self {
+    pub(crate) fn hypot(self, other: Self) -> Self {
         (self * self + other * other).sqrt()
     }
 
     /// Natural logarithm of a number above 0.
-    pub fn ln(self) -> Self {
+    pub(crate) fn ln(self) -> Self {
         let x = self.value;
         self.map([x.ln(), 1.0 / x, -1.0 / (x * x)])
     }
 
     /// ln(1 + x), above −1.
-    pub fn ln_1p(self) -> Self {
+    pub(crate) fn ln_1p(self) -> Self {
         let slope = 1.0 / (1.0 + self.value);
         self.map([self.value.ln_1p(), slope, -slope * slope])
     }
@@ -93,7 +93,7 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// sin x and cos x.
-    pub fn sin_cos(self) -> (Self, Self) {
+    pub(crate) fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (self.map([sin, cos, -sin]), self.map([cos, -sin, -cos]))
     }

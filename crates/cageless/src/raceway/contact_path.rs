@@ -87,12 +87,12 @@ impl ContactPath {
     }
 
     /// a (m⁻³), b (m⁻¹) and c (m) of Zhao 2022, Eq. (5).
-    pub fn coefficients(&self) -> [f64; 3] {
+    pub(crate) fn coefficients(&self) -> [f64; 3] {
         self.coefficients
     }
 
     /// Ro sin θ, where the path meets the plain raceway.
-    pub fn end_m(&self) -> f64 {
+    pub(crate) fn end_m(&self) -> f64 {
         self.groove_bottom_radius_m * self.half_angle_rad.sin()
     }
 
@@ -156,7 +156,7 @@ impl ContactPath {
     /// α, the contact angle at local ψ within ±θ (cos α = r/Rw, from the radial direction,
     /// branch z > 0), and dα/dψ. At the ends the slope is the limit from within; it is not
     /// 0 there, which is the kink.
-    pub fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
+    pub(crate) fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
         let theta = self.half_angle_rad;
         let local = local_angle_rad.abs().min(theta);
         // Beyond, α goes by its slope.

@@ -88,7 +88,7 @@ impl BasicRatings {
     }
 
     /// s0 = C0r/P0 of an equivalent static load P0 above 0.
-    pub fn static_safety_factor(&self, static_load_n: f64) -> f64 {
+    pub(crate) fn static_safety_factor(&self, static_load_n: f64) -> f64 {
         self.static_n / static_load_n
     }
 }

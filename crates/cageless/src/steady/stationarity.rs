@@ -20,7 +20,7 @@ impl Settling {
     pub const ALL: [Self; 3] = [Self::Spacing, Self::Contacts, Self::Force];
 
     /// Name in sentences.
-    pub fn label(self) -> &'static str {
+    pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Spacing => "the scatter of the gaps",
             Self::Contacts => "the rate of contacts between balls",

@@ -122,7 +122,7 @@ impl Arc {
     }
 
     /// Largest distance from the axis: at the ridge, or where it runs along z.
-    pub fn deepest_radius_m(&self) -> f64 {
+    pub(crate) fn deepest_radius_m(&self) -> f64 {
         if self.valley_rad() >= 0.0 {
             self.radius_m(self.ridge_height_m())
         } else {

@@ -10,7 +10,6 @@ use super::measured_groove::MeasuredGroove;
 use super::measured_raceway::{MeasuredFlank, MeasuredRaceway, NoRaceway};
 use super::measured_value::MeasuredValue;
 use super::points_error::PointsError;
-use super::pose::Pose;
 use super::recess::MeasuredSlot;
 use super::ring_fit::{RingFit, gate_m, robust_deviation_m};
 use crate::case::Case;
@@ -256,14 +255,6 @@ impl MeasuredRing {
             outliers,
             deviations,
         })
-    }
-
-    /// Where it lies in the machine.
-    pub fn pose(&self) -> Pose {
-        Pose {
-            shift_m: self.shift_m.map(|shift| shift.value),
-            tilt_rad: self.tilt_rad.map(|tilt| tilt.value),
-        }
     }
 }
 

@@ -160,7 +160,7 @@ impl Mesh {
 
 impl OuterRing {
     /// Radius at the bottom of the groove or of a slot at its deepest.
-    pub fn deepest_radius_m(&self) -> f64 {
+    pub(crate) fn deepest_radius_m(&self) -> f64 {
         let middles = self.sectors();
         let radii =
             (middles.iter()).map(|s| self.meridian_in(s, s.middle_rad()).deepest_radius_m());

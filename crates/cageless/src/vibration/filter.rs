@@ -49,7 +49,7 @@ impl Decimator {
     }
 
     /// Time between the values that are passed on.
-    pub fn interval_s(&self) -> f64 {
+    pub(crate) fn interval_s(&self) -> f64 {
         self.interval_s
     }
 

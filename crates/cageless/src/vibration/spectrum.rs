@@ -97,7 +97,7 @@ impl Welch {
     }
 
     /// The spectrum of what was taken so far.
-    pub fn spectrum(&self) -> Spectrum {
+    pub(crate) fn spectrum(&self) -> Spectrum {
         if self.stretches == 0 {
             return spectrum(&self.values, self.interval_s);
         }

@@ -99,7 +99,7 @@ impl FrictionTable {
     }
 
     /// Largest μ.
-    pub fn coefficient_max(&self) -> f64 {
+    pub(crate) fn coefficient_max(&self) -> f64 {
         self.points.iter().fold(0.0, |most, [_, mu]| mu.max(most))
     }
 
@@ -124,7 +124,7 @@ impl FrictionTable {
     }
 
     /// The table with every μ times `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
         let points = self.points.iter().map(|[v, mu]| [*v, mu * factor]);
         Self {
             points: points.collect(),

@@ -175,7 +175,7 @@ macro_rules! friction_laws {
 
         impl FrictionLanes {
             /// Constants lane by lane; all of one law, that of the first lane.
-            pub fn from_fn(value: impl Fn(usize) -> Friction) -> Self {
+            pub(crate) fn from_fn(value: impl Fn(usize) -> Friction) -> Self {
                 match value(0) {
                     $(Friction::$law(first) => Self::$law(LawLanes::filled(|lane| {
                         match value(lane) {

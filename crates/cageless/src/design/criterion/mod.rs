@@ -178,7 +178,7 @@ impl Criterion {
 
     /// The criterion that decides: the first that fails, else the one nearest to its limit; `None` without any, and
     /// where one that is not known might fail.
-    pub fn deciding(all: &[Self]) -> Option<Self> {
+    pub(crate) fn deciding(all: &[Self]) -> Option<Self> {
         let failed = all.iter().find(|c| c.is_known() && !c.is_met());
         let known = || all.iter().all(|c| c.is_known());
         let nearest = || {

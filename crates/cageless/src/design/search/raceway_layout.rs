@@ -31,7 +31,7 @@ const NEIGHBOURS: [f64; 2] = [0.02, 0.1];
 
 impl RacewayLayout {
     /// Whether it is so close to another that what more starts say of that is likely to hold for it, too.
-    pub fn is_near(&self, other: &Self) -> bool {
+    pub(crate) fn is_near(&self, other: &Self) -> bool {
         let differences = [
             self.axial_span_m / other.axial_span_m - 1.0,
             self.half_angle_rad / other.half_angle_rad - 1.0,

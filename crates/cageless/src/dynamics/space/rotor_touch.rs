@@ -68,7 +68,7 @@ impl RotorAlongAxis {
 
 /// Contact of a shoulder of the rotor with the face of the inner ring at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FaceContact {
+pub(crate) struct FaceContact {
     /// δ, m; negative: apart.
     pub deflection: f64,
     /// Force on the rotor along +Z, N: from the face at +Z it is negative.

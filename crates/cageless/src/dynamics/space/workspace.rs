@@ -60,7 +60,7 @@ impl BallContacts {
     }
 
     /// Angle of the force at the outer raceway, rad; NaN without contact.
-    pub fn outer_contact_angle_rad(&self) -> f64 {
+    pub(crate) fn outer_contact_angle_rad(&self) -> f64 {
         angle_rad(self.outer_force_n())
     }
 

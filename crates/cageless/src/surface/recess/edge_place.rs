@@ -13,7 +13,7 @@ pub enum EdgePlace {
 impl EdgePlace {
     /// Another place on its stretch.
     #[must_use]
-    pub fn moved(self, by_rad: f64) -> Self {
+    pub(crate) fn moved(self, by_rad: f64) -> Self {
         match self {
             Self::End(end, turn) => Self::End(end, turn + by_rad),
             Self::Straight(side, local) => Self::Straight(side, local + by_rad),
