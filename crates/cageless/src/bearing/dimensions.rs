@@ -53,7 +53,7 @@ pub(super) const ROUNDING_M: f64 = 1e-12;
 
 impl BearingDimensions {
     /// Bore radius of an inner ring of which none is given, m: 0.3 ball diameters below the groove.
-    pub(crate) fn bore_radius_estimate_m(&self) -> f64 {
+    pub fn bore_radius_estimate_m(&self) -> f64 {
         let bottom = self.inner_groove_bottom_radius_m;
         (bottom - WALL * (2.0 * self.ball_radius_m)).max(0.5 * bottom)
     }

@@ -340,7 +340,7 @@ impl Case {
 
     /// Force with which the largest axial preload of a row presses each of its balls between rings that
     /// nothing else moves, N.
-    pub(crate) fn axial_preload_n(&self) -> f64 {
+    pub fn axial_preload_n(&self) -> f64 {
         let most = |of: fn(&Row) -> f64| self.rows.iter().map(of).fold(0.0, f64::max);
         let by_displacement_n = self.pressed_along_axis(most(|row| row.preload_m))[0];
         match most(|row| row.preload_n) {
