@@ -1,7 +1,8 @@
 //! The two problems: a case for the error and one for the time, and the true end of the former.
 
 use anyhow::{Context, Result, bail, ensure};
-use cageless::dynamics::coordinates::{BALL, BallCoordinate, DROP, RingCoordinate};
+use cageless::dynamics::coordinates::{BALL, BallCoordinate, RingCoordinate};
+use cageless::world::body::{BodyKind, BodyRow};
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
@@ -111,7 +112,7 @@ pub fn start(case: &Case) -> Result<Vec<f64>> {
 }
 
 /// The motion without padding and energy ledger, in SI units: x of every ball, then y, vx, vy,
-/// spin, then the bodies in the order of [`DROP`].
+/// spin, then the bodies in the order of [`BodyKind::ALL`].
 pub fn motion(state: &State, values: &[f64]) -> Vec<f64> {
     let layout = state.layout();
     let bodies = layout.ring(RingCoordinate::X);
@@ -119,9 +120,15 @@ pub fn motion(state: &State, values: &[f64]) -> Vec<f64> {
         .into_iter()
         .map(|coordinate| layout.array(coordinate))
         .flat_map(|start| &values[start..start + layout.balls])
-        .chain(&values[bodies..bodies + if layout.has_rotor() { DROP.len() } else { 4 }])
+        .chain(&values[bodies..bodies + in_plane(layout.has_rotor()).count()])
         .copied()
         .collect()
+}
+
+/// Coordinates of the bodies that move in the plane.
+fn in_plane(under_rotor: bool) -> impl Iterator<Item = &'static BodyRow> {
+    let rows = BodyKind::ALL.into_iter().flat_map(BodyKind::table);
+    rows.filter(move |row| row.freedom.moves(false, under_rotor))
 }
 
 /// Scale of each entry of a motion of `len` entries of `balls` balls.
@@ -129,7 +136,7 @@ pub fn scales(balls: usize, len: usize) -> Vec<f64> {
     let of_balls = BALL
         .iter()
         .flat_map(|c| std::iter::repeat_n(c.error_scale, balls));
-    let bodies = DROP.iter().map(|c| c.error_scale);
+    let bodies = in_plane(true).map(|row| row.coordinate.error_scale);
     of_balls.chain(bodies).take(len).collect()
 }
 

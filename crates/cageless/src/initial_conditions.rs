@@ -14,9 +14,8 @@
 
 use crate::case::{Case, StartState, Tilt};
 use crate::control::Control;
-use crate::dynamics::ball::{BallMotion, Centre};
+use crate::dynamics::ball::BallMotion;
 use crate::dynamics::layout::Layout;
-use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::space::{self, SpatialEquilibrium};
 use crate::equilibrium::{
@@ -27,6 +26,7 @@ use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
 use crate::step_limits;
+use crate::world::body::{self, RestingRing};
 
 /// State at t = 0 and ψ of every ball.
 ///
@@ -56,16 +56,6 @@ pub fn initial_state_controlled(
     let (n, rows) = (bearing.balls(), case.all_rows());
     let pitch = bearing.pitch_radius_m();
     let mut state = State::zero(Layout::of_case(case));
-    if let Some(rotor) = &case.rotor {
-        state.set_rotor(RotorMotion {
-            x: rotor.x_m,
-            y: rotor.y_m,
-            vx: rotor.vx_m_s,
-            vy: rotor.vy_m_s,
-            angle: 0.0,
-            speed: rotor.speed_rad_s,
-        });
-    }
     // Every row alike.
     let angles = start_angles_rad(case).repeat(rows.len());
     let starts_at_rest = case.start.state == StartState::AtRest;
@@ -157,28 +147,21 @@ pub fn initial_state_controlled(
             state.set_ball_in_space(k, rest.z_m, [spin * across * sin, -spin * across * cos]);
         }
     }
-    state.set_ring(Centre {
-        x: ring[0],
-        y: ring[1],
-        ..Centre::default()
-    });
-    if state.layout().is_in_space() {
-        let held = match case.operation.space.tilt {
-            Tilt::Held { x_rad, y_rad } => [x_rad, y_rad],
-            Tilt::Free { .. } => [0.0; 2],
-        };
-        let rest = resting.as_ref();
-        let [x, y] = rest.map_or(held, |e| [e.tilt_x_rad, e.tilt_y_rad]);
-        let ring_z_m = rest.map_or(0.0, |e| e.ring_z_m);
-        state.set_ring_in_space(ring_z_m, [y, -x]);
-        if let Some(rotor) = &case.rotor {
-            state.set_rotor_in_space(ring_z_m + rotor.z_m, rotor.vz_m_s);
-        }
-        let in_rows = rows.iter().zip(&row_preload_m);
-        let sliding = in_rows.filter(|(row, _)| row.preload_n > 0.0);
-        for (k, (row, preload_m)) in sliding.enumerate() {
-            state.set_sliding(k, -row.contact_sign * preload_m);
-        }
+    let held = match case.operation.space.tilt {
+        Tilt::Held { x_rad, y_rad } => [x_rad, y_rad],
+        Tilt::Free { .. } => [0.0; 2],
+    };
+    let rest = resting.as_ref();
+    let [x_rad, y_rad] = rest.map_or(held, |e| [e.tilt_x_rad, e.tilt_y_rad]);
+    let resting_ring = RestingRing {
+        place_m: [ring[0], ring[1], rest.map_or(0.0, |e| e.ring_z_m)],
+        axis: [y_rad, -x_rad],
+    };
+    for (coordinate, value) in body::start(case, &resting_ring) {
+        state.set(coordinate, value);
+    }
+    for (k, z_m) in body::sliding_ring::start_m(&rows, &row_preload_m).enumerate() {
+        state.set_sliding(k, z_m);
     }
     Ok((state, angles))
 }

@@ -165,6 +165,7 @@ pub mod tolerance;
 pub mod touchdown;
 pub mod verification;
 pub mod vibration;
+pub mod world;
 
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};

@@ -14,13 +14,16 @@
 use crate::case::{Case, Gaps, Row, StartState, Tilt, series_stiffness_n_m1_5};
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
-use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::error::{Allowed, InputError};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::numerics::root::last_where;
 use crate::raceway::Raceway;
 use crate::rotor::Shaft;
+use crate::world::body::inner_ring::InnerRing;
+use crate::world::body::outer_ring::OuterRing;
+use crate::world::joint::journal::RotorContact;
+use crate::world::under_rotor::UnderRotor;
 
 impl Case {
     /// Sets the integration method, with its automatic step for this case.
@@ -279,10 +282,15 @@ impl Drop {
     /// The rotor falls to the bottom of the air gap onto the springs of its contact and of the
     /// balls, in series with the support: F = W + √(W² + 2·k·E), E its kinetic energy there.
     fn new(case: &Case) -> Self {
-        let Some((rotor, body)) = case.rotor.as_ref().zip(RotorBody::new(case)) else {
+        let bearing = &case.bearing;
+        let ring = InnerRing {
+            mass: bearing.dimensions().inner_ring_mass_kg,
+            ..InnerRing::default()
+        };
+        let under = UnderRotor::of_case(case, ring, OuterRing::default());
+        let Some((rotor, under)) = case.rotor.as_ref().zip(under) else {
             return Self::default();
         };
-        let bearing = &case.bearing;
         let weight = rotor.mass_kg * case.operation.gravity_m_s2;
         let height = match rotor.shaft {
             Shaft::Horizontal => rotor.journal_start_m()[1] + rotor.radial_clearance_m,
@@ -316,10 +324,8 @@ impl Drop {
             force = weight + (weight * weight + 2.0 * series * energy).sqrt() + unbalance;
         }
         let speed = (2.0 * energy / rotor.mass_kg).sqrt();
-        let mobility = body.slip_mobility(
-            &RotorContact::default(),
-            bearing.dimensions().inner_ring_mass_kg,
-        );
+        let bodies = (&under.rotor, &under.ring);
+        let mobility = (under.joint).slip_mobility(bodies, &RotorContact::default());
         let friction = if rotor.friction_law.sticks() {
             0.0
         } else {

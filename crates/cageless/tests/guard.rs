@@ -3,7 +3,9 @@
 use crate::common::{conventional, dimensions, drop_case, run_from};
 use cageless::dynamics::Model;
 use cageless::dynamics::ball::BallMotion;
-use cageless::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use cageless::dynamics::coordinates::{
+    BallCoordinate, BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
+};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
@@ -92,10 +94,10 @@ fn every_cause_has_its_limit() {
         // Along the chord the ball comes off the outer raceway, by less than it may.
         state.set_ball(0, near);
     });
-    let radial = |state: &mut State, x: DropCoordinate, y: DropCoordinate, distance: f64| {
+    let radial = |state: &mut State, x: RotorCoordinate, y: RotorCoordinate, distance: f64| {
         let layout = state.layout();
-        state.values_mut()[layout.drop(x)] = 0.6 * distance;
-        state.values_mut()[layout.drop(y)] = -0.8 * distance;
+        state.values_mut()[layout.body(x)] = 0.6 * distance;
+        state.values_mut()[layout.body(y)] = -0.8 * distance;
     };
     let gap = case.rotor.as_ref().unwrap().radial_clearance_m;
     at_limit(
@@ -103,12 +105,7 @@ fn every_cause_has_its_limit() {
         0.05 * 15e-3,
         &Cause::RotorThroughInnerRing,
         |state, depth| {
-            radial(
-                state,
-                DropCoordinate::RotorX,
-                DropCoordinate::RotorY,
-                gap + depth,
-            );
+            radial(state, RotorCoordinate::X, RotorCoordinate::Y, gap + depth);
         },
     );
 }
@@ -125,7 +122,7 @@ fn a_shoulder_has_its_limit() {
             &case,
             0.05 * 15e-3,
             &Cause::RotorThroughInnerRing,
-            |state, depth| state.set_rotor_in_space(side * (clearance_m + depth), 0.0),
+            |state, depth| state.set(RotorCoordinate::Z, side * (clearance_m + depth)),
         );
     }
 }
@@ -196,12 +193,12 @@ fn a_housing_that_leaves_its_support_is_seen() {
         let layout = state.layout();
         let shift = [0.6 * off, -0.8 * off];
         for (coordinate, by) in [
-            (DropCoordinate::OuterX, shift[0]),
-            (DropCoordinate::OuterY, shift[1]),
-            (DropCoordinate::RotorX, shift[0]),
-            (DropCoordinate::RotorY, shift[1]),
+            (BodyCoordinate::from(OuterRingCoordinate::X), shift[0]),
+            (OuterRingCoordinate::Y.into(), shift[1]),
+            (RotorCoordinate::X.into(), shift[0]),
+            (RotorCoordinate::Y.into(), shift[1]),
         ] {
-            state.values_mut()[layout.drop(coordinate)] = by;
+            state.values_mut()[layout.body(coordinate)] = by;
         }
         for (coordinate, by) in [(RingCoordinate::X, shift[0]), (RingCoordinate::Y, shift[1])] {
             state.values_mut()[layout.ring(coordinate)] = by;
@@ -227,7 +224,7 @@ fn every_coordinate_must_be_finite() {
     let layout = start.layout();
     let balls = BallCoordinate::ALL.into_iter();
     let balls = balls.flat_map(|c| (0..14).map(move |k| layout.ball(c, k)));
-    let drop = layout.drop(DropCoordinate::RotorX)..=layout.drop(DropCoordinate::RotorSpeed);
+    let drop = layout.body(RotorCoordinate::X)..=layout.body(RotorCoordinate::Speed);
     let ring = RingCoordinate::ALL.map(|c| layout.ring(c));
     for place in balls.chain(drop).chain(ring) {
         for bad in [f64::NAN, f64::INFINITY] {

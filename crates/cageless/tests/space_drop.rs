@@ -1,6 +1,8 @@
 //! A rotor that falls in space: onto rows with preload, and along a vertical axis.
 
-use cageless::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use cageless::dynamics::coordinates::{
+    BallCoordinate, BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
+};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
@@ -16,19 +18,21 @@ use cageless::{
 use crate::common::{complete, drop_case, raceway, steel};
 
 /// The coordinates of a drop in the plane beyond those of the inner ring.
-const OF_DROP: [DropCoordinate; 11] = [
-    DropCoordinate::RingSpeed,
-    DropCoordinate::OuterX,
-    DropCoordinate::OuterY,
-    DropCoordinate::OuterVx,
-    DropCoordinate::OuterVy,
-    DropCoordinate::RotorX,
-    DropCoordinate::RotorY,
-    DropCoordinate::RotorAngle,
-    DropCoordinate::RotorVx,
-    DropCoordinate::RotorVy,
-    DropCoordinate::RotorSpeed,
-];
+fn of_drop() -> [BodyCoordinate; 11] {
+    [
+        RingCoordinate::Speed.into(),
+        OuterRingCoordinate::X.into(),
+        OuterRingCoordinate::Y.into(),
+        OuterRingCoordinate::Vx.into(),
+        OuterRingCoordinate::Vy.into(),
+        RotorCoordinate::X.into(),
+        RotorCoordinate::Y.into(),
+        RotorCoordinate::Angle.into(),
+        RotorCoordinate::Vx.into(),
+        RotorCoordinate::Vy.into(),
+        RotorCoordinate::Speed.into(),
+    ]
+}
 
 /// Places of what a drop has in the plane, in the vector of a state.
 fn planar_places(state: &State) -> Vec<usize> {
@@ -36,7 +40,7 @@ fn planar_places(state: &State) -> Vec<usize> {
     let balls = BallCoordinate::ALL.into_iter();
     let balls = balls.flat_map(|c| (0..layout.balls).map(move |k| layout.ball(c, k)));
     let ring = RingCoordinate::ALL.map(|c| layout.ring(c));
-    let bodies = OF_DROP.map(|c| layout.drop(c));
+    let bodies = of_drop().map(|c| layout.body(c));
     let terms = EnergyTerm::ALL.map(|term| layout.energy_term(term));
     balls.chain(ring).chain(bodies).chain(terms).collect()
 }
@@ -258,23 +262,26 @@ fn a_row_of_a_drop_names_what_the_state_holds() {
     let (clearance_m, axial_m) = (r.radial_clearance_m, r.axial_clearance_m.unwrap());
     let (mut state, angles) = initial_state(&case).unwrap();
     let layout = state.layout();
-    let of_drop = [
-        (DropCoordinate::RingSpeed, 41.0),
-        (DropCoordinate::OuterX, 1e-6),
-        (DropCoordinate::OuterY, -2e-6),
-        (DropCoordinate::OuterZ, 3e-6),
-        (DropCoordinate::OuterVx, 0.011),
-        (DropCoordinate::OuterVy, -0.012),
-        (DropCoordinate::OuterVz, 0.013),
+    let of_drop: [(BodyCoordinate, f64); 15] = [
+        (RingCoordinate::Speed.into(), 41.0),
+        (OuterRingCoordinate::X.into(), 1e-6),
+        (OuterRingCoordinate::Y.into(), -2e-6),
+        (OuterRingCoordinate::Z.into(), 3e-6),
+        (OuterRingCoordinate::Vx.into(), 0.011),
+        (OuterRingCoordinate::Vy.into(), -0.012),
+        (OuterRingCoordinate::Vz.into(), 0.013),
         // 0.03 mm deep, 3-4-5 from the centre of the ring.
-        (DropCoordinate::RotorX, 4e-6 + 0.6 * (clearance_m + 3e-5)),
-        (DropCoordinate::RotorY, -5e-6 - 0.8 * (clearance_m + 3e-5)),
-        (DropCoordinate::RotorZ, 6e-6 + axial_m + 2e-5),
-        (DropCoordinate::RotorVx, 0.14),
-        (DropCoordinate::RotorVy, -0.15),
-        (DropCoordinate::RotorVz, 0.16),
-        (DropCoordinate::RotorAngle, 0.7),
-        (DropCoordinate::RotorSpeed, 310.0),
+        (RotorCoordinate::X.into(), 4e-6 + 0.6 * (clearance_m + 3e-5)),
+        (
+            RotorCoordinate::Y.into(),
+            -5e-6 - 0.8 * (clearance_m + 3e-5),
+        ),
+        (RotorCoordinate::Z.into(), 6e-6 + axial_m + 2e-5),
+        (RotorCoordinate::Vx.into(), 0.14),
+        (RotorCoordinate::Vy.into(), -0.15),
+        (RotorCoordinate::Vz.into(), 0.16),
+        (RotorCoordinate::Angle.into(), 0.7),
+        (RotorCoordinate::Speed.into(), 310.0),
     ];
     let of_ring = [
         (RingCoordinate::X, 4e-6),
@@ -285,7 +292,7 @@ fn a_row_of_a_drop_names_what_the_state_holds() {
         (RingCoordinate::Vz, 0.023),
     ];
     for (coordinate, value) in of_drop {
-        state.values_mut()[layout.drop(coordinate)] = value;
+        state.values_mut()[layout.body(coordinate)] = value;
     }
     for (coordinate, value) in of_ring {
         state.values_mut()[layout.ring(coordinate)] = value;
@@ -293,11 +300,11 @@ fn a_row_of_a_drop_names_what_the_state_holds() {
     let model = Model::new(&case).unwrap();
     let row = RightHandSide::new(&model).snapshot(0.0, &state, &angles);
     let (found, ring) = (row.rotor.unwrap(), row.ring);
-    let drop = |coordinate| state.values()[layout.drop(coordinate)];
+    let drop = |coordinate: RotorCoordinate| state.at(coordinate);
     for (name, found, expected) in [
-        ("x", found.x_m, drop(DropCoordinate::RotorX)),
-        ("y", found.y_m, drop(DropCoordinate::RotorY)),
-        ("z", found.z_m, drop(DropCoordinate::RotorZ)),
+        ("x", found.x_m, drop(RotorCoordinate::X)),
+        ("y", found.y_m, drop(RotorCoordinate::Y)),
+        ("z", found.z_m, drop(RotorCoordinate::Z)),
         ("vx", found.vx_m_s, 0.14),
         ("vy", found.vy_m_s, -0.15),
         ("vz", found.vz_m_s, 0.16),
@@ -393,19 +400,19 @@ fn a_turning_face_drags_a_translation() {
     (r.speed_rad_s, r.shoulder_radius_m, r.vx_m_s) = (speed, Some(radius), slow);
     r.z_m = 1e-4;
     let (mut state, _) = initial_state(&case).unwrap();
-    state.set_rotor_in_space(1e-4 + depth, 0.0);
+    state.set(RotorCoordinate::Z, 1e-4 + depth);
     let model = Model::new(&case).unwrap();
     let mut rates = vec![0.0; state.values().len()];
     RightHandSide::new(&model).derivative(0.0, state.values(), &mut rates);
-    let rate = |coordinate| rates[state.layout().drop(coordinate)];
+    let rate = |coordinate: BodyCoordinate| rates[state.layout().body(coordinate)];
     let (friction, force) = (0.15, 1e9 * depth);
     let expected = -0.5 * friction * force * slow / (speed * radius) / 20.0;
-    let found = rate(DropCoordinate::RotorVx);
+    let found = rate(RotorCoordinate::Vx.into());
     assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
     let torque = friction * force * radius;
-    let found = rate(DropCoordinate::RingSpeed);
+    let found = rate(RingCoordinate::Speed.into());
     assert!((found / (torque / 5.5e-5) - 1.0).abs() < 1e-6, "{found}");
-    let found = rate(DropCoordinate::RotorVz);
+    let found = rate(RotorCoordinate::Vz.into());
     assert!((found / (-force / 20.0) - 1.0).abs() < 1e-9, "{found}");
 }
 
@@ -419,12 +426,9 @@ fn friction_of_the_rotor_makes_heat_of_what_it_takes() {
     (r.x_m, r.y_m) = (2e-3 * 0.7_f64.cos(), 2e-3 * 0.7_f64.sin() - 1.999e-4);
     (r.vx_m_s, r.vz_m_s, r.speed_rad_s, r.z_m) = (0.3, 0.2, 40.0, 1e-4);
     let (mut state, _) = initial_state(&case).unwrap();
-    let motion = cageless::dynamics::rotor::RotorMotion {
-        y: rotor(&mut case).y_m - 2e-6,
-        ..state.rotor_motion().unwrap()
-    };
-    state.set_rotor(motion);
-    state.set_rotor_in_space(1e-4 + 3e-6, 0.2);
+    state.set(RotorCoordinate::Y, rotor(&mut case).y_m - 2e-6);
+    state.set(RotorCoordinate::Z, 1e-4 + 3e-6);
+    state.set(RotorCoordinate::Vz, 0.2);
     let model = Model::new(&case).unwrap();
     for h_s in [1e-6, 1e-4, 1e-2] {
         let mut rhs = RightHandSide::new(&model);
@@ -546,8 +550,11 @@ fn thrust_the_other_way_is_the_mirror_image() {
         (x.y - y.y).abs() < 1e-12 && (x.speed - y.speed).abs() < 1e-8,
         "{x:?} {y:?}"
     );
-    for coordinate in [DropCoordinate::RotorZ, DropCoordinate::OuterZ] {
-        let [x, y] = [&a, &b].map(|s| s.values()[s.layout().drop(coordinate)]);
+    for coordinate in [
+        BodyCoordinate::from(RotorCoordinate::Z),
+        OuterRingCoordinate::Z.into(),
+    ] {
+        let [x, y] = [&a, &b].map(|s| s.values()[s.layout().body(coordinate)]);
         assert!(x != 0.0 && (x + y).abs() < 1e-12, "{coordinate:?}: {x} {y}");
     }
 }

@@ -1,7 +1,9 @@
 //! A rotor with an axial coordinate above several bearings in space.
 
 use cageless::Case;
-use cageless::dynamics::coordinates::{DropCoordinate, RingCoordinate};
+use cageless::dynamics::coordinates::{
+    BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
+};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::simulation::{Control, RotorDrop, RunOutcome, run};
 
@@ -14,17 +16,17 @@ const STEP_S: f64 = 5e-7;
 fn bodies(outcome: &RunOutcome) -> Vec<f64> {
     let (state, layout) = (&outcome.state, outcome.state.layout());
     let of_drop = [
-        (DropCoordinate::RotorX, 1e-5),
-        (DropCoordinate::RotorY, 1e-5),
-        (DropCoordinate::RotorZ, 1e-5),
-        (DropCoordinate::RotorVz, 1e-2),
-        (DropCoordinate::RotorSpeed, 1.0),
-        (DropCoordinate::RingSpeed, 1.0),
-        (DropCoordinate::OuterZ, 1e-5),
+        (BodyCoordinate::from(RotorCoordinate::X), 1e-5),
+        (RotorCoordinate::Y.into(), 1e-5),
+        (RotorCoordinate::Z.into(), 1e-5),
+        (RotorCoordinate::Vz.into(), 1e-2),
+        (RotorCoordinate::Speed.into(), 1.0),
+        (RingCoordinate::Speed.into(), 1.0),
+        (OuterRingCoordinate::Z.into(), 1e-5),
     ];
     let of_ring = [(RingCoordinate::X, 1e-5), (RingCoordinate::Z, 1e-5)];
     let value = |place: usize, scale: f64| state.values()[place] / scale;
-    let drop = of_drop.map(|(c, scale)| value(layout.drop(c), scale));
+    let drop = of_drop.map(|(c, scale)| value(layout.body(c), scale));
     drop.into_iter()
         .chain(of_ring.map(|(c, scale)| value(layout.ring(c), scale)))
         .collect()
@@ -78,7 +80,7 @@ fn ledgers_close_along_the_axis() {
             let pair = &outcome.bearings[1].state;
             assert!(pair.energy_term_j(EnergyTerm::RotorFriction) > 0.0);
             let layout = pair.layout();
-            let moved = pair.values()[layout.drop(DropCoordinate::RotorZ)];
+            let moved = pair.values()[layout.body(RotorCoordinate::Z)];
             let bearings = outcome.bearings.iter().map(|b| b.energy_residual_relative);
             let rotor = outcome.rotor.unwrap().energy_residual_relative;
             let all: Vec<f64> = bearings.chain([rotor]).map(f64::abs).collect();
@@ -107,16 +109,16 @@ fn a_vertical_rotor_falls_freely_between_its_shoulders() {
     assert_eq!(drop.carried_n(), [Some(40.0 * g); 2]);
     let starts = RotorDrop::cases(&drop).iter().map(|case| {
         let (state, _) = cageless::initial_conditions::initial_state(case).unwrap();
-        state.values()[state.layout().drop(DropCoordinate::RotorZ)]
+        state.values()[state.layout().body(RotorCoordinate::Z)]
     });
     for (outcome, start) in dropped(&drop).bearings.iter().zip(starts) {
         let layout = outcome.state.layout();
-        let at = |c| outcome.state.values()[layout.drop(c)];
-        let fallen = at(DropCoordinate::RotorZ) - start;
+        let at = |c| outcome.state.values()[layout.body(c)];
+        let fallen = at(RotorCoordinate::Z) - start;
         assert!(
             (fallen - (1e-5 - 0.5 * g * 1e-6)).abs() < 1e-15,
             "{fallen:e}"
         );
-        assert!((at(DropCoordinate::RotorVz) - (0.01 - 1e-3 * g)).abs() < 1e-14);
+        assert!((at(RotorCoordinate::Vz) - (0.01 - 1e-3 * g)).abs() < 1e-14);
     }
 }

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use cageless::dynamics::coordinates::{
-    BallCoordinate, DropCoordinate, RingCoordinate, SlidingCoordinate,
+    BallCoordinate, BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
+    SlidingCoordinate,
 };
 use cageless::dynamics::state::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
@@ -259,8 +260,11 @@ fn axial_momentum_of_a_drop_on_springs_changes_by_the_support() {
     let balls: f64 = (0..28)
         .map(|k| rate[layout.ball(BallCoordinate::Vz, k)])
         .sum();
-    let [housing, rotor] =
-        [DropCoordinate::OuterVz, DropCoordinate::RotorVz].map(|c| rate[layout.drop(c)]);
+    let [housing, rotor] = [
+        BodyCoordinate::from(OuterRingCoordinate::Vz),
+        RotorCoordinate::Vz.into(),
+    ]
+    .map(|c| rate[layout.body(c)]);
     let support = case.support.as_ref().unwrap();
     let d = case.bearing.dimensions();
     let sum = case.bearing.ball_mass_kg() * balls

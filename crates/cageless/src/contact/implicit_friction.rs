@@ -15,24 +15,14 @@
 //! Laws with a slope are solved by Newton's method, those that stick by [`Law::end_of_step`].
 
 use super::friction::Law;
+use super::friction_step::{LAST_STEP, SLIDING};
 use super::slip_problem::{SlipProblem, Slips};
 use super::{InnerContact, InnerRaceway, OuterContact, OuterGeometry, inner_slip, outer_slip};
 use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
 
-/// Newton step at which the iteration ends, as a fraction of the slip scale. The friction is then
-/// linear over the step to within half the square of this fraction times μN, and the end of the
-/// step satisfies the linear equations exactly.
-const LAST_STEP: f64 = 0.05;
-
-/// Multiple of the slip scale from which on a contact slides: tanh misses 1 by less than 1e-3.
-const SLIDING: f64 = 4.0;
-
 /// Largest last step of a contact that slides, as a fraction of the slip scale, and the change of
 /// the friction over it, as a fraction of μN.
 const LAST_SLIDE: [f64; 2] = [1.0, 1e-3];
-
-/// Largest number of iterations; from anywhere some ten suffice.
-pub(crate) const MAX_ITERATIONS: u32 = 30;
 
 /// The two contacts of a ball with the raceways and what they slide against.
 #[derive(Debug, Clone, Copy)]
@@ -191,54 +181,11 @@ pub(crate) fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips)
     }
 }
 
-/// Weights θ of the end of a step in s₁ = s_free − H·((1 − θ)·f₀ + θ·f₁) for two contacts whose
-/// slips decay by z = H·df/ds over the step: (6 + 3z + z²)/(12 + 4z + z²).
-///
-/// It follows the exponentially fitted 1/(1 − e^(−z)) − 1/z from ½ + z/12 to 1 − 1/z: the
-/// trapezoidal rule of order 2 for sliding contacts, backward Euler, which damps any stiffness,
-/// for rolling ones (Hairer & Wanner, *Solving Ordinary Differential Equations II*,
-/// section IV.3).
-#[inline(always)]
-pub(crate) fn end_weights(rates: [f64; 2]) -> [f64; 2] {
-    // Squares of larger rates could overflow; 1 is exact to six digits there.
-    let [y, z] = [rates[0].min(1e6), rates[1].min(1e6)];
-    let [below_y, below_z] = [12.0 + (4.0 + y) * y, 12.0 + (4.0 + z) * z];
-    // One division for both.
-    let inverse = 1.0 / (below_y * below_z);
-    [
-        (6.0 + (3.0 + y) * y) * below_z * inverse,
-        (6.0 + (3.0 + z) * z) * below_y * inverse,
-    ]
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::contact::MAX_ITERATIONS;
     use crate::contact::friction::{Smooth, Stribeck};
-
-    /// ½ + z/12 for slow decay, 1 − 1/z for fast, and never far from the exponentially fitted
-    /// 1/(1 − e^(−z)) − 1/z; each contact by its own rate.
-    #[test]
-    fn weights_of_the_end_are_those_of_the_decay() {
-        for k in 0..160 {
-            let z = 10f64.powf(-8.0 + 0.1 * f64::from(k));
-            let [weight, other] = end_weights([z, 0.0]);
-            assert_eq!([other, weight], end_weights([0.0, z]));
-            assert!((other - 0.5).abs() < 1e-15);
-            if z < 0.1 {
-                let miss = (weight - 0.5 - z / 12.0).abs();
-                assert!(miss < 0.02 * z * z + 1e-15, "{z:e}: {miss:e}");
-            }
-            if z > 30.0 && z < 1e6 {
-                let miss = (weight - 1.0 + 1.0 / z).abs();
-                assert!(miss < 3.0 / (z * z) + 1e-15, "{z:e}: {miss:e}");
-            }
-            if z > 1e-3 {
-                let fitted = -1.0 / (-z).exp_m1() - 1.0 / z;
-                assert!((weight - fitted).abs() < 0.011, "{z:e}: {weight} {fitted}");
-            }
-        }
-    }
 
     /// A ball in plane contact.
     pub(crate) fn problem(free: [f64; 2], normal: [f64; 2], h_s: f64) -> SlipProblem {

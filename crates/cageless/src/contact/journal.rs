@@ -237,7 +237,7 @@ fn newton(
             low = low.max(at.slip);
         }
         let next = at.slip - miss / (1.0 + mobility * at.slope);
-        if (next - at.slip).abs() * law.inverse_regularisation_speed() <= LAST_STEP {
+        if (next - at.slip).abs() * law.inverse_regularisation_speed() <= EXACT {
             return [next, at.slope];
         }
         let within = next > low && next < high;
@@ -250,8 +250,8 @@ fn newton(
     [at.slip, at.slope]
 }
 
-/// Newton step at which the iteration ends, as a fraction of the slip scale.
-const LAST_STEP: f64 = 1e-6;
+/// Newton step at which the sliding speed is exact, as a fraction of the slip scale.
+const EXACT: f64 = 1e-6;
 /// More than bisection alone needs.
 const ITERATIONS_MAX: u32 = 100;
 

@@ -24,6 +24,7 @@ mod flank_section;
 mod flanks;
 pub mod flash_temperature;
 pub mod friction;
+pub(crate) mod friction_step;
 pub mod hertz;
 mod implicit_friction;
 mod inner;
@@ -43,8 +44,9 @@ pub(crate) use flanks::flank_contact;
 pub use friction::{
     Friction, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Law, OwnFriction, tanh,
 };
+pub(crate) use friction_step::{MAX_ITERATIONS, end_weights};
 pub use implicit_friction::RacewayContacts;
-pub(crate) use implicit_friction::{MAX_ITERATIONS, end_weights, further_step, newton_step};
+pub(crate) use implicit_friction::{further_step, newton_step};
 pub(crate) use inner::inner_load;
 pub use inner::{InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_slip};
 pub use journal::{Journal, JournalContact, JournalMotion, JournalSlip, journal_contact};

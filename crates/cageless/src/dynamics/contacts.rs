@@ -1,13 +1,14 @@
 //! The contacts of one bearing as of the last evaluation of the right-hand side.
 
 use super::ball::BallLanes;
-use super::rotor::RotorContact;
-use super::space::{BallContacts, FaceContact, SpaceWorkspace};
+use super::space::{BallContacts, SpaceWorkspace};
 use crate::contact::published::FrictionDirectionLanes;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes, lane_maxima, larger};
 use crate::raceway_contact::RacewayPoint;
 use crate::simd::{BlockResults, InstructionSet, Parameters, Workspace, with_instructions};
+use crate::world::joint::journal::RotorContact;
+use crate::world::joint::shoulder::FaceContact;
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
 #[derive(Clone, Copy)]

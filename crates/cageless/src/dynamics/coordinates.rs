@@ -7,6 +7,10 @@
 //! assert_eq!(BALL[2].kind, Kind::VelocityOf(0));
 //! ```
 
+pub use crate::world::body::{
+    BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate, SlidingCoordinate,
+};
+
 /// What a coordinate is, so that methods, norms and columns can follow from the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -31,7 +35,7 @@ pub struct Coordinate {
     pub kind: Kind,
 }
 
-const fn coordinate(
+pub(crate) const fn coordinate(
     name: &'static str,
     unit: &'static str,
     error_scale: f64,
@@ -107,160 +111,22 @@ pub const BALL_IN_SPACE: [Coordinate; 9] = [
     coordinate("omega_y_rad_s", "rad/s", 200.0, Kind::Rate),
 ];
 
-/// Index of a coordinate of the inner ring.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RingCoordinate {
-    /// X of the centre.
-    X,
-    /// Y of the centre.
-    Y,
-    /// Ẋ of the centre.
-    Vx,
-    /// Ẏ of the centre.
-    Vy,
-    /// In space: Z of the centre.
-    Z,
-    /// In space: p, x of the axis **a** = (p, q, √(1 − p² − q²)): the tilt about Y.
-    TiltP,
-    /// In space: q, y of the axis: the tilt about −X.
-    TiltQ,
-    /// In space: Ż of the centre.
-    Vz,
-    /// In space: ṗ.
-    TiltPRate,
-    /// In space: q̇.
-    TiltQRate,
+/// A position and its rate, by their places among coordinates of one kind.
+pub(crate) type Pair = [usize; 2];
+
+/// Positions of a table with their rates.
+pub(crate) fn second_order_pairs(table: &[Coordinate]) -> impl Iterator<Item = Pair> {
+    let pairs = table.iter().enumerate();
+    pairs.filter_map(|(rate, coordinate)| match coordinate.kind {
+        Kind::VelocityOf(position) => Some([position, rate]),
+        Kind::Position | Kind::Rate => None,
+    })
 }
 
-impl RingCoordinate {
-    /// All, in the order of the state vector.
-    pub const ALL: [Self; RING.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy];
-}
-
-/// Coordinates of the inner ring.
-pub const RING: [Coordinate; 4] = [
-    coordinate("ring_x_m", "m", 1e-5, Kind::Position),
-    coordinate("ring_y_m", "m", 1e-5, Kind::Position),
-    coordinate("ring_vx_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
-    coordinate("ring_vy_m_s", "m/s", 0.1, Kind::VelocityOf(1)),
-];
-
-/// Coordinates of the inner ring in space; those of the plane come first.
-pub const RING_IN_SPACE: [Coordinate; 10] = [
-    RING[0],
-    RING[1],
-    RING[2],
-    RING[3],
-    coordinate("ring_z_m", "m", 1e-5, Kind::Position),
-    coordinate("tilt_p", "1", 1e-3, Kind::Position),
-    coordinate("tilt_q", "1", 1e-3, Kind::Position),
-    coordinate("ring_vz_m_s", "m/s", 0.1, Kind::VelocityOf(4)),
-    coordinate("tilt_p_rate_per_s", "1/s", 10.0, Kind::VelocityOf(5)),
-    coordinate("tilt_q_rate_per_s", "1/s", 10.0, Kind::VelocityOf(6)),
-];
-
-/// Index of a coordinate of the bodies under a falling rotor, in the plane; those of the inner ring
-/// come first ([`RingCoordinate`]), more of them in space.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DropCoordinate {
-    /// ωi of the inner ring, counter-clockwise.
-    RingSpeed = RING.len() as isize,
-    /// x of the outer ring, from its rest place.
-    OuterX,
-    /// y of the outer ring, from its rest place.
-    OuterY,
-    /// ẋ of the outer ring.
-    OuterVx,
-    /// ẏ of the outer ring.
-    OuterVy,
-    /// x of the rotor's mass centre.
-    RotorX,
-    /// y of the rotor's mass centre.
-    RotorY,
-    /// θ of the rotor.
-    RotorAngle,
-    /// ẋ of the rotor's mass centre.
-    RotorVx,
-    /// ẏ of the rotor's mass centre.
-    RotorVy,
-    /// Ω of the rotor, counter-clockwise.
-    RotorSpeed,
-    /// In space: z of the outer ring, from its rest place.
-    OuterZ,
-    /// In space: ż of the outer ring.
-    OuterVz,
-    /// In space: z of the rotor; where it is that of the inner ring, its shoulders are as far from either
-    /// face.
-    RotorZ,
-    /// In space: ż of the rotor.
-    RotorVz,
-}
-
-/// Index of a coordinate of an outer ring that slides in its housing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SlidingCoordinate {
-    /// z of the ring, from where no preload displaces it.
-    Z,
-    /// ż of the ring.
-    Vz,
-}
-
-/// Coordinates of each outer ring that slides in its housing, pushed by the preload spring of its row.
-pub const SLIDING: [Coordinate; 2] = [
-    coordinate("outer_ring_z_m", "m", 1e-5, Kind::Position),
-    coordinate("outer_ring_vz_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
-];
-
-/// Coordinates of the bodies under a falling rotor.
-pub const DROP: [Coordinate; 15] = [
-    RING[0],
-    RING[1],
-    RING[2],
-    RING[3],
-    coordinate("ring_speed_rad_s", "rad/s", 1.0, Kind::Rate),
-    coordinate("housing_x_m", "m", 1e-5, Kind::Position),
-    coordinate("housing_y_m", "m", 1e-5, Kind::Position),
-    coordinate("housing_vx_m_s", "m/s", 0.1, Kind::VelocityOf(5)),
-    coordinate("housing_vy_m_s", "m/s", 0.1, Kind::VelocityOf(6)),
-    coordinate("rotor_x_m", "m", 1e-5, Kind::Position),
-    coordinate("rotor_y_m", "m", 1e-5, Kind::Position),
-    coordinate("rotor_angle_rad", "rad", 1e-3, Kind::Position),
-    coordinate("rotor_vx_m_s", "m/s", 0.1, Kind::VelocityOf(9)),
-    coordinate("rotor_vy_m_s", "m/s", 0.1, Kind::VelocityOf(10)),
-    coordinate("rotor_speed_rad_s", "rad/s", 1.0, Kind::VelocityOf(11)),
-];
-
-/// Coordinates of the bodies under a falling rotor in space: the inner ring, the others in the order of
-/// the plane, and what moves along the axis.
-pub const DROP_IN_SPACE: [Coordinate; 25] = {
-    let mut table = [RING_IN_SPACE[0]; 25];
-    let (ring, shift) = (RING_IN_SPACE.len(), RING_IN_SPACE.len() - RING.len());
-    let mut k = 0;
-    while k < ring {
-        table[k] = RING_IN_SPACE[k];
-        k += 1;
-    }
-    while k < DROP.len() + shift {
-        table[k] = DROP[k - shift];
-        if let Kind::VelocityOf(position) = table[k].kind {
-            table[k].kind = Kind::VelocityOf(position + shift);
-        }
-        k += 1;
-    }
-    table[k] = coordinate("housing_z_m", "m", 1e-5, Kind::Position);
-    table[k + 1] = coordinate("housing_vz_m_s", "m/s", 0.1, Kind::VelocityOf(k));
-    table[k + 2] = coordinate("rotor_z_m", "m", 1e-5, Kind::Position);
-    table[k + 3] = coordinate("rotor_vz_m_s", "m/s", 0.1, Kind::VelocityOf(k + 2));
-    table
-};
-
-/// A run of positions of a table and the run of their rates: first position, first rate, count.
-pub(crate) fn second_order_runs(table: &[Coordinate]) -> Vec<[usize; 3]> {
+/// Runs of positions and of their rates: first position, first rate, count.
+pub(crate) fn runs(pairs: impl Iterator<Item = Pair>) -> Vec<[usize; 3]> {
     let mut runs: Vec<[usize; 3]> = vec![];
-    for (rate, coordinate) in table.iter().enumerate() {
-        let Kind::VelocityOf(position) = coordinate.kind else {
-            continue;
-        };
+    for [position, rate] in pairs {
         match runs.last_mut() {
             Some([first, first_rate, count])
                 if *first + *count == position && *first_rate + *count == rate =>
@@ -286,26 +152,12 @@ mod tests {
         for (k, c) in BallCoordinate::IN_SPACE.into_iter().enumerate() {
             assert_eq!(c as usize, k);
         }
-        for (k, c) in RingCoordinate::ALL.into_iter().enumerate() {
-            assert_eq!(c as usize, k);
-        }
     }
 
     #[test]
     fn positions_and_rates_form_runs() {
-        assert_eq!(second_order_runs(&BALL), [[0, 2, 2]]);
-        assert_eq!(second_order_runs(&RING), [[0, 2, 2]]);
-        assert_eq!(second_order_runs(&BALL_IN_SPACE), [[0, 2, 2], [5, 6, 1]]);
-        assert_eq!(second_order_runs(&RING_IN_SPACE), [[0, 2, 2], [4, 7, 3]]);
-        assert_eq!(second_order_runs(&DROP), [[0, 2, 2], [5, 7, 2], [9, 12, 3]]);
-        assert_eq!(DROP[DropCoordinate::RotorSpeed as usize].unit, "rad/s");
-        assert_eq!(DropCoordinate::RotorSpeed as usize + 1, DROP.len());
-        let runs = second_order_runs(&DROP_IN_SPACE);
-        let of_ring = [[0, 2, 2], [4, 7, 3]];
-        let of_others = [[11, 13, 2], [15, 18, 3], [21, 22, 1], [23, 24, 1]];
-        assert_eq!(runs, [&of_ring[..], &of_others].concat());
-        let last = DropCoordinate::RotorVz as usize + RING_IN_SPACE.len() - RING.len();
-        assert_eq!(DROP_IN_SPACE[last].name, "rotor_vz_m_s");
-        assert_eq!(last + 1, DROP_IN_SPACE.len());
+        let of = |table: &[Coordinate]| runs(second_order_pairs(table));
+        assert_eq!(of(&BALL), [[0, 2, 2]]);
+        assert_eq!(of(&BALL_IN_SPACE), [[0, 2, 2], [5, 6, 1]]);
     }
 }

@@ -12,25 +12,26 @@
 
 use super::ball::{BallMotion, Centre};
 use super::coordinates::{
-    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, DROP, DROP_IN_SPACE, DropCoordinate, RING,
-    RING_IN_SPACE, RingCoordinate, SLIDING, SlidingCoordinate, second_order_runs,
+    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, Kind, runs, second_order_pairs,
 };
 use super::energy::EnergyTerm;
-use super::rotor::RotorMotion;
 use crate::case::Case;
 use crate::integrator::SecondOrderBlock;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES, Lanes};
 use crate::simd::{InstructionSet, with_instructions};
+use crate::world::body::{
+    BodyCoordinate, BodyKind, LONGEST, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
+    RotorMotion, SlidingCoordinate, sliding_ring,
+};
 
 /// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
 /// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
 /// other.
 ///
-/// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
-/// [`LANES`], so that whole vectors are computed either way; then those of the bodies
-/// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]). In space
-/// it is [`BALL_IN_SPACE`], [`RING_IN_SPACE`] and [`DROP_IN_SPACE`], and after the bodies those of the outer
-/// rings that slide ([`SLIDING`]), an array each.
+/// First the coordinates of the balls ([`BALL`], in space [`BALL_IN_SPACE`]), an array each, padded to a
+/// multiple of [`LANES`], so that whole vectors are computed either way; then those that move of each
+/// body ([`BodyKind::ALL`]) and those of the outer rings that slide, an array each; then the terms of
+/// the energy ledger ([`EnergyTerm`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// N, of all rows.
@@ -41,8 +42,10 @@ pub struct Layout {
     pub stride: usize,
     /// Coordinates of a ball.
     of_ball: &'static [Coordinate],
-    /// Coordinates of the bodies.
-    bodies: &'static [Coordinate],
+    /// Place of each coordinate of each body among those of all; [`HELD`] where it does not move.
+    bodies: [[u8; LONGEST]; BodyKind::ALL.len()],
+    /// Coordinates of the bodies that move.
+    moving: usize,
     /// Outer rings that slide.
     sliding: usize,
     /// Bearings side by side.
@@ -55,25 +58,42 @@ pub struct Layout {
     parts: [usize; 2],
 }
 
+/// Place of a coordinate that is held.
+const HELD: u8 = u8::MAX;
+
+/// What a bearing has.
+#[derive(Clone, Copy)]
+struct Contents {
+    balls: usize,
+    row: usize,
+    sliding: usize,
+    in_space: bool,
+    under_rotor: bool,
+}
+
 impl Layout {
     /// Layout of the bearing of a case, alone in its vector.
     pub fn of_case(case: &Case) -> Self {
-        let in_space = case.moves_in_space();
-        let of_ball: &[Coordinate] = if in_space { &BALL_IN_SPACE } else { &BALL };
-        let bodies: &[Coordinate] = match (in_space, case.rotor.is_some()) {
-            (false, false) => &RING,
-            (false, true) => &DROP,
-            (true, false) => &RING_IN_SPACE,
-            (true, true) => &DROP_IN_SPACE,
+        let contents = Contents {
+            balls: case.balls(),
+            row: case.bearing.balls(),
+            sliding: case.sprung_rows().len(),
+            in_space: case.moves_in_space(),
+            under_rotor: case.rotor.is_some(),
         };
-        let of_row = case.bearing.balls();
-        let sliding = case.sprung_rows().len();
-        Self::with_bodies([case.balls(), of_row], [of_ball, bodies], sliding, 1)
+        Self::with(contents, 1)
     }
 
     /// Layout for one bearing of `balls` balls.
     pub fn new(balls: usize) -> Self {
-        Self::with_bodies([balls; 2], [&BALL, &RING], 0, 1)
+        let contents = Contents {
+            balls,
+            row: balls,
+            sliding: 0,
+            in_space: false,
+            under_rotor: false,
+        };
+        Self::with(contents, 1)
     }
 
     /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
@@ -87,25 +107,45 @@ impl Layout {
     }
 
     fn of_width(self, width: usize) -> Self {
-        let tables = [self.of_ball, self.bodies];
-        Self::with_bodies([self.balls, self.row], tables, self.sliding, width)
+        let contents = Contents {
+            balls: self.balls,
+            row: self.row,
+            sliding: self.sliding,
+            in_space: self.is_in_space(),
+            under_rotor: self.has_rotor(),
+        };
+        Self::with(contents, width)
     }
 
-    fn with_bodies(
-        [balls, row]: [usize; 2],
-        [of_ball, bodies]: [&'static [Coordinate]; 2],
-        sliding: usize,
-        width: usize,
-    ) -> Self {
+    fn with(contents: Contents, width: usize) -> Self {
+        let Contents {
+            balls,
+            row,
+            sliding,
+            in_space,
+            under_rotor,
+        } = contents;
+        let of_ball: &[Coordinate] = if in_space { &BALL_IN_SPACE } else { &BALL };
+        let (mut bodies, mut moving) = ([[HELD; LONGEST]; BodyKind::ALL.len()], 0);
+        for body in BodyKind::ALL {
+            let places = bodies[body as usize].iter_mut();
+            for (place, row) in places.zip(body.table()) {
+                if row.freedom.moves(in_space, under_rotor) {
+                    (*place, moving) = (moving, moving + 1);
+                }
+            }
+        }
+        let moving = usize::from(moving);
         let stride = (balls * width).next_multiple_of(LANES);
         let of_balls = of_ball.len() * stride;
-        let of_bodies = (bodies.len() + SLIDING.len() * sliding) * width;
+        let of_bodies = (moving + sliding_ring::TABLE.len() * sliding) * width;
         Self {
             balls,
             row,
             stride,
             of_ball,
             bodies,
+            moving,
             sliding,
             width,
             bearing: 0,
@@ -118,7 +158,7 @@ impl Layout {
     /// support.
     #[inline]
     pub fn has_rotor(&self) -> bool {
-        self.bodies.len() >= DROP.len()
+        self.moves(RotorCoordinate::X)
     }
 
     /// Whether balls and ring move in space.
@@ -143,7 +183,7 @@ impl Layout {
     }
 
     /// Layout of this vector as a part, from `start` on, of one that holds other bodies as well.
-    pub fn at(self, start: usize) -> Self {
+    pub fn starting_at(self, start: usize) -> Self {
         Self { start, ..self }
     }
 
@@ -208,37 +248,60 @@ impl Layout {
     /// Place of a coordinate of the inner ring.
     #[inline]
     pub fn ring(&self, coordinate: RingCoordinate) -> usize {
-        self.body(coordinate as usize)
+        self.body(coordinate)
     }
 
-    /// Place of a coordinate of the bodies under a rotor.
+    /// Place of a coordinate of a body; it must move.
     #[inline]
-    pub fn drop(&self, coordinate: DropCoordinate) -> usize {
-        debug_assert!(self.has_rotor());
-        let more = if self.is_in_space() {
-            RING_IN_SPACE.len() - RING.len()
-        } else {
-            0
-        };
-        self.body(coordinate as usize + more)
+    pub fn body(&self, coordinate: impl Into<BodyCoordinate>) -> usize {
+        let BodyCoordinate { body, index } = coordinate.into();
+        let place = self.bodies[body as usize][index];
+        debug_assert!(place != HELD);
+        self.of_bodies(usize::from(place))
     }
 
-    /// Place of a coordinate of the bodies by its index in their table.
+    /// Whether a coordinate of a body moves.
     #[inline]
-    fn body(&self, index: usize) -> usize {
+    pub fn moves(&self, coordinate: impl Into<BodyCoordinate>) -> bool {
+        let BodyCoordinate { body, index } = coordinate.into();
+        self.bodies[body as usize][index] != HELD
+    }
+
+    /// Value of a coordinate of a body in a vector; 0 where it is held.
+    #[inline]
+    pub fn at(&self, values: &[f64], coordinate: impl Into<BodyCoordinate>) -> f64 {
+        let coordinate = coordinate.into();
+        match self.moves(coordinate) {
+            true => values[self.body(coordinate)],
+            false => 0.0,
+        }
+    }
+
+    /// Sets a coordinate of a body in a vector, unless it is held.
+    #[inline]
+    pub fn set(&self, values: &mut [f64], coordinate: impl Into<BodyCoordinate>, value: f64) {
+        let coordinate = coordinate.into();
+        if self.moves(coordinate) {
+            values[self.body(coordinate)] = value;
+        }
+    }
+
+    /// Place of a coordinate of the bodies by its number among those that move.
+    #[inline]
+    fn of_bodies(&self, index: usize) -> usize {
         self.start + self.parts[0] + index * self.width + self.bearing
     }
 
     /// Coordinates of the bodies, those of outer rings that slide included.
     fn body_coordinates(&self) -> usize {
-        self.bodies.len() + SLIDING.len() * self.sliding
+        self.moving + sliding_ring::TABLE.len() * self.sliding
     }
 
     /// Place of a coordinate of ring `k` of the outer rings that slide.
     #[inline]
     pub fn sliding(&self, coordinate: SlidingCoordinate, k: usize) -> usize {
         debug_assert!(k < self.sliding);
-        self.body(self.bodies.len() + coordinate as usize * self.sliding + k)
+        self.of_bodies(self.moving + coordinate as usize * self.sliding + k)
     }
 
     /// Place of a term of the energy ledger.
@@ -277,7 +340,7 @@ impl Layout {
     /// Motion of the centre of the inner ring in a vector.
     #[inline(always)] // into callers compiled for wider vectors
     pub fn ring_motion(&self, values: &[f64]) -> Centre {
-        let at = |coordinate| values[self.ring(coordinate)];
+        let at = |coordinate: RingCoordinate| values[self.ring(coordinate)];
         Centre {
             x: at(RingCoordinate::X),
             y: at(RingCoordinate::Y),
@@ -289,49 +352,36 @@ impl Layout {
     /// Motion of the centre of the outer ring in a vector; fixed at the origin without a rotor.
     #[inline(always)] // into callers compiled for wider vectors
     pub fn outer_ring_motion(&self, values: &[f64]) -> Centre {
-        if !self.has_rotor() {
+        if !self.moves(OuterRingCoordinate::X) {
             return Centre::default();
         }
-        let at = |coordinate| values[self.drop(coordinate)];
+        let at = |coordinate: OuterRingCoordinate| values[self.body(coordinate)];
         Centre {
-            x: at(DropCoordinate::OuterX),
-            y: at(DropCoordinate::OuterY),
-            vx: at(DropCoordinate::OuterVx),
-            vy: at(DropCoordinate::OuterVy),
+            x: at(OuterRingCoordinate::X),
+            y: at(OuterRingCoordinate::Y),
+            vx: at(OuterRingCoordinate::Vx),
+            vy: at(OuterRingCoordinate::Vy),
         }
     }
 
     /// z and ż of the outer ring in a vector; 0 in the plane, and without a rotor.
     #[inline(always)] // into callers compiled for wider vectors
     pub fn outer_ring_along_axis(&self, values: &[f64]) -> [f64; 2] {
-        if !(self.has_rotor() && self.is_in_space()) {
-            return [0.0; 2];
-        }
-        [DropCoordinate::OuterZ, DropCoordinate::OuterVz].map(|c| values[self.drop(c)])
+        [OuterRingCoordinate::Z, OuterRingCoordinate::Vz].map(|c| self.at(values, c))
     }
 
     /// Motion of the rotor in a vector, if there is one.
     #[inline(always)] // into callers compiled for wider vectors
     pub fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
-        if !self.has_rotor() {
-            return None;
-        }
-        let at = |coordinate| values[self.drop(coordinate)];
-        Some(RotorMotion {
-            x: at(DropCoordinate::RotorX),
-            y: at(DropCoordinate::RotorY),
-            vx: at(DropCoordinate::RotorVx),
-            vy: at(DropCoordinate::RotorVy),
-            angle: at(DropCoordinate::RotorAngle),
-            speed: at(DropCoordinate::RotorSpeed),
-        })
+        let at = |coordinate: RotorCoordinate| self.at(values, coordinate);
+        self.has_rotor().then(|| RotorMotion::new(at))
     }
 
     /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.
     #[inline]
     pub fn ring_speed_rad_s(&self, values: &[f64]) -> Option<f64> {
-        self.has_rotor()
-            .then(|| values[self.drop(DropCoordinate::RingSpeed)])
+        self.moves(RingCoordinate::Speed)
+            .then(|| values[self.body(RingCoordinate::Speed)])
     }
 
     /// One coordinate of the balls of this bearing in a vector.
@@ -354,8 +404,17 @@ impl Layout {
                 rates: start + rate * size,
                 count: count * size,
             };
-        let balls = second_order_runs(self.of_ball).into_iter();
-        let bodies = second_order_runs(self.bodies).into_iter();
+        let balls = runs(second_order_pairs(self.of_ball)).into_iter();
+        let of_bodies = BodyKind::ALL.into_iter().flat_map(|body| {
+            let places = self.bodies[body as usize].map(usize::from);
+            let rows = body.table().iter().zip(places);
+            let moving = rows.filter(|(_, place)| *place != usize::from(HELD));
+            moving.filter_map(move |(row, rate)| match row.coordinate.kind {
+                Kind::VelocityOf(position) => Some([places[position], rate]),
+                Kind::Position | Kind::Rate => None,
+            })
+        });
+        let bodies = runs(of_bodies).into_iter();
         balls
             .map(|run| block(run, self.start, self.stride))
             .chain(bodies.map(|run| block(run, self.start + self.parts[0], self.width)))
@@ -375,11 +434,16 @@ impl Layout {
             .iter()
             .enumerate()
             .flat_map(move |(i, c)| (0..layout.balls).map(move |k| (layout.of_table(i, k), c)));
-        let sliding = SLIDING
+        let sliding = sliding_ring::TABLE
             .iter()
             .flat_map(move |c| std::iter::repeat_n(c, layout.sliding));
-        let bodies = self.bodies.iter().chain(sliding).enumerate();
-        balls.chain(bodies.map(move |(k, c)| (layout.body(k), c)))
+        let bodies = BodyKind::ALL.into_iter().flat_map(move |body| {
+            let rows = body.table().iter().zip(layout.bodies[body as usize]);
+            let moving = rows.filter(|(_, place)| *place != HELD);
+            moving.map(|(row, _)| &row.coordinate)
+        });
+        let bodies = bodies.chain(sliding).enumerate();
+        balls.chain(bodies.map(move |(k, c)| (layout.of_bodies(k), c)))
     }
 
     /// Whether every coordinate of this bearing is finite.
@@ -415,7 +479,7 @@ impl Layout {
             (0..layout.balls).map(move |k| (layout.of_table(c, k), other.of_table(c, k)))
         });
         let rest = 0..self.body_coordinates() + self.energy_terms().len();
-        balls.chain(rest.map(move |k| (layout.body(k), other.body(k))))
+        balls.chain(rest.map(move |k| (layout.of_bodies(k), other.of_bodies(k))))
     }
 }
 

@@ -3,10 +3,7 @@
 use std::sync::Arc;
 
 use super::ball::{Ball, PolarMotion};
-use super::inner_ring::InnerRing;
 use super::layout::Layout;
-use super::outer_ring::OuterRing;
-use super::rotor::RotorBody;
 use super::space::SpaceModel;
 use crate::bearing::Bearing;
 use crate::case::Case;
@@ -24,6 +21,9 @@ use crate::outer_contact_geometry::{flank_section, outer_contact_geometry};
 use crate::raceway::{ContactPath, Piece, Raceway};
 use crate::step_limits::{self, StepLimits};
 use crate::time_table::TimeTable;
+use crate::world::body::inner_ring::InnerRing;
+use crate::world::body::outer_ring::OuterRing;
+use crate::world::under_rotor::UnderRotor;
 
 /// A stretch of a discrete raceway as the equations use it.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,8 +59,8 @@ pub struct Model {
     pub(crate) outer: OuterRaceway,
     pub(crate) inner: InnerRaceway,
     pub(crate) ring: InnerRing,
-    /// The rotor, if one falls.
-    pub(crate) rotor: Option<RotorBody>,
+    /// The bodies under a rotor, if one falls.
+    pub(crate) under_rotor: Option<UnderRotor>,
     pub(crate) outer_ring: OuterRing,
     /// Whether methods that can treat friction implicitly are to do so.
     pub(crate) implicit_friction: bool,
@@ -130,10 +130,19 @@ impl Model {
         let lightest = balls.iter().map(|b| b.mass).fold(f64::INFINITY, f64::min);
         let stick_gain = STICK_FRACTION * 2.0 / 7.0 * lightest / case.solver.step_s;
         let space = SpaceModel::new(case);
+        let ring = InnerRing {
+            mass: d.inner_ring_mass_kg,
+            polar_inertia: 0.0,
+            drag: d.inner_ring_damping_n_s_m,
+            radial_load: case.operation.radial_load_n,
+            gravity: case.operation.gravity_m_s2,
+        };
+        let sliding_kg = space.as_ref().map_or(0.0, SpaceModel::sliding_kg);
+        let outer_ring = OuterRing::new(case.support.as_ref(), sliding_kg);
         Ok(Self {
             layout: Layout::of_case(case),
-            rotor: RotorBody::new(case),
-            outer_ring: OuterRing::new(case.support.as_ref()),
+            under_rotor: UnderRotor::of_case(case, ring, outer_ring),
+            outer_ring,
             formulation: case.formulation,
             law: c.friction_law,
             inertia: (0..case.balls())
@@ -160,12 +169,7 @@ impl Model {
                 surface_speed: case.operation.inner_speed_rad_s * d.inner_groove_bottom_radius_m,
                 following: following_1_kg(bearing),
             },
-            ring: InnerRing {
-                mass: d.inner_ring_mass_kg,
-                drag: d.inner_ring_damping_n_s_m,
-                radial_load: case.operation.radial_load_n,
-                gravity: case.operation.gravity_m_s2,
-            },
+            ring,
             implicit_friction: space.is_some() || StepLimits::friction_is_stiff(case),
             ball_damped: alpha > 0.0,
             raceway_models: case
@@ -187,13 +191,8 @@ impl Model {
     /// Bearing of a rotor of this mass that rests on other bearings as well: the motion of the journal
     /// is given, and friction is implicit.
     pub(crate) fn guided(self, rotor_mass_kg: f64) -> Self {
-        let space = self.space.map(|space| SpaceModel {
-            rotor: (space.rotor).map(|along_axis| along_axis.guided(rotor_mass_kg)),
-            ..space
-        });
         Self {
-            rotor: self.rotor.map(RotorBody::guided),
-            space,
+            under_rotor: (self.under_rotor).map(|under| under.guided(rotor_mass_kg)),
             implicit_friction: true,
             ..self
         }
@@ -211,7 +210,7 @@ impl Model {
 
     /// First answer of a law of friction of one's own that cannot be.
     pub(crate) fn friction_fault(&self) -> Option<&FrictionFault> {
-        let journal = self.rotor.as_ref().map(|rotor| &rotor.friction);
+        let journal = (self.under_rotor.as_ref()).map(|under| &under.joint.friction);
         self.friction.fault().or(journal.and_then(Friction::fault))
     }
 
@@ -229,7 +228,7 @@ impl Model {
             self.unequal,
             self.flanks,
             self.implicit_friction,
-            self.rotor.is_some(),
+            self.layout,
         )
     }
 

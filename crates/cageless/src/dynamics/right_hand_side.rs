@@ -4,13 +4,11 @@
 use std::sync::Arc;
 
 use super::contacts::Contacts;
-use super::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use super::coordinates::{BallCoordinate, RingCoordinate, RotorCoordinate};
 use super::layout::Layout;
 use super::model::Model;
-use super::rotor::JournalCompliance;
 use super::space::{self, BallContacts, Drive, SpaceWorkspace};
 use super::state::State;
-use crate::contact::JournalContact;
 use crate::formulation::Formulation;
 use crate::integrator::{
     Integrator, Method, PlanarVelocities, SecondOrderBlock, System, UnresolvedStep,
@@ -20,6 +18,7 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 use crate::simd::{self, InstructionSet, Parameters, Workspace, with_instructions};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 use crate::time_table::TimeTable;
+use crate::world::body::rotor::JournalCompliance;
 
 /// Force on a journal along X, Y and Z, N, and its moment about the axis of the journal, N·m.
 pub(super) type JournalLoad = [f64; 4];
@@ -99,8 +98,8 @@ impl RightHandSide {
 
     /// Sets the torque of the drive of the rotor, N·m, from here on.
     pub(crate) fn set_drive_torque(&mut self, torque_n_m: f64) {
-        for (body, _) in &mut self.parameters.drops {
-            body.drive_torque = torque_n_m;
+        for under in &mut self.parameters.drops {
+            under.rotor.drive_torque = torque_n_m;
         }
     }
 
@@ -184,8 +183,8 @@ impl RightHandSide {
 
     /// Sets how the guided journal answers to loads from here on.
     pub(super) fn set_journal_compliance(&mut self, compliance: JournalCompliance) {
-        for (body, _) in &mut self.parameters.drops {
-            body.guide = Some(compliance);
+        for under in &mut self.parameters.drops {
+            under.rotor.guide = Some(compliance);
         }
     }
 
@@ -207,14 +206,10 @@ impl RightHandSide {
     }
 
     fn load_with(&self, normal_n: f64, friction_n: f64) -> JournalLoad {
-        let (body, _) = &self.parameters.drops[0];
-        let rotor = &self.work.rotors[0];
-        let contact = JournalContact {
-            force: normal_n,
-            ..rotor.contact
-        };
-        let force = contact.force_on_journal(friction_n);
-        [force[0], force[1], 0.0, body.moment(rotor, force)]
+        let joint = &self.parameters.drops[0].joint;
+        let loads = joint.loads(&self.work.rotors[0], normal_n, friction_n);
+        let [x, y, z] = loads.force;
+        [x, y, z, loads.moment]
     }
 
     /// Lets `integrator` make a step with the instructions of this right-hand side.
@@ -243,8 +238,8 @@ impl RightHandSide {
         };
         let [housing_z_m, housing_vz_m_s] = layout.outer_ring_along_axis(y);
         RotorSnapshot {
-            z_m: y[layout.drop(DropCoordinate::RotorZ)],
-            vz_m_s: y[layout.drop(DropCoordinate::RotorVz)],
+            z_m: layout.at(y, RotorCoordinate::Z),
+            vz_m_s: layout.at(y, RotorCoordinate::Vz),
             housing_z_m,
             housing_vz_m_s,
             shoulder_force_n: face.axial_force,
@@ -338,10 +333,7 @@ impl RightHandSide {
         let angle = |k, of: fn(&BallContacts) -> f64| {
             c.in_space(k).map_or(f64::NAN, |contacts| of(&contacts))
         };
-        let of_ring = |coordinate| match spatial {
-            true => state.values()[layout.ring(coordinate)],
-            false => 0.0,
-        };
+        let of_ring = |coordinate: RingCoordinate| state.at(coordinate);
         Snapshot {
             time_s,
             angle_rad: angle_rad.to_vec(),
@@ -474,7 +466,11 @@ impl System for RightHandSide {
         for contact in self.work.rotors.iter().take(self.parameters.drops.len()) {
             phase(contact.contact.deflection, contact.contact.force);
         }
-        if let Some(space) = self.space.as_ref().filter(|_| m.rotor.is_some()) {
+        if let Some(space) = self
+            .space
+            .as_ref()
+            .filter(|_| !self.parameters.drops.is_empty())
+        {
             let face = &space.rotor.face;
             phase(face.deflection, face.axial_force.abs());
         }
@@ -509,9 +505,11 @@ impl System for RightHandSide {
 
     /// Those of contacts, and the corners of what is given over time.
     fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
+        let under = self.parameters.drops.first();
         match (&self.models[0].space, &self.space) {
             (Some(space), Some(s)) => {
-                space::edges(space, &self.work, &s.rotor.face, values);
+                let face = under.map(|_| &s.rotor.face);
+                space::edges(space, &self.work, face, values);
                 simd::rotor_edges(&self.parameters, &self.work, y, values);
             }
             _ => simd::edges(&self.parameters, &self.work, y, values),

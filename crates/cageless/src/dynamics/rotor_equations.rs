@@ -3,8 +3,8 @@
 use nalgebra::{DVectorView, Vector2};
 
 use super::right_hand_side::JournalLoad;
-use super::rotor::JournalCompliance;
 use crate::linear_rotor::{DMatrix, DVector, LinearRotor};
+use crate::world::body::rotor::JournalCompliance;
 
 /// What acts on the rotor beside the bearings.
 #[derive(Debug, Clone, Copy, PartialEq)]

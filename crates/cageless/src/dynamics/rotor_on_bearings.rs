@@ -10,7 +10,7 @@ use std::sync::Arc;
 use nalgebra::DVectorView;
 
 use super::Model;
-use super::coordinates::{DROP, DropCoordinate};
+use super::coordinates::RotorCoordinate;
 use super::energy::EnergyTerm;
 use super::layout::Layout;
 use super::plane_path::PlanePath;
@@ -18,6 +18,7 @@ use super::right_hand_side::{RightHandSide, mix};
 use super::rotor_equations::{Motion, RotorEquations, RotorLoads, at};
 use crate::integrator::{SecondOrderBlock, System};
 use crate::linear_rotor::{Clearance, DVector, LinearRotor};
+use crate::world::body::rotor::TABLE;
 
 /// Term of the energy ledger of the rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +66,7 @@ impl<'m> RotorOnBearings<'m> {
         let mut start = 0;
         let mut layouts = vec![];
         for model in models {
-            layouts.push(model.layout.at(start));
+            layouts.push(model.layout.starting_at(start));
             start += model.layout.len();
         }
         let count = rotor.coordinates() + 2;
@@ -104,9 +105,7 @@ impl<'m> RotorOnBearings<'m> {
         [speed, axial_speed]: [f64; 2],
     ) {
         for (start, layout) in self.axial_start.iter_mut().zip(&self.layouts) {
-            if layout.is_in_space() {
-                *start = y[layout.drop(DropCoordinate::RotorZ)];
-            }
+            *start = layout.at(y, RotorCoordinate::Z);
         }
         let n = self.rotor.coordinates();
         let shapes = &self.rotor.shapes;
@@ -143,12 +142,10 @@ impl<'m> RotorOnBearings<'m> {
         for ((layout, rows), axial_start) in journals.zip(&self.axial_start) {
             let [x_m, y_m] = at(rows, &y[self.start..]);
             let [angle, z_m] = [y[self.start + n], axial_start + y[self.start + n + 1]];
-            y[layout.drop(DropCoordinate::RotorX)] = x_m;
-            y[layout.drop(DropCoordinate::RotorY)] = y_m;
-            y[layout.drop(DropCoordinate::RotorAngle)] = angle;
-            if layout.is_in_space() {
-                y[layout.drop(DropCoordinate::RotorZ)] = z_m;
-            }
+            layout.set(y, RotorCoordinate::X, x_m);
+            layout.set(y, RotorCoordinate::Y, y_m);
+            layout.set(y, RotorCoordinate::Angle, angle);
+            layout.set(y, RotorCoordinate::Z, z_m);
         }
         self.place_journal_rates(y);
     }
@@ -161,12 +158,10 @@ impl<'m> RotorOnBearings<'m> {
         for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
             let [vx, vy] = at(rows, &y[rates..]);
             let [speed, vz] = [y[rates + n], y[rates + n + 1]];
-            y[layout.drop(DropCoordinate::RotorVx)] = vx;
-            y[layout.drop(DropCoordinate::RotorVy)] = vy;
-            y[layout.drop(DropCoordinate::RotorSpeed)] = speed;
-            if layout.is_in_space() {
-                y[layout.drop(DropCoordinate::RotorVz)] = vz;
-            }
+            layout.set(y, RotorCoordinate::Vx, vx);
+            layout.set(y, RotorCoordinate::Vy, vy);
+            layout.set(y, RotorCoordinate::Speed, speed);
+            layout.set(y, RotorCoordinate::Vz, vz);
         }
     }
 
@@ -336,17 +331,16 @@ impl System for RotorOnBearings<'_> {
     fn error_norm(&self, difference: &[f64]) -> f64 {
         let n = self.rotor.coordinates();
         let own = &difference[self.start..];
-        let scale = |c: DropCoordinate| DROP[c as usize].error_scale;
+        let scale = |c: RotorCoordinate| TABLE[c as usize].coordinate.error_scale;
         // A normal coordinate is a displacement times √m.
         let root = self.rotor.mass_kg().sqrt();
-        let [place, rate] =
-            [DropCoordinate::RotorX, DropCoordinate::RotorVx].map(|c| root * scale(c));
+        let [place, rate] = [RotorCoordinate::X, RotorCoordinate::Vx].map(|c| root * scale(c));
         let lateral = (0..n).map(|k| (own[k] / place).powi(2) + (own[n + 2 + k] / rate).powi(2));
-        let turning = (own[n] / scale(DropCoordinate::RotorAngle)).powi(2)
-            + (own[2 * n + 2] / scale(DropCoordinate::RotorSpeed)).powi(2);
-        let along = (own[n + 1] / scale(DropCoordinate::RotorX)).powi(2)
-            + (own[2 * n + 3] / scale(DropCoordinate::RotorVx)).powi(2);
-        let moving = n + 1 + usize::from(self.layouts.iter().any(Layout::is_in_space));
+        let turning = (own[n] / scale(RotorCoordinate::Angle)).powi(2)
+            + (own[2 * n + 2] / scale(RotorCoordinate::Speed)).powi(2);
+        let along = (own[n + 1] / scale(RotorCoordinate::X)).powi(2)
+            + (own[2 * n + 3] / scale(RotorCoordinate::Vx)).powi(2);
+        let moving = n + 1 + usize::from(self.layouts.iter().any(|l| l.moves(RotorCoordinate::Z)));
         let sum = lateral.sum::<f64>() + turning + along;
         let rotor = (sum / (2 * moving) as f64).sqrt();
         let bearings = self.layouts.iter().map(|l| l.scaled_rms(difference));

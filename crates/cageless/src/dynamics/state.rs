@@ -10,10 +10,10 @@
 //! ```
 
 use super::ball::{BallMotion, Centre};
-use super::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate, SlidingCoordinate};
+use super::coordinates::BallCoordinate;
 use super::energy::EnergyTerm;
 use super::layout::Layout;
-use super::rotor::RotorMotion;
+use crate::world::body::{BodyCoordinate, RingCoordinate, RotorMotion, SlidingCoordinate};
 
 /// State of one bearing: the motion of balls and bodies, and the energy ledger.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,15 +135,14 @@ impl State {
         }
     }
 
-    /// Sets Z and the axis (p, q) of the inner ring in space.
-    pub(crate) fn set_ring_in_space(&mut self, z_m: f64, axis: [f64; 2]) {
-        for (coordinate, value) in [
-            (RingCoordinate::Z, z_m),
-            (RingCoordinate::TiltP, axis[0]),
-            (RingCoordinate::TiltQ, axis[1]),
-        ] {
-            self.values[self.layout.ring(coordinate)] = value;
-        }
+    /// Value of a coordinate of a body; 0 where it is held.
+    pub fn at(&self, coordinate: impl Into<BodyCoordinate>) -> f64 {
+        self.layout.at(&self.values, coordinate)
+    }
+
+    /// Sets a coordinate of a body, unless it is held.
+    pub fn set(&mut self, coordinate: impl Into<BodyCoordinate>, value: f64) {
+        self.layout.set(&mut self.values, coordinate, value);
     }
 
     /// Motion of the centre of the inner ring.
@@ -179,25 +178,8 @@ impl State {
     /// If there is none.
     pub fn set_rotor(&mut self, rotor: RotorMotion) {
         assert!(self.layout.has_rotor(), "a state with a rotor");
-        for (coordinate, value) in [
-            (DropCoordinate::RotorX, rotor.x),
-            (DropCoordinate::RotorY, rotor.y),
-            (DropCoordinate::RotorVx, rotor.vx),
-            (DropCoordinate::RotorVy, rotor.vy),
-            (DropCoordinate::RotorAngle, rotor.angle),
-            (DropCoordinate::RotorSpeed, rotor.speed),
-        ] {
-            self.values[self.layout.drop(coordinate)] = value;
-        }
-    }
-
-    /// Sets Z and Ż of the rotor in space.
-    pub fn set_rotor_in_space(&mut self, z_m: f64, vz_m_s: f64) {
-        for (coordinate, value) in [
-            (DropCoordinate::RotorZ, z_m),
-            (DropCoordinate::RotorVz, vz_m_s),
-        ] {
-            self.values[self.layout.drop(coordinate)] = value;
+        for (coordinate, value) in rotor.coordinates() {
+            self.set(coordinate, value);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::model::Model;
 use super::space;
 use super::state::State;
-use crate::contact::{ball_deflection, hertz, inner_deflection, journal_energy_j};
+use crate::contact::{ball_deflection, hertz, inner_deflection};
 
 /// Kinetic energy ½ m v², J.
 fn kinetic_j(mass: f64, vx: f64, vy: f64) -> f64 {
@@ -19,7 +19,8 @@ impl Model {
         }
         let ring = state.ring_motion();
         let outer_ring = state.outer_ring_motion();
-        let mut sum = kinetic_j(self.ring.mass, ring.vx, ring.vy) + self.rotor_energy_j(state);
+        let mut sum =
+            kinetic_j(self.ring.mass, ring.vx, ring.vy) + self.energy_under_rotor_j(state);
         for (k, ball) in self.balls.iter().enumerate() {
             let motion = state.ball_motion(k);
             let next = state.ball_motion((k + 1) % self.balls());
@@ -41,18 +42,10 @@ impl Model {
         sum
     }
 
-    /// Energy of rotor, turning inner ring and outer ring on its support, of the plane; 0 without a rotor.
-    pub(super) fn rotor_energy_j(&self, state: &State) -> f64 {
-        let (Some(body), Some(motion)) = (&self.rotor, state.rotor_motion()) else {
-            return 0.0;
-        };
-        let ring_speed = state.ring_speed_rad_s().unwrap_or(0.0);
-        let contact = body.contact(&motion, &state.ring_motion(), ring_speed);
-        kinetic_j(body.mass, motion.vx, motion.vy)
-            + 0.5 * body.polar_inertia * motion.speed * motion.speed
-            + 0.5 * body.ring_inertia * ring_speed * ring_speed
-            + journal_energy_j(&body.journal, contact.contact.deflection)
-            + self.outer_ring.energy_j(&state.outer_ring_motion())
+    /// Energy of the bodies under a rotor and of their joints; 0 without a rotor.
+    pub(super) fn energy_under_rotor_j(&self, state: &State) -> f64 {
+        let under = self.under_rotor.as_ref();
+        under.map_or(0.0, |under| under.energy_j(state.layout(), state.values()))
     }
 
     /// What the state lacks to balance its ledger: energy now − energy at the start −

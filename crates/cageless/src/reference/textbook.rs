@@ -1,6 +1,6 @@
 //! The equations of motion as one writes them down first: scalar, ball by ball, contact by contact,
 //! in the order of Zhao 2022, Eq. (12) to (22), `physical` formulation and smooth friction; of a drop
-//! with the bodies of [`DROP`](crate::dynamics::coordinates::DROP).
+//! with the bodies of [`BodyKind::ALL`](crate::world::body::BodyKind::ALL).
 //!
 //! Not slowed down on purpose: contacts that carry nothing are skipped, each pair of neighbours is
 //! looked at once, and the effective radius takes a few Newton steps on the contact path, Eq. (4),

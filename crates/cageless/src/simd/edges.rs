@@ -85,16 +85,17 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
 
 /// Edges of the contact of a rotor and of the stop of its support.
 pub(crate) fn rotor_edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f64>) {
-    if let Some((body, support)) = p.drops.first() {
+    if let Some(under) = p.drops.first() {
+        let (joint, support) = (&under.joint, &under.outer_ring.support);
         let contact = &w.rotors[0].contact;
         values.push(contact.deflection * PER_DEPTH);
-        if body.journal.damping > 0.0 {
-            let damping = 1.5 * body.journal.damping;
+        if joint.journal.damping > 0.0 {
+            let damping = 1.5 * joint.journal.damping;
             values.push(while_closed(contact.deflection, || {
                 1.0 + damping * contact.rate
             }));
         }
-        let edge = body.friction.edge(contact.slip);
+        let edge = joint.friction.edge(contact.slip);
         values.extend(edge.map(|edge| while_closed(contact.force, || edge)));
         if support.stop_stiffness > 0.0 {
             let motion = p.layout.outer_ring_motion(y);

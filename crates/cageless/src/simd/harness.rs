@@ -8,7 +8,7 @@ use super::implicit_friction;
 use super::motions::{CentreLanes, Motions, block_at, block_mut};
 use super::pairs::ball_contacts;
 use super::parameters::Parameters;
-use super::rotor::{add_with_rotor, outer_ring_reactions, ring_torques, rotor_and_ledger};
+use super::rotor::{add_with_rotor, outer_ring_reactions, ring_torques, set_rates_under_rotor};
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
 use crate::contact::{inner_contact, inner_load, outer_contact, outer_load, slope_force};
@@ -116,10 +116,15 @@ fn equations<const ROTOR: bool>(
     ball_contacts(p, w, y);
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
+        let (ring, layout) = (w.ring.get(bearing), p.layout.of_bearing(bearing));
         if ROTOR {
-            w.rotors[bearing] = rotor_and_ledger(p, bearing, &w.sums, y, dydt, raceway_friction);
+            let touch = p.drops[bearing].touch_in_plane(layout, y, raceway_friction);
+            let [x, y_force, _] = touch.loads.force;
+            ring_and_ledger(p, bearing, &ring, &w.sums, [x, y_force], dydt);
+            set_rates_under_rotor(p, bearing, &w.sums, &touch, y, dydt);
+            w.rotors[bearing] = touch.contact;
         } else {
-            ring_and_ledger(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
+            ring_and_ledger(p, bearing, &ring, &w.sums, [0.0; 2], dydt);
         }
     }
 }
@@ -248,19 +253,22 @@ pub(super) fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut
     }
 }
 
-/// Motion of the inner ring of one bearing and the powers of its energy ledger.
+/// Motion of the inner ring of one bearing, which pushes a rotor with a force, and the powers of its energy
+/// ledger.
 #[inline(always)]
 pub(super) fn ring_and_ledger(
     p: &Parameters,
     bearing: usize,
     motion: &Centre,
     sums: &Sums,
+    pushed: [f64; 2],
     dydt: &mut [f64],
 ) {
     let layout = p.layout.of_bearing(bearing);
     let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
     let ring = p.ring.get(bearing);
-    let [ax, ay] = ring.acceleration(motion, [total(Sum::RingX), total(Sum::RingY)]);
+    let [x, y] = [total(Sum::RingX) - pushed[0], total(Sum::RingY) - pushed[1]];
+    let [ax, ay] = ring.acceleration(motion, [x, y]);
     dydt[layout.ring(RingCoordinate::X)] = motion.vx;
     dydt[layout.ring(RingCoordinate::Y)] = motion.vy;
     dydt[layout.ring(RingCoordinate::Vx)] = ax;

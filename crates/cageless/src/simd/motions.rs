@@ -1,7 +1,7 @@
 //! Views of the state vector in lanes: the balls of a block, and the centres of the rings.
 
 use crate::dynamics::ball::{BallMotion, Centre};
-use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use crate::dynamics::coordinates::{BallCoordinate, OuterRingCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
@@ -66,7 +66,7 @@ fn of_bearings(layout: Layout, y: &[f64], start: usize) -> Lanes {
 /// Speed of the inner ring of each lane under a rotor, rad/s.
 #[inline(always)]
 pub(super) fn ring_speeds(layout: Layout, y: &[f64]) -> Lanes {
-    let first = layout.of_bearing(0).drop(DropCoordinate::RingSpeed);
+    let first = layout.of_bearing(0).ring(RingCoordinate::Speed);
     of_bearings(layout, y, first)
 }
 
@@ -88,7 +88,7 @@ impl CentreLanes {
     #[inline(always)]
     pub(super) fn outer_ring(layout: Layout, y: &[f64]) -> Self {
         let layout = layout.of_bearing(0);
-        Self::new(layout, y, OUTER_RING.map(|c| layout.drop(c)))
+        Self::new(layout, y, OuterRingCoordinate::ALL.map(|c| layout.body(c)))
     }
 
     /// The centre whose coordinates of the first bearing stand at `places`.
@@ -112,14 +112,6 @@ impl CentreLanes {
         }
     }
 }
-
-/// x, y, ẋ and ẏ of the outer ring.
-const OUTER_RING: [DropCoordinate; 4] = [
-    DropCoordinate::OuterX,
-    DropCoordinate::OuterY,
-    DropCoordinate::OuterVx,
-    DropCoordinate::OuterVy,
-];
 
 /// Centre of the outer ring in a lane: fixed at the origin unless it moves.
 #[inline(always)]

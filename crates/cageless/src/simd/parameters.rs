@@ -9,14 +9,13 @@ use crate::contact::{
 };
 use crate::dynamics::Model;
 use crate::dynamics::ball::{Ball, BallLanes};
-use crate::dynamics::inner_ring::InnerRingLanes;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::RacewayModel;
-use crate::dynamics::outer_ring::OuterRing;
-use crate::dynamics::rotor::RotorBody;
 use crate::flank_model::FlankModel;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::Lanes;
+use crate::world::body::inner_ring::InnerRingLanes;
+use crate::world::under_rotor::UnderRotor;
 
 /// Coefficients of a polynomial: of even and of odd powers.
 pub(super) type Polynomial = Vec<[Lanes; 2]>;
@@ -43,8 +42,8 @@ pub(crate) struct Parameters {
     pub unequal: bool,
     /// Whether the flanks of discrete raceways are elastic.
     pub elastic: bool,
-    /// Rotor and outer ring of each bearing; empty without rotors.
-    pub drops: Vec<(RotorBody, OuterRing)>,
+    /// The bodies under the rotor of each bearing; empty without rotors.
+    pub drops: Vec<UnderRotor>,
     pub friction: FrictionLanes,
     pub outer: OuterRacewayLanes,
     pub inner: InnerRacewayLanes,
@@ -112,7 +111,7 @@ impl Parameters {
             elastic: first.flanks == FlankModel::Elastic,
             drops: models
                 .iter()
-                .filter_map(|m| Some((m.rotor.clone()?, m.outer_ring)))
+                .filter_map(|m| m.under_rotor.clone())
                 .collect(),
             friction: FrictionLanes::from_fn(|lane| model(lane).friction.clone()),
             outer: OuterRacewayLanes::from_fn(|lane| model(lane).outer),

@@ -80,7 +80,7 @@ pub(crate) fn evaluate(
     }
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
-        ring_and_ledger(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
+        ring_and_ledger(p, bearing, &w.ring.get(bearing), &w.sums, [0.0; 2], dydt);
         for (place, power) in published_powers(p, &w.sums, bearing) {
             dydt[place] = power;
         }

@@ -9,15 +9,15 @@ use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
 use crate::contact::{
-    InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, journal_slip, outer_slip,
-    positive, with_law,
+    InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, outer_slip, positive,
+    with_law,
 };
 use crate::dynamics::ball::BallLanes;
-use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
+use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::layout::Layout;
-use crate::dynamics::rotor::{RotorBody, RotorContact, bore_motion};
 use crate::numerics::lanes::{LANES, Lanes};
+use crate::world::step_change::StepChange;
+use crate::world::under_rotor::{BallLoads, Touch};
 
 /// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
 /// without the weights.
@@ -54,82 +54,30 @@ pub(super) fn ring_torques(p: &Parameters, results: &BlockResults, addends: &mut
     }
 }
 
-/// Motion of inner ring, outer ring and rotor of one bearing and the powers of its energy ledger;
-/// without friction of the rotor if a method treats friction implicitly.
+/// Forces of the balls of one bearing on its rings.
 #[inline(always)]
-pub(super) fn rotor_and_ledger(
+fn ball_loads(p: &Parameters, bearing: usize, sums: &Sums) -> BallLoads {
+    let total = |sum: Sum| sums.total(sum, p.layout.width() == 1, bearing);
+    BallLoads {
+        ring_torque: total(Sum::RingTorque),
+        outer_ring: [total(Sum::OuterX), total(Sum::OuterY), 0.0],
+    }
+}
+
+/// Rates of the bodies under the rotor of one bearing but those of the inner ring, and the powers of its
+/// energy ledger.
+#[inline(always)]
+pub(super) fn set_rates_under_rotor(
     p: &Parameters,
     bearing: usize,
     sums: &Sums,
+    touch: &Touch,
     y: &[f64],
     dydt: &mut [f64],
-    with_friction: bool,
-) -> RotorContact {
+) {
     let layout = p.layout.of_bearing(bearing);
-    let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
-    let (body, outer_ring) = &p.drops[bearing];
-    let ring = p.ring.get(bearing);
-    let (motion, outer) = (layout.ring_motion(y), layout.outer_ring_motion(y));
-    let ring_speed = y[layout.drop(DropCoordinate::RingSpeed)];
-    let rotor = layout.rotor_motion(y).unwrap_or_default();
-    let mut contact = body.contact(&rotor, &motion, ring_speed);
-    if with_friction {
-        let c = &contact.contact;
-        [contact.friction, _] = body.friction.force(c.slip, c.force);
-    }
-    let friction = contact.friction;
-    let force = contact.contact.force_on_journal(friction);
-    let [ax, ay] = ring.acceleration(
-        &motion,
-        [total(Sum::RingX) - force[0], total(Sum::RingY) - force[1]],
-    );
-    for (coordinate, rate) in [
-        (RingCoordinate::X, motion.vx),
-        (RingCoordinate::Y, motion.vy),
-        (RingCoordinate::Vx, ax),
-        (RingCoordinate::Vy, ay),
-    ] {
-        dydt[layout.ring(coordinate)] = rate;
-    }
-    let torque = body.ring_torque(friction) + total(Sum::RingTorque);
-    let [ox, oy] = outer_ring.acceleration(&outer, [total(Sum::OuterX), total(Sum::OuterY)]);
-    let [gx, gy, spin] = body.acceleration(&contact, force);
-    for (coordinate, rate) in [
-        (DropCoordinate::RingSpeed, torque / body.ring_inertia),
-        (DropCoordinate::OuterX, outer.vx),
-        (DropCoordinate::OuterY, outer.vy),
-        (DropCoordinate::OuterVx, ox),
-        (DropCoordinate::OuterVy, oy),
-        (DropCoordinate::RotorX, rotor.vx),
-        (DropCoordinate::RotorY, rotor.vy),
-        (DropCoordinate::RotorAngle, rotor.speed),
-        (DropCoordinate::RotorVx, gx),
-        (DropCoordinate::RotorVy, gy),
-        (DropCoordinate::RotorSpeed, spin),
-    ] {
-        dydt[layout.drop(coordinate)] = rate;
-    }
-    for term in EnergyTerm::ALL {
-        dydt[layout.energy_term(term)] = match term {
-            EnergyTerm::Drive => body.drive_power(&rotor, &contact, force),
-            EnergyTerm::Weight => {
-                total(Sum::Weight) - ring.weight_n() * motion.vy - body.weight_n() * rotor.vy
-            }
-            EnergyTerm::InnerFriction => total(Sum::InnerFriction),
-            EnergyTerm::OuterFriction => total(Sum::OuterFriction),
-            EnergyTerm::BallFriction => total(Sum::BallFriction),
-            EnergyTerm::Damping => total(Sum::RacewayDamping) + total(Sum::BallDamping),
-            EnergyTerm::Drag => ring.drag * (motion.vx * motion.vx + motion.vy * motion.vy),
-            EnergyTerm::RotorFriction => friction * contact.contact.slip,
-            EnergyTerm::RotorDamping => contact.contact.damping_power,
-            EnergyTerm::SupportDamping => outer_ring.damping_power(&outer),
-            EnergyTerm::Load
-            | EnergyTerm::Centrifugal
-            | EnergyTerm::FrictionDirection
-            | EnergyTerm::RelativeSpin => 0.0,
-        };
-    }
-    contact
+    let balls = ball_loads(p, bearing, sums);
+    p.drops[bearing].set_rates(layout, (&balls, touch), y, dydt);
 }
 
 /// Adds friction at the raceways and at the journal over a step of `h_s`, see
@@ -165,11 +113,14 @@ pub(super) fn add_with_rotor(
         w.sums.add(&Sum::RING_FRICTION, &addends, alone, block);
     }
     for bearing in 0..p.layout.width() {
-        for (place, rate) in ring_friction(p, &w.sums, bearing) {
-            dydt[place] += rate;
-            y[place] += h_s * rate;
-        }
-        journal_friction(p, w, bearing, h_s, y0, y, dydt);
+        let mut change = StepChange {
+            layout: p.layout.of_bearing(bearing),
+            h_s,
+            y,
+            dydt,
+        };
+        add_ball_friction(p, &w.sums, bearing, &mut change);
+        journal_friction(p, w, bearing, y0, &mut change);
     }
     let (start, end) = (RingMotion::new(p, y0), RingMotion::new(p, y));
     let mut slip_max = Lanes::ZERO;
@@ -196,42 +147,29 @@ pub(super) fn add_with_rotor(
     w.slip_max = slip_max;
     w.slips_known = true;
     for bearing in 0..p.layout.width() {
-        let layout = p.layout.of_bearing(bearing);
+        let mut change = StepChange {
+            layout: p.layout.of_bearing(bearing),
+            h_s,
+            y,
+            dydt,
+        };
         for (term, sum) in [
             (EnergyTerm::InnerFriction, Sum::InnerFriction),
             (EnergyTerm::OuterFriction, Sum::OuterFriction),
         ] {
-            let heat = w.sums.total(sum, alone, bearing);
-            let place = layout.energy_term(term);
-            dydt[place] += heat;
-            y[place] += h_s * heat;
+            change.add_energy(term, w.sums.total(sum, alone, bearing));
         }
     }
 }
 
-/// Accelerations of both rings by the friction of the balls.
+/// Adds the friction of the balls to both rings.
 #[inline(always)]
-fn ring_friction(p: &Parameters, sums: &Sums, bearing: usize) -> [(usize, f64); 5] {
-    let layout = p.layout.of_bearing(bearing);
-    let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
-    let (body, outer_ring) = &p.drops[bearing];
+fn add_ball_friction(p: &Parameters, sums: &Sums, bearing: usize, change: &mut StepChange<'_>) {
+    let total = |sum: Sum| sums.total(sum, p.layout.width() == 1, bearing);
     let mass = p.ring.mass.0[bearing];
-    [
-        (layout.ring(RingCoordinate::Vx), total(Sum::RingX) / mass),
-        (layout.ring(RingCoordinate::Vy), total(Sum::RingY) / mass),
-        (
-            layout.drop(DropCoordinate::RingSpeed),
-            total(Sum::RingTorque) / body.ring_inertia,
-        ),
-        (
-            layout.drop(DropCoordinate::OuterVx),
-            total(Sum::OuterX) * outer_ring.inverse_mass,
-        ),
-        (
-            layout.drop(DropCoordinate::OuterVy),
-            total(Sum::OuterY) * outer_ring.inverse_mass,
-        ),
-    ]
+    change.add(RingCoordinate::Vx, total(Sum::RingX) / mass);
+    change.add(RingCoordinate::Vy, total(Sum::RingY) / mass);
+    p.drops[bearing].add_ball_friction(&ball_loads(p, bearing, sums), change);
 }
 
 /// Adds the friction between rotor and inner ring over the step, and its heat.
@@ -240,77 +178,39 @@ fn journal_friction(
     p: &Parameters,
     w: &mut Workspace,
     bearing: usize,
-    h_s: f64,
     y0: &[f64],
-    y: &mut [f64],
-    dydt: &mut [f64],
+    change: &mut StepChange<'_>,
 ) {
-    let layout = p.layout.of_bearing(bearing);
-    let (body, _) = &p.drops[bearing];
-    let mass = p.ring.mass.0[bearing];
-    let rotor = &mut w.rotors[bearing];
-    let normal = [rotor.contact.nx, rotor.contact.ny];
-    let sliding = |values: &[f64]| sliding_of_journal(layout, body, rotor, values);
-    let (start, free) = (sliding(y0), sliding(y));
-    let mobility = h_s * body.slip_mobility(rotor, mass);
-    let load = rotor.contact.force;
+    let (under, layout) = (&p.drops[bearing], change.layout);
+    let (joint, contact) = (&under.joint, &mut w.rotors[bearing]);
+    let start = under.slip(contact, layout, y0);
+    let free = under.slip(contact, layout, change.y);
+    let mobility = change.h_s * joint.slip_mobility((&under.rotor, &under.ring), contact);
+    let load = contact.contact.force;
     let before = w.rotor_slips[bearing];
-    let extrapolated = JournalSlip::at(rotor.contact.slip, &body.friction, load);
+    let extrapolated = JournalSlip::at(contact.contact.slip, &joint.friction, load);
     let weight = if !w.slips_known {
         1.0
-    } else if body.friction.sticks() {
+    } else if joint.friction.sticks() {
         sticking_weight(before.slip)
     } else {
         end_weights([mobility * positive(before.slope); 2])[0]
     };
     let given = (1.0 - weight) * before.friction;
     let end = implicit_slip(
-        &body.friction,
+        &joint.friction,
         free - mobility * given,
         weight * mobility,
         load,
         extrapolated,
     );
     let mean = given + weight * end.friction;
-    (rotor.friction, rotor.contact.slip) = (end.friction, end.slip);
+    (contact.friction, contact.contact.slip) = (end.friction, end.slip);
     w.rotor_slips[bearing] = end;
     w.rotor_friction_mean[bearing] = mean;
-    let force = [mean * normal[1], -mean * normal[0]];
-    let [vx, vy, spin] = body.added_acceleration(rotor, force);
-    for (place, rate) in [
-        (layout.ring(RingCoordinate::Vx), -force[0] / mass),
-        (layout.ring(RingCoordinate::Vy), -force[1] / mass),
-        (
-            layout.drop(DropCoordinate::RingSpeed),
-            body.ring_torque(mean) / body.ring_inertia,
-        ),
-        (layout.drop(DropCoordinate::RotorVx), vx),
-        (layout.drop(DropCoordinate::RotorVy), vy),
-        (layout.drop(DropCoordinate::RotorSpeed), spin),
-    ] {
-        dydt[place] += rate;
-        y[place] += h_s * rate;
-    }
+    let loads = joint.loads(contact, 0.0, mean);
     let heat = mean * 0.5 * (start + end.slip);
-    let place = layout.energy_term(EnergyTerm::RotorFriction);
-    dydt[place] += heat;
-    y[place] += h_s * heat;
-}
-
-/// Sliding speed of the journal in the bore along the directions of the last evaluation, m/s.
-#[inline(always)]
-fn sliding_of_journal(
-    layout: Layout,
-    body: &RotorBody,
-    rotor: &RotorContact,
-    values: &[f64],
-) -> f64 {
-    let motion = layout.rotor_motion(values).unwrap_or_default();
-    let speed = values[layout.drop(DropCoordinate::RingSpeed)];
-    let bore = bore_motion(&layout.ring_motion(values), speed);
-    let journal = body.journal_motion(&motion, rotor.offset);
-    let normal = [rotor.contact.nx, rotor.contact.ny];
-    journal_slip(&body.journal, normal, &journal, &bore)
+    under.add_touch_friction(&loads, heat, change);
 }
 
 /// Centres of both rings and the speed of the inner one, of each lane.

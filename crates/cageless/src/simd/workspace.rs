@@ -9,11 +9,11 @@ use crate::contact::{
     OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes,
 };
 use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
-use crate::dynamics::rotor::RotorContact;
 use crate::formulation::Formulation;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
+use crate::world::joint::journal::RotorContact;
 
 /// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
 /// knows that they do not overlap.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::case::Case;
 use crate::control::Control;
-use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate};
+use crate::dynamics::coordinates::{BallCoordinate, OuterRingCoordinate};
 use crate::dynamics::layout::{Balls, Layout};
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, Model, RightHandSide};
@@ -131,11 +131,11 @@ impl StepView<'_> {
 
     /// Centre of the outer ring at `time_s` within the step.
     pub(crate) fn outer_ring_at_m(&self, time_s: f64) -> [f64; 2] {
-        if !self.layout.has_rotor() {
-            return [0.0; 2];
-        }
-        [DropCoordinate::OuterX, DropCoordinate::OuterY]
-            .map(|c| self.step.interpolate(self.layout.drop(c), time_s))
+        let at = |c: OuterRingCoordinate| match self.layout.moves(c) {
+            true => self.step.interpolate(self.layout.body(c), time_s),
+            false => 0.0,
+        };
+        [at(OuterRingCoordinate::X), at(OuterRingCoordinate::Y)]
     }
 
     /// State at `time_s` within the step, by interpolation.

@@ -1,7 +1,6 @@
 //! Heat of the interfaces of a drop.
 
 use super::thermal::PARTS;
-use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::rotor::Rotor;
 use crate::simulation::StepView;
@@ -129,11 +128,7 @@ impl HeatHistory {
         let Some(motion) = layout.rotor_motion(y) else {
             return;
         };
-        let vz = match layout.is_in_space() {
-            true => y[layout.drop(DropCoordinate::RotorVz)],
-            false => 0.0,
-        };
-        let squared = motion.vx * motion.vx + motion.vy * motion.vy + vz * vz;
+        let squared = motion.vx * motion.vx + motion.vy * motion.vy + motion.vz * motion.vz;
         self.fall_j = self.fall_j.max(0.5 * rotor.mass_kg * squared);
         let mark = Mark {
             time_s: view.step.t1_s,

@@ -9,11 +9,11 @@ use super::whirl::{
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
-use crate::dynamics::coordinates::DropCoordinate;
-use crate::dynamics::outer_ring::OuterRing;
+use crate::dynamics::coordinates::RotorCoordinate;
 use crate::dynamics::state::State;
 use crate::rotor::{Rotor, Shaft};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
+use crate::world::joint::support::SupportJoint;
 
 /// Results of a drop, from t = 0 to the end of the run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -120,7 +120,7 @@ struct Dropped {
     peaks: ContactPeakTracker,
     collisions: ContactCounter,
     /// The outer ring, if it is on a support.
-    outer_ring: Option<OuterRing>,
+    support: Option<SupportJoint>,
     /// Z of the rotor in the middle between its shoulders, m.
     axial_origin_m: f64,
 }
@@ -210,7 +210,7 @@ impl DropRecorder {
             rotor_displacement_max_m: found.rotor_displacement_squared.sqrt(),
             shoulder_force_max_n: rotor.axial_clearance_m.map(|_| found.shoulder_force_n),
             rotor_axial_displacement_max_m: in_space.then_some(found.axial_displacement_m),
-            housing_force_max_n: (dropped.outer_ring).map(|_| found.housing_force_squared.sqrt()),
+            housing_force_max_n: (dropped.support).map(|_| found.housing_force_squared.sqrt()),
             housing_displacement_max_m: found.housing_displacement_squared.sqrt(),
             ring_speed_rad_s: state.ring_speed_rad_s().expect("a rotor"),
             rotor_speed_rad_s: state.rotor_motion().expect("a rotor").speed,
@@ -248,11 +248,9 @@ impl Dropped {
             found.rotor_displacement_squared = found.rotor_displacement_squared.max(squared);
         }
         let face = view.contacts.face().unwrap_or_default();
-        if view.layout().is_in_space() {
-            let z = view.step.y1[view.layout().drop(DropCoordinate::RotorZ)];
-            let displaced = (z - self.axial_origin_m).abs();
-            found.axial_displacement_m = found.axial_displacement_m.max(displaced);
-        }
+        let z = view.layout().at(&view.step.y1, RotorCoordinate::Z);
+        let displaced = (z - self.axial_origin_m).abs();
+        found.axial_displacement_m = found.axial_displacement_m.max(displaced);
         let force_n = contact.force.hypot(face.axial_force);
         let closed = force_n > 0.0;
         // That of what touches; of the journal, which the bore surrounds, also before it does.
@@ -294,13 +292,13 @@ impl Dropped {
     }
 
     fn support_force(&self, view: &StepView<'_>, found: &mut Found) {
-        let Some(outer_ring) = &self.outer_ring else {
+        let Some(support) = &self.support else {
             return;
         };
         let motion = view.layout().outer_ring_motion(&view.step.y1);
-        let [fx, fy] = outer_ring.support_force(&motion);
+        let [fx, fy] = support.force(&motion);
         let [z, vz] = view.layout().outer_ring_along_axis(&view.step.y1);
-        let fz = outer_ring.support_force_along_axis(z, vz);
+        let fz = support.force_along_axis([z, vz]);
         let square = |x: f64, y: f64, z: f64| x * x + y * y + z * z;
         found.housing_force_squared = found.housing_force_squared.max(square(fx, fy, fz));
         let displaced = square(motion.x, motion.y, z);
@@ -364,9 +362,9 @@ impl Observer for DropRecorder {
             rotor: rotor.clone(),
             peaks: ContactPeakTracker::new(case),
             collisions: ContactCounter::new(context.model),
-            outer_ring: (case.support.as_ref()).map(|support| OuterRing::new(Some(support))),
-            axial_origin_m: match layout.is_in_space() {
-                true => start[layout.drop(DropCoordinate::RotorZ)] - rotor.z_m,
+            support: case.support.as_ref().map(SupportJoint::new),
+            axial_origin_m: match layout.moves(RotorCoordinate::Z) {
+                true => layout.at(start, RotorCoordinate::Z) - rotor.z_m,
                 false => 0.0,
             },
         });

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::contact::published;
 use crate::dynamics::Contacts;
-use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
 use crate::formulation::Formulation;
@@ -56,19 +56,17 @@ fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
         true => of(BallCoordinate::Vz, RingCoordinate::Vz),
         false => 0.0,
     };
-    let Some((body, rotor)) = model.rotor.as_ref().zip(layout.rotor_motion(values)) else {
+    let under = model.under_rotor.as_ref();
+    let Some((under, rotor)) = under.zip(layout.rotor_motion(values)) else {
         return [x, y, z];
     };
     let (outer, mass) = (layout.outer_ring_motion(values), model.outer_ring.mass);
-    let rotor_vz = match layout.is_in_space() {
-        true => values[layout.drop(DropCoordinate::RotorVz)],
-        false => 0.0,
-    };
+    let own = under.rotor.mass;
     let [_, outer_vz] = layout.outer_ring_along_axis(values);
     [
-        x + body.mass * rotor.vx + mass * outer.vx,
-        y + body.mass * rotor.vy + mass * outer.vy,
-        z + body.mass * rotor_vz + mass * outer_vz,
+        x + own * rotor.vx + mass * outer.vx,
+        y + own * rotor.vy + mass * outer.vy,
+        z + own * rotor.vz + mass * outer_vz,
     ]
 }
 
@@ -78,19 +76,21 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> (
     let motion = layout.ring_motion(values);
     let ring = &model.ring;
     let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
-    let rotor = model.rotor.as_ref().map_or(0.0, |body| body.mass);
+    let rotor = (model.under_rotor.as_ref()).map_or(0.0, |under| under.rotor.mass);
     let weight = (ring.mass + balls + rotor) * ring.gravity;
     let outer = if model.outer_ring.mass > 0.0 {
         let outer_ring = layout.outer_ring_motion(values);
-        let [x, y] = model.outer_ring.support_force(&outer_ring);
-        let [z, vz] = layout.outer_ring_along_axis(values);
-        [-x, -y, -model.outer_ring.support_force_along_axis(z, vz)]
+        let support = &model.outer_ring.support;
+        let [x, y] = support.force(&outer_ring);
+        let along_axis = layout.outer_ring_along_axis(values);
+        [-x, -y, -support.force_along_axis(along_axis)]
     } else {
         outer
     };
     let (axial_load, vz, upward) = match &model.space {
         Some(space) => {
-            let load = space.axial_load + space.rotor.map_or(0.0, |rotor| rotor.load);
+            let rotor = model.under_rotor.as_ref();
+            let load = space.axial_load + rotor.map_or(0.0, |under| under.rotor.axial_load);
             (load, values[layout.ring(RingCoordinate::Vz)], space.upward)
         }
         None => (0.0, 0.0, 1),

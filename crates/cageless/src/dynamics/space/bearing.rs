@@ -45,4 +45,10 @@ impl Totals {
         let [fx, fy, fz, mx, my, mz] = self.ring;
         [Vector::new(fx, fy, fz), Vector::new(mx, my, mz)]
     }
+
+    /// Moment on the inner ring about its axis, N·m.
+    pub(super) fn torque_on(&self, ring: &RingMotion) -> f64 {
+        let [_, moment] = self.on_ring();
+        moment.dot(&ring.axis)
+    }
 }

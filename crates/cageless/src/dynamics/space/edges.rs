@@ -1,16 +1,19 @@
 //! Where the equations in space are not smooth: contacts that open, and the ends of raceways.
 
 use super::model::SpaceModel;
-use super::rotor_touch::FaceContact;
 use crate::numerics::lanes::LANES;
 use crate::simd::{PER_DEPTH, PER_SINE_SQUARE, Workspace};
+use crate::world::joint::shoulder::FaceContact;
 
-/// Appends the depths of contacts and the distances from the ends of raceways as of the last
-/// evaluation.
-pub(crate) fn edges(space: &SpaceModel, w: &Workspace, face: &FaceContact, values: &mut Vec<f64>) {
-    if space.rotor.is_some() {
-        values.push(face.deflection * PER_DEPTH);
-    }
+/// Appends the depths of contacts, that of the face of a rotor first, and the distances from the ends of
+/// raceways as of the last evaluation.
+pub(crate) fn edges(
+    space: &SpaceModel,
+    w: &Workspace,
+    face: Option<&FaceContact>,
+    values: &mut Vec<f64>,
+) {
+    values.extend(face.map(|face| face.deflection * PER_DEPTH));
     for k in 0..space.balls.len() {
         let (results, lane) = (&w.blocks[k / LANES], k % LANES);
         for depth in [

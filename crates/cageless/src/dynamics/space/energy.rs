@@ -3,7 +3,6 @@
 use super::evaluation::ball_motion;
 use super::model::SpaceModel;
 use super::ring::RingMotion;
-use super::rotor::energy_along_axis_j;
 use super::sliding::{outer_z_m, sliding_energy_j};
 use crate::contact::hertz;
 use crate::dynamics::model::Model;
@@ -18,10 +17,7 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
         sum += 0.5 * free.transverse * ring.axis_rate.norm_squared();
     }
     let outer_ring = layout.outer_ring_motion(y);
-    if let Some(along_axis) = &space.rotor {
-        sum += model.rotor_energy_j(state)
-            + energy_along_axis_j(model, (space, along_axis), layout, y);
-    }
+    sum += model.energy_under_rotor_j(state);
     sum += sliding_energy_j(space, layout, y);
     for (k, (ball, grooves)) in model.balls.iter().zip(&space.balls).enumerate() {
         let [place, velocity, rotation] = ball_motion(layout, y, k);

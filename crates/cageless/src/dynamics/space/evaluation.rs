@@ -7,7 +7,6 @@ use super::friction::{add_explicit_friction, outer_ring_velocity};
 use super::model::SpaceModel;
 use super::normal_contacts::{PLACE, normal_contacts};
 use super::ring::RingMotion;
-use super::rotor::rates_with_rotor;
 use super::sliding::{place_rings, sliding_rates};
 use super::workspace::SpaceWorkspace;
 use crate::contact::NormalForce;
@@ -17,6 +16,7 @@ use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes};
 use crate::simd::{Parameters, Workspace};
+use crate::world::under_rotor::BallLoads;
 
 /// Place, velocity and rotation of ball `k` in a vector.
 #[inline(always)]
@@ -74,16 +74,17 @@ pub(crate) fn evaluate(
     } else {
         0.0
     };
-    ring_rates(model, space, drive, &ring, &totals, dydt);
-    if space.rotor.is_some() {
-        rates_with_rotor(
-            (p, model, space),
-            (w, s),
-            &totals,
-            y,
-            dydt,
-            raceway_friction,
-        );
+    let under = p.drops.first();
+    let touch = under.map(|under| s.rotor.evaluate(under, layout, y, raceway_friction));
+    let pushed = touch.map_or([0.0; 3], |touch| touch.loads.force);
+    ring_rates((model, space, drive), &ring, &totals, pushed.into(), dydt);
+    if let Some((under, touch)) = under.zip(touch) {
+        let balls = BallLoads {
+            ring_torque: totals.torque_on(&ring),
+            outer_ring: s.outer_ring_force_n(),
+        };
+        w.rotors[0] = touch.contact;
+        under.set_rates(layout, (&balls, &touch), y, dydt);
     }
     if !space.sliding.is_empty() {
         sliding_rates((model, space), s, y, dydt);
@@ -183,13 +184,12 @@ fn ball_pairs(
     deepest
 }
 
-/// Rates of the inner ring and of the ledger.
+/// Rates of the inner ring, which pushes a rotor with a force, and of the ledger.
 fn ring_rates(
-    model: &Model,
-    space: &SpaceModel,
-    drive: Drive,
+    (model, space, drive): (&Model, &SpaceModel, Drive),
     ring: &RingMotion,
     totals: &Totals,
+    pushed: Vector,
     dydt: &mut [f64],
 ) {
     let layout = model.layout;
@@ -198,7 +198,7 @@ fn ring_rates(
     let mut weight = Vector::zeros();
     weight[space.upward] = -mass * model.ring.gravity;
     let [contacts, mut moment] = totals.on_ring();
-    let force = contacts + load + weight - ring.velocity * drag;
+    let force = (contacts - pushed) + load + weight - ring.velocity * drag;
     let acceleration = force / mass;
     let mut load_power = load.dot(&ring.velocity);
     let mut tilt = [0.0; 2];

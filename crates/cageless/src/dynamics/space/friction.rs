@@ -6,7 +6,6 @@ use super::frame::{FrameLanes, SIZE, TractionLanes};
 use super::model::SpaceModel;
 use super::newton::{begin, iterate, slide};
 use super::ring::RingMotion;
-use super::rotor::add_rotor_friction;
 use super::sliding::{add_sliding_friction, slide_as_evaluated, slide_as_in};
 use super::strips::SlidingLanes;
 use super::workspace::SpaceWorkspace;
@@ -14,8 +13,12 @@ use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
+use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes, larger};
 use crate::simd::{BlockResults, Workspace, block_mut};
+use crate::world::joint::rotor_touch::TouchStep;
+use crate::world::step_change::StepChange;
+use crate::world::under_rotor::{BallLoads, UnderRotor};
 
 /// Adds the friction of the last evaluation to the rates.
 #[inline(always)]
@@ -88,39 +91,34 @@ pub(crate) fn add_implicit_friction(
             }
         }
     }
-    let mut add = |place: usize, rate: f64| {
-        dydt[place] += rate;
-        y[place] += h_s * rate;
+    let mut change = StepChange {
+        layout,
+        h_s,
+        y,
+        dydt,
     };
-    let [force, moment] = totals.on_ring();
-    add(layout.ring(RingCoordinate::Vx), force.x / model.ring.mass);
-    add(layout.ring(RingCoordinate::Vy), force.y / model.ring.mass);
-    add(layout.ring(RingCoordinate::Vz), force.z / model.ring.mass);
-    if let Some(free) = &space.free_tilt {
-        let [p, q] = tilting_by(free, &s.ring, moment);
-        add(layout.ring(RingCoordinate::TiltPRate), p);
-        add(layout.ring(RingCoordinate::TiltQRate), q);
-    }
+    add_to_ring(model, space, &s.ring, &totals, &mut change);
     if !space.sliding.is_empty() {
-        add_sliding_friction((model, space), s, h_s, y, dydt);
+        add_sliding_friction((model, space), s, &mut change);
     }
-    if space.rotor.is_some() {
-        add_rotor_friction((p, model, space), (w, s), &totals, (h_s, y0), y, dydt);
+    let under = p.drops.first();
+    if let Some(under) = under {
+        add_rotor_friction(under, (w, s), &totals, y0, &mut change);
     }
-    if space.rotor.is_some() || !space.sliding.is_empty() {
+    if under.is_some() || !space.sliding.is_empty() {
         // The light inner ring turns, and outer rings slide, by the friction of the step.
-        let (ring, outer) = rings_of(y, &s.ring);
+        let (ring, outer) = rings_of(change.y, &s.ring);
         for (block, b) in s.blocks.iter_mut().enumerate() {
             end_with_rings(b, &ring, outer);
             if !space.sliding.is_empty() {
-                slide_as_in((model, space), b, [block, 1], y);
+                slide_as_in((model, space), b, [block, 1], change.y);
             }
         }
     }
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let (start, end) = (
             b.velocities(layout, y0, block),
-            b.velocities(layout, y, block),
+            b.velocities(layout, change.y, block),
         );
         powers(
             space,
@@ -133,19 +131,58 @@ pub(crate) fn add_implicit_friction(
     }
     s.known = true;
     // A rotor, whose work on the ring is within the ledger, takes the place of what turns the ring.
-    let driven = if space.rotor.is_some() { 0.0 } else { 1.0 };
-    for (term, power) in [
-        (
-            EnergyTerm::Drive,
-            -driven * drive.inner_speed * moment.dot(&s.ring.axis),
-        ),
-        (EnergyTerm::OuterFriction, totals.heat[0]),
-        (EnergyTerm::InnerFriction, totals.heat[1]),
-    ] {
-        let place = layout.energy_term(term);
-        dydt[place] += power;
-        y[place] += h_s * power;
+    let driven = if under.is_some() { 0.0 } else { 1.0 };
+    let torque = totals.torque_on(&s.ring);
+    change.add_energy(EnergyTerm::Drive, -driven * drive.inner_speed * torque);
+    change.add_energy(EnergyTerm::OuterFriction, totals.heat[0]);
+    change.add_energy(EnergyTerm::InnerFriction, totals.heat[1]);
+}
+
+/// Adds what the friction of the balls does to the inner ring over the step.
+fn add_to_ring(
+    model: &Model,
+    space: &SpaceModel,
+    ring: &RingMotion,
+    totals: &Totals,
+    change: &mut StepChange<'_>,
+) {
+    let [force, moment] = totals.on_ring();
+    change.add(RingCoordinate::Vx, force.x / model.ring.mass);
+    change.add(RingCoordinate::Vy, force.y / model.ring.mass);
+    change.add(RingCoordinate::Vz, force.z / model.ring.mass);
+    if let Some(free) = &space.free_tilt {
+        let [p, q] = tilting_by(free, ring, moment);
+        change.add(RingCoordinate::TiltPRate, p);
+        change.add(RingCoordinate::TiltQRate, q);
     }
+}
+
+/// Adds what the friction of the balls does to the bodies under a rotor over the step, then the friction of
+/// the rotor itself.
+#[inline(never)] // once for all instruction sets
+fn add_rotor_friction(
+    under: &UnderRotor,
+    (w, s): (&mut Workspace, &mut SpaceWorkspace),
+    totals: &Totals,
+    y0: &[f64],
+    change: &mut StepChange<'_>,
+) {
+    let balls = BallLoads {
+        ring_torque: totals.torque_on(&s.ring),
+        outer_ring: totals.outer_ring,
+    };
+    under.add_ball_friction(&balls, change);
+    let step = TouchStep {
+        h_s: change.h_s,
+        is_known: s.known,
+        start: y0,
+        free: change.y,
+    };
+    let contact = &mut w.rotors[0];
+    let (loads, heat) = s
+        .rotor
+        .implicit_friction(under, contact, change.layout, &step);
+    under.add_touch_friction(&loads, heat, change);
 }
 
 /// Sets the sliding of a ball at rest at the end of the step to that of these velocities of the rings.

@@ -18,10 +18,7 @@ mod newton;
 mod normal_contacts;
 mod outer_groove;
 mod ring;
-mod rotor;
-mod rotor_touch;
 mod sliding;
-mod sliding_ring;
 mod strips;
 mod workspace;
 
@@ -31,7 +28,6 @@ pub(crate) use energy::energy_j;
 pub(crate) use evaluation::evaluate;
 pub(crate) use friction::add_implicit_friction;
 pub(crate) use model::SpaceModel;
-pub(crate) use rotor_touch::FaceContact;
 pub(crate) use sliding::outer_z_m;
 pub use workspace::BallContacts;
 pub(crate) use workspace::SpaceWorkspace;

@@ -2,10 +2,9 @@
 
 use super::inner_groove::InnerGroove;
 use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
-use super::rotor_touch::RotorAlongAxis;
-use super::sliding_ring::SlidingRing;
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
+use crate::world::body::sliding_ring::SlidingRing;
 
 /// Grooves and contact ellipses of one ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,14 +42,8 @@ pub(crate) struct SpaceModel {
     pub free_tilt: Option<FreeTilt>,
     /// The axis against which weights act: 1 for Y, 2 for Z.
     pub upward: usize,
-    /// None without a rotor.
-    pub rotor: Option<RotorAlongAxis>,
     /// Outer rings that slide in the housing.
     pub sliding: Vec<SlidingRing>,
-    /// Mass that moves with the housing along the axis, without those rings, kg; 0 if it is fixed.
-    pub housing_mass: f64,
-    /// 1 over it, 1/kg; 0 if it is fixed.
-    pub housing_inverse_mass: f64,
 }
 
 impl SpaceModel {
@@ -108,24 +101,20 @@ impl SpaceModel {
             let pieces = raceway.met_pieces().into_iter();
             pieces.map(|piece| FlankModel::new(raceway, &piece))
         });
-        let bore_m = bearing.inner_ring_bore().map_or(0.0, |bore| bore.radius_m);
-        let sliding = SlidingRing::of_case(case);
-        let housing_mass = case.support.as_ref().map_or(0.0, |support| {
-            support.mass_kg - sliding.iter().map(|ring| ring.mass).sum::<f64>()
-        });
-        let face_m = 0.5 * (bore_m + d.inner_groove_bottom_radius_m);
         Some(Self {
             upward: case.upward(),
-            rotor: (case.rotor.as_ref()).map(|rotor| RotorAlongAxis::new(rotor, face_m)),
             balls: balls.collect(),
             flanks: flanks.collect(),
             strips: strips(case.contact.friction_strips),
             axial_load: load.axial_load_n,
             free_tilt,
-            sliding,
-            housing_mass,
-            housing_inverse_mass: case.support.as_ref().map_or(0.0, |_| 1.0 / housing_mass),
+            sliding: SlidingRing::of_case(case),
         })
+    }
+
+    /// Mass of all outer rings that slide, kg.
+    pub(crate) fn sliding_kg(&self) -> f64 {
+        self.sliding.iter().map(|ring| ring.mass).sum()
     }
 
     /// The flanks under ball `k` in the direction **e**; `None` outside the discrete raceways.

@@ -14,25 +14,17 @@ use super::block::{INNER, KnownStrip, KnownStripLanes, PLACES, SpaceBlock, Strip
 use super::frame::{FrameLanes, SIZE, TractionLanes, of_lane};
 use super::model::SpaceModel;
 use super::strips::{Patch, SlidingLanes, Strip, StripFriction};
+use crate::contact::friction_step::{LAST_STEP, PATIENCE, slides_on};
 use crate::contact::{
     EvaluatedLaws, FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law,
 };
 use crate::numerics::cholesky;
 use crate::numerics::lanes::{LANES, Lanes, larger};
 
-/// No step of Newton's method follows one that changes no sliding velocity by more than this, in the
-/// speed of the knee.
-const LAST_STEP: f64 = 0.05;
-/// The same where the matrix is that of [`Slopes::Joint`], whose steps are not exact.
+/// [`LAST_STEP`] where the matrix is that of [`Slopes::Joint`], whose steps are not exact.
 const LAST_JOINT_STEP: f64 = 0.01;
-/// In so many knees a contact slides: its friction changes with the direction alone,
-const SLIDING: f64 = 4.0;
-/// and by no more than the square of this fraction of the sliding velocity.
-const LAST_TURN: f64 = 0.03;
 /// γ/√(γ² + γs²) beyond which the moment of a strip hardly grows any more.
 const SPINS: f64 = 0.7;
-/// Iterations after which every other one takes the safe matrix.
-const PATIENCE: u32 = 6;
 
 /// Friction of every strip at the velocities of the last iterate.
 #[inline(always)]
@@ -311,7 +303,7 @@ pub(super) fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut Spac
                     let moved = (a * a + b * b).sqrt() * friction.inverse_knee;
                     let speed = (c * c + d * d).sqrt() * friction.inverse_knee;
                     let turned = turn.abs() * friction.inverse_shear;
-                    let slides = (speed > SLIDING) & (moved <= LAST_TURN * speed);
+                    let slides = slides_on(speed, moved, 1.0);
                     let bears = frame.friction_normal_n > 0.0;
                     let ends = ((moved <= last_step) & (turned <= last_step)) | slides;
                     let crosses = (speed > 1.0) & (c * (c + a) + d * (d + b) < 0.0)

@@ -11,13 +11,14 @@
 
 use super::block::{INNER, SpaceBlock};
 use super::model::SpaceModel;
-use super::sliding_ring::SlidingWork;
 use super::workspace::SpaceWorkspace;
-use crate::dynamics::coordinates::{DropCoordinate, SlidingCoordinate};
+use crate::dynamics::coordinates::{OuterRingCoordinate, SlidingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
+use crate::world::body::sliding_ring::SlidingWork;
+use crate::world::step_change::StepChange;
 
 /// z and speed along the axis of ring `k` that slides, in a vector.
 fn motion(layout: Layout, y: &[f64], k: usize) -> [f64; 2] {
@@ -122,10 +123,10 @@ pub(super) fn sliding_rates(
         let force = force_n + ring.spring_n - ring.damping * speed;
         dydt[layout.sliding(SlidingCoordinate::Z, k)] = motion(layout, y, k)[1];
         dydt[layout.sliding(SlidingCoordinate::Vz, k)] = force / ring.mass;
-        if layout.has_rotor() {
-            // The balls of the row push its ring, and the spring and the damper the housing.
-            dydt[layout.drop(DropCoordinate::OuterVz)] -= force * space.housing_inverse_mass;
-        }
+        // The balls of the row push its ring, and the spring and the damper the housing.
+        let housing = layout.at(dydt, OuterRingCoordinate::Vz);
+        let pulled = force * model.outer_ring.axial_inverse_mass;
+        layout.set(dydt, OuterRingCoordinate::Vz, housing - pulled);
         dydt[layout.energy_term(EnergyTerm::Drag)] += ring.damping * speed * speed;
     }
 }
@@ -137,27 +138,15 @@ pub(super) fn sliding_rates(
 pub(super) fn add_sliding_friction(
     (model, space): (&Model, &SpaceModel),
     s: &SpaceWorkspace,
-    h_s: f64,
-    y: &mut [f64],
-    dydt: &mut [f64],
+    change: &mut StepChange<'_>,
 ) {
     let layout = model.layout;
-    let mut add = |place: usize, rate: f64| {
-        dydt[place] += rate;
-        y[place] += h_s * rate;
-    };
     for (k, (ring, work)) in space.sliding.iter().zip(&s.sliding).enumerate() {
         let friction = s.row_force_n(layout, ring.row) - work.force_n;
-        add(
-            layout.sliding(SlidingCoordinate::Vz, k),
-            friction / ring.mass,
-        );
-        if layout.has_rotor() {
-            add(
-                layout.drop(DropCoordinate::OuterVz),
-                -friction * space.housing_inverse_mass,
-            );
-        }
+        let place = layout.sliding(SlidingCoordinate::Vz, k);
+        change.add_at(place, friction / ring.mass);
+        let inverse_mass = model.outer_ring.axial_inverse_mass;
+        change.add(OuterRingCoordinate::Vz, -friction * inverse_mass);
     }
 }
 

@@ -3,12 +3,12 @@
 use super::block::{INNER, PLACES, SpaceBlock};
 use super::model::SpaceModel;
 use super::ring::RingMotion;
-use super::rotor_touch::RotorTouch;
-use super::sliding_ring::SlidingWork;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
 use crate::raceway_contact::RacewayPoint;
+use crate::world::body::sliding_ring::SlidingWork;
+use crate::world::joint::rotor_touch::RotorTouch;
 
 /// Normal force of a ball on a groove, and where it acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,6 +113,8 @@ pub(crate) struct SpaceWorkspace {
 
 impl SpaceWorkspace {
     pub(crate) fn new(model: &Model, space: &SpaceModel) -> Self {
+        let under = model.under_rotor.as_ref();
+        let shoulder = under.and_then(|under| under.shoulder.as_ref());
         Self {
             ring: RingMotion::at_rest(),
             outer_ring_velocity: [0.0; 3],
@@ -121,7 +123,7 @@ impl SpaceWorkspace {
                 .map(|first| SpaceBlock::new(model, space, first))
                 .collect(),
             known: false,
-            rotor: RotorTouch::new(space.rotor.as_ref()),
+            rotor: RotorTouch::new(shoulder),
             sliding: vec![SlidingWork::default(); space.sliding.len()],
         }
     }

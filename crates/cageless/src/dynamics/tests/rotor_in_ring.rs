@@ -5,10 +5,11 @@
 use crate::bearing::InnerRingBore;
 use crate::contact::journal_energy_j;
 use crate::dynamics::ball::Centre;
-use crate::dynamics::outer_ring::OuterRing;
-use crate::dynamics::rotor::{RotorBody, RotorContact, RotorMotion};
 use crate::integrator::System;
 use crate::rotor::{Rotor, Support};
+use crate::world::body::outer_ring::OuterRing;
+use crate::world::body::rotor::{RotorBody, RotorMotion};
+use crate::world::joint::journal::{JournalJoint, RotorContact, TurningRing};
 
 /// What holds the ring.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,6 +65,8 @@ const SCALES: [f64; SIZE] = [
 #[derive(Debug, Clone)]
 pub struct RotorInRing {
     body: RotorBody,
+    joint: JournalJoint,
+    ring_inertia: f64,
     ring: OuterRing,
     turns: bool,
     contact: RotorContact,
@@ -78,8 +81,10 @@ impl RotorInRing {
             RingMount::Supported(support) => (Some(support), false),
         };
         Self {
-            body: RotorBody::in_bore(rotor, bore, gravity_m_s2),
-            ring: OuterRing::new(support),
+            body: RotorBody::new(rotor, 1, gravity_m_s2),
+            joint: JournalJoint::in_bore(rotor, bore),
+            ring_inertia: bore.polar_inertia_kg_m2,
+            ring: OuterRing::new(support, 0.0),
             turns,
             contact: RotorContact::default(),
         }
@@ -107,19 +112,17 @@ impl RotorInRing {
 
     /// Kinetic, elastic and potential energy, J.
     pub fn energy_j(&self, state: &[f64]) -> f64 {
-        let (m, ring, ring_speed) = motions(state);
-        let contact = self.body.contact(&m, &ring, ring_speed);
-        0.5 * self.body.mass * (m.vx * m.vx + m.vy * m.vy)
-            + 0.5 * self.body.polar_inertia * m.speed * m.speed
-            + 0.5 * self.body.ring_inertia * ring_speed * ring_speed
-            + self.body.weight_n() * m.y
-            + journal_energy_j(&self.body.journal, contact.contact.deflection)
-            + self.ring.energy_j(&ring)
+        let (m, ring) = motions(state);
+        let contact = self.joint.contact(&self.body, &m, &ring);
+        let [_, weight, _] = self.body.weight;
+        self.body.energy_j(&m) + 0.5 * self.ring_inertia * ring.speed * ring.speed - weight * m.y
+            + journal_energy_j(&self.joint.journal, contact.contact.deflection)
+            + self.ring.energy_j(&ring.centre, [0.0; 2])
     }
 }
 
-/// Motion of rotor and ring and the speed of the ring.
-fn motions(state: &[f64]) -> (RotorMotion, Centre, f64) {
+/// Motion of rotor and ring.
+fn motions(state: &[f64]) -> (RotorMotion, TurningRing) {
     let at = |coordinate: Coordinate| state[coordinate as usize];
     let rotor = RotorMotion {
         x: at(Coordinate::X),
@@ -128,14 +131,16 @@ fn motions(state: &[f64]) -> (RotorMotion, Centre, f64) {
         vy: at(Coordinate::Vy),
         angle: at(Coordinate::Angle),
         speed: at(Coordinate::Speed),
+        ..RotorMotion::default()
     };
-    let ring = Centre {
+    let centre = Centre {
         x: at(Coordinate::RingX),
         y: at(Coordinate::RingY),
         vx: at(Coordinate::RingVx),
         vy: at(Coordinate::RingVy),
     };
-    (rotor, ring, at(Coordinate::RingSpeed))
+    let speed = at(Coordinate::RingSpeed);
+    (rotor, TurningRing { centre, speed })
 }
 
 impl System for RotorInRing {
@@ -144,20 +149,20 @@ impl System for RotorInRing {
     }
 
     fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
-        let (rotor, ring, ring_speed) = motions(y);
-        let body = &self.body;
-        let mut contact = body.contact(&rotor, &ring, ring_speed);
-        let c = &contact.contact;
-        [contact.friction, _] = body.friction.force(c.slip, c.force);
-        let force = c.force_on_journal(contact.friction);
-        let [ax, ay, spin] = body.acceleration(&contact, force);
-        let torque = body.ring_torque(contact.friction);
+        let (rotor, ring) = motions(y);
+        let mut contact = self.joint.contact(&self.body, &rotor, &ring);
+        let c = contact.contact;
+        [contact.friction, _] = self.joint.friction.force(c.slip, c.force);
+        let loads = self.joint.loads(&contact, c.force, contact.friction);
+        let answer = self.body.acceleration(&loads);
+        let ([ax, ay, _], spin) = (answer.linear, answer.spin);
         let turning = if self.turns {
-            torque / body.ring_inertia
+            loads.ring_torque / self.ring_inertia
         } else {
             0.0
         };
-        let [rx, ry] = self.ring.acceleration(&ring, force.map(|f| -f));
+        let (ring, force) = (ring.centre, loads.force);
+        let [rx, ry, _] = (self.ring).acceleration(&ring, [0.0; 2], force.map(|f| -f));
         for (coordinate, rate) in [
             (Coordinate::X, rotor.vx),
             (Coordinate::Y, rotor.vy),
@@ -173,7 +178,7 @@ impl System for RotorInRing {
             (Coordinate::FrictionHeat, contact.friction * c.slip),
             (
                 Coordinate::DampingHeat,
-                c.damping_power + self.ring.damping_power(&ring),
+                c.damping_power + self.ring.support.damping_power(&ring, 0.0),
             ),
         ] {
             dydt[coordinate as usize] = rate;

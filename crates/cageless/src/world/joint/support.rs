@@ -1,15 +1,11 @@
-//! The outer ring on its support: constants and acceleration.
+//! The support of the outer ring: spring and damper to the ground, and a hard stop.
 
-use super::ball::Centre;
+use crate::dynamics::ball::Centre;
 use crate::rotor::Support;
 
-/// Constants of the outer ring with its housing, which does not turn.
+/// Constants of the support; all 0 without one.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct OuterRing {
-    /// mo, kg; 0 if it is fixed.
-    pub mass: f64,
-    /// 1/mo, 1/kg; 0 if it is fixed.
-    pub inverse_mass: f64,
+pub(crate) struct SupportJoint {
     /// ks, N/m.
     pub stiffness: f64,
     /// cs, N·s/m.
@@ -20,15 +16,10 @@ pub(crate) struct OuterRing {
     pub stop_stiffness: f64,
 }
 
-impl OuterRing {
-    /// The outer ring on `support`; fixed without one.
-    pub(crate) fn new(support: Option<&Support>) -> Self {
-        let Some(support) = support else {
-            return Self::default();
-        };
+impl SupportJoint {
+    /// The joint that `support` describes.
+    pub(crate) fn new(support: &Support) -> Self {
         Self {
-            mass: support.mass_kg,
-            inverse_mass: 1.0 / support.mass_kg,
             stiffness: support.stiffness_n_m,
             damping: support.damping_n_s_m,
             stop_gap: support.stop.map_or(0.0, |s| s.gap_m),
@@ -36,10 +27,10 @@ impl OuterRing {
         }
     }
 
-    /// Force of the support, N: −ks zo − cs żo, and beyond the gap of the stop the force that it
+    /// Force on the ring, N: −ks zo − cs żo, and beyond the gap of the stop the force that it
     /// adds radially. The weight of the ring is carried at its rest place already.
     #[inline(always)]
-    pub(crate) fn support_force(&self, motion: &Centre) -> [f64; 2] {
+    pub(crate) fn force(&self, motion: &Centre) -> [f64; 2] {
         let distance = (motion.x * motion.x + motion.y * motion.y).sqrt();
         let beyond = distance - self.stop_gap;
         let stop = if beyond > 0.0 && self.stop_stiffness > 0.0 {
@@ -53,35 +44,25 @@ impl OuterRing {
         ]
     }
 
-    /// Force of the support along the axis, N: the hard stop is radial.
+    /// Force along the axis, N: the hard stop is radial.
     #[inline(always)]
-    pub(crate) fn support_force_along_axis(&self, z: f64, vz: f64) -> f64 {
+    pub(crate) fn force_along_axis(&self, [z, vz]: [f64; 2]) -> f64 {
         -self.stiffness * z - self.damping * vz
     }
 
-    /// Acceleration under the sum of the balls' reactions: mo z̈o + cs żo + ks zo = Σ reactions.
+    /// Power that the damping takes out, W.
     #[inline(always)]
-    pub(crate) fn acceleration(&self, motion: &Centre, reactions: [f64; 2]) -> [f64; 2] {
-        let support = self.support_force(motion);
-        [
-            (reactions[0] + support[0]) * self.inverse_mass,
-            (reactions[1] + support[1]) * self.inverse_mass,
-        ]
+    pub(crate) fn damping_power(&self, motion: &Centre, vz: f64) -> f64 {
+        self.damping * (motion.vx * motion.vx + motion.vy * motion.vy) + self.damping * vz * vz
     }
 
-    /// Power that the damping of the support dissipates, W.
-    #[inline(always)]
-    pub(crate) fn damping_power(&self, motion: &Centre) -> f64 {
-        self.damping * (motion.vx * motion.vx + motion.vy * motion.vy)
-    }
-
-    /// Kinetic energy of the ring and energy stored in the support, J.
-    pub(crate) fn energy_j(&self, motion: &Centre) -> f64 {
+    /// Stored energy, J.
+    pub(crate) fn energy_j(&self, motion: &Centre, z: f64) -> f64 {
         let distance = (motion.x * motion.x + motion.y * motion.y).sqrt();
         let beyond = (distance - self.stop_gap).max(0.0);
-        0.5 * self.mass * (motion.vx.powi(2) + motion.vy.powi(2))
-            + 0.5 * self.stiffness * distance * distance
+        0.5 * self.stiffness * distance * distance
             + 0.5 * self.stop_stiffness * beyond * beyond
+            + 0.5 * self.stiffness * z * z
     }
 }
 
@@ -93,9 +74,7 @@ mod tests {
     /// short of the stop and beyond it.
     #[test]
     fn energy_belongs_to_the_force() {
-        let ring = OuterRing {
-            mass: 0.5,
-            inverse_mass: 2.0,
+        let support = SupportJoint {
             stiffness: 2e7,
             damping: 4e3,
             stop_gap: 3e-5,
@@ -106,11 +85,11 @@ mod tests {
             y: -0.8 * distance,
             ..Centre::default()
         };
+        let energy_j = |distance: f64| support.energy_j(&at(distance), 0.0);
         for distance in [1e-5, 2.9e-5, 3.1e-5, 5e-5, 2e-4] {
-            let [x, y] = ring.support_force(&at(distance));
+            let [x, y] = support.force(&at(distance));
             let h = 1e-3 * distance;
-            let slope =
-                (ring.energy_j(&at(distance + h)) - ring.energy_j(&at(distance - h))) / (2.0 * h);
+            let slope = (energy_j(distance + h) - energy_j(distance - h)) / (2.0 * h);
             let back = -(0.6 * x - 0.8 * y);
             assert!(
                 (slope / back - 1.0).abs() < 1e-9,
@@ -124,8 +103,8 @@ mod tests {
             vy: -4.0,
             ..at(0.0)
         };
-        assert_eq!(ring.energy_j(&moving), 0.5 * 0.5 * 25.0);
-        assert_eq!(ring.damping_power(&moving), 4e3 * 25.0);
-        assert_eq!(ring.support_force(&moving), [-1.2e4, 1.6e4]);
+        assert_eq!(support.damping_power(&moving, 2.0), 4e3 * 29.0);
+        assert_eq!(support.force(&moving), [-1.2e4, 1.6e4]);
+        assert_eq!(support.force_along_axis([1e-5, 2.0]), -8200.0);
     }
 }

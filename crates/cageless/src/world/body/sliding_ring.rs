@@ -1,6 +1,30 @@
-//! An outer ring that slides in its housing along the axis: constants and work.
+//! An outer ring that slides in its housing along the axis, pushed by the preload spring of its row:
+//! coordinates, constants and work.
 
-use crate::case::Case;
+use crate::case::{Case, Row};
+use crate::dynamics::coordinates::{Coordinate, Kind, coordinate};
+
+/// Index of a coordinate of an outer ring that slides in its housing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SlidingCoordinate {
+    /// z of the ring, from where no preload displaces it.
+    Z,
+    /// ż of the ring.
+    Vz,
+}
+
+/// Coordinates of each outer ring that slides in its housing.
+pub(crate) const TABLE: [Coordinate; 2] = [
+    coordinate("outer_ring_z_m", "m", 1e-5, Kind::Position),
+    coordinate("outer_ring_vz_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
+];
+
+/// z of each ring that slides at the start, with the displacements by preload of all rows, m.
+pub(crate) fn start_m(rows: &[Row], preload_m: &[f64]) -> impl Iterator<Item = f64> {
+    let sliding = rows.iter().zip(preload_m);
+    let sliding = sliding.filter(|(row, _)| row.preload_n > 0.0);
+    sliding.map(|(row, preload_m)| -row.contact_sign * preload_m)
+}
 
 /// Constants of an outer ring that slides.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,0 +1,115 @@
+//! The inner ring: coordinates, constants and acceleration.
+
+use super::{BodyRow, Freedom, RestingRing, Start, row};
+use crate::dynamics::ball::Centre;
+use crate::dynamics::coordinates::Kind;
+use crate::numerics::lanes::lane_struct;
+
+/// Index of a coordinate of the inner ring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RingCoordinate {
+    /// X of the centre.
+    X,
+    /// Y of the centre.
+    Y,
+    /// Ẋ of the centre.
+    Vx,
+    /// Ẏ of the centre.
+    Vy,
+    /// In space: Z of the centre.
+    Z,
+    /// In space: p, x of the axis **a** = (p, q, √(1 − p² − q²)): the tilt about Y.
+    TiltP,
+    /// In space: q, y of the axis: the tilt about −X.
+    TiltQ,
+    /// In space: Ż of the centre.
+    Vz,
+    /// In space: ṗ.
+    TiltPRate,
+    /// In space: q̇.
+    TiltQRate,
+    /// Under a rotor: ωi, counter-clockwise.
+    Speed,
+}
+
+impl RingCoordinate {
+    /// Those that always move, in the order of the state vector.
+    pub const ALL: [Self; 4] = [Self::X, Self::Y, Self::Vx, Self::Vy];
+}
+
+/// Coordinates of the inner ring.
+pub(crate) const TABLE: [BodyRow; 11] = {
+    use Freedom::{Always, InSpace, UnderRotor};
+    [
+        row(Always, "ring_x_m", "m", 1e-5, Kind::Position),
+        row(Always, "ring_y_m", "m", 1e-5, Kind::Position),
+        row(Always, "ring_vx_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
+        row(Always, "ring_vy_m_s", "m/s", 0.1, Kind::VelocityOf(1)),
+        row(InSpace, "ring_z_m", "m", 1e-5, Kind::Position),
+        row(InSpace, "tilt_p", "1", 1e-3, Kind::Position),
+        row(InSpace, "tilt_q", "1", 1e-3, Kind::Position),
+        row(InSpace, "ring_vz_m_s", "m/s", 0.1, Kind::VelocityOf(4)),
+        row(
+            InSpace,
+            "tilt_p_rate_per_s",
+            "1/s",
+            10.0,
+            Kind::VelocityOf(5),
+        ),
+        row(
+            InSpace,
+            "tilt_q_rate_per_s",
+            "1/s",
+            10.0,
+            Kind::VelocityOf(6),
+        ),
+        row(UnderRotor, "ring_speed_rad_s", "rad/s", 1.0, Kind::Rate),
+    ]
+};
+
+lane_struct! {
+    /// Constants of the inner ring and the forces on it that do not come from the balls.
+    pub(crate) struct InnerRing per lane InnerRingLanes {
+        /// mi, kg.
+        mass,
+        /// Ji, kg·m², where its speed is a state: under a rotor.
+        polar_inertia,
+        /// C, viscous damping of its translation, N·s/m.
+        drag,
+        /// Fr, N, along −Y.
+        radial_load,
+        /// g, m/s², along −Y.
+        gravity,
+    }
+}
+
+/// The ring at the start.
+pub(super) fn start(ring: &RestingRing) -> Start {
+    let ([x, y, z], [p, q]) = (ring.place_m, ring.axis);
+    vec![
+        (RingCoordinate::X.into(), x),
+        (RingCoordinate::Y.into(), y),
+        (RingCoordinate::Z.into(), z),
+        (RingCoordinate::TiltP.into(), p),
+        (RingCoordinate::TiltQ.into(), q),
+    ]
+}
+
+impl InnerRing {
+    /// Acceleration of the centre under the sum of the balls' reactions, m/s²:
+    /// mi(Ẍ, Ÿ) + C(Ẋ, Ẏ) = Fr + weight + Σ reactions (Zhao 2022, Eq. (14)).
+    #[inline(always)]
+    pub(crate) fn acceleration(&self, motion: &Centre, reactions_n: [f64; 2]) -> [f64; 2] {
+        let [x, y] = reactions_n;
+        [
+            (x - self.drag * motion.vx) / self.mass,
+            (y - self.drag * motion.vy - self.radial_load - self.weight_n()) / self.mass,
+        ]
+    }
+
+    /// mi·g, N.
+    #[inline(always)]
+    pub(crate) fn weight_n(&self) -> f64 {
+        self.mass * self.gravity
+    }
+}

@@ -1,0 +1,19 @@
+//! What moves beside the balls, written once for plane and space: bodies and the joints between them.
+//!
+//! A body in the plane is the one in space with coordinates held: its table has all of them.
+//!
+//! ```
+//! use cageless::reference;
+//! use cageless::initial_conditions::initial_state;
+//! use cageless::world::body::RotorCoordinate;
+//!
+//! let (state, _angles) = initial_state(&reference::rotor_drop())?;
+//! assert!((state.at(RotorCoordinate::Speed) - 3141.6).abs() < 0.1); // 30 000 rpm
+//! assert_eq!(state.at(RotorCoordinate::Z), 0.0); // held in the plane
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+pub mod body;
+pub(crate) mod joint;
+pub(crate) mod step_change;
+pub(crate) mod under_rotor;
