@@ -2,10 +2,10 @@
 
 use anyhow::{Context, Result, bail, ensure};
 use cageless::dynamics::coordinates::{BALL, BallCoordinate, RingCoordinate};
-use cageless::world::body::{BodyKind, BodyRow};
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
+use cageless::world::body::{BodyKind, BodyRow};
 use cageless::{Case, Formulation, FrictionModel, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 

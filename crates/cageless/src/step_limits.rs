@@ -19,11 +19,8 @@ use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::numerics::root::last_where;
 use crate::raceway::Raceway;
-use crate::rotor::Shaft;
-use crate::world::body::inner_ring::InnerRing;
-use crate::world::body::outer_ring::OuterRing;
-use crate::world::joint::journal::RotorContact;
-use crate::world::under_rotor::UnderRotor;
+use crate::world::body::{self, ContactStiffness};
+use crate::world::joint::impact::Impact;
 
 impl Case {
     /// Sets the integration method, with its automatic step for this case.
@@ -249,142 +246,6 @@ const RUN_OUT_STEPS: f64 = 4.0;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
 
-/// Sine of the contact angle under which balls without clearance bear an axial load at least: they are
-/// wedged to it.
-const LEAST_SINE: f64 = 0.1;
-
-/// What a falling rotor and a support add to the rates; nothing without a rotor.
-#[derive(Debug, Clone, Copy, Default)]
-struct Drop {
-    /// Peak force of the first impact and of the unbalance, N.
-    force_n: f64,
-    /// Radial load under which a ball bears what it does under the peak along the axis of a rotor that a
-    /// shoulder stops, N.
-    axial_as_radial_n: f64,
-    /// Stiffness of the contact of rotor and inner ring under it, N/m.
-    contact_n_m: f64,
-    /// Damping of that contact, N·s/m.
-    contact_n_s_m: f64,
-    inverse_rotor_mass: f64,
-    /// Stiffness and damping of the support, its stop included.
-    support_n_m: f64,
-    support_n_s_m: f64,
-    inverse_outer_mass: f64,
-    /// 1 if the outer ring moves, else 0.
-    support_moves: f64,
-    /// Decay of the slip of the rotor by friction, 1/s; 0 under Coulomb's law.
-    friction_1_s: f64,
-    /// Growth of the slip of the rotor where friction falls with it, 1/s.
-    falling_1_s: f64,
-}
-
-impl Drop {
-    /// The rotor falls to the bottom of the air gap onto the springs of its contact and of the
-    /// balls, in series with the support: F = W + √(W² + 2·k·E), E its kinetic energy there.
-    fn new(case: &Case) -> Self {
-        let bearing = &case.bearing;
-        let ring = InnerRing {
-            mass: bearing.dimensions().inner_ring_mass_kg,
-            ..InnerRing::default()
-        };
-        let under = UnderRotor::of_case(case, ring, OuterRing::default());
-        let Some((rotor, under)) = case.rotor.as_ref().zip(under) else {
-            return Self::default();
-        };
-        let weight = rotor.mass_kg * case.operation.gravity_m_s2;
-        let height = match rotor.shaft {
-            Shaft::Horizontal => rotor.journal_start_m()[1] + rotor.radial_clearance_m,
-            Shaft::Vertical => 0.0,
-        };
-        let energy = 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
-            + weight * height.max(0.0);
-        let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
-        let (k, p) = (rotor.contact_stiffness_n_mp, rotor.contact_exponent);
-        let contact = |force: f64| p * k.powf(1.0 / p) * force.powf(1.0 - 1.0 / p);
-        let [inner, outer, _] = case.stiffness_n_m1_5();
-        let carrying = carrying(case);
-        // dF/dδ of a ball between both raceways under a force.
-        let slope = |own: f64| {
-            let one = |k: f64| 1.5 * k.powf(2.0 / 3.0) * own.cbrt();
-            1.0 / (1.0 / one(inner) + 1.0 / one(outer))
-        };
-        let balls = |force: f64| carrying * slope(case.preload_n() + force / carrying);
-        let support = case.support.as_ref();
-        let stop = support.and_then(|s| s.stop);
-        let support_n_m =
-            support.map_or(0.0, |s| s.stiffness_n_m) + stop.map_or(0.0, |s| s.stiffness_n_m);
-        let soft = if support_n_m > 0.0 {
-            1.0 / support_n_m
-        } else {
-            0.0
-        };
-        let mut force = weight.max(1.0);
-        for _ in 0..4 {
-            let series = 1.0 / (1.0 / contact(force) + 1.0 / balls(force) + soft);
-            force = weight + (weight * weight + 2.0 * series * energy).sqrt() + unbalance;
-        }
-        let speed = (2.0 * energy / rotor.mass_kg).sqrt();
-        let bodies = (&under.rotor, &under.ring);
-        let mobility = (under.joint).slip_mobility(bodies, &RotorContact::default());
-        let friction = if rotor.friction_law.sticks() {
-            0.0
-        } else {
-            rotor.friction_law.coefficient_max(&rotor.friction) * force * mobility
-                / rotor.friction.regularisation_speed_m_s
-        };
-        let depth = (force / k).powf(1.0 / p);
-        // All balls of a row share it at their contact angle.
-        let sine = bearing.free_contact_angle_rad().sin().max(LEAST_SINE);
-        let row = bearing.balls() as f64 * sine;
-        // Thrust and weight take the rotor through its axial clearance, at most from the other shoulder.
-        let thrust = match rotor.shaft {
-            Shaft::Horizontal => rotor.axial_load_n.abs(),
-            Shaft::Vertical => (rotor.axial_load_n - weight).abs(),
-        };
-        let mut along_axis = thrust;
-        if let Some(clearance) = rotor.axial_clearance_m {
-            let landing =
-                0.5 * rotor.mass_kg * rotor.vz_m_s.powi(2) + thrust * (clearance + rotor.z_m.abs());
-            for _ in 0..4 {
-                let balls = row * sine * slope(case.axial_preload_n() + along_axis / row);
-                let series = 1.0 / (1.0 / contact(along_axis.max(1.0)) + 1.0 / balls + soft);
-                along_axis = thrust + (thrust * thrust + 2.0 * series * landing).sqrt();
-            }
-        }
-        Self {
-            force_n: force,
-            // A row under a radial load F presses a ball with 5 F/N.
-            axial_as_radial_n: 0.2 * along_axis / sine,
-            contact_n_m: contact(force) * (1.0 + 1.5 * rotor.contact_damping_s_m * speed),
-            contact_n_s_m: 1.5 * rotor.contact_damping_s_m * k * depth.powf(p),
-            inverse_rotor_mass: 1.0 / rotor.mass_kg,
-            support_n_m,
-            support_n_s_m: support.map_or(0.0, |s| s.damping_n_s_m),
-            inverse_outer_mass: support.map_or(0.0, |s| 1.0 / s.mass_kg),
-            support_moves: f64::from(u8::from(support.is_some())),
-            friction_1_s: friction,
-            falling_1_s: rotor.friction_law.steepest_fall(&rotor.friction) * force * mobility,
-        }
-    }
-}
-
-/// What outer rings that slide add to the rates: the largest Σ sin²α of the balls of a row over the mass of
-/// its ring, 1/kg, and the largest decay by the damping in the housing, 1/s; 0 where all are held.
-///
-/// All balls of a row push its ring, at the contact angle that its spring gives them.
-fn sliding(case: &Case) -> [f64; 2] {
-    let sprung = case.rows.iter().filter(|row| row.preload_n > 0.0);
-    sprung.fold([0.0; 2], |[along, decay], row| {
-        let [mass, damping] = row.sliding(&case.bearing);
-        let [_, sine] = case.thrust_on_ball(OVERLOAD * row.preload_n);
-        let balls = case.bearing.balls() as f64;
-        [
-            along.max(balls * sine * sine / mass),
-            decay.max(damping / mass),
-        ]
-    })
-}
-
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + what axial load and tilt press +
     /// centrifugal force, a quarter more, + the preload, of what presses the parts together without load
@@ -402,9 +263,10 @@ impl StepLimits {
                 * bearing.pitch_radius_m()
         };
         let centrifugal = case.centrifugal_force_n();
-        let drop = Drop::new(case);
+        let carrying = carrying(case);
+        let impact = Impact::of_case(case, carrying);
         let down = case.largest_radial_load_n()
-            + drop.force_n.max(drop.axial_as_radial_n)
+            + impact.force_n.max(impact.axial_as_radial_n)
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
         let under = |force: f64| {
             OVERLOAD * (force + centrifugal) + case.preload_n() + case.axial_preload_n()
@@ -416,26 +278,36 @@ impl StepLimits {
         // dF/dδ = 3/2 K^(2/3) F^(1/3).
         let slope = |k: f64, force: f64| 1.5 * k.powf(2.0 / 3.0) * force.cbrt();
         let raceways = slope(inner, load) + slope(outer, load);
-        let impact = case
+        let approach_m_s = case
             .raceways
             .iter()
             .map(|r| speed(rw) - speed(r.effective_radius_m(r.dimensions().centre_angle_rad)))
             .fold(LEAST_IMPACT_M_S, f64::max);
-        let (_, peak, _) = hertz::impact(ball, mass, impact);
-        let carrying = carrying(case);
-        let ring_mass = d.inner_ring_mass_kg;
-        let [sliding, sliding_1_s] = sliding(case);
-        let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
-            + (carrying * slope(inner, load) + drop.contact_n_m) / ring_mass
-            + drop.contact_n_m * drop.inverse_rotor_mass
-            + (carrying * slope(outer, load) * drop.support_moves + drop.support_n_m)
-                * drop.inverse_outer_mass
-            + sliding * slope(outer, load))
-        .sqrt();
+        let (_, peak, _) = hertz::impact(ball, mass, approach_m_s);
+        let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
+        let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
+        let bodies = body::fastest_rates(
+            case,
+            &ContactStiffness {
+                carrying,
+                inner_n_m: slope(inner, load),
+                outer_n_m: slope(outer, load),
+                journal_n_m: impact.contact_n_m,
+                inner_n_s_m: damper(inner),
+                outer_n_s_m: damper(outer),
+                journal_n_s_m: impact.contact_n_s_m,
+            },
+        );
+        let of_ball = (raceways + 2.0 * slope(ball, peak)) / mass;
+        let square = bodies
+            .iter()
+            .fold(of_ball, |sum, own| sum + own.square_1_s2);
+        let of_ball = (damper(inner) + damper(outer)) / mass;
+        let damping_1_s = bodies.iter().fold(of_ball, |sum, own| sum + own.decay_1_s);
         let contact = &case.contact;
         let wedge = wedged_n(case, down);
         let touching = match (&case.start.gaps, case.start.state) {
-            (Gaps::List(_), StartState::AtRest) => case.rotor.is_some(),
+            (Gaps::List(_), StartState::AtRest) => impact.falls,
             (Gaps::List(gaps), _) => gaps.contains(&0.0),
             (Gaps::Uniform, _) => false,
         };
@@ -444,25 +316,16 @@ impl StepLimits {
         let [friction, creep] = if contact.friction_law.sticks() {
             // The stick of explicit methods is relaxed with the step, see `Model`.
             let stick = STICK_FRACTION * 2.0 / 7.0 * mass;
-            [drop.friction_1_s, coefficient_max * load / stick]
+            [impact.friction_1_s, coefficient_max * load / stick]
         } else {
             // Both friction forces of a ball together feel 1/5 of its mass.
             let largest = 5.0 * coefficient_max * load;
             let rate = largest / (mass * contact.friction.regularisation_speed_m_s);
-            [rate.max(drop.friction_1_s), 0.0]
+            [rate.max(impact.friction_1_s), 0.0]
         };
-        let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
-        let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
-        let damping = (damper(inner) + damper(outer)) / mass
-            + (carrying * damper(inner) + d.inner_ring_damping_n_s_m + drop.contact_n_s_m)
-                / ring_mass
-            + (carrying * damper(outer) * drop.support_moves + drop.support_n_s_m)
-                * drop.inverse_outer_mass
-            + sliding * damper(outer)
-            + sliding_1_s;
         Self {
-            contact_rad_s,
-            damping_1_s: damping,
+            contact_rad_s: square.sqrt(),
+            damping_1_s,
             friction_1_s: friction,
             creep_m_s2: creep,
             falling_1_s: (5.0
@@ -470,10 +333,10 @@ impl StepLimits {
                 * contact.friction_law.steepest_fall(&contact.friction)
                 * load
                 / mass)
-                .max(drop.falling_1_s),
+                .max(impact.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             // The impact of a rotor, too, where two balls have to take it.
-            light: carried < LIGHT * struck || (case.rotor.is_some() && wedge > 0.0),
+            light: carried < LIGHT * struck || (impact.falls && wedge > 0.0),
             touching,
             run_out_s: match case.moves_in_space() {
                 true => {
@@ -495,10 +358,11 @@ impl StepLimits {
         fastest_rad_s: f64,
         fastest_decay_1_s: f64,
     ) -> Self {
-        let (limits, drop) = (Self::new(case), Drop::new(case));
-        let lighter = (1.0 / effective_mass_kg - drop.inverse_rotor_mass).max(0.0);
+        let (limits, impact) = (Self::new(case), Impact::of_case(case, carrying(case)));
+        let of_case = case.rotor.as_ref().map_or(0.0, |rotor| 1.0 / rotor.mass_kg);
+        let lighter = (1.0 / effective_mass_kg - of_case).max(0.0);
         let square = limits.contact_rad_s.powi(2)
-            + drop.contact_n_m * lighter
+            + impact.contact_n_m * lighter
             + fastest_rad_s * fastest_rad_s;
         Self {
             contact_rad_s: square.sqrt(),

@@ -122,6 +122,29 @@ pub(super) fn add_with_rotor(
         add_ball_friction(p, &w.sums, bearing, &mut change);
         journal_friction(p, w, bearing, y0, &mut change);
     }
+    add_heat(p, w, [y0, y]);
+    for bearing in 0..p.layout.width() {
+        let mut change = StepChange {
+            layout: p.layout.of_bearing(bearing),
+            h_s,
+            y,
+            dydt,
+        };
+        for (term, sum) in [
+            (EnergyTerm::InnerFriction, Sum::InnerFriction),
+            (EnergyTerm::OuterFriction, Sum::OuterFriction),
+        ] {
+            change.add_energy(term, w.sums.total(sum, alone, bearing));
+        }
+    }
+}
+
+/// Sums the heat of the balls over a step by the mean of the sliding speeds at both ends, and leaves those of
+/// its end.
+#[inline(always)]
+fn add_heat(p: &Parameters, w: &mut Workspace, [y0, y]: [&[f64]; 2]) {
+    let alone = p.layout.width() == 1;
+    let mut addends = [Lanes::ZERO; Sum::COUNT];
     let (start, end) = (RingMotion::new(p, y0), RingMotion::new(p, y));
     let mut slip_max = Lanes::ZERO;
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
@@ -146,20 +169,6 @@ pub(super) fn add_with_rotor(
     }
     w.slip_max = slip_max;
     w.slips_known = true;
-    for bearing in 0..p.layout.width() {
-        let mut change = StepChange {
-            layout: p.layout.of_bearing(bearing),
-            h_s,
-            y,
-            dydt,
-        };
-        for (term, sum) in [
-            (EnergyTerm::InnerFriction, Sum::InnerFriction),
-            (EnergyTerm::OuterFriction, Sum::OuterFriction),
-        ] {
-            change.add_energy(term, w.sums.total(sum, alone, bearing));
-        }
-    }
 }
 
 /// Adds the friction of the balls to both rings.

@@ -15,7 +15,7 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes, larger};
-use crate::simd::{BlockResults, Workspace, block_mut};
+use crate::simd::{BlockResults, Parameters, Workspace, block_mut};
 use crate::world::joint::rotor_touch::TouchStep;
 use crate::world::step_change::StepChange;
 use crate::world::under_rotor::{BallLoads, UnderRotor};
@@ -72,25 +72,15 @@ pub(crate) fn add_implicit_friction(
     let start = rings_of(y0, &s.ring);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
-    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        set_at_rest(b, 0, &start.0, start.1);
-        set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
-        if !space.sliding.is_empty() {
-            slide_as_in((model, space), b, [block, 0], y0);
-            slide_as_evaluated((model, space), b, [block, 1], &s.sliding);
-        }
-        let free = b.velocities(layout, y, block);
-        begin(space, b, h_s, s.known, free);
-        iterate(&p.friction, space, b, h_s);
-        let force = tractions(space, b, results, &mut totals);
-        let rates = accelerate(layout, p.balls(block), block, &force, dydt);
-        for i in 0..SIZE {
-            let velocities = block_mut(y, layout.array(VELOCITIES[i].0) + block * LANES);
-            for lane in 0..LANES {
-                velocities[lane] += h_s * rates[i].0[lane];
-            }
-        }
-    }
+    let begins = (h_s, start.0, start.1);
+    solve_blocks(
+        (p, model, space),
+        (w, s),
+        begins,
+        (y0, &mut *y),
+        &mut totals,
+        dydt,
+    );
     let mut change = StepChange {
         layout,
         h_s,
@@ -136,6 +126,39 @@ pub(crate) fn add_implicit_friction(
     change.add_energy(EnergyTerm::Drive, -driven * drive.inner_speed * torque);
     change.add_energy(EnergyTerm::OuterFriction, totals.heat[0]);
     change.add_energy(EnergyTerm::InnerFriction, totals.heat[1]);
+}
+
+/// Solves for the friction of the balls over a step of `h_s` from these motions of the rings, and adds it to the
+/// velocities and rates of the balls.
+#[inline(always)]
+fn solve_blocks(
+    (p, model, space): (&Parameters, &Model, &SpaceModel),
+    (w, s): (&mut Workspace, &mut SpaceWorkspace),
+    (h_s, ring, outer_ring): (f64, RingMotion, [f64; 3]),
+    (y0, y): (&[f64], &mut [f64]),
+    totals: &mut Totals,
+    dydt: &mut [f64],
+) {
+    let layout = model.layout;
+    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
+        set_at_rest(b, 0, &ring, outer_ring);
+        set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
+        if !space.sliding.is_empty() {
+            slide_as_in((model, space), b, [block, 0], y0);
+            slide_as_evaluated((model, space), b, [block, 1], &s.sliding);
+        }
+        let free = b.velocities(layout, y, block);
+        begin(space, b, h_s, s.known, free);
+        iterate(&p.friction, space, b, h_s);
+        let force = tractions(space, b, results, totals);
+        let rates = accelerate(layout, p.balls(block), block, &force, dydt);
+        for i in 0..SIZE {
+            let velocities = block_mut(y, layout.array(VELOCITIES[i].0) + block * LANES);
+            for lane in 0..LANES {
+                velocities[lane] += h_s * rates[i].0[lane];
+            }
+        }
+    }
 }
 
 /// Adds what the friction of the balls does to the inner ring over the step.

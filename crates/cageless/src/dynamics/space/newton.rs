@@ -285,63 +285,28 @@ pub(super) fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut Spac
         };
         equations(space, b, h_s, (slopes, &safe), &mut matrix, &mut change);
         cholesky::solve_lanes(&mut matrix, &mut change);
-        let (mut moves, mut passes) = (Lanes::ZERO, Lanes::ZERO);
+        let mut stops = Stops::NONE;
         for &place in b.places {
             for (k, strip) in space.strips.iter().enumerate() {
                 let step = &mut b.steps[place * space.strips.len() + k];
-                let mean = &mut step.mean;
-                for lane in 0..LANES {
-                    let frame = b.frames[place].get(lane);
-                    let inverse_radius = b.inverse_radius.0[lane];
-                    let by =
-                        frame.sliding(of_lane(&change, lane), inverse_radius, &Default::default());
-                    let x = strip.place * frame.half_length_m;
-                    let (a, b, turn) = (by.along + x * by.spin, by.across, by.spin);
-                    let [c, d] = of_lane(&step.slip, lane);
-                    let shear = step.shear.0[lane];
-                    let friction = step.friction.get(lane);
-                    let moved = (a * a + b * b).sqrt() * friction.inverse_knee;
-                    let speed = (c * c + d * d).sqrt() * friction.inverse_knee;
-                    let turned = turn.abs() * friction.inverse_shear;
-                    let slides = slides_on(speed, moved, 1.0);
-                    let bears = frame.friction_normal_n > 0.0;
-                    let ends = ((moved <= last_step) & (turned <= last_step)) | slides;
-                    let crosses = (speed > 1.0) & (c * (c + a) + d * (d + b) < 0.0)
-                        | (shear.abs() * friction.inverse_shear > SPINS)
-                            & (shear * (shear + turn) < 0.0);
-                    moves.0[lane] = larger(moves.0[lane], f64::from(u8::from(bears & !ends)));
-                    passes.0[lane] = larger(passes.0[lane], f64::from(u8::from(bears & crosses)));
-                    let (safe, finished) = (safe.0[lane] > 0.0, done.0[lane] > 0.0);
-                    let phi = Stiffness::of(&friction, slopes, safe);
-                    let joint = (slopes == Slopes::Joint) & !safe;
-                    let of = |slope: f64| if joint { slope } else { 0.0 };
-                    let [pull, push] = [of(friction.along_shear), of(friction.across_shear)];
-                    let ratio = friction.moment_ratio;
-                    let along = phi.along_along * a + phi.along_across * b + pull * turn;
-                    let across = phi.along_across * a + phi.across_across * b + push * turn;
-                    let moment = phi.shear_shear * turn + ratio * (pull * a + push * b);
-                    // A solution that has converged stays.
-                    let before = mean.get(lane);
-                    let kept = |before: f64, now: f64| if finished { before } else { now };
-                    mean.put(
-                        lane,
-                        KnownStrip {
-                            along: kept(before.along, friction.along - along),
-                            across: kept(before.across, friction.across - across),
-                            moment: kept(before.moment, friction.moment - moment),
-                            secant: 0.0,
-                        },
-                    );
-                }
+                let of = (&b.frames[place], &b.inverse_radius, strip);
+                stop_strip(
+                    of,
+                    &change,
+                    (slopes, last_step),
+                    (&safe, &done),
+                    step,
+                    &mut stops,
+                );
             }
         }
         let mut all_done = true;
         let mut advance = Lanes::ZERO;
         for lane in 0..LANES {
-            let ends = done.0[lane] > 0.0 || moves.0[lane] == 0.0;
+            let ends = done.0[lane] > 0.0 || stops.moves.0[lane] == 0.0;
             all_done &= ends;
             // A step across zero from full sliding goes too far: again with the matrix that never does.
-            let again = passes.0[lane] > 0.0 && safe.0[lane] == 0.0;
+            let again = stops.passes.0[lane] > 0.0 && safe.0[lane] == 0.0;
             let patient = iteration <= PATIENCE || safe.0[lane] > 0.0;
             advance.0[lane] = f64::from(u8::from(!ends && !again));
             done.0[lane] = f64::from(u8::from(ends));
@@ -357,5 +322,75 @@ pub(super) fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut Spac
                 b.velocity[i].0[lane] += advance.0[lane] * change[i].0[lane];
             }
         }
+    }
+}
+
+/// Whether contacts of a ball have converged.
+struct Stops {
+    /// 1 where a sliding velocity changes too much for the last step, else 0.
+    moves: Lanes,
+    /// 1 where one goes across zero from full sliding, else 0.
+    passes: Lanes,
+}
+
+impl Stops {
+    const NONE: Self = Self {
+        moves: Lanes::ZERO,
+        passes: Lanes::ZERO,
+    };
+}
+
+/// Takes from a strip by a change of the velocities whether it has converged, and puts its friction, linear
+/// about the last iterate, in `mean`.
+#[inline(always)]
+fn stop_strip(
+    (frames, inverse_radius, strip): (&FrameLanes, &Lanes, &Strip),
+    change: &[Lanes; SIZE],
+    (slopes, last_step): (Slopes, f64),
+    (safe, done): (&Lanes, &Lanes),
+    step: &mut StripStep,
+    stops: &mut Stops,
+) {
+    let mean = &mut step.mean;
+    for lane in 0..LANES {
+        let frame = frames.get(lane);
+        let inverse_radius = inverse_radius.0[lane];
+        let by = frame.sliding(of_lane(change, lane), inverse_radius, &Default::default());
+        let x = strip.place * frame.half_length_m;
+        let (a, b, turn) = (by.along + x * by.spin, by.across, by.spin);
+        let [c, d] = of_lane(&step.slip, lane);
+        let shear = step.shear.0[lane];
+        let friction = step.friction.get(lane);
+        let moved = (a * a + b * b).sqrt() * friction.inverse_knee;
+        let speed = (c * c + d * d).sqrt() * friction.inverse_knee;
+        let turned = turn.abs() * friction.inverse_shear;
+        let bears = frame.friction_normal_n > 0.0;
+        let ends = ((moved <= last_step) & (turned <= last_step)) | slides_on(speed, moved, 1.0);
+        let crosses = (speed > 1.0) & (c * (c + a) + d * (d + b) < 0.0)
+            | (shear.abs() * friction.inverse_shear > SPINS) & (shear * (shear + turn) < 0.0);
+        stops.moves.0[lane] = larger(stops.moves.0[lane], f64::from(u8::from(bears & !ends)));
+        stops.passes.0[lane] = larger(stops.passes.0[lane], f64::from(u8::from(bears & crosses)));
+        let safe = safe.0[lane] > 0.0;
+        let phi = Stiffness::of(&friction, slopes, safe);
+        let joint = (slopes == Slopes::Joint) & !safe;
+        let of = |slope: f64| if joint { slope } else { 0.0 };
+        let [pull, push] = [of(friction.along_shear), of(friction.across_shear)];
+        let ratio = friction.moment_ratio;
+        let along = phi.along_along * a + phi.along_across * b + pull * turn;
+        let across = phi.along_across * a + phi.across_across * b + push * turn;
+        let moment = phi.shear_shear * turn + ratio * (pull * a + push * b);
+        // A solution that has converged stays.
+        let before = mean.get(lane);
+        let finished = done.0[lane] > 0.0;
+        let kept = |before: f64, now: f64| if finished { before } else { now };
+        mean.put(
+            lane,
+            KnownStrip {
+                along: kept(before.along, friction.along - along),
+                across: kept(before.across, friction.across - across),
+                moment: kept(before.moment, friction.moment - moment),
+                secant: 0.0,
+            },
+        );
     }
 }

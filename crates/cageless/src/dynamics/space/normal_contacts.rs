@@ -1,14 +1,17 @@
 //! Forces normal to the raceways, weight, and the frames in which friction acts.
 
 use super::bearing::{Bearing, Totals};
-use super::block::{ALL_PLACES, SpaceBlock, WITHOUT_SECOND};
+use super::block::{ALL_PLACES, INNER, SpaceBlock, WITHOUT_SECOND};
 use super::frame::{Frame, FrameLanes, of_lane};
 use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
+use super::model::SpaceModel;
 use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
 use super::ring::RingMotion;
 use crate::contact::{NormalForce, positive};
 use crate::dynamics::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::layout::Layout;
+use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes, lane_struct};
 use crate::numerics::vector::{cross, dot, plus};
 use crate::simd::{BlockResults, Motions, block_at, block_mut};
@@ -17,6 +20,18 @@ use crate::simd::{BlockResults, Motions, block_at, block_mut};
 pub(super) const PLACE: [BallCoordinate; 3] =
     [BallCoordinate::X, BallCoordinate::Y, BallCoordinate::Z];
 const RATES: [BallCoordinate; 3] = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Vz];
+
+/// The balls of a block in a vector.
+struct Moving {
+    /// m.
+    place: [Lanes; 3],
+    /// m/s.
+    velocity: [Lanes; 3],
+    /// Height above the outer ring along the axis, m.
+    height: Lanes,
+    /// Rate of that, with the rings that slide, m/s.
+    rise: Lanes,
+}
 
 /// Adds the normal forces on the balls of a block to the rates.
 #[inline(always)]
@@ -31,110 +46,28 @@ pub(super) fn normal_contacts(
 ) {
     let (layout, balls) = (model.layout, p.balls(block));
     let at = |coordinate| layout.array(coordinate) + block * LANES;
-    let mut place = [Lanes::ZERO; 3];
-    let mut velocity = [Lanes::ZERO; 3];
-    for axis in 0..3 {
-        place[axis].0 = *block_at(y, at(PLACE[axis]));
-        velocity[axis].0 = *block_at(y, at(RATES[axis]));
-    }
-    for (coordinate, rates) in PLACE.into_iter().zip(&velocity) {
+    let moving = moving(layout, (results, b), y, block);
+    for (coordinate, rates) in PLACE.into_iter().zip(&moving.velocity) {
         *block_mut(dydt, at(coordinate)) = rates.0;
     }
-    results.spin = Lanes(*block_at(y, at(BallCoordinate::Spin)));
-    b.velocity = b.velocities(layout, y, block);
-    let motions = Motions::new(layout, y, block);
-    let outer_ring = layout.outer_ring_motion(y);
-    for lane in 0..LANES {
-        let polar = motions.get(lane).about(&outer_ring);
-        results.polar.put(lane, polar);
-    }
-    let [outer_z, outer_vz] = layout.outer_ring_along_axis(y);
-    let mut height = place[2];
-    for z in &mut height.0 {
-        *z -= outer_z;
-    }
-
-    let polar = &results.polar;
-    let mut beyond = Lanes::ZERO;
-    for lane in 0..LANES {
-        beyond.0[lane] = polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
-    }
-    touch_plain(&b.outer_groove, &beyond, &height, &mut b.outer);
-    for lane in 0..LANES.min(layout.balls - block * LANES) {
-        let direction = [polar.ex.0[lane], polar.ey.0[lane]];
-        if let Some(here) = space.flanks_at(block * LANES + lane, direction) {
-            let groove = b.outer_groove.get(lane);
-            let touch = groove.touch_flanks(beyond.0[lane], height.0[lane], &here);
-            b.outer.put(lane, touch);
-        }
-    }
-    let both = b.outer.share_1.0.iter().any(|share| *share > 0.0);
-    b.places = if both { &ALL_PLACES } else { &WITHOUT_SECOND };
-
-    let mut rise = velocity[2];
-    for lane in 0..LANES {
-        rise.0[lane] -= outer_vz + b.sliding_speed.0[lane];
-    }
+    touch_outer((model, space), (results, b), balls, &moving.height, block);
     let mut outer = OuterForceLanes::ZERO;
-    press_outer(balls, &b.outer, polar, &rise, &mut outer);
-    let touch = &b.outer;
-    let [first, second, inner_frame] = &mut b.frames;
-    let points = [
-        (
-            first,
-            [&touch.radial_0, &touch.axial_0],
-            [&touch.share_0, &touch.root_0],
-        ),
-        (
-            second,
-            [&touch.radial_1, &touch.axial_1],
-            [&touch.share_1, &touch.root_1],
-        ),
-    ];
-    for (at, (frames, normal, share)) in points.into_iter().enumerate() {
-        if at == 1 && !both {
-            (frames.force_n, frames.friction_normal_n) = (Lanes::ZERO, Lanes::ZERO);
-            continue;
-        }
-        let (half_length, factor) = (&b.half_length_m1_2[0], model.outer.friction_factor);
-        frame_outer(
-            (normal, share),
-            (&outer, touch),
-            polar,
-            (half_length, factor),
-            frames,
-        );
-    }
-    let mut curvature = b.groove_curvature;
-    curvature.add(&touch.curvature_change, 0.25);
-    b.curvature[0] = curvature;
+    press_outer(balls, &b.outer, &results.polar, &moving.rise, &mut outer);
+    frame_outer_points(model.outer.friction_factor, &results.polar, &outer, b);
     b.outer_ring_force_n = [outer.x, outer.y, outer.z];
     results.geometry.effective_radius = outer.effective_radius;
-    (results.outer.deflection, results.outer.force) = (touch.approach, outer.resultant);
+    (results.outer.deflection, results.outer.force) = (b.outer.approach, outer.resultant);
 
     let mut inner = InnerForceLanes::ZERO;
     press_inner(
         (balls, &b.inner_groove, &b.half_length_m1_2[1], ring),
-        (&place, &velocity),
+        (&moving.place, &moving.velocity),
         &mut b.inner,
-        inner_frame,
+        &mut b.frames[INNER],
         &mut inner,
     );
-    (results.inner.deflection, results.inner.force) = (b.inner.approach, inner_frame.force_n);
-    let on_ring = [
-        &inner.x,
-        &inner.y,
-        &inner.z,
-        &inner.moment_x,
-        &inner.moment_y,
-        &inner.moment_z,
-    ];
-    for (total, lanes) in totals.ring.iter_mut().zip(on_ring) {
-        *total += lanes.sum();
-    }
-    let mut damping = outer.damping_power_w;
-    damping.add(&inner.damping_power_w, 1.0);
-    totals.damping += damping.sum();
+    (results.inner.deflection, results.inner.force) = (b.inner.approach, b.frames[INNER].force_n);
+    add_to_totals(&outer, &inner, totals);
     let mut weight = Lanes::ZERO;
     for lane in 0..LANES {
         weight.0[lane] = -balls.mass.0[lane] * model.ring.gravity;
@@ -154,10 +87,133 @@ pub(super) fn normal_contacts(
     }
     let mut sinking = Lanes::ZERO;
     for lane in 0..LANES {
-        sinking.0[lane] = weight.0[lane] * velocity[space.upward].0[lane];
+        sinking.0[lane] = weight.0[lane] * moving.velocity[space.upward].0[lane];
     }
     totals.weight += sinking.sum();
     (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
+}
+
+/// Reads the motion of the balls of a block.
+#[inline(always)]
+fn moving(
+    layout: Layout,
+    (results, b): (&mut BlockResults, &mut SpaceBlock),
+    y: &[f64],
+    block: usize,
+) -> Moving {
+    let at = |coordinate| layout.array(coordinate) + block * LANES;
+    let mut place = [Lanes::ZERO; 3];
+    let mut velocity = [Lanes::ZERO; 3];
+    for axis in 0..3 {
+        place[axis].0 = *block_at(y, at(PLACE[axis]));
+        velocity[axis].0 = *block_at(y, at(RATES[axis]));
+    }
+    results.spin = Lanes(*block_at(y, at(BallCoordinate::Spin)));
+    b.velocity = b.velocities(layout, y, block);
+    let motions = Motions::new(layout, y, block);
+    let outer_ring = layout.outer_ring_motion(y);
+    for lane in 0..LANES {
+        let polar = motions.get(lane).about(&outer_ring);
+        results.polar.put(lane, polar);
+    }
+    let [outer_z, outer_vz] = layout.outer_ring_along_axis(y);
+    let (mut height, mut rise) = (place[2], velocity[2]);
+    for lane in 0..LANES {
+        height.0[lane] -= outer_z;
+        rise.0[lane] -= outer_vz + b.sliding_speed.0[lane];
+    }
+    Moving {
+        place,
+        velocity,
+        height,
+        rise,
+    }
+}
+
+/// Contacts of the balls of a block with the outer ring, and the places at which they bear.
+#[inline(always)]
+fn touch_outer(
+    (model, space): (&Model, &SpaceModel),
+    (results, b): (&BlockResults, &mut SpaceBlock),
+    balls: &BallLanes,
+    height: &Lanes,
+    block: usize,
+) {
+    let polar = &results.polar;
+    let mut beyond = Lanes::ZERO;
+    for lane in 0..LANES {
+        beyond.0[lane] = polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
+    }
+    touch_plain(&b.outer_groove, &beyond, height, &mut b.outer);
+    for lane in 0..LANES.min(model.layout.balls - block * LANES) {
+        let direction = [polar.ex.0[lane], polar.ey.0[lane]];
+        if let Some(here) = space.flanks_at(block * LANES + lane, direction) {
+            let groove = b.outer_groove.get(lane);
+            let touch = groove.touch_flanks(beyond.0[lane], height.0[lane], &here);
+            b.outer.put(lane, touch);
+        }
+    }
+    let both = b.outer.share_1.0.iter().any(|share| *share > 0.0);
+    b.places = if both { &ALL_PLACES } else { &WITHOUT_SECOND };
+}
+
+/// Frames of both points at the outer ring, and the curvature there.
+#[inline(always)]
+fn frame_outer_points(
+    friction_factor: f64,
+    polar: &PolarMotionLanes,
+    outer: &OuterForceLanes,
+    b: &mut SpaceBlock,
+) {
+    let touch = &b.outer;
+    let [first, second, _] = &mut b.frames;
+    let points = [
+        (
+            first,
+            [&touch.radial_0, &touch.axial_0],
+            [&touch.share_0, &touch.root_0],
+        ),
+        (
+            second,
+            [&touch.radial_1, &touch.axial_1],
+            [&touch.share_1, &touch.root_1],
+        ),
+    ];
+    for (at, (frames, normal, share)) in points.into_iter().enumerate() {
+        if !b.places.contains(&at) {
+            (frames.force_n, frames.friction_normal_n) = (Lanes::ZERO, Lanes::ZERO);
+            continue;
+        }
+        frame_outer(
+            (normal, share),
+            (outer, touch),
+            polar,
+            (&b.half_length_m1_2[0], friction_factor),
+            frames,
+        );
+    }
+    let mut curvature = b.groove_curvature;
+    curvature.add(&touch.curvature_change, 0.25);
+    b.curvature[0] = curvature;
+}
+
+/// Adds the forces on the inner ring and the powers of damping to the sums.
+#[inline(always)]
+fn add_to_totals(outer: &OuterForceLanes, inner: &InnerForceLanes, totals: &mut Totals) {
+    let on_ring = [
+        &inner.x,
+        &inner.y,
+        &inner.z,
+        &inner.moment_x,
+        &inner.moment_y,
+        &inner.moment_z,
+    ];
+    for (total, lanes) in totals.ring.iter_mut().zip(on_ring) {
+        *total += lanes.sum();
+    }
+    let mut damping = outer.damping_power_w;
+    damping.add(&inner.damping_power_w, 1.0);
+    totals.damping += damping.sum();
 }
 
 // Each function takes what it reads and what it writes as separate arguments: the compiler does not

@@ -1,6 +1,7 @@
 //! The inner ring: coordinates, constants and acceleration.
 
-use super::{BodyRow, Freedom, RestingRing, Start, row};
+use super::{BodyRow, ContactStiffness, FastestRates, Freedom, RestingRing, Start, row};
+use crate::case::Case;
 use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::Kind;
 use crate::numerics::lanes::lane_struct;
@@ -93,6 +94,16 @@ pub(super) fn start(ring: &RestingRing) -> Start {
         (RingCoordinate::TiltP.into(), p),
         (RingCoordinate::TiltQ.into(), q),
     ]
+}
+
+/// What the ring adds to the fastest rates of a case: on the balls that carry it and the journal.
+pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
+    let (c, d) = (contacts, case.bearing.dimensions());
+    let damping_n_s_m = c.carrying * c.inner_n_s_m + d.inner_ring_damping_n_s_m + c.journal_n_s_m;
+    FastestRates {
+        square_1_s2: (c.carrying * c.inner_n_m + c.journal_n_m) / d.inner_ring_mass_kg,
+        decay_1_s: damping_n_s_m / d.inner_ring_mass_kg,
+    }
 }
 
 impl InnerRing {

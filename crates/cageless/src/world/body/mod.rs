@@ -156,6 +156,44 @@ pub(crate) fn start(case: &Case, ring: &RestingRing) -> Start {
     bodies.flatten().collect()
 }
 
+/// Largest stiffness and damping of the contacts of the bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ContactStiffness {
+    /// Balls that together carry the inner ring.
+    pub carrying: f64,
+    /// dF/dδ of a ball at the inner raceway, N/m.
+    pub inner_n_m: f64,
+    /// dF/dδ of a ball at the outer raceway, N/m.
+    pub outer_n_m: f64,
+    /// dF/dδ of journal and bore, N/m.
+    pub journal_n_m: f64,
+    /// Damping of a ball at the inner raceway, N·s/m.
+    pub inner_n_s_m: f64,
+    /// Damping of a ball at the outer raceway, N·s/m.
+    pub outer_n_s_m: f64,
+    /// Damping of journal and bore, N·s/m.
+    pub journal_n_s_m: f64,
+}
+
+/// What a body adds to the fastest rates of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct FastestRates {
+    /// To ω², 1/s².
+    pub square_1_s2: f64,
+    /// To the decay of oscillations, 1/s.
+    pub decay_1_s: f64,
+}
+
+/// What all bodies of a case add to its fastest rates.
+pub(crate) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> [FastestRates; 4] {
+    [
+        inner_ring::fastest_rates(case, contacts),
+        rotor::fastest_rates(case, contacts),
+        outer_ring::fastest_rates(case, contacts),
+        sliding_ring::fastest_rates(case, contacts),
+    ]
+}
+
 /// Length of the longest table.
 pub(crate) const LONGEST: usize = 11;
 

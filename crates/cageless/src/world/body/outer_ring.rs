@@ -1,6 +1,7 @@
 //! The outer ring on its support: coordinates, constants and acceleration.
 
-use super::{BodyRow, Freedom, row};
+use super::{BodyRow, ContactStiffness, FastestRates, Freedom, row};
+use crate::case::Case;
 use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::Kind;
 use crate::rotor::Support;
@@ -72,6 +73,23 @@ pub(crate) struct OuterRing {
     pub axial_inverse_mass: f64,
     /// What holds it.
     pub support: SupportJoint,
+}
+
+/// What the ring adds to the fastest rates of a case: between balls and support; nothing where it is fixed.
+pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
+    // Without a rotor the support holds it.
+    let support = case.support.as_ref().filter(|_| case.rotor.is_some());
+    let Some(support) = support else {
+        return FastestRates::default();
+    };
+    let stop_n_m = support.stop.map_or(0.0, |stop| stop.stiffness_n_m);
+    let stiffness_n_m = contacts.carrying * contacts.outer_n_m + (support.stiffness_n_m + stop_n_m);
+    let damping_n_s_m = contacts.carrying * contacts.outer_n_s_m + support.damping_n_s_m;
+    let inverse_mass = 1.0 / support.mass_kg;
+    FastestRates {
+        square_1_s2: stiffness_n_m * inverse_mass,
+        decay_1_s: damping_n_s_m * inverse_mass,
+    }
 }
 
 impl OuterRing {

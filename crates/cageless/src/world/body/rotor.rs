@@ -1,6 +1,6 @@
 //! A rigid rotor: coordinates, constants, motion and acceleration.
 
-use super::{BodyRow, Freedom, RestingRing, Start, row};
+use super::{BodyRow, ContactStiffness, FastestRates, Freedom, RestingRing, Start, row};
 use crate::case::Case;
 use crate::contact::JournalMotion;
 use crate::dynamics::coordinates::Kind;
@@ -125,6 +125,15 @@ pub(super) fn start(case: &Case, ring: &RestingRing) -> Start {
     };
     let coordinates = motion.coordinates().into_iter();
     coordinates.map(|(c, value)| (c.into(), value)).collect()
+}
+
+/// What the rotor adds to the fastest rates of a case: on the contact of its journal.
+pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
+    let inverse_mass = case.rotor.as_ref().map_or(0.0, |rotor| 1.0 / rotor.mass_kg);
+    FastestRates {
+        square_1_s2: contacts.journal_n_m * inverse_mass,
+        decay_1_s: 0.0,
+    }
 }
 
 /// Accelerations of a journal, [ẍ, ÿ, Ω̇], under a unit of each of the loads [Fx, Fy, moment about

@@ -1,6 +1,7 @@
 //! An outer ring that slides in its housing along the axis, pushed by the preload spring of its row:
 //! coordinates, constants and work.
 
+use super::{ContactStiffness, FastestRates};
 use crate::case::{Case, Row};
 use crate::dynamics::coordinates::{Coordinate, Kind, coordinate};
 
@@ -24,6 +25,28 @@ pub(crate) fn start_m(rows: &[Row], preload_m: &[f64]) -> impl Iterator<Item = f
     let sliding = rows.iter().zip(preload_m);
     let sliding = sliding.filter(|(row, _)| row.preload_n > 0.0);
     sliding.map(|(row, preload_m)| -row.contact_sign * preload_m)
+}
+
+/// Largest load of a ring over that of its spring.
+const OVERLOAD: f64 = 1.25;
+
+/// What these rings add to the fastest rates of a case. All balls of a row push its ring, at the contact
+/// angle that its spring gives them: Σ sin²α over the mass of the ring.
+pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
+    let sprung = case.rows.iter().filter(|row| row.preload_n > 0.0);
+    let [along, decay] = sprung.fold([0.0; 2], |[along, decay]: [f64; 2], row| {
+        let [mass, damping] = row.sliding(&case.bearing);
+        let [_, sine] = case.thrust_on_ball(OVERLOAD * row.preload_n);
+        let balls = case.bearing.balls() as f64;
+        [
+            along.max(balls * sine * sine / mass),
+            decay.max(damping / mass),
+        ]
+    });
+    FastestRates {
+        square_1_s2: along * contacts.outer_n_m,
+        decay_1_s: along * contacts.outer_n_s_m + decay,
+    }
 }
 
 /// Constants of an outer ring that slides.

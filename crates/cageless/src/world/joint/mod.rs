@@ -1,5 +1,6 @@
 //! Joints: forces between two bodies; one file is one joint.
 
+pub(crate) mod impact;
 pub(crate) mod journal;
 pub(crate) mod rotor_touch;
 pub(crate) mod shoulder;
