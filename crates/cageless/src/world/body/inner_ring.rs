@@ -1,6 +1,7 @@
 //! The inner ring: coordinates, constants and acceleration.
 
-use super::{BodyRow, ContactStiffness, FastestRates, Freedom, RestingRing, Start, row};
+use super::row::{BodyRow, Freedom, row};
+use super::{ContactStiffness, FastestRates, RestingRing};
 use crate::case::Case;
 use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::Kind;
@@ -85,14 +86,14 @@ lane_struct! {
 }
 
 /// The ring at the start.
-pub(super) fn start(ring: &RestingRing) -> Start {
+pub(super) fn start(ring: &RestingRing) -> [(RingCoordinate, f64); 5] {
     let ([x, y, z], [p, q]) = (ring.place_m, ring.axis);
-    vec![
-        (RingCoordinate::X.into(), x),
-        (RingCoordinate::Y.into(), y),
-        (RingCoordinate::Z.into(), z),
-        (RingCoordinate::TiltP.into(), p),
-        (RingCoordinate::TiltQ.into(), q),
+    [
+        (RingCoordinate::X, x),
+        (RingCoordinate::Y, y),
+        (RingCoordinate::Z, z),
+        (RingCoordinate::TiltP, p),
+        (RingCoordinate::TiltQ, q),
     ]
 }
 

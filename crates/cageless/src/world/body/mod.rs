@@ -8,72 +8,23 @@
 //! assert!(!row.freedom.moves(false, true)); // held in the plane
 //! ```
 
+mod fastest_rates;
 pub(crate) mod inner_ring;
 pub(crate) mod outer_ring;
+mod resting_ring;
 pub(crate) mod rotor;
+mod row;
 pub(crate) mod sliding_ring;
 
+pub(crate) use fastest_rates::{ContactStiffness, FastestRates};
 pub use inner_ring::RingCoordinate;
 pub use outer_ring::OuterRingCoordinate;
+pub(crate) use resting_ring::RestingRing;
 pub use rotor::{RotorCoordinate, RotorMotion};
+pub use row::{BodyRow, Freedom};
 pub use sliding_ring::SlidingCoordinate;
 
 use crate::case::Case;
-use crate::dynamics::coordinates::{Coordinate, Kind};
-
-/// Cases in which a coordinate of a body moves; in others it is held.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Freedom {
-    /// In every case.
-    Always,
-    /// In space.
-    InSpace,
-    /// Under a rotor.
-    UnderRotor,
-    /// Under a rotor in space.
-    UnderRotorInSpace,
-}
-
-impl Freedom {
-    /// Whether it moves.
-    pub const fn moves(self, in_space: bool, under_rotor: bool) -> bool {
-        match self {
-            Self::Always => true,
-            Self::InSpace => in_space,
-            Self::UnderRotor => under_rotor,
-            Self::UnderRotorInSpace => in_space && under_rotor,
-        }
-    }
-}
-
-/// Row of the table of a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodyRow {
-    /// The coordinate; a velocity names the index of its position in the same table.
-    pub coordinate: Coordinate,
-    /// Cases in which it moves.
-    pub freedom: Freedom,
-}
-
-/// A position, or a velocity of the position with an index, by its name, unit and scale of errors.
-pub(crate) const fn row(
-    freedom: Freedom,
-    name: &'static str,
-    unit: &'static str,
-    error_scale: f64,
-    kind: Kind,
-) -> BodyRow {
-    let coordinate = Coordinate {
-        name,
-        unit,
-        error_scale,
-        kind,
-    };
-    BodyRow {
-        coordinate,
-        freedom,
-    }
-}
 
 /// Kind of a body of which a bearing has one, in the order of the state vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -133,55 +84,12 @@ impl From<RotorCoordinate> for BodyCoordinate {
     }
 }
 
-/// Values of coordinates at the start; those that are left out are 0.
-pub(crate) type Start = Vec<(BodyCoordinate, f64)>;
-
-/// Place of the inner ring at rest, from which a run starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct RestingRing {
-    /// Centre, m.
-    pub place_m: [f64; 3],
-    /// p and q of its axis.
-    pub axis: [f64; 2],
-}
-
-/// Coordinates of all bodies of a case at the start.
-pub(crate) fn start(case: &Case, ring: &RestingRing) -> Start {
-    let bodies = BodyKind::ALL.into_iter().map(|body| match body {
-        BodyKind::InnerRing => inner_ring::start(ring),
-        // It rests where its weight is carried already.
-        BodyKind::OuterRing => vec![],
-        BodyKind::Rotor => rotor::start(case, ring),
-    });
-    bodies.flatten().collect()
-}
-
-/// Largest stiffness and damping of the contacts of the bodies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ContactStiffness {
-    /// Balls that together carry the inner ring.
-    pub carrying: f64,
-    /// dF/dδ of a ball at the inner raceway, N/m.
-    pub inner_n_m: f64,
-    /// dF/dδ of a ball at the outer raceway, N/m.
-    pub outer_n_m: f64,
-    /// dF/dδ of journal and bore, N/m.
-    pub journal_n_m: f64,
-    /// Damping of a ball at the inner raceway, N·s/m.
-    pub inner_n_s_m: f64,
-    /// Damping of a ball at the outer raceway, N·s/m.
-    pub outer_n_s_m: f64,
-    /// Damping of journal and bore, N·s/m.
-    pub journal_n_s_m: f64,
-}
-
-/// What a body adds to the fastest rates of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct FastestRates {
-    /// To ω², 1/s².
-    pub square_1_s2: f64,
-    /// To the decay of oscillations, 1/s.
-    pub decay_1_s: f64,
+/// Coordinates of all bodies of a case at the start; those that are left out, as of the outer ring, are 0.
+pub(crate) fn start(case: &Case, ring: &RestingRing) -> Vec<(BodyCoordinate, f64)> {
+    let of_ring = inner_ring::start(ring).map(|(c, value)| (c.into(), value));
+    let of_rotor = rotor::start(case, ring).into_iter().flatten();
+    let of_rotor = of_rotor.map(|(c, value)| (c.into(), value));
+    of_ring.into_iter().chain(of_rotor).collect()
 }
 
 /// What all bodies of a case add to its fastest rates.
@@ -200,6 +108,7 @@ pub(crate) const LONGEST: usize = 11;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::coordinates::Kind;
 
     /// Every velocity comes after its position and moves with it.
     #[test]

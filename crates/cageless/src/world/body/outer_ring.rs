@@ -1,6 +1,7 @@
 //! The outer ring on its support: coordinates, constants and acceleration.
 
-use super::{BodyRow, ContactStiffness, FastestRates, Freedom, row};
+use super::row::{BodyRow, Freedom, row};
+use super::{ContactStiffness, FastestRates};
 use crate::case::Case;
 use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::Kind;

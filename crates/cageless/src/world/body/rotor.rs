@@ -1,6 +1,7 @@
 //! A rigid rotor: coordinates, constants, motion and acceleration.
 
-use super::{BodyRow, ContactStiffness, FastestRates, Freedom, RestingRing, Start, row};
+use super::row::{BodyRow, Freedom, row};
+use super::{ContactStiffness, FastestRates, RestingRing};
 use crate::case::Case;
 use crate::contact::JournalMotion;
 use crate::dynamics::coordinates::Kind;
@@ -92,6 +93,13 @@ impl RotorMotion {
         }
     }
 
+    /// Power of loads of the inner ring, W.
+    #[inline(always)]
+    pub(crate) fn power(&self, loads: &TouchLoads) -> f64 {
+        let [x, y, z] = loads.force;
+        x * self.vx + y * self.vy + z * self.vz + loads.moment * self.speed
+    }
+
     /// Coordinates with their values.
     pub(crate) fn coordinates(&self) -> [(RotorCoordinate, f64); TABLE.len()] {
         [
@@ -108,10 +116,11 @@ impl RotorMotion {
 }
 
 /// The rotor of a case at the start: where the magnetic bearing held it.
-pub(super) fn start(case: &Case, ring: &RestingRing) -> Start {
-    let Some(rotor) = &case.rotor else {
-        return vec![];
-    };
+pub(super) fn start(
+    case: &Case,
+    ring: &RestingRing,
+) -> Option<[(RotorCoordinate, f64); TABLE.len()]> {
+    let rotor = case.rotor.as_ref()?;
     let [.., ring_z_m] = ring.place_m;
     let motion = RotorMotion {
         x: rotor.x_m,
@@ -123,8 +132,7 @@ pub(super) fn start(case: &Case, ring: &RestingRing) -> Start {
         z: ring_z_m + rotor.z_m,
         vz: rotor.vz_m_s,
     };
-    let coordinates = motion.coordinates().into_iter();
-    coordinates.map(|(c, value)| (c.into(), value)).collect()
+    Some(motion.coordinates())
 }
 
 /// What the rotor adds to the fastest rates of a case: on the contact of its journal.
@@ -280,7 +288,7 @@ impl RotorBody {
     #[inline(always)]
     pub(crate) fn drive_power(&self, motion: &RotorMotion, loads: &TouchLoads) -> f64 {
         match &self.guide {
-            Some(_) => -loads.power(motion),
+            Some(_) => -motion.power(loads),
             None => self.drive_torque * motion.speed,
         }
     }

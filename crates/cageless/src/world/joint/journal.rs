@@ -274,7 +274,7 @@ mod tests {
         assert!(contact.contact.force > 0.0);
         let friction = 0.15 * contact.contact.force;
         let loads = joint().loads(&contact, contact.contact.force, friction);
-        let power = loads.power(&motion)
+        let power = motion.power(&loads)
             - loads.force[0] * ring.centre.vx
             - loads.force[1] * ring.centre.vy
             + loads.ring_torque * ring.speed;

@@ -1,7 +1,5 @@
 //! Loads between rotor and inner ring.
 
-use crate::world::body::rotor::RotorMotion;
-
 /// Loads of the joints of rotor and inner ring; the ring has the reaction of the force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct TouchLoads {
@@ -11,13 +9,4 @@ pub(crate) struct TouchLoads {
     pub moment: f64,
     /// Torque on the inner ring about its axis, N·m.
     pub ring_torque: f64,
-}
-
-impl TouchLoads {
-    /// Power on the rotor, W.
-    #[inline(always)]
-    pub(crate) fn power(&self, motion: &RotorMotion) -> f64 {
-        let [x, y, z] = self.force;
-        x * motion.vx + y * motion.vy + z * motion.vz + self.moment * motion.speed
-    }
 }

@@ -1,0 +1,57 @@
+//! Rows of the tables of bodies.
+
+use crate::dynamics::coordinates::{Coordinate, Kind};
+
+/// Cases in which a coordinate of a body moves; in others it is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Freedom {
+    /// In every case.
+    Always,
+    /// In space.
+    InSpace,
+    /// Under a rotor.
+    UnderRotor,
+    /// Under a rotor in space.
+    UnderRotorInSpace,
+}
+
+impl Freedom {
+    /// Whether it moves.
+    pub const fn moves(self, in_space: bool, under_rotor: bool) -> bool {
+        match self {
+            Self::Always => true,
+            Self::InSpace => in_space,
+            Self::UnderRotor => under_rotor,
+            Self::UnderRotorInSpace => in_space && under_rotor,
+        }
+    }
+}
+
+/// Row of the table of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyRow {
+    /// The coordinate; a velocity names the index of its position in the same table.
+    pub coordinate: Coordinate,
+    /// Cases in which it moves.
+    pub freedom: Freedom,
+}
+
+/// A position, or a velocity of the position with an index, by its name, unit and scale of errors.
+pub(crate) const fn row(
+    freedom: Freedom,
+    name: &'static str,
+    unit: &'static str,
+    error_scale: f64,
+    kind: Kind,
+) -> BodyRow {
+    let coordinate = Coordinate {
+        name,
+        unit,
+        error_scale,
+        kind,
+    };
+    BodyRow {
+        coordinate,
+        freedom,
+    }
+}
