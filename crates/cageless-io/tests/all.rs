@@ -11,6 +11,7 @@ mod derived_files;
 mod derived_files_for_editors;
 mod designation;
 mod edited;
+mod film;
 mod fit;
 mod former_names;
 mod fuzz_entries;

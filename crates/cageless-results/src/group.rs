@@ -27,6 +27,8 @@ pub enum Group {
     BallAdvance,
     /// Friction torque, losses and what bounds the speed.
     Friction,
+    /// Oil film and rolling resistance.
+    Film,
     /// Contacts between balls.
     Contacts,
     /// Gaps between balls.
@@ -59,6 +61,7 @@ impl Group {
             Self::Orders => "Frequencies, multiples of that of the shaft",
             Self::BallAdvance => "Ball advance",
             Self::Friction => "Friction and speed",
+            Self::Film => "Oil film",
             Self::Contacts => "Contacts between balls",
             Self::Spacing => "Spacing of the balls",
             Self::Passages => "Passages through the discrete raceway",

@@ -4,19 +4,20 @@ use cageless::touchdown::{Limit, LimitSide};
 use serde::Serialize;
 
 use crate::table::{
-    CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, LUBRICATION, PASSAGES,
-    RUN, SPACE, STATIC, STEADY, SUCCESSION, VERDICT, milliseconds,
+    CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FILM, FIT, LUBRICATION,
+    PASSAGES, RUN, SPACE, STATIC, STEADY, SUCCESSION, VERDICT, milliseconds,
 };
 use crate::{Aim, DropJudgement, Quantity, Results};
 
 /// Tables whose results a limit can be on.
-pub const LIMITED: [&[Quantity]; 15] = [
+pub const LIMITED: [&[Quantity]; 16] = [
     DROP,
     SUCCESSION,
     STATIC,
     FIT,
     CLEARANCE_RANGE,
     LUBRICATION,
+    FILM,
     SPACE,
     DEFECTS,
     RUN,

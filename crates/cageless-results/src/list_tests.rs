@@ -29,12 +29,13 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 46] = [
+const SECTIONS: [(&[Quantity], &str, &str); 47] = [
     (STATIC, "Static equilibrium", "Of `static`."),
     (DEFECTS, "Static equilibrium: frequencies of defects", "For vibration analysts, in pure rolling. The orbital frequency of the balls takes the place of a cage's."),
     (FIT, "Static equilibrium with fits and temperatures", "With `[fit]`."),
     (CLEARANCE_RANGE, "Static equilibrium with tolerances of shaft, housing or clearance", "With `fit.shaft`, `fit.housing` or `fit.clearance_tolerance_um`."),
     (LUBRICATION, "Static equilibrium with a lubricant", "With `[lubrication]`, in the plane."),
+    (FILM, "Static equilibrium with an oil film", "With `[film]`, in the plane."),
     (SPACE, "Static equilibrium in space", "With an axial load, moments, a tilt, a contact angle or several rows."),
     (DESIGN, "Design: closed forms", "Of `design`."),
     (CONTACT_ANGLE, "Design: contact angle", "What an axial load or a tilt would leave of the first raceway, by estimate."),

@@ -9,6 +9,7 @@ use cageless::design::{
 };
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{Equilibrium, settle};
+use cageless::film::FilmAtRest;
 use cageless::passage::PassageTally;
 use cageless::raceway::MeasuredFlanks;
 use cageless::rating::{LubricatedRating, Rating};
@@ -42,6 +43,8 @@ pub struct Solved<'a> {
     pub space: Option<&'a SpatialEquilibrium>,
     /// Orbital speeds of its balls, where the inner ring drives them.
     pub advance: Option<BallAdvance>,
+    /// Films of its contacts.
+    pub film: Option<FilmAtRest>,
     /// L10r at the least and the largest clearance in operation, in million revolutions, where it has a range and
     /// a bearing with such a clearance a life.
     pub l10r_of_range_mrev: [Option<f64>; 2],
@@ -68,6 +71,7 @@ impl<'a> Solved<'a> {
             rating,
             space,
             advance: BallAdvance::new(case, settled),
+            film: FilmAtRest::new(case, &settled.rest),
             l10r_of_range_mrev: match particulars.fit.and_then(|fit| fit.range) {
                 Some(range) => range.probable_m.map(|m| l10r_at_clearance_mrev(case, m)),
                 None => [None; 2],

@@ -2,12 +2,13 @@
 
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{EquilibriumError, settle};
+use cageless::film::FilmAtRest;
 use cageless::fit::SMOOTHING_M;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
 use crate::{
-    CLEARANCE_RANGE, DEFECTS, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
+    CLEARANCE_RANGE, DEFECTS, FILM, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
     Solved, Subject,
 };
 
@@ -19,12 +20,15 @@ pub fn static_record(
 ) -> Record {
     let solved = Solved::new(case, particulars, settled);
     let warnings = settled.warnings(case).into_iter();
-    let warnings = warnings.chain(solved.rating.warnings()).collect();
+    let film = solved.film.as_ref().and_then(FilmAtRest::range_warning);
+    let warnings = warnings.chain(solved.rating.warnings()).chain(film);
+    let warnings = warnings.collect();
     let mut groups = vec![STATIC, DEFECTS];
     groups.extend(particulars.fit.map(|_| FIT));
     let range = particulars.fit.and_then(|fit| fit.range);
     groups.extend(range.map(|_| CLEARANCE_RANGE));
     groups.extend(particulars.lubrication.as_ref().map(|_| LUBRICATION));
+    groups.extend(solved.film.as_ref().map(|_| FILM));
     groups.extend(solved.space.map(|_| SPACE));
     let results = groups
         .into_iter()
@@ -104,6 +108,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
         ),
     }
     notes.extend(of_lubricant(solved));
+    notes.extend(of_film(solved));
     if solved.space.is_some() {
         notes.push(
             "in space: L10r takes the load of every ball under rigid rings that turn exactly, not by \
@@ -144,6 +149,37 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     let view = case.operation.view();
     notes.extend((!view.is_empty()).then(|| view.to_owned()));
     notes
+}
+
+/// What the film does to the balls, and what it leaves out.
+fn of_film(solved: &Solved<'_>) -> Vec<String> {
+    let (Some(film), Some(at_rest)) = (&solved.case.film, &solved.film) else {
+        return vec![];
+    };
+    let [lost, free] = [at_rest.arc.speed_deficit, at_rest.free_share].map(|share| 100.0 * share);
+    let spacing = match at_rest.may_queue() {
+        _ if lost == 0.0 => None,
+        true => Some(format!(
+            "balls will queue: the oil takes {lost:.1} % of the speed of a free ball, more than the {free:.1} % of the \
+             pitch circle that balls leave free allow; slowed balls hit each other all the time"
+        )),
+        false => Some(format!(
+            "oil spaces the balls: it takes {lost:.1} % of the speed of a free ball, and opens a gap behind one that \
+             enters the load zone; balls queue from some {:.1} % on",
+            1.3 * free
+        )),
+    };
+    let starved = (film.supply < 1.0).then(|| {
+        "film thickness and Λ are those of flooded contacts: film.supply lowers the rolling force alone".to_owned()
+    });
+    let left_out = "the film leaves out drag and churning of oil, and what the ball before leaves on the track; the \
+                    supply of a bearing is known to a factor of ten: try film.supply = 0.1 and \"flooded\""
+        .to_owned();
+    spacing
+        .into_iter()
+        .chain(starved)
+        .chain([left_out])
+        .collect()
 }
 
 /// What the ratings with a lubricant leave out.

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use cageless::contact::flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::equilibrium;
+use cageless::film::FilmAtRest;
 use cageless::rating::speed_warning;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod, Raceway};
@@ -18,6 +19,7 @@ const UNDAMPED_STEP_S: f64 = 0.5e-6;
 /// Warnings of a run.
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);
+    warnings.extend(of_film(run.case));
     warnings.extend(beyond_bearings(run));
     match run.summary.map(|summary| summary.means) {
         None => warnings.push("the run ended within its transient: no statistics".to_owned()),
@@ -29,6 +31,13 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
         Some(_) => {}
     }
     warnings
+}
+
+/// Warning of a film outside the range of its formula.
+fn of_film(case: &Case) -> Option<String> {
+    case.film?;
+    let rest = equilibrium::solve(case).ok()?;
+    FilmAtRest::new(case, &rest)?.range_warning()
 }
 
 /// Warnings of a drop onto a bearing.

@@ -20,6 +20,7 @@ use crate::contact_tracker::{ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
 use crate::gap_scatter::GapScatter;
+use crate::half_turn::HalfTurnTracker;
 use crate::numerics::lanes::larger;
 use crate::numerics::moments::Moments;
 use crate::orbit_means::{OrbitMeans, OrbitMeansTracker};
@@ -54,6 +55,8 @@ pub struct Summary {
     pub peaks: ContactPeaks,
     /// Mean powers and speeds; `None` for a part of a few steps.
     pub means: Option<OrbitMeans>,
+    /// Lag of the balls against rolling over the half of their orbit away from the load, with a film.
+    pub half_turn_lag_rad: Option<f64>,
     /// Numbers of a run in space.
     pub space: Option<SpatialSummary>,
 }
@@ -99,6 +102,7 @@ pub struct SummaryRecorder {
     contact_counter: Option<ContactCounter>,
     peaks: Option<ContactPeakTracker>,
     means: OrbitMeansTracker,
+    half_turn: Option<HalfTurnTracker>,
     space: SpatialSummaryTracker,
     /// σ of the row of every ball.
     contact_signs: Vec<f64>,
@@ -129,6 +133,7 @@ impl SummaryRecorder {
             sliding_max_m_s: self.slip_max,
             peaks: peaks.peaks(case),
             means: self.means.means(case),
+            half_turn_lag_rad: self.half_turn.as_ref().and_then(HalfTurnTracker::lag_rad),
             space: self.space.summary(peaks.ellipse_edge_max_rad()),
         })
     }
@@ -144,6 +149,7 @@ impl Observer for SummaryRecorder {
         self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
         self.peaks = Some(ContactPeakTracker::new(case));
         self.space = SpatialSummaryTracker::new(case, context.start);
+        self.half_turn = HalfTurnTracker::new(case);
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
             .map(|k| rows[k / case.bearing.balls()].contact_sign)
@@ -191,6 +197,9 @@ impl Observer for SummaryRecorder {
         self.means.step(view, sampled);
         if sampled {
             self.look_at_gaps(view);
+        }
+        if let Some(half_turn) = &mut self.half_turn {
+            half_turn.step(view);
         }
         self.steps += 1;
         Ok(Control::Continue(()))

@@ -14,6 +14,8 @@ mod endurance;
 mod equilibrium;
 mod equivalent_load;
 mod falling_ring;
+mod film;
+mod film_motion;
 mod fit;
 mod fit_by_tolerance;
 mod free_rotor;

@@ -134,6 +134,7 @@ fn friction_at_flanks_has_its_limits() {
         inverse_regularisation_speed: 50.0,
     };
     let flanks = FlankContact {
+        load: 2.0,
         deflection: 5e-6,
         lever: 1.0,
         sine_square,

@@ -1,6 +1,7 @@
 //! Conversion of the sections to the case, with the checks of [`cageless`].
 
 mod bearing;
+mod film;
 mod material;
 mod operation;
 mod search;
@@ -8,13 +9,14 @@ mod start;
 mod steady;
 
 use cageless::design::search::Request;
+use cageless::film::Film;
 use cageless::rotor::SupportStop;
 use cageless::steady::SteadyOperation;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;
 use cageless::{
-    Bearing, Case, Ends, FlankModel, InputError, OperatingClearance, Raceway, RacewayDimensions,
-    RacewayForm, Row, Solver, Support,
+    Bearing, Case, Ends, FlankModel, InputError, Lubrication, OperatingClearance, Raceway,
+    RacewayDimensions, RacewayForm, Row, Solver, Support,
 };
 
 use cageless_results::{Kind, LIMITED, Particulars, Quantity};
@@ -38,6 +40,10 @@ const PROVISIONAL_STEP_S: f64 = 1e-6;
 
 /// Key of the regularisation speed of the balls, which follows from the rolling speed unless given.
 pub(super) const REGULARISATION: &str = "contact.regularisation_speed_m_s";
+/// Key of the viscosity for ratings, which follows from the oil of a film.
+const RATED_VISCOSITY: &str = "lubrication.viscosity_mm2_s";
+/// Viscosity of a case whose oil is still to be read.
+const PROVISIONAL_VISCOSITY: f64 = 1.0;
 /// That of a case whose regularisation speed is still to be chosen, and of drops, in which balls slide.
 const PROVISIONAL_SPEED_M_S: f64 = 0.02;
 
@@ -49,6 +55,11 @@ pub(super) fn completed(document: &CaseDocument) -> CaseDocument {
     let mut completed = document.clone();
     if !completed.has(REGULARISATION) {
         completed.set(REGULARISATION, PROVISIONAL_SPEED_M_S);
+    }
+    if completed.count("film") * completed.count("lubrication") > 0
+        && !completed.has(RATED_VISCOSITY)
+    {
+        completed.set(RATED_VISCOSITY, PROVISIONAL_VISCOSITY);
     }
     completed
 }
@@ -68,6 +79,14 @@ pub(super) struct Converted {
 /// Converts and checks, with `check` as last word on the case.
 pub(super) fn converted(document: &CaseDocument, check: Check) -> Result<Converted, CaseError> {
     let regularised = document.has(REGULARISATION);
+    if document.count("film") > 0 && document.has(RATED_VISCOSITY) {
+        let value = document.value(RATED_VISCOSITY).map(|value| value.written());
+        let allowed = "left out with [film], whose oil gives the viscosity";
+        let refused = document
+            .tree
+            .refusal(RATED_VISCOSITY, &value.unwrap_or_default(), allowed);
+        return Err(refused);
+    }
     let completed = completed(document);
     let sections = &CaseSections::read(&completed.tree)?;
     let converter = Converter {
@@ -77,7 +96,7 @@ pub(super) fn converted(document: &CaseDocument, check: Check) -> Result<Convert
     };
     let (bearing, fit) = converter.bearing()?;
     let case = converter.case(bearing, check)?;
-    let particulars = converter.particulars(fit)?;
+    let particulars = converter.particulars(fit, case.film.as_ref())?;
     let refused = |error| converter.refused_case(&error, &case);
     particulars.check(&case.bearing).map_err(refused)?;
     Ok(Converted {
@@ -90,14 +109,23 @@ pub(super) fn converted(document: &CaseDocument, check: Check) -> Result<Convert
 
 impl Converter<'_> {
     /// What results and commands need beside the case.
-    fn particulars(&self, fit: Option<OperatingClearance>) -> Result<Particulars, CaseError> {
+    fn particulars(
+        &self,
+        fit: Option<OperatingClearance>,
+        film: Option<&Film>,
+    ) -> Result<Particulars, CaseError> {
         let s = self.sections;
         Ok(Particulars {
             title: s.head.title.clone(),
             seed: s.solver.seed,
             interval_s: s.output.interval_s,
             fit,
-            lubrication: s.lubrication.clone(),
+            lubrication: s.lubrication.clone().map(|lubrication| Lubrication {
+                viscosity_m2_s: film.map_or(lubrication.viscosity_m2_s, |film| {
+                    film.oil.kinematic_viscosity_m2_s()
+                }),
+                ..lubrication
+            }),
             thermal: self.thermal(),
             limits: self.limits()?,
         })
@@ -109,6 +137,7 @@ impl Converter<'_> {
         let raceways = self.raceways(&bearing)?;
         let rows = self.rows(&bearing)?;
         let start = self.start(&bearing)?;
+        let film = self.film()?;
         let mut case = Case {
             bearing,
             raceways,
@@ -130,6 +159,7 @@ impl Converter<'_> {
             rotor: s.rotor.clone(),
             support: self.support()?,
             rows,
+            film,
         };
         if !self.regularised && case.rotor.is_none() {
             case.contact.friction.regularisation_speed_m_s = case.automatic_regularisation_m_s();

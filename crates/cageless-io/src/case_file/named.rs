@@ -1,5 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
+use cageless::film::OilGrade;
 use cageless::touchdown::LimitSide;
 use cageless::{
     Assembly, BearingClass, FlankModel, Formulation, FrictionModel, IntegrationMethod, Lubricant,
@@ -100,6 +101,7 @@ named!(
     Lubricant,
     Motion,
     Formulation,
+    OilGrade,
     RacewayShape,
     SearchedShapes,
     Shaft,

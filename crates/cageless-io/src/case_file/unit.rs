@@ -19,6 +19,7 @@ pub(crate) enum Unit {
     Gigapascal,
     Microsecond,
     SquareMillimetrePerSecond,
+    MillipascalSecond,
 }
 
 impl Unit {
@@ -35,6 +36,7 @@ impl Unit {
             Self::Gigapascal => "GPa",
             Self::Microsecond => "us",
             Self::SquareMillimetrePerSecond => "mm^2/s",
+            Self::MillipascalSecond => "mPa s",
         }
     }
 
@@ -48,7 +50,7 @@ impl Unit {
     pub(crate) fn to_si(self, value: f64) -> f64 {
         match self {
             Self::None | Self::Si(_) => value,
-            Self::Millimetre | Self::Milliradian => shift(value, -3),
+            Self::Millimetre | Self::Milliradian | Self::MillipascalSecond => shift(value, -3),
             Self::Micrometre | Self::Microsecond | Self::SquareMillimetrePerSecond => {
                 shift(value, -6)
             }
@@ -62,7 +64,7 @@ impl Unit {
     pub(super) fn of_si(self, value: f64) -> f64 {
         match self {
             Self::None | Self::Si(_) => value,
-            Self::Millimetre | Self::Milliradian => shift(value, 3),
+            Self::Millimetre | Self::Milliradian | Self::MillipascalSecond => shift(value, 3),
             Self::Micrometre | Self::Microsecond | Self::SquareMillimetrePerSecond => {
                 shift(value, 6)
             }
@@ -158,6 +160,7 @@ mod tests {
             Unit::RevolutionPerMinute,
             Unit::Gigapascal,
             Unit::Microsecond,
+            Unit::MillipascalSecond,
         ] {
             let back = unit.of_si(unit.to_si(7.3));
             assert!((back - 7.3).abs() < 1e-14 * 7.3, "{unit:?}: {back}");

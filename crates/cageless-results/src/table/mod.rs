@@ -23,7 +23,7 @@ pub use run::{COMPARED, RUN};
 pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
 };
-pub use statics::{CLEARANCE_RANGE, DEFECTS, FIT, LUBRICATION, SPACE, STATIC};
+pub use statics::{CLEARANCE_RANGE, DEFECTS, FILM, FIT, LUBRICATION, SPACE, STATIC};
 pub use steady::STEADY;
 pub use tolerance::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 pub use verification::{
@@ -31,12 +31,13 @@ pub use verification::{
 };
 
 /// Tables whose names mean the same wherever they stand in results of static equilibrium, design, run and drop.
-pub(crate) const ANYWHERE: [&[Quantity]; 20] = [
+pub(crate) const ANYWHERE: [&[Quantity]; 21] = [
     STATIC,
     DEFECTS,
     FIT,
     CLEARANCE_RANGE,
     LUBRICATION,
+    FILM,
     SPACE,
     DESIGN,
     CONTACT_ANGLE,
@@ -90,7 +91,15 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
 /// Scalar results of a kind of result: `static`, `design` with its verdict, `run` or `drop`.
 pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
     let tables: &'static [&'static [Quantity]] = match kind {
-        "static" => &[STATIC, DEFECTS, FIT, CLEARANCE_RANGE, LUBRICATION, SPACE],
+        "static" => &[
+            STATIC,
+            DEFECTS,
+            FIT,
+            CLEARANCE_RANGE,
+            LUBRICATION,
+            FILM,
+            SPACE,
+        ],
         "design" => &[DESIGN, CONTACT_ANGLE, PROFILE, VERDICT],
         "run" => &[RUN],
         "drop" => &[DROP],

@@ -1,5 +1,7 @@
 //! Results of a run.
 
+use std::f64::consts::FRAC_PI_2;
+
 use cageless::contact_tracker::ContactCounts;
 use cageless::design::Criterion;
 use cageless::dynamics::energy::EnergyTerm;
@@ -26,7 +28,7 @@ pub const RUN: &[Quantity] = &[
     file_only(text("headline", "verdict with its reason", Run(|r| Cell::Text(r.verdict.headline.clone())))),
     means(CRITERION, text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
     means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into())))),
-    group(Group::Friction, means("`power_loss_w` over the speed of the inner ring; without rolling resistance and lubricant", low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))))),
+    group(Group::Friction, means("`power_loss_w` over the speed of the inner ring: gross sliding and damping; rolling resistance with `[film]` alone", low(quantity("friction_torque_n_m", "N m", "friction torque in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))))),
     group(Group::Friction, means("estimate for a deep groove ball bearing with a cage: P of ISO 281, d the bore, μ = 0.0015; none with moments, a tilt, a contact angle or several rows", quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into())))),
     group(Group::Friction, means("power of the drive, averaged over whole orbits of the balls: the heat of friction and damping, and what is stored less the work of loads (`power_loss_stored_w`); where the speed varies, the heat alone", low(quantity("power_loss_w", "W", "power loss in the model, damping included", Run(|r| of_means(r, OrbitMeans::power_loss_w)))))),
     group(Group::Friction, quantity("power_loss_inner_friction_w", "W", "  friction at the inner raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::InnerFriction))))),
@@ -38,6 +40,10 @@ pub const RUN: &[Quantity] = &[
     group(Group::Friction, unless_zero(quantity("power_loss_rotor_damping_w", "W", "  damping between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorDamping)))))),
     group(Group::Friction, unless_zero(quantity("power_loss_support_damping_w", "W", "  damping of the support", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::SupportDamping)))))),
     not_in_tables(means("rise of the stored energy less the work of the loads, per second", quantity("power_loss_stored_w", "W", "  stored, less work of loads", Run(|r| of_means(r, OrbitMeans::stored_w))))),
+    group(Group::Film, means("heat of the oil film at both raceways, part of `power_loss_w`; with `[film]`", part(low(quantity("rolling_resistance_power_w", "W", "power of rolling resistance", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance)))))))),
+    group(Group::Film, means("that power over the speed of the inner ring", part(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance) / m.inner_speed_rad_s))))))),
+    group(Group::Film, means("ωi Ri/(2 Rm) times the time from ψ = 90° to 270°, less 180°, mean over the balls; with `[film]`", part(quantity("half_turn_lag_deg", "deg", "lag of the balls over the half orbit away from the load", Run(|r| half_turn(r, |lag| lag.to_degrees())))))),
+    group(Group::Film, means("2/π times that lag; balls queue from 1.1 to 1.4 times `free_share` on", part(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses", Run(|r| half_turn(r, |lag| lag / FRAC_PI_2)))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_pa * 1e-6)))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_pa * 1e-6)))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_pa * 1e-6)))))),
@@ -105,6 +111,19 @@ pub const COMPARED: &[Quantity] = &[
 fn of_means(run: &Finished<'_>, value: fn(&OrbitMeans) -> f64) -> Cell {
     let means = run.summary.and_then(|s| s.means.as_ref());
     means.map(value).into()
+}
+
+/// A mean of a run with a film.
+fn of_film(run: &Finished<'_>, value: fn(&OrbitMeans) -> f64) -> Cell {
+    match run.case.film {
+        Some(_) => of_means(run, value),
+        None => Cell::Null,
+    }
+}
+
+fn half_turn(run: &Finished<'_>, value: fn(f64) -> f64) -> Cell {
+    let lag_rad = run.summary.and_then(|s| s.half_turn_lag_rad);
+    lag_rad.map(value).into()
 }
 
 fn of_contacts(run: &Finished<'_>, count: fn(&ContactCounts) -> u64) -> Cell {

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::ball_advance::BallAdvance;
 use cageless::equilibrium::space::SpatialEquilibrium;
+use cageless::film::{ContactFilm, FilmAtRest};
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::raceway_contact::RacewayContact;
 use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
@@ -132,6 +133,26 @@ pub const LUBRICATION: &[Quantity] = &[
     group(Group::Friction, part(low(quantity("skf_model_power_w", "W", "power loss (SKF model)", Static(|s| s.lubricated.and_then(|l| l.skf_friction).map(|f| f.torque_n_m() * s.case.operation.inner_speed_rad_s.abs()).into()))))),
 ];
 
+/// Further results of a static equilibrium with an oil film.
+#[rustfmt::skip]
+pub const FILM: &[Quantity] = &[
+    group(Group::Film, means("of a flooded, isothermal contact: an upper bound (Hamrock & Dowson)", part(high(quantity("film_thickness_min_um", "um", "least film thickness", Static(|s| film(s, |f| f.thickness_min_m() * 1e6))))))),
+    group(Group::Film, means("mean of the film in the middle of all loaded contacts; flooded and isothermal", part(high(quantity("film_thickness_mean_um", "um", "film thickness, mean", Static(|s| film(s, |f| f.thickness_mean_m() * 1e6))))))),
+    group(Group::Film, means("least film thickness over the roughness", part(high(quantity("film_parameter_min", "", "film parameter Λ, least", Static(|s| film(s, FilmAtRest::film_parameter_min))))))),
+    group(Group::Film, means("film thickness in the middle of the contacts over the roughness, mean", part(high(quantity("film_parameter_mean", "", "film parameter Λ, mean", Static(|s| film(s, FilmAtRest::film_parameter_mean))))))),
+    group(Group::Film, means("largest of all contacts, from Λ of the middle of the contact (Zhou & Hoeprich)", part(low(quantity("asperity_load_fraction", "", "share of the load on asperities", Static(|s| film(s, FilmAtRest::asperity_share_max))))))),
+    group(Group::Film, means("of the oil film, power over the speed of the inner ring; sliding and hysteresis left out", part(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Static(|s| film(s, |f| f.torque_n_m))))))),
+    group(Group::Film, part(low(quantity("rolling_resistance_power_w", "W", "power of rolling resistance", Static(|s| film(s, |f| f.power_w)))))),
+    group(Group::Film, means("over which the outer raceway alone carries a ball, from the place of the ring", part(quantity("free_arc_deg", "deg", "angle without inner contact", Static(|s| film(s, |f| f.free_arc_rad.to_degrees())))))),
+    group(Group::Film, means("against rolling, over the angle without inner contact", part(quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit", Static(|s| film(s, |f| f.arc.lag_rad.to_degrees())))))),
+    group(Group::Film, means("of a ball that the outer raceway alone carries; balls queue from 1.1 to 1.4 times `free_share` on", part(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses by the film", Static(|s| film(s, |f| f.arc.speed_deficit)))))),
+    group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone", part(quantity("film_opening_gap_deg", "deg", "gap that the film opens", Static(|s| film(s, |f| f.opening_gap_rad.to_degrees())))))),
+    group(Group::Film, means("of the pitch circle, 1 − N ε/360°", part(quantity("free_share", "", "share that balls leave free", Static(|s| film(s, |f| f.free_share)))))),
+    means("of the fit of the rolling force, with the factor, of the contact furthest outside; none within", part(text("film_range_exceeded", "range exceeded", Static(|s| s.film.as_ref().and_then(FilmAtRest::exceeded).map_or(Cell::Null, |beyond| Cell::Text(format!("{} × {:.3}", beyond.parameter, beyond.factor))))))),
+    column("Λi", part(list("inner_film_parameter", "", "film parameter Λ, inner raceway", Static(|s| films(s, |f| &f.inner))))),
+    column("Λo", part(list("outer_film_parameter", "", "film parameter Λ, outer raceway (of one contact point on a discrete raceway)", Static(|s| films(s, |f| &f.outer))))),
+];
+
 /// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a
 /// contact angle or several rows.
 #[rustfmt::skip]
@@ -214,6 +235,19 @@ fn end_um(solved: &Solved<'_>, value: fn(&ClearanceRange) -> f64) -> Cell {
 
 fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {
     s.lubricated.as_ref().and_then(value).into()
+}
+
+fn film(s: &Solved<'_>, value: impl Fn(&FilmAtRest) -> f64) -> Cell {
+    s.film.as_ref().map(value).into()
+}
+
+/// Λ of the films at a raceway.
+fn films(s: &Solved<'_>, of: fn(&FilmAtRest) -> &Vec<ContactFilm>) -> Cell {
+    let all = s.film.as_ref().map(|at_rest| {
+        let films = of(at_rest).iter();
+        films.map(|film| at_rest.film_parameter(film)).collect()
+    });
+    all.map_or(Cell::Null, Cell::Numbers)
 }
 
 fn hours(solved: &Solved<'_>, life_mrev: Option<f64>) -> Cell {

@@ -63,6 +63,7 @@ impl Case {
             )?;
         }
         self.contact.check()?;
+        self.check_film()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
         }
@@ -89,6 +90,38 @@ impl Case {
             not_negative("damping_n_s_m", h.damping_n_s_m)?;
         }
         Ok(())
+    }
+
+    /// Refuses oil that cannot be, and a film where the equations have none.
+    fn check_film(&self) -> Result<(), InputError> {
+        let Some(film) = &self.film else {
+            return Ok(());
+        };
+        film.check()?;
+        let why = match () {
+            () if self.formulation == Formulation::Paper => "the published equations have no film",
+            () if self.rotor.is_some() => "the film under a falling rotor is not computed",
+            () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => {
+                "the film at the edges of slots is not computed"
+            }
+            () if self.moves_in_space() => "the film is computed in the plane only",
+            () => return Ok(()),
+        };
+        let rule = format!("left out, with all of [film]: {why}");
+        Err(InputError::rule("supply", film.supply, rule))
+    }
+
+    /// Passes a case without a film; `what` does not count one.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the film.
+    pub fn check_without_film(&self, what: &str) -> Result<(), InputError> {
+        let Some(film) = &self.film else {
+            return Ok(());
+        };
+        let rule =
+            format!("left out, with all of [film]: {what} does not count the lag of a film yet");
+        Err(InputError::rule("supply", film.supply, rule))
     }
 
     /// Refuses speeds and loads whose deflection exceeds that of any elastic contact, the

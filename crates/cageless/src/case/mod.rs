@@ -21,6 +21,7 @@ mod spatial_load;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
+use crate::film::Film;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
@@ -236,6 +237,8 @@ pub struct Case {
     pub support: Option<Support>,
     /// Rows of balls on one inner ring; none for a single row in the middle plane.
     pub rows: Vec<Row>,
+    /// Oil film of the contacts with the raceways; the motion is dry without one.
+    pub film: Option<Film>,
 }
 
 /// K of a ball between two raceways whose forces on it are equal, N·m^(−3/2).

@@ -47,6 +47,7 @@ impl Case {
             rotor: None,
             support: None,
             rows: vec![],
+            film: None,
         }
     }
 

@@ -15,6 +15,8 @@ lane_struct! {
         lever,
         /// sin² α.
         sine_square,
+        /// Normal force of both flanks together, N.
+        load,
         /// a², square of the semi-axis across the groove of the contact ellipse of a flank, m².
         axis_square,
     }
@@ -71,6 +73,7 @@ pub(crate) fn flank_contact(
         deflection: press.deflection,
         lever: press.lever,
         sine_square: press.sine_square,
+        load: normal.force_n * press.inverse_flank_cosine,
         axis_square: raceway.axis_square_per_m * press.deflection * shape.ellipse,
     };
     (geometry, outer, flanks)

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::case::Case;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
+use crate::equilibrium::EquilibriumError;
 use crate::numerics::root;
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 use crate::simulation::Control;
@@ -127,6 +128,8 @@ pub fn starting_point(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<StartingPoint>, CriticalGapError> {
+    case.check_without_film("the recommendation of a raceway")
+        .map_err(EquilibriumError::from)?;
     let bearing = &case.bearing;
     let half_angle_max_rad = bearing.ball_angle_rad() + bearing.nominal_gap_rad();
     let limit = axial_span_limit_m(bearing) * (1.0 - 1e-6);

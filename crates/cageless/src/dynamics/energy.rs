@@ -35,6 +35,8 @@ crate::named_enum! {
         FrictionDirection = "friction_direction",
         /// `paper` formulation: work of the relative spin of Eq. (13) in place of the absolute one.
         RelativeSpin = "relative_spin",
+        /// Heat of the rolling force of films at both raceways.
+        RollingResistance = "rolling_resistance",
         /// Heat of friction between rotor and inner ring.
         RotorFriction = "rotor_friction",
         /// Heat of the damping of the contact between rotor and inner ring.

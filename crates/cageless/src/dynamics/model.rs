@@ -14,6 +14,7 @@ use crate::contact::{
     restitution_damping,
 };
 use crate::error::InputError;
+use crate::film::RollingModel;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::numerics::chebyshev::Polynomial;
@@ -72,6 +73,8 @@ pub struct Model {
     pub(crate) radial_load: Option<TimeTable>,
     /// What motion in space needs besides.
     pub(crate) space: Option<SpaceModel>,
+    /// Films of the contacts with the raceways.
+    pub(crate) film: Option<RollingModel>,
     bearing: Bearing,
     raceways: Vec<Raceway>,
 }
@@ -183,6 +186,7 @@ impl Model {
             inner_speed: case.operation.inner_speed_table.clone(),
             radial_load: case.operation.radial_load_table.clone(),
             space,
+            film: RollingModel::new(case),
             bearing: bearing.clone(),
             raceways: case.raceways.clone(),
         })
@@ -229,6 +233,7 @@ impl Model {
             self.flanks,
             self.implicit_friction,
             self.layout,
+            self.film.is_some(),
         )
     }
 

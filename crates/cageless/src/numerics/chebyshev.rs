@@ -34,6 +34,15 @@ impl Polynomial {
         }
     }
 
+    /// Interpolates `f` on [lo, hi] with this degree; the ends themselves are not evaluated.
+    pub(crate) fn of_degree(f: impl Fn(f64) -> f64, lo: f64, hi: f64, degree: usize) -> Self {
+        Self {
+            coefficients: to_powers(&coefficients(&f, lo, hi, degree)),
+            scale: 2.0 / (hi - lo),
+            shift: -(hi + lo) / (hi - lo),
+        }
+    }
+
     /// Value at `x`.
     pub(crate) fn value(&self, x: f64) -> f64 {
         let u = self.scale * x + self.shift;

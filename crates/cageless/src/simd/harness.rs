@@ -1,6 +1,7 @@
 //! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
+use super::film;
 use super::flanks;
 use super::friction::{both_raceways, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
@@ -101,6 +102,10 @@ fn equations<const ROTOR: bool>(
             w.sums.add(&Sum::OUTER_RING, &w.addends, alone, block);
         }
         inner_loads(p, balls, results, &mut w.addends);
+        if let Some(films) = &p.film {
+            film::add((p, films), balls, results, motions, &mut w.addends);
+            w.sums.add(&Sum::ROLLING, &w.addends, alone, block);
+        }
         w.sums.add(&Sum::NORMAL, &w.addends, alone, block);
         if raceway_friction {
             loaded_slips(results, &mut slip_max);
@@ -273,8 +278,16 @@ pub(super) fn ring_and_ledger(
     dydt[layout.ring(RingCoordinate::Y)] = motion.vy;
     dydt[layout.ring(RingCoordinate::Vx)] = ax;
     dydt[layout.ring(RingCoordinate::Vy)] = ay;
+    let [rolling, driven] = match p.film {
+        Some(_) => Sum::ROLLING.map(total),
+        None => [0.0; 2],
+    };
+    let drive = match p.film {
+        Some(_) => total(Sum::Drive) + driven,
+        None => total(Sum::Drive),
+    };
     let powers: [(EnergyTerm, f64); EnergyTerm::without_rotor().len()] = [
-        (EnergyTerm::Drive, total(Sum::Drive)),
+        (EnergyTerm::Drive, drive),
         (EnergyTerm::Load, -ring.radial_load * motion.vy),
         (
             EnergyTerm::Weight,
@@ -294,6 +307,7 @@ pub(super) fn ring_and_ledger(
         (EnergyTerm::Centrifugal, 0.0),
         (EnergyTerm::FrictionDirection, 0.0),
         (EnergyTerm::RelativeSpin, 0.0),
+        (EnergyTerm::RollingResistance, rolling),
     ];
     for (term, power) in powers {
         dydt[layout.energy_term(term)] = power;

@@ -9,6 +9,8 @@
 
 mod beginning;
 mod edges;
+mod film;
+mod film_block;
 mod flank_polynomials;
 mod flanks;
 mod friction;

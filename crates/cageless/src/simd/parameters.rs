@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::film_block::FilmBlock;
 use super::flank_polynomials::FlankPolynomials;
 use super::motions::ring_speeds;
 use crate::contact::{
@@ -49,6 +50,8 @@ pub(crate) struct Parameters {
     pub inner: InnerRacewayLanes,
     pub ring: InnerRingLanes,
     pub(super) raceways: Vec<RacewayBlock>,
+    /// Films of the contacts with the raceways.
+    pub(super) film: Option<FilmBlock>,
     /// Constants of the balls of each block; only one block if all are the same.
     balls: Vec<BallLanes>,
 }
@@ -120,6 +123,7 @@ impl Parameters {
             raceways: (0..raceways.unwrap_or(0))
                 .map(|k| raceway_block(models, k))
                 .collect(),
+            film: FilmBlock::new(models),
             balls: (0..blocks)
                 .map(|block| BallLanes::from_fn(|lane| ball(block, lane)))
                 .collect(),

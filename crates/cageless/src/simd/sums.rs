@@ -26,10 +26,14 @@ pub(super) enum Sum {
     OuterY,
     /// Torque of friction on the inner ring.
     RingTorque,
+    /// Loss of the rolling force of films; with a film only, as is the next.
+    RollingResistance,
+    /// Power of the drive against it.
+    RollingDrive,
 }
 
 impl Sum {
-    pub(super) const COUNT: usize = 16;
+    pub(super) const COUNT: usize = 18;
     pub(super) const NORMAL: [Self; 4] =
         [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
     pub(super) const FRICTION: [Self; 3] = [Self::Drive, Self::InnerFriction, Self::OuterFriction];
@@ -45,6 +49,7 @@ impl Sum {
         Self::FrictionDirection,
         Self::RelativeSpin,
     ];
+    pub(super) const ROLLING: [Self; 2] = [Self::RollingResistance, Self::RollingDrive];
     pub(super) const OUTER_RING: [Self; 2] = [Self::OuterX, Self::OuterY];
     pub(super) const RING_FRICTION: [Self; 5] = [
         Self::RingX,

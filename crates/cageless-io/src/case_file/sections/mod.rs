@@ -3,6 +3,7 @@
 
 pub(crate) mod bearing;
 pub(crate) mod contact;
+pub(crate) mod film;
 pub(crate) mod fit;
 pub(crate) mod friction;
 pub(crate) mod housing;
@@ -59,6 +60,8 @@ sections! {
         Heading::Commented("fits and temperatures: the clearance in operation");
     lubrication: Option<cageless::Lubrication>, "the lubricant, for modified life and minimum load of `static`",
         Heading::Commented("lubricant, for modified life and minimum load of `static`");
+    film: Option<film::FilmSection>, "oil film of the rolling contacts, which resists rolling and spaces balls",
+        Heading::Commented("oil film: rolling resistance, spacing of the balls");
     output: output::OutputSection, "what a run writes", Heading::Shown("");
     steady: Option<steady::SteadySection>, "steady operation with real balls, for `compare`",
         Heading::Commented("steady operation with real balls, for `cageless compare`");

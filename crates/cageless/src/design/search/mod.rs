@@ -189,6 +189,7 @@ pub fn search(
     execute: &mut Execute<'_>,
 ) -> Result<Found, SearchError> {
     case.check_constant_operation("a search")?;
+    case.check_without_film("a search")?;
     let least = request.budget_least();
     if request.budget < least {
         let message = format!("its budget of {} is less than {least}", request.budget);

@@ -1,0 +1,107 @@
+//! The film of a case.
+
+use cageless::film::{Film, Oil, TEMPERATURES_C};
+
+use crate::case_file::converter::Converter;
+use crate::case_file::error::CaseError;
+use crate::case_file::sections::film::{FilmSection, Supply};
+
+/// Keys of the oil, by the ways to give it.
+const OIL: &str = "film.oil";
+const COLD: &str = "film.viscosity_40_mpa_s";
+const HOT: &str = "film.viscosity_100_mpa_s";
+const VISCOSITY: &str = "film.viscosity_mpa_s";
+const SLOPE: &str = "film.viscosity_temperature_1_k";
+const TEMPERATURE: &str = "film.temperature_c";
+/// Viscosity of the stiffest oil that a bearing runs in, Pa·s.
+const STIFFEST_PA_S: f64 = 10.0;
+
+impl Converter<'_> {
+    /// The film of `[film]`.
+    pub(in crate::case_file) fn film(&self) -> Result<Option<Film>, CaseError> {
+        let Some(section) = &self.sections.film else {
+            return Ok(None);
+        };
+        let Supply(supply) = section.supply;
+        let oil = self.oil(section)?;
+        let film = Film {
+            oil: Oil {
+                pressure_viscosity_1_pa: section
+                    .pressure_viscosity_1_pa
+                    .unwrap_or(oil.pressure_viscosity_1_pa),
+                thermal_conductivity_w_m_k: section
+                    .thermal_conductivity_w_m_k
+                    .unwrap_or(oil.thermal_conductivity_w_m_k),
+                density_kg_m3: section.oil_density_kg_m3.unwrap_or(oil.density_kg_m3),
+                ..oil
+            },
+            supply,
+            roughness_m: section.roughness_m,
+            inlet_heat: true,
+        };
+        film.check().map_err(|error| self.refused(&error, None))?;
+        Ok(Some(film))
+    }
+
+    /// The oil by its name, by two viscosities, or by one at the inlet.
+    fn oil(&self, section: &FilmSection) -> Result<Oil, CaseError> {
+        let given = |path: &str| self.document.has(path);
+        // The first way that is given excludes the others.
+        let ways: [(&str, &[&str]); 3] = [
+            (OIL, &[COLD, HOT, VISCOSITY, SLOPE]),
+            (COLD, &[VISCOSITY, SLOPE]),
+            (VISCOSITY, &[HOT, TEMPERATURE]),
+        ];
+        for (way, others) in ways {
+            let Some(other) = others.iter().find(|other| given(way) && given(other)) else {
+                continue;
+            };
+            let allowed = format!("left out with {way}, which gives the oil already");
+            return Err(self.refuse(other, &allowed));
+        }
+        if let Some(grade) = section.oil {
+            let temperature_c = self.temperature_c(section)?;
+            return self.flowing(grade.at(temperature_c), temperature_c);
+        }
+        if let Some(viscosity_pa_s) = section.viscosity_pa_s {
+            let slope = section.viscosity_temperature_1_k;
+            let slope = slope.ok_or_else(|| self.missing("film", "viscosity_temperature_1_k"))?;
+            return Ok(Oil::mineral(viscosity_pa_s, slope));
+        }
+        match (section.viscosity_40_pa_s, section.viscosity_100_pa_s) {
+            (Some(cold), Some(hot)) => {
+                if hot >= cold {
+                    let allowed = format!("less than {COLD}: oil thins as it warms");
+                    return Err(self.refuse(HOT, &allowed));
+                }
+                let temperature_c = self.temperature_c(section)?;
+                self.flowing(Oil::between([cold, hot], temperature_c), temperature_c)
+            }
+            (Some(_), None) => Err(self.missing("film", "viscosity_100_mpa_s")),
+            (None, Some(_)) => Err(self.missing("film", "viscosity_40_mpa_s")),
+            (None, None) => Err(self.missing("film", "oil")),
+        }
+    }
+
+    fn temperature_c(&self, section: &FilmSection) -> Result<f64, CaseError> {
+        let temperature_c = section.temperature_c;
+        let temperature_c = temperature_c.ok_or_else(|| self.missing("film", "temperature_c"))?;
+        let [least, most] = TEMPERATURES_C;
+        match (least..=most).contains(&temperature_c) {
+            true => Ok(temperature_c),
+            false => Err(self.refuse(TEMPERATURE, &format!("from {least} to {most} °C"))),
+        }
+    }
+
+    /// Refuses a temperature at which the oil does not flow.
+    fn flowing(&self, oil: Oil, temperature_c: f64) -> Result<Oil, CaseError> {
+        if oil.viscosity_pa_s <= STIFFEST_PA_S {
+            return Ok(oil);
+        }
+        let allowed = format!(
+            "warmer: at {temperature_c} °C this oil has {:.0} Pa·s, and no bearing starts above {STIFFEST_PA_S}",
+            oil.viscosity_pa_s
+        );
+        Err(self.refuse(TEMPERATURE, &allowed))
+    }
+}

@@ -1,0 +1,66 @@
+//! `[film]`.
+
+use cageless::film::{OilGrade, TWO_DROPS};
+
+use crate::case_file::declaration::prelude::*;
+
+section! {
+    /// `[film]`: oil film of the contacts of balls with raceways, which resists rolling.
+    struct FilmSection {
+        supply => supply: Supply = Required, Plain,
+            "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give a number from 0 to 1, and try the others",
+            Commented("\"flooded\"", "or \"two-drops\" (0.65), or 0 to 1: 0.1 nearly dry");
+        oil => oil: Option<OilGrade> = Optional, Plain,
+            "oil by name, with temperature_c; or the viscosities",
+            Commented("\"iso-vg-32\"", "or viscosity_40_mpa_s and viscosity_100_mpa_s, or viscosity_mpa_s");
+        viscosity_40_mpa_s => viscosity_40_pa_s: Option<f64> = Optional, MillipascalSecond; Above(0.0),
+            "dynamic viscosity at 40 °C, with viscosity_100_mpa_s and temperature_c", Absent;
+        viscosity_100_mpa_s => viscosity_100_pa_s: Option<f64> = Optional, MillipascalSecond; Above(0.0),
+            "dynamic viscosity at 100 °C", Absent;
+        viscosity_mpa_s => viscosity_pa_s: Option<f64> = Optional, MillipascalSecond; Above(0.0),
+            "dynamic viscosity at the temperature of the inlet, with viscosity_temperature_1_k", Absent;
+        viscosity_temperature_1_k => viscosity_temperature_1_k: Option<f64> = Optional, Si("1/K"); AtLeast(0.0),
+            "fall of the logarithm of the viscosity with the temperature, 0.02 to 0.06 of mineral oils, for the heat of the inlet; 0: none", Absent;
+        temperature_c => temperature_c: Option<f64> = Optional, Si("C"),
+            "temperature of the oil at the inlet of the contacts, that of the rings; needed unless viscosity_mpa_s is given",
+            Commented("70.0", "of the inlet: that of the rings");
+        pressure_viscosity_1_pa => pressure_viscosity_1_pa: Option<f64> = Optional, Si("1/Pa"); Above(0.0),
+            "pressure-viscosity coefficient α, for the thickness of the film alone; that of the oil unless given, of mineral oil with viscosities", Absent;
+        thermal_conductivity_w_m_k => thermal_conductivity_w_m_k: Option<f64> = Optional, Si("W/(m K)"); Above(0.0),
+            "thermal conductivity of the oil; that of the oil unless given, 0.14 with viscosities", Absent;
+        density_kg_m3 => oil_density_kg_m3: Option<f64> = Optional, Si("kg/m^3"); Within(500.0, 2000.0),
+            "density of the oil, for the kinematic viscosity of [lubrication]; that of the oil unless given, 860 with viscosities", Absent;
+        roughness_um => roughness_m: f64 = default(0.1), Micrometre; Within(0.001, 10.0),
+            "Rq, composite roughness of ball and raceway, for Λ",
+            Commented("0.1", "Rq of ball and raceway together");
+    }
+}
+
+/// `film.supply`: share of the rolling force of a flooded contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Supply(pub f64);
+
+/// Supplies by name.
+const SUPPLIES: [(&str, f64); 2] = [("flooded", 1.0), ("two-drops", TWO_DROPS)];
+
+field!(
+    Supply,
+    Kind::NumberOr(&["flooded", "two-drops"]),
+    |reader, name, node| {
+        let allowed = "\"flooded\" (1: bath or jet), \"two-drops\" (0.65: two drops of oil) or a number from 0 to 1 \
+                       (0.1: nearly dry or greased)";
+        let value = match &node.value {
+            Value::Text(text) => {
+                let found = SUPPLIES.iter().find(|(name, _)| name == text);
+                found.map(|(_, share)| *share)
+            }
+            _ => {
+                let share = reader.number(name, node)?;
+                (0.0..=1.0).contains(&share).then_some(share)
+            }
+        };
+        value
+            .map(Self)
+            .ok_or_else(|| reader.refuse(name, node, allowed))
+    }
+);

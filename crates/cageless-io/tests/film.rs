@@ -1,0 +1,213 @@
+//! `[film]`: the ways to give an oil, and what is refused.
+
+use cageless::film::{Film, OilGrade, TWO_DROPS};
+use cageless_io::case_file::{CaseFile, template};
+
+fn parse(film: &[&str], more: &[&str]) -> Result<CaseFile, String> {
+    let film = film.iter().map(|set| format!("film.{set}"));
+    let sets: Vec<String> = film.chain(more.iter().map(|s| (*s).to_owned())).collect();
+    let text = template(false).replace("formulation = \"paper\"", "formulation = \"physical\"");
+    CaseFile::parse(&text, "case.toml", &sets).map_err(|e| e.to_string())
+}
+
+fn film(sets: &[&str]) -> Film {
+    parse(sets, &[]).unwrap().case().film.unwrap()
+}
+
+fn refused(film: &[&str], more: &[&str], fragments: &[&str]) {
+    let error = parse(film, more).map(|_| ()).unwrap_err();
+    for fragment in fragments {
+        assert!(error.contains(fragment), "{error}: no {fragment}");
+    }
+}
+
+const OIL: &str = "oil=\"iso-vg-32\"";
+const WARM: &str = "temperature_c=70";
+const FLOODED: &str = "supply=\"flooded\"";
+
+#[test]
+fn an_oil_is_given_in_three_ways() {
+    assert_eq!(parse(&[], &[]).unwrap().case().film, None);
+    let by_name = film(&[OIL, WARM, FLOODED]);
+    assert_eq!(by_name.oil, OilGrade::IsoVg32.at(70.0));
+    assert_eq!([by_name.supply, by_name.roughness_m], [1.0, 1e-7]);
+    let between = film(&[
+        "viscosity_40_mpa_s=27.33",
+        "viscosity_100_mpa_s=4.314",
+        WARM,
+        "supply=\"two-drops\"",
+    ]);
+    assert!((between.oil.viscosity_pa_s / by_name.oil.viscosity_pa_s - 1.0).abs() < 1e-3);
+    assert_eq!(between.supply, TWO_DROPS);
+    let at_inlet = film(&[
+        "viscosity_mpa_s=5",
+        "viscosity_temperature_1_k=0.035",
+        "supply=0.1",
+    ]);
+    assert_eq!([at_inlet.oil.viscosity_pa_s, at_inlet.supply], [5e-3, 0.1]);
+    let own = film(&[
+        OIL,
+        WARM,
+        FLOODED,
+        "pressure_viscosity_1_pa=1.5e-8",
+        "thermal_conductivity_w_m_k=0.13",
+        "roughness_um=0.2",
+    ]);
+    assert_eq!(
+        [
+            own.oil.pressure_viscosity_1_pa,
+            own.oil.thermal_conductivity_w_m_k
+        ],
+        [1.5e-8, 0.13]
+    );
+    assert_eq!(own.roughness_m, 2e-7);
+    // Written with all defaults and read again.
+    let file = parse(&[OIL, WARM, FLOODED], &[]).unwrap();
+    let written = file.document().to_toml().unwrap();
+    let again = CaseFile::parse(&written, "case.toml", &[]).unwrap();
+    assert_eq!(again.case(), file.case(), "{written}");
+}
+
+#[test]
+fn the_supply_has_to_be_given() {
+    refused(
+        &[OIL, WARM],
+        &[],
+        &[
+            "film.supply is missing",
+            "\"flooded\" is 1",
+            "\"two-drops\" is 0.65",
+            "0.1 is nearly dry",
+        ],
+    );
+    for wrong in ["supply=\"dry\"", "supply=1.5", "supply=-0.1"] {
+        refused(
+            &[OIL, WARM, wrong],
+            &[],
+            &["film.supply = ", "\"flooded\"", "a number from 0 to 1"],
+        );
+    }
+}
+
+#[test]
+fn one_way_excludes_the_others() {
+    for (other, also) in [
+        ("viscosity_mpa_s=5", OIL),
+        ("viscosity_40_mpa_s=27", OIL),
+        ("viscosity_100_mpa_s=4", OIL),
+        ("viscosity_temperature_1_k=0.03", OIL),
+        ("viscosity_mpa_s=5", "viscosity_40_mpa_s=27"),
+        ("temperature_c=70", "viscosity_mpa_s=5"),
+    ] {
+        let key = other.split('=').next().unwrap();
+        refused(&[also, other, FLOODED], &[], &[key, "left out with film."]);
+    }
+    refused(&[OIL, FLOODED], &[], &["film.temperature_c is missing"]);
+    refused(&[FLOODED], &[], &["film.oil is missing"]);
+    refused(
+        &["viscosity_mpa_s=5", FLOODED],
+        &[],
+        &["film.viscosity_temperature_1_k is missing"],
+    );
+    refused(
+        &["viscosity_40_mpa_s=27", WARM, FLOODED],
+        &[],
+        &["film.viscosity_100_mpa_s is missing"],
+    );
+    refused(
+        &[
+            "viscosity_40_mpa_s=4",
+            "viscosity_100_mpa_s=27",
+            WARM,
+            FLOODED,
+        ],
+        &[],
+        &["film.viscosity_100_mpa_s = 27", "oil thins"],
+    );
+}
+
+#[test]
+fn what_no_oil_has_is_refused() {
+    refused(
+        &["oil=\"olive\"", WARM, FLOODED],
+        &[],
+        &["film.oil = \"olive\"", "\"iso-vg-10\"", "\"fva-3\""],
+    );
+    refused(
+        &[OIL, "temperature_c=300", FLOODED],
+        &[],
+        &["film.temperature_c = 300", "from -40 to 250"],
+    );
+    refused(
+        &["oil=\"iso-vg-68\"", "temperature_c=-40", FLOODED],
+        &[],
+        &["film.temperature_c = -40", "Pa·s"],
+    );
+    refused(
+        &[
+            "viscosity_mpa_s=0.01",
+            "viscosity_temperature_1_k=0.03",
+            FLOODED,
+        ],
+        &[],
+        &["film.viscosity_mpa_s = 0.01", "between 0.1"],
+    );
+    refused(
+        &[OIL, WARM, FLOODED, "pressure_viscosity_1_pa=20"],
+        &[],
+        &["film.pressure_viscosity_1_pa = 20", "1e-9 to 1e-7"],
+    );
+    refused(
+        &[OIL, WARM, FLOODED, "roughness_um=50"],
+        &[],
+        &["film.roughness_um = 50"],
+    );
+    refused(
+        &[OIL, WARM, FLOODED, "density_kg_m3=0.9"],
+        &[],
+        &["film.density_kg_m3 = 0.9"],
+    );
+}
+
+/// Where no film is computed, one message says so; the name of each is in it.
+#[test]
+fn a_film_that_is_not_computed_is_refused() {
+    let oil = [OIL, WARM, FLOODED];
+    refused(
+        &oil,
+        &["operation.axial_load_n=100"],
+        &["film.supply", "left out, with all of [film]", "plane"],
+    );
+    refused(&oil, &["model.motion=\"space\""], &["film.supply", "plane"]);
+    refused(
+        &oil,
+        &[
+            "model.formulation=\"paper\"",
+            "model.flanks=\"rigid\"",
+            "raceway.blend_mm=0",
+        ],
+        &["film.supply", "published"],
+    );
+}
+
+/// The oil of the film gives the viscosity of the ratings; two are refused.
+#[test]
+fn ratings_take_the_oil_of_the_film() {
+    let rated = ["lubrication.contamination_factor=0.5"];
+    let file = parse(&[OIL, WARM, FLOODED], &rated).unwrap();
+    let case = file.case();
+    let viscosity = file.particulars().lubrication.as_ref().unwrap().viscosity_m2_s;
+    assert_eq!(viscosity, case.film.unwrap().oil.kinematic_viscosity_m2_s());
+    assert!((5e-6..2e-5).contains(&viscosity), "{viscosity}");
+    let both = [rated[0], "lubrication.viscosity_mm2_s=13"];
+    refused(
+        &[OIL, WARM, FLOODED],
+        &both,
+        &["lubrication.viscosity_mm2_s = 13", "left out with [film]"],
+    );
+    let without = parse(&[], &rated).map(|_| ()).unwrap_err();
+    assert!(
+        without.contains("lubrication.viscosity_mm2_s is missing"),
+        "{without}"
+    );
+}

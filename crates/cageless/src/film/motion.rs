@@ -1,0 +1,73 @@
+//! Rolling force of all contacts of a case, as the equations of motion take it.
+
+use super::contact::LubricatedContact;
+use super::curve::RollingCurve;
+use crate::case::Case;
+use crate::numerics::chebyshev::Polynomial;
+
+/// Degree of the constants of the outer contact over the cosine of its angle.
+const DEGREE: usize = 5;
+/// Least cosine of flanks beyond that of the raceway: balls pressed in, and of other sizes, bear further down.
+const MARGIN: f64 = 0.02;
+/// Places of a raceway at which its cosine is looked at.
+const PLACES: usize = 64;
+
+/// Constants of the contacts of one bearing.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RollingModel {
+    /// Inner contact.
+    pub inner: RollingCurve,
+    /// Coefficients of the constants of the outer contact over `scale` cos α + `shift`; one without raceways.
+    pub outer: Vec<RollingCurve>,
+    pub scale: f64,
+    pub shift: f64,
+}
+
+impl RollingModel {
+    /// Constants of a case; `None` without a film.
+    pub(crate) fn new(case: &Case) -> Option<Self> {
+        let film = case.film.as_ref()?;
+        let bearing = &case.bearing;
+        let inner = RollingCurve::new(&LubricatedContact::inner(bearing), film);
+        let at = |cosine: f64| RollingCurve::new(&LubricatedContact::outer(bearing, cosine), film);
+        let Some(least) = least_cosine(case) else {
+            return Some(Self {
+                inner,
+                outer: vec![at(1.0)],
+                scale: 0.0,
+                shift: 0.0,
+            });
+        };
+        let fit = |of: fn(&RollingCurve) -> f64| {
+            Polynomial::of_degree(|cosine| of(&at(cosine)), least - MARGIN, 1.0, DEGREE)
+        };
+        let [rigid, elastic, load] = [
+            fit(|curve| curve.rigid),
+            fit(|curve| curve.elastic),
+            fit(|curve| curve.load),
+        ];
+        let coefficients = (0..=DEGREE).map(|k| RollingCurve {
+            rigid: rigid.coefficients[k],
+            elastic: elastic.coefficients[k],
+            load: load.coefficients[k],
+            heat: inner.heat,
+        });
+        Some(Self {
+            inner,
+            outer: coefficients.collect(),
+            scale: rigid.scale,
+            shift: rigid.shift,
+        })
+    }
+}
+
+/// Least cosine of the angle of the flanks of any raceway; `None` without raceways.
+fn least_cosine(case: &Case) -> Option<f64> {
+    let places = case.raceways.iter().flat_map(|raceway| {
+        let centre_rad = raceway.dimensions().centre_angle_rad;
+        let step_rad = raceway.half_angle_rad() / PLACES as f64;
+        (0..PLACES).map(move |k| raceway.effective_radius_m(centre_rad + k as f64 * step_rad))
+    });
+    let least_m = places.reduce(f64::min)?;
+    Some(least_m / case.bearing.ball_radius_m())
+}

@@ -1,0 +1,78 @@
+//! Lag of the balls against rolling over the half of their orbit away from the load.
+//!
+//! The lag is ωi Ri/(2 Rm) times the time from ψ = 90° to 270°, less 180°, in the mean over all balls and orbits; the
+//! film of a flooded bearing makes most of it.
+//!
+//! ```
+//! use cageless::film::{Film, OilGrade};
+//! use cageless::reference;
+//! use cageless::simulation::{Control, run};
+//! use cageless::summary::SummaryRecorder;
+//!
+//! let mut case = reference::conventional(); // Zhao 2022, Table 1
+//! case.solver.duration_s = 0.02;
+//! case.film = Some(Film::flooded(OilGrade::IsoVg10.at(60.0)));
+//! let mut recorder = SummaryRecorder::new();
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
+//! assert!(recorder.summary().unwrap().half_turn_lag_rad.unwrap() > 0.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+use std::f64::consts::PI;
+
+use crate::case::Case;
+use crate::simulation::StepView;
+
+/// Follows a run with a film for the lag of its balls.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct HalfTurnTracker {
+    /// Orbital speed of rolling, rad/s.
+    rolling_rad_s: f64,
+    /// Time at which each ball passed ψ = 90°; NaN until then.
+    entered_s: Vec<f64>,
+    /// Y of each ball at the last step, m.
+    height_m: Vec<f64>,
+    lag_sum_rad: f64,
+    passes: u64,
+}
+
+impl HalfTurnTracker {
+    /// That of a case with a film at constant speed; `None` of any other.
+    pub(crate) fn new(case: &Case) -> Option<Self> {
+        let followed = case.film.is_some() && case.has_constant_operation();
+        followed.then(|| Self {
+            rolling_rad_s: case.rolling_orbit_speed_rad_s(),
+            entered_s: vec![f64::NAN; case.balls()],
+            height_m: vec![f64::NAN; case.balls()],
+            ..Self::default()
+        })
+    }
+
+    /// Takes a step.
+    #[inline]
+    pub(crate) fn step(&mut self, view: &StepView<'_>) {
+        let ([x, y], step) = (view.positions(), view.step);
+        for (k, before) in self.height_m.iter_mut().enumerate() {
+            let height = y[k];
+            if (*before < 0.0) != (height < 0.0) && !before.is_nan() {
+                // The place of the crossing within the step.
+                let part = *before / (*before - height);
+                let time_s = step.t0_s + part * step.size_s();
+                match x[k] > 0.0 {
+                    true => self.entered_s[k] = time_s,
+                    false if !self.entered_s[k].is_nan() => {
+                        self.lag_sum_rad += self.rolling_rad_s * (time_s - self.entered_s[k]) - PI;
+                        self.passes += 1;
+                    }
+                    false => {}
+                }
+            }
+            *before = height;
+        }
+    }
+
+    /// The lag in the mean, rad; `None` before the first half orbit.
+    pub(crate) fn lag_rad(&self) -> Option<f64> {
+        (self.passes > 0).then(|| self.lag_sum_rad / self.passes as f64)
+    }
+}
