@@ -252,6 +252,7 @@ fn needed(section: &str, key: &str) -> Vec<String> {
     let all = match (section, key) {
         ("support", _) => vec!["stop_gap_um=9", "stop_stiffness_n_m=1e8"],
         ("row", _) => vec!["axial_position_mm=0"],
+        ("film", _) => vec!["supply=1", "oil=iso-vg-32", "temperature_c=70"],
         (_, "static_friction_coefficient") => vec!["friction_law=stribeck", stribeck[1]],
         (_, "stribeck_speed_m_s") => vec!["friction_law=stribeck", stribeck[0]],
         _ => vec![],

@@ -97,6 +97,7 @@ pub fn tolerance(
 ) -> Result<ToleranceResult, StudyError> {
     let case = file.case();
     case.check_motion()?;
+    file.checked(|case| case.check_without_film("`tolerance`"))?;
     let tolerances = request.check(case, name)?;
     let rings = request
         .benefit

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from .rotors import LinearRotor
 
-__all__ = ["Bearing", "Contact", "Fit", "Housing", "Limit", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Steady", "Support", "Thermal"]
+__all__ = ["Bearing", "Contact", "Film", "Fit", "Housing", "Limit", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Steady", "Support", "Thermal"]
 
 Keys = Mapping[str, Any]
 
@@ -273,13 +273,30 @@ class Fit(Section):
 class Lubrication(Section):
     """`[lubrication]`: the lubricant, for modified life and minimum load of `static`."""
 
-    viscosity_mm2_s: Annotated[float, "ν, kinematic viscosity at the temperature of operation, of a grease that of its base oil"]
+    viscosity_mm2_s: Annotated[float | None, "ν, kinematic viscosity at the temperature of operation, of a grease that of its base oil; required, but with [film], whose oil gives it"] = None
     contamination_factor: Annotated[float, "eC of ISO 281: 1 extreme cleanliness, 0.8 to 0.6 high, 0.6 to 0.5 normal, 0.5 to 0.3 slight and 0.3 to 0.1 typical contamination, 0.1 to 0 severe, below a pitch diameter of 100 mm"]
     fatigue_load_limit_n: Annotated[float | None, "Cu (SKF: Pu) of the catalogue; from a contact pressure of 1500 MPa unless given"] = None
     minimum_load_factor: Annotated[float | None, "kr of SKF's catalogue, for the minimum load; none unless given"] = None
     skf_series: Annotated[Literal["filling-slot", "42", "60", "62", "63", "64", "160", "618", "619"] | None, "series of the bearing for SKF's friction model: \"62\" for 62 and 622 and so on; not computed unless given; SKF has no constants for a full complement of balls"] = None
     lubricant: Annotated[Literal["oil", "grease"] | None, "for SKF's friction model: \"oil\", a low bath or a jet, or \"grease\", or oil with air"] = None
     film_friction_coefficient: Annotated[float | None, "μEHL of SKF's friction model, in a full film: 0.05 mineral oil, 0.04 synthetic oil, 0.1 transmission fluid"] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Film(Section):
+    """`[film]`: oil film of the rolling contacts, which resists rolling and spaces balls."""
+
+    supply: Annotated[Literal["flooded", "two-drops"] | float, "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give a number from 0 to 1, and try the others"]
+    oil: Annotated[Literal["iso-vg-10", "iso-vg-22", "iso-vg-32", "iso-vg-68", "fva-3", "mil-l-23699"] | None, "oil by name, with temperature_c; or the viscosities"] = None
+    viscosity_40_mpa_s: Annotated[float | None, "dynamic viscosity at 40 °C, with viscosity_100_mpa_s and temperature_c"] = None
+    viscosity_100_mpa_s: Annotated[float | None, "dynamic viscosity at 100 °C"] = None
+    viscosity_mpa_s: Annotated[float | None, "dynamic viscosity at the temperature of the inlet, with viscosity_temperature_1_k"] = None
+    viscosity_temperature_1_k: Annotated[float | None, "fall of the logarithm of the viscosity with the temperature, 0.02 to 0.06 of mineral oils, for the heat of the inlet; 0: none"] = None
+    temperature_c: Annotated[float | None, "temperature of the oil at the inlet of the contacts, that of the rings; needed unless viscosity_mpa_s is given"] = None
+    pressure_viscosity_1_pa: Annotated[float | None, "pressure-viscosity coefficient α, for the thickness of the film alone; that of the oil unless given, of mineral oil with viscosities"] = None
+    thermal_conductivity_w_m_k: Annotated[float | None, "thermal conductivity of the oil; that of the oil unless given, 0.14 with viscosities"] = None
+    density_kg_m3: Annotated[float | None, "density of the oil, for the kinematic viscosity of [lubrication]; that of the oil unless given, 860 with viscosities"] = None
+    roughness_um: Annotated[float | None, "Rq, composite roughness of ball and raceway, for Λ"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -320,6 +337,7 @@ class OfCase:
     thermal: Thermal | None
     fit: Fit | None
     lubrication: Lubrication | None
+    film: Film | None
     output: Output
     steady: Steady | None
 
@@ -348,6 +366,7 @@ class Arguments(TypedDict, total=False):
     limit: Limit | Keys | Sequence[Limit | Keys] | None
     fit: Fit | Keys | None
     lubrication: Lubrication | Keys | None
+    film: Film | Keys | None
     output: Output | Keys | None
     steady: Steady | Keys | None
     search: Keys | None

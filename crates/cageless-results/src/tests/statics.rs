@@ -103,6 +103,7 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         rating: rating.clone(),
         space: Some(&space),
         advance: Some(advance.clone()),
+        film: None,
         l10r_of_range_mrev: [None; 2],
     };
     let results = [STATIC, SPACE, DEFECTS].map(|rows| Results::of(rows, Subject::Static(&solved)));

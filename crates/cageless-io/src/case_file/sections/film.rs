@@ -8,11 +8,9 @@ section! {
     /// `[film]`: oil film of the contacts of balls with raceways, which resists rolling.
     struct FilmSection {
         supply => supply: Supply = Required, Plain,
-            "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give a number from 0 to 1, and try the others",
-            Commented("\"flooded\"", "or \"two-drops\" (0.65), or 0 to 1: 0.1 nearly dry");
+            "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give a number from 0 to 1, and try the others", Absent;
         oil => oil: Option<OilGrade> = Optional, Plain,
-            "oil by name, with temperature_c; or the viscosities",
-            Commented("\"iso-vg-32\"", "or viscosity_40_mpa_s and viscosity_100_mpa_s, or viscosity_mpa_s");
+            "oil by name, with temperature_c; or the viscosities", Absent;
         viscosity_40_mpa_s => viscosity_40_pa_s: Option<f64> = Optional, MillipascalSecond; Above(0.0),
             "dynamic viscosity at 40 °C, with viscosity_100_mpa_s and temperature_c", Absent;
         viscosity_100_mpa_s => viscosity_100_pa_s: Option<f64> = Optional, MillipascalSecond; Above(0.0),
@@ -22,8 +20,7 @@ section! {
         viscosity_temperature_1_k => viscosity_temperature_1_k: Option<f64> = Optional, Si("1/K"); AtLeast(0.0),
             "fall of the logarithm of the viscosity with the temperature, 0.02 to 0.06 of mineral oils, for the heat of the inlet; 0: none", Absent;
         temperature_c => temperature_c: Option<f64> = Optional, Si("C"),
-            "temperature of the oil at the inlet of the contacts, that of the rings; needed unless viscosity_mpa_s is given",
-            Commented("70.0", "of the inlet: that of the rings");
+            "temperature of the oil at the inlet of the contacts, that of the rings; needed unless viscosity_mpa_s is given", Absent;
         pressure_viscosity_1_pa => pressure_viscosity_1_pa: Option<f64> = Optional, Si("1/Pa"); Above(0.0),
             "pressure-viscosity coefficient α, for the thickness of the film alone; that of the oil unless given, of mineral oil with viscosities", Absent;
         thermal_conductivity_w_m_k => thermal_conductivity_w_m_k: Option<f64> = Optional, Si("W/(m K)"); Above(0.0),
@@ -31,8 +28,7 @@ section! {
         density_kg_m3 => oil_density_kg_m3: Option<f64> = Optional, Si("kg/m^3"); Within(500.0, 2000.0),
             "density of the oil, for the kinematic viscosity of [lubrication]; that of the oil unless given, 860 with viscosities", Absent;
         roughness_um => roughness_m: f64 = default(0.1), Micrometre; Within(0.001, 10.0),
-            "Rq, composite roughness of ball and raceway, for Λ",
-            Commented("0.1", "Rq of ball and raceway together");
+            "Rq, composite roughness of ball and raceway, for Λ", Absent;
     }
 }
 
