@@ -300,8 +300,8 @@ fn ranges_are_those_of_the_reader() {
                 let dropped = ["rotor.", "support.", "bearing.inner_ring_"];
                 let text = match dropped.iter().any(|start| name.starts_with(start)) {
                     true => drop,
-                    // Used where balls and rings have no material of their own.
-                    false if section.name == "material" => template.as_str(),
+                    // Used where balls and rings have no material of their own, and ratings no viscosity.
+                    false if ["material", "film"].contains(&section.name) => template.as_str(),
                     false => case.as_str(),
                 };
                 let parse = |at: f64| {
