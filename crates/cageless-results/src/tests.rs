@@ -8,6 +8,7 @@ use cageless::design::{
     AxialLag, Judgement, LagAndAngle, NoLag, PassageStatistics, RacewayVerdict, RunVerdict,
 };
 use cageless::dynamics::energy::EnergyTerm;
+use cageless::film::{Film, OilGrade};
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::raceway::MeasuredFlanks;
 use cageless::simulation::{Cause, Control, Stop, run};
@@ -516,7 +517,8 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
 
 #[test]
 fn results_of_a_run_are_the_fields_of_its_summary() {
-    let case = case();
+    let mut case = case();
+    case.film = Some(Film::flooded(OilGrade::IsoVg10.at(60.0)));
     let mut recorder = SummaryRecorder::new();
     let mut tally = PassageTally::new();
     let mut passages = PassageRecorder::new(|passage| {
@@ -551,6 +553,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
     ] {
         *field = next(&mut k);
     }
+    let lag_rad = *s.half_turn_lag_rad.insert(next(&mut k));
     let space = s.space.insert(SpatialSummary {
         ring_z_mean_m: next(&mut k),
         tilt_mean_rad: [next(&mut k), next(&mut k)],
@@ -598,6 +601,16 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             m.power_w(EnergyTerm::Drag),
         ),
         ("power_loss_stored_w", m.drive_w() - m.heat_w()),
+        (
+            "rolling_resistance_power_w",
+            m.power_w(EnergyTerm::RollingResistance),
+        ),
+        (
+            "rolling_resistance_torque_n_m",
+            m.power_w(EnergyTerm::RollingResistance) / (2.0 * PI * turns),
+        ),
+        ("half_turn_lag_deg", lag_rad / DEGREE),
+        ("film_speed_deficit_fraction", 2.0 * lag_rad / PI),
         ("inner_pressure_max_mpa", s.peaks.inner.pressure_pa / MPA),
         ("outer_pressure_max_mpa", s.peaks.outer.pressure_pa / MPA),
         ("ball_pressure_max_mpa", s.peaks.balls.pressure_pa / MPA),
