@@ -38,6 +38,10 @@ class RunAttributes:
     power_loss_rotor_damping_w: float  # damping between rotor and inner ring, W
     power_loss_support_damping_w: float  # damping of the support, W
     power_loss_stored_w: float  # stored, less work of loads, W
+    rolling_resistance_power_w: float  # power of rolling resistance, W
+    rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
+    half_turn_lag_deg: float  # lag of the balls over the half orbit away from the load, deg
+    film_speed_deficit_fraction: float  # share d of its speed that a ball loses
     inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
     outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     ball_pressure_max_mpa: float  # peak contact pressure, ball on ball, MPa
@@ -270,6 +274,21 @@ class StaticAttributes:
     skf_sliding_torque_n_m: float  # sliding friction torque (SKF), N m
     skf_model_torque_n_m: float  # friction torque (SKF model), N m
     skf_model_power_w: float  # power loss (SKF model), W
+    film_thickness_min_um: float  # least film thickness, um
+    film_thickness_mean_um: float  # film thickness, mean, um
+    film_parameter_min: float  # film parameter Λ, least
+    film_parameter_mean: float  # film parameter Λ, mean
+    asperity_load_fraction: float  # share of the load on asperities
+    rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
+    rolling_resistance_power_w: float  # power of rolling resistance, W
+    free_arc_deg: float  # angle without inner contact, deg
+    film_lag_per_turn_deg: float  # lag of a ball by the film per orbit, deg
+    film_speed_deficit_fraction: float  # share d of its speed that a ball loses by the film
+    film_opening_gap_deg: float  # gap that the film opens, deg
+    free_share: float  # share that balls leave free
+    film_range_exceeded: str  # range exceeded
+    inner_film_parameter: Floats  # film parameter Λ, inner raceway
+    outer_film_parameter: Floats  # film parameter Λ, outer raceway (of one contact point on a discrete raceway)
     ring_z_um: float  # displacement of the inner ring, z, um
     tilt_x_mrad: float  # tilt of the inner ring about x, mrad
     tilt_y_mrad: float  # tilt of the inner ring about y, mrad
