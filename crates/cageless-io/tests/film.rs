@@ -196,7 +196,12 @@ fn ratings_take_the_oil_of_the_film() {
     let rated = ["lubrication.contamination_factor=0.5"];
     let file = parse(&[OIL, WARM, FLOODED], &rated).unwrap();
     let case = file.case();
-    let viscosity = file.particulars().lubrication.as_ref().unwrap().viscosity_m2_s;
+    let viscosity = file
+        .particulars()
+        .lubrication
+        .as_ref()
+        .unwrap()
+        .viscosity_m2_s;
     assert_eq!(viscosity, case.film.unwrap().oil.kinematic_viscosity_m2_s());
     assert!((5e-6..2e-5).contains(&viscosity), "{viscosity}");
     let both = [rated[0], "lubrication.viscosity_mm2_s=13"];

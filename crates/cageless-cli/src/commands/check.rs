@@ -79,7 +79,8 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let speed_expansion_left_out = expansion_left_out([&*file]);
     lines.extend(expansion_line(&speed_expansion_left_out));
     lines.push(("steps of a run", steps_text(file.case())));
-    let notes = check_warnings([file.case()]);
+    let mut notes = check_warnings([file.case()]);
+    notes.extend(dry_motion(&file));
     let assumptions = file.assumptions();
     for assumption in &assumptions {
         let (value, basis) = (assumption.value, assumption.basis);
@@ -128,6 +129,15 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     };
     let text = pairs(&lines) + &warnings(&notes);
     (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&result)?, text))
+}
+
+/// Warning about a lubricated case whose motion is computed dry.
+fn dry_motion(file: &CaseFile) -> Option<String> {
+    let dry = file.particulars().lubrication.is_some() && file.case().film.is_none();
+    dry.then(|| {
+        "[lubrication] is for ratings: the motion is computed without an oil film; [film] has its rolling resistance"
+            .to_owned()
+    })
 }
 
 /// Where the balls of a run move, and whether the plane suffices.

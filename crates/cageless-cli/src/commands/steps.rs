@@ -18,13 +18,6 @@ pub fn check_warnings<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Vec<Stri
     let mut warnings = vec![];
     for case in cases {
         warnings.extend(case.bearing.fall_warning());
-        if case.lubrication.is_some() && case.film.is_none() {
-            warnings.push(
-                "[lubrication] is for ratings: the motion is computed without an oil film; [film] has its rolling \
-                 resistance"
-                    .to_owned(),
-            );
-        }
         if case.solver.duration_s > MANY_STEPS * case.solver.step_s {
             warnings.push(format!(
                 "the run takes {}, hours of computing: shorten it (solver.duration_s), or \
