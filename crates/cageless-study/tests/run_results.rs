@@ -47,6 +47,9 @@ fn summary_and_tables_are_views_of_one_table() {
         "tilt",
         "contact_angle",
         "ellipse_edge",
+        "rolling_resistance",
+        "half_turn_lag",
+        "film_",
     ];
     let of_runs = of_runs.filter(|q| !elsewhere.iter().any(|part| q.name.contains(part)));
     for quantity in of_runs.clone() {
