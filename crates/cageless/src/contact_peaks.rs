@@ -14,10 +14,10 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+use crate::ball::BallLanes;
 use crate::case::Case;
 use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
 use crate::dynamics::Contacts;
-use crate::dynamics::ball::BallLanes;
 use crate::ellipse_edges::EllipseEdges;
 use crate::kinematics::rolling_rotation_rad_s;
 use crate::raceway::Raceway;

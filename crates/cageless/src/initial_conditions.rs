@@ -12,9 +12,9 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+use crate::ball::BallMotion;
 use crate::case::{Case, StartState, Tilt};
 use crate::control::Control;
-use crate::dynamics::ball::BallMotion;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
 use crate::equilibrium::space::{self, SpatialEquilibrium};

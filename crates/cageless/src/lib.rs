@@ -109,6 +109,7 @@
 #![cfg_attr(not(test), warn(unreachable_pub))]
 
 mod assembly;
+pub mod ball;
 pub mod ball_advance;
 pub mod bearing;
 pub mod case;

@@ -1,7 +1,7 @@
 //! The energy ledger, symmetries and determinism of whole runs.
 
 use crate::common::{complete, conventional, dimensions, raceway, structure, undamped};
-use cageless::dynamics::ball::{BallMotion, Centre};
+use cageless::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;

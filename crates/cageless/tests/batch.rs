@@ -1,8 +1,8 @@
 //! Bearings side by side.
 
 use crate::common::{conventional, dimensions, raceway, structure};
+use cageless::ball::BallMotion;
 use cageless::contact::FrictionTable;
-use cageless::dynamics::ball::BallMotion;
 use std::sync::Arc;
 
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};

@@ -2,8 +2,8 @@
 //! form; dry friction against the explicit reference; ledger; side by side.
 
 use crate::common::{conventional, dimensions, run_from, structure, undamped};
+use cageless::ball::{BallMotion, Centre};
 use cageless::contact::FrictionTable;
-use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};

@@ -1,8 +1,8 @@
 //! Every cause for which a run stops, by a state that is edited, from both sides of its limit.
 
 use crate::common::{conventional, dimensions, drop_case, run_from};
+use cageless::ball::BallMotion;
 use cageless::dynamics::Model;
-use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::coordinates::{
     BallCoordinate, BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
 };

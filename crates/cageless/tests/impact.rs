@@ -1,9 +1,9 @@
 //! A free impact of two balls against conservation laws and closed forms.
 
 use crate::common::{conventional, dimensions, run_from, steel, undamped};
+use cageless::ball::BallMotion;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::contact::hertz;
-use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::state::State;
 use cageless::integrator::{Abm4, Integrator};

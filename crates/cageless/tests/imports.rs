@@ -223,6 +223,88 @@ fn cases_know_nothing_of_dynamics() {
     }
 }
 
+/// Layers of the core from below, by module: each uses its own layer and those below it.
+const LAYERS: [(&str, &[&str]); 7] = [
+    (
+        "numbers",
+        &[
+            "control",
+            "error",
+            "limits",
+            "named_enum",
+            "numerics",
+            "scope",
+        ],
+    ),
+    (
+        "geometry and contact",
+        &[
+            "assembly",
+            "ball",
+            "bearing",
+            "contact",
+            "film",
+            "flank_model",
+            "formulation",
+            "kinematics",
+            "material",
+            "outer_contact_geometry",
+            "raceway",
+            "raceway_contact",
+            "ring_support",
+            "rotating_ring",
+            "time_table",
+        ],
+    ),
+    (
+        "case",
+        &[
+            "case",
+            "fit",
+            "integrator",
+            "linear_rotor",
+            "rotor",
+            "surface",
+        ],
+    ),
+    ("equilibrium", &["equilibrium"]),
+    (
+        "world",
+        &[
+            "dynamics",
+            "initial_conditions",
+            "simd",
+            "snapshot",
+            "step_limits",
+            "world",
+            "film::motion",
+        ],
+    ),
+    ("simulation", &["simulation"]),
+    ("questions", &["film::rest", "*"]),
+];
+
+/// Index of the layer of a module.
+fn layer(module: &str) -> usize {
+    let own = module.trim_start_matches("crate::");
+    let of = |name: &str| LAYERS.iter().position(|(_, names)| names.contains(&name));
+    let folder = own.split("::").next().unwrap();
+    [own, folder, "*"].into_iter().find_map(of).unwrap()
+}
+
+#[test]
+fn no_layer_uses_one_above_it() {
+    let mut up = vec![];
+    for (from, to) in crate_uses("cageless") {
+        for (to, paths) in to {
+            if layer(&to) > layer(&from) && from != "crate" {
+                up.push(format!("{from} uses {to}: {paths:?}"));
+            }
+        }
+    }
+    assert!(up.is_empty(), "{} arrows up\n{}", up.len(), up.join("\n"));
+}
+
 /// Pages take a result or a function of a study, from its module: nothing below that.
 #[test]
 fn pages_know_nothing_of_the_insides_of_studies() {

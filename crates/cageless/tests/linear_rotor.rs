@@ -181,7 +181,7 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
 
     let turned = |case: &Case| case.start.lead_ball_angle_rad;
     for role in Role::all(SEED, 2) {
-        let replica = drop.replica(role);
+        let replica = role.drop(&drop);
         for (a, b) in replica.cases().iter().zip(drop.cases()) {
             assert_eq!(turned(a), turned(b) + role.perturbation_rad);
             let halves = if role.half_step { 0.5 } else { 1.0 };

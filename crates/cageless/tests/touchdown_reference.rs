@@ -3,7 +3,7 @@
 //! are uneven, balls collide.
 
 use crate::common::{complete, drop_case, raceway};
-use cageless::dynamics::ball::BallMotion;
+use cageless::ball::BallMotion;
 use cageless::dynamics::state::State;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, Gaps, IntegrationMethod, Start, StartState};

@@ -121,7 +121,7 @@ fn replicas(
     task: &Work<'_>,
 ) -> Result<Vec<(Role, DropRun)>, StudyError> {
     let drop = &filed.drop;
-    let replica = |role: &Role| filed.like(drop.replica(*role));
+    let replica = |role: &Role| filed.like(role.drop(drop));
     let drops: Vec<FiledDrop<'_>> = roles.iter().map(replica).collect();
     let (steps, duration_s) = (
         replica_steps(drop, &roles[..1]),

@@ -1,7 +1,7 @@
 //! Contact between neighbouring balls.
 
 use super::{NormalForce, positive};
-use crate::dynamics::ball::{Ball, BallLoad, BallMotion};
+use crate::ball::{Ball, BallLoad, BallMotion};
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {

@@ -3,7 +3,7 @@
 use super::NormalForce;
 use super::outer::{OuterContact, OuterGeometry, OuterRaceway, outer_deflection, outer_slip};
 use super::outer_geometry::FlankShape;
-use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
+use crate::ball::{Ball, BallMotion, PolarMotion};
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {

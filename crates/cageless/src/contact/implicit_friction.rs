@@ -18,7 +18,7 @@ use super::friction::Law;
 use super::friction_step::{LAST_STEP, SLIDING};
 use super::slip_problem::{SlipProblem, Slips};
 use super::{InnerContact, InnerRaceway, OuterContact, OuterGeometry, inner_slip, outer_slip};
-use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
+use crate::ball::{Ball, BallMotion, PolarMotion};
 
 /// Largest last step of a contact that slides, as a fraction of the slip scale, and the change of
 /// the friction over it, as a fraction of μN.

@@ -1,7 +1,7 @@
 //! Contact of a ball with the inner raceway.
 
 use super::{NormalForce, positive};
-use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
+use crate::ball::{Ball, BallLoad, BallMotion, PolarMotion};
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {

@@ -2,7 +2,7 @@
 
 use super::flank_section::FlankSection;
 use super::{OuterGeometry, OuterRaceway};
-use crate::dynamics::ball::{Ball, PolarMotion};
+use crate::ball::{Ball, PolarMotion};
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {

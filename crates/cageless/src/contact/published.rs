@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use cageless::contact::{OuterRaceway, published::centrifugal_force};
-//! use cageless::dynamics::ball::{Ball, PolarMotion};
+//! use cageless::ball::{Ball, PolarMotion};
 //!
 //! let ball = Ball { mass: 3e-3, ..Ball::default() };
 //! let raceway = OuterRaceway { pitch_radius: 20e-3, ..OuterRaceway::default() };
@@ -24,7 +24,7 @@ use super::{
     InnerRaceway, OuterContact, OuterGeometry, OuterRaceway, RacewayConstants, RacewayPosition,
     SlipProblem,
 };
-use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
+use crate::ball::{Ball, BallLoad, BallMotion, PolarMotion};
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {

@@ -1,7 +1,7 @@
 //! The contacts of one bearing as of the last evaluation of the right-hand side.
 
-use super::ball::BallLanes;
 use super::space::{BallContacts, SpaceWorkspace};
+use crate::ball::BallLanes;
 use crate::contact::published::FrictionDirectionLanes;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes, lane_maxima, larger};

@@ -10,11 +10,11 @@
 //! assert_eq!(second, first + 1);
 //! ```
 
-use super::ball::{BallMotion, Centre};
 use super::coordinates::{
     BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, Kind, runs, second_order_pairs,
 };
 use super::energy::EnergyTerm;
+use crate::ball::{BallMotion, Centre};
 use crate::case::Case;
 use crate::integrator::SecondOrderBlock;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES, Lanes};

@@ -14,7 +14,6 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-pub mod ball;
 mod contacts;
 pub mod coordinates;
 pub mod energy;

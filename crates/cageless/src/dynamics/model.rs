@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::ball::{Ball, PolarMotion};
 use super::layout::Layout;
 use super::space::SpaceModel;
+use crate::ball::{Ball, PolarMotion};
 use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::FrictionModel;

@@ -1,7 +1,7 @@
 //! The state vector: what the integrators advance.
 //!
 //! ```
-//! use cageless::dynamics::ball::BallMotion;
+//! use cageless::ball::BallMotion;
 //! use cageless::dynamics::state::State;
 //!
 //! let mut state = State::new(14);
@@ -9,10 +9,10 @@
 //! assert_eq!(state.x_m()[3], 0.02);
 //! ```
 
-use super::ball::{BallMotion, Centre};
 use super::coordinates::BallCoordinate;
 use super::energy::EnergyTerm;
 use super::layout::Layout;
+use crate::ball::{BallMotion, Centre};
 use crate::world::body::{BodyCoordinate, RingCoordinate, RotorMotion, SlidingCoordinate};
 
 /// State of one bearing: the motion of balls and bodies, and the energy ledger.

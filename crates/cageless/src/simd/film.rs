@@ -10,7 +10,7 @@ use super::motions::Motions;
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum};
 use super::workspace::BlockResults;
-use crate::dynamics::ball::BallLanes;
+use crate::ball::BallLanes;
 use crate::film::RollingCurveLanes;
 use crate::numerics::lanes::{LANES, Lanes};
 

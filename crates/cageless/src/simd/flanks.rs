@@ -6,11 +6,11 @@ use super::motions::{CentreLanes, Motions, outer_centre};
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum};
 use super::workspace::{BlockResults, ImplicitFriction};
+use crate::ball::{BallLanes, BallMotion};
 use crate::contact::{
     AtFlanks, FlankShape, FlankSliding, Law, LawLanes, RacewayContacts, RacewayPosition,
     SlipProblem, end_weights, flank_contact, further_step, outer_load, slope_force, with_law,
 };
-use crate::dynamics::ball::{BallLanes, BallMotion};
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes};
 

@@ -3,11 +3,11 @@
 use super::motions::{CentreLanes, Motions, outer_centre};
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use super::workspace::BlockResults;
+use crate::ball::BallLanes;
 use crate::contact::{
     OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValues, RacewayValuesLanes,
     nominal_geometry, unequal_geometry,
 };
-use crate::dynamics::ball::BallLanes;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::Lanes;
 

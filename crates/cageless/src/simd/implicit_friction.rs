@@ -7,11 +7,11 @@ use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
+use crate::ball::{BallLanes, BallLoad, Centre};
 use crate::contact::{
     EvaluatedLaws, Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step,
     inner_slip, outer_slip, with_law,
 };
-use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::numerics::lanes::{LANES, Lanes};

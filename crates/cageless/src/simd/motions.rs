@@ -1,6 +1,6 @@
 //! Views of the state vector in lanes: the balls of a block, and the centres of the rings.
 
-use crate::dynamics::ball::{BallMotion, Centre};
+use crate::ball::{BallMotion, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, OuterRingCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::numerics::lanes::Lanes;

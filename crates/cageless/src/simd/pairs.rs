@@ -5,8 +5,8 @@ use super::motions::{Motions, block_at};
 use super::parameters::Parameters;
 use super::sums::Sum;
 use super::workspace::Workspace;
+use crate::ball::BallMotion;
 use crate::contact::{ball_ball_contact, ball_deflection};
-use crate::dynamics::ball::BallMotion;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::{LANES, Lanes, flat, flat_mut, lane_maxima, larger};
 

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use super::film_block::FilmBlock;
 use super::flank_polynomials::FlankPolynomials;
 use super::motions::ring_speeds;
+use crate::ball::{Ball, BallLanes};
 use crate::contact::{
     FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
 };
 use crate::dynamics::Model;
-use crate::dynamics::ball::{Ball, BallLanes};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::RacewayModel;
 use crate::flank_model::FlankModel;

@@ -11,11 +11,11 @@ use super::pairs::{ball_contacts, of_ball_ahead};
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
+use crate::ball::{BallLanes, BallMotion, Centre, PolarMotion};
 use crate::contact::published::{
     FrictionDirection, FrictionDirectionLanes, PublishedBall, centrifugal_force, outer_load,
 };
 use crate::contact::{LawLanes, RacewayPosition, with_law};
-use crate::dynamics::ball::{BallLanes, BallMotion, Centre, PolarMotion};
 use crate::dynamics::energy::EnergyTerm;
 use crate::numerics::lanes::{LANES, Lanes, flat};
 

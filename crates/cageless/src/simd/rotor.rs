@@ -8,11 +8,11 @@ use super::motions::{CentreLanes, Motions, ring_speeds};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
+use crate::ball::BallLanes;
 use crate::contact::{
     InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, outer_slip, positive,
     with_law,
 };
-use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::numerics::lanes::{LANES, Lanes};

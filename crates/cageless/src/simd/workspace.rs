@@ -3,12 +3,12 @@
 use super::motions::CentreLanes;
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
+use crate::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::contact::published::FrictionDirectionLanes;
 use crate::contact::{
     BallBallContactLanes, FlankContactLanes, FlankSlidingLanes, InnerContactLanes, JournalSlip,
     OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes,
 };
-use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::formulation::Formulation;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::Lanes;

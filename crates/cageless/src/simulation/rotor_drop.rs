@@ -20,7 +20,6 @@ use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
 use crate::rotor::{Rotor, Shaft};
 use crate::step_limits::StepLimits;
-use crate::verification::Role;
 
 /// A rotor above its touchdown bearings, each a case of its own: the rotor in the plane of the only
 /// bearing that a case describes, or a linear rotor.
@@ -229,11 +228,6 @@ impl RotorDrop {
     /// This drop into its bearings with conventional outer rings.
     pub fn conventional(&self) -> Self {
         self.map_cases(Case::conventional)
-    }
-
-    /// The run of this drop that has a role in a verification.
-    pub fn replica(&self, role: Role) -> Self {
-        self.map_cases(|case| role.case(case))
     }
 
     /// This drop with each of its cases changed.

@@ -10,7 +10,8 @@ use crate::numerics::random::{GOLDEN_GAMMA, mix};
 use crate::orbit_means::OrbitMeans;
 use crate::passage::{PassageRecorder, SettledPassages};
 use crate::simulation::{
-    Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, run,
+    Control, Ending, Observer, ObserverError, RotorDrop, RunContext, RunOutcome, StepView, Stop,
+    run,
 };
 use crate::summary::{SummaryRecorder, transient_s};
 
@@ -157,6 +158,11 @@ impl Role {
             replica.solver.step_s *= 0.5;
         }
         replica
+    }
+
+    /// The drop whose cases are so changed.
+    pub fn drop(&self, drop: &RotorDrop) -> RotorDrop {
+        drop.map_cases(|case| self.case(case))
     }
 }
 

@@ -9,7 +9,7 @@ use super::ring::RingMotion;
 use super::sliding::{add_sliding_friction, slide_as_evaluated, slide_as_in};
 use super::strips::SlidingLanes;
 use super::workspace::SpaceWorkspace;
-use crate::dynamics::ball::BallLanes;
+use crate::ball::BallLanes;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;

@@ -2,9 +2,9 @@
 //! forms (fall, pendulum, climb, spin-up, whirl) check the contact and the motion of the rotor,
 //! which are those of the bearing.
 
+use crate::ball::Centre;
 use crate::bearing::InnerRingBore;
 use crate::contact::journal_energy_j;
-use crate::dynamics::ball::Centre;
 use crate::integrator::System;
 use crate::rotor::{Rotor, Support};
 use crate::world::body::outer_ring::OuterRing;

@@ -2,8 +2,8 @@
 
 use super::row::{BodyRow, Freedom, row};
 use super::{ContactStiffness, FastestRates, RestingRing};
+use crate::ball::Centre;
 use crate::case::Case;
-use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::Kind;
 use crate::numerics::lanes::lane_struct;
 

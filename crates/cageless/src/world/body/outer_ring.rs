@@ -2,8 +2,8 @@
 
 use super::row::{BodyRow, Freedom, row};
 use super::{ContactStiffness, FastestRates};
+use crate::ball::Centre;
 use crate::case::Case;
-use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::Kind;
 use crate::rotor::Support;
 use crate::world::joint::support::SupportJoint;

@@ -1,12 +1,12 @@
 //! The joint of the journal of a rotor and the bore of the inner ring: contact and friction.
 
 use super::TouchLoads;
+use crate::ball::Centre;
 use crate::bearing::InnerRingBore;
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::{
     Friction, Journal, JournalContact, JournalMotion, journal_contact, journal_slip,
 };
-use crate::dynamics::ball::Centre;
 use crate::rotor::Rotor;
 use crate::world::body::inner_ring::InnerRing;
 use crate::world::body::rotor::{RotorBody, RotorMotion};

@@ -1,6 +1,6 @@
 //! The support of the outer ring: spring and damper to the ground, and a hard stop.
 
-use crate::dynamics::ball::Centre;
+use crate::ball::Centre;
 use crate::rotor::Support;
 
 /// Constants of the support; all 0 without one.

@@ -1,7 +1,7 @@
 //! Constants, motion and acceleration of a ball.
 //!
 //! ```
-//! use cageless::dynamics::ball::{BallMotion, Centre};
+//! use cageless::ball::{BallMotion, Centre};
 //!
 //! // A ball 2 mm below the centre that moves to the right orbits counter-clockwise.
 //! let ball = BallMotion { y: -2e-3, vx: 1.0, ..BallMotion::default() };
