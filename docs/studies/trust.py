@@ -1,4 +1,4 @@
-"""How far to trust it: computed against measured."""
+"""How far to trust it: computed against measured, at eight of the twelve points of the paper."""
 
 import csv
 import math
@@ -58,7 +58,10 @@ def picture():
 def claims(claim):
     at = "answer"
     claim.between(0.55, (share(row) for row in POINTS), 0.91, at, "0.56 to 0.9 of the torque that was measured")
+    claim(at, "at eight of its twelve points", len(POINTS) == 8, len(POINTS))
     at = "Measured"
+    sizes = [row["ball_diameter_mm"] for row in POINTS]
+    claim(at, "eight are held here, two series of four", [sizes.count(size) for size in set(sizes)] == [4, 4], sizes)
     for size in (3, 6.35):
         of = [share(row) for row in POINTS if row["ball_diameter_mm"] == size]
         claim(at, f"the share rises with the speed ({size:g} mm)", of == sorted(of), of)
