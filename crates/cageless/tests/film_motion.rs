@@ -7,9 +7,10 @@ use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::film::{Film, FilmAtRest};
 use cageless::integrator::System;
+use cageless::passage::{Passage, PassageRecorder};
 use cageless::prelude::*;
 use cageless::summary::Summary;
-use cageless::{equilibrium, reference};
+use cageless::{Gaps, Start, StartState, equilibrium, reference};
 
 fn with_oil(mut case: Case, mpa_s: f64) -> Case {
     case.film = Some(Film::flooded(oil(mpa_s)));
@@ -104,26 +105,58 @@ fn lag_and_power_of_a_run() {
     }
 }
 
-/// The ledger closes with the order of the method, oil, collisions and all.
+/// Lag per pass of the raceway against rolling: mean over uneven starts. That of the prototype is known to 0.003° from
+/// five starts, that of twelve to 0.002°.
 #[test]
-fn ledger_closes() {
-    let residual = |film: bool, step_s: f64| {
+fn lag_per_pass_against_rolling() {
+    let of_start = |mpa_s: f64, seed: u64| {
         let mut case = reference::Structure::D.case();
-        if film {
-            case = with_oil(case, 20.0);
+        if mpa_s > 0.0 {
+            case = with_oil(case, mpa_s);
         }
+        let gaps = Gaps::random(&case.bearing, seed);
+        case.start = Start::new(StartState::Settled, gaps, 0.0);
         case.solver.method = IntegrationMethod::VelocityVerlet;
-        case.solver.step_s = step_s;
-        case.solver.duration_s = 5e-3;
-        let mut simulation = Simulation::new(&case).unwrap();
-        simulation.advance_to(5e-3).unwrap();
-        simulation.outcome().energy_residual_relative.abs()
+        case.solver.step_s = 2e-6;
+        case.solver.duration_s = 0.3;
+        let [mut time_s, mut count] = [0.0; 2];
+        let mut recorder = PassageRecorder::new(|passage: Passage| {
+            if passage.enter_s > 0.1 {
+                time_s += passage.leave_s - passage.enter_s;
+                count += 1.0;
+            }
+            Ok(())
+        });
+        cageless::simulation::run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))
+            .unwrap();
+        drop(recorder);
+        let angle_rad = 2.0 * case.raceways[0].half_angle_rad();
+        (case.rolling_orbit_speed_rad_s() * time_s / count - angle_rad).to_degrees()
     };
-    let all = [false, true].map(|film| [1e-6, 0.5e-6].map(|step| residual(film, step)));
+    let lags = [0.0, 2.0, 5.0, 20.0]
+        .map(|mpa_s| (0..12).map(|seed| of_start(mpa_s, seed)).sum::<f64>() / 12.0);
+    for (lag, expected) in lags.into_iter().zip([2.326, 2.319, 2.315, 2.309]) {
+        assert!((lag - expected).abs() < 0.006, "{lags:?}");
+    }
+    assert!(lags.is_sorted_by(|a, b| a > b), "{lags:?}");
+}
 
+/// The ledger closes at second order or better, thick oil, collisions and all.
+#[test]
+fn ledger_closes_with_the_step() {
+    let residuals = [1e-6, 0.5e-6, 0.25e-6].map(|step_s| {
+        let mut case = with_oil(reference::Structure::D.case(), 20.0);
+        let gaps = Gaps::random(&case.bearing, 0);
+        case.start = Start::new(StartState::Settled, gaps, 0.0);
+        case.solver.method = IntegrationMethod::Abm4;
+        case.solver.step_s = step_s;
+        case.solver.duration_s = 1e-2;
+        assert!(summary(&case).collisions.all > 0);
+        complete(&case).energy_residual_relative.abs()
+    });
     assert!(
-        all[1][0] < 2.0 * all[0][0].max(1e-6) && all[1][1] < 2.0 * all[0][1].max(1e-6),
-        "{all:?}"
+        residuals.is_sorted_by(|coarse, fine| *fine < coarse / 4.0) && residuals[1] < 1e-8,
+        "{residuals:?}"
     );
 }
 
@@ -146,7 +179,7 @@ fn coasting_ball_in_the_motion() {
     let mut dimensions = radii.clone();
     dimensions.inner_groove_bottom_radius_m -= 50e-6;
     case.bearing = Bearing::new(dimensions, Material::STEEL).unwrap();
-    case.start.state = cageless::StartState::Rolling {
+    case.start.state = StartState::Rolling {
         ring_x_m: 0.0,
         ring_y_m: 0.0,
     };
@@ -228,6 +261,94 @@ fn momentum_and_power_close() {
         loss_w > 50.0 && closing.abs() < 1e-9 * loss_w,
         "{loss_w} {closing}"
     );
+}
+
+/// What the film adds to the rates of a state.
+fn change(dry: &Case, mpa_s: f64, state: &[f64]) -> Vec<f64> {
+    let [without, with] = [dry.clone(), with_oil(dry.clone(), mpa_s)].map(|case| {
+        let mut rates = vec![0.0; state.len()];
+        let model = Model::new(&case).unwrap();
+        RightHandSide::new(&model).derivative(0.0, state, &mut rates);
+        rates
+    });
+    with.iter().zip(without).map(|(a, b)| a - b).collect()
+}
+
+/// State of a case after a while, and its layout.
+fn state_of(case: &Case) -> cageless::dynamics::state::State {
+    let mut simulation = Simulation::new(case).unwrap();
+    simulation.advance_to(1.234e-3).unwrap();
+    simulation.outcome().state
+}
+
+/// The moments of the four forces about the axis of the bearing cancel: balls, inner ring and its drive, outer ring.
+#[test]
+fn moments_close() {
+    let case = reference::conventional();
+    let (radii, ball) = (case.bearing.dimensions(), case.bearing.ball(0));
+    let state = state_of(&case);
+    let (layout, mut values) = (state.layout(), state.values().to_vec());
+    // All balls as far out, so that the sum of the outer forces gives that of their moments.
+    let distance_m = case.bearing.outer_orbit_radius_m() + 5e-6;
+    let places = |k| [BallCoordinate::X, BallCoordinate::Y].map(|c| layout.ball(c, k));
+    for k in 0..14 {
+        let [x, y] = places(k);
+        let part = distance_m / values[x].hypot(values[y]);
+        values[x] *= part;
+        values[y] *= part;
+    }
+    let rates = change(&case, 20.0, &values);
+    let drive_w = rates[layout.energy_term(EnergyTerm::Drive)];
+    let inner_n_m = drive_w / case.operation.inner_speed_rad_s;
+    let [mut orbits_n_m, mut spins_n_m] = [0.0; 2];
+    for k in 0..14 {
+        let [x, y] = places(k);
+        let [ax, ay] = [BallCoordinate::Vx, BallCoordinate::Vy].map(|c| rates[layout.ball(c, k)]);
+        orbits_n_m += ball.mass_kg * (values[x] * ay - values[y] * ax);
+        // Clockwise.
+        spins_n_m -= ball.inertia_kg_m2 * rates[layout.ball(BallCoordinate::Spin, k)];
+    }
+    let [x, y] = [RingCoordinate::X, RingCoordinate::Y].map(|c| values[layout.ring(c)]);
+    let [ax, ay] = [RingCoordinate::Vx, RingCoordinate::Vy].map(|c| rates[layout.ring(c)]);
+    let reaction_n_m = radii.inner_ring_mass_kg * (x * ay - y * ax);
+    // Both forces brake the spin.
+    let inner_n = inner_n_m / radii.inner_groove_bottom_radius_m;
+    let outer_n = spins_n_m / case.bearing.ball_radius_m() - inner_n;
+    let outer_n_m = outer_n * (distance_m + case.bearing.ball_radius_m());
+    let sum = orbits_n_m + spins_n_m + reaction_n_m - inner_n_m + outer_n_m;
+    assert!(inner_n > 1.0 && outer_n > 1.0, "{inner_n} {outer_n}");
+    assert!(sum.abs() < 1e-9 * outer_n_m, "{sum:e} of {outer_n_m}");
+}
+
+/// Those of a ball on both flanks that the inner ring does not touch, and the outer ring.
+#[test]
+fn moments_close_on_flanks() {
+    let case = reference::Structure::D.case();
+    let ball = case.bearing.ball(0);
+    let raceway = &case.raceways[0];
+    let state = state_of(&case);
+    let (layout, mut values) = (state.layout(), state.values().to_vec());
+    values[layout.ring(RingCoordinate::Y)] += 1e-4;
+    let rates = change(&case, 20.0, &values);
+    let mut found = 0;
+    for k in 0..14 {
+        let of = |values: &[f64], c| values[layout.ball(c, k)];
+        let [x, y] = [BallCoordinate::X, BallCoordinate::Y].map(|c| of(&values, c));
+        let angle_rad = x.atan2(-y);
+        if angle_rad.abs() > 0.9 * raceway.half_angle_rad() {
+            continue;
+        }
+        found += 1;
+        let [ax, ay] = [BallCoordinate::Vx, BallCoordinate::Vy].map(|c| of(&rates, c));
+        let orbit_n_m = ball.mass_kg * (x * ay - y * ax);
+        let spin_n_m = -ball.inertia_kg_m2 * of(&rates, BallCoordinate::Spin);
+        let radius_m = raceway.effective_radius_m(angle_rad);
+        let outer_n_m = spin_n_m / radius_m * (x.hypot(y) + radius_m);
+        let sum = orbit_n_m + spin_n_m + outer_n_m;
+        assert!(radius_m < 0.99 * case.bearing.ball_radius_m() && outer_n_m > 1e-3);
+        assert!(sum.abs() < 1e-7 * outer_n_m, "{sum:e} of {outer_n_m}");
+    }
+    assert!(found > 0);
 }
 
 /// Where no film is computed it is refused by name.
