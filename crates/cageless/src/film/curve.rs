@@ -3,7 +3,7 @@
 use super::Film;
 use super::contact::LubricatedContact;
 use super::rolling_force::{AXIS_EXPONENT, EHL, HEAT, HEAT_EXPONENT, IVR, TRANSITION};
-use crate::numerics::inverse_root::{inverse_cube_root, inverse_root_24};
+use crate::numerics::inverse_root::{binary_logarithm, inverse_cube_root};
 use crate::numerics::lanes::lane_struct;
 
 /// u₀², m²/s²: F_R(ū) u/ū with ū² = u² + u₀² goes through zero with the speed.
@@ -56,39 +56,43 @@ impl RollingCurve {
     /// F_R of a contact under the load Q at the mean speed u, N; odd in u.
     #[inline(always)]
     pub(crate) fn force_n(&self, load_n: f64, speed_m_s: f64) -> f64 {
-        // All powers of z = ū² from y = z^(−1/24).
+        // All powers of z = ū² from y = z^(−1/24), which r = 1 − z y²⁴ corrects: z^(−n/24) = yⁿ (1 + n r/24).
         let z = speed_m_s * speed_m_s + LEAST_SPEED_SQUARE;
-        let y = inverse_root_24(z);
+        let logarithm = binary_logarithm(z);
+        let y = inverse_root_24(logarithm);
         let y2 = y * y;
-        let y4 = y2 * y2;
+        let (y3, y4) = (y2 * y, y2 * y2);
         let y8 = y4 * y4;
-        let y3 = y2 * y;
-        let w = z * (y8 * y4 * y3);
-        let warming = z * (y4 * y) * power_0_28(y);
+        let zy4 = z * y4;
+        let zy8 = zy4 * y4;
+        let r = 1.0 - zy8 * (y8 * y8);
+        let w = zy8 * (y4 * y3) * (1.0 + 0.625 * r);
+        let two_thirds = zy8 * y8 * (1.0 + 2.0 / 3.0 * r);
+        let warming = zy4 * y * inverse_power_0_28(logarithm) * (1.0 + 5.0 / 24.0 * r);
         let over = (w + self.load * load_n) * (1.0 + self.heat * warming);
-        let under = self.rigid * (z * (y8 * y8)) + self.elastic * load_n;
+        let under = self.rigid * two_thirds + self.elastic * load_n;
         let root = inverse_cube_root(load_n);
-        // w/ū = y³.
-        load_n * (root * root) * (speed_m_s * y3) * under / over
+        // w/ū = z^(−1/8).
+        load_n * (root * root) * (speed_m_s * y3 * (1.0 + 0.125 * r)) * under / over
     }
 }
 
-/// y^0.28 from 0.55 to 1.8, relative error below 5e-8.
+/// z^(−1/24) of log₂ z from −20 to 18, relative error below 3e-5.
 #[inline(always)]
-fn power_0_28(y: f64) -> f64 {
-    let u = 1.6 * y - 1.88;
-    let square = u * u;
-    let (mut even, mut odd) = (-4.446_277_825_758_732e-5, 9.434_001_134_681_321e-5);
-    for [c0, c1] in [
-        [-8.060_364_972_676_966e-5, 1.843_155_195_880_348e-4],
-        [-5.567_538_034_635_691e-4, 1.326_920_832_269_545_5e-3],
-        [-3.289_049_262_763_985_5e-3, 9.094_734_286_981_035e-3],
-        [-2.983_712_879_382_858_7e-2, 1.558_157_731_779_845_3e-1],
-    ] {
-        even = even * square + c0;
-        odd = odd * square + c1;
-    }
-    even * square + 1.046_190_091_876_470_2 + odd * u
+fn inverse_root_24(logarithm: f64) -> f64 {
+    let square = logarithm * logarithm;
+    (0.999_995_070_200_889 - 0.028_874_329_870_709_94 * logarithm)
+        + square
+            * ((4.170_633_461_506_846e-4 - 4.091_252_878_739_64e-6 * logarithm)
+                + square * 2.946_703_105_145_09e-8)
+}
+
+/// z^(−0.28/24), the same; relative error below 1e-7 where a film warms, 2e-6 at creeping speeds.
+#[inline(always)]
+fn inverse_power_0_28(logarithm: f64) -> f64 {
+    let square = logarithm * logarithm;
+    (0.999_999_045_343_687_4 - 0.008_086_171_196_766_977 * logarithm)
+        + square * (3.259_841_977_939_031e-5 - 8.105_052_240_231_016e-8 * logarithm)
 }
 
 #[cfg(test)]
@@ -118,7 +122,7 @@ mod tests {
                     let relative = curve.force_n(load_n, speed_m_s) / expected - 1.0;
                     let least = LEAST_SPEED_SQUARE / speed_m_s.powi(2);
                     assert!(
-                        relative.abs() < 1e-7 + least,
+                        relative.abs() < 1e-6 + least,
                         "{speed_m_s} {load_n}: {relative:e}"
                     );
                     let back = curve.force_n(load_n, -speed_m_s);

@@ -29,7 +29,7 @@ use crate::error::InputError;
 use crate::limits::{from_to, require};
 
 pub use contact::LubricatedContact;
-pub(crate) use curve::RollingCurveLanes;
+pub(crate) use curve::{RollingCurve, RollingCurveLanes};
 pub use free_arc::{FreeArc, FreeBall};
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C};

@@ -6,7 +6,7 @@ use crate::case::Case;
 use crate::numerics::chebyshev::Polynomial;
 
 /// Degree of the constants of the outer contact over the cosine of its angle.
-const DEGREE: usize = 5;
+const DEGREE: usize = 3;
 /// Least cosine of flanks beyond that of the raceway: balls pressed in, and of other sizes, bear further down.
 const MARGIN: f64 = 0.02;
 /// Places of a raceway at which its cosine is looked at.
@@ -70,4 +70,38 @@ fn least_cosine(case: &Case) -> Option<f64> {
     });
     let least_m = places.reduce(f64::min)?;
     Some(least_m / case.bearing.ball_radius_m())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Film, Oil};
+    use super::*;
+    use crate::reference::Structure;
+
+    #[test]
+    fn constants_follow_the_cosine() {
+        let film = Film::flooded(Oil::mineral(5e-3, 0.035));
+        let case = Case {
+            film: Some(film),
+            ..Structure::D.case()
+        };
+        let model = RollingModel::new(&case).unwrap();
+        let least = least_cosine(&case).unwrap() - MARGIN;
+        for k in 0..=20 {
+            let cosine = least + (1.0 - least) * f64::from(k) / 20.0;
+            let contact = LubricatedContact::outer(&case.bearing, cosine);
+            let expected = RollingCurve::new(&contact, &film);
+            let place = model.scale * cosine + model.shift;
+            for of in [
+                |curve: &RollingCurve| curve.rigid,
+                |curve: &RollingCurve| curve.elastic,
+                |curve: &RollingCurve| curve.load,
+            ] {
+                let coefficients = model.outer.iter().rev();
+                let value = coefficients.fold(0.0, |sum, c| sum * place + of(c));
+                let relative = value / of(&expected) - 1.0;
+                assert!(relative.abs() < 3e-7, "{cosine}: {relative:e}");
+            }
+        }
+    }
 }

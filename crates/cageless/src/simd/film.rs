@@ -11,7 +11,6 @@ use super::parameters::Parameters;
 use super::sums::{Addends, Sum};
 use super::workspace::BlockResults;
 use crate::ball::BallLanes;
-use crate::film::RollingCurveLanes;
 use crate::numerics::lanes::{LANES, Lanes};
 
 /// Adds the rolling force of the contacts of a block to loads and addends.
@@ -58,15 +57,14 @@ fn outer(
             loads.0[lane] = results.flanks.load.0[lane];
         }
     }
-    let mut curve = RollingCurveLanes::ZERO;
-    for coefficients in film.outer.iter().rev() {
+    let mut curve = film.highest.clone();
+    for coefficients in film.lower.iter().rev() {
         for lane in 0..LANES {
             let place = cosines.0[lane] * film.scale.0[lane] + film.shift.0[lane];
             let (sum, more) = (curve.get(lane), coefficients.get(lane));
             curve.rigid.0[lane] = sum.rigid * place + more.rigid;
             curve.elastic.0[lane] = sum.elastic * place + more.elastic;
             curve.load.0[lane] = sum.load * place + more.load;
-            curve.heat.0[lane] = more.heat;
         }
     }
     let (mut forces, mut arms, mut doubles) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);

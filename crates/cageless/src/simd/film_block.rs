@@ -3,15 +3,17 @@
 use std::sync::Arc;
 
 use crate::dynamics::Model;
-use crate::film::{RollingCurveLanes, RollingModel};
+use crate::film::{RollingCurve, RollingCurveLanes, RollingModel};
 use crate::numerics::lanes::Lanes;
 
 /// Constants of the contacts of the bearing of each lane.
 #[derive(Clone)]
 pub(super) struct FilmBlock {
     pub inner: RollingCurveLanes,
-    /// Coefficients over the place.
-    pub outer: Vec<RollingCurveLanes>,
+    /// Highest coefficients over the place, and the factor of the heat.
+    pub highest: RollingCurveLanes,
+    /// The other coefficients, from that of the power 0.
+    pub lower: Vec<RollingCurveLanes>,
     /// The place is scale cos α + shift.
     pub scale: Lanes,
     /// See `scale`.
@@ -28,11 +30,16 @@ impl FilmBlock {
         let length = films.iter().map(|film| film.outer.len()).max()?;
         let number = |of: fn(&RollingModel) -> f64| Lanes(std::array::from_fn(|l| of(film(l))));
         let coefficient = |k: usize| {
-            RollingCurveLanes::from_fn(|lane| film(lane).outer.get(k).copied().unwrap_or_default())
+            RollingCurveLanes::from_fn(|lane| RollingCurve {
+                heat: film(lane).inner.heat,
+                ..film(lane).outer.get(k).copied().unwrap_or_default()
+            })
         };
+        let highest = length.checked_sub(1)?;
         Some(Self {
             inner: RollingCurveLanes::from_fn(|lane| film(lane).inner),
-            outer: (0..length).map(coefficient).collect(),
+            highest: coefficient(highest),
+            lower: (0..highest).map(coefficient).collect(),
             scale: number(|film| film.scale),
             shift: number(|film| film.shift),
         })
