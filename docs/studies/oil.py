@@ -29,7 +29,7 @@ def picture():
     names = ["flooded", "two drops", "0.1"]
     rows = [(speed, viscosity) for speed in ("3000", "12 000") for viscosity in ("2", "5", "20")]
     series = {name: [100 * OIL[(*row, name)]["deficit"] for row in rows] for name in names}
-    return dots("Speed that a free ball loses to the film, %", [f"{speed} rpm, {viscosity} mPa·s" for speed, viscosity in rows], series, log=True)
+    return dots("Speed that a free ball loses to the film, %; oil of 2, 5, 20 mPa·s", [f"{speed} rpm, {viscosity}" for speed, viscosity in rows], series, log=True)
 
 
 def claims(claim):

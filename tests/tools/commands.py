@@ -198,7 +198,7 @@ class Session:
         lines = []
         for command in self.commands:
             code = command.short(self.used)
-            if command.language == "toml" and "schema" not in code:
+            if command.language == "toml" and code.startswith("["):
                 # Keys for a case that has none of them.
                 case = (self.folder / "cases/conventional.toml").read_text(encoding="utf-8")
                 (self.folder / "cases/of-the-page.toml").write_text(f"{case}\n{code}", encoding="utf-8")
