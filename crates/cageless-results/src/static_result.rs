@@ -166,7 +166,7 @@ fn of_film(solved: &Solved<'_>) -> Vec<String> {
         false => Some(format!(
             "oil spaces the balls: it takes {lost:.1} % of the speed of a free ball, and opens a gap behind one that \
              enters the load zone; balls queue from some {:.1} % on",
-            1.3 * free
+            100.0 * at_rest.queue_deficit()
         )),
     };
     let starved = (film.supply < 1.0).then(|| {

@@ -52,7 +52,7 @@ impl FreeBall {
         }
     }
 
-    /// The same ball under a constant load, N.
+    /// This ball under a constant load in N, in place of its centrifugal force.
     pub fn under(self, load_n: f64) -> Self {
         Self {
             load_n: Some(load_n),

@@ -34,7 +34,7 @@ pub use free_arc::{FreeArc, FreeBall};
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;
-pub use rest::{ContactFilm, FilmAtRest, QUEUE_FROM};
+pub use rest::{ContactFilm, FilmAtRest};
 pub use rolling_force::{Rolling, RollingForce};
 pub use starvation::starved_share;
 pub use thickness::{FilmThickness, asperity_share};

@@ -16,7 +16,9 @@ use crate::raceway_contact::RacewayPoint;
 const OPENING: f64 = 0.85;
 /// Speed deficit over the free share of the pitch circle from which slowed balls may queue: never below 1.1, always
 /// from 1.45 on in prototypes.
-pub const QUEUE_FROM: f64 = 1.1;
+const MAY_QUEUE: f64 = 1.1;
+/// The same where balls queue as a rule.
+const QUEUE: f64 = 1.3;
 
 /// Film of one contact of a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -190,7 +192,12 @@ impl FilmAtRest {
 
     /// Whether slowed balls may queue.
     pub fn may_queue(&self) -> bool {
-        self.arc.speed_deficit > QUEUE_FROM * self.free_share
+        self.arc.speed_deficit > MAY_QUEUE * self.free_share
+    }
+
+    /// Speed deficit from which balls queue as a rule.
+    pub fn queue_deficit(&self) -> f64 {
+        QUEUE * self.free_share
     }
 }
 

@@ -138,7 +138,7 @@ impl OwnLanes {
         {
             return [mu, slope];
         }
-        // One by one, so that an answer that cannot be is told of its own bearing.
+        // Lane by lane: an invalid answer of the law stops its own bearing alone.
         for lane in 0..LANES {
             let own = &self.lanes[lane];
             let found = own.law.as_ref().map(|law| own.mu(law, speeds.0[lane]));

@@ -33,7 +33,7 @@ pub static STEADY_GAP: Requirement = Requirement {
     ..Requirement::PERCENT
 };
 
-/// The same of β0, which the critical gap is without sliding: whether it can spread the balls.
+/// β0, the critical gap without sliding, over the steady-state gap: whether it can spread the balls.
 pub(in super::super) static THEORETICAL_GAP: Requirement = Requirement {
     name: "theoretical-gap",
     least: Some(LEAST),

@@ -151,9 +151,9 @@ pub(crate) type JournalCompliance = [[f64; 3]; 3];
 /// Accelerations of a rotor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RotorAcceleration {
-    /// Of the mass centre, m/s².
+    /// Acceleration of the mass centre, m/s².
     pub linear: [f64; 3],
-    /// Of the rotation, rad/s².
+    /// Angular acceleration, rad/s².
     pub spin: f64,
 }
 
