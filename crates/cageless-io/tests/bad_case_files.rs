@@ -93,6 +93,8 @@ const EDITS: &[Row] = &[
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 5e-324", "material.youngs_modulus_gpa", &["= 5e-324", "at least 0.5 GPa"]),
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 0.0", "operation.inner_speed_rpm", &["other than 0"]),
     ("radial_load_n = 1500.0", "radial_load_n = -1500.0", "operation.radial_load_n", &["at least 0 N"]),
+    ("radial_load_n = 1500.0", "radial_load_n = 1500.0\nunbalance_g_mm = -3", "operation.unbalance_g_mm", &["= -3", "at least 0 g·mm"]),
+    ("radial_load_n = 1500.0", "radial_load_n = 1500.0\nunbalance_g_mm = 1e6", "operation.unbalance_g_mm", &["= 1e6", "elastic contact"]),
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 0.0", "bearing.inner_ring_mass_kg", &["more than 0 kg"]),
     ("damping_n_s_m1_5 = 2.0e5", "damping_n_s_m1_5 = -1.0", "contact.damping_n_s_m1_5", &["at least 0 N·s/m^1.5"]),
     ("# inner_stiffness_n_m1_5 = 2.8e10", "inner_stiffness_n_m1_5 = 0", "contact.inner_stiffness_n_m1_5", &["more than 0 N/m^1.5"]),

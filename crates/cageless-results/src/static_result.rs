@@ -7,6 +7,7 @@ use cageless::fit::SMOOTHING_M;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
+use crate::number_text::short;
 use crate::{
     CLEARANCE_RANGE, DEFECTS, FILM, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
     Solved, Subject,
@@ -92,6 +93,14 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
              points share the load of a ball, the ends of the raceway are not rated"
                 .to_owned(),
         );
+    }
+    if case.operation.unbalance.amount_kg_m > 0.0 {
+        let force_n = case.operation.unbalance_force_n();
+        notes.push(format!(
+            "operation.unbalance_g_mm turns a load of {} N with the inner ring, which equilibrium, ratings and \
+             lives leave out",
+            short(force_n)
+        ));
     }
     match solved.rating.materials {
         RatedMaterials::Steel => {}

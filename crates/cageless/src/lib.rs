@@ -166,6 +166,7 @@ pub mod surface;
 pub mod time_table;
 pub mod tolerance;
 pub mod touchdown;
+mod unbalance;
 pub mod verification;
 pub mod vibration;
 pub mod world;
@@ -192,6 +193,7 @@ pub use rotor::{Rotor, Shaft, Support, SupportStop};
 pub use scope::SCOPE;
 pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 pub use time_table::TimeTable;
+pub use unbalance::Unbalance;
 
 // Cases that unit tests share with the tests beside them.
 #[cfg(test)]

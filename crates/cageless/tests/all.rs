@@ -67,6 +67,7 @@ mod touchdown_heat;
 mod touchdown_reference;
 mod touchdown_results;
 mod turned_ring;
+mod unbalance;
 mod unequal_balls;
 mod verdict;
 mod verification;

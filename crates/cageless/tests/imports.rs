@@ -254,6 +254,7 @@ const LAYERS: [(&str, &[&str]); 7] = [
             "ring_support",
             "rotating_ring",
             "time_table",
+            "unbalance",
         ],
     ),
     (

@@ -130,8 +130,8 @@ pub(crate) mod prelude {
     pub(crate) use super::super::reader::Reader;
     pub(crate) use super::super::spanned_toml::{Node, Value};
     pub(crate) use super::super::unit::Unit::{
-        Degree, Gigapascal, Micrometre, Microsecond, Millimetre, MillipascalSecond, Milliradian,
-        None as Plain, RevolutionPerMinute, Si, SquareMillimetrePerSecond,
+        Degree, Gigapascal, GramMillimetre, Micrometre, Microsecond, Millimetre, MillipascalSecond,
+        Milliradian, None as Plain, RevolutionPerMinute, Si, SquareMillimetrePerSecond,
     };
     pub(crate) use super::{SectionKeys, field, section};
 }

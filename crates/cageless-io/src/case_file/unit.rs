@@ -20,6 +20,7 @@ pub(crate) enum Unit {
     Microsecond,
     SquareMillimetrePerSecond,
     MillipascalSecond,
+    GramMillimetre,
 }
 
 impl Unit {
@@ -37,6 +38,7 @@ impl Unit {
             Self::Microsecond => "us",
             Self::SquareMillimetrePerSecond => "mm^2/s",
             Self::MillipascalSecond => "mPa s",
+            Self::GramMillimetre => "g mm",
         }
     }
 
@@ -51,9 +53,10 @@ impl Unit {
         match self {
             Self::None | Self::Si(_) => value,
             Self::Millimetre | Self::Milliradian | Self::MillipascalSecond => shift(value, -3),
-            Self::Micrometre | Self::Microsecond | Self::SquareMillimetrePerSecond => {
-                shift(value, -6)
-            }
+            Self::Micrometre
+            | Self::Microsecond
+            | Self::SquareMillimetrePerSecond
+            | Self::GramMillimetre => shift(value, -6),
             Self::Degree => value.to_radians(),
             Self::RevolutionPerMinute => value * TAU / 60.0,
             Self::Gigapascal => shift(value, 9),
@@ -65,9 +68,10 @@ impl Unit {
         match self {
             Self::None | Self::Si(_) => value,
             Self::Millimetre | Self::Milliradian | Self::MillipascalSecond => shift(value, 3),
-            Self::Micrometre | Self::Microsecond | Self::SquareMillimetrePerSecond => {
-                shift(value, 6)
-            }
+            Self::Micrometre
+            | Self::Microsecond
+            | Self::SquareMillimetrePerSecond
+            | Self::GramMillimetre => shift(value, 6),
             Self::Degree => value.to_degrees(),
             Self::RevolutionPerMinute => value * 60.0 / TAU,
             Self::Gigapascal => shift(value, -9),
@@ -161,6 +165,7 @@ mod tests {
             Unit::Gigapascal,
             Unit::Microsecond,
             Unit::MillipascalSecond,
+            Unit::GramMillimetre,
         ] {
             let back = unit.of_si(unit.to_si(7.3));
             assert!((back - 7.3).abs() < 1e-14 * 7.3, "{unit:?}: {back}");

@@ -97,6 +97,7 @@ class Operation(Section):
     inner_speed_rpm: Annotated[float | Sequence[Sequence[float]] | None, "speed of the inner ring, not 0, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required"] = None
     radial_load_n: Annotated[float | Sequence[Sequence[float]] | None, "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required"] = None
     gravity_m_s2: Annotated[float | None, "g, downwards"] = None
+    unbalance_g_mm: Annotated[float | None, "m·e, unbalance of what turns with the inner ring, from +X at t = 0; not with a [rotor]"] = None
     axial_load_n: Annotated[float | None, "Fa, load on the inner ring along the axis, +z; 0 unless given"] = None
     moment_x_n_m: Annotated[float | None, "moment on the inner ring about x, which is then free to tilt"] = None
     moment_y_n_m: Annotated[float | None, "moment on the inner ring about y, which is then free to tilt"] = None

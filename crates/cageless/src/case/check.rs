@@ -13,6 +13,7 @@ impl Operation {
     fn check(&self) -> Result<(), InputError> {
         not_negative("radial_load_n", self.radial_load_n)?;
         not_negative("gravity_m_s2", self.gravity_m_s2)?;
+        not_negative("unbalance_kg_m", self.unbalance.amount_kg_m)?;
         for (field, start, table) in self.given() {
             let Some(table) = table else { continue };
             if let Some(&value) = table.values().iter().find(|v| **v < 0.0) {
@@ -64,6 +65,7 @@ impl Case {
         }
         self.contact.check()?;
         self.check_film()?;
+        self.check_unbalance()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
         }
@@ -90,6 +92,39 @@ impl Case {
             not_negative("damping_n_s_m", h.damping_n_s_m)?;
         }
         Ok(())
+    }
+
+    /// Refuses an unbalance where the equations have none.
+    fn check_unbalance(&self) -> Result<(), InputError> {
+        let why = match () {
+            () if self.operation.unbalance.amount_kg_m == 0.0 => return Ok(()),
+            () if self.formulation == Formulation::Paper => {
+                "the published equations have no unbalance"
+            }
+            () if self.rotor.is_some() => "the rotor has one, by its eccentricity",
+            () => return Ok(()),
+        };
+        self.refuse_unbalance(why)
+    }
+
+    /// Passes a case without an unbalance; `what` needs a load that stands still.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the unbalance.
+    pub fn check_balanced(&self, what: &str) -> Result<(), InputError> {
+        match self.operation.unbalance.amount_kg_m == 0.0 {
+            true => Ok(()),
+            false => self.refuse_unbalance(&format!("{what} needs a load that stands still")),
+        }
+    }
+
+    fn refuse_unbalance(&self, why: &str) -> Result<(), InputError> {
+        let amount = self.operation.unbalance.amount_kg_m;
+        Err(InputError::rule(
+            "unbalance_kg_m",
+            amount,
+            format!("0: {why}"),
+        ))
     }
 
     /// Refuses oil that cannot be, and a film where the equations have none.
@@ -132,7 +167,8 @@ impl Case {
         let deflection = DEFLECTION_FRACTION_MAX * bearing.ball_radius_m();
         let bears = inner.min(outer) * deflection.powf(1.5);
         let gravity_m_s2 = self.operation.gravity_m_s2;
-        let radial_load_n = self.largest_radial_load_n();
+        let turning_n = self.operation.unbalance_force_n();
+        let radial_load_n = self.largest_radial_load_n() - turning_n;
         let mass = bearing.ball_mass_kg();
         let centrifugal = self.centrifugal_force_n();
         let elastic = "an elastic contact bears a deflection of 5 % of the ball radius";
@@ -152,7 +188,13 @@ impl Case {
         let most = (bears - centrifugal) * bearing.balls() as f64 / 5.0 - weight;
         let rule = format!("less: {elastic}, and the weight of the ring is too much");
         require("gravity_m_s2", gravity_m_s2, most >= 0.0, rule)?;
-        Allowed::AtMost(most, elastic).check("radial_load_n", radial_load_n)
+        Allowed::AtMost(most, elastic).check("radial_load_n", radial_load_n)?;
+        if turning_n == 0.0 {
+            return Ok(());
+        }
+        let amount = self.operation.unbalance.amount_kg_m;
+        Allowed::AtMost(amount * (most - radial_load_n) / turning_n, elastic)
+            .check("unbalance_kg_m", amount)
     }
 
     /// Refuses elastic flanks where the equations have none.

@@ -32,6 +32,7 @@ use crate::raceway::{Ends, Raceway, RacewayForm};
 use crate::rotating_ring::rotating_growth_m;
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
+use crate::unbalance::{Unbalance, UnbalanceForce};
 
 pub use contact::{Contact, STRIPS_MAX};
 pub use space::SPATIAL_FIELDS;
@@ -53,6 +54,8 @@ pub struct Operation {
     pub inner_speed_table: Option<TimeTable>,
     /// Fr over time, where it changes; not with a rotor.
     pub radial_load_table: Option<TimeTable>,
+    /// Unbalance that turns with the inner ring; not with a rotor.
+    pub unbalance: Unbalance,
     /// Load out of the plane.
     pub space: SpatialLoad,
 }
@@ -62,6 +65,17 @@ impl Operation {
     pub fn largest_inner_speed_rad_s(&self) -> f64 {
         let table = self.inner_speed_table.as_ref();
         table.map_or(self.inner_speed_rad_s, |table| table.range()[1])
+    }
+
+    /// Largest force of the unbalance, m·e·ωi², N.
+    pub fn unbalance_force_n(&self) -> f64 {
+        self.unbalance.amount_kg_m * self.largest_inner_speed_rad_s().powi(2)
+    }
+
+    /// The force of the unbalance over time; none without one.
+    pub(crate) fn unbalance_force(&self) -> Option<UnbalanceForce> {
+        let speed = self.inner_speed_table.as_ref();
+        UnbalanceForce::new(self.unbalance, self.inner_speed_rad_s, speed)
     }
 
     /// How a clockwise bearing is shown; empty for the other sense of rotation.
@@ -77,6 +91,10 @@ impl Operation {
     /// The same operation with its time counted from `time_s`.
     pub fn from_time(&self, time_s: f64) -> Self {
         let mut later = self.clone();
+        later.unbalance.phase_rad += match &self.inner_speed_table {
+            Some(table) => table.integral([0.0, time_s]),
+            None => self.inner_speed_rad_s * time_s,
+        };
         for (value, table) in [
             (&mut later.inner_speed_rad_s, &mut later.inner_speed_table),
             (&mut later.radial_load_n, &mut later.radial_load_table),
@@ -298,10 +316,11 @@ impl Case {
         }
     }
 
-    /// Largest Fr of the run, N.
+    /// Largest Fr of the run with the force of the unbalance, N.
     pub(crate) fn largest_radial_load_n(&self) -> f64 {
         let table = self.operation.radial_load_table.as_ref();
-        table.map_or(self.operation.radial_load_n, |t| t.range()[1])
+        let load = table.map_or(self.operation.radial_load_n, |t| t.range()[1]);
+        load + self.operation.unbalance_force_n()
     }
 
     /// Whether speed and load are constant.

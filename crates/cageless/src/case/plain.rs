@@ -6,6 +6,7 @@ use crate::contact::FrictionParameters;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
+use crate::unbalance::Unbalance;
 
 /// Method of a case unless one is given.
 const METHOD: IntegrationMethod = IntegrationMethod::VelocityVerlet;
@@ -29,6 +30,7 @@ impl Case {
                 gravity_m_s2: 9.81,
                 inner_speed_table: None,
                 radial_load_table: None,
+                unbalance: Unbalance::default(),
                 space: SpatialLoad::default(),
             },
             contact: Contact::default(),

@@ -135,6 +135,8 @@ pub fn judge_watched(
 ) -> Result<Judgement, CriticalGapError> {
     case.check_constant_operation("a verdict")
         .map_err(EquilibriumError::from)?;
+    case.check_balanced("a verdict")
+        .map_err(EquilibriumError::from)?;
     case.check_without_film("the verdict on a raceway")
         .map_err(EquilibriumError::from)?;
     if case.raceways.is_empty() {

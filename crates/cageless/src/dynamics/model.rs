@@ -22,6 +22,7 @@ use crate::outer_contact_geometry::{flank_section, outer_contact_geometry};
 use crate::raceway::{ContactPath, Piece, Raceway};
 use crate::step_limits::{self, StepLimits};
 use crate::time_table::TimeTable;
+use crate::unbalance::UnbalanceForce;
 use crate::world::body::inner_ring::InnerRing;
 use crate::world::body::outer_ring::OuterRing;
 use crate::world::under_rotor::UnderRotor;
@@ -71,6 +72,8 @@ pub struct Model {
     /// ωi and Fr over time, where they change.
     pub(crate) inner_speed: Option<TimeTable>,
     pub(crate) radial_load: Option<TimeTable>,
+    /// The unbalance of the inner ring.
+    pub(crate) unbalance: Option<UnbalanceForce>,
     /// What motion in space needs besides.
     pub(crate) space: Option<SpaceModel>,
     /// Films of the contacts with the raceways.
@@ -139,6 +142,8 @@ impl Model {
             drag: d.inner_ring_damping_n_s_m,
             radial_load: case.operation.radial_load_n,
             gravity: case.operation.gravity_m_s2,
+            unbalance_x: 0.0,
+            unbalance_y: 0.0,
         };
         let sliding_kg = space.as_ref().map_or(0.0, SpaceModel::sliding_kg);
         let outer_ring = OuterRing::new(case.support.as_ref(), sliding_kg);
@@ -185,11 +190,21 @@ impl Model {
                 .collect(),
             inner_speed: case.operation.inner_speed_table.clone(),
             radial_load: case.operation.radial_load_table.clone(),
+            unbalance: case.operation.unbalance_force(),
             space,
             film: RollingModel::new(case),
             bearing: bearing.clone(),
             raceways: case.raceways.clone(),
         })
+    }
+
+    /// Radial load and unbalance at a time, N.
+    pub(crate) fn load_n(&self, time_s: f64) -> [f64; 2] {
+        let table = self.radial_load.as_ref();
+        let down = table.map_or(self.ring.radial_load, |load| load.value(time_s));
+        let turning = self.unbalance.as_ref();
+        let [x, y] = turning.map_or([0.0; 2], |unbalance| unbalance.at(time_s));
+        [x, y - down]
     }
 
     /// Bearing of a rotor of this mass that rests on other bearings as well: the motion of the journal

@@ -79,9 +79,9 @@ impl RightHandSide {
             isa: isa.min(InstructionSet::detect()),
             evaluations: 0,
             time_s: 0.0,
-            over_time: models
-                .iter()
-                .any(|m| m.inner_speed.is_some() || m.radial_load.is_some()),
+            over_time: models.iter().any(|m| {
+                m.inner_speed.is_some() || m.radial_load.is_some() || m.unbalance.is_some()
+            }),
             second_order_blocks: layout.second_order_blocks(),
             models,
         }
@@ -391,6 +391,7 @@ fn drive(p: &Parameters) -> Drive {
     Drive {
         inner_speed: p.inner.surface_speed.0[0] / p.inner.radius.0[0],
         radial_load: p.ring.radial_load.0[0],
+        unbalance: [p.ring.unbalance_x.0[0], p.ring.unbalance_y.0[0]],
     }
 }
 

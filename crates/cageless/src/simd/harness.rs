@@ -288,7 +288,7 @@ pub(super) fn ring_and_ledger(
     };
     let powers: [(EnergyTerm, f64); EnergyTerm::without_rotor().len()] = [
         (EnergyTerm::Drive, drive),
-        (EnergyTerm::Load, -ring.radial_load * motion.vy),
+        (EnergyTerm::Load, ring.load_power_w(motion)),
         (
             EnergyTerm::Weight,
             total(Sum::Weight) - ring.weight_n() * motion.vy,

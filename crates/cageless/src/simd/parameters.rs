@@ -77,6 +77,10 @@ impl Parameters {
             if let Some(load) = &model.radial_load {
                 self.ring.radial_load.0[lane] = load.value(time_s);
             }
+            if let Some(unbalance) = &model.unbalance {
+                let [x, y] = unbalance.at(time_s);
+                (self.ring.unbalance_x.0[lane], self.ring.unbalance_y.0[lane]) = (x, y);
+            }
         }
     }
 

@@ -213,11 +213,14 @@ impl<M: Method> Simulation<M> {
     /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise.
     ///
     /// # Errors
-    /// It is not finite, or the ring turns freely below a rotor, or its speed is given over time.
+    /// It is not finite, the ring turns freely below a rotor or has an unbalance, or its speed is given over time.
     pub fn set_inner_speed_rad_s(&mut self, speed_rad_s: f64) -> Result<(), InputError> {
         let operation = &self.case.operation;
-        let free = self.case.rotor.is_none() && operation.inner_speed_table.is_none();
-        let rule = "finite, of a ring without a rotor whose speed is not given over time";
+        let free = self.case.rotor.is_none()
+            && operation.inner_speed_table.is_none()
+            && operation.unbalance.amount_kg_m == 0.0;
+        let rule =
+            "finite, of a ring without rotor and unbalance whose speed is not given over time";
         let kept = free && speed_rad_s.is_finite();
         require("inner_speed_rad_s", speed_rad_s, kept, rule)?;
         self.case.operation.inner_speed_rad_s = speed_rad_s;

@@ -70,9 +70,14 @@ fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
     ]
 }
 
-/// Sum of the external forces at a state where the outer ring is pressed by `outer`, and
+/// Sum of the external forces at a time and state where the outer ring is pressed by `outer`, and
 /// the sum of their absolute values, N.
-fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> ([f64; 3], f64) {
+fn external(
+    model: &Model,
+    layout: Layout,
+    (time_s, values): (f64, &[f64]),
+    outer: [f64; 3],
+) -> ([f64; 3], f64) {
     let motion = layout.ring_motion(values);
     let ring = &model.ring;
     let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
@@ -95,15 +100,16 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> (
         }
         None => (0.0, 0.0, 1),
     };
+    let [load_x, load_y] = model.load_n(time_s);
     let mut force = [
-        -outer[0] - ring.drag * motion.vx,
-        -outer[1] - ring.drag * motion.vy - ring.radial_load,
+        load_x - outer[0] - ring.drag * motion.vx,
+        load_y - outer[1] - ring.drag * motion.vy,
         -outer[2] - ring.drag * vz + axial_load,
     ];
     force[upward] -= weight;
     let mut absolute = outer[0].hypot(outer[1]).hypot(outer[2])
         + ring.drag * motion.vx.hypot(motion.vy).hypot(vz)
-        + ring.radial_load
+        + load_x.hypot(load_y)
         + axial_load.abs()
         + weight;
     if model.formulation == Formulation::Paper {
@@ -135,7 +141,7 @@ impl Observer for MomentumBalance {
         *self = Self {
             start,
             now: start,
-            last: Some(external(context.model, layout, values, outer)),
+            last: Some(external(context.model, layout, (0.0, values), outer)),
             model: Some(Arc::clone(context.model)),
             ..Self::default()
         };
@@ -148,7 +154,7 @@ impl Observer for MomentumBalance {
         };
         let (step, layout) = (view.step, view.layout());
         let outer = outer_force_n(&view.contacts);
-        let (force, absolute) = external(model, layout, &step.y1, outer);
+        let (force, absolute) = external(model, layout, (step.t1_s, &step.y1), outer);
         if let Some((force_before, absolute_before)) = self.last {
             let half = 0.5 * step.size_s();
             for k in 0..3 {

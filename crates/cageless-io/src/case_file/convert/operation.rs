@@ -1,7 +1,7 @@
 //! Operation of a case.
 
 use cageless::time_table::TimeTable;
-use cageless::{Operation, SpatialLoad, Tilt};
+use cageless::{Operation, SpatialLoad, Tilt, Unbalance};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
@@ -35,6 +35,10 @@ impl Converter<'_> {
             gravity_m_s2: o.gravity_m_s2,
             inner_speed_table: table("inner_speed_rad_s", speed.rows)?,
             radial_load_table: table("radial_load_n", load.rows)?,
+            unbalance: Unbalance {
+                amount_kg_m: o.unbalance_kg_m.unwrap_or(0.0),
+                phase_rad: 0.0,
+            },
             space: self.spatial_load()?,
         })
     }

@@ -14,6 +14,8 @@ section! {
             Shown("1500.0", "Fr, downwards (paper), or [[time in s, N], …]");
         gravity_m_s2 => gravity_m_s2: f64 = default(9.81), Si("m/s^2"); AtLeast(0.0),
             "g, downwards", Shown("9.81", "downwards");
+        unbalance_g_mm => unbalance_kg_m: Option<f64> = Optional, GramMillimetre; AtLeast(0.0),
+            "m·e, unbalance of what turns with the inner ring, from +X at t = 0; not with a [rotor]", Absent;
         axial_load_n => axial_load_n: Option<f64> = Optional, Si("N"),
             "Fa, load on the inner ring along the axis, +z; 0 unless given",
             Commented("150.0", "Fa, along +z: the balls move in space");

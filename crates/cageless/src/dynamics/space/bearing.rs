@@ -14,6 +14,8 @@ pub(crate) struct Drive {
     pub inner_speed: f64,
     /// Fr, N.
     pub radial_load: f64,
+    /// Force of the unbalance in the plane of the bearing, N.
+    pub unbalance: [f64; 2],
 }
 
 /// A bearing and what drives it.

@@ -194,7 +194,8 @@ fn ring_rates(
 ) {
     let layout = model.layout;
     let (mass, drag) = (model.ring.mass, model.ring.drag);
-    let load = Vector::new(0.0, -drive.radial_load, space.axial_load);
+    let [turning_x, turning_y] = drive.unbalance;
+    let load = Vector::new(turning_x, turning_y - drive.radial_load, space.axial_load);
     let mut weight = Vector::zeros();
     weight[space.upward] = -mass * model.ring.gravity;
     let [contacts, mut moment] = totals.on_ring();

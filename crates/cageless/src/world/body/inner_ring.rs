@@ -82,6 +82,10 @@ lane_struct! {
         radial_load,
         /// g, m/s², along −Y.
         gravity,
+        /// Force of the unbalance along X, N.
+        unbalance_x,
+        /// Force of the unbalance along Y, N.
+        unbalance_y,
     }
 }
 
@@ -109,14 +113,21 @@ pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> Fastest
 
 impl InnerRing {
     /// Acceleration of the centre under the sum of the balls' reactions, m/s²:
-    /// mi(Ẍ, Ÿ) + C(Ẋ, Ẏ) = Fr + weight + Σ reactions (Zhao 2022, Eq. (14)).
+    /// mi(Ẍ, Ÿ) + C(Ẋ, Ẏ) = Fr + weight + unbalance + Σ reactions (Zhao 2022, Eq. (14)).
     #[inline(always)]
     pub(crate) fn acceleration(&self, motion: &Centre, reactions_n: [f64; 2]) -> [f64; 2] {
         let [x, y] = reactions_n;
+        let down = self.radial_load - self.unbalance_y;
         [
-            (x - self.drag * motion.vx) / self.mass,
-            (y - self.drag * motion.vy - self.radial_load - self.weight_n()) / self.mass,
+            (x - (self.drag * motion.vx - self.unbalance_x)) / self.mass,
+            (y - self.drag * motion.vy - down - self.weight_n()) / self.mass,
         ]
+    }
+
+    /// Power of load and unbalance, W.
+    #[inline(always)]
+    pub(crate) fn load_power_w(&self, motion: &Centre) -> f64 {
+        self.unbalance_x * motion.vx - (self.radial_load - self.unbalance_y) * motion.vy
     }
 
     /// mi·g, N.

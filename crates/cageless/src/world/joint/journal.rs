@@ -180,6 +180,8 @@ mod tests {
         drag: 0.0,
         radial_load: 0.0,
         gravity: 0.0,
+        unbalance_x: 0.0,
+        unbalance_y: 0.0,
     };
 
     fn joint() -> JournalJoint {
