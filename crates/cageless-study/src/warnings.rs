@@ -8,7 +8,7 @@ use cageless::equilibrium;
 use cageless::film::FilmAtRest;
 use cageless::rating::speed_warning;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, IntegrationMethod, Raceway};
+use cageless::{Case, IntegrationMethod, Raceway, Regularisation};
 
 use cageless_results::number_text::short;
 use cageless_results::{DropResult, Finished};
@@ -185,6 +185,9 @@ const REGULARISATION_FRACTION: f64 = 0.05;
 
 /// The friction law is still a viscous one where a raceway slows the balls.
 fn blunt_friction(case: &Case) -> Option<String> {
+    if case.contact.regularisation == Regularisation::Kalker {
+        return None;
+    }
     let rw = case.bearing.ball_radius_m();
     let pitch_speed_m_s = case.rolling_orbit_speed_rad_s().abs() * case.bearing.pitch_radius_m();
     let slowed_m_s = |raceway: &Raceway| {

@@ -2,7 +2,7 @@
 
 use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, StartState};
-use crate::contact::{FrictionLaw, FrictionModel, FrictionParameters, OwnFriction};
+use crate::contact::{FrictionLaw, FrictionModel, FrictionParameters, OwnFriction, Regularisation};
 use crate::error::InputError;
 use crate::integrator::IntegrationMethod;
 use crate::raceway::Raceway;
@@ -86,6 +86,11 @@ impl CaseBuilder {
     pub fn regularisation_speed_m_s(mut self, speed_m_s: f64) -> Self {
         self.regularisation_m_s = Some(speed_m_s);
         self
+    }
+
+    /// Where the regularisation speed of friction at the raceways comes from.
+    pub fn regularisation(self, regularisation: Regularisation) -> Self {
+        self.change(|case| case.contact.regularisation = regularisation)
     }
 
     /// Gaps between the balls at the start.

@@ -179,7 +179,7 @@ pub use case::{
 };
 pub use case_builder::CaseBuilder;
 pub use collision::Collision;
-pub use contact::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
+pub use contact::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Regularisation};
 pub use error::InputError;
 pub use film::Film;
 pub use fit::{BearingClass, ClearanceRange, Fit, HoleClass, OperatingClearance, ShaftClass};

@@ -12,6 +12,8 @@
 //! ```
 
 use crate::case::{Case, Gaps, Row, StartState, Tilt, series_stiffness_n_m1_5};
+use crate::contact::Regularisation;
+use crate::contact::creep::rolling_speed_m_s;
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
 use crate::error::{Allowed, InputError};
@@ -246,6 +248,17 @@ const RUN_OUT_STEPS: f64 = 4.0;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
 
+/// Decay of creep at the raceway contacts of a ball under a load, at the speed of the run at which it is slowest; 0
+/// where the regularisation speed is given.
+fn creep_1_s(case: &Case, load_n: f64) -> f64 {
+    if case.contact.regularisation != Regularisation::Kalker {
+        return 0.0;
+    }
+    let [outer, inner] = case.creep_stiffness_n1_3();
+    let rolling_m_s = rolling_speed_m_s(case.least_rolling_speed_m_s());
+    5.0 * outer.max(inner) * load_n.powf(2.0 / 3.0) / (case.bearing.ball_mass_kg() * rolling_m_s)
+}
+
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + what axial load and tilt press +
     /// centrifugal force, a quarter more, + the preload, of what presses the parts together without load
@@ -321,6 +334,7 @@ impl StepLimits {
             // Both friction forces of a ball together feel 1/5 of its mass.
             let largest = 5.0 * coefficient_max * load;
             let rate = largest / (mass * contact.friction.regularisation_speed_m_s);
+            let rate = rate.max(creep_1_s(case, load));
             [rate.max(impact.friction_1_s), 0.0]
         };
         Self {
@@ -386,6 +400,7 @@ impl StepLimits {
         let limits = Self::new(case);
         case.contact.friction_law.sticks()
             || rotor.is_some_and(|r| r.friction_law.sticks())
+            || case.contact.regularisation == Regularisation::Kalker
             || limits.wedged_friction_1_s() * case.solver.step_s > FRICTION_RESOLVED
     }
 

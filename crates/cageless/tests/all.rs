@@ -7,6 +7,7 @@ mod balance;
 mod ball_advance;
 mod batch;
 mod common;
+mod creep;
 mod critical_gap;
 mod documentation;
 mod elastic_flanks;

@@ -4,7 +4,7 @@ use cageless::film::OilGrade;
 use cageless::touchdown::LimitSide;
 use cageless::{
     Assembly, BearingClass, FlankModel, Formulation, FrictionModel, IntegrationMethod, Lubricant,
-    Motion, RacewayShape, Shaft, SkfSeries, steady::SteadyStart,
+    Motion, RacewayShape, Regularisation, Shaft, SkfSeries, steady::SteadyStart,
 };
 use cageless_results::Computation;
 
@@ -103,6 +103,7 @@ named!(
     Formulation,
     OilGrade,
     RacewayShape,
+    Regularisation,
     SearchedShapes,
     Shaft,
     SkfSeries,

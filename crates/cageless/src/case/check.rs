@@ -64,6 +64,7 @@ impl Case {
             )?;
         }
         self.contact.check()?;
+        self.check_creep()?;
         self.check_film()?;
         self.check_unbalance()?;
         for raceway in &self.raceways {

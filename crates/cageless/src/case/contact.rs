@@ -1,7 +1,7 @@
 //! Friction, damping and stiffness of the contacts.
 
 use crate::contact::friction::ContactKind;
-use crate::contact::{FrictionModel, FrictionParameters};
+use crate::contact::{FrictionModel, FrictionParameters, Regularisation};
 use crate::error::InputError;
 use crate::limits::{not_negative, positive, require};
 
@@ -12,6 +12,8 @@ pub struct Contact {
     pub friction_law: FrictionModel,
     /// Its parameters.
     pub friction: FrictionParameters,
+    /// Where the regularisation speed of friction at the raceways comes from; between balls it is that of `friction`.
+    pub regularisation: Regularisation,
     /// Friction at the outer raceway over that of the law, which the inner raceway has.
     pub outer_friction_factor: f64,
     /// Friction between balls over that of the law.
@@ -39,6 +41,7 @@ impl Default for Contact {
         Self {
             friction_law: FrictionModel::Smooth,
             friction: FrictionParameters::smooth(0.007, FrictionParameters::REGULARISATION_MAX_M_S),
+            regularisation: Regularisation::Speed,
             outer_friction_factor: 1.0,
             ball_friction_factor: 1.0,
             friction_strips: 3,
@@ -57,6 +60,17 @@ impl Contact {
         self.outer_friction_factor
             .max(self.ball_friction_factor)
             .max(1.0)
+    }
+
+    /// The law of friction with its parameters in a few words.
+    pub fn describe_friction(&self) -> String {
+        let law = self.friction_law.describe(&self.friction);
+        match self.regularisation {
+            Regularisation::Speed => law,
+            Regularisation::Kalker => {
+                format!("{law} between balls, Kalker's creep at the raceways")
+            }
+        }
     }
 
     /// Adds to μ; with a table or a law of one's own every μ grows by the same fraction.

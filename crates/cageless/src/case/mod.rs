@@ -12,6 +12,7 @@
 
 mod check;
 mod contact;
+mod creep;
 mod operating_clearance;
 mod over_time;
 mod plain;

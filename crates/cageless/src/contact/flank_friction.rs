@@ -119,10 +119,15 @@ impl<L: Law> Law for AtFlanks<L> {
 
     /// Friction at the flanks and at the inner raceway.
     #[inline(always)]
-    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
+    fn forces_with_knees(
+        &self,
+        slips_m_s: [f64; 2],
+        normals_n: [f64; 2],
+        [outer, inner]: [f64; 2],
+    ) -> [[f64; 2]; 2] {
         [
-            self.force(slips_m_s[0], normals_n[0]),
-            self.law.force(slips_m_s[1], normals_n[1]),
+            self.force_with_knee(slips_m_s[0], normals_n[0], outer),
+            (self.law).force_with_knee(slips_m_s[1], normals_n[1], inner),
         ]
     }
 
@@ -134,5 +139,10 @@ impl<L: Law> Law for AtFlanks<L> {
     #[inline(always)]
     fn inverse_regularisation_speed(&self) -> f64 {
         self.law.inverse_regularisation_speed()
+    }
+
+    #[inline(always)]
+    fn inverse_knees(&self) -> [f64; 2] {
+        self.law.inverse_knees()
     }
 }

@@ -133,13 +133,14 @@ pub(crate) fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) 
     let inverse = 1.0 / (a * d - b * c);
     let step_o = (d * miss_o - b * miss_i) * inverse;
     let step_i = (a * miss_i - c * miss_o) * inverse;
-    let guarded = |s: f64, step: f64| {
-        let passes = s * (s + step) < 0.0 && s.abs() * law.inverse_regularisation_speed() > 1.0;
+    let [knee_o, knee_i] = law.inverse_knees();
+    let guarded = |s: f64, step: f64, knee: f64| {
+        let passes = s * (s + step) < 0.0 && s.abs() * knee > 1.0;
         if passes { 0.0 } else { s + step }
     };
     // Without load the sliding speed does not matter, and it hardly does where a contact slides.
-    let in_scales = |speed: f64| speed.abs() * law.inverse_regularisation_speed();
-    let last = |s: f64, step: f64, slope: f64, normal: f64| {
+    let last = |s: f64, step: f64, slope: f64, normal: f64, knee: f64| {
+        let in_scales = |speed: f64| speed.abs() * knee;
         let end = s + step;
         let slides = (in_scales(s) > SLIDING) & (in_scales(end) > SLIDING) & (s * end > 0.0);
         let change = (slope * step).abs();
@@ -149,12 +150,12 @@ pub(crate) fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) 
                 & (in_scales(step) <= LAST_SLIDE[0])
                 & (change <= LAST_SLIDE[1] * law.coefficient() * normal))
     };
-    let converged = last(outer, step_o, do_, problem.outer_normal)
-        & last(inner, step_i, di, problem.inner_normal);
+    let converged = last(outer, step_o, do_, problem.outer_normal, knee_o)
+        & last(inner, step_i, di, problem.inner_normal, knee_i);
     let select = |last: f64, other: f64| if converged { last } else { other };
     Slips {
-        outer: select(outer + step_o, guarded(outer, step_o)),
-        inner: select(inner + step_i, guarded(inner, step_i)),
+        outer: select(outer + step_o, guarded(outer, step_o, knee_o)),
+        inner: select(inner + step_i, guarded(inner, step_i, knee_i)),
         outer_friction: select(fo + do_ * step_o, fo),
         inner_friction: select(fi + di * step_i, fi),
         outer_slope: do_,

@@ -19,6 +19,7 @@
 //! ```
 
 mod ball_ball;
+pub mod creep;
 mod flank_friction;
 mod flank_section;
 mod flanks;
@@ -33,6 +34,7 @@ mod normal_force;
 mod outer;
 mod outer_geometry;
 pub mod published;
+mod regularisation;
 mod slip_problem;
 
 pub use ball_ball::BallBallContact;
@@ -59,13 +61,15 @@ pub use outer::{
 pub(crate) use outer::{outer_load, slope_force};
 pub use outer_geometry::{FlankShape, OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues};
 pub(crate) use outer_geometry::{nominal_geometry, unequal_geometry};
+pub use regularisation::Regularisation;
 
 pub use slip_problem::{SlipProblem, Slips};
 
 pub(crate) use ball_ball::BallBallContactLanes;
+pub(crate) use creep::CreepLanes;
 pub(crate) use flank_friction::FlankSlidingLanes;
 pub(crate) use flanks::FlankContactLanes;
-pub(crate) use friction::{EvaluatedLaws, FrictionLanes, LawLanes, with_law};
+pub(crate) use friction::{AtKnees, EvaluatedLaws, FrictionLanes, LawLanes, with_law};
 pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
 pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};
 pub(crate) use outer_geometry::{RacewayConstantsLanes, RacewayPositionLanes, RacewayValuesLanes};

@@ -8,6 +8,7 @@ use crate::ball::{Ball, PolarMotion};
 use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::FrictionModel;
+use crate::contact::creep::Creep;
 use crate::contact::friction::{FrictionFault, STICK_FRACTION};
 use crate::contact::{
     Friction, InnerRaceway, OuterGeometry, OuterRaceway, RacewayConstants, outer_deflection,
@@ -58,6 +59,8 @@ pub struct Model {
     pub(crate) unequal: bool,
     pub(crate) flanks: FlankModel,
     pub(crate) friction: Friction,
+    /// Creep of the contacts with the raceways, where it gives the knees of the law.
+    pub(crate) creep: Option<Creep>,
     pub(crate) outer: OuterRaceway,
     pub(crate) inner: InnerRaceway,
     pub(crate) ring: InnerRing,
@@ -163,6 +166,7 @@ impl Model {
             unequal: !case.has_nominal_geometry(),
             flanks: case.flanks,
             friction: Friction::new(c.friction_law, &c.friction, stick_gain),
+            creep: case.creep(),
             outer: OuterRaceway {
                 pitch_radius: bearing.pitch_radius_m(),
                 orbit_radius: radii[0] - d.ball_radius_m,
@@ -249,6 +253,7 @@ impl Model {
             self.implicit_friction,
             self.layout,
             self.film.is_some(),
+            self.creep.is_some(),
         )
     }
 

@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::workspace::BlockResults;
-use crate::contact::{EvaluatedLaws, Law, LawLanes, with_law};
+use crate::contact::{AtKnees, EvaluatedLaws, Law, LawLanes, with_law};
 use crate::numerics::lanes::{LANES, Lanes, larger};
 
 /// Friction of one contact of each lane by the law of the case.
@@ -15,9 +15,35 @@ pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut
 #[inline(always)]
 pub(super) fn both_raceways(p: &Parameters, results: &mut BlockResults) {
     let (outer, inner) = (&results.outer, &results.inner);
-    let normal = &outer.friction_normal;
-    friction(p, &outer.slip, normal, &mut results.outer_friction);
-    friction(p, &inner.slip, &inner.force, &mut results.inner_friction);
+    let [outer_knees, inner_knees] = &results.inverse_knees;
+    for (contact, knees, force) in [
+        (
+            [&outer.slip, &outer.friction_normal],
+            outer_knees,
+            &mut results.outer_friction,
+        ),
+        (
+            [&inner.slip, &inner.force],
+            inner_knees,
+            &mut results.inner_friction,
+        ),
+    ] {
+        with_law!(&p.friction, law => friction_with_knees(law, contact, knees, force));
+    }
+}
+
+#[inline(always)]
+fn friction_with_knees(
+    law: &impl LawLanes,
+    [slip, normal]: [&Lanes; 2],
+    knees: &Lanes,
+    force: &mut Lanes,
+) {
+    let law = law.evaluated([slip, slip]);
+    for lane in 0..LANES {
+        let law = law.lane(lane);
+        [force.0[lane], _] = law.force_with_knee(slip.0[lane], normal.0[lane], knees.0[lane]);
+    }
 }
 
 #[inline(always)]
@@ -26,6 +52,14 @@ fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut La
     for lane in 0..LANES {
         [force.0[lane], _] = law.lane(lane).force(slip.0[lane], normal.0[lane]);
     }
+}
+
+/// The law of a lane with the knees of its contacts with the raceways.
+#[inline(always)]
+pub(super) fn at_knees<L>(law: L, results: &BlockResults, lane: usize) -> AtKnees<L> {
+    let [outer, inner] = &results.inverse_knees;
+    let inverse_knees = [outer.0[lane], inner.0[lane]];
+    AtKnees { law, inverse_knees }
 }
 
 /// Largest |ΔV| at contacts that carry load.

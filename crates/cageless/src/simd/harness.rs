@@ -1,6 +1,7 @@
 //! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
+use super::creep;
 use super::film;
 use super::flanks;
 use super::friction::{both_raceways, loaded_slips};
@@ -85,6 +86,9 @@ fn equations<const ROTOR: bool>(
             raceway_geometry(p, balls, raceway, results);
         }
         raceway_contacts(p, balls, results, motions, ring);
+        if let Some(constants) = &p.creep {
+            creep::set_knees((p, constants), balls, results, motions);
+        }
         if raceway_friction {
             both_raceways(p, results);
         } else {

@@ -8,6 +8,7 @@
 //! every instruction set gives the same bits.
 
 mod beginning;
+mod creep;
 mod edges;
 mod film;
 mod film_block;

@@ -6,8 +6,10 @@ use super::film_block::FilmBlock;
 use super::flank_polynomials::FlankPolynomials;
 use super::motions::ring_speeds;
 use crate::ball::{Ball, BallLanes};
+use crate::contact::creep::Creep;
 use crate::contact::{
-    FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
+    CreepLanes, FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants,
+    RacewayConstantsLanes,
 };
 use crate::dynamics::Model;
 use crate::dynamics::layout::Layout;
@@ -46,6 +48,8 @@ pub(crate) struct Parameters {
     /// The bodies under the rotor of each bearing; empty without rotors.
     pub drops: Vec<UnderRotor>,
     pub friction: FrictionLanes,
+    /// Creep of the contacts with the raceways, where it gives the knees of the law.
+    pub(super) creep: Option<CreepLanes>,
     pub outer: OuterRacewayLanes,
     pub inner: InnerRacewayLanes,
     pub ring: InnerRingLanes,
@@ -121,6 +125,18 @@ impl Parameters {
                 .filter_map(|m| m.under_rotor.clone())
                 .collect(),
             friction: FrictionLanes::from_fn(|lane| model(lane).friction.clone()),
+            creep: (first.creep.is_some()).then(|| {
+                CreepLanes::from_fn(|lane| {
+                    let creep = model(lane).creep.unwrap_or_default();
+                    // Loads at the outer raceway have the factor of friction there.
+                    let factor = model(lane).outer.friction_factor;
+                    let root = if factor > 0.0 { factor.cbrt() } else { 1.0 };
+                    Creep {
+                        outer: creep.outer * root,
+                        ..creep
+                    }
+                })
+            }),
             outer: OuterRacewayLanes::from_fn(|lane| model(lane).outer),
             inner: InnerRacewayLanes::from_fn(|lane| model(lane).inner),
             ring: InnerRingLanes::from_fn(|lane| model(lane).ring),

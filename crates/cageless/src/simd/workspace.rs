@@ -7,7 +7,7 @@ use crate::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::contact::published::FrictionDirectionLanes;
 use crate::contact::{
     BallBallContactLanes, FlankContactLanes, FlankSlidingLanes, InnerContactLanes, JournalSlip,
-    OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes,
+    Law, LawLanes, OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes, with_law,
 };
 use crate::formulation::Formulation;
 use crate::numerics::lane_set::LaneSet;
@@ -42,6 +42,8 @@ pub(crate) struct BlockResults {
     pub inner: InnerContactLanes,
     /// Friction along −ΔVi, N.
     pub inner_friction: Lanes,
+    /// 1/v_s of the law at the outer and the inner contact, s/m.
+    pub inverse_knees: [Lanes; 2],
     /// Contact with the ball ahead; forces are 0 unless any two balls touch.
     pub pair: BallBallContactLanes,
     /// Sums over the contacts of each ball and its weight.
@@ -63,6 +65,7 @@ impl BlockResults {
         inner_polar: PolarMotionLanes::ZERO,
         inner: InnerContactLanes::ZERO,
         inner_friction: Lanes::ZERO,
+        inverse_knees: [Lanes::ZERO; 2],
         pair: BallBallContactLanes::ZERO,
         load: BallLoadLanes::ZERO,
     };
@@ -139,8 +142,14 @@ impl Workspace {
     pub(crate) fn new(p: &Parameters, formulation: Formulation) -> Self {
         let blocks = p.layout.stride / LANES;
         let zero = || vec![Lanes::ZERO; blocks];
+        let inverse_knee =
+            |lane| with_law!(&p.friction, law => law.lane(lane).inverse_regularisation_speed());
+        let block = BlockResults {
+            inverse_knees: [Lanes(std::array::from_fn(inverse_knee)); 2],
+            ..BlockResults::ZERO
+        };
         Self {
-            blocks: vec![BlockResults::ZERO; blocks],
+            blocks: vec![block; blocks],
             sums: Sums::ZERO,
             addends: [Lanes::ZERO; Sum::COUNT],
             ring: CentreLanes::ZERO,

@@ -22,12 +22,24 @@ pub trait Law: Clone {
     /// which spins.
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2];
 
-    /// [`Self::force`] of two contacts; to rounding the same.
+    /// [`Self::force`] of the outer and the inner contact of a ball; to rounding the same.
     #[inline(always)]
     fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
+        self.forces_with_knees(slips_m_s, normals_n, self.inverse_knees())
+    }
+
+    /// [`Self::forces`] with the knees at other speeds.
+    #[inline(always)]
+    fn forces_with_knees(
+        &self,
+        slips_m_s: [f64; 2],
+        normals_n: [f64; 2],
+        inverse_knees_s_m: [f64; 2],
+    ) -> [[f64; 2]; 2] {
+        let [outer, inner] = inverse_knees_s_m;
         [
-            self.force(slips_m_s[0], normals_n[0]),
-            self.force(slips_m_s[1], normals_n[1]),
+            self.force_with_knee(slips_m_s[0], normals_n[0], outer),
+            self.force_with_knee(slips_m_s[1], normals_n[1], inner),
         ]
     }
 
@@ -37,6 +49,12 @@ pub trait Law: Clone {
     /// 1/ΔV at which the force has its knee, s/m; of laws that do not stick.
     fn inverse_regularisation_speed(&self) -> f64 {
         f64::INFINITY
+    }
+
+    /// [`Self::inverse_regularisation_speed`] at the outer and the inner contact of a ball.
+    #[inline(always)]
+    fn inverse_knees(&self) -> [f64; 2] {
+        [self.inverse_regularisation_speed(); 2]
     }
 
     /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of
@@ -65,6 +83,11 @@ pub trait LawConstants: Law + Send + Sync + 'static {
 
     /// Largest coefficient of friction.
     fn coefficient_max(parameters: &FrictionParameters) -> f64 {
+        parameters.coefficient
+    }
+
+    /// Coefficient of friction at rest.
+    fn coefficient_at_rest(parameters: &FrictionParameters) -> f64 {
         parameters.coefficient
     }
 

@@ -17,6 +17,7 @@
 //! one is a file beside `smooth.rs` and a line of the list below; methods, step limits, messages
 //! and pages follow from it.
 
+mod at_knees;
 mod check;
 mod friction_table;
 mod law;
@@ -24,6 +25,7 @@ mod own_law;
 mod parameters;
 mod tanh;
 
+pub(crate) use at_knees::AtKnees;
 pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::{FrictionTable, POINTS_MAX};
 pub(crate) use law::{EvaluatedLaws, LawLanes};
@@ -107,6 +109,11 @@ macro_rules! friction_laws {
             /// Largest coefficient of friction.
             pub fn coefficient_max(self, parameters: &FrictionParameters) -> f64 {
                 match self { $(Self::$law => <$law as LawConstants>::coefficient_max(parameters),)* }
+            }
+
+            /// Coefficient of friction at rest.
+            pub(crate) fn coefficient_at_rest(self, parameters: &FrictionParameters) -> f64 {
+                match self { $(Self::$law => <$law as LawConstants>::coefficient_at_rest(parameters),)* }
             }
 
             /// Largest fall of the coefficient of friction over the sliding speed, s/m.

@@ -94,6 +94,11 @@ impl LawConstants for Own {
         own.map_or(parameters.coefficient, OwnFriction::coefficient_max)
     }
 
+    fn coefficient_at_rest(parameters: &FrictionParameters) -> f64 {
+        let own = parameters.own.as_ref();
+        own.map_or(parameters.coefficient, OwnFriction::coefficient_at_rest)
+    }
+
     fn steepest_fall(parameters: &FrictionParameters) -> f64 {
         let own = parameters.own.as_ref();
         own.map_or(0.0, OwnFriction::steepest_fall)
@@ -238,12 +243,17 @@ impl Law for OwnAt {
     }
 
     #[inline(always)]
-    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
-        let inverse = self.inverse_regularisation_speed;
-        let [outer, inner] = tanh_pair(slips_m_s.map(|slip| slip * inverse));
+    fn forces_with_knees(
+        &self,
+        slips_m_s: [f64; 2],
+        normals_n: [f64; 2],
+        inverse_knees_s_m: [f64; 2],
+    ) -> [[f64; 2]; 2] {
+        let ([s, t], [first, second]) = (slips_m_s, inverse_knees_s_m);
+        let [outer, inner] = tanh_pair([s * first, t * second]);
         [
-            at_knee(self.mu[0], outer, normals_n[0], inverse),
-            at_knee(self.mu[1], inner, normals_n[1], inverse),
+            at_knee(self.mu[0], outer, normals_n[0], first),
+            at_knee(self.mu[1], inner, normals_n[1], second),
         ]
     }
 

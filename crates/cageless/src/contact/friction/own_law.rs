@@ -141,6 +141,11 @@ impl OwnFriction {
         self.factor * self.fast
     }
 
+    /// μ at rest; 0 where the law answers what cannot be.
+    pub(super) fn coefficient_at_rest(&self) -> f64 {
+        self.coefficient(0.0).map_or(0.0, |[mu, _]| mu)
+    }
+
     /// Largest μ at the speeds that were tried.
     pub(super) fn coefficient_max(&self) -> f64 {
         self.factor * self.most

@@ -34,12 +34,12 @@ impl Law for Smooth {
     }
 
     #[inline(always)]
-    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
-        let [s, t] = slips_m_s;
-        let [outer, inner] = tanh_pair([s * self.inverse_regularisation_speed, t * self.inverse_regularisation_speed]);
+    fn forces_with_knees(&self, slips_m_s: [f64; 2], normals_n: [f64; 2], inverse_knees_s_m: [f64; 2]) -> [[f64; 2]; 2] {
+        let ([s, t], [first, second]) = (slips_m_s, inverse_knees_s_m);
+        let [outer, inner] = tanh_pair([s * first, t * second]);
         [
-            self.at_knee(outer, normals_n[0], self.inverse_regularisation_speed),
-            self.at_knee(inner, normals_n[1], self.inverse_regularisation_speed),
+            self.at_knee(outer, normals_n[0], first),
+            self.at_knee(inner, normals_n[1], second),
         ]
     }
 

@@ -67,6 +67,11 @@ impl LawConstants for Stribeck {
             .map_or(sliding, |s| s.max(sliding))
     }
 
+    /// μs.
+    fn coefficient_at_rest(parameters: &FrictionParameters) -> f64 {
+        Self::coefficient_max(parameters)
+    }
+
     /// (μs − μ)/v, that of the exponential at rest.
     fn steepest_fall(parameters: &FrictionParameters) -> f64 {
         let excess = Self::coefficient_max(parameters) - parameters.coefficient;

@@ -79,6 +79,11 @@ impl LawConstants for Table {
         table.map_or(parameters.coefficient, FrictionTable::coefficient_max)
     }
 
+    fn coefficient_at_rest(parameters: &FrictionParameters) -> f64 {
+        let table = parameters.table.as_ref();
+        table.map_or(parameters.coefficient, |table| table.coefficient(0.0)[0])
+    }
+
     fn steepest_fall(parameters: &FrictionParameters) -> f64 {
         parameters.table.as_ref().map_or(0.0, FrictionTable::steepest_fall)
     }

@@ -77,6 +77,9 @@ pub(crate) struct SpaceBlock {
     /// Speed of the outer ring of each ball in the housing, m/s.
     pub sliding_speed: Lanes,
 
+    /// Creep of a contact times a, N^(1/3)·m/N^(1/3): outer, inner; 0 unless it gives the knees.
+    pub creep_length_m: [Lanes; 2],
+
     // As of the last evaluation.
     pub outer: OuterTouchLanes,
     pub inner: InnerTouchLanes,
@@ -90,6 +93,8 @@ pub(crate) struct SpaceBlock {
     pub places: &'static [usize],
     /// Sliding of a ball at rest on the ring of each place at the start and the end of the step.
     pub at_rest: [[SlidingLanes; PLACES]; 2],
+    /// 1/v_s of the law at each place, s/m.
+    pub inverse_knees: [Lanes; PLACES],
     /// Whether a ball was within a discrete raceway at the end of the last step: 1 or 0.
     pub was_inside: Lanes,
     /// θ of each place.
@@ -144,12 +149,22 @@ impl SpaceBlock {
             groove_curvature: of_balls(&|k| space.balls[k].curvature[0], 0.0),
             curvature: of_rings(&|ring, k| space.balls[k].curvature[ring]),
             sliding_speed: Lanes::ZERO,
+            // Padding has a knee, too.
+            creep_length_m: [0, 1].map(|ring| {
+                let creep = model.creep.unwrap_or_default();
+                let creep_n1_3 = [creep.outer, creep.inner][ring];
+                of_balls(
+                    &|k| creep_n1_3 * space.balls[k].half_length_m_n1_3[ring],
+                    1.0,
+                )
+            }),
             outer: OuterTouchLanes::ZERO,
             inner: InnerTouchLanes::ZERO,
             frames: [const { FrameLanes::ZERO }; PLACES],
             outer_ring_force_n: [Lanes::ZERO; 3],
             places: &ALL_PLACES,
             at_rest: [const { [const { SlidingLanes::ZERO }; PLACES] }; 2],
+            inverse_knees: [Lanes::all(model.friction.inverse_regularisation_speed()); PLACES],
             was_inside: Lanes::ZERO,
             weights: [Lanes::ZERO; PLACES],
             rest: [Lanes::ZERO; SIZE],

@@ -2,6 +2,7 @@
 
 use super::bearing::{Bearing, Totals, tilting_by};
 use super::block::{INNER, KnownStrip, KnownStripLanes, PLACES, SpaceBlock, VELOCITIES};
+use super::creep::set_knees;
 use super::frame::{FrameLanes, SIZE, TractionLanes};
 use super::model::SpaceModel;
 use super::newton::{begin, iterate, slide};
@@ -34,6 +35,9 @@ pub(super) fn add_explicit_friction(
             if !space.sliding.is_empty() {
                 slide_as_evaluated((model, space), b, [block, end], &s.sliding);
             }
+        }
+        if model.creep.is_some() {
+            set_knees(&results.polar, b);
         }
         slide(&p.friction, space, b);
         for step in &mut b.steps {
@@ -146,6 +150,9 @@ fn solve_blocks(
         if !space.sliding.is_empty() {
             slide_as_in((model, space), b, [block, 0], y0);
             slide_as_evaluated((model, space), b, [block, 1], &s.sliding);
+        }
+        if model.creep.is_some() {
+            set_knees(&results.polar, b);
         }
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);

@@ -7,6 +7,7 @@
 
 mod bearing;
 mod block;
+mod creep;
 mod edges;
 mod energy;
 mod evaluation;

@@ -16,7 +16,7 @@ use super::model::SpaceModel;
 use super::strips::{Patch, SlidingLanes, Strip, StripFriction};
 use crate::contact::friction_step::{LAST_STEP, PATIENCE, slides_on};
 use crate::contact::{
-    EvaluatedLaws, FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law,
+    AtKnees, EvaluatedLaws, FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law,
 };
 use crate::numerics::cholesky;
 use crate::numerics::lanes::{LANES, Lanes, larger};
@@ -37,9 +37,10 @@ fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
     for &place in b.places {
         let sliding = b.sliding(place, &b.velocity, 1);
         let (frame, curvature) = (&b.frames[place], &b.curvature[usize::from(place == INNER)]);
+        let at = (frame, curvature, &b.inverse_knees[place]);
         let steps = &mut b.steps[place * space.strips.len()..];
         for (strip, step) in space.strips.iter().zip(steps) {
-            slide_strip(law, frame, curvature, &sliding, strip, step);
+            slide_strip(law, at, &sliding, strip, step);
         }
     }
 }
@@ -49,8 +50,7 @@ fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
 #[inline(always)]
 fn slide_strip(
     law: &impl LawLanes,
-    frame: &FrameLanes,
-    curvature: &Lanes,
+    (frame, curvature, inverse_knees): (&FrameLanes, &Lanes, &Lanes),
     sliding: &SlidingLanes,
     strip: &Strip,
     step: &mut StripStep,
@@ -67,7 +67,10 @@ fn slide_strip(
     let laws = law.evaluated([&speeds, &speeds]);
     for lane in 0..LANES {
         let patch = Patch {
-            law: laws.lane(lane),
+            law: AtKnees {
+                law: laws.lane(lane),
+                inverse_knees: [inverse_knees.0[lane]; 2],
+            },
             normal_n: frame.friction_normal_n.0[lane],
             half_length_m: frame.half_length_m.0[lane],
         };

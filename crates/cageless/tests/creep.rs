@@ -1,0 +1,281 @@
+//! Friction with the creep of rolling contacts in place of a given regularisation speed.
+
+use crate::common::*;
+use cageless::contact::Friction;
+use cageless::contact::creep::creep_coefficient;
+use cageless::critical_gap::{PairTest, critical_gap_rad};
+use cageless::dynamics::coordinates::BallCoordinate;
+use cageless::dynamics::{Model, RightHandSide};
+use cageless::integrator::System;
+use cageless::passage::{Passage, PassageRecorder};
+use cageless::prelude::*;
+use cageless::reference::{self, Structure};
+use cageless::{Formulation, FrictionModel, FrictionTable, Motion, Regularisation};
+
+fn with_creep(mut case: Case) -> Case {
+    case.contact.regularisation = Regularisation::Kalker;
+    case.set_method(IntegrationMethod::VelocityVerlet);
+    case.solver.step_s = 1e-6;
+    case
+}
+
+/// C11 of steel, of the rows of the table, of a line and beyond a/b = 10; quadratic in ν.
+#[test]
+fn creep_coefficients() {
+    for (ratio, poisson, expected, within) in [
+        (0.106754, 0.3, 3.56193, 5e-6),
+        (0.137897, 0.3, 3.57638, 5e-6),
+        (1.0, 0.3, 4.30720, 5e-6),
+        (0.1, 0.25, 3.31, 1e-12),
+        (0.5, 0.0, 2.88, 1e-12),
+        (1.0 / 0.9, 0.5, 5.42, 1e-12),
+        (10.0, 0.25, 11.7, 1e-12),
+        (0.0, 0.25, std::f64::consts::PI.powi(2) / 3.0, 1e-12),
+    ] {
+        let found = creep_coefficient(ratio, poisson);
+        assert!(
+            (found - expected).abs() < within,
+            "{ratio} {poisson}: {found}"
+        );
+    }
+    for ratio in [0.1, 1.0, 10.0] {
+        let [below, above] = [1.0 - 1e-9, 1.0 + 1e-9].map(|f| creep_coefficient(f * ratio, 0.3));
+        assert!((above / below - 1.0).abs() < 1e-7, "{ratio}");
+    }
+}
+
+/// v_s of structure (d) at 12 000 rpm, and of unequal materials.
+#[test]
+fn regularisation_speeds() {
+    let mut case = with_creep(Structure::D.case());
+    for (coefficient, [outer, inner], load_n, expected) in [
+        (0.1, [1.0, 0.0], 470.0, 14.826e-3),
+        (0.1, [1.0, 0.0], 100.0, 8.851e-3),
+        (0.1, [1.0, 0.0], 20.0, 5.176e-3),
+        (0.1, [1.0, 0.0], 10.0, 4.108e-3),
+        (0.1, [0.0, 1.0], 470.0, 18.015e-3),
+        (0.007, [1.0, 0.0], 470.0, 1.0378e-3),
+    ] {
+        case.contact.friction.coefficient = coefficient;
+        let creep = case.creep().unwrap();
+        let stiffness = outer * creep.outer + inner * creep.inner;
+        let found = 13.74 * f64::cbrt(load_n) / stiffness;
+        assert!((found / expected - 1.0).abs() < 1e-3, "{load_n}: {found}");
+    }
+}
+
+/// Friction of every contact of a motion has the slope G ab C11/V over the sliding speed: on plain raceway and flanks in
+/// the plane, on the plain one in space, with a factor at the outer raceway.
+#[test]
+fn friction_has_the_slope_of_creep() {
+    for motion in [Motion::BySymmetry, Motion::Space] {
+        let mut case = with_creep(Structure::D.case());
+        (case.motion, case.contact.outer_friction_factor) = (motion, 3.0);
+        let mut simulation = Simulation::new(&case).unwrap();
+        simulation.advance_to(1.234e-3).unwrap();
+        let state = simulation.outcome().state;
+        let model = Model::new(&case).unwrap();
+        let mut equations = RightHandSide::new(&model);
+        equations.derivative(0.0, state.values(), &mut vec![0.0; state.values().len()]);
+        let (contacts, d) = (equations.contacts(), case.bearing.dimensions());
+        let surface = case.operation.inner_speed_rad_s * d.inner_groove_bottom_radius_m;
+        let [outer, inner] = case.creep_stiffness_n1_3();
+        let mut counts = [0; 3];
+        for k in 0..case.balls() {
+            let at = |coordinate| state.values()[state.layout().ball(coordinate, k)];
+            let rho = at(BallCoordinate::X).hypot(at(BallCoordinate::Y));
+            let (rw, r) = (d.ball_radius_m, contacts.effective_radius_m(k));
+            let (spin, orbit) = (contacts.rotation_rad_s(k), contacts.orbit_speed_rad_s(k));
+            let on_flanks = r < rw - 1e-9;
+            let one = if on_flanks { 0.5 } else { 1.0 } * contacts.outer_force_n(k) * rw / r;
+            let rolling = 0.5 * (orbit * (rho + 2.0 * r) + spin * r);
+            let slip = contacts.outer_sliding_m_s(k);
+            let places = [(one, rolling, slip, contacts.outer_friction_n(k), outer)];
+            let slip = contacts.inner_sliding_m_s(k);
+            let tangential = surface - slip - spin * rw;
+            let q = d.inner_groove_bottom_radius_m + rw - contacts.inner_deflection_m(k);
+            let arm = (d.inner_groove_bottom_radius_m - rw) / q;
+            let rolling = 0.5 * (surface + spin * rw - tangential * arm);
+            let friction = contacts.inner_friction_n(k);
+            let inner = [(contacts.inner_force_n(k), rolling, slip, friction, inner)];
+            for (place, (load, rolling, slip, friction, stiffness)) in
+                places.into_iter().chain(inner).enumerate()
+            {
+                let twice = place == 0 && on_flanks;
+                if load < 1.0 || (twice && motion == Motion::Space) {
+                    continue;
+                }
+                let speed = (rolling * rolling + 1e-6).sqrt();
+                let slope = stiffness * load.powf(2.0 / 3.0) / speed;
+                let factor = if place == 0 { 3.0 } else { 1.0 };
+                let limit = 0.007 * factor * load;
+                let expected =
+                    if twice { 2.0 } else { 1.0 } * limit * (slope * slip / limit).tanh();
+                // In space the ellipse is that of the elastic part of the load.
+                let within = if motion == Motion::Space { 1e-2 } else { 1e-6 };
+                assert!(
+                    (friction - expected).abs() < within * expected.abs() + 1e-9,
+                    "{k} {place}: {friction} {expected}"
+                );
+                counts[if twice { 2 } else { place }] += 1;
+            }
+        }
+        assert!(counts[0] > 5 && counts[1] > 3, "{counts:?}");
+        assert!(counts[2] > 0 || motion == Motion::Space);
+    }
+}
+
+/// Share of μN of a contact that slides at s v_s in a simplified theory of its own (FASTSIM): traction grows from the
+/// leading edge of each strip by 3s/8 of its unit per length, up to the bound of Hertz.
+fn fastsim(s: f64) -> f64 {
+    let count = 400;
+    let step = 2.0 / f64::from(count);
+    let strips = (0..count).map(|k| {
+        let y = -1.0 + (f64::from(k) + 0.5) * step;
+        let edge = (1.0 - y * y).sqrt();
+        let length = 2.0 * edge / f64::from(count);
+        let mut traction: f64 = 0.0;
+        (0..count)
+            .map(|i| {
+                let x = edge - (f64::from(i) + 0.5) * length;
+                let grown = traction + 0.375 * s * if i == 0 { 0.5 * length } else { length };
+                traction = grown.min(2.0 / std::f64::consts::PI * (edge * edge - x * x));
+                traction * length * step
+            })
+            .sum::<f64>()
+    });
+    strips.sum()
+}
+
+/// The smooth law with this slope is near the simplified theory at every sliding speed.
+#[test]
+fn the_smooth_law_follows_the_simplified_theory() {
+    for (s, expected) in [
+        (0.25, 0.2296),
+        (0.5, 0.4197),
+        (1.0, 0.6978),
+        (2.0, 0.9538),
+        (3.0, 0.9995),
+    ] {
+        let found = fastsim(s);
+        assert!((found - expected).abs() < 1e-3, "{s}: {found}");
+        let (mut case, law) = (Structure::D.case(), 1.0 / 0.02);
+        case.contact.friction.coefficient = 1.0;
+        let friction = Friction::new(FrictionModel::Smooth, &case.contact.friction, 0.0);
+        let [smooth, _] = friction.force(s / law, 1.0);
+        assert!(
+            (0.0..0.0645).contains(&(smooth - found)) || s > 2.5,
+            "{s}: {smooth} {found}"
+        );
+    }
+}
+
+/// Laws without a regularisation speed, the published equations and a table without friction at rest are refused by name.
+#[test]
+fn what_has_no_creep_is_refused() {
+    let refused = |case: &Case, why: &str| {
+        let error = case.check().unwrap_err();
+        assert_eq!(error.field, "regularisation");
+        assert!(error.to_string().contains(why), "{error}");
+    };
+    let case = with_creep(Structure::D.case());
+    assert!(case.check().is_ok());
+    let mut sticking = case.clone();
+    sticking.contact.friction_law = FrictionModel::Coulomb;
+    refused(&sticking, "Coulomb's law");
+    let mut published = case.clone();
+    published.formulation = Formulation::Paper;
+    refused(&published, "published equations");
+    let mut rising = case.clone();
+    rising.contact.friction_law = FrictionModel::Table;
+    let table = FrictionTable::new(vec![[0.0, 0.0], [0.1, 0.007]]).unwrap();
+    rising.contact.friction.table = Some(table);
+    refused(&rising, "no friction at rest");
+    // Balls without any friction at the outer raceway move.
+    let mut without = case;
+    without.contact.outer_friction_factor = 0.0;
+    without.solver.duration_s = 1e-3;
+    assert!(complete(&without).energy_residual_relative.abs() < 1e-3);
+}
+
+fn gap_deg(case: &Case, test: &PairTest) -> f64 {
+    let found = critical_gap_rad(case, test, &mut |_| Control::Continue(()));
+    found.unwrap_or_else(|error| panic!("{error}")).to_degrees()
+}
+
+#[test]
+fn critical_gaps() {
+    for (coefficient, given, creep) in [(0.007, 1.7926, 1.7964), (0.1, 1.8328, 1.8327)] {
+        let mut case = Structure::D.case();
+        case.contact.friction.coefficient = coefficient;
+        let test = PairTest::default();
+        println!(
+            "{coefficient} {} {}",
+            gap_deg(&case, &test),
+            gap_deg(&with_creep(case.clone()), &test)
+        );
+    }
+}
+
+#[test]
+fn table_2() {
+    for structure in Structure::ALL {
+        let mut case = structure.case();
+        case.contact.inner_stiffness_n_m1_5 = Some(1.2e10);
+        case.contact.outer_stiffness_n_m1_5 = Some(1.3e10);
+        case.contact.ball_stiffness_n_m1_5 = Some(7.4e9);
+        let test = PairTest {
+            ring_y_m: Some(-22e-6),
+            ..PairTest::default()
+        };
+        println!(
+            "{:.4} {:.4}",
+            gap_deg(&case, &test),
+            gap_deg(&with_creep(case.clone()), &test)
+        );
+    }
+}
+
+fn lag_deg(case: &Case) -> f64 {
+    let mut case = case.clone();
+    case.solver.duration_s = 0.04;
+    let [mut time_s, mut count] = [0.0; 2];
+    let mut recorder = PassageRecorder::new(|passage: Passage| {
+        if passage.enter_s > 0.01 {
+            time_s += passage.leave_s - passage.enter_s;
+            count += 1.0;
+        }
+        Ok(())
+    });
+    cageless::simulation::run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+    drop(recorder);
+    let angle_rad = 2.0 * case.raceways[0].half_angle_rad();
+    (case.rolling_orbit_speed_rad_s() * time_s / count - angle_rad).to_degrees()
+}
+
+#[test]
+fn lag() {
+    for coefficient in [0.007, 0.1] {
+        let mut case = Structure::D.case();
+        case.contact.friction.coefficient = coefficient;
+        println!(
+            "{coefficient} {} {}",
+            lag_deg(&case),
+            lag_deg(&with_creep(case.clone()))
+        );
+        case.flanks = cageless::FlankModel::Elastic;
+        println!(
+            "elastic {coefficient} {} {}",
+            lag_deg(&case),
+            lag_deg(&with_creep(case.clone()))
+        );
+        case.motion = Motion::Space;
+        case.set_method(IntegrationMethod::VelocityVerlet);
+        println!(
+            "space {coefficient} {} {}",
+            lag_deg(&case),
+            lag_deg(&with_creep(case.clone()))
+        );
+    }
+    let _ = reference::bearing();
+}
