@@ -117,6 +117,7 @@ class Contact(Section):
     stribeck_speed_m_s: Annotated[float | None, "sliding speed over which the Stribeck law falls from μs to μ"] = None
     friction_table: Annotated[Sequence[Sequence[float]] | None, "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ, also if it is left out"] = None
     regularisation_speed_m_s: Annotated[float | None, "regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; a thousandth of the speed of rolling balls unless given, at most 0.02, and 0.02 in a drop; \"coulomb\" does not use it"] = None
+    regularisation: Annotated[Literal["speed", "kalker"] | None, "where v_s at the raceways comes from; \"speed\": regularisation_speed_m_s; \"kalker\": creep of each rolling contact after Kalker, μ N V/(G ab C11), regularisation_speed_m_s between balls; not with \"coulomb\" or in \"paper\""] = None
     outer_friction_factor: Annotated[float | None, "friction at the outer raceway over that of the law, which holds at the inner raceway"] = None
     ball_friction_factor: Annotated[float | None, "friction between balls over that of the law"] = None
     friction_strips: Annotated[int | None, "strips across the groove over which friction acts in space: with 1 there is no differential sliding, and the lag may be 8 % off; with 3 it is within 3.5 % of that of many"] = None
