@@ -166,6 +166,7 @@ fn defaults_that_were_filled_in_are_listed() {
             "raceway.shape",
             "raceway.depth_um",
             "raceway.depth_error_um",
+            "contact.regularisation",
             "contact.outer_friction_factor",
             "contact.ball_friction_factor",
             "contact.friction_strips",
@@ -387,7 +388,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
         assert_eq!(again.case(), file.case(), "{set}");
         assert_eq!(again.particulars(), file.particulars(), "{set}");
     }
-    assert_eq!(all.len(), 46, "{all:?}");
+    assert_eq!(all.len(), 47, "{all:?}");
 }
 
 #[test]
