@@ -444,6 +444,12 @@ pub struct ToleranceArgs {
     /// Tolerance of the load, ± %.
     #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
     pub load_percent: f64,
+    /// Tolerance of the viscosity of the oil, ± %; with [film].
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().viscosity_percent)]
+    pub viscosity_percent: f64,
+    /// Tolerance of the supply of oil, a factor to either side, within flooded contacts; with [film].
+    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "FACTOR", default_value_t = Tolerances::default().supply_factor)]
+    pub supply_factor: f64,
     /// Say whether the raceway helps in steady operation, as drawn and at both ends of its machining tolerances.
     #[arg(long)]
     pub benefit: bool,

@@ -22,6 +22,10 @@ use crate::toleranced_benefit::{TolerancedBenefit, TolerancedRings};
 
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;
+/// What is left of an oil is thin.
+const VISCOSITY_PERCENT_MAX: f64 = 90.0;
+/// Nobody knows a supply worse.
+const SUPPLY_FACTOR_MAX: f64 = 100.0;
 
 /// Tolerances in the units of drawings, and Monte Carlo sample size.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -47,6 +51,10 @@ pub struct Request {
     pub speed_percent: f64,
     /// Load, per cent to either side.
     pub load_percent: f64,
+    /// Viscosity of the oil of a film, per cent to either side.
+    pub viscosity_percent: f64,
+    /// Factor of the supply of a film to either side.
+    pub supply_factor: f64,
     /// Whether the raceway and those at the ends of its machining tolerances are judged in steady operation.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub benefit: bool,
@@ -77,6 +85,8 @@ impl Default for Request {
             clearance_um: 10.0,
             speed_percent: 5.0,
             load_percent: 20.0,
+            viscosity_percent: 30.0,
+            supply_factor: 2.0,
             benefit: false,
         }
     }
@@ -97,7 +107,6 @@ pub fn tolerance(
 ) -> Result<ToleranceResult, StudyError> {
     let case = file.case();
     case.check_motion()?;
-    file.checked(|case| case.check_without_film("`tolerance`"))?;
     let tolerances = request.check(case, name)?;
     let rings = request
         .benefit
@@ -191,6 +200,25 @@ impl Request {
             let given = self.contact_angle_deg;
             return Err(OptionError::not_possible("contact_angle_deg", given, allowed).into());
         }
+        let usual = Self::default();
+        for (option, given, usual) in [
+            (
+                "viscosity_percent",
+                self.viscosity_percent,
+                usual.viscosity_percent,
+            ),
+            ("supply_factor", self.supply_factor, usual.supply_factor),
+        ] {
+            if case.film.is_none() && given != usual {
+                let allowed = "left out: a case without [film] has no oil";
+                return Err(OptionError::not_possible(option, given, allowed).into());
+            }
+        }
+        if !(1.0..=SUPPLY_FACTOR_MAX).contains(&self.supply_factor) {
+            let allowed = format!("from 1 to {SUPPLY_FACTOR_MAX}");
+            let given = self.supply_factor;
+            return Err(OptionError::not_possible("supply_factor", given, &allowed).into());
+        }
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
                 let unit = match option.rsplit('_').next() {
@@ -222,11 +250,13 @@ impl Request {
             clearance_m: self.clearance_um * 1e-6,
             speed_fraction: self.speed_percent / 100.0,
             load_fraction: self.load_percent / 100.0,
+            viscosity_fraction: self.viscosity_percent / 100.0,
+            supply_factor: self.supply_factor,
         })
     }
 
     /// Name, value and largest possible value of each deviation.
-    fn limits(&self, case: &Case) -> [(&'static str, f64, f64); 8] {
+    fn limits(&self, case: &Case) -> [(&'static str, f64, f64); 9] {
         let least = |of: &dyn Fn(&Raceway) -> f64| {
             let values = case.raceways.iter().map(of);
             values.fold(f64::INFINITY, f64::min)
@@ -251,6 +281,11 @@ impl Request {
             ("clearance_um", self.clearance_um, clearance),
             ("speed_percent", self.speed_percent, 100.0),
             ("load_percent", self.load_percent, 100.0),
+            (
+                "viscosity_percent",
+                self.viscosity_percent,
+                VISCOSITY_PERCENT_MAX,
+            ),
         ]
     }
 }

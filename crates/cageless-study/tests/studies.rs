@@ -62,6 +62,8 @@ const REQUEST: Request = Request {
     clearance_um: 0.0,
     speed_percent: 0.0,
     load_percent: 0.0,
+    viscosity_percent: 30.0,
+    supply_factor: 2.0,
     benefit: false,
 };
 

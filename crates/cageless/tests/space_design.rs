@@ -330,6 +330,8 @@ fn slopes_of_tolerances_are_differences_of_designs() {
         clearance_m: 0.0,
         speed_fraction: 0.0,
         load_fraction: 0.0,
+        viscosity_fraction: 0.3,
+        supply_factor: 2.0,
     };
     let trials = trials(&case, &tolerances, 0, 1);
     let judged = trials.iter().map(|trial| {
@@ -383,6 +385,8 @@ fn clearance_and_load_deviate_in_space() {
         clearance_m: 4e-6,
         speed_fraction: 0.0,
         load_fraction: 0.0,
+        viscosity_fraction: 0.3,
+        supply_factor: 2.0,
     };
     let none = trials(&case, &tolerances, 0, 1);
     assert_eq!(none[0].deviation.apply(&case).unwrap(), case);

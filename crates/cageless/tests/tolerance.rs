@@ -1,8 +1,10 @@
 //! Tolerances: what trials deviate by, and what is made of their outcomes.
 
 use crate::common::structure;
+use crate::film::oil;
 use cageless::Case;
 use cageless::design::{PassageStatistics, RacewayVerdict, judge};
+use cageless::film::Film;
 use cageless::simulation::{Cause, Control, Stop};
 use cageless::tolerance::{
     Assessment, Influence, InfluenceResult, Outcome, Tolerances, Trial, assess, ball_grade, trials,
@@ -19,6 +21,8 @@ fn tolerances() -> Tolerances {
         clearance_m: 5e-6,
         speed_fraction: 0.05,
         load_fraction: 0.2,
+        viscosity_fraction: 0.3,
+        supply_factor: 2.0,
     }
 }
 
@@ -53,10 +57,15 @@ fn samples_fill_their_ranges() {
     assert_eq!(all, trials(&case, &tolerances, 400, 7));
     assert_ne!(all, trials(&case, &tolerances, 400, 8));
     let samples: Vec<&Trial> = all.iter().rev().take(400).collect();
-    // The plane has all but the last.
-    let planar = Influence::ALL.split_last().unwrap();
-    assert_eq!(*planar.0, Influence::SectionAngle);
-    assert_eq!(RANGES.map(|r| r.0), planar.1);
+    // The plane has all but those of space and oil.
+    let (planar, others) = Influence::ALL.split_at(RANGES.len());
+    let of_others = [
+        Influence::SectionAngle,
+        Influence::Viscosity,
+        Influence::Supply,
+    ];
+    assert_eq!(others, of_others);
+    assert_eq!(RANGES.map(|r| r.0), planar);
     for (influence, low, high) in RANGES {
         let [from, to] = tolerances.range(&case, influence);
         let span = high - low;
@@ -225,6 +234,8 @@ fn rows_and_quantiles_are_those_of_their_outcomes() {
         ("double-collision", 0),
         ("too-shallow", 0),
         ("too-deep", 0),
+        ("film-outweighs", 0),
+        ("film-queue", 0),
         ("slips", 0),
         ("loses-lag", 0),
         ("overloaded", 0),
@@ -460,4 +471,50 @@ fn a_bearing_whose_computation_fails_is_not_judged() {
     assert_eq!(failed.verdict, RacewayVerdict::NotJudged);
     assert!(failed.reason.unwrap().contains("finite"));
     assert!(judged.verdict != RacewayVerdict::NotJudged);
+}
+
+/// Viscosity by 30 % and supply by a factor of 2 to either side, within a flooded contact; dry bearings are drawn as
+/// before, and those with oil as dry ones but for their oil.
+#[test]
+fn oil_has_tolerances_of_its_own() {
+    let tolerances = tolerances();
+    let dry = case();
+    let all_dry = trials(&dry, &tolerances, 50, 7);
+    for (supply, expected) in [
+        (1.0, [-0.5, 0.0]),
+        (0.65, [-0.325, 0.35]),
+        (0.1, [-0.05, 0.1]),
+    ] {
+        let mut wet = dry.clone();
+        let film = Film {
+            supply,
+            ..Film::flooded(oil(5.0))
+        };
+        wet.film = Some(film);
+        let range = tolerances.range(&wet, Influence::Supply);
+        for (found, expected) in range.into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "{supply}: {range:?}");
+        }
+        assert_eq!(
+            tolerances.range(&wet, Influence::Viscosity),
+            [-1.5e-3, 1.5e-3]
+        );
+        let all = trials(&wet, &tolerances, 50, 7);
+        let alone = |of: Influence| all.iter().filter(|t| t.influence == Some(of)).count();
+        assert_eq!(alone(Influence::Viscosity), 2);
+        assert_eq!(alone(Influence::Supply), if supply == 1.0 { 1 } else { 2 });
+        let mut drawn = [f64::INFINITY, f64::NEG_INFINITY];
+        for (wet_trial, dry_trial) in all.iter().rev().zip(all_dry.iter().rev()).take(50) {
+            for influence in &Influence::ALL[..8] {
+                let of = |trial: &Trial| trial.deviation.value(*influence);
+                assert_eq!(of(wet_trial), of(dry_trial));
+            }
+            let varied = wet_trial.deviation.apply(&wet).unwrap().film.unwrap();
+            assert!((0.0..=1.0).contains(&varied.supply));
+            let relative = varied.oil.viscosity_pa_s / film.oil.viscosity_pa_s - 1.0;
+            assert!(relative.abs() <= 0.3 + 1e-12, "{relative}");
+            drawn = [drawn[0].min(relative), drawn[1].max(relative)];
+        }
+        assert!(drawn[0] < -0.2 && drawn[1] > 0.2, "{drawn:?}");
+    }
 }

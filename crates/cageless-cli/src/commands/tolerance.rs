@@ -29,6 +29,8 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
         clearance_um: args.clearance_um,
         speed_percent: args.speed_percent,
         load_percent: args.load_percent,
+        viscosity_percent: args.viscosity_percent,
+        supply_factor: args.supply_factor,
         benefit: args.benefit,
     };
     // Bad input leaves no folder behind.

@@ -241,6 +241,8 @@ class Computations(Document):
         clearance_um: float | None = None,
         speed_percent: float | None = None,
         load_percent: float | None = None,
+        viscosity_percent: float | None = None,
+        supply_factor: float | None = None,
         benefit: bool = False,
         threads: int | None = None,
         progress: Progress | None = None,
@@ -261,6 +263,8 @@ class Computations(Document):
             clearance_um: Radial internal clearance Gr, 10 if left out.
             speed_percent: Speed, as a share of that of the case, 5 if left out.
             load_percent: Load, as a share of that of the case, 20 if left out.
+            viscosity_percent: Viscosity of the oil, as a share of that of the case, 30 if left out; with ``[film]``.
+            supply_factor: Factor of the supply of oil, 2 if left out; with ``[film]``.
             benefit: Say whether the raceway helps in steady operation, as drawn and at both ends of its
                 machining tolerances: ``benefit.answer``, ``benefit.comparison``; takes a minute more.
 

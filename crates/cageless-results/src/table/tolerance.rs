@@ -73,7 +73,8 @@ fn drawn(influence: Deviates) -> (f64, &'static str) {
         | Deviates::BallRadius
         | Deviates::Clearance => (1e6, "µm"),
         Deviates::HalfAngle | Deviates::SectionAngle => (1f64.to_degrees(), "°"),
-        Deviates::Friction => (1.0, ""),
+        Deviates::Friction | Deviates::Supply => (1.0, ""),
+        Deviates::Viscosity => (1e3, "mPa·s"),
         Deviates::Speed => (30.0 / PI, "rpm"),
         Deviates::Load => (1.0, "N"),
     }

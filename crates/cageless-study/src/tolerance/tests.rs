@@ -23,6 +23,8 @@ const REQUEST: Request = Request {
     clearance_um: 6.0,
     speed_percent: 7.0,
     load_percent: 40.0,
+    viscosity_percent: 30.0,
+    supply_factor: 2.0,
     benefit: false,
 };
 

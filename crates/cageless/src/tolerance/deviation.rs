@@ -3,6 +3,7 @@
 use super::grade::BallGrade;
 use crate::case::Case;
 use crate::error::InputError;
+use crate::film::FLOODED;
 use crate::numerics::random::RandomStream;
 use crate::raceway::{Raceway, RacewayDimensions};
 
@@ -28,6 +29,10 @@ crate::named_enum! {
         Load = "load",
         /// αg by which the sections of the raceways are turned, in space.
         SectionAngle = "contact angle of the raceway",
+        /// Viscosity of the oil of a film.
+        Viscosity = "oil viscosity",
+        /// Supply of a film.
+        Supply = "oil supply",
     }
 }
 
@@ -52,6 +57,10 @@ pub struct Tolerances {
     pub speed_fraction: f64,
     /// Load, as a fraction.
     pub load_fraction: f64,
+    /// Viscosity of the oil of a film, as a fraction.
+    pub viscosity_fraction: f64,
+    /// Factor of the supply of a film to either side, 1 or more; a supply above 1 floods no more.
+    pub supply_factor: f64,
 }
 
 impl Tolerances {
@@ -76,6 +85,16 @@ impl Tolerances {
             }
             Influence::Speed => both(self.speed_fraction * case.operation.inner_speed_rad_s),
             Influence::Load => both(self.load_fraction * case.operation.radial_load_n),
+            Influence::Viscosity => both(case.film.map_or(0.0, |film| {
+                self.viscosity_fraction * film.oil.viscosity_pa_s
+            })),
+            Influence::Supply => case.film.map_or([0.0; 2], |film| {
+                let ends = [
+                    film.supply / self.supply_factor,
+                    film.supply * self.supply_factor,
+                ];
+                ends.map(|end| end.min(FLOODED) - film.supply)
+            }),
         }
     }
 }
@@ -153,6 +172,11 @@ impl Deviation {
             ..case.clone()
         };
         varied.contact.shift_friction(of(Influence::Friction));
+        if let Some(film) = &mut varied.film {
+            film.oil.viscosity_pa_s += of(Influence::Viscosity);
+            film.supply = (film.supply + of(Influence::Supply)).clamp(0.0, FLOODED);
+            film.check()?;
+        }
         varied.operation.inner_speed_rad_s += of(Influence::Speed);
         let operation = &mut varied.operation;
         if operation.radial_load_n != 0.0 {
@@ -216,13 +240,18 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
             let [low, high] = tolerances.range(case, influence);
             deviation.values[influence as usize] = stream.between(low, high);
         };
-        // What only space has comes last: bearings in the plane are drawn as if it were not there.
+        // What only space or oil has comes last: other bearings are drawn as if it were not there.
+        let of_oil = [Influence::Viscosity, Influence::Supply];
         let last = [Influence::BallRadius, Influence::SectionAngle];
+        let last = last.into_iter().chain(of_oil).collect::<Vec<_>>();
         for influence in Influence::ALL.into_iter().filter(|i| !last.contains(i)) {
             draw(&mut stream, influence);
         }
         let ball_radius_m = lot(&mut stream);
         draw(&mut stream, Influence::SectionAngle);
+        for influence in of_oil {
+            draw(&mut stream, influence);
+        }
         deviation.ball_radius_m = ball_radius_m;
         Trial {
             influence: None,
