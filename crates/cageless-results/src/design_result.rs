@@ -10,8 +10,8 @@ use cageless::equilibrium::{settle, solve};
 use crate::number_text::significant;
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
-    AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, PROFILE, Part, Particulars,
-    RACEWAY, Record, Results, Subject, VERDICT,
+    AXIAL, CONTACT_ANGLE, DESIGN, FILM_VERDICT, Judged, JudgedRaceway, PASSAGES, PROFILE, Part,
+    Particulars, RACEWAY, Record, Results, Subject, VERDICT,
 };
 
 /// Points of the lC–θ curve.
@@ -47,6 +47,10 @@ pub fn design_record(
     let curve = Record::of(CURVE, Subject::Curve(&curve));
     let judged = Judged { case, judgement };
     let verdict = Results::of(VERDICT, Subject::Verdict(&judged));
+    let verdict = match judgement.dry {
+        Some(_) => verdict.and(Results::of(FILM_VERDICT, Subject::Verdict(&judged))),
+        None => verdict,
+    };
     let contact_angle = contact_angle(case);
     let contact_angle = Results::of(CONTACT_ANGLE, Subject::ContactAngle(&contact_angle));
     let closed = Results::of(DESIGN, Subject::Design(case)).and(contact_angle);

@@ -4,13 +4,13 @@ use cageless::touchdown::{Limit, LimitSide};
 use serde::Serialize;
 
 use crate::table::{
-    CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FILM, FIT, LUBRICATION,
-    PASSAGES, RUN, SPACE, STATIC, STEADY, SUCCESSION, VERDICT, milliseconds,
+    CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FILM, FILM_VERDICT, FIT,
+    LUBRICATION, PASSAGES, RUN, SPACE, STATIC, STEADY, SUCCESSION, VERDICT, milliseconds,
 };
 use crate::{Aim, DropJudgement, Quantity, Results};
 
 /// Tables whose results a limit can be on.
-pub const LIMITED: [&[Quantity]; 16] = [
+pub const LIMITED: [&[Quantity]; 17] = [
     DROP,
     SUCCESSION,
     STATIC,
@@ -26,6 +26,7 @@ pub const LIMITED: [&[Quantity]; 16] = [
     DESIGN,
     CONTACT_ANGLE,
     VERDICT,
+    FILM_VERDICT,
     PASSAGES,
 ];
 

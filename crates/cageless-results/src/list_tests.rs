@@ -29,7 +29,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 47] = [
+const SECTIONS: [(&[Quantity], &str, &str); 48] = [
     (STATIC, "Static equilibrium", "Of `static`."),
     (DEFECTS, "Static equilibrium: frequencies of defects", "For vibration analysts, in pure rolling. The orbital frequency of the balls takes the place of a cage's."),
     (FIT, "Static equilibrium with fits and temperatures", "With `[fit]`."),
@@ -47,6 +47,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 47] = [
     (SLOT, "Measured slots", "For each of `raceways` that is a slot."),
     (AXIAL, "Design: axial load and tilt", "Of `design --axial`, under `axial`, in space with even spacing at the start; lists go over axial load and tilt."),
     (VERDICT, "Design: verdict from the motion", "Of `design`."),
+    (FILM_VERDICT, "Design: verdict with an oil film", "Of `design`, with `[film]`."),
     (PASSAGES, "Design: passages of the raceway", "Under `passages`."),
     (RACEWAY, "Design: each raceway", "Under `raceways`."),
     (RECOMMENDATION, "Design: recommendation", "Under `recommendation`."),

@@ -25,4 +25,4 @@ pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure 
 pub(crate) const SIMULATED: &str = "time at which the simulation ended";
 pub(crate) const UNLOADED: &str = "the inner ring does not drive a ball then; 0 where it drives all of them all the time";
 pub(crate) const STIFFNESS: &str = "K in F = K δ^1.5";
-pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `too-shallow`, `too-deep`, `slips`, on elastic flanks and in space `loses-lag`, `overloaded`, `infeasible`, or `not-judged`";
+pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `too-shallow`, `too-deep`, with a film `film-outweighs` and `film-queue`, `slips`, on elastic flanks and in space `loses-lag`, `overloaded`, `infeasible`, or `not-judged`";

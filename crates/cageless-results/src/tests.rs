@@ -261,6 +261,8 @@ fn results_of_a_verdict_are_its_fields() {
         steady_gap_rad: Some(0.037),
         passages: Some(passages),
         raceways: vec![],
+        film: None,
+        dry: None,
         stopped: None,
     };
     let case = case();
@@ -610,7 +612,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             m.power_w(EnergyTerm::RollingResistance) / (2.0 * PI * turns),
         ),
         ("half_turn_lag_deg", lag_rad / DEGREE),
-        ("film_speed_deficit_fraction", 2.0 * lag_rad / PI),
+        ("half_turn_deficit_fraction", 2.0 * lag_rad / PI),
         ("inner_pressure_max_mpa", s.peaks.inner.pressure_pa / MPA),
         ("outer_pressure_max_mpa", s.peaks.outer.pressure_pa / MPA),
         ("ball_pressure_max_mpa", s.peaks.balls.pressure_pa / MPA),

@@ -112,7 +112,6 @@ pub fn design(
     progress: &dyn Progress,
 ) -> Result<Designed, StudyError> {
     file.checked(Case::check_motion)?;
-    file.checked(|case| case.check_without_film("the verdict of `design`"))?;
     let case = file.case();
     let mut tasks = vec![Task::new(TASK).with(case, verdict_steps(case), 1)];
     if asked.search.is_none() {

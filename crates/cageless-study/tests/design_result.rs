@@ -42,6 +42,8 @@ fn judgement(verdict: RacewayVerdict, number: f64) -> Judgement {
         steady_gap_rad: None,
         passages: Some(statistics(3.0 * number)),
         raceways: vec![raceway(1.0), raceway(2.0)],
+        film: None,
+        dry: None,
         stopped: None,
     }
 }

@@ -21,7 +21,7 @@
 use std::f64::consts::PI;
 
 use crate::case::Case;
-use crate::simulation::StepView;
+use crate::simulation::{Control, Observer, ObserverError, StepView};
 
 /// Follows a run with a film for the lag of its balls.
 #[derive(Debug, Clone, Default)]
@@ -40,12 +40,17 @@ impl HalfTurnTracker {
     /// That of a case with a film at constant speed; `None` of any other.
     pub(crate) fn new(case: &Case) -> Option<Self> {
         let followed = case.film.is_some() && case.has_constant_operation();
-        followed.then(|| Self {
+        followed.then(|| Self::of(case))
+    }
+
+    /// That of a case at constant speed, dry or wet.
+    fn of(case: &Case) -> Self {
+        Self {
             rolling_rad_s: case.rolling_orbit_speed_rad_s(),
             entered_s: vec![f64::NAN; case.balls()],
             height_m: vec![f64::NAN; case.balls()],
             ..Self::default()
-        })
+        }
     }
 
     /// Takes a step.
@@ -74,5 +79,33 @@ impl HalfTurnTracker {
     /// The lag in the mean, rad; `None` before the first half orbit.
     pub(crate) fn lag_rad(&self) -> Option<f64> {
         (self.passes > 0).then(|| self.lag_sum_rad / self.passes as f64)
+    }
+}
+
+/// Follows a run, dry or wet, from a time on.
+pub(crate) struct HalfTurnRecorder {
+    from_s: f64,
+    tracker: HalfTurnTracker,
+}
+
+impl HalfTurnRecorder {
+    /// That of a case at constant speed.
+    pub(crate) fn new(case: &Case, from_s: f64) -> Self {
+        let tracker = HalfTurnTracker::of(case);
+        Self { from_s, tracker }
+    }
+
+    /// The lag in the mean, rad; `None` before the first half orbit.
+    pub(crate) fn lag_rad(&self) -> Option<f64> {
+        self.tracker.lag_rad()
+    }
+}
+
+impl Observer for HalfTurnRecorder {
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
+        if view.step.t1_s > self.from_s {
+            self.tracker.step(view);
+        }
+        Ok(Control::Continue(()))
     }
 }

@@ -17,6 +17,7 @@ mod equivalent_load;
 mod falling_ring;
 mod film;
 mod film_motion;
+mod film_verdict;
 mod fit;
 mod fit_by_tolerance;
 mod free_rotor;

@@ -135,8 +135,15 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
 fn dry_motion(file: &CaseFile) -> Option<String> {
     let dry = file.particulars().lubrication.is_some() && file.case().film.is_none();
     dry.then(|| {
-        "[lubrication] is for ratings: the motion is computed without an oil film; [film] has its rolling resistance"
-            .to_owned()
+        let add = match file.case().why_without_film() {
+            Some(why) => why,
+            None => {
+                "add [film] with supply, oil and temperature_c, and leave out lubrication.viscosity_mm2_s"
+            }
+        };
+        format!(
+            "[lubrication] is for ratings: the motion is computed without an oil film; {add}"
+        )
     })
 }
 

@@ -4,16 +4,19 @@ use std::f64::consts::FRAC_PI_4;
 
 use cageless::Case;
 use cageless::design::{
-    AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, LagAndAngle, axial_load_keeping,
-    balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
+    AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, FilmEvidence, LagAndAngle,
+    axial_load_keeping, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
+    theoretical_gap_rad,
 };
 use cageless::kinematics::speed_change_max;
 use cageless::raceway::{self, axial_span_limit_m};
 
 use crate::cell::Cell;
 use crate::declare::*;
+use crate::group::Group;
 use crate::meanings::*;
 use crate::quantity::Quantity;
+use crate::source::Judged;
 use crate::source::Source::{
     Axial, ContactAngle, Curve, Design, Passages, Points, Profile, Raceway, Recommendation, Slot,
     Verdict,
@@ -100,6 +103,19 @@ pub const VERDICT: &[Quantity] = &[
     means("steady-state gap less critical gap; on elastic flanks and in space the steady-state gap has the lag of the motion in the place of that of rolling", high(quantity("gap_reserve_deg", "deg", "gap reserve", Verdict(|j| j.judgement.steady_gap_rad.zip(j.judgement.critical_gap_rad).map(|(steady, gap)| (steady - gap).to_degrees()).into())))),
 ];
 
+/// Further results of a verdict with an oil film.
+#[rustfmt::skip]
+pub const FILM_VERDICT: &[Quantity] = &[
+    group(Group::Film, means("over the half orbit away from the load, less that of the run without oil; part of the steady-state gap", part(quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit", Verdict(|j| film(j, |f| f.lag_rad.to_degrees())))))),
+    group(Group::Film, means("2/π times that lag; balls queue from 1.3 times `free_share` on", part(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses by the film", Verdict(|j| film(j, |f| f.speed_deficit)))))),
+    group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone; above 0.65 of the critical gap oil spaces the balls more than the raceway", part(quantity("film_opening_gap_deg", "deg", "gap that the film opens", Verdict(|j| film(j, |f| f.opening_gap_rad.to_degrees())))))),
+    group(Group::Film, means("of the pitch circle, 1 − N ε/360°", part(quantity("free_share", "", "share that balls leave free", Verdict(|j| film(j, |f| f.free_share)))))),
+    means("outside the raceways, with the lag of the film", part(quantity("film_steady_gap_deg", "deg", "steady-state gap with the film", Verdict(|j| j.judgement.steady_gap_rad.map(f64::to_degrees).into())))),
+    means(VERDICT_NAMES, part(text("dry_verdict", "verdict without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.verdict.name().to_owned())))))),
+    part(high(flag("dry_passes", "passes without oil", Verdict(|j| flagged(j.judgement.dry.as_ref().and_then(|dry| dry.passes())))))),
+    part(in_tables(text("dry_headline", "without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.headline())))))),
+];
+
 /// Passages of balls in the runs of a verdict.
 #[rustfmt::skip]
 pub const PASSAGES: &[Quantity] = &[
@@ -148,6 +164,11 @@ pub(crate) const CURVE: &[Quantity] = &[
     part(list("half_angle_deg", "deg", "half angle θ by Eq. (11)", Curve(|c| angles(c, |p| p.half_angle_rad)))),
     part(list("half_angle_polar_deg", "deg", "half angle θ by Eq. (11) with the true polar angle", Curve(|c| angles(c, |p| p.half_angle_polar_rad)))),
 ];
+
+/// A number of the film of a verdict.
+fn film(judged: &Judged<'_>, value: impl Fn(&FilmEvidence) -> f64) -> Cell {
+    judged.judgement.film.as_ref().map(value).into()
+}
 
 fn estimated(
     estimate: &Option<ContactAngleEstimate>,

@@ -14,7 +14,9 @@ mod verification;
 use crate::computation::Computation;
 use crate::quantity::{Quantity, bearing_in_column};
 
-pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, GROOVE, PASSAGES, PROFILE, RACEWAY, SLOT, VERDICT};
+pub use design::{
+    AXIAL, CONTACT_ANGLE, DESIGN, FILM_VERDICT, GROOVE, PASSAGES, PROFILE, RACEWAY, SLOT, VERDICT,
+};
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub(crate) use drop::milliseconds;
 pub use drop::{DROP, PLANE, ROTOR_DROP, SUCCESSION};
@@ -31,7 +33,7 @@ pub use verification::{
 };
 
 /// Tables whose names mean the same wherever they stand in results of static equilibrium, design, run and drop.
-pub(crate) const ANYWHERE: [&[Quantity]; 21] = [
+pub(crate) const ANYWHERE: [&[Quantity]; 22] = [
     STATIC,
     DEFECTS,
     FIT,
@@ -46,6 +48,7 @@ pub(crate) const ANYWHERE: [&[Quantity]; 21] = [
     SLOT,
     AXIAL,
     VERDICT,
+    FILM_VERDICT,
     PASSAGES,
     RACEWAY,
     RECOMMENDATION,

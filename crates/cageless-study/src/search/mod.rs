@@ -26,7 +26,7 @@ use crate::interruption::break_if;
 use crate::progress::Progress;
 use crate::task::Task;
 use crate::threads::{each, each_of};
-use cageless_results::{Cell, Judged, Record, Results, Subject, VERDICT};
+use cageless_results::{Cell, FILM_VERDICT, Judged, Record, Results, Subject, VERDICT};
 use narrative::why_none;
 pub use narrative::{point_label, structure_label};
 pub use task_runner::JOURNAL;
@@ -265,7 +265,14 @@ fn verdicts(
                         case: &case,
                         judgement: &judgement,
                     };
-                    Ok(Results::of(VERDICT, Subject::Verdict(&judged)).into())
+                    let verdict = Results::of(VERDICT, Subject::Verdict(&judged));
+                    Ok(match judgement.dry {
+                        Some(_) => {
+                            verdict.and(Results::of(FILM_VERDICT, Subject::Verdict(&judged)))
+                        }
+                        None => verdict,
+                    }
+                    .into())
                 }
                 Err(CriticalGapError::Interrupted) => Err(StudyError::Interrupted),
                 Err(error) => Err(error.into()),

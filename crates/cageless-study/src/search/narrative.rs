@@ -66,6 +66,9 @@ pub fn narrative(found: &Found, record: &Record) -> Vec<String> {
             point_label(point),
             verdict.text("headline")
         ));
+        if let Some(Cell::Text(dry)) = verdict.results.get("dry_headline") {
+            all.push(format!("Without oil it {dry}."));
+        }
     }
     if let Some(own) = record.part("own") {
         for (k, point) in points.iter().enumerate() {

@@ -134,17 +134,26 @@ impl Case {
             return Ok(());
         };
         film.check()?;
-        let why = match () {
-            () if self.formulation == Formulation::Paper => "the published equations have no film",
-            () if self.rotor.is_some() => "the film under a falling rotor is not computed",
-            () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => {
-                "the film at the edges of slots is not computed"
-            }
-            () if self.moves_in_space() => "the film is computed in the plane only",
-            () => return Ok(()),
+        let Some(why) = self.why_without_film() else {
+            return Ok(());
         };
         let rule = format!("left out, with all of [film]: {why}");
         Err(InputError::rule("supply", film.supply, rule))
+    }
+
+    /// Why the equations of the case have no film; `None` where they have one.
+    pub fn why_without_film(&self) -> Option<&'static str> {
+        match () {
+            () if self.formulation == Formulation::Paper => {
+                Some("the published equations have no film")
+            }
+            () if self.rotor.is_some() => Some("the film under a falling rotor is not computed"),
+            () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => {
+                Some("the film at the edges of slots is not computed")
+            }
+            () if self.moves_in_space() => Some("the film is computed in the plane only"),
+            () => None,
+        }
     }
 
     /// Passes a case without a film; `what` does not count one.

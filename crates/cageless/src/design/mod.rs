@@ -18,6 +18,7 @@ mod axial;
 mod contact_angle;
 mod criterion;
 mod estimate;
+mod film_evidence;
 mod pressure_at_rest;
 mod raceway_tallies;
 mod raceway_verdict;
@@ -42,11 +43,12 @@ pub use contact_angle::{
     ContactAngleEstimate, kinematic_gap_rad, kinematic_lag_rad, seats, seats_controlled,
 };
 pub use criterion::{
-    AXIAL_LAG, BOTH_NEIGHBOURS, CauseKind, Criterion, DECELERATION, LAG, PEAK_PRESSURE,
-    PRESSURE_AT_REST, Requirement, SEPARATION, STEADY_GAP,
+    AXIAL_LAG, BOTH_NEIGHBOURS, CauseKind, Criterion, DECELERATION, FILM_OUTWEIGHS, FILM_QUEUE,
+    LAG, PEAK_PRESSURE, PRESSURE_AT_REST, Requirement, SEPARATION, STEADY_GAP,
 };
-use criterion::{OF_SEARCH, RETAINED_GAP, THEORETICAL_GAP};
+use criterion::{IN_OIL, OF_SEARCH, RETAINED_GAP, STEADY_GAP_MAX, THEORETICAL_GAP};
 pub use estimate::{Estimate, EstimateTerm};
+pub use film_evidence::FilmEvidence;
 pub use pressure_at_rest::pressure_at_rest_pa;
 pub use raceway_tallies::RacewayTallies;
 pub use raceway_verdict::RacewayVerdict;

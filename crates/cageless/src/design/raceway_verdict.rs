@@ -14,6 +14,10 @@ crate::named_enum! {
         TooShallow = "too-shallow",
         /// The critical gap exceeds the steady-state gap: evenly spaced balls collide.
         TooDeep = "too-deep",
+        /// An oil film spaces the balls more than the raceway.
+        FilmOutweighs = "film-outweighs",
+        /// Balls slowed by an oil film queue.
+        FilmQueue = "film-queue",
         /// Balls slide so much that the separation suffers.
         Slips = "slips",
         /// Load, contact angle and sliding leave too little of the lag, in space.
@@ -34,6 +38,8 @@ impl RacewayVerdict {
             Self::DoubleCollision
             | Self::TooShallow
             | Self::TooDeep
+            | Self::FilmOutweighs
+            | Self::FilmQueue
             | Self::Slips
             | Self::LosesLag
             | Self::Overloaded
@@ -58,6 +64,8 @@ impl RacewayVerdict {
             Self::DoubleCollision => "double collision",
             Self::TooShallow => "too shallow",
             Self::TooDeep => "too deep",
+            Self::FilmOutweighs => "film outweighs raceway",
+            Self::FilmQueue => "balls queue in oil",
             Self::Slips => "excessive sliding",
             Self::LosesLag => "lag lost",
             Self::Overloaded => "overloaded",

@@ -251,7 +251,7 @@ fn best(
 /// part of the curve of Eq. (11) if that passes, else shallower and longer ones near it, of which
 /// the first with half of the possible margin, or the one with the largest margin, is taken. If
 /// none passes, the middle with its verdict. `None` if the curve has no usable part, and in space, where balls do
-/// not reach β0 of Eq. (11): there the search looks for a raceway.
+/// not reach β0 of Eq. (11), or with a film, of which the curve knows nothing: there the search looks for a raceway.
 ///
 /// `entered` is the case with a raceway in the place of its own, as it is judged when the raceway
 /// is entered in its file; `None` if that is impossible. `control` is called with the estimated
@@ -265,7 +265,7 @@ pub fn recommend(
     entered: &dyn Fn(RacewayDimensions) -> Option<Case>,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<Recommendation>, CriticalGapError> {
-    if case.moves_in_space() {
+    if case.moves_in_space() || case.film.is_some() {
         return Ok(None);
     }
     let Some(start) = starting_point(case, &mut |part| control(STARTING_FRACTION * part))? else {
@@ -321,7 +321,7 @@ const JUDGED: f64 = 2.0;
 
 /// Steps that [`recommend`] takes as a rule for a case, with its own or a middling raceway.
 pub fn recommendation_steps(case: &Case) -> f64 {
-    if case.moves_in_space() {
+    if case.moves_in_space() || case.film.is_some() {
         return 0.0;
     }
     let raceway = match case.raceways.first() {
@@ -467,6 +467,8 @@ mod tests {
                     steady_gap_rad: None,
                     passages: None,
                     raceways: vec![],
+                    film: None,
+                    dry: None,
                     stopped: None,
                 },
                 judged: count,

@@ -1,6 +1,9 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
-use super::criterion::{BOTH_NEIGHBOURS, Criterion, PRESSURE_AT_REST, STEADY_GAP};
+use super::criterion::{
+    BOTH_NEIGHBOURS, Criterion, FILM_OUTWEIGHS, FILM_QUEUE, IN_OIL, PRESSURE_AT_REST, STEADY_GAP,
+};
+use super::film_evidence::FilmEvidence;
 use super::pressure_at_rest::pressure_at_rest_controlled_pa;
 use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
@@ -9,6 +12,8 @@ use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
 use crate::equilibrium::EquilibriumError;
+use crate::half_turn::HalfTurnRecorder;
+use crate::kinematics::raceway_delay_rad;
 use crate::passage::PassageRecorder;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
@@ -66,13 +71,17 @@ pub struct Judgement {
     pub critical_gap_rad: Option<f64>,
     /// Largest Hertz pressure of both rings at rest, as [`super::pressure_at_rest_pa`] has it; `None` if no ball passes.
     pub pressure_at_rest_pa: Option<f64>,
-    /// Gap outside the raceways of balls that come by evenly in time: by rolling on rigid flanks, else by the lag of the run;
-    /// `None` if that is not known.
+    /// Gap outside the raceways of balls that come by evenly in time: by rolling on rigid flanks, else by the lag of the run,
+    /// with the lag of a film; `None` if that is not known.
     pub steady_gap_rad: Option<f64>,
     /// Statistics of the first raceway with the worst verdict.
     pub passages: Option<PassageStatistics>,
     /// Each raceway, in the order of the case.
     pub raceways: Vec<RacewayJudgement>,
+    /// Lag of the balls by the film; `None` of a dry case, and without a run.
+    pub film: Option<FilmEvidence>,
+    /// Judgement of the same raceways without oil; `None` of a dry case.
+    pub dry: Option<Box<Judgement>>,
     /// Cause of a run that stopped early.
     pub stopped: Option<Stop>,
 }
@@ -82,6 +91,8 @@ pub struct Judgement {
 struct SteadyRun {
     /// Statistics of each raceway; `None` where no ball passed.
     statistics: Vec<Option<PassageStatistics>>,
+    /// Lag of the balls over the half orbit away from the load, rad.
+    half_turn_lag_rad: Option<f64>,
     /// Cause of an early stop.
     stopped: Option<Stop>,
 }
@@ -101,7 +112,9 @@ pub fn verdict_steps(case: &Case) -> f64 {
         let alone = case.with_raceways(vec![raceway.clone()]);
         pair_steps(&alone, &PairTest::default())
     });
-    case.distinct_rows().len() as f64 * pairs.sum::<f64>() + steady_case(case).solver.steps()
+    let steps = case.distinct_rows().len() as f64 * pairs.sum::<f64>();
+    let verdicts = if case.film.is_some() { 2.0 } else { 1.0 };
+    verdicts * (steps + steady_case(case).solver.steps())
 }
 
 /// Judges the case's raceways by what Zhao 2022, Section 4.3, looks at: does the
@@ -111,6 +124,10 @@ pub fn verdict_steps(case: &Case) -> f64 {
 /// 16 are discarded. On elastic flanks and in space it looks at the share of the lag that load, contact angle and
 /// sliding leave, and at double collisions; the critical gap is that of the row with the least. It has to lie between
 /// the least value of [`STEADY_GAP`] and all of the steady-state gap. What stopped early or lacks a number is not judged.
+///
+/// A case with a film is judged with it and, beside, without. The lag of the balls by the film, over the half orbit away
+/// from the load, is that of the run less that of the dry one. It widens the steady-state gap, of which the critical gap
+/// may be 1.1 times as much, and has limits of its own, [`FILM_QUEUE`] and [`FILM_OUTWEIGHS`].
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
@@ -137,8 +154,6 @@ pub fn judge_watched(
         .map_err(EquilibriumError::from)?;
     case.check_balanced("a verdict")
         .map_err(EquilibriumError::from)?;
-    case.check_without_film("the verdict on a raceway")
-        .map_err(EquilibriumError::from)?;
     if case.raceways.is_empty() {
         return Ok(Judgement {
             verdict: RacewayVerdict::NotJudged,
@@ -146,6 +161,42 @@ pub fn judge_watched(
             ..summary(vec![], None)
         });
     }
+    if case.film.is_none() {
+        let (judgement, _) = judge_one(case, Beside::Nothing, watchers, control)?;
+        return Ok(judgement);
+    }
+    let without = Case {
+        film: None,
+        ..case.clone()
+    };
+    let mut half = |part: f64| control(0.5 * part);
+    let (dry, lag_rad) = judge_one(&without, Beside::Wet, &mut [], &mut half)?;
+    let mut half = |part: f64| control(0.5 + 0.5 * part);
+    let (wet, _) = judge_one(case, Beside::Dry(lag_rad), watchers, &mut half)?;
+    Ok(Judgement {
+        dry: Some(Box::new(dry)),
+        ..wet
+    })
+}
+
+/// What a case is judged beside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Beside {
+    /// Nothing: it is dry.
+    Nothing,
+    /// Itself with oil.
+    Wet,
+    /// Itself without oil, in which the balls lag by this over the half orbit away from the load, rad.
+    Dry(Option<f64>),
+}
+
+/// Judgement of a case with raceways; beside another also the lag of the balls over the half orbit away from the load.
+fn judge_one(
+    case: &Case,
+    beside: Beside,
+    watchers: &mut [&mut dyn Observer],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<(Judgement, Option<f64>), CriticalGapError> {
     let gap_orbits = GAP_ORBITS * case.raceways.len() as f64;
     let orbits = gap_orbits + TURNS[0] + TURNS[1];
     let mut criticals = vec![];
@@ -159,25 +210,33 @@ pub fn judge_watched(
             }
             Err(CriticalGapError::Stopped(stop)) => {
                 let reason = format!("the run of one pair stopped: {}", stop.cause);
-                return Ok(summary(vec![not_judged(reason, None)], Some(stop)));
+                return Ok((summary(vec![not_judged(reason, None)], Some(stop)), None));
             }
             Err(error) => criticals.push(Err(error.to_string())),
         }
     }
     if let [Err(reason)] = criticals.as_slice() {
-        return Ok(summary(vec![infeasible(reason.clone(), None)], None));
+        return Ok((summary(vec![infeasible(reason.clone(), None)], None), None));
     }
     let orbit_s = case.rolling_orbit_s();
     let SteadyRun {
         statistics,
+        half_turn_lag_rad,
         stopped,
-    } = steady_passages(case, watchers, &mut |time_s| {
+    } = steady_passages(case, beside, watchers, &mut |time_s| {
         control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
     })?;
-    let steady_gap_rad = match case.has_elastic_flanks() {
-        false => Some(steady_gap_rad(&case.bearing, &case.raceways)),
-        true => measured_steady_gap_rad(case, &statistics),
+    let film = match beside {
+        Beside::Dry(dry) => Some(FilmEvidence::new(&case.bearing, [half_turn_lag_rad, dry])),
+        Beside::Nothing | Beside::Wet => None,
     };
+    let delay_rad = match case.has_elastic_flanks() {
+        false => Some(raceway_delay_rad(&case.bearing, &case.raceways)),
+        true => measured_delay_rad(&statistics),
+    };
+    let film_delay_rad = film.map_or(0.0, |film| film.lag_rad);
+    let steady_gap_rad =
+        delay_rad.map(|delay_rad| gap_of_delay_rad(&case.bearing, delay_rad + film_delay_rad));
     let any_passed = statistics.iter().any(Option::is_some);
     let pressure = match any_passed {
         true => Some(pressure_at_rest_controlled_pa(case, &mut || control(1.0))?),
@@ -206,6 +265,7 @@ pub fn judge_watched(
                         largest,
                         steady,
                         pressure_pa: pressure_pa.unwrap_or(f64::NAN),
+                        film,
                     };
                     decide(case, &case.raceways[k], measured, statistics)
                 }
@@ -216,11 +276,13 @@ pub fn judge_watched(
             }
         })
         .collect();
-    Ok(Judgement {
+    let judgement = Judgement {
         steady_gap_rad,
         pressure_at_rest_pa: pressure_pa,
+        film,
         ..summary(judged, stopped)
-    })
+    };
+    Ok((judgement, half_turn_lag_rad))
 }
 
 /// Critical gap of the only raceway of a case, in space that of the row with the least; on elastic flanks 0 where
@@ -251,14 +313,13 @@ fn least_critical_gap_rad(
     Ok(least)
 }
 
-/// (2π + Σ lag)/N − ε with the lag of every raceway.
-fn measured_steady_gap_rad(case: &Case, statistics: &[Option<PassageStatistics>]) -> Option<f64> {
+/// Σ lag, of every raceway.
+fn measured_delay_rad(statistics: &[Option<PassageStatistics>]) -> Option<f64> {
     let lags: Option<Vec<f64>> = statistics
         .iter()
         .map(|s| Some((*s)?.lag_mean_rad))
         .collect();
-    let delay_rad = lags.filter(|lags| !lags.is_empty())?.iter().sum::<f64>();
-    Some(gap_of_delay_rad(&case.bearing, delay_rad))
+    Some(lags.filter(|lags| !lags.is_empty())?.iter().sum())
 }
 
 /// A raceway of which too little is known.
@@ -322,6 +383,8 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
             .find(|r| r.verdict == verdict)
             .and_then(|r| r.passages),
         raceways,
+        film: None,
+        dry: None,
         stopped,
     }
 }
@@ -370,6 +433,8 @@ struct Measured {
     steady: f64,
     /// Largest Hertz pressure at rest.
     pressure_pa: f64,
+    /// Lag by the film.
+    film: Option<FilmEvidence>,
 }
 
 fn decide(
@@ -380,6 +445,7 @@ fn decide(
         largest,
         steady,
         pressure_pa,
+        film,
     }: Measured,
     s: PassageStatistics,
 ) -> RacewayJudgement {
@@ -390,10 +456,17 @@ fn decide(
     let wide = 2.0 * raceway.half_angle_rad();
     let elastic = case.has_elastic_flanks();
     let mut criteria = vec![PRESSURE_AT_REST.of(pressure_pa / STRESS_LIMIT_PA)];
+    criteria.extend(film.map(|film| FILM_QUEUE.of(film.speed_deficit / film.free_share)));
     criteria.extend(Criterion::separation(elastic, shortfall));
+    criteria.push(Criterion::slowing(
+        elastic,
+        s.speed_drop_fraction,
+        s.lag_fraction,
+    ));
+    criteria.extend(film.map(|film| FILM_OUTWEIGHS.of(film.opening_gap_rad / largest)));
+    let gap = STEADY_GAP.of(largest / steady);
     criteria.extend([
-        Criterion::slowing(elastic, s.speed_drop_fraction, s.lag_fraction),
-        STEADY_GAP.of(largest / steady),
+        film.map_or(gap, |_| gap.with_most(IN_OIL[1])),
         BOTH_NEIGHBOURS.of(s.double_collision_fraction),
     ]);
     let verdict = Criterion::verdict_of(&criteria);
@@ -437,12 +510,14 @@ pub fn steady_after_s(case: &Case) -> f64 {
 /// Runs all balls and counts the passages of the second half, raceway by raceway.
 fn steady_passages(
     case: &Case,
+    beside: Beside,
     watchers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<SteadyRun, CriticalGapError> {
     let case = steady_case(case);
     let after_s = steady_after_s(&case);
     let mut tallies = RacewayTallies::new(&case);
+    let mut half_turns = (beside != Beside::Nothing).then(|| HalfTurnRecorder::new(&case, after_s));
     let outcome = {
         let mut recorder = PassageRecorder::new(|passage| {
             if passage.enter_s > after_s {
@@ -451,6 +526,7 @@ fn steady_passages(
             Ok(())
         });
         let mut observers: Vec<&mut dyn Observer> = vec![&mut recorder];
+        observers.extend(half_turns.iter_mut().map(|h| h as &mut dyn Observer));
         observers.extend(watchers.iter_mut().map(|w| &mut **w as &mut dyn Observer));
         run(&case, &mut observers, control)?
     };
@@ -466,6 +542,7 @@ fn steady_passages(
     }
     let raceways = 0..case.raceways.len();
     Ok(SteadyRun {
+        half_turn_lag_rad: half_turns.and_then(|half_turns| half_turns.lag_rad()),
         statistics: raceways.map(|k| statistics(&case, k, &tallies)).collect(),
         stopped: None,
     })

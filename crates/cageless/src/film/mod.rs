@@ -22,6 +22,7 @@ mod oil;
 mod range;
 mod rest;
 mod rolling_force;
+mod spacing;
 mod starvation;
 mod thickness;
 
@@ -36,6 +37,7 @@ pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;
 pub use rest::{ContactFilm, FilmAtRest};
 pub use rolling_force::{Rolling, RollingForce};
+pub use spacing::{QUEUE, free_share, opening_gap_rad};
 pub use starvation::starved_share;
 pub use thickness::{FilmThickness, asperity_share};
 

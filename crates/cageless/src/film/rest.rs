@@ -7,18 +7,11 @@ use super::contact::LubricatedContact;
 use super::free_arc::{FreeArc, FreeBall};
 use super::range::RangeExceeded;
 use super::rolling_force::Rolling;
+use super::spacing::{MAY_QUEUE, QUEUE, free_share, opening_gap_rad};
 use super::thickness::{FilmThickness, asperity_share};
 use crate::case::Case;
 use crate::equilibrium::Equilibrium;
 use crate::raceway_contact::RacewayPoint;
-
-/// Gap that opens behind a ball over the lag of its neighbours, of prototypes at two speeds: 0.80 to 0.92.
-const OPENING: f64 = 0.85;
-/// Speed deficit over the free share of the pitch circle from which slowed balls may queue: never below 1.1, always
-/// from 1.45 on in prototypes.
-const MAY_QUEUE: f64 = 1.1;
-/// The same where balls queue as a rule.
-const QUEUE: f64 = 1.3;
 
 /// Film of one contact of a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -118,16 +111,15 @@ impl FilmAtRest {
         let free_arc_rad = free_arc_rad(case, rest);
         let ball = FreeBall::new(bearing, film);
         let arc = ball.over(free_arc_rad, 0.5 * surface_m_s);
-        let balls = bearing.balls() as f64;
         Some(Self {
             inner,
             outer,
             power_w,
             torque_n_m: power_w / inner_speed_rad_s,
             free_arc_rad,
-            opening_gap_rad: OPENING * arc.speed_deficit * TAU / balls,
+            opening_gap_rad: opening_gap_rad(bearing, arc.speed_deficit),
             arc,
-            free_share: 1.0 - balls * bearing.ball_angle_rad() / TAU,
+            free_share: free_share(bearing),
             roughness_m: film.roughness_m,
         })
     }

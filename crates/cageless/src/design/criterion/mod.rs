@@ -2,6 +2,7 @@
 
 mod both_neighbours;
 mod deceleration;
+mod film;
 mod lag;
 mod pressure;
 mod requirement;
@@ -14,6 +15,7 @@ use requirement::Bound;
 
 pub use both_neighbours::BOTH_NEIGHBOURS;
 pub use deceleration::DECELERATION;
+pub use film::{FILM_OUTWEIGHS, FILM_QUEUE};
 pub use lag::{AXIAL_LAG, LAG};
 pub use pressure::{PEAK_PRESSURE, PRESSURE_AT_REST};
 pub use requirement::{CauseKind, Requirement};
@@ -21,7 +23,7 @@ pub use separation::SEPARATION;
 pub use steady_gap::STEADY_GAP;
 
 pub(super) use retained_gap::RETAINED_GAP;
-pub(super) use steady_gap::THEORETICAL_GAP;
+pub(super) use steady_gap::{IN_OIL, STEADY_GAP_MAX, THEORETICAL_GAP};
 
 /// All requirements of a search, in the order in which they are tested.
 pub(super) static OF_SEARCH: [&Requirement; 9] = [
@@ -84,6 +86,11 @@ impl Criterion {
     /// The criterion with another value.
     pub(super) fn with_value(self, value: f64) -> Self {
         Self { value, ..self }
+    }
+
+    /// The criterion with another largest value.
+    pub(super) fn with_most(self, most: f64) -> Self {
+        Self { most, ..self }
     }
 
     /// The criterion with another least value.

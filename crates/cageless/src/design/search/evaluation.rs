@@ -120,6 +120,8 @@ pub(super) struct Batch<'r, 'e> {
     pub seats: Vec<[f64; 2]>,
     /// Those of every row at every operating point of a case in space; empty in the plane.
     pub row_seats: Vec<[f64; 2]>,
+    /// Lag of a free ball by the film, rad; 0 without one.
+    pub film_lag_rad: f64,
     /// What the maps of a case in space have measured; `None` in the plane and before there are maps.
     pub measured: Option<MeasuredSeparation>,
     /// Simulations of all balls so far.
@@ -135,7 +137,7 @@ impl Evaluation {
             Ok(raceways) => {
                 axial = AxialSeparation::by_rolling(batch.bearing, &raceways[0], &batch.seats);
                 let forms = batch.closed_forms(&raceways);
-                let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
+                let cause = Cause::of_closed_forms(&forms, batch.gap_range()[0]);
                 (Some(forms), cause)
             }
             Err(error) => (None, Some(Cause::of_geometry(structure.form.shape, &error))),
@@ -224,10 +226,16 @@ impl Batch<'_, '_> {
 
     /// Closed forms of equal raceways.
     pub(super) fn closed_forms(&self, raceways: &[Raceway]) -> ClosedForms {
-        match self.elastic() {
+        let forms = match self.elastic() {
             true => ClosedForms::elastic(self.bearing, raceways, &self.row_seats),
             false => ClosedForms::new(self.bearing, raceways),
-        }
+        };
+        forms.lagging(self.bearing, self.film_lag_rad)
+    }
+
+    /// Critical gap over the steady gap that is asked for: with a film that of the least scatter.
+    pub(super) fn gap_range(&self) -> [f64; 2] {
+        self.request.gap_range(self.film_lag_rad > 0.0)
     }
 
     /// Whether a structure lies within what was asked for.
@@ -279,7 +287,7 @@ impl Batch<'_, '_> {
             }
         }
         let outcomes = self.execute(stage, &jobs)?;
-        let critical_gap_min_fraction = self.request.critical_gap_min_fraction;
+        let gap_range = self.gap_range();
         for ((k, p), outcome) in places.into_iter().zip(outcomes) {
             let e = &mut evaluations[k];
             match outcome {
@@ -292,7 +300,7 @@ impl Batch<'_, '_> {
         for e in evaluations {
             e.reject(|e, p| {
                 let (forms, spacing) = (e.forms?, e.spacing[p]?);
-                Cause::of_spacing(&forms, &spacing, critical_gap_min_fraction, elastic)
+                Cause::of_spacing(&forms, &spacing, gap_range, elastic)
             });
         }
         Ok(())
@@ -565,13 +573,13 @@ mod tests {
         ) = (0.05, 0.2);
         let spacings = vec![spacing(0.038, 0.01, 1e9), spacing(0.034, 0.03, 1e9)];
         let e = evaluation(spacings, double.to_vec());
-        let found = e.slack(0.8, false);
+        let found = e.slack([0.8, 1.0], false);
         for (found, expected) in found.into_iter().zip([0.02, 0.05, 0.05, 0.05]) {
             assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         }
         let beyond = evaluation(vec![spacing(0.044, 0.07, 1e9); 2], double.to_vec());
         for (found, expected) in beyond
-            .slack(0.8, false)
+            .slack([0.8, 1.0], false)
             .into_iter()
             .zip([-0.02, -0.1, 0.3, 0.05])
         {
@@ -579,11 +587,11 @@ mod tests {
         }
         let mut unknown = e.clone();
         unknown.spacing[1] = None;
-        assert!(unknown.slack(0.8, false).iter().all(|s| *s < 0.0));
+        assert!(unknown.slack([0.8, 1.0], false).iter().all(|s| *s < 0.0));
         unknown.forms = None;
-        assert!(unknown.slack(0.8, false).iter().all(|s| *s < 0.0));
+        assert!(unknown.slack([0.8, 1.0], false).iter().all(|s| *s < 0.0));
         let mut not_run = e;
         not_run.motion = vec![None; 2];
-        assert_eq!(not_run.slack(0.8, false)[3], 0.0);
+        assert_eq!(not_run.slack([0.8, 1.0], false)[3], 0.0);
     }
 }

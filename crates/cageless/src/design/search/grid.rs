@@ -138,7 +138,7 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
             let (forms, cause) = match structure.raceways(batch.bearing) {
                 Ok(raceways) => {
                     let forms = batch.closed_forms(&raceways);
-                    let least = request.critical_gap_min_fraction;
+                    let least = batch.gap_range()[0];
                     // With rigid flanks all critical gaps are drawn; with elastic ones they take long.
                     let excluded = batch
                         .elastic()
@@ -187,7 +187,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         }
     }
     let mut outcomes = batch.execute(Stage::Map, &jobs)?.into_iter();
-    let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
+    let gap_range = batch.gap_range();
     for cell in maps.iter_mut().flat_map(|m| &mut m.cells) {
         if cell.cause.is_some() {
             continue;
@@ -195,10 +195,8 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         cell.cause = match (outcomes.next(), &cell.forms) {
             (Some(Ok(Numbers::PairSeparation(spacing))), Some(forms)) => {
                 cell.spacing = Some(spacing);
-                let of_spacing = || {
-                    Cause::of_spacing(forms, &spacing, critical_gap_min_fraction, batch.elastic())
-                };
-                Cause::of_closed_forms(forms, critical_gap_min_fraction).or_else(of_spacing)
+                let of_spacing = || Cause::of_spacing(forms, &spacing, gap_range, batch.elastic());
+                Cause::of_closed_forms(forms, gap_range[0]).or_else(of_spacing)
             }
             (Some(Err(reason)), _) => Some(Cause::Failed(reason)),
             _ => unreachable!("one spacing per job"),
@@ -377,11 +375,12 @@ fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evalu
         })
         .collect();
     // A hair inside, or rounding to micrometres would throw out the first.
+    let [least, most] = batch.gap_range();
     let fractions = [
-        1.005 * batch.request.critical_gap_min_fraction,
+        1.005 * least,
         match batch.measured {
-            Some(_) => 1.0,
-            None => 1.0 / (1.0 - SEPARATION.limit()),
+            Some(_) => most,
+            None => most / (1.0 - SEPARATION.limit()),
         },
     ];
     let mut found: Vec<RacewayLayout> = spread(fractions, CANDIDATES[1])
@@ -479,6 +478,7 @@ mod tests {
             bearing: &case.bearing,
             seats: vec![],
             row_seats: vec![],
+            film_lag_rad: 0.0,
             measured: None,
             simulations: 0,
         };
@@ -534,6 +534,7 @@ mod tests {
             bearing: &case.bearing,
             seats: vec![],
             row_seats: vec![],
+            film_lag_rad: 0.0,
             measured: None,
             simulations: 0,
         };

@@ -12,6 +12,8 @@
 //! 5. more starts for the recommendation, which gives way to the next where they reject it, and for the
 //!    case's own raceway.
 //!
+//! With a film the steady gap has the lag of a free ball, and the critical gap has to be 1.0 to 1.1 times as much.
+//!
 //! Nothing here starts a thread: batches of [`Job`]s go to the caller, who runs them in any
 //! order. The same case and seed lead to the same result. Derivations: `docs/theory/design.md`.
 //!
@@ -33,6 +35,7 @@ mod grid;
 mod job;
 mod local_optimisation;
 mod measured_separation;
+mod oil;
 mod pareto;
 mod perturbed_run;
 mod placement;
@@ -189,7 +192,7 @@ pub fn search(
     execute: &mut Execute<'_>,
 ) -> Result<Found, SearchError> {
     case.check_constant_operation("a search")?;
-    case.check_without_film("a search")?;
+    oil::check_film(case, request)?;
     let least = request.budget_least();
     if request.budget < least {
         let message = format!("its budget of {} is less than {least}", request.budget);
@@ -197,6 +200,11 @@ pub fn search(
     }
     case.check_motion()?;
     check_points(case, request)?;
+    let film_lag_rad = oil::film_lag_rad(case, &request.points[0]);
+    if !film_lag_rad.is_finite() {
+        let message = "the film stops a ball that the outer raceway alone carries".to_owned();
+        return Err(SearchError::Impossible(message));
+    }
     let mut batch = Batch {
         request,
         ranges: ranges(case, request)?,
@@ -204,6 +212,7 @@ pub fn search(
         bearing: &case.bearing,
         seats: seats(case, request)?,
         row_seats: row_seats(case, request)?,
+        film_lag_rad,
         measured: None,
         simulations: 0,
     };
@@ -346,12 +355,12 @@ fn optimise_from(
 ) -> Result<Option<Evaluation>, Interrupted> {
     let mut interrupted = false;
     let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
-    let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
+    let gap_range = batch.gap_range();
     let tries = batch.request.optimised_structures();
     let elastic = batch.elastic();
     let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
-        constraints: e.slack(critical_gap_min_fraction, elastic),
+        constraints: e.slack(gap_range, elastic),
     };
     let start = value(from);
     let found = local_optimisation::minimise(2.0, tries, start, &mut |[x, y]| {
@@ -482,7 +491,7 @@ pub(super) const REQUIREMENTS: usize = 4;
 
 impl Evaluation {
     /// Slip, on elastic flanks lag, room in steady flow, spread, double collisions; the worst point of each.
-    fn slack(&self, critical_gap_min_fraction: f64, elastic: bool) -> [f64; REQUIREMENTS] {
+    fn slack(&self, [least, most]: [f64; 2], elastic: bool) -> [f64; REQUIREMENTS] {
         let Some(forms) = self.forms else {
             return [-1.0; REQUIREMENTS];
         };
@@ -495,8 +504,8 @@ impl Evaluation {
             if !elastic {
                 slack[0] = slack[0].min(SEPARATION.of(s.shortfall).margin());
             }
-            slack[1] = slack[1].min(1.0 - fraction);
-            slack[2] = slack[2].min(fraction - critical_gap_min_fraction);
+            slack[1] = slack[1].min(most - fraction);
+            slack[2] = slack[2].min(fraction - least);
         }
         for axial in &self.axial {
             slack[2] = slack[2].min(AXIAL_LAG.of(axial.rolling_fraction).margin());

@@ -189,6 +189,14 @@ impl ClosedForms {
         }
     }
 
+    /// With balls that lag by this an orbit beside what the raceways make them.
+    pub(super) fn lagging(self, bearing: &Bearing, lag_rad: f64) -> Self {
+        Self {
+            steady_gap_rad: self.steady_gap_rad + lag_rad / bearing.balls() as f64,
+            ..self
+        }
+    }
+
     /// β0 over the steady gap.
     pub fn fraction(&self) -> f64 {
         self.theoretical_gap_rad / self.steady_gap_rad

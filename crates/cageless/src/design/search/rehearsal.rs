@@ -1,6 +1,7 @@
 //! The work of a search before it starts: the search itself, with closed forms in the place of its runs.
 
 use super::job::{Job, Numbers, Outcome, PairSeparation, Task};
+use super::oil::film_lag_rad;
 use super::perturbed_run::{Motion, VALUES, from_uneven_start};
 use super::raceway_layout::ClosedForms;
 use super::rejection::Cause;
@@ -63,8 +64,8 @@ impl Job {
             return None;
         };
         let forms = self.closed_forms(case).ok()?;
-        let least = request.critical_gap_min_fraction;
-        let cause = Cause::of_spacing(&forms, spacing, least, case.has_elastic_flanks());
+        let gap_range = request.gap_range(case.film.is_some());
+        let cause = Cause::of_spacing(&forms, spacing, gap_range, case.has_elastic_flanks());
         Some(cause.is_none())
     }
 
@@ -72,14 +73,15 @@ impl Job {
     fn closed_forms(&self, case: &Case) -> Result<ClosedForms, String> {
         let raceways = self.structure.raceways(&case.bearing);
         let raceways = raceways.map_err(|error| error.to_string())?;
-        Ok(match case.has_elastic_flanks() {
+        let forms = match case.has_elastic_flanks() {
             true => {
                 let seats = self.point.row_seats(case);
                 let seats = seats.map_err(|error| error.to_string())?;
                 ClosedForms::elastic(&case.bearing, &raceways, &seats)
             }
             false => ClosedForms::new(&case.bearing, &raceways),
-        })
+        };
+        Ok(forms.lagging(&case.bearing, film_lag_rad(case, &self.point)))
     }
 
     /// What the job would find if balls rolled and nothing were wrong with its raceways.

@@ -151,12 +151,12 @@ impl Cause {
     pub(super) fn of_spacing(
         forms: &ClosedForms,
         spacing: &PairSeparation,
-        critical_gap_min_fraction: f64,
+        [least, most]: [f64; 2],
         elastic: bool,
     ) -> Option<Self> {
         let gap = STEADY_GAP.of(spacing.critical_gap_rad / forms.steady_gap_rad);
         let others = [
-            gap.with_least(critical_gap_min_fraction),
+            gap.with_least(least).with_most(most),
             PRESSURE_AT_REST.of(spacing.stress_pa / STRESS_LIMIT_PA),
         ];
         Criterion::separation(elastic, spacing.shortfall)
@@ -261,7 +261,7 @@ mod tests {
             name(Cause::of_spacing(
                 &FORMS,
                 &spacing(critical, shortfall, stress),
-                0.5,
+                [0.5, 1.0],
                 false,
             ))
         };
@@ -311,7 +311,10 @@ mod tests {
         assert_eq!(kept(0.5), None);
         assert_eq!(kept(0.5f64.next_down()), Some("loses-lag"));
         let slid = super::tests::spacing(usual, 0.4, 1e9);
-        assert_eq!(name(Cause::of_spacing(&FORMS, &slid, 0.5, true)), None);
+        assert_eq!(
+            name(Cause::of_spacing(&FORMS, &slid, [0.5, 1.0], true)),
+            None
+        );
         assert_eq!(of(1.0, 0.001, 0.9), Some("gap-not-retained"));
         // What is not known is no pass.
         assert_eq!(of(f64::NAN, 0.02, 0.1), Some("failed"));
@@ -321,7 +324,13 @@ mod tests {
     #[test]
     fn causes_say_their_value_and_their_excess() {
         let spacing_of = |critical, shortfall, stress| {
-            Cause::of_spacing(&FORMS, &spacing(critical, shortfall, stress), 0.5, false).unwrap()
+            Cause::of_spacing(
+                &FORMS,
+                &spacing(critical, shortfall, stress),
+                [0.5, 1.0],
+                false,
+            )
+            .unwrap()
         };
         let motion_of = |drop, gap, double| {
             Cause::of_motion(&motion(drop, gap, double), &spacing(0.03, 0.0, 1e9), false).unwrap()

@@ -28,6 +28,7 @@ fn measured(critical: f64, pressure_pa: f64) -> Measured {
         largest: critical,
         steady: STEADY,
         pressure_pa,
+        film: None,
     }
 }
 
@@ -70,6 +71,34 @@ fn each_criterion_decides_at_its_limit() {
     all.double_collision_fraction = 0.9;
     all.speed_drop_fraction = 0.2;
     assert_eq!(decided(1.0, all).verdict, RacewayVerdict::Slips);
+}
+
+/// In oil two more criteria decide at their limits, and the critical gap may be a tenth larger.
+#[test]
+fn oil_has_limits_of_its_own() {
+    let case = structure(5.1, 25.2);
+    let beta0 = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
+    let of = |largest: f64, deficit_of_free: f64, opening_of_critical: f64| {
+        let oil = Measured {
+            largest: largest * STEADY,
+            film: Some(FilmEvidence {
+                lag_rad: 0.02,
+                speed_deficit: 0.07 * deficit_of_free,
+                opening_gap_rad: opening_of_critical * largest * STEADY,
+                free_share: 0.07,
+            }),
+            ..measured(beta0, PRESSURE)
+        };
+        decide(&case, &case.raceways[0], oil, statistics()).verdict
+    };
+    assert_eq!(of(1.0, 1.3 - 1e-9, 0.65 - 1e-9), RacewayVerdict::Smooth);
+    assert_eq!(of(1.0, 1.3 + 1e-9, 0.65 + 1e-9), RacewayVerdict::FilmQueue);
+    assert_eq!(of(1.0, 1.0, 0.65 + 1e-9), RacewayVerdict::FilmOutweighs);
+    assert_eq!(of(0.79, 1.0, 0.65 + 1e-9), RacewayVerdict::FilmOutweighs);
+    assert_eq!(of(1.1 - 1e-9, 1.0, 0.3), RacewayVerdict::Smooth);
+    assert_eq!(of(1.1 + 1e-9, 1.0, 0.3), RacewayVerdict::TooDeep);
+    assert_eq!(of(0.79, 1.0, 0.3), RacewayVerdict::TooShallow);
+    assert_eq!(of(1.0, f64::NAN, 0.3), RacewayVerdict::NotJudged);
 }
 
 /// A shallow raceway beside one that spreads the balls is none too many: the largest critical gap counts.

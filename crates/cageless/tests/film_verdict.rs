@@ -1,0 +1,95 @@
+//! The verdict on a raceway in oil, and beside it without.
+
+use crate::film::oil;
+use cageless::design::{
+    Judgement, RacewayVerdict, judge, recommend, steady_gap_rad, verdict_steps,
+};
+use cageless::film::Film;
+use cageless::prelude::*;
+use cageless::reference;
+
+fn go_on(_: f64) -> Control {
+    Control::Continue(())
+}
+
+fn judged(case: &Case) -> Judgement {
+    judge(case, &mut go_on).unwrap()
+}
+
+/// Structure (d) in flooded contacts.
+fn in_oil(mpa_s: f64) -> Case {
+    Case {
+        film: Some(Film::flooded(oil(mpa_s))),
+        ..reference::Structure::D.case()
+    }
+}
+
+/// The raceway of structure (d) works dry and in thin oil; from 17 mPa·s on oil spaces the balls more, at 40 they
+/// queue. Lags of a separate program: 1.952° and 4.93° ± 0.005°.
+#[test]
+fn oil_outweighs_a_raceway_and_makes_balls_queue() {
+    let dry = judged(&reference::Structure::D.case());
+    assert_eq!(
+        (dry.verdict, &dry.film, &dry.dry),
+        (RacewayVerdict::Smooth, &None, &None)
+    );
+    for (mpa_s, lag_deg, verdict, criterion) in [
+        (5.0, Some(1.952), RacewayVerdict::Smooth, "steady-gap"),
+        (
+            17.0,
+            Some(4.93),
+            RacewayVerdict::FilmOutweighs,
+            "film-outweighs",
+        ),
+        (40.0, None, RacewayVerdict::FilmQueue, "film-queue"),
+    ] {
+        let case = in_oil(mpa_s);
+        let wet = judged(&case);
+        assert_eq!(wet.verdict, verdict, "{mpa_s}: {}", wet.headline());
+        assert_eq!(wet.deciding.unwrap().name(), criterion, "{mpa_s}");
+        let film = wet.film.unwrap();
+        if let Some(lag_deg) = lag_deg {
+            let found_deg = film.lag_rad.to_degrees();
+            assert!((found_deg - lag_deg).abs() < 0.01, "{mpa_s}: {found_deg}");
+        }
+        let wider_rad = wet.steady_gap_rad.unwrap() - steady_gap_rad(&case.bearing, &case.raceways);
+        assert!(
+            (wider_rad - film.lag_rad / 14.0).abs() < 1e-12,
+            "{wider_rad}"
+        );
+        // Without oil to the bit what a dry case has.
+        assert_eq!(wet.dry.as_deref(), Some(&dry));
+    }
+}
+
+/// A deeper raceway serves thick oil and no dry bearing.
+#[test]
+fn a_raceway_for_oil_is_too_deep_without_it() {
+    let case = in_oil(20.0);
+    let deeper = crate::common::raceway(&case.bearing, 5.5, 25.2, 0.0);
+    let wet = judged(&case.with_raceways(vec![deeper]));
+    assert_eq!(wet.verdict, RacewayVerdict::Smooth, "{}", wet.headline());
+    assert_eq!(wet.dry.unwrap().verdict, RacewayVerdict::TooDeep);
+}
+
+/// Both runs are in the expected work; a film without supply judges as without one; the curve of Eq. (11) knows no film.
+#[test]
+fn the_dry_run_is_part_of_the_work() {
+    let dry = reference::Structure::D.case();
+    let mut case = in_oil(5.0);
+    assert!((verdict_steps(&case) / verdict_steps(&dry) - 2.0).abs() < 1e-9);
+    let mut fractions = vec![];
+    case.film.as_mut().unwrap().supply = 0.0;
+    let none = judge(&case, &mut |part| {
+        fractions.push(part);
+        Control::Continue(())
+    });
+    let none = none.unwrap();
+    assert!(fractions.is_sorted() && fractions.last().is_some_and(|&last| last <= 1.0));
+    let without = none.dry.as_ref().unwrap();
+    assert_eq!(none.film.unwrap().lag_rad, 0.0);
+    assert_eq!(none.critical_gap_rad, without.critical_gap_rad);
+    assert_eq!(none.passages, without.passages);
+    let entered = |_| Some(case.clone());
+    assert_eq!(recommend(&case, &entered, &mut go_on).unwrap(), None);
+}
