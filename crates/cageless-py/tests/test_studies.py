@@ -265,7 +265,7 @@ def test_the_tolerances_that_are_documented_are_those_of_the_command(command: Co
     option = r"--([\w-]+) <[^>]+>(?:(?!\n +--).)*?\[default: (.*?)\]"
     told = re.findall(option, command("tolerance", "--help").stdout, re.S)
     documented = re.findall(r"(\w+): .*? (\S+) if left out", cageless.Case.tolerance.__doc__ or "")
-    assert len(documented) == 10
+    assert len(documented) == 12
     assert documented == [(name.replace("-", "_"), value) for name, value in told]
 
 

@@ -5,6 +5,7 @@ const TOLERANCES = {
   samples: ["bearings drawn", ""], groove_depth_um: ["groove depth ±", "µm"], axial_span_um: ["lC ±", "µm"],
   half_angle_deg: ["θ ±", "°"], contact_angle_deg: ["contact angle of the raceway ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
   clearance_um: ["radial internal clearance Gr ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
+  viscosity_percent: ["oil viscosity ±", "%"], supply_factor: ["oil supply, factor", ""],
 };
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
 
