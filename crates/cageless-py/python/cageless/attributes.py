@@ -41,7 +41,7 @@ class RunAttributes:
     rolling_resistance_power_w: float  # power of rolling resistance, W
     rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
     half_turn_lag_deg: float  # lag of the balls over the half orbit away from the load, deg
-    film_speed_deficit_fraction: float  # share d of its speed that a ball loses
+    half_turn_deficit_fraction: float  # share of its speed that a ball loses over that half orbit
     inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
     outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     ball_pressure_max_mpa: float  # peak contact pressure, ball on ball, MPa
