@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::CaseFile;
-use cageless_io::plan_file::VariantFile;
 use cageless_io::results::{
     Metadata, ResultError, ResultFolder, RunWriter, bearing_folder, values_csv,
 };
@@ -253,24 +253,23 @@ impl CaseArgs {
 
 /// Reads the case of a command.
 pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    of_case(path, VariantFile::read(path, set)?)
+    of_case(path, Assembly::read(path, set)?)
 }
 
 /// [`read_case`] of a command that computes no motion.
 pub fn read_case_at_rest(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    of_case(path, VariantFile::read_at_rest(path, set)?)
+    of_case(path, Assembly::read_at_rest(path, set)?)
 }
 
-fn of_case(path: &Path, file: VariantFile) -> Result<CaseFile, Failure> {
-    match file {
-        VariantFile::Case(file) => Ok(*file),
-        VariantFile::Rotor(_) => Err(Failure::Input(format!(
+fn of_case(path: &Path, file: Assembly) -> Result<CaseFile, Failure> {
+    file.case().cloned().ok_or_else(|| {
+        Failure::Input(format!(
             "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \
              check` and the plans of `cageless sweep` take; for any other command give the case of one \
              bearing, the file that its [[bearing]] names as case",
             path.display()
-        ))),
-    }
+        ))
+    })
 }
 
 /// Prints text to stdout, without control sequences. A closed pipe (`cageless new | head`) is not an error.

@@ -19,6 +19,8 @@
 #![cfg_attr(not(feature = "files"), allow(dead_code))]
 
 #[cfg(feature = "files")]
+pub mod assembly;
+#[cfg(feature = "files")]
 pub mod cad;
 pub mod case_file;
 #[cfg(feature = "files")]

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::{CaseFile, on_former_name, template};
 use cageless_io::plan_file::PlanFile;
-use cageless_io::rotor_file::RotorFile;
 
 static NOTES: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
@@ -210,13 +210,16 @@ fn rotor_files_are_read_under_former_names_as_well() {
     listen();
     let parse = |[amount, angle]: [&str; 2], set: &[String]| {
         let text = ROTOR.replace("AMOUNT", amount).replace("ANGLE", angle);
-        RotorFile::parse(&text, "former-rotor.toml", &cases(), set).unwrap()
+        Assembly::parse(&text, "former-rotor.toml", &cases(), set).unwrap()
     };
     let present = ["amount_g_mm", "angle_deg"];
     let expected = parse(present, &[]);
     let found = parse(["moment_g_mm", "phase_deg"], &[]);
-    assert_eq!(found.document(), expected.document());
-    assert_eq!(found.document().rotor.unbalances[0].amount_g_mm, 200.0);
+    assert_eq!(found.rotor_file(), expected.rotor_file());
+    assert_eq!(
+        found.rotor_file().unwrap().rotor.unbalances[0].amount_g_mm,
+        200.0
+    );
     assert!(note("unbalance.moment_g_mm is now unbalance.amount_g_mm").is_some());
     for (key, now) in [
         ("unbalance.1.moment_g_mm", "unbalance.1.amount_g_mm"),
@@ -234,8 +237,8 @@ fn rotor_files_are_read_under_former_names_as_well() {
             parse(present, &[format!("{key}=190.0")]),
             parse(present, &[format!("{now}=190.0")]),
         );
-        assert_eq!(by_former.document(), by_present.document(), "{key}");
-        assert_ne!(by_former.document(), expected.document(), "{key}");
+        assert_eq!(by_former.rotor_file(), by_present.rotor_file(), "{key}");
+        assert_ne!(by_former.rotor_file(), expected.rotor_file(), "{key}");
     }
 }
 

@@ -4,9 +4,8 @@ use std::path::PathBuf;
 
 use cageless::dynamics::InstructionSet;
 use cageless_cli::Failure;
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::{self, CaseFile};
-use cageless_io::plan_file::VariantFile;
-use cageless_io::rotor_file::RotorFile;
 use cageless_study::measured::{Limits, measured};
 use pyo3::prelude::*;
 
@@ -15,7 +14,7 @@ use crate::rotor::LinearRotor;
 
 /// A case file or a rotor file that was read and checked.
 #[pyclass(frozen, module = "cageless._cageless")]
-pub struct File(pub VariantFile);
+pub struct File(pub Assembly);
 
 /// A commented case file.
 #[pyfunction]
@@ -40,8 +39,17 @@ fn case(file: CaseFile) -> File {
     File(file.into())
 }
 
-fn rotor(file: RotorFile) -> File {
-    File(file.into())
+/// A file of a rotor above several bearings, or one of a case.
+fn of_kind(of_rotor: bool, name: &str, file: Assembly) -> Found<File> {
+    match (of_rotor, file.rotor_file()) {
+        (true, None) => Err(input(format!(
+            "{name}: is a case, not a rotor with its [[bearing]]"
+        ))),
+        (false, Some(_)) => Err(input(format!(
+            "{name}: is a rotor with its [[bearing]], not a case"
+        ))),
+        _ => Ok(File(file)),
+    }
 }
 
 impl File {
@@ -56,10 +64,11 @@ impl File {
     /// Reads a case file, or a rotor file; `changes` are `section.key=value`.
     #[staticmethod]
     fn read(of_rotor: bool, path: PathBuf, changes: Vec<String>) -> Found<Self> {
-        Ok(match of_rotor {
-            false => case(CaseFile::read(&path, &changes)?),
-            true => rotor(RotorFile::read(&path, &changes)?),
-        })
+        of_kind(
+            of_rotor,
+            &path.display().to_string(),
+            Assembly::read(&path, &changes)?,
+        )
     }
 
     /// Reads the text of such a file, which messages call `name`; paths in it are relative to `folder`.
@@ -71,10 +80,11 @@ impl File {
         folder: PathBuf,
         changes: Vec<String>,
     ) -> Found<Self> {
-        Ok(match of_rotor {
-            false => case(CaseFile::parse(text, name, &changes)?),
-            true => rotor(RotorFile::parse(text, name, &folder, &changes)?),
-        })
+        of_kind(
+            of_rotor,
+            name,
+            Assembly::parse(text, name, &folder, &changes)?,
+        )
     }
 
     /// Takes the text of a case that was made of values, of whose lines its user knows nothing.
@@ -95,8 +105,13 @@ impl File {
     ) -> Found<Self> {
         let cases: Vec<_> = cases.iter().map(|file| file.case().clone()).collect();
         let of = &of.description;
-        let file = RotorFile::new(title, of, speed_rpm, drive_torque_n_m, &cases)?;
-        Ok(rotor(file))
+        Ok(File(Assembly::new(
+            title,
+            of,
+            speed_rpm,
+            drive_torque_n_m,
+            &cases,
+        )?))
     }
 
     /// The file with changes, each `section.key=value`.
@@ -124,18 +139,15 @@ impl File {
 
     /// The file with every default filled in; a rotor file with its cases and matrices.
     fn to_toml(&self) -> Found<String> {
-        Ok(match &self.0 {
-            VariantFile::Case(file) => file.document().to_toml()?,
-            VariantFile::Rotor(file) => file.document().to_toml()?,
-        })
+        Ok(self.0.to_toml()?)
     }
 
     /// The document as JSON, of a case `as_run` with derived values.
     fn document(&self, as_run: bool) -> Found<String> {
-        Ok(match &self.0 {
-            VariantFile::Case(file) if as_run => serde_json::to_string(&file.document_as_run())?,
-            VariantFile::Case(file) => serde_json::to_string(file.document())?,
-            VariantFile::Rotor(file) => serde_json::to_string(&file.document().to_value()?)?,
+        Ok(match self.0.case() {
+            Some(file) if as_run => serde_json::to_string(&file.document_as_run())?,
+            Some(file) => serde_json::to_string(file.document())?,
+            None => serde_json::to_string(&self.0.to_value()?)?,
         })
     }
 
@@ -156,18 +168,17 @@ impl File {
 
     /// The rotor above several bearings, if it is the file of one.
     fn rotor(&self) -> Found<Option<LinearRotor>> {
-        match &self.0 {
-            VariantFile::Case(_) => Ok(None),
-            VariantFile::Rotor(file) => LinearRotor::of(file.document().rotor.clone()).map(Some),
-        }
+        let file = self.0.rotor_file();
+        file.map(|file| LinearRotor::of(file.rotor.clone()))
+            .transpose()
     }
 
     /// The case of each bearing.
     fn cases(&self) -> Found<Vec<Self>> {
-        let VariantFile::Rotor(file) = &self.0 else {
+        let Some(file) = self.0.rotor_file() else {
             return Err(other("a case has no further cases"));
         };
-        let document = file.document().cases.iter().zip(1..);
+        let document = file.cases.iter().zip(1..);
         let of = document.map(|(document, k)| {
             CaseFile::from_document(document.clone(), &format!("bearing {k}"))
         });

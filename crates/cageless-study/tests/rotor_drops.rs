@@ -8,10 +8,10 @@ use crate::drops::{judged, studied};
 use cageless::IntegrationMethod;
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::CaseFile;
-use cageless_io::plan_file::VariantFile;
 use cageless_io::rotor_file::{
-    RotorBody, RotorClearance, RotorDescription, RotorFile, RotorPlace, RotorUnbalance,
+    RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance,
 };
 use cageless_study::drop::{DropRequest, FiledDrop, RotorRow, ensemble, study};
 use cageless_study::{Progress, Silent, StudyError, Workload, on_threads};
@@ -41,7 +41,7 @@ fn rigid(places_mm: &[f64]) -> RotorDescription {
 }
 
 /// A rotor with an unbalance in two bearings of which one is conventional.
-fn two_bearings(changes: &[&str]) -> RotorFile {
+fn two_bearings(changes: &[&str]) -> Assembly {
     let unbalance = RotorUnbalance {
         place: RotorPlace::AxialMm(30.0),
         amount_g_mm: 200.0,
@@ -52,7 +52,7 @@ fn two_bearings(changes: &[&str]) -> RotorFile {
         ..rigid(&[-100.0, 200.0])
     };
     let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, changes));
-    RotorFile::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
+    Assembly::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
 }
 
 fn unbalance_deg(rotor: &RotorRow) -> f64 {
@@ -71,15 +71,15 @@ fn unbalance_deg(rotor: &RotorRow) -> f64 {
 fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0015"]);
     let cases = std::slice::from_ref(&case);
-    let file = RotorFile::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
+    let file = Assembly::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
     let scatter = Scatter::default();
     let alone = FiledDrop {
         drop: RotorDrop::of_case(case.case()).unwrap(),
         files: cases,
     };
     let linear = FiledDrop {
-        drop: file.drop().clone(),
-        files: file.bearings(),
+        drop: file.drop().unwrap().clone(),
+        files: file.cases(),
     };
     let one = ensemble(&alone, 3, &scatter, &Silent).unwrap();
     let several = ensemble(&linear, 3, &scatter, &Silent).unwrap();
@@ -173,9 +173,9 @@ fn cancelled_drops_leave_the_drop_itself() {
         verify: true,
         ..DropRequest::default()
     };
-    let drop = file.drop().clone();
+    let drop = file.drop().unwrap().clone();
     let found = study(
-        &file.into(),
+        &file,
         drop,
         request,
         vec![None, None],
@@ -248,10 +248,10 @@ fn a_study_that_is_cancelled_after_its_drop_says_so() {
             0.5,
         ),
     ];
-    let file: VariantFile = bearing("touchdown-d.toml", &near).into();
-    for (file, cases) in [(file, 1), (two_bearings(&near).into(), 2)] {
+    let file: Assembly = bearing("touchdown-d.toml", &near).into();
+    for (file, cases) in [(file, 1), (two_bearings(&near), 2)] {
         let studied = |request: DropRequest, progress: &dyn Progress| {
-            let drop = file.drop().unwrap();
+            let drop = file.drop().unwrap().clone();
             let rows = (0..cases).map(|_| None).collect();
             study(&file, drop, request, rows, progress).unwrap()
         };
@@ -288,7 +288,7 @@ fn drops_in_succession_that_are_cancelled_are_not_judged() {
         "rotor.speed_rpm=300",
         "bearing.inner_ring_polar_inertia_kg_m2=5e-6",
     ];
-    let file: VariantFile = bearing("touchdown-d.toml", &sets).into();
+    let file: Assembly = bearing("touchdown-d.toml", &sets).into();
     let request = DropRequest {
         drops: Some(2),
         compare: true,
@@ -300,7 +300,7 @@ fn drops_in_succession_that_are_cancelled_are_not_judged() {
         workload: Mutex::default(),
         over: AtomicBool::new(false),
     };
-    let drop = file.drop().unwrap();
+    let drop = file.drop().unwrap().clone();
     let found = study(&file, drop, request, vec![None], &progress).unwrap();
     assert_eq!(found.succession.later.len(), 1);
     assert!(found.interrupted && found.conventional.is_none());
@@ -325,9 +325,9 @@ impl Progress for Ended {
 #[test]
 fn an_interrupted_drop_is_not_judged() {
     let near = ["rotor.y_um=-199", "rotor.vy_m_s=-0.06"];
-    let file: VariantFile = bearing("touchdown-d.toml", &near).into();
-    for (file, cases) in [(file, 1), (two_bearings(&near).into(), 2)] {
-        let drop = file.drop().unwrap();
+    let file: Assembly = bearing("touchdown-d.toml", &near).into();
+    for (file, cases) in [(file, 1), (two_bearings(&near), 2)] {
+        let drop = file.drop().unwrap().clone();
         let rows = drop.cases().iter().map(|_| None).collect();
         let found = study(&file, drop, DropRequest::default(), rows, &Ended).unwrap();
         let json: serde_json::Value = serde_json::from_str(&found.to_json(&file).unwrap()).unwrap();
@@ -358,14 +358,17 @@ fn an_interrupted_drop_is_not_judged() {
 #[test]
 fn a_free_bearing_has_no_weight_of_a_vertical_rotor() {
     let path = Path::new(CASES).join("rotors/vertical.toml");
-    let file = RotorFile::read(&path, &["solver.duration_s=0.0001".to_owned()]).unwrap();
-    let weight_n = file.rotor().mass_kg() * file.drop().cases()[0].operation.gravity_m_s2;
-    assert_eq!(file.drop().carried_n(), [Some(weight_n), None]);
+    let file = Assembly::read(&path, &["solver.duration_s=0.0001".to_owned()]).unwrap();
+    let drop = file.drop().unwrap();
+    let gravity_m_s2 = drop.cases()[0].operation.gravity_m_s2;
+    let weight_n = drop.rotor().unwrap().mass_kg() * gravity_m_s2;
+    assert_eq!(drop.carried_n(), [Some(weight_n), None]);
     // 392 N on 2e7 N/m: 19.6 µm.
     let clearance = |um: f64| {
         let set = format!("bearing.2.rotor.axial_clearance_um={um:?}");
         let own = ["bearing.1.rotor.axial_clearance_um=400".to_owned(), set];
-        RotorFile::read(&path, &own).unwrap().drop().carried_n()
+        let file = Assembly::read(&path, &own).unwrap();
+        file.drop().unwrap().carried_n()
     };
     assert_eq!(clearance(419.0), [Some(weight_n), Some(weight_n)]);
     assert_eq!(clearance(420.0), [Some(weight_n), None]);
@@ -384,7 +387,7 @@ fn a_free_bearing_has_no_weight_of_a_vertical_rotor() {
 fn results_of_a_rotor_are_no_case() {
     let file = two_bearings(&["solver.duration_s=0.0001"]);
     let found = studied(&file, DropRequest::default());
-    let json = found.to_json(&file.into()).unwrap();
+    let json = found.to_json(&file).unwrap();
     let error = CaseFile::parse(&json, "summary.json", &[]).unwrap_err();
     let message = error.to_string();
     assert!(message.contains("give the rotor file"), "{message}");
@@ -425,7 +428,7 @@ fn the_first_contacts_of_all_bearings_are_converged() {
     // Too long a step shows in both.
     let coarse = two_bearings(&["solver.duration_s=0.0012", "solver.step_us=2.5"]);
     assert_eq!(
-        coarse.drop().cases()[0].solver.method,
+        coarse.drop().unwrap().cases()[0].solver.method,
         IntegrationMethod::VelocityVerlet
     );
     let coarse = studied(&coarse, request).verification.unwrap();
@@ -448,11 +451,11 @@ fn a_rotor_is_judged_by_its_bearings_and_its_planes() {
         clearances: vec![plane("seal", 150.0, 150.0), plane("impeller", 250.0, 900.0)],
         ..rigid(&[-100.0, 200.0])
     };
-    let file = RotorFile::new("", &rotor, 30000.0, 0.0, &cases).unwrap();
+    let file = Assembly::new("", &rotor, 30000.0, 0.0, &cases).unwrap();
     // What is written reads the same.
-    let text = file.document().to_toml().unwrap();
-    let again = RotorFile::parse(&text, "again", Path::new(""), &[]).unwrap();
-    assert_eq!(again.document().rotor, rotor);
+    let text = file.to_toml().unwrap();
+    let again = Assembly::parse(&text, "again", Path::new(""), &[]).unwrap();
+    assert_eq!(again.rotor_file().unwrap().rotor, rotor);
     let found = studied(&file, DropRequest::default());
     let judgement = found.record.judgement();
     assert_eq!(judgement.passes(), Some(false));
@@ -461,8 +464,7 @@ fn a_rotor_is_judged_by_its_bearings_and_its_planes() {
         judgement.reasons()[0].starts_with("seal displaced by"),
         "{judgement:?}"
     );
-    let json: serde_json::Value =
-        serde_json::from_str(&found.to_json(&file.clone().into()).unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&found.to_json(&file).unwrap()).unwrap();
     assert_eq!(
         (&json["verdict"], &json["passes"]),
         (&"fail".into(), &false.into())
@@ -481,7 +483,7 @@ fn a_bearing_without_load_is_warned_of_and_has_no_weights() {
     let changes = ["solver.duration_s=0.002"];
     let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, &changes));
     let of = |places: &[f64]| {
-        let file = RotorFile::new("", &rigid(places), 30000.0, 0.0, &cases).unwrap();
+        let file = Assembly::new("", &rigid(places), 30000.0, 0.0, &cases).unwrap();
         studied(&file, DropRequest::default())
     };
     let found = of(&[0.0, 200.0]);

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless::simulation::Control;
+use cageless_io::assembly::Assembly;
 use cageless_io::plan_file::{PlanFile, difference};
 use cageless_io::results::Row;
-use cageless_io::rotor_file::{RotorFile, write_matrices};
+use cageless_io::rotor_file::write_matrices;
 use cageless_results::Cell;
 use cageless_results::quantities;
 use cageless_study::break_if;
@@ -53,7 +54,7 @@ fn drop(changes: &[&str]) -> DropStudy {
         .chain(changes)
         .map(|c| (*c).to_owned())
         .collect();
-    let file = RotorFile::read(Path::new(ROTOR), &set).unwrap();
+    let file = Assembly::read(Path::new(ROTOR), &set).unwrap();
     studied(&file, DropRequest::default())
 }
 
@@ -270,7 +271,7 @@ fn the_normal_form_holds_the_rotor_its_matrices_and_its_cases() {
     let of = |plan| {
         let file = Sweep::new(plan).unwrap().file(1).unwrap();
         let cases: Vec<_> = file.cases().iter().map(|c| c.case().clone()).collect();
-        (cases, file.drop())
+        (cases, file.drop().cloned())
     };
     let here = PlanFile::parse(text, "plan", folder.path()).unwrap();
     assert_eq!(of(again), of(here));

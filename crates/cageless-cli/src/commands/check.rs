@@ -2,11 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use cageless::linear_rotor::LinearRotor;
+use cageless::simulation::RotorDrop;
 use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
+use cageless_io::assembly::Assembly;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
-use cageless_io::plan_file::VariantFile;
-use cageless_io::rotor_file::RotorFile;
 use cageless_results::number_text::significant;
 use cageless_study::drop::rests;
 use serde::Serialize;
@@ -23,10 +24,12 @@ const NUMBERS: &str = "check.json";
 /// Checks a case, or the file of a rotor above several bearings.
 pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let (all, args) = (args.all, &args.case);
-    let file = match VariantFile::read(&args.case, &args.set)? {
-        VariantFile::Case(file) => file,
-        VariantFile::Rotor(file) => return check_rotor(args, &file),
-    };
+    let assembly = Assembly::read(&args.case, &args.set)?;
+    let linear = assembly.drop().and_then(|drop| Some((drop, drop.rotor()?)));
+    if let Some((drop, rotor)) = linear {
+        return check_rotor(args, &assembly, drop, rotor);
+    }
+    let file = &assembly.cases()[0];
     let bearing = &file.case().bearing;
     let d = bearing.dimensions();
     let mm = |pair: [f64; 2]| {
@@ -76,11 +79,11 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     if let Some(sentence) = &blend_not_simulated {
         lines.push(("blend of the exported ring", sentence.clone()));
     }
-    let speed_expansion_left_out = expansion_left_out([&*file]);
+    let speed_expansion_left_out = expansion_left_out([file]);
     lines.extend(expansion_line(&speed_expansion_left_out));
     lines.push(("steps of a run", steps_text(file.case())));
     let mut notes = check_warnings([file.case()]);
-    notes.extend(dry_motion(&file));
+    notes.extend(dry_motion(file));
     let assumptions = file.assumptions();
     for assumption in &assumptions {
         let (value, basis) = (assumption.value, assumption.basis);
@@ -164,7 +167,12 @@ fn motion_text(case: &Case) -> &'static str {
 }
 
 /// Checks a rotor file.
-fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
+fn check_rotor(
+    args: &CaseArgs,
+    assembly: &Assembly,
+    drop: &RotorDrop,
+    rotor: &LinearRotor,
+) -> Result<(), Failure> {
     /// `check.json`.
     #[derive(Serialize)]
     struct Checked {
@@ -178,10 +186,11 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
         speed_expansion_left_out: Option<String>,
         warnings: Vec<String>,
     }
-    let (rotor, cases) = (file.rotor(), file.drop().cases());
-    let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
+    let cases = drop.cases();
+    let at_speed = rotor.eigenvalues(drop.speed_rad_s());
     let at_speed = at_speed.ok_or_else(|| {
-        let (path, rpm) = (args.case.display(), file.document().speed_rpm);
+        let path = args.case.display();
+        let rpm = assembly.rotor_file().map_or(0.0, |file| file.speed_rpm);
         Failure::Input(format!(
             "{path}: rotor.speed_rpm = {rpm:?} is not possible: forces at this speed are beyond the \
              range of numbers"
@@ -195,7 +204,7 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
     frequencies.truncate(FREQUENCIES);
     let shares = rotor.mass_shares_kg();
     let step_us = 1e6 * cases[0].solver.step_s;
-    let speed_expansion_left_out = expansion_left_out(file.bearings());
+    let speed_expansion_left_out = expansion_left_out(assembly.cases());
     let mut lines = vec![
         ("rotor", format!("{} is valid", args.case.display())),
         ("bearings", cases.len().to_string()),
@@ -215,11 +224,11 @@ fn check_rotor(args: &CaseArgs, file: &RotorFile) -> Result<(), Failure> {
     ];
     lines.extend(expansion_line(&speed_expansion_left_out));
     let mut notes = check_warnings(cases);
-    notes.extend(rests(file.drop()));
+    notes.extend(rests(drop));
     let checked = Checked {
         valid: true,
-        cases: file
-            .bearings()
+        cases: assembly
+            .cases()
             .iter()
             .map(|b| b.document_as_run())
             .collect(),

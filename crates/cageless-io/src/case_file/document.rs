@@ -197,15 +197,27 @@ impl CaseDocument {
         self.to_toml_without(&[])
     }
 
+    /// The document as a value of TOML.
+    ///
+    /// # Errors
+    /// Those of [`CaseDocument::to_toml`].
+    #[cfg(feature = "files")]
+    pub fn to_value(&self) -> Result<toml::Value, CaseError> {
+        toml::Value::try_from(self).map_err(unwritable)
+    }
+
     /// The document as a case file without these dotted keys, those that took their default say;
     /// raceways are complete.
     ///
     /// # Errors
     /// Those of [`CaseDocument::to_toml`].
     pub fn to_toml_without(&self, left_out: &[String]) -> Result<String, CaseError> {
-        toml::to_string(&Without(self, left_out))
-            .map_err(|e| CaseError::of_file("case", format!("cannot be written as TOML: {e}")))
+        toml::to_string(&Without(self, left_out)).map_err(unwritable)
     }
+}
+
+fn unwritable(error: toml::ser::Error) -> CaseError {
+    CaseError::of_file("case", format!("cannot be written as TOML: {error}"))
 }
 
 /// A value in SI in the unit of a file: the conversion leaves rounding.

@@ -50,7 +50,7 @@ pub use overrides::Change;
 pub use reference::{RangeEnd, reference};
 pub use sections::bearing::Assumption;
 pub use sections::material::{MaterialHeat, MaterialPreset};
-pub(crate) use source::read_named;
+pub(crate) use source::{is_json, read_named, source};
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
@@ -93,34 +93,28 @@ impl CaseFile {
     /// A [`CaseError`] for anything but a complete and possible case: bad TOML,
     /// unknown or missing keys, wrong types, impossible values.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
-        Self::parse_with(text, name, overrides, step_limits::check)
-    }
-
-    /// [`Self::parse`] for a computation without steps, to which the step of the case is all one.
-    ///
-    /// # Errors
-    /// Those of [`Self::parse`], apart from that of a step too long for the method.
-    pub fn parse_at_rest(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
-        Self::parse_with(text, name, overrides, cageless::Case::check)
-    }
-
-    fn parse_with(
-        text: &str,
-        name: &str,
-        overrides: &[String],
-        check: Check,
-    ) -> Result<Self, CaseError> {
         let mut document = CaseDocument::parse(text, name)?;
         overrides::apply(&mut document.tree.root, overrides)?;
-        Ok(Self {
-            text: Some(text.to_owned()),
-            ..Self::checked_by(document, check)?
-        })
+        Ok(Self::of(document)?.with_text(text))
     }
 
     /// Completes and checks a document.
-    fn of(document: CaseDocument) -> Result<Self, CaseError> {
+    pub(crate) fn of(document: CaseDocument) -> Result<Self, CaseError> {
         Self::checked_by(document, step_limits::check)
+    }
+
+    /// [`Self::of`] for a computation without steps, to which the step of the case is all one.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_at_rest(document: CaseDocument) -> Result<Self, CaseError> {
+        Self::checked_by(document, cageless::Case::check)
+    }
+
+    /// The case with the text that it was read from.
+    pub(crate) fn with_text(self, text: &str) -> Self {
+        Self {
+            text: Some(text.to_owned()),
+            ..self
+        }
     }
 
     fn checked_by(mut document: CaseDocument, check: Check) -> Result<Self, CaseError> {

@@ -18,7 +18,7 @@ pub(crate) fn source(text: &str, name: &str) -> Result<spanned_toml::Section, Ca
     }
 }
 
-pub(super) fn is_json(text: &str) -> bool {
+pub(crate) fn is_json(text: &str) -> bool {
     let text = text.trim_start_matches('\u{feff}');
     text.trim_start().starts_with('{')
 }

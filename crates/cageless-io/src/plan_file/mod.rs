@@ -13,7 +13,6 @@
 //! Every error becomes one [`CaseError`], as in a case file.
 
 mod axis;
-mod base;
 mod conflict;
 mod key;
 mod keys;
@@ -23,11 +22,11 @@ mod read_axis;
 
 use cageless_results::Computation;
 
+use crate::assembly::{Assembly, AssemblyDocument};
 use crate::case_file::named::named;
 use crate::case_file::{CaseError, SectionTable};
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits};
-pub use base::{PlanBase, VariantFile};
 pub use key::{BALL_DEVIATIONS, GAPS, is_per_ball, is_whole, key_in_case, unit};
 pub use normal::{difference, shortened, text_of};
 
@@ -46,9 +45,9 @@ pub struct PlanFile {
     /// Seed of whatever is random, at most 2^63 − 1.
     pub seed: u64,
     /// The case or the rotor file, with the changes of `[set]`.
-    pub base: PlanBase,
+    pub base: AssemblyDocument,
     /// [`PlanFile::base`] as it is read, possible in itself.
-    pub base_file: VariantFile,
+    pub base_file: Assembly,
     /// Axes of the grid in the order of the case file's keys; the last varies fastest.
     pub grid: Vec<Axis>,
     /// Points in the space of further axes, taken for each node of the grid.

@@ -49,7 +49,7 @@ impl PlanFile {
                 lines.push(format!("scatter.{} = {law}", key.key));
             }
         }
-        let case = self.base_file.document()?;
+        let case = self.base_file.to_value()?;
         flatten("case", &case, &mut lines);
         Ok(lines.join("\n") + "\n")
     }

@@ -5,15 +5,13 @@ use std::path::Path;
 use super::conflict;
 use super::key::order;
 use super::keys::{BaseKeys, PLAN, PlanSections};
-use super::{PlanBase, PlanFile, Samples, Scatter, ScatteredKey, VariantFile};
+use super::{PlanFile, Samples, Scatter, ScatteredKey};
 use cageless_results::Computation;
 
+use crate::assembly::{Assembly, AssemblyDocument};
 use crate::case_file::sections::CASE_FILE;
 use crate::case_file::spanned_toml::{self, Node, Tree, Value};
-use crate::case_file::{
-    CaseDocument, CaseError, CaseValue, Change, former, keys, nearest, read_named,
-};
-use crate::rotor_file::RotorBase;
+use crate::case_file::{CaseError, CaseValue, Change, former, keys, nearest, read_named};
 use crate::rotor_file::address::{address, is_number};
 use crate::rotor_file::keys::ROTOR_FILE;
 
@@ -49,7 +47,7 @@ impl PlanFile {
         let case = base(&tree, folder)?;
         let reader = PlanReader {
             tree: &tree,
-            of_rotor: matches!(case, PlanBase::Rotor(_)),
+            of_rotor: case.is_rotor_file(),
         };
         let mut base = case.clone();
         let set = reader.set()?;
@@ -122,49 +120,31 @@ fn check_head(tree: &Tree) -> Result<(), CaseError> {
 }
 
 /// The case or the rotor file, unchanged.
-fn base(tree: &Tree, folder: &Path) -> Result<PlanBase, CaseError> {
+fn base(tree: &Tree, folder: &Path) -> Result<AssemblyDocument, CaseError> {
     let node = &tree.root["case"];
     match &node.value {
-        Value::Section(root) if RotorBase::is_in(root) => {
-            RotorBase::from_sections(root.clone(), &tree.name, folder).map(PlanBase::Rotor)
-        }
-        Value::Section(root) => {
-            let base = CaseDocument::from_sections(root.clone(), &tree.name);
-            Ok(PlanBase::Case(base))
-        }
-        Value::Text(path) => PlanBase::read(&folder.join(path))
+        Value::Section(root) => AssemblyDocument::from_sections(root.clone(), &tree.name, folder),
+        Value::Text(path) => AssemblyDocument::read(&folder.join(path))
             .map_err(|error| node.error_of_its_file(&tree.name, "case", error)),
         _ => Err(node.refusal(&tree.name, "case", "a path")),
     }
 }
 
 /// Refuses computations that are not of such a base.
-fn check_computations(
-    tree: &Tree,
-    list: &[Computation],
-    base: &VariantFile,
-) -> Result<(), CaseError> {
-    let foreign = match base {
-        VariantFile::Case(file) if file.case().rotor.is_none() => {
-            let drops = list.contains(&Computation::Drop);
-            drops.then(|| format!("\"drop\", but {}", keys::missing_rotor()))
-        }
-        VariantFile::Case(_) => None,
-        VariantFile::Rotor(_) => {
-            let other = list.iter().find(|c| **c != Computation::Drop);
-            other.map(|other| {
-                let other = other.name();
-                format!(
-                    "\"{other}\", which is for the case of one bearing; of a rotor on several there \
-                     is \"drop\""
-                )
-            })
-        }
+fn check_computations(tree: &Tree, list: &[Computation], base: &Assembly) -> Result<(), CaseError> {
+    let is_foreign = |computation: &&Computation| match **computation {
+        Computation::Drop => base.drop().is_none(),
+        _ => base.case().is_none(),
     };
-    match foreign {
-        Some(why) => Err(tree.error("compute", format!("compute has {why}"))),
-        None => Ok(()),
-    }
+    let why = match list.iter().find(is_foreign) {
+        None => return Ok(()),
+        Some(Computation::Drop) => format!("\"drop\", but {}", keys::missing_rotor()),
+        Some(other) => format!(
+            "\"{}\", which is for the case of one bearing; of a rotor on several there is \"drop\"",
+            other.name()
+        ),
+    };
+    Err(tree.error("compute", format!("compute has {why}")))
 }
 
 /// Reader of the keys of the base below the sections of a plan.
@@ -271,11 +251,9 @@ impl<'a> PlanReader<'a> {
             let what = format!("{path} is not a key of [{section}]");
             return refused(&path, &what, format.hint(section, key));
         }
-        if self.of_rotor {
-            let parts: Vec<&str> = path.split('.').collect();
-            if let Err(why) = address(&parts) {
-                return Err(self.error(node, &path, format!("{path}: {why}")));
-            }
+        let parts: Vec<&str> = path.split('.').collect();
+        if let Err(why) = address(self.of_rotor, &parts) {
+            return Err(self.error(node, &path, format!("{path}: {why}")));
         }
         if section == "search" {
             let what = format!("{path} is for `cageless design --search`");

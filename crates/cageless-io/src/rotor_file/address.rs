@@ -1,4 +1,4 @@
-//! Place of a key: in the rotor file, or in the case of one of its bearings or of all.
+//! Place of a key: in a rotor file, or in the case of one of its bearings or of all.
 
 use super::keys::{REPLACED, ROTOR_FILE};
 
@@ -11,13 +11,16 @@ pub(crate) enum Address<'k> {
     Case(Option<usize>, &'k [&'k str]),
 }
 
-/// The place of a key: `rotor.speed_rpm`, `bearing.2.axial_mm` and `unbalance.1.amount_g_mm` are
+/// The place of a key, in a case file its case; in a rotor file `rotor.speed_rpm`, `bearing.2.axial_mm` and `unbalance.1.amount_g_mm` are
 /// keys of the rotor file, `contact.damping_n_s_m1_5` is one of every case and `bearing.2.contact.damping_n_s_m1_5`
 /// one of the case of bearing 2. Whether the case has the key, its reader says.
 ///
 /// # Errors
 /// Why there is nothing to change at such a key.
-pub(crate) fn address<'k>(path: &'k [&'k str]) -> Result<Address<'k>, String> {
+pub(crate) fn address<'k>(in_rotor_file: bool, path: &'k [&'k str]) -> Result<Address<'k>, String> {
+    if !in_rotor_file {
+        return Ok(Address::Case(None, path));
+    }
     let of_rotor = |section: &str, key: &str| match (section, key) {
         ("rotor", "matrices") | ("bearing", "case") => {
             Err("stays as the rotor file gives it".to_owned())

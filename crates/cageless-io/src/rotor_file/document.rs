@@ -83,7 +83,7 @@ impl RotorFileDocument {
 
     /// The value of a key of the rotor, `section.key` or `section.2.key`, its default if it has
     /// one; `None` if it is left out or no key of the rotor.
-    pub(super) fn value(&self, key: &str) -> Option<CaseValue> {
+    pub(crate) fn value(&self, key: &str) -> Option<CaseValue> {
         let text = self.to_value().ok()?;
         let mut value = &text;
         for part in key.split('.') {

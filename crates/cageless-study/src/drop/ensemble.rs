@@ -218,7 +218,7 @@ pub(super) fn evaluate(drop: &RotorDrop, seed: u64, drops: Vec<DropRow>) -> Ense
 pub(super) mod tests {
     use std::path::Path;
 
-    use cageless_io::rotor_file::RotorFile;
+    use cageless_io::assembly::Assembly;
     use cageless_results::{Cell, DROP, DropJudgement, Results, Stopped};
 
     use super::*;
@@ -286,8 +286,12 @@ pub(super) mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/../../cases/rotors/two-bearings.toml"
         );
-        let file = RotorFile::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
-        let many = evaluate(file.drop(), file.bearings()[0].particulars().seed, drops);
+        let file = Assembly::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
+        let many = evaluate(
+            file.drop().unwrap(),
+            file.cases()[0].particulars().seed,
+            drops,
+        );
         assert_eq!((many.seed, many.completed), (3, 4));
         assert_eq!(many.stopped, ["in bearing 1 at t = 0.1 s"]);
         // Nothing is the mean or a quantile of the rest: by Wilson 1927 from 2 of 5 to 3 of 5.
@@ -308,7 +312,7 @@ pub(super) mod tests {
         let text = many.stopped_text().unwrap();
         assert!(text.starts_with("1 of 5 drops stopped, the first in bearing 1 at t = 0.1 s"));
 
-        let many = evaluate(file.drop(), 3, many.drops[..4].to_vec());
+        let many = evaluate(file.drop().unwrap(), 3, many.drops[..4].to_vec());
         assert_eq!(many.stopped_text(), None);
         assert_eq!(many.in_any_bearing.unwrap().fraction, Some(0.5));
         let fractions = [0, 1].map(|k: usize| many.bearings[k].backward_whirl.fraction);
@@ -344,8 +348,8 @@ pub(super) mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/../../cases/rotors/two-bearings.toml"
         );
-        let file = RotorFile::read(Path::new(path), &[]).unwrap();
-        let many = evaluate(file.drop(), 0, drops.collect());
+        let file = Assembly::read(Path::new(path), &[]).unwrap();
+        let many = evaluate(file.drop().unwrap(), 0, drops.collect());
         let found = &many.bearings[0].quantiles;
         for (name, expected) in [
             ("rotor_force_max_n", [1000.0, 1100.0, 1190.0, 1200.0]),

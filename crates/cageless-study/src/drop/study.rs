@@ -3,8 +3,8 @@
 use cageless::Case;
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::missing_rotor;
-use cageless_io::plan_file::VariantFile;
 use cageless_results::number_text::short;
 use cageless_results::{DropJudgement, DropResult, Record};
 
@@ -62,7 +62,7 @@ impl DropRequest {
     /// # Errors
     /// The case has no rotor, or one that cannot be dropped, the number of drops is impossible, or drops
     /// one after the other lack numbers of a material.
-    pub fn check(&self, file: &VariantFile, name: &str) -> Result<RotorDrop, StudyError> {
+    pub fn check(&self, file: &Assembly, name: &str) -> Result<RotorDrop, StudyError> {
         let missing = || {
             StudyError::Input(format!(
                 "{name}: {}; `cageless run` computes a bearing at speed",
@@ -70,7 +70,7 @@ impl DropRequest {
             ))
         };
         file.check_motion()?;
-        let drop = file.drop().ok_or_else(missing)?;
+        let drop = file.drop().cloned().ok_or_else(missing)?;
         for (option, count) in [("samples", self.samples), ("drops", self.drops)] {
             count.map_or(Ok(()), |count| check_drops(option, count))?;
         }
@@ -82,14 +82,11 @@ impl DropRequest {
 }
 
 /// Passes a file with all numbers of materials that drops one after the other need.
-fn check_heat(file: &VariantFile, name: &str, drops: u64) -> Result<(), StudyError> {
-    let cases = (1..).zip(file.cases());
+fn check_heat(file: &Assembly, name: &str, drops: u64) -> Result<(), StudyError> {
+    let cases = file.cases().iter().enumerate();
     let missing = cases.flat_map(|(k, case)| {
         let keys = case.missing_of_heat(drops > 1).into_iter();
-        keys.map(move |key| match file {
-            VariantFile::Case(_) => key.to_owned(),
-            VariantFile::Rotor(_) => format!("bearing.{k}.{key}"),
-        })
+        keys.map(move |key| file.key_in(k, key))
     });
     let missing: Vec<String> = missing.collect();
     match missing.is_empty() {
@@ -134,7 +131,7 @@ pub struct DropStudy {
 /// # Errors
 /// A bearing cannot start, or its rows could not be stored.
 pub fn study<'r>(
-    file: &VariantFile,
+    file: &Assembly,
     drop: RotorDrop,
     request: DropRequest,
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,

@@ -2,8 +2,8 @@
 
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::PARTS;
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::{CaseError, CaseFile};
-use cageless_io::plan_file::VariantFile;
 use cageless_results::number_text::short;
 use cageless_results::{
     DropJudgement, Quantity, Record, SuccessiveDrop, succession_record, table_of,
@@ -57,7 +57,7 @@ impl Succession {
     /// # Errors
     /// A bearing cannot start.
     pub fn new(
-        file: &VariantFile,
+        file: &Assembly,
         filed: &FiledDrop<'_>,
         first: &mut DropRecord,
         count: u64,
@@ -90,7 +90,9 @@ impl Succession {
                     return Ok(done);
                 }
             };
-            let Some(drop) = warmed.drop() else { break };
+            let Some(drop) = warmed.drop().cloned() else {
+                break;
+            };
             let files = warmed.cases();
             let drop = FiledDrop { drop, files };
             let none = files.iter().map(|_| None).collect();
@@ -259,15 +261,11 @@ fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
 /// The file with the temperatures at which its bearings are after the pause, and what they make of the
 /// touch-down clearances.
 fn warmed(
-    file: &VariantFile,
+    file: &Assembly,
     filed: &FiledDrop<'_>,
     standstill_c: &[[f64; PARTS]],
-) -> Result<VariantFile, CaseError> {
+) -> Result<Assembly, CaseError> {
     let drop = &filed.drop;
-    let prefix = |k: usize| match drop.rotor() {
-        None => String::new(),
-        Some(_) => format!("bearing.{}.", k + 1),
-    };
     let cases = || drop.cases().iter().enumerate();
     let start_c = filed.particulars().zip(standstill_c);
     let start_c: Vec<_> = start_c
@@ -275,7 +273,10 @@ fn warmed(
         .collect();
     let temperatures = cases().flat_map(|(k, _)| {
         let parts = TEMPERATURES.iter().zip(start_c[k]);
-        parts.map(move |(key, part_c)| format!("{}fit.{key}={part_c:?}", prefix(k)))
+        parts.map(move |(name, part_c)| {
+            let key = file.key_in(k, &format!("fit.{name}"));
+            format!("{key}={part_c:?}")
+        })
     });
     let warm = file.changed(&temperatures.collect::<Vec<_>>())?;
     // The bore grows with the inner ring; the rotor stays as it is.
@@ -286,7 +287,7 @@ fn warmed(
         let growth_m = bore.radius_m * fit.ring_expansion_per_k * rise_k;
         let cold_um = warm.cases()[k].document().number(CLEARANCE)?;
         let clearance_um = cold_um * (1.0 + growth_m / rotor.radial_clearance_m);
-        Some(format!("{}{CLEARANCE}={clearance_um:?}", prefix(k)))
+        Some(format!("{}={clearance_um:?}", file.key_in(k, CLEARANCE)))
     });
     warm.changed(&clearances.collect::<Vec<_>>())
 }

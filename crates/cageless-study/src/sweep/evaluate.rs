@@ -8,8 +8,9 @@ use cageless::design::judge;
 use cageless::equilibrium::settle;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
-use cageless_io::plan_file::{PlanFile, VariantFile};
+use cageless_io::plan_file::PlanFile;
 use cageless_io::results::{Column, ColumnKind, Row};
 use cageless_results::{Cell, Computation, DropRun, Judged, Solved, Subject};
 
@@ -37,7 +38,7 @@ pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
 /// Passes a file that these computations take.
-fn check_space(file: &VariantFile, compute: &[Computation]) -> Result<(), CaseError> {
+fn check_space(file: &Assembly, compute: &[Computation]) -> Result<(), CaseError> {
     let at_rest = |computation: &Computation| matches!(computation, Computation::Static);
     match compute.iter().all(at_rest) {
         true => Ok(()),
@@ -103,8 +104,8 @@ impl Sweep {
     /// Number of variants worth computing together: shorter ranges leave lanes of the
     /// vectors empty.
     pub fn together(&self) -> u64 {
-        let of_case = matches!(self.plan().base_file, VariantFile::Case(_));
-        if of_case && (self.wants(Computation::Run) || self.wants(Computation::Drop)) {
+        let of_case_file = self.plan().base_file.case().is_some();
+        if of_case_file && (self.wants(Computation::Run) || self.wants(Computation::Drop)) {
             BATCH_WIDTH as u64
         } else {
             1
@@ -128,7 +129,7 @@ impl Sweep {
     ///
     /// # Errors
     /// A [`CaseError`] if it is impossible.
-    pub fn file(&self, index: u64) -> Result<VariantFile, CaseError> {
+    pub fn file(&self, index: u64) -> Result<Assembly, CaseError> {
         self.variants.variant(index).1
     }
 
@@ -172,12 +173,8 @@ impl Sweep {
 
     /// What is computed of one variant after the other; `None` if cancelled.
     fn alone(&self, variant: &mut Variant<'_>, stop: Cancellation<'_>) -> Option<()> {
-        let Variant {
-            file: Some(VariantFile::Case(file)),
-            found,
-            ..
-        } = variant
-        else {
+        let Variant { file, found, .. } = variant;
+        let Some(file) = file.as_ref().and_then(Assembly::case) else {
             return Some(());
         };
         let case = file.case();
@@ -206,15 +203,12 @@ impl Sweep {
         if !self.wants(Computation::Run) {
             return Some(());
         }
-        let of_case = |variant| match variant {
-            &mut Variant {
-                file: Some(VariantFile::Case(ref file)),
-                ref mut found,
-                ..
-            } => Some((found, file.case().clone())),
-            _ => None,
-        };
-        let (found, cases): (Vec<_>, Vec<Case>) = batch.iter_mut().filter_map(of_case).unzip();
+        let of_case = batch.iter_mut().filter_map(|variant| {
+            let Variant { file, found, .. } = variant;
+            let file = file.as_ref()?.case()?;
+            Some((found, file.case().clone()))
+        });
+        let (found, cases): (Vec<_>, Vec<Case>) = of_case.unzip();
         let runs = run_together(&cases, RunRecorder::new, |_| Box::new(move |_| stop()))?;
         for ((found, case), run) in found.into_iter().zip(&cases).zip(runs) {
             match run {
@@ -236,7 +230,7 @@ impl Sweep {
         let dropped = batch.iter_mut().filter_map(|variant| {
             let Variant { file, found, .. } = variant;
             let file = file.as_ref()?;
-            let (drop, files) = (file.drop()?, file.cases());
+            let (drop, files) = (file.drop()?.clone(), file.cases());
             Some((found, FiledDrop { drop, files }))
         });
         let (found, drops): (Vec<_>, Vec<_>) = dropped.unzip();
@@ -267,7 +261,7 @@ struct Variant<'s> {
     index: u64,
     inputs: Vec<Cell>,
     /// `None` if it is impossible.
-    file: Option<VariantFile>,
+    file: Option<Assembly>,
     found: Found<'s>,
 }
 

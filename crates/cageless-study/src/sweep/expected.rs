@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use cageless::design::verdict_steps;
 use cageless::simulation::Control;
-use cageless_io::plan_file::VariantFile;
+use cageless_io::assembly::Assembly;
+use cageless_io::case_file::CaseFile;
 use cageless_results::Computation;
 use rayon::ThreadPool;
 
@@ -44,29 +45,29 @@ impl Sweep {
     pub fn task(&self, left: u64) -> Task {
         let probes = self.probes().count() as f64;
         let share = left as f64 / probes;
-        let files: Vec<VariantFile> = self
+        let files: Vec<Assembly> = self
             .probes()
             .filter_map(|index| self.file(index).ok())
             .collect();
-        let of_case = |file: &VariantFile| match file {
-            VariantFile::Case(file) => Some(file.case().clone()),
-            VariantFile::Rotor(_) => None,
-        };
-        let cases: Vec<_> = files.iter().filter_map(of_case).collect();
+        let cases = files.iter().filter_map(Assembly::case);
+        let cases: Vec<_> = cases.map(CaseFile::case).collect();
         let mut task = Task::new(TASK);
         let together = self.together().min(left.max(1)) as usize;
         let pieces = left.div_ceil(self.batch()) as usize;
         if let (Some(first), true) = (cases.first(), self.wants(Computation::Verdict)) {
-            let steps: f64 = cases.iter().map(verdict_steps).sum();
+            let steps: f64 = cases.iter().map(|case| verdict_steps(case)).sum();
             task = task.with(first, share * steps, pieces);
         }
         if let (Some(first), true) = (cases.first(), self.wants(Computation::Run)) {
             let steps: f64 = cases.iter().map(|case| case.solver.steps()).sum();
             task = task.with_batch(first, together, share * steps, pieces);
         }
-        let drops: Vec<_> = files.iter().filter_map(VariantFile::drop).collect();
+        let drops: Vec<_> = files.iter().filter_map(Assembly::drop).collect();
         if let (Some(first), true) = (drops.first(), self.wants(Computation::Drop)) {
-            let steps = drops.iter().map(crate::drop::steps).sum::<f64>();
+            let steps = drops
+                .iter()
+                .map(|drop| crate::drop::steps(drop))
+                .sum::<f64>();
             let together = worth_together(first).min(together);
             task = drop_task(task, first, together, share * steps, pieces);
         }

@@ -1,7 +1,7 @@
 //! Columns of results.
 
 use cageless_io::case_file::CaseError;
-use cageless_io::plan_file::{PlanFile, VariantFile};
+use cageless_io::plan_file::PlanFile;
 use cageless_io::results::{Column, ColumnKind};
 
 use cageless_results::{Cell, DropRun, Kind, Quantity, SPACE, quantities};
@@ -90,9 +90,10 @@ pub(crate) fn outputs(plan: &PlanFile, in_space: bool) -> Result<Vec<Output>, Ca
 /// Every column that the base of a plan can have: those of the rotor as a whole, then those of each
 /// bearing.
 fn all(plan: &PlanFile) -> impl Iterator<Item = Output> {
-    let bearings = match &plan.base_file {
-        VariantFile::Case(_) => 0,
-        VariantFile::Rotor(file) => file.bearings().len(),
+    let base = &plan.base_file;
+    let bearings = match base.case() {
+        Some(_) => 0,
+        None => base.cases().len(),
     };
     let in_sweeps = || quantities().filter(|quantity| quantity.in_sweeps);
     let whole = in_sweeps().filter(move |quantity| match bearings {

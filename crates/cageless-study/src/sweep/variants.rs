@@ -2,10 +2,11 @@
 
 use cageless::Gaps;
 use cageless::numerics::random::RandomStream;
+use cageless_io::assembly::Assembly;
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
-    Axis, BALL_DEVIATIONS, GAPS, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, VariantFile,
-    is_per_ball, is_whole, key_in_case, twelve_digits, unit,
+    Axis, BALL_DEVIATIONS, GAPS, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, is_per_ball,
+    is_whole, key_in_case, twelve_digits, unit,
 };
 use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
@@ -59,7 +60,7 @@ impl Variants {
     }
 
     /// The inputs of a variant and its case or rotor, or why there is none.
-    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<VariantFile, CaseError>) {
+    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<Assembly, CaseError>) {
         let (settings, failed) = self.settings(index);
         let cells = self.cells(&settings);
         let case = match failed {
@@ -69,7 +70,7 @@ impl Variants {
         (cells, case)
     }
 
-    fn read(&self, settings: &[Setting<'_>]) -> Result<VariantFile, CaseError> {
+    fn read(&self, settings: &[Setting<'_>]) -> Result<Assembly, CaseError> {
         let changes = settings.iter();
         let changes: Vec<_> = changes
             .map(|s| Change::new(s.key, &s.value, (&self.plan.name, s.line)))
