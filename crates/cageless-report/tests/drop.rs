@@ -143,7 +143,6 @@ fn a_seal_that_the_rotor_meets_leads_the_page() {
     let text = text.replace("../", &format!("{}/", cases.display())) + seals;
     let changes = ["solver.duration_s=0.02".to_owned()];
     let file = Assembly::parse(&text, "rotor.toml", Path::new("."), &changes).unwrap();
-    let file = Assembly::from(file);
     let study = studied(&file, DropRequest::default());
     let page = drop_page(&file, &study);
     let rotor = study.record.rotor.as_ref().unwrap();
