@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{
     Metadata, ResultError, ResultFolder, RunWriter, bearing_folder, values_csv,
@@ -253,15 +253,15 @@ impl CaseArgs {
 
 /// Reads the case of a command.
 pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    of_case(path, Assembly::read(path, set)?)
+    of_case(path, BearingArrangement::read(path, set)?)
 }
 
 /// [`read_case`] of a command that computes no motion.
 pub fn read_case_at_rest(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    of_case(path, Assembly::read_at_rest(path, set)?)
+    of_case(path, BearingArrangement::read_at_rest(path, set)?)
 }
 
-fn of_case(path: &Path, file: Assembly) -> Result<CaseFile, Failure> {
+fn of_case(path: &Path, file: BearingArrangement) -> Result<CaseFile, Failure> {
     file.case().cloned().ok_or_else(|| {
         Failure::Input(format!(
             "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \

@@ -19,7 +19,7 @@
 #![cfg_attr(not(feature = "files"), allow(dead_code))]
 
 #[cfg(feature = "files")]
-pub mod assembly;
+pub mod arrangement;
 #[cfg(feature = "files")]
 pub mod cad;
 pub mod case_file;

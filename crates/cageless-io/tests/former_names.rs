@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseFile, on_former_name, template};
 use cageless_io::plan_file::PlanFile;
 
@@ -210,7 +210,7 @@ fn rotor_files_are_read_under_former_names_as_well() {
     listen();
     let parse = |[amount, angle]: [&str; 2], set: &[String]| {
         let text = ROTOR.replace("AMOUNT", amount).replace("ANGLE", angle);
-        Assembly::parse(&text, "former-rotor.toml", &cases(), set).unwrap()
+        BearingArrangement::parse(&text, "former-rotor.toml", &cases(), set).unwrap()
     };
     let present = ["amount_g_mm", "angle_deg"];
     let expected = parse(present, &[]);

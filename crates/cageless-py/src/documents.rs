@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use cageless::dynamics::InstructionSet;
 use cageless_cli::Failure;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{self, CaseFile};
 use cageless_study::measured::{Limits, measured};
 use pyo3::prelude::*;
@@ -14,7 +14,7 @@ use crate::rotor::LinearRotor;
 
 /// A case file or a rotor file that was read and checked.
 #[pyclass(frozen, module = "cageless._cageless")]
-pub struct File(pub Assembly);
+pub struct File(pub BearingArrangement);
 
 /// A commented case file.
 #[pyfunction]
@@ -40,7 +40,7 @@ fn case(file: CaseFile) -> File {
 }
 
 /// A file of a rotor above several bearings, or one of a case.
-fn of_kind(of_rotor: bool, name: &str, file: Assembly) -> Found<File> {
+fn of_kind(of_rotor: bool, name: &str, file: BearingArrangement) -> Found<File> {
     match (of_rotor, file.rotor_file()) {
         (true, None) => Err(input(format!(
             "{name}: is a case, not a rotor with its [[bearing]]"
@@ -67,7 +67,7 @@ impl File {
         of_kind(
             of_rotor,
             &path.display().to_string(),
-            Assembly::read(&path, &changes)?,
+            BearingArrangement::read(&path, &changes)?,
         )
     }
 
@@ -83,7 +83,7 @@ impl File {
         of_kind(
             of_rotor,
             name,
-            Assembly::parse(text, name, &folder, &changes)?,
+            BearingArrangement::parse(text, name, &folder, &changes)?,
         )
     }
 
@@ -105,7 +105,7 @@ impl File {
     ) -> Found<Self> {
         let cases: Vec<_> = cases.iter().map(|file| file.case().clone()).collect();
         let of = &of.description;
-        Ok(File(Assembly::new(
+        Ok(File(BearingArrangement::new(
             title,
             of,
             speed_rpm,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_report::drop::drop_page;
 use cageless_report::figures::{in_page, of_kind};
 use cageless_study::Silent;
@@ -21,7 +21,7 @@ fn decode(steps: &Value) -> Vec<f64> {
         .collect()
 }
 
-fn studied(file: &Assembly, request: DropRequest) -> DropStudy {
+fn studied(file: &BearingArrangement, request: DropRequest) -> DropStudy {
     let drop = request.check(file, "file").unwrap();
     let rows = drop.cases().iter().map(|_| None).collect();
     study(file, drop, request, rows, &Silent).unwrap()
@@ -30,7 +30,7 @@ fn studied(file: &Assembly, request: DropRequest) -> DropStudy {
 #[test]
 fn the_animation_shows_the_rotor_in_the_bore() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/touchdown-d.toml");
-    let file = Assembly::read(&path, &["solver.duration_s=0.007".to_owned()]).unwrap();
+    let file = BearingArrangement::read(&path, &["solver.duration_s=0.007".to_owned()]).unwrap();
     let request = DropRequest {
         compare: true,
         samples: Some(2),
@@ -90,7 +90,7 @@ fn the_orbit_is_that_of_the_journal_in_the_ring_and_the_displacement_that_in_the
         "rotor.eccentricity_um=20",
         "rotor.clearance_limit_um=400",
     ];
-    let file = Assembly::read(&path, &changes.map(str::to_owned)).unwrap();
+    let file = BearingArrangement::read(&path, &changes.map(str::to_owned)).unwrap();
     let study = studied(&file, DropRequest::default());
     let page = drop_page(&file, &study);
     let paths = ["orbit", "displacement"].map(|f| trace(&page, f, "centre of the journal"));
@@ -142,7 +142,7 @@ fn a_seal_that_the_rotor_meets_leads_the_page() {
                  [[clearance]]\nname = \"turbine wheel\"\naxial_mm = 280.0\nradial_um = 900.0\n";
     let text = text.replace("../", &format!("{}/", cases.display())) + seals;
     let changes = ["solver.duration_s=0.02".to_owned()];
-    let file = Assembly::parse(&text, "rotor.toml", Path::new("."), &changes).unwrap();
+    let file = BearingArrangement::parse(&text, "rotor.toml", Path::new("."), &changes).unwrap();
     let study = studied(&file, DropRequest::default());
     let page = drop_page(&file, &study);
     let rotor = study.record.rotor.as_ref().unwrap();
@@ -200,7 +200,7 @@ fn a_seal_that_the_rotor_meets_leads_the_page() {
 #[test]
 fn rounding_is_no_motion_along_the_axis() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/touchdown-pair.toml");
-    let file = Assembly::read(&path, &["solver.duration_s=0.00005".to_owned()]).unwrap();
+    let file = BearingArrangement::read(&path, &["solver.duration_s=0.00005".to_owned()]).unwrap();
     let mut study = studied(&file, DropRequest::default());
     for (way_m, shown) in [(1e-12, false), (1e-8, true)] {
         for (k, row) in (0..).zip(&mut study.record.bearings[0].snapshots) {

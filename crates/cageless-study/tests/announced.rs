@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use cageless::design::{axial_critical_gap_rad, axial_lag, axial_sample};
 use cageless::simulation::{Control, steps_of_thread};
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::plan_file::PlanFile;
 use cageless_study::comparison::{Sampling, compare};
@@ -97,7 +97,7 @@ fn runs_are_announced_as_they_are() {
             .join("../../cases")
             .join(path);
         let set = ["solver.duration_s=0.002".to_owned()];
-        let file = Assembly::read(&path, &set).unwrap();
+        let file = BearingArrangement::read(&path, &set).unwrap();
         let drop = request.check(&file, "drop").unwrap();
         let rows = drop.cases().iter().map(|_| None).collect();
         steps(|progress| {

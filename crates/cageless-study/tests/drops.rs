@@ -9,7 +9,7 @@ use cageless::simulation::{
     Cause, Control, Ending, ObserverError, RunOutcome, Stop, run as run_case,
 };
 use cageless::touchdown::{DropRecorder, DropSummary};
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::PlanFile;
 use cageless_results::Cell;
@@ -112,7 +112,7 @@ fn contacts_in_a_run_are_counted_by_their_approach_speed() {
 }
 
 /// The study of the drop of a file.
-pub fn studied<F: Clone + Into<Assembly>>(file: &F, request: DropRequest) -> DropStudy {
+pub fn studied<F: Clone + Into<BearingArrangement>>(file: &F, request: DropRequest) -> DropStudy {
     let file = file.clone().into();
     let drop = request.check(&file, "file").unwrap();
     let rows = drop.cases().iter().map(|_| None).collect();
@@ -515,7 +515,7 @@ fn a_pair_carries_a_rotor_with_both_rows() {
             format!("rotor.mass_kg={mass_kg}"),
             "solver.duration_s=0.0066".to_owned(),
         ];
-        let file = Assembly::read(&path, &set).unwrap();
+        let file = BearingArrangement::read(&path, &set).unwrap();
         let found = studied(&file, DropRequest::default());
         let result = &found.record.bearings[0].result;
         result.judgement.reasons().join("; ")

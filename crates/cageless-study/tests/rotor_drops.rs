@@ -8,7 +8,7 @@ use crate::drops::{judged, studied};
 use cageless::IntegrationMethod;
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_io::rotor_file::{
     RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance,
@@ -41,7 +41,7 @@ fn rigid(places_mm: &[f64]) -> RotorDescription {
 }
 
 /// A rotor with an unbalance in two bearings of which one is conventional.
-fn two_bearings(changes: &[&str]) -> Assembly {
+fn two_bearings(changes: &[&str]) -> BearingArrangement {
     let unbalance = RotorUnbalance {
         place: RotorPlace::AxialMm(30.0),
         amount_g_mm: 200.0,
@@ -52,7 +52,7 @@ fn two_bearings(changes: &[&str]) -> Assembly {
         ..rigid(&[-100.0, 200.0])
     };
     let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, changes));
-    Assembly::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
+    BearingArrangement::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
 }
 
 fn unbalance_deg(rotor: &RotorRow) -> f64 {
@@ -71,7 +71,7 @@ fn unbalance_deg(rotor: &RotorRow) -> f64 {
 fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0015"]);
     let cases = std::slice::from_ref(&case);
-    let file = Assembly::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
+    let file = BearingArrangement::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
     let scatter = Scatter::default();
     let alone = FiledDrop {
         drop: RotorDrop::of_case(case.case()).unwrap(),
@@ -248,7 +248,7 @@ fn a_study_that_is_cancelled_after_its_drop_says_so() {
             0.5,
         ),
     ];
-    let file: Assembly = bearing("touchdown-d.toml", &near).into();
+    let file: BearingArrangement = bearing("touchdown-d.toml", &near).into();
     for (file, cases) in [(file, 1), (two_bearings(&near), 2)] {
         let studied = |request: DropRequest, progress: &dyn Progress| {
             let drop = file.drop().unwrap().clone();
@@ -288,7 +288,7 @@ fn drops_in_succession_that_are_cancelled_are_not_judged() {
         "rotor.speed_rpm=300",
         "bearing.inner_ring_polar_inertia_kg_m2=5e-6",
     ];
-    let file: Assembly = bearing("touchdown-d.toml", &sets).into();
+    let file: BearingArrangement = bearing("touchdown-d.toml", &sets).into();
     let request = DropRequest {
         drops: Some(2),
         compare: true,
@@ -325,7 +325,7 @@ impl Progress for Ended {
 #[test]
 fn an_interrupted_drop_is_not_judged() {
     let near = ["rotor.y_um=-199", "rotor.vy_m_s=-0.06"];
-    let file: Assembly = bearing("touchdown-d.toml", &near).into();
+    let file: BearingArrangement = bearing("touchdown-d.toml", &near).into();
     for (file, cases) in [(file, 1), (two_bearings(&near), 2)] {
         let drop = file.drop().unwrap().clone();
         let rows = drop.cases().iter().map(|_| None).collect();
@@ -358,7 +358,7 @@ fn an_interrupted_drop_is_not_judged() {
 #[test]
 fn a_free_bearing_has_no_weight_of_a_vertical_rotor() {
     let path = Path::new(CASES).join("rotors/vertical.toml");
-    let file = Assembly::read(&path, &["solver.duration_s=0.0001".to_owned()]).unwrap();
+    let file = BearingArrangement::read(&path, &["solver.duration_s=0.0001".to_owned()]).unwrap();
     let drop = file.drop().unwrap();
     let gravity_m_s2 = drop.cases()[0].operation.gravity_m_s2;
     let weight_n = drop.rotor().unwrap().mass_kg() * gravity_m_s2;
@@ -367,7 +367,7 @@ fn a_free_bearing_has_no_weight_of_a_vertical_rotor() {
     let clearance = |um: f64| {
         let set = format!("bearing.2.rotor.axial_clearance_um={um:?}");
         let own = ["bearing.1.rotor.axial_clearance_um=400".to_owned(), set];
-        let file = Assembly::read(&path, &own).unwrap();
+        let file = BearingArrangement::read(&path, &own).unwrap();
         file.drop().unwrap().carried_n()
     };
     assert_eq!(clearance(419.0), [Some(weight_n), Some(weight_n)]);
@@ -451,10 +451,10 @@ fn a_rotor_is_judged_by_its_bearings_and_its_planes() {
         clearances: vec![plane("seal", 150.0, 150.0), plane("impeller", 250.0, 900.0)],
         ..rigid(&[-100.0, 200.0])
     };
-    let file = Assembly::new("", &rotor, 30000.0, 0.0, &cases).unwrap();
+    let file = BearingArrangement::new("", &rotor, 30000.0, 0.0, &cases).unwrap();
     // What is written reads the same.
     let text = file.to_toml().unwrap();
-    let again = Assembly::parse(&text, "again", Path::new(""), &[]).unwrap();
+    let again = BearingArrangement::parse(&text, "again", Path::new(""), &[]).unwrap();
     assert_eq!(again.rotor_file().unwrap().rotor, rotor);
     let found = studied(&file, DropRequest::default());
     let judgement = found.record.judgement();
@@ -483,7 +483,7 @@ fn a_bearing_without_load_is_warned_of_and_has_no_weights() {
     let changes = ["solver.duration_s=0.002"];
     let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, &changes));
     let of = |places: &[f64]| {
-        let file = Assembly::new("", &rigid(places), 30000.0, 0.0, &cases).unwrap();
+        let file = BearingArrangement::new("", &rigid(places), 30000.0, 0.0, &cases).unwrap();
         studied(&file, DropRequest::default())
     };
     let found = of(&[0.0, 200.0]);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless::simulation::Control;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::plan_file::{PlanFile, difference};
 use cageless_io::results::Row;
 use cageless_io::rotor_file::write_matrices;
@@ -54,7 +54,7 @@ fn drop(changes: &[&str]) -> DropStudy {
         .chain(changes)
         .map(|c| (*c).to_owned())
         .collect();
-    let file = Assembly::read(Path::new(ROTOR), &set).unwrap();
+    let file = BearingArrangement::read(Path::new(ROTOR), &set).unwrap();
     studied(&file, DropRequest::default())
 }
 

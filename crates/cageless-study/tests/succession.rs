@@ -2,21 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_results::Record;
 use cageless_study::Silent;
 use cageless_study::drop::{DropRequest, DropStudy, study};
 
-fn file(name: &str, sets: &[&str]) -> Assembly {
+fn file(name: &str, sets: &[&str]) -> BearingArrangement {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../cases")
         .join(name);
     let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
-    Assembly::read(&path, &sets).unwrap()
+    BearingArrangement::read(&path, &sets).unwrap()
 }
 
-fn dropped(file: &Assembly, drops: u64) -> DropStudy {
+fn dropped(file: &BearingArrangement, drops: u64) -> DropStudy {
     let request = DropRequest {
         drops: Some(drops),
         ..DropRequest::default()
@@ -157,7 +157,7 @@ fn a_rotor_in_two_bearings_heats_both() {
     let path = dir.path().join("rotor.toml");
     std::fs::write(&path, text.replace("../", &format!("{cases}/")) + seal).unwrap();
     let short = sets.map(|set| set.replace("duration_s=0.2", "duration_s=0.02"));
-    let sealed = dropped(&Assembly::read(&path, &short).unwrap(), 2);
+    let sealed = dropped(&BearingArrangement::read(&path, &short).unwrap(), 2);
     let (drop, reasons) = sealed.succession.first("fail").unwrap();
     assert!(
         drop == 1 && reasons.contains("seal displaced by"),
@@ -236,7 +236,7 @@ fn a_later_drop_beyond_a_limit_fails() {
         let text = format!("{text}{limit}{most_c:?}\n");
         let sets = [&BRAKED[..], &["rotor.speed_rpm=600"]].concat();
         let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
-        Assembly::from(CaseFile::parse(&text, "case.toml", &sets).unwrap())
+        BearingArrangement::from(CaseFile::parse(&text, "case.toml", &sets).unwrap())
     };
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
     let free = dropped(&limit(path, 1e3), 3);

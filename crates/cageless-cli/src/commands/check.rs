@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::RotorDrop;
 use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
 use cageless_results::number_text::significant;
@@ -24,12 +24,14 @@ const NUMBERS: &str = "check.json";
 /// Checks a case, or the file of a rotor above several bearings.
 pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let (all, args) = (args.all, &args.case);
-    let assembly = Assembly::read(&args.case, &args.set)?;
-    let linear = assembly.drop().and_then(|drop| Some((drop, drop.rotor()?)));
+    let arrangement = BearingArrangement::read(&args.case, &args.set)?;
+    let linear = arrangement
+        .drop()
+        .and_then(|drop| Some((drop, drop.rotor()?)));
     if let Some((drop, rotor)) = linear {
-        return check_rotor(args, &assembly, drop, rotor);
+        return check_rotor(args, &arrangement, drop, rotor);
     }
-    let file = &assembly.cases()[0];
+    let file = &arrangement.cases()[0];
     let bearing = &file.case().bearing;
     let d = bearing.dimensions();
     let mm = |pair: [f64; 2]| {
@@ -169,7 +171,7 @@ fn motion_text(case: &Case) -> &'static str {
 /// Checks a rotor file.
 fn check_rotor(
     args: &CaseArgs,
-    assembly: &Assembly,
+    arrangement: &BearingArrangement,
     drop: &RotorDrop,
     rotor: &LinearRotor,
 ) -> Result<(), Failure> {
@@ -190,7 +192,7 @@ fn check_rotor(
     let at_speed = rotor.eigenvalues(drop.speed_rad_s());
     let at_speed = at_speed.ok_or_else(|| {
         let path = args.case.display();
-        let rpm = assembly.rotor_file().map_or(0.0, |file| file.speed_rpm);
+        let rpm = arrangement.rotor_file().map_or(0.0, |file| file.speed_rpm);
         Failure::Input(format!(
             "{path}: rotor.speed_rpm = {rpm:?} is not possible: forces at this speed are beyond the \
              range of numbers"
@@ -204,7 +206,7 @@ fn check_rotor(
     frequencies.truncate(FREQUENCIES);
     let shares = rotor.mass_shares_kg();
     let step_us = 1e6 * cases[0].solver.step_s;
-    let speed_expansion_left_out = expansion_left_out(assembly.cases());
+    let speed_expansion_left_out = expansion_left_out(arrangement.cases());
     let mut lines = vec![
         ("rotor", format!("{} is valid", args.case.display())),
         ("bearings", cases.len().to_string()),
@@ -227,7 +229,7 @@ fn check_rotor(
     notes.extend(rests(drop));
     let checked = Checked {
         valid: true,
-        cases: assembly
+        cases: arrangement
             .cases()
             .iter()
             .map(|b| b.document_as_run())

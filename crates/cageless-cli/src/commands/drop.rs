@@ -1,6 +1,6 @@
 //! `cageless drop`.
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::results::{ROTOR, SUMMARY};
 use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
@@ -21,7 +21,7 @@ const REST_INTERRUPTED: &str = "interrupted: the drop itself is complete.";
 /// Drops a rotor into its bearings. Below a linear rotor the tables of each go to a folder of its own.
 pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let path = &args.case.case;
-    let file = Assembly::read(path, &args.case.set)?;
+    let file = BearingArrangement::read(path, &args.case.set)?;
     let request = DropRequest {
         compare: args.compare == Some(Reference::Conventional),
         samples: args.samples,

@@ -2,14 +2,14 @@
 
 use super::key::{covers, say_the_same};
 use super::{Axis, PlanFile};
-use crate::assembly::AssemblyDocument;
+use crate::arrangement::ArrangementDocument;
 use crate::case_file::{CaseError, Change};
 
 /// Refuses two axes of one key or quantity, scattered keys of which one is part of another or of an axis, and
 /// changes to `case` in `[set]` that an axis undoes.
 pub(super) fn check(
     plan: &PlanFile,
-    case: &AssemblyDocument,
+    case: &ArrangementDocument,
     changes: &[Change<'_>],
 ) -> Result<(), CaseError> {
     let samples = plan.samples.iter().flat_map(|s| &s.axes);
@@ -66,7 +66,7 @@ fn twice<'a>(axes: &[&'a Axis]) -> Option<(&'a Axis, &'a Axis)> {
 }
 
 /// Whether there is a case without this one of the changes.
-fn is_possible_without(case: &AssemblyDocument, changes: &[Change<'_>], key: &str) -> bool {
+fn is_possible_without(case: &ArrangementDocument, changes: &[Change<'_>], key: &str) -> bool {
     let others = changes.iter().filter(|change| change.key != key);
     let others: Vec<_> = others.copied().collect();
     case.with(&others).is_ok()

@@ -22,7 +22,7 @@ mod read_axis;
 
 use cageless_results::Computation;
 
-use crate::assembly::{Assembly, AssemblyDocument};
+use crate::arrangement::{ArrangementDocument, BearingArrangement};
 use crate::case_file::named::named;
 use crate::case_file::{CaseError, SectionTable};
 
@@ -45,9 +45,9 @@ pub struct PlanFile {
     /// Seed of whatever is random, at most 2^63 − 1.
     pub seed: u64,
     /// The case or the rotor file, with the changes of `[set]`.
-    pub base: AssemblyDocument,
+    pub base: ArrangementDocument,
     /// [`PlanFile::base`] as it is read, possible in itself.
-    pub base_file: Assembly,
+    pub base_file: BearingArrangement,
     /// Axes of the grid in the order of the case file's keys; the last varies fastest.
     pub grid: Vec<Axis>,
     /// Points in the space of further axes, taken for each node of the grid.

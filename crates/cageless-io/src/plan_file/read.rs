@@ -8,7 +8,7 @@ use super::keys::{BaseKeys, PLAN, PlanSections};
 use super::{PlanFile, Samples, Scatter, ScatteredKey};
 use cageless_results::Computation;
 
-use crate::assembly::{Assembly, AssemblyDocument};
+use crate::arrangement::{ArrangementDocument, BearingArrangement};
 use crate::case_file::sections::CASE_FILE;
 use crate::case_file::spanned_toml::{self, Node, Tree, Value};
 use crate::case_file::{CaseError, CaseValue, Change, former, keys, nearest, read_named};
@@ -120,18 +120,24 @@ fn check_head(tree: &Tree) -> Result<(), CaseError> {
 }
 
 /// The case or the rotor file, unchanged.
-fn base(tree: &Tree, folder: &Path) -> Result<AssemblyDocument, CaseError> {
+fn base(tree: &Tree, folder: &Path) -> Result<ArrangementDocument, CaseError> {
     let node = &tree.root["case"];
     match &node.value {
-        Value::Section(root) => AssemblyDocument::from_sections(root.clone(), &tree.name, folder),
-        Value::Text(path) => AssemblyDocument::read(&folder.join(path))
+        Value::Section(root) => {
+            ArrangementDocument::from_sections(root.clone(), &tree.name, folder)
+        }
+        Value::Text(path) => ArrangementDocument::read(&folder.join(path))
             .map_err(|error| node.error_of_its_file(&tree.name, "case", error)),
         _ => Err(node.refusal(&tree.name, "case", "a path")),
     }
 }
 
 /// Refuses computations that are not of such a base.
-fn check_computations(tree: &Tree, list: &[Computation], base: &Assembly) -> Result<(), CaseError> {
+fn check_computations(
+    tree: &Tree,
+    list: &[Computation],
+    base: &BearingArrangement,
+) -> Result<(), CaseError> {
     let is_foreign = |computation: &&Computation| match **computation {
         Computation::Drop => base.drop().is_none(),
         _ => base.case().is_none(),

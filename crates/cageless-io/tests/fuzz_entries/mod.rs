@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::Journal;
 use cageless_io::plan_file::PlanFile;
@@ -44,7 +44,7 @@ pub fn rotor(bytes: &[u8], folder: &Path) {
     let Ok(text) = std::str::from_utf8(bytes) else {
         return;
     };
-    match Assembly::parse(text, "fuzz.toml", folder, &[]) {
+    match BearingArrangement::parse(text, "fuzz.toml", folder, &[]) {
         Ok(file) => {
             let again = file.changed(&[]).unwrap();
             assert_eq!(again.to_toml().unwrap(), file.to_toml().unwrap());

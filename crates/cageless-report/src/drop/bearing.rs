@@ -1,7 +1,7 @@
 //! A bearing of a drop with what its tables and figures are made of.
 
 use cageless::Case;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{Particulars, Record};
 use cageless_study::drop::{BearingRecord, DropStudy};
@@ -26,7 +26,7 @@ pub(super) struct Bearing<'s> {
 
 impl<'s> Bearing<'s> {
     /// The bearings of the drop of a file.
-    pub fn all(file: &'s Assembly, study: &'s DropStudy) -> Vec<Self> {
+    pub fn all(file: &'s BearingArrangement, study: &'s DropStudy) -> Vec<Self> {
         let bearing = |(k, file): (usize, &'s CaseFile)| Self {
             number: study.drop.rotor().map(|_| k + 1),
             case: &study.drop.cases()[k],

@@ -10,7 +10,7 @@ mod succession;
 
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::PlaneDisplacement;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::results::VERSION;
 use cageless_results::{DropResult, Record, plane_records, table_of};
 use cageless_study::drop::DropStudy;
@@ -31,7 +31,7 @@ use scattered::scattered;
 use succession::succession;
 
 /// The self-contained page of a drop of the rotor in `file`.
-pub fn drop_page(file: &Assembly, study: &DropStudy) -> String {
+pub fn drop_page(file: &BearingArrangement, study: &DropStudy) -> String {
     let bearings = Bearing::all(file, study);
     let source = &bearings[0].source;
     let title = match (file.title(), study.drop.rotor()) {
@@ -129,7 +129,7 @@ pub fn drop_page(file: &Assembly, study: &DropStudy) -> String {
 }
 
 /// What happens at t = 0.
-fn event(file: &Assembly) -> String {
+fn event(file: &BearingArrangement) -> String {
     let speed_rpm = file.cases()[0].document().number("rotor.speed_rpm");
     format!(
         "At t = 0 the magnetic bearing loses power. The rotor turns at {} rpm where the magnets held \

@@ -4,7 +4,7 @@
 use cageless::Shaft;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::simulation::PlaneDisplacement;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_results::{DROP, Quantity, SUCCESSION, judged_limit};
 use cageless_study::drop::DropStudy;
 use cageless_study::{Parameter, parameters};
@@ -113,7 +113,12 @@ pub(super) fn environment(page: &mut Page, bearings: &[Bearing<'_>]) {
 }
 
 /// A folded table of the keys of some sections of each case.
-pub(super) fn keys(page: &mut Page, file: &Assembly, bearings: &[Bearing<'_>], sections: &[&str]) {
+pub(super) fn keys(
+    page: &mut Page,
+    file: &BearingArrangement,
+    bearings: &[Bearing<'_>],
+    sections: &[&str],
+) {
     for (bearing, case) in bearings.iter().zip(file.cases()) {
         let of_section = |line: &Parameter| {
             let mut parts = line.name.split('.');

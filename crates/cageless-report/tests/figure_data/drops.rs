@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_report::drop::drop_page;
 use cageless_report::figures::in_page;
 use cageless_report::text::short;
@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use super::{CASES, Counter, drawn, list, same, traces};
 
-fn dropped(file: &Assembly, request: DropRequest) -> DropStudy {
+fn dropped(file: &BearingArrangement, request: DropRequest) -> DropStudy {
     let drop = request.check(file, "file").unwrap();
     let rows = drop.cases().iter().map(|_| None).collect();
     study(file, drop, request, rows, &Silent).unwrap()
@@ -76,10 +76,10 @@ fn made_up(record: &mut BearingRecord, counter: &mut Counter) {
 }
 
 /// A drop onto a pair in space and onto the same without raceways, with made-up numbers.
-fn made_up_drop() -> (Assembly, DropStudy) {
+fn made_up_drop() -> (BearingArrangement, DropStudy) {
     let sets = ["solver.duration_s=0.00005", "rotor.clearance_limit_um=431"];
     let path = Path::new(CASES).join("touchdown-pair.toml");
-    let file = Assembly::read(&path, &sets.map(str::to_owned)).unwrap();
+    let file = BearingArrangement::read(&path, &sets.map(str::to_owned)).unwrap();
     let request = DropRequest {
         compare: true,
         ..DropRequest::default()
@@ -320,7 +320,7 @@ fn scattered_and_successive_drops_stand_where_they_were() {
     let path = Path::new(CASES).join("touchdown-d.toml");
     let read = |sets: &[&str]| {
         let sets: Vec<String> = sets.iter().map(|set| (*set).to_owned()).collect();
-        Assembly::read(&path, &sets).unwrap()
+        BearingArrangement::read(&path, &sets).unwrap()
     };
     let file = read(&["solver.duration_s=0.0002"]);
     let scattered = dropped(

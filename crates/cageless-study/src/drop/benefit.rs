@@ -163,7 +163,7 @@ fn values(ensemble: &Ensemble, quantity: &Quantity) -> Vec<f64> {
 mod tests {
     use std::path::Path;
 
-    use cageless_io::assembly::Assembly;
+    use cageless_io::arrangement::BearingArrangement;
     use cageless_results::{Cell, Stopped};
 
     use super::*;
@@ -174,7 +174,7 @@ mod tests {
     /// Drops with these contacts, pressures, forces and heat, each scaled by the draw and all by a factor.
     fn drops(values: [f64; 4], factors: &[f64], stopped: bool) -> Ensemble {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
-        let file = Assembly::read(Path::new(path), &[]).unwrap();
+        let file = BearingArrangement::read(Path::new(path), &[]).unwrap();
         let drop = DropRequest::default().check(&file, "case").unwrap();
         let rows = (1..).zip(factors).map(|(number, factor)| {
             // Pressure, force and heat scatter less than contacts.

@@ -218,7 +218,7 @@ pub(super) fn evaluate(drop: &RotorDrop, seed: u64, drops: Vec<DropRow>) -> Ense
 pub(super) mod tests {
     use std::path::Path;
 
-    use cageless_io::assembly::Assembly;
+    use cageless_io::arrangement::BearingArrangement;
     use cageless_results::{Cell, DROP, DropJudgement, Results, Stopped};
 
     use super::*;
@@ -286,7 +286,7 @@ pub(super) mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/../../cases/rotors/two-bearings.toml"
         );
-        let file = Assembly::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
+        let file = BearingArrangement::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
         let many = evaluate(
             file.drop().unwrap(),
             file.cases()[0].particulars().seed,
@@ -348,7 +348,7 @@ pub(super) mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/../../cases/rotors/two-bearings.toml"
         );
-        let file = Assembly::read(Path::new(path), &[]).unwrap();
+        let file = BearingArrangement::read(Path::new(path), &[]).unwrap();
         let many = evaluate(file.drop().unwrap(), 0, drops.collect());
         let found = &many.bearings[0].quantiles;
         for (name, expected) in [

@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::missing_rotor;
 use cageless_results::number_text::short;
 use cageless_results::{DropJudgement, DropResult, Record};
@@ -62,7 +62,7 @@ impl DropRequest {
     /// # Errors
     /// The case has no rotor, or one that cannot be dropped, the number of drops is impossible, or drops
     /// one after the other lack numbers of a material.
-    pub fn check(&self, file: &Assembly, name: &str) -> Result<RotorDrop, StudyError> {
+    pub fn check(&self, file: &BearingArrangement, name: &str) -> Result<RotorDrop, StudyError> {
         let missing = || {
             StudyError::Input(format!(
                 "{name}: {}; `cageless run` computes a bearing at speed",
@@ -82,7 +82,7 @@ impl DropRequest {
 }
 
 /// Passes a file with all numbers of materials that drops one after the other need.
-fn check_heat(file: &Assembly, name: &str, drops: u64) -> Result<(), StudyError> {
+fn check_heat(file: &BearingArrangement, name: &str, drops: u64) -> Result<(), StudyError> {
     let cases = file.cases().iter().enumerate();
     let missing = cases.flat_map(|(k, case)| {
         let keys = case.missing_of_heat(drops > 1).into_iter();
@@ -131,7 +131,7 @@ pub struct DropStudy {
 /// # Errors
 /// A bearing cannot start, or its rows could not be stored.
 pub fn study<'r>(
-    file: &Assembly,
+    file: &BearingArrangement,
     drop: RotorDrop,
     request: DropRequest,
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,

@@ -2,7 +2,7 @@
 
 use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::PARTS;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_results::number_text::short;
 use cageless_results::{
@@ -57,7 +57,7 @@ impl Succession {
     /// # Errors
     /// A bearing cannot start.
     pub fn new(
-        file: &Assembly,
+        file: &BearingArrangement,
         filed: &FiledDrop<'_>,
         first: &mut DropRecord,
         count: u64,
@@ -261,10 +261,10 @@ fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
 /// The file with the temperatures at which its bearings are after the pause, and what they make of the
 /// touch-down clearances.
 fn warmed(
-    file: &Assembly,
+    file: &BearingArrangement,
     filed: &FiledDrop<'_>,
     standstill_c: &[[f64; PARTS]],
-) -> Result<Assembly, CaseError> {
+) -> Result<BearingArrangement, CaseError> {
     let drop = &filed.drop;
     let cases = || drop.cases().iter().enumerate();
     let start_c = filed.particulars().zip(standstill_c);

@@ -1,19 +1,19 @@
 //! `summary.json` of the study of a drop.
 
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{SCHEMA, VERSION};
 use cageless_results::{DropResult, Record, plane_records};
 use serde::Serialize;
 
-use super::{Bearings, DropBenefit, DropStudy, Ensemble};
+use super::{Bearings, DropBenefit, DropRecord, DropStudy, Ensemble};
 
 impl DropStudy {
     /// `summary.json` of the study of the drop of `file`.
     ///
     /// # Errors
     /// None that its fields can cause; those of the JSON writer are passed on.
-    pub fn to_json(&self, file: &Assembly) -> Result<String, serde_json::Error> {
+    pub fn to_json(&self, file: &BearingArrangement) -> Result<String, serde_json::Error> {
         let records = &self.record.bearings;
         let bearings = file
             .cases()
@@ -30,10 +30,7 @@ impl DropStudy {
             isa: records[0].outcome.instruction_set.name(),
             rotor: self.rotor(file),
             bearings: Bearings::new(&self.drop, bearings),
-            conventional: (self.conventional.as_ref()).map(|record| {
-                let results = record.bearings.iter().map(|bearing| &bearing.result);
-                Bearings::new(&self.drop, results)
-            }),
+            conventional: self.conventional.as_ref().map(OfBearings::results),
             ensemble: self.ensemble.as_ref(),
             benefit: self.benefit.as_ref(),
             succession: &self.succession.records,
@@ -43,7 +40,7 @@ impl DropStudy {
         serde_json::to_string_pretty(&summary).map(|json| json + "\n")
     }
 
-    fn rotor<'a>(&'a self, file: &'a Assembly) -> Option<Rotor<'a>> {
+    fn rotor<'a>(&'a self, file: &'a BearingArrangement) -> Option<Rotor<'a>> {
         let rotor = self.drop.rotor()?;
         let outcome = self.record.rotor.as_ref()?;
         let judgement = &self.judgement;
@@ -76,7 +73,7 @@ struct Summary<'a> {
     #[serde(flatten)]
     bearings: Bearings<Bearing<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    conventional: Option<Bearings<&'a DropResult>>,
+    conventional: Option<OfBearings<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a Ensemble>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -117,4 +114,21 @@ struct Bearing<'a> {
     defaults: &'a [String],
     #[serde(flatten)]
     result: &'a DropResult,
+}
+
+/// Results of the bearings: those of the only one of a case, or a list.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum OfBearings<'a> {
+    Case(&'a DropResult),
+    Rotor(Vec<&'a DropResult>),
+}
+
+impl<'a> OfBearings<'a> {
+    fn results(record: &'a DropRecord) -> Self {
+        match record.rotor {
+            None => Self::Case(&record.bearings[0].result),
+            Some(_) => Self::Rotor(record.bearings.iter().map(|b| &b.result).collect()),
+        }
+    }
 }

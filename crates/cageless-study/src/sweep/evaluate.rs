@@ -8,7 +8,7 @@ use cageless::design::judge;
 use cageless::equilibrium::settle;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
 use cageless_io::plan_file::PlanFile;
 use cageless_io::results::{Column, ColumnKind, Row};
@@ -38,7 +38,7 @@ pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
 /// Passes a file that these computations take.
-fn check_space(file: &Assembly, compute: &[Computation]) -> Result<(), CaseError> {
+fn check_space(file: &BearingArrangement, compute: &[Computation]) -> Result<(), CaseError> {
     let at_rest = |computation: &Computation| matches!(computation, Computation::Static);
     match compute.iter().all(at_rest) {
         true => Ok(()),
@@ -129,7 +129,7 @@ impl Sweep {
     ///
     /// # Errors
     /// A [`CaseError`] if it is impossible.
-    pub fn file(&self, index: u64) -> Result<Assembly, CaseError> {
+    pub fn file(&self, index: u64) -> Result<BearingArrangement, CaseError> {
         self.variants.variant(index).1
     }
 
@@ -174,7 +174,7 @@ impl Sweep {
     /// What is computed of one variant after the other; `None` if cancelled.
     fn alone(&self, variant: &mut Variant<'_>, stop: Cancellation<'_>) -> Option<()> {
         let Variant { file, found, .. } = variant;
-        let Some(file) = file.as_ref().and_then(Assembly::case) else {
+        let Some(file) = file.as_ref().and_then(BearingArrangement::case) else {
             return Some(());
         };
         let case = file.case();
@@ -261,7 +261,7 @@ struct Variant<'s> {
     index: u64,
     inputs: Vec<Cell>,
     /// `None` if it is impossible.
-    file: Option<Assembly>,
+    file: Option<BearingArrangement>,
     found: Found<'s>,
 }
 

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use cageless::design::verdict_steps;
 use cageless::simulation::Control;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_results::Computation;
 use rayon::ThreadPool;
@@ -45,11 +45,11 @@ impl Sweep {
     pub fn task(&self, left: u64) -> Task {
         let probes = self.probes().count() as f64;
         let share = left as f64 / probes;
-        let files: Vec<Assembly> = self
+        let files: Vec<BearingArrangement> = self
             .probes()
             .filter_map(|index| self.file(index).ok())
             .collect();
-        let cases = files.iter().filter_map(Assembly::case);
+        let cases = files.iter().filter_map(BearingArrangement::case);
         let cases: Vec<_> = cases.map(CaseFile::case).collect();
         let mut task = Task::new(TASK);
         let together = self.together().min(left.max(1)) as usize;
@@ -62,7 +62,7 @@ impl Sweep {
             let steps: f64 = cases.iter().map(|case| case.solver.steps()).sum();
             task = task.with_batch(first, together, share * steps, pieces);
         }
-        let drops: Vec<_> = files.iter().filter_map(Assembly::drop).collect();
+        let drops: Vec<_> = files.iter().filter_map(BearingArrangement::drop).collect();
         if let (Some(first), true) = (drops.first(), self.wants(Computation::Drop)) {
             let steps = drops
                 .iter()

@@ -2,7 +2,7 @@
 
 use cageless::Gaps;
 use cageless::numerics::random::RandomStream;
-use cageless_io::assembly::Assembly;
+use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
     Axis, BALL_DEVIATIONS, GAPS, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, is_per_ball,
@@ -60,7 +60,7 @@ impl Variants {
     }
 
     /// The inputs of a variant and its case or rotor, or why there is none.
-    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<Assembly, CaseError>) {
+    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<BearingArrangement, CaseError>) {
         let (settings, failed) = self.settings(index);
         let cells = self.cells(&settings);
         let case = match failed {
@@ -70,7 +70,7 @@ impl Variants {
         (cells, case)
     }
 
-    fn read(&self, settings: &[Setting<'_>]) -> Result<Assembly, CaseError> {
+    fn read(&self, settings: &[Setting<'_>]) -> Result<BearingArrangement, CaseError> {
         let changes = settings.iter();
         let changes: Vec<_> = changes
             .map(|s| Change::new(s.key, &s.value, (&self.plan.name, s.line)))

@@ -17,18 +17,18 @@ use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue};
 use crate::rotor_file::address::{Address, address};
 use crate::rotor_file::{RotorDescription, RotorFileDocument};
 
-pub use document::AssemblyDocument;
+pub use document::ArrangementDocument;
 
 /// Bearings with the rotor above them, read and checked.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Assembly {
+pub struct BearingArrangement {
     /// The rotor file with the cases as it gives them; `None` of a case file.
     rotor_file: Option<RotorFileDocument>,
     bearings: Vec<CaseFile>,
     drop: Option<RotorDrop>,
 }
 
-impl From<CaseFile> for Assembly {
+impl From<CaseFile> for BearingArrangement {
     fn from(file: CaseFile) -> Self {
         Self {
             rotor_file: None,
@@ -38,7 +38,7 @@ impl From<CaseFile> for Assembly {
     }
 }
 
-impl Assembly {
+impl BearingArrangement {
     /// A rotor at `speed_rpm` under `drive_torque_n_m` above the bearings of `cases`. Steps are as
     /// long as the shortest that a case gives, and automatic if none gives one.
     ///
@@ -108,7 +108,7 @@ impl Assembly {
     /// A [`CaseError`] if one of the files cannot be read, or for anything but possible bearings
     /// and a complete and possible rotor.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let (document, text) = AssemblyDocument::read_with_text(path)?;
+        let (document, text) = ArrangementDocument::read_with_text(path)?;
         document.overridden(overrides)?.file(CaseFile::of, &text)
     }
 
@@ -117,7 +117,7 @@ impl Assembly {
     /// # Errors
     /// Those of [`Self::read`], apart from that of a step too long for the method of a case.
     pub fn read_at_rest(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let (document, text) = AssemblyDocument::read_with_text(path)?;
+        let (document, text) = ArrangementDocument::read_with_text(path)?;
         document
             .overridden(overrides)?
             .file(CaseFile::of_at_rest, &text)
@@ -134,7 +134,7 @@ impl Assembly {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, CaseError> {
-        let document = AssemblyDocument::parse(text, name, folder)?;
+        let document = ArrangementDocument::parse(text, name, folder)?;
         document.overridden(overrides)?.file(CaseFile::of, text)
     }
 

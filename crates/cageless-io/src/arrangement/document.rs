@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Assembly;
+use super::BearingArrangement;
 use crate::case_file::overrides::Replacement;
 use crate::case_file::spanned_toml::Section;
 use crate::case_file::{CaseDocument, CaseError, CaseFile, Change, is_json, read_named, source};
@@ -11,13 +11,13 @@ use crate::rotor_file::{ReadRotor, RotorSource};
 
 /// The text of a case file, or those of a rotor file and of its cases, parsed but not yet read.
 #[derive(Debug, Clone)]
-pub struct AssemblyDocument {
+pub struct ArrangementDocument {
     /// The sections of a rotor file; `None` of a case file.
     rotor: Option<RotorSource>,
     cases: Vec<CaseDocument>,
 }
 
-impl AssemblyDocument {
+impl ArrangementDocument {
     /// Reads a case file, once (it may be a pipe), or a rotor file with the files that it names,
     /// whose paths count from its folder.
     ///
@@ -68,7 +68,7 @@ impl AssemblyDocument {
     ///
     /// # Errors
     /// A [`CaseError`] if a key has no place. Whether it exists and the value fits,
-    /// [`AssemblyDocument::with`] says.
+    /// [`ArrangementDocument::with`] says.
     pub fn change(&mut self, changes: &[Change<'_>]) -> Result<(), CaseError> {
         let mut changes = changes.iter().map(Replacement::from_change);
         changes.try_for_each(|change| self.replace(&change))
@@ -111,19 +111,19 @@ impl AssemblyDocument {
     /// The bearings and the rotor with `changes`.
     ///
     /// # Errors
-    /// Those of [`AssemblyDocument::change`], and for anything but possible bearings and a complete
+    /// Those of [`ArrangementDocument::change`], and for anything but possible bearings and a complete
     /// and possible rotor; the error names file and line of the change at fault, or of the base.
-    pub fn with(&self, changes: &[Change<'_>]) -> Result<Assembly, CaseError> {
+    pub fn with(&self, changes: &[Change<'_>]) -> Result<BearingArrangement, CaseError> {
         let mut base = self.clone();
         base.change(changes)?;
-        base.assembly(CaseFile::of)
+        base.arrangement(CaseFile::of)
     }
 
     /// The bearings and the rotor; `read` takes the case of a case file.
-    fn assembly(
+    fn arrangement(
         mut self,
         read: fn(CaseDocument) -> Result<CaseFile, CaseError>,
-    ) -> Result<Assembly, CaseError> {
+    ) -> Result<BearingArrangement, CaseError> {
         let Some(source) = &self.rotor else {
             return Ok(read(self.cases.swap_remove(0))?.into());
         };
@@ -132,20 +132,20 @@ impl AssemblyDocument {
             rotor,
             cases,
         } = source.read(&self.cases)?;
-        Assembly::below(rotor, document, &cases).map_err(|error| source.refused(&error))
+        BearingArrangement::below(rotor, document, &cases).map_err(|error| source.refused(&error))
     }
 
-    /// [`Self::assembly`] of the text of a file.
+    /// [`Self::arrangement`] of the text of a file.
     pub(super) fn file(
         self,
         read: fn(CaseDocument) -> Result<CaseFile, CaseError>,
         text: &str,
-    ) -> Result<Assembly, CaseError> {
-        Ok(self.assembly(read)?.with_text(text))
+    ) -> Result<BearingArrangement, CaseError> {
+        Ok(self.arrangement(read)?.with_text(text))
     }
 }
 
-impl From<CaseDocument> for AssemblyDocument {
+impl From<CaseDocument> for ArrangementDocument {
     fn from(case: CaseDocument) -> Self {
         Self {
             rotor: None,
