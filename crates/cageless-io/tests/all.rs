@@ -1,6 +1,7 @@
 //! All tests of the files, as one program.
 
 mod advice;
+mod arrangement;
 mod bad_case_files;
 mod bearing_input;
 mod case_files;
