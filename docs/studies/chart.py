@@ -1,4 +1,4 @@
-"""A picture of a page: dots of several series on one axis, a line for each row. Plain SVG, for light and dark."""
+"""Pictures of pages: dots of several series on one axis, or fields of a map. Plain SVG, for light and dark."""
 
 import math
 
@@ -69,3 +69,35 @@ def dots(title, rows, series, log=False):
         parts.append(f'<text x="{LEFT - 12}" y="{y + 5:.1f}" text-anchor="end">{row}</text>')
         parts += [mark(k, x(of[n]), y) for k, of in enumerate(series.values()) if of[n] is not None]
     return "\n".join([*parts, "</svg>\n"])
+
+
+def fields(title, columns, panels, series):
+    """A map: panels, name → rows, name → fields, each the name of one of the series or None; columns are their heads."""
+    left, width, height = 96, (WIDTH - 96 - 10) / len(columns), 30
+    parts, top = [], 36
+    for k, head in enumerate(columns):
+        parts.append(f'<text x="{left + (k + 0.5) * width:.1f}" y="{top + 12}" text-anchor="middle">{head}</text>')
+    top += 18
+    for panel, rows in panels.items():
+        parts.append(f'<text x="10" y="{top + 20}" class="title">{panel}</text>')
+        top += 28
+        for name, of in rows.items():
+            parts.append(f'<text x="{left - 10}" y="{top + 20}" text-anchor="end">{name}</text>')
+            for k, field in enumerate(of):
+                if field is None:
+                    continue
+                x = left + k * width
+                colour = list(series).index(field)
+                parts.append(f'<rect class="s{colour}" fill-opacity="0.3" x="{x + 2:.1f}" y="{top + 2}" width="{width - 4:.1f}" height="{height - 4}"/>')
+                parts.append(f'<text x="{x + width / 2:.1f}" y="{top + 20}" text-anchor="middle">{series[field]}</text>')
+            top += height
+    return "\n".join(
+        [
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {top + 10}" role="img">',
+            f"<title>{title}</title><style>{STYLE}</style>",
+            f'<rect class="paper" width="{WIDTH}" height="{top + 10}"/>',
+            f'<text class="title" x="10" y="20">{title}</text>',
+            *parts,
+            "</svg>\n",
+        ]
+    )

@@ -2,7 +2,7 @@
 
 import math
 
-from chart import dots
+from chart import fields
 from page import PLAIN, RACEWAY, STUDIES, error, figures, fixed, markdown, mean, table
 
 PAGE = "docs/oil.md"
@@ -64,10 +64,14 @@ def tables():
 
 
 def picture():
-    names = ["flooded", "two drops", "0.1"]
-    rows = [(speed, viscosity) for speed in ("3000", "12 000") for viscosity in ("2", "5", "20")]
-    series = {name: [100 * OIL[(*row, name)]["deficit"] for row in rows] for name in names}
-    return dots("Speed that a free ball loses to the film, %; oil of 2, 5, 20 mPa·s", [f"{speed} rpm, {viscosity}" for speed, viscosity in rows], series, log=True)
+    shown = {"raceway": "raceway", "equal": "either", "oil alone": "oil", "queue": "queue"}
+    panels = {}
+    for dry in DRY.rows:
+        bearing = dry.places["bearing"]
+        panels[bearing] = {"dry": [does(dry)] * 3}
+        for row in (row for row in MOTION.rows if row.places["bearing"] == bearing):
+            panels[bearing].setdefault(f"{row.places['viscosity, mPa·s']} mPa·s", []).append(does(row))
+    return fields("What spaces the balls better: the raceway or the oil alone?", ["flooded", "two drops", "a tenth"], panels, shown)
 
 
 def claims(claim):

@@ -112,6 +112,7 @@ pub fn design(
     progress: &dyn Progress,
 ) -> Result<Designed, StudyError> {
     file.checked(Case::check_motion)?;
+    file.checked(|case| case.check_balanced("a verdict"))?;
     let case = file.case();
     let mut tasks = vec![Task::new(TASK).with(case, verdict_steps(case), 1)];
     if asked.search.is_none() {

@@ -105,6 +105,7 @@ pub fn tolerance(
     request: &Request,
     progress: &dyn Progress,
 ) -> Result<ToleranceResult, StudyError> {
+    file.checked(|case| case.check_balanced("`tolerance`"))?;
     let case = file.case();
     case.check_motion()?;
     let tolerances = request.check(case, name)?;

@@ -140,12 +140,9 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
 fn dry_motion(file: &CaseFile) -> Option<String> {
     let dry = file.particulars().lubrication.is_some() && file.case().film.is_none();
     dry.then(|| {
-        let add = match file.case().why_without_film() {
-            Some(why) => why,
-            None => {
-                "add [film] with supply, oil and temperature_c, and leave out lubrication.viscosity_mm2_s"
-            }
-        };
+        let add = file.case().why_without_film().unwrap_or(
+            "add [film] with supply, oil and temperature_c, and leave out lubrication.viscosity_mm2_s",
+        );
         format!(
             "[lubrication] is for ratings: the motion is computed without an oil film; {add}"
         )
