@@ -427,3 +427,10 @@ def test_wrong_plans_of_a_rotor_are_refused(tmp_path: Path) -> None:
         with pytest.raises(cageless.InputError, match=said) as error:
             cageless.Plan(case=case, compute=compute, grid=grid)
         assert error.value.line is None
+
+
+def test_a_file_of_the_other_kind_is_named(tmp_path: Path) -> None:
+    with pytest.raises(cageless.InputError, match=r"touchdown-d\.toml: is a case, not a rotor"):
+        cageless.RotorCase.from_file(CASES[0])
+    with pytest.raises(cageless.InputError, match=r"rotor\.toml: is a rotor .*, not a case"):
+        cageless.Case.from_file(rotor_file(tmp_path))
