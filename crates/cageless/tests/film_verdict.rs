@@ -1,6 +1,7 @@
 //! The verdict on a raceway in oil, and beside it without.
 
 use crate::film::oil;
+use cageless::design::search::{Request, SearchError, run_here, search};
 use cageless::design::{
     Judgement, RacewayVerdict, judge, recommend, steady_gap_rad, verdict_steps,
 };
@@ -92,4 +93,39 @@ fn the_dry_run_is_part_of_the_work() {
     assert_eq!(none.passages, without.passages);
     let entered = |_| Some(case.clone());
     assert_eq!(recommend(&case, &entered, &mut go_on).unwrap(), None);
+}
+
+/// The raceway that a search finds in oil has a critical gap of 1.0 to 1.1 times the steady gap with the film: more than
+/// a dry search allows.
+#[test]
+fn a_search_in_oil_aims_at_the_steady_gap_with_the_film() {
+    let case = in_oil(10.0);
+    let angle_rad = 30.75f64.to_radians();
+    let mut request = Request {
+        axial_span_range_m: Some([5.4e-3, 5.56e-3]),
+        half_angle_range_rad: Some([angle_rad; 2]),
+        ..Request::from_case(&case)
+    };
+    request.budget = request.budget_least();
+    let found = search(&case, &request, &mut |_, jobs| run_here(&case, jobs)).unwrap();
+    let best = &found.evaluations[found.recommended.unwrap()];
+    let gap_rad = best.spacing[0].unwrap().critical_gap_rad;
+    let wet_rad = best.forms.unwrap().steady_gap_rad;
+    let fraction = gap_rad / wet_rad;
+    assert!((1.0..=1.1).contains(&fraction), "{fraction}");
+    let raceways = best.structure.raceways(&case.bearing).unwrap();
+    let dry_rad = steady_gap_rad(&case.bearing, &raceways);
+    // A lag of 3.2°, over 14 balls.
+    let wider_deg = (wet_rad - dry_rad).to_degrees();
+    assert!((0.2..0.24).contains(&wider_deg), "{wider_deg}");
+    let judged = judged(&case.with_raceways(raceways));
+    assert_eq!(
+        judged.verdict,
+        RacewayVerdict::Smooth,
+        "{}",
+        judged.headline()
+    );
+    request.points.push(request.points[0]);
+    let refused = search(&case, &request, &mut |_, jobs| run_here(&case, jobs));
+    assert!(matches!(refused, Err(SearchError::Case(_))));
 }
