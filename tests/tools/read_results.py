@@ -65,7 +65,7 @@ INTEGERS = {"ball", "next_ball"}
 # Keys that a case file may leave out; stiffnesses follow from the geometry.
 OPTIONAL = {
     "schema", "title", "bearing.assembly", "raceway.centre_angle_deg", "raceway.shape", "raceway.blend_mm",
-    "raceway.depth_um", "raceway.depth_error_um",
+    "raceway.depth_um", "raceway.depth_error_um", "contact.regularisation",
     "contact.outer_friction_factor", "contact.ball_friction_factor", "contact.friction_strips",
     "contact.ball_restitution", "contact.inner_stiffness_n_m1_5", "contact.outer_stiffness_n_m1_5", "contact.ball_stiffness_n_m1_5",
     "model.motion", "model.flanks", "start.state", "start.gaps", "start.lead_ball_angle_deg",

@@ -260,7 +260,7 @@ pub static OFTEN: Requirement = Requirement {
         ],
         CORE
         + "design/verdict.rs": [
-            ["        STEADY_GAP.of(largest", "        super::criterion::OFTEN.of(s.collisions_mean),\n"],
+            ["        BOTH_NEIGHBOURS.of(s.double", "        super::criterion::OFTEN.of(s.collisions_mean),\n"],
         ],
     },
     "A key of the case file": {

@@ -48,7 +48,7 @@ fn summary_and_tables_are_views_of_one_table() {
         "contact_angle",
         "ellipse_edge",
         "rolling_resistance",
-        "half_turn_lag",
+        "half_turn",
         "film_",
     ];
     let of_runs = of_runs.filter(|q| !elsewhere.iter().any(|part| q.name.contains(part)));

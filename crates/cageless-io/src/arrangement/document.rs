@@ -2,19 +2,18 @@
 
 use std::path::Path;
 
-use super::BearingArrangement;
 use crate::case_file::overrides::Replacement;
 use crate::case_file::spanned_toml::Section;
-use crate::case_file::{CaseDocument, CaseError, CaseFile, Change, is_json, read_named, source};
+use crate::case_file::{CaseDocument, CaseError, Change, is_json, read_named, source};
+use crate::rotor_file::RotorSource;
 use crate::rotor_file::address::{Address, address};
-use crate::rotor_file::{ReadRotor, RotorSource};
 
 /// The text of a case file, or those of a rotor file and of its cases, parsed but not yet read.
 #[derive(Debug, Clone)]
 pub struct ArrangementDocument {
     /// The sections of a rotor file; `None` of a case file.
-    rotor: Option<RotorSource>,
-    cases: Vec<CaseDocument>,
+    pub(super) rotor: Option<RotorSource>,
+    pub(super) cases: Vec<CaseDocument>,
 }
 
 impl ArrangementDocument {
@@ -106,42 +105,6 @@ impl ArrangementDocument {
                 }
             },
         }
-    }
-
-    /// The bearings and the rotor with `changes`.
-    ///
-    /// # Errors
-    /// Those of [`ArrangementDocument::change`], and for anything but possible bearings and a complete
-    /// and possible rotor; the error names file and line of the change at fault, or of the base.
-    pub fn with(&self, changes: &[Change<'_>]) -> Result<BearingArrangement, CaseError> {
-        let mut base = self.clone();
-        base.change(changes)?;
-        base.arrangement(CaseFile::of)
-    }
-
-    /// The bearings and the rotor; `read` takes the case of a case file.
-    fn arrangement(
-        mut self,
-        read: fn(CaseDocument) -> Result<CaseFile, CaseError>,
-    ) -> Result<BearingArrangement, CaseError> {
-        let Some(source) = &self.rotor else {
-            return Ok(read(self.cases.swap_remove(0))?.into());
-        };
-        let ReadRotor {
-            document,
-            rotor,
-            cases,
-        } = source.read(&self.cases)?;
-        BearingArrangement::below(rotor, document, &cases).map_err(|error| source.refused(&error))
-    }
-
-    /// [`Self::arrangement`] of the text of a file.
-    pub(super) fn file(
-        self,
-        read: fn(CaseDocument) -> Result<CaseFile, CaseError>,
-        text: &str,
-    ) -> Result<BearingArrangement, CaseError> {
-        Ok(self.arrangement(read)?.with_text(text))
     }
 }
 

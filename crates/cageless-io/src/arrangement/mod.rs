@@ -13,9 +13,9 @@ use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 use toml::Value;
 
-use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue};
+use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue, Change};
 use crate::rotor_file::address::{Address, address};
-use crate::rotor_file::{RotorDescription, RotorFileDocument};
+use crate::rotor_file::{ReadRotor, RotorDescription, RotorFileDocument};
 
 pub use document::ArrangementDocument;
 
@@ -278,6 +278,44 @@ impl BearingArrangement {
 
     fn address<'k>(&self, path: &'k [&'k str]) -> Result<Address<'k>, String> {
         address(self.rotor_file.is_some(), path)
+    }
+}
+
+impl ArrangementDocument {
+    /// The bearings and the rotor with `changes`.
+    ///
+    /// # Errors
+    /// Those of [`ArrangementDocument::change`], and for anything but possible bearings and a complete
+    /// and possible rotor; the error names file and line of the change at fault, or of the base.
+    pub fn with(&self, changes: &[Change<'_>]) -> Result<BearingArrangement, CaseError> {
+        let mut base = self.clone();
+        base.change(changes)?;
+        base.arrangement(CaseFile::of)
+    }
+
+    /// The bearings and the rotor; `read` takes the case of a case file.
+    fn arrangement(
+        mut self,
+        read: fn(CaseDocument) -> Result<CaseFile, CaseError>,
+    ) -> Result<BearingArrangement, CaseError> {
+        let Some(source) = &self.rotor else {
+            return Ok(read(self.cases.swap_remove(0))?.into());
+        };
+        let ReadRotor {
+            document,
+            rotor,
+            cases,
+        } = source.read(&self.cases)?;
+        BearingArrangement::below(rotor, document, &cases).map_err(|error| source.refused(&error))
+    }
+
+    /// [`Self::arrangement`] of the text of a file.
+    fn file(
+        self,
+        read: fn(CaseDocument) -> Result<CaseFile, CaseError>,
+        text: &str,
+    ) -> Result<BearingArrangement, CaseError> {
+        Ok(self.arrangement(read)?.with_text(text))
     }
 }
 

@@ -102,8 +102,8 @@ fn external(
     };
     let [load_x, load_y] = model.load_n(time_s);
     let mut force = [
-        load_x - outer[0] - ring.drag * motion.vx,
-        load_y - outer[1] - ring.drag * motion.vy,
+        -outer[0] - ring.drag * motion.vx + load_x,
+        -outer[1] - ring.drag * motion.vy + load_y,
         -outer[2] - ring.drag * vz + axial_load,
     ];
     force[upward] -= weight;

@@ -27,7 +27,7 @@ section_with_friction! {
         regularisation => regularisation: Regularisation = default(Regularisation::Speed.name()), Plain,
             "where v_s at the raceways comes from; \"speed\": regularisation_speed_m_s; \"kalker\": creep of each rolling \
             contact after Kalker, μ N V/(G ab C11), regularisation_speed_m_s between balls; not with \"coulomb\" or in \"paper\"",
-            Commented("\"kalker\"", "v_s at the raceways from load and speed, after Kalker");
+            Commented("\"speed\"", "\"kalker\": v_s at the raceways from load and speed");
         outer_friction_factor => outer_friction_factor: f64 = default(1.0), Plain; AtLeast(0.0),
             "friction at the outer raceway over that of the law, which holds at the inner raceway",
             Commented("1.0", "outer raceway over μ");
