@@ -226,10 +226,13 @@ fn of_case(case: &Case) -> Vec<String> {
     let limits = StepLimits::new(case);
     let resolved = limits.friction_resolved_to_s(method);
     if case.solver.step_s > resolved {
+        let speed = match case.contact.regularisation {
+            Regularisation::Speed => "contact.regularisation_speed_m_s, ",
+            Regularisation::Kalker => "",
+        };
         warnings.push(format!(
             "the step is too long for this friction law: sliding speeds near zero are wrong for steps above {:.2} µs \
-             (solver.step_us, contact.regularisation_speed_m_s, or solver.method = \"verlet\", which \
-             treats friction implicitly)",
+             (solver.step_us, {speed}or solver.method = \"verlet\", which treats friction implicitly)",
             resolved * 1e6
         ));
     }

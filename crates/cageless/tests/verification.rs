@@ -5,7 +5,7 @@ use cageless::simulation::Control;
 use cageless::verification::{
     Convergence, Judgement, LARGE_PERTURBATIONS, Loss, Quantity, Record, Verification, replicas,
 };
-use cageless::{Case, Formulation, Gaps, Start, StartState};
+use cageless::{Case, Formulation, Gaps, Start, StartState, TimeTable};
 
 /// Runs all replicas, on two threads or one.
 fn certify(case: &Case, threads: usize) -> Verification {
@@ -156,6 +156,23 @@ fn a_verification_is_reproducible() {
     let first = certify(&case, 2);
     assert_eq!(first, certify(&case, 1));
     assert_ne!(first, certify_seeded(&case, 1, 1));
+}
+
+/// The balance of momentum counts a load over time and one that turns.
+#[test]
+fn momentum_counts_changing_loads() {
+    let mut case = structure(5.1, 25.2);
+    case.solver.duration_s = 0.01;
+    let load_n = case.operation.radial_load_n;
+    let table = TimeTable::new(
+        "radial_load_n",
+        vec![0.002, 0.008],
+        vec![load_n, 1.2 * load_n],
+    );
+    case.operation.radial_load_table = Some(table.unwrap());
+    case.operation.unbalance.amount_kg_m = 1e-4;
+    let [full, half] = certify(&case, 2).momentum_residual_relative;
+    assert!(full < 1e-7 && half < full, "{full:e} {half:e}");
 }
 
 /// Under axial load momentum along the axis counts as well: all three balances close to second order.
