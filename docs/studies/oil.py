@@ -64,7 +64,7 @@ def tables():
 
 
 def picture():
-    shown = {"raceway": "raceway", "equal": "either", "oil alone": "oil", "queue": "queue"}
+    shown = {"raceway": "raceway", "equal": "equal", "oil alone": "oil", "queue": "queue"}
     panels = {}
     for dry in DRY.rows:
         bearing = dry.places["bearing"]
