@@ -285,3 +285,30 @@ fn lags_with_creep_agree_in_plane_and_space() {
         );
     }
 }
+
+/// Laws whose friction is constant are one law with creep, and bodies at the edges of a slot keep the ledger.
+#[test]
+fn every_law_has_creep_and_so_has_a_slot() {
+    let mut smooth = with_creep(structure(5.1, 25.2));
+    smooth.solver.duration_s = 1e-3;
+    let mu = smooth.contact.friction.coefficient;
+    let mut stribeck = smooth.clone();
+    stribeck.contact.friction_law = FrictionModel::Stribeck;
+    stribeck.contact.friction.static_coefficient = Some(mu);
+    stribeck.contact.friction.stribeck_speed_m_s = Some(0.1);
+    let mut table = smooth.clone();
+    table.contact.friction_law = FrictionModel::Table;
+    let constant = FrictionTable::new(vec![[0.0, mu], [0.1, mu]]).unwrap();
+    table.contact.friction.table = Some(constant);
+    let end = complete(&smooth).state;
+    for case in [stribeck, table] {
+        let other = complete(&case).state;
+        for (a, b) in end.values().iter().zip(other.values()) {
+            assert!((a - b).abs() < 1e-7 * (1e-3 + a.abs()), "{a} {b}");
+        }
+    }
+    let mut slot = with_creep(slotted());
+    slot.solver.duration_s = 0.01;
+    let residual = complete(&slot).energy_residual_relative;
+    assert!(residual.abs() < 1e-3, "{residual:e}");
+}

@@ -162,7 +162,8 @@ fn a_verification_is_reproducible() {
 #[test]
 fn momentum_counts_changing_loads() {
     let mut case = structure(5.1, 25.2);
-    case.solver.duration_s = 0.01;
+    // Not a whole number of turns, after which the unbalance leaves no momentum.
+    case.solver.duration_s = 0.0117;
     let load_n = case.operation.radial_load_n;
     let table = TimeTable::new(
         "radial_load_n",
