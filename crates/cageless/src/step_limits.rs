@@ -279,6 +279,7 @@ impl StepLimits {
         let carrying = carrying(case);
         let impact = Impact::of_case(case, carrying);
         let down = case.largest_radial_load_n()
+            + case.operation.unbalance_force_n()
             + impact.force_n.max(impact.axial_as_radial_n)
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
         let under = |force: f64| {

@@ -35,17 +35,22 @@ impl UnbalanceForce {
         })
     }
 
+    /// φ, direction of the unbalance from +X at a time, rad.
+    pub(crate) fn direction_rad(&self, time_s: f64) -> f64 {
+        let turned_rad = match &self.speed {
+            None => self.speed_rad_s * time_s,
+            Some(table) => table.integral([0.0, time_s]),
+        };
+        self.unbalance.phase_rad + turned_rad
+    }
+
     /// Force at a time, N: −m·e d²/dt² (cos φ, sin φ) with φ̇ = ωi.
     pub(crate) fn at(&self, time_s: f64) -> [f64; 2] {
-        let (turned_rad, speed, rate) = match &self.speed {
-            None => (self.speed_rad_s * time_s, self.speed_rad_s, 0.0),
-            Some(table) => (
-                table.integral([0.0, time_s]),
-                table.value(time_s),
-                table.slope(time_s),
-            ),
+        let (speed, rate) = match &self.speed {
+            None => (self.speed_rad_s, 0.0),
+            Some(table) => (table.value(time_s), table.slope(time_s)),
         };
-        let (sin, cos) = (self.unbalance.phase_rad + turned_rad).sin_cos();
+        let (sin, cos) = self.direction_rad(time_s).sin_cos();
         let amount = self.unbalance.amount_kg_m;
         let square = speed * speed;
         [

@@ -178,7 +178,7 @@ impl Case {
         let bears = inner.min(outer) * deflection.powf(1.5);
         let gravity_m_s2 = self.operation.gravity_m_s2;
         let turning_n = self.operation.unbalance_force_n();
-        let radial_load_n = self.largest_radial_load_n() - turning_n;
+        let radial_load_n = self.largest_radial_load_n();
         let mass = bearing.ball_mass_kg();
         let centrifugal = self.centrifugal_force_n();
         let elastic = "an elastic contact bears a deflection of 5 % of the ball radius";

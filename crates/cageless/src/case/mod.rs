@@ -92,10 +92,9 @@ impl Operation {
     /// The same operation with its time counted from `time_s`.
     pub fn from_time(&self, time_s: f64) -> Self {
         let mut later = self.clone();
-        later.unbalance.phase_rad += match &self.inner_speed_table {
-            Some(table) => table.integral([0.0, time_s]),
-            None => self.inner_speed_rad_s * time_s,
-        };
+        if let Some(force) = self.unbalance_force() {
+            later.unbalance.phase_rad = force.direction_rad(time_s);
+        }
         for (value, table) in [
             (&mut later.inner_speed_rad_s, &mut later.inner_speed_table),
             (&mut later.radial_load_n, &mut later.radial_load_table),
@@ -317,11 +316,10 @@ impl Case {
         }
     }
 
-    /// Largest Fr of the run with the force of the unbalance, N.
+    /// Largest Fr of the run, N.
     pub(crate) fn largest_radial_load_n(&self) -> f64 {
         let table = self.operation.radial_load_table.as_ref();
-        let load = table.map_or(self.operation.radial_load_n, |t| t.range()[1]);
-        load + self.operation.unbalance_force_n()
+        table.map_or(self.operation.radial_load_n, |t| t.range()[1])
     }
 
     /// Whether speed and load are constant.

@@ -77,7 +77,7 @@ pub fn creep_coefficient(axis_ratio: f64, poisson_ratio: f64) -> f64 {
 
 /// G ca cb C11 of a contact of two bodies, N^(1/3): the slope of friction over ΔV is this N^(2/3)/V. Of unequal
 /// materials 1/G and ν/G are means.
-pub fn creep_stiffness_n1_3(contact: &PointContact, materials: [&Material; 2]) -> f64 {
+pub(crate) fn creep_stiffness_n1_3(contact: &PointContact, materials: [&Material; 2]) -> f64 {
     let compliances = materials.map(|m| 2.0 * (1.0 + m.poisson_ratio) / m.youngs_modulus_pa);
     let compliance = 0.5 * (compliances[0] + compliances[1]);
     let contraction = [0, 1]
@@ -90,7 +90,7 @@ pub fn creep_stiffness_n1_3(contact: &PointContact, materials: [&Material; 2]) -
 }
 
 lane_struct! {
-    /// Creep of the contacts of a ball with the raceways, N^(1/3): [`creep_stiffness_n1_3`] over the coefficient of
+    /// Creep of the contacts of a ball with the raceways, N^(1/3): G ca cb C11 over the coefficient of
     /// friction at rest.
     pub struct Creep per lane CreepLanes {
         /// At the outer raceway.

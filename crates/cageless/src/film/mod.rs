@@ -37,7 +37,8 @@ pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;
 pub use rest::{ContactFilm, FilmAtRest};
 pub use rolling_force::{Rolling, RollingForce};
-pub use spacing::{QUEUE, free_share, opening_gap_rad};
+pub(crate) use spacing::QUEUE;
+pub use spacing::{free_share, opening_gap_rad};
 pub use starvation::starved_share;
 pub use thickness::{FilmThickness, asperity_share};
 

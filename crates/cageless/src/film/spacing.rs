@@ -9,8 +9,8 @@ const OPENING: f64 = 0.85;
 /// Speed deficit over the free share of the pitch circle from which slowed balls may queue: never below 1.1, always
 /// from 1.45 on in prototypes.
 pub(super) const MAY_QUEUE: f64 = 1.1;
-/// The same where balls queue as a rule.
-pub const QUEUE: f64 = 1.3;
+/// Speed deficit over the free share of the pitch circle from which slowed balls queue as a rule.
+pub(crate) const QUEUE: f64 = 1.3;
 
 /// g_f = 0.85 d · 2π/N, gap that opens behind a ball that enters the load zone, rad; d the share of its speed that it
 /// has lost.

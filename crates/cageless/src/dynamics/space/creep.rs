@@ -1,7 +1,8 @@
 //! Knees of the law at every place, from the creep of rolling contacts.
 //!
-//! Of a ball at ρ from the axis of the ring that orbits with vτ, the contact at ρ + R nρ and the surface of the ring
-//! at wτ roll at u = wτ − vτ (1 + R nρ/ρ) + sτ/2; N^(1/3) is a of the contact over that under 1 N.
+//! ρ is the distance of the ball from the axis of the ring, vτ its orbital velocity, R nρ the radial distance of the
+//! contact from its centre, wτ the velocity of the surface of the ring, sτ the sliding velocity. The rolling speed is
+//! u = wτ − vτ (1 + R nρ/ρ) + sτ/2. N^(1/3) is the semi-axis a of the contact over that under 1 N.
 
 use super::block::{INNER, SpaceBlock};
 use super::frame::of_lane;
