@@ -242,7 +242,9 @@ def check_in_text(cageless):
             found += 1
             if tests := re.fullmatch(r"cargo test .*-p (\S+) --(test all|lib) (\w+)", code):
                 crate, kind, word = tests.groups()
-                sources = (ROOT / "crates" / crate / ("src" if kind == "lib" else "tests")).rglob("*.rs")
+                # Tests of what is not public lie in tests/inside and belong to the library.
+                folders = ("src", "tests/inside") if kind == "lib" else ("tests",)
+                sources = (file for folder in folders for file in (ROOT / "crates" / crate / folder).rglob("*.rs"))
                 ok = any(word in of.as_posix() or re.search(rf"(fn|mod) \w*{word}", of.read_text(encoding="utf-8")) for of in sources)
                 check(name, ok, f"no test has {word} in its name")
             elif used := re.match(r"cageless (?!help)([a-z]+)\b", code):

@@ -13,7 +13,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of one ball and of its contacts.
-    pub struct Ball per lane BallLanes {
+    pub(crate) struct Ball per lane BallLanes {
         /// R, m.
         radius,
         /// m, kg.
@@ -47,7 +47,7 @@ lane_struct! {
 
 lane_struct! {
     /// Position, velocity and spin of a ball.
-    pub struct BallMotion per lane BallMotionLanes {
+    pub(crate) struct BallMotion per lane BallMotionLanes {
         /// x, m.
         x,
         /// y, m.
@@ -65,7 +65,7 @@ lane_struct! {
 lane_struct! {
     /// Motion of a ball's centre in polar coordinates about the centre of a ring, relative to
     /// that centre.
-    pub struct PolarMotion per lane PolarMotionLanes {
+    pub(crate) struct PolarMotion per lane PolarMotionLanes {
         /// Unit vector e from the centre to the ball.
         ex,
         /// Unit vector e from the centre to the ball.
@@ -97,7 +97,7 @@ pub struct Centre {
 impl BallMotion {
     /// Polar coordinates about `centre`: e = r/|r|, vt = v·t with t = e turned by +90°.
     #[inline(always)]
-    pub fn about(&self, centre: &Centre) -> PolarMotion {
+    pub(crate) fn about(&self, centre: &Centre) -> PolarMotion {
         let (x, y) = (self.x - centre.x, self.y - centre.y);
         let (vx, vy) = (self.vx - centre.vx, self.vy - centre.vy);
         let distance = (x * x + y * y).sqrt();

@@ -41,7 +41,7 @@ use crate::limits::{from_to, positive, require};
 use crate::material::Materials;
 
 use dimensions::ROUNDING_M;
-pub use dimensions::{BALLS_MAX, BALLS_MIN, BearingDimensions, SHOULDER_HEIGHT};
+pub use dimensions::{BALLS_MIN, BearingDimensions, SHOULDER_HEIGHT};
 pub use estimate::{CONFORMITY, INNER_RING_DAMPING_N_S_M};
 pub use shoulder::BeyondGroove;
 
@@ -314,7 +314,7 @@ impl Bearing {
     /// Ro − Rw: distance of a ball's centre that just touches the plain outer
     /// raceway. It stands for Rm in Zhao 2022, Eq. (4) to (8), so that the
     /// contact path ends on the plain raceway at any clearance.
-    pub fn outer_orbit_radius_m(&self) -> f64 {
+    pub(crate) fn outer_orbit_radius_m(&self) -> f64 {
         self.dimensions.outer_groove_bottom_radius_m - self.dimensions.ball_radius_m
     }
 
@@ -335,7 +335,7 @@ impl Bearing {
     }
 
     /// Jr = 2/5 m Rw², inertia of a nominal ball about a diameter.
-    pub fn ball_inertia_kg_m2(&self) -> f64 {
+    pub(crate) fn ball_inertia_kg_m2(&self) -> f64 {
         self.ball_of(self.ball_radius_m()).inertia_kg_m2
     }
 

@@ -22,7 +22,7 @@ use crate::simulation::StepView;
 
 /// Approach speeds above which contacts between balls are counted apart, m/s: slower ones are
 /// chatter of balls that push each other along.
-pub const APPROACH_SPEEDS_M_S: [f64; 3] = [0.1, 0.5, 1.0];
+pub(crate) const APPROACH_SPEEDS_M_S: [f64; 3] = [0.1, 0.5, 1.0];
 
 /// Numbers of contacts between neighbouring balls that began.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,14 +44,14 @@ impl AddAssign for ContactCounts {
 
 /// Counts the contacts that begin in each step, by their approach speed.
 #[derive(Debug, Clone)]
-pub struct ContactCounter {
+pub(crate) struct ContactCounter {
     tracker: ContactTracker,
     distances_m: Vec<f64>,
 }
 
 impl ContactCounter {
     /// Counter of the balls of `model`.
-    pub fn new(model: &Model) -> Self {
+    pub(crate) fn new(model: &Model) -> Self {
         let balls = model.balls();
         Self {
             tracker: ContactTracker::new(balls),
@@ -61,7 +61,7 @@ impl ContactCounter {
 
     /// Contacts that began in the step of `view`; `None` if none did.
     #[inline]
-    pub fn step(&mut self, view: &StepView<'_>) -> Option<ContactCounts> {
+    pub(crate) fn step(&mut self, view: &StepView<'_>) -> Option<ContactCounts> {
         self.tracker.update(&view.contacts);
         self.tracker.any_started.then(|| self.counts(view))
     }
@@ -83,7 +83,7 @@ impl ContactCounter {
 
 /// Detects from step to step which pairs of neighbouring balls have started to touch.
 #[derive(Debug, Clone)]
-pub struct ContactTracker {
+pub(crate) struct ContactTracker {
     closed: Vec<bool>,
     started: Vec<bool>,
     any_closed: bool,
@@ -92,7 +92,7 @@ pub struct ContactTracker {
 
 impl ContactTracker {
     /// Tracks `balls` balls. A contact already closed at the first update counts as started.
-    pub fn new(balls: usize) -> Self {
+    pub(crate) fn new(balls: usize) -> Self {
         Self {
             closed: vec![false; balls],
             started: vec![false; balls],
@@ -103,7 +103,7 @@ impl ContactTracker {
 
     /// Takes the contacts at the end of a step.
     #[inline]
-    pub fn update(&mut self, contacts: &Contacts<'_>) {
+    pub(crate) fn update(&mut self, contacts: &Contacts<'_>) {
         let touch = contacts.balls_touch();
         // Most steps have no contact, and none before.
         if touch || self.any_closed || self.any_started {
@@ -124,13 +124,13 @@ impl ContactTracker {
 
     /// Whether the contact of ball `k` with the ball ahead started at the last update.
     #[inline]
-    pub fn started(&self, k: usize) -> bool {
+    pub(crate) fn started(&self, k: usize) -> bool {
         self.started[k]
     }
 
     /// Number of contacts that started at the last update.
     #[inline]
-    pub fn count(&self) -> u32 {
+    pub(crate) fn count(&self) -> u32 {
         if !self.any_started {
             return 0;
         }

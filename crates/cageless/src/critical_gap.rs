@@ -69,14 +69,14 @@ pub struct PairTest {
 pub const NEIGHBOURS_WIDER: f64 = 1.4;
 /// Upper end of the critical gaps that verdict and search resolve, as a multiple of the steady gap: balls collide
 /// above.
-pub const CROWDED_MAX: f64 = 1.5;
+pub(crate) const CROWDED_MAX: f64 = 1.5;
 /// Error of these critical gaps: a tenth of what choices of the experiment move them by.
 const GAP_TOLERANCE_RAD: f64 = 2e-5;
 
 impl PairTest {
     /// The critical gap of verdict and search, of a row and raceways whose steady gap of rolling is `steady_gap_rad`;
     /// in the `paper` formulation the neighbours stand as evenly as in the paper.
-    pub fn of_raceways(case: &Case, row: usize, steady_gap_rad: f64) -> Self {
+    pub(crate) fn of_raceways(case: &Case, row: usize, steady_gap_rad: f64) -> Self {
         Self {
             row,
             neighbours_wider: match case.formulation {

@@ -30,7 +30,7 @@ mod tolerance_class;
 
 pub use bearing_class::BearingClass;
 pub use clearance_range::ClearanceRange;
-pub use interference::Interference;
+pub(crate) use interference::Interference;
 pub use tolerance_class::{HoleClass, ShaftClass};
 
 use crate::bearing::BearingDimensions;

@@ -93,7 +93,7 @@ impl Direction {
 
 /// Smallest and largest gap that was seen between each pair of neighbours.
 #[derive(Debug, Clone, Default)]
-pub struct GapRange {
+pub(crate) struct GapRange {
     pair_angles: Vec<f64>,
     blocks: Vec<RangeBlock>,
 }
@@ -148,7 +148,7 @@ impl RangeBlock {
 
 impl GapRange {
     /// Gap range of the balls of a model.
-    pub fn new(model: &Model) -> Self {
+    pub(crate) fn new(model: &Model) -> Self {
         let (balls, layout) = (model.balls(), model.layout());
         let block = |first: usize| RangeBlock {
             apart: LaneSet::of(|lane| layout.next(first + lane) != first + lane + 1),
@@ -161,7 +161,7 @@ impl GapRange {
     }
 
     /// Takes the positions of the balls and of the centre of the outer ring.
-    pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
+    pub(crate) fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
         let isa = InstructionSet::chosen();
         for (first, block) in (0..).step_by(LANES).zip(&mut self.blocks) {
             let pairs = match (x_m.blocks_at(first), y_m.blocks_at(first)) {
@@ -180,7 +180,7 @@ impl GapRange {
     }
 
     /// Smallest and largest gap of all, rad; infinite before the first look.
-    pub fn range_rad(&self) -> [f64; 2] {
+    pub(crate) fn range_rad(&self) -> [f64; 2] {
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for (k, &pair) in self.pair_angles.iter().enumerate() {
             let (block, lane) = (&self.blocks[k / LANES], k % LANES);

@@ -129,9 +129,9 @@ pub mod film;
 pub mod fit;
 mod flank_model;
 mod formulation;
-pub mod gap;
+mod gap;
 mod gap_scatter;
-pub mod half_turn;
+mod half_turn;
 pub mod initial_conditions;
 pub mod integrator;
 pub mod kinematics;
@@ -143,7 +143,7 @@ pub mod min_max_decimator;
 mod named_enum;
 pub mod numerics;
 pub mod orbit_means;
-pub mod outer_contact_geometry;
+mod outer_contact_geometry;
 pub mod passage;
 pub mod prelude;
 pub mod raceway;
@@ -152,7 +152,7 @@ pub mod rating;
 pub mod recorder;
 pub mod reference;
 pub mod ring_support;
-pub mod rotating_ring;
+mod rotating_ring;
 pub mod rotor;
 mod scope;
 pub(crate) mod simd;
@@ -172,7 +172,8 @@ pub mod vibration;
 pub mod world;
 
 pub use assembly::Assembly;
-pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
+pub use bearing::Ball;
+pub use bearing::{Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
     Case, Contact, Gaps, Housing, Motion, Operation, Row, SPATIAL_FIELDS, Solver, SpatialLoad,
     Start, StartState, Tilt,
@@ -195,9 +196,12 @@ pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 pub use time_table::TimeTable;
 pub use unbalance::Unbalance;
 
-// Cases that unit tests share with the tests beside them.
+// The tests of what is not public, and the cases that they share with the tests from outside.
 #[cfg(test)]
 extern crate self as cageless;
 #[cfg(test)]
 #[path = "../tests/common/mod.rs"]
 mod common;
+#[cfg(test)]
+#[path = "../tests/inside/mod.rs"]
+mod inside;

@@ -31,7 +31,7 @@ use crate::raceway::Raceway;
 
 /// Orbit radius and effective contact radius of a ball that just touches the outer ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OuterContactGeometry {
+pub(crate) struct OuterContactGeometry {
     /// Distance of the ball centre from the bearing axis, m.
     pub outer_orbit_radius_m: f64,
     /// r, effective contact radius, m.
@@ -39,7 +39,7 @@ pub struct OuterContactGeometry {
 }
 
 /// OuterContactGeometry of the outer contact of a ball of radius `ball_radius_m` at ψ = `angle_rad`.
-pub fn outer_contact_geometry(
+pub(crate) fn outer_contact_geometry(
     bearing: &Bearing,
     raceways: &[Raceway],
     angle_rad: f64,
@@ -107,7 +107,7 @@ const TRIED: u32 = 32;
 ///
 /// # Errors
 /// An [`InputError`] naming the deviation of the ball that does not, or the depth error.
-pub fn check(bearing: &Bearing, raceways: &[Raceway]) -> Result<(), InputError> {
+pub(crate) fn check(bearing: &Bearing, raceways: &[Raceway]) -> Result<(), InputError> {
     let rw = bearing.ball_radius_m();
     let largest = bearing
         .ball_radius_deviations_m()

@@ -306,7 +306,7 @@ impl UnderWay {
 
 /// Speed of the inner ring over its largest from which balls are seen to roll: in a slower one weight and the flanks
 /// move them as much as it does.
-pub const TURNS_FROM: f64 = 0.1;
+pub(crate) const TURNS_FROM: f64 = 0.1;
 
 /// An orbital speed over that of the inner ring, times the largest; infinite where the ring hardly turns.
 #[inline]
@@ -334,7 +334,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageSink for F {
 
 /// Tally of the passages that begin after a time.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct SettledPassages {
+pub(crate) struct SettledPassages {
     /// The time, s.
     pub after_s: f64,
     /// The passages.
@@ -382,7 +382,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
 
 impl<S: PassageSink> PassageRecorder<S> {
     /// Passes each passage to `sink` when it ends.
-    pub fn to(sink: S) -> Self {
+    pub(crate) fn to(sink: S) -> Self {
         Self {
             sectors: vec![],
             pair_angles: vec![],
@@ -398,7 +398,7 @@ impl<S: PassageSink> PassageRecorder<S> {
     }
 
     /// The receiver.
-    pub fn sink(&self) -> &S {
+    pub(crate) fn sink(&self) -> &S {
         &self.sink
     }
 

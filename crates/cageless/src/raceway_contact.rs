@@ -57,7 +57,7 @@ impl RacewayContact {
     }
 
     /// Contact at the inner raceway.
-    pub fn inner(bearing: &Bearing, point: RacewayPoint) -> Self {
+    pub(crate) fn inner(bearing: &Bearing, point: RacewayPoint) -> Self {
         let contact = match point.cosine < 1.0 {
             true => &bearing.contacts_at([point.cosine.acos(); 2])[0],
             false => bearing.inner_contact(),

@@ -27,14 +27,14 @@ impl Bearing {
 
     /// Angle between the centres of the two end balls across the gap, all balls touching in one
     /// row: the largest angle without support that the ring can meet.
-    pub fn bunched_opening_rad(&self) -> f64 {
+    pub(crate) fn bunched_opening_rad(&self) -> f64 {
         let widest = (0..self.balls()).map(|k| self.pair_angle_rad(k));
         widest.fold(0.0, f64::max) + self.balls() as f64 * self.mean_gap_rad()
     }
 
     /// Whether the inner ring can leave the bearing between the balls: bunched, they leave half
     /// of the pitch circle or more without support.
-    pub fn can_fall_between_balls(&self) -> bool {
+    pub(crate) fn can_fall_between_balls(&self) -> bool {
         self.bunched_opening_rad() >= PI
     }
 

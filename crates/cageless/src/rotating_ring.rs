@@ -18,7 +18,7 @@ use crate::material::Material;
 ///
 /// at the diameter x, in plane stress (Timoshenko and Goodier, *Theory of Elasticity*, rotating disks); with d = 0 a
 /// solid disk.
-pub fn rotating_growth_m(
+pub(crate) fn rotating_growth_m(
     material: &Material,
     speed_rad_s: f64,
     [inside_m, outside_m]: [f64; 2],

@@ -109,7 +109,7 @@ pub(crate) const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 impl Rotor {
     /// A balanced horizontal rotor at rest in the middle of its air gap, turning at `speed_rad_s`, without a drive: its
     /// journal rubs on the bore with μ = 0.15 (smooth, 0.05 m/s), a stiffness of 1e9 N/m and 0.3 s/m of damping.
-    pub fn estimated(
+    pub(crate) fn estimated(
         mass_kg: f64,
         polar_inertia_kg_m2: f64,
         speed_rad_s: f64,
@@ -143,12 +143,12 @@ impl Rotor {
     }
 
     /// Whether the rotor turns, or a drive turns it.
-    pub fn turns(&self) -> bool {
+    pub(crate) fn turns(&self) -> bool {
         self.speed_rad_s != 0.0 || self.drive_torque_n_m != 0.0
     }
 
     /// Centre of the journal at the start: zg − ε·e^(iφ).
-    pub fn journal_start_m(&self) -> [f64; 2] {
+    pub(crate) fn journal_start_m(&self) -> [f64; 2] {
         self.journal_m([self.x_m, self.y_m], 0.0)
     }
 

@@ -367,7 +367,7 @@ impl StepLimits {
     /// The rates where the journal belongs to a rotor that shows it a smaller mass than the case
     /// gives it, and that has vibrations of its own up to `fastest_rad_s` and decays by its own
     /// damping at up to `fastest_decay_1_s`.
-    pub fn with_linear_rotor(
+    pub(crate) fn with_linear_rotor(
         case: &Case,
         effective_mass_kg: f64,
         fastest_rad_s: f64,
@@ -387,7 +387,7 @@ impl StepLimits {
     }
 
     /// Step beyond which the contacts are unstable under the method.
-    pub fn largest_s(&self, method: IntegrationMethod) -> f64 {
+    pub(crate) fn largest_s(&self, method: IntegrationMethod) -> f64 {
         let properties = method.properties();
         (properties.oscillation_limit / self.contact_rad_s)
             .min(properties.decay_limit / self.damping_1_s)
@@ -396,7 +396,7 @@ impl StepLimits {
     /// Whether friction is stiff for the step of `case`: beyond a λh of 0.7 the production
     /// method treats it implicitly, below it, with the other forces, to second order. Coulomb's
     /// law always counts as stiff.
-    pub fn friction_is_stiff(case: &Case) -> bool {
+    pub(crate) fn friction_is_stiff(case: &Case) -> bool {
         let rotor = case.rotor.as_ref();
         let limits = Self::new(case);
         case.contact.friction_law.sticks()

@@ -65,7 +65,7 @@ impl TimeTable {
 
     /// Index of the piece at `time_s`: 0 before the first time, the number of times after the
     /// last one.
-    pub fn piece(&self, time_s: f64) -> usize {
+    pub(crate) fn piece(&self, time_s: f64) -> usize {
         self.times_s.partition_point(|t| *t <= time_s)
     }
 
@@ -95,7 +95,7 @@ impl TimeTable {
     }
 
     /// Rate of change at `time_s`, per second; of the piece that begins there at a corner.
-    pub fn slope(&self, time_s: f64) -> f64 {
+    pub(crate) fn slope(&self, time_s: f64) -> f64 {
         let next = self.piece(time_s);
         if next == 0 || next == self.values.len() {
             return 0.0;
@@ -105,7 +105,7 @@ impl TimeTable {
     }
 
     /// The same quantity with its time counted from `time_s`.
-    pub fn from_time(&self, time_s: f64) -> Self {
+    pub(crate) fn from_time(&self, time_s: f64) -> Self {
         let rest = self.piece(time_s);
         let times = self.times_s[rest..].iter().map(|t| t - time_s);
         let mut table = Self {
@@ -118,7 +118,7 @@ impl TimeTable {
     }
 
     /// Integral of the quantity from one time to a later one.
-    pub fn integral(&self, [from_s, to_s]: [f64; 2]) -> f64 {
+    pub(crate) fn integral(&self, [from_s, to_s]: [f64; 2]) -> f64 {
         let corners = self.times_s.iter().copied();
         let corners = corners.filter(|t| (from_s < *t) & (*t < to_s));
         let (mut last_s, mut sum) = (from_s, 0.0);
@@ -139,7 +139,7 @@ impl TimeTable {
     }
 
     /// Smallest and largest value.
-    pub fn range(&self) -> [f64; 2] {
+    pub(crate) fn range(&self) -> [f64; 2] {
         let first = self.values[0];
         let values = self.values.iter();
         values.fold([first; 2], |[low, high], v| [low.min(*v), high.max(*v)])

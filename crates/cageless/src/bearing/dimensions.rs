@@ -46,14 +46,14 @@ const CONFORMITY_MAX: f64 = 1.0;
 pub const BALLS_MIN: usize = 3;
 
 /// Largest number of balls.
-pub const BALLS_MAX: usize = 256;
+pub(crate) const BALLS_MAX: usize = 256;
 
 /// Below this a difference of dimensions is rounding: a thousandth of a nanometre.
 pub(super) const ROUNDING_M: f64 = 1e-12;
 
 impl BearingDimensions {
     /// Bore radius of an inner ring of which none is given, m: 0.3 ball diameters below the groove.
-    pub fn bore_radius_estimate_m(&self) -> f64 {
+    pub(crate) fn bore_radius_estimate_m(&self) -> f64 {
         let bottom = self.inner_groove_bottom_radius_m;
         (bottom - WALL * (2.0 * self.ball_radius_m)).max(0.5 * bottom)
     }

@@ -12,7 +12,7 @@ const WALL: f64 = 0.3;
 impl Bearing {
     /// Mass of a ring of the density of the rings from its shoulders to the wall behind its groove, 0.3 ball
     /// diameters thick and 1.6 wide, kg.
-    pub fn outer_ring_mass_kg(&self) -> f64 {
+    pub(crate) fn outer_ring_mass_kg(&self) -> f64 {
         let area =
             PI * (self.outside_m().powi(2) - self.dimensions.outer_shoulder_radius_m.powi(2));
         self.materials().ring.density_kg_m3 * area * self.width_m()

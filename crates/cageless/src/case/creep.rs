@@ -9,7 +9,7 @@ use crate::kinematics::rolling_orbit_speed_rad_s;
 
 impl Case {
     /// G ca cb C11 of the contacts with the outer and the inner raceway, N^(1/3).
-    pub fn creep_stiffness_n1_3(&self) -> [f64; 2] {
+    pub(crate) fn creep_stiffness_n1_3(&self) -> [f64; 2] {
         let materials = self.bearing.materials();
         let angle = self.bearing.contact_angle_rad();
         let [inner, outer] = self.bearing.contacts_at([angle; 2]);
@@ -18,7 +18,7 @@ impl Case {
     }
 
     /// Creep of the contacts with the raceways; `None` if the regularisation speed is given.
-    pub fn creep(&self) -> Option<Creep> {
+    pub(crate) fn creep(&self) -> Option<Creep> {
         if self.contact.regularisation != Regularisation::Kalker {
             return None;
         }

@@ -265,7 +265,7 @@ pub(crate) fn series_stiffness_n_m1_5(inner: f64, outer: f64) -> f64 {
 }
 
 /// Longest run that is accepted, in steps.
-pub const STEPS_MAX: f64 = 1e12;
+pub(crate) const STEPS_MAX: f64 = 1e12;
 
 /// Shortest run that is accepted.
 pub(crate) const DURATION_MIN_S: f64 = 1e-15;
@@ -361,7 +361,7 @@ impl Case {
 
     /// Force with which the largest axial preload of a row presses each of its balls between rings that
     /// nothing else moves, N.
-    pub fn axial_preload_n(&self) -> f64 {
+    pub(crate) fn axial_preload_n(&self) -> f64 {
         let most = |of: fn(&Row) -> f64| self.rows.iter().map(of).fold(0.0, f64::max);
         let by_displacement_n = self.pressed_along_axis(most(|row| row.preload_m))[0];
         match most(|row| row.preload_n) {
@@ -419,7 +419,7 @@ impl Case {
 
     /// K of ball `k` at the inner raceway, at the outer raceway and against the ball ahead,
     /// N·m^(−3/2): as given, else from Hertz with the radii of these balls.
-    pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
+    pub(crate) fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
         let c = &self.contact;
         let [inner, outer, ball] = self.bearing.ball_stiffness_n_m1_5(k);
         [

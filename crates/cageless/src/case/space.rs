@@ -100,7 +100,7 @@ impl Case {
     /// Indices of rows of which no two move alike; every other row is like one of them. Rows with the same contact
     /// sign and preload are alike on a ring that stays straight, and mirror images too where nothing pushes the
     /// ring along its axis.
-    pub fn distinct_rows(&self) -> Vec<usize> {
+    pub(crate) fn distinct_rows(&self) -> Vec<usize> {
         let rows = self.all_rows();
         let load = &self.operation.space;
         let straight = load.tilt == Tilt::default();
@@ -172,7 +172,7 @@ impl Case {
     ///
     /// # Errors
     /// An [`InputError`] naming what takes it out of the plane.
-    pub fn check_planar(&self) -> Result<(), InputError> {
+    pub(crate) fn check_planar(&self) -> Result<(), InputError> {
         const IN_SPACE: &str = "`cageless static`, `run`, `compare`, `design` without `--axial`, `tolerance`, \
                                 `studio`, `drop` and sweeps";
         if let Some((field, value)) = self.spatial_field() {

@@ -6,7 +6,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Contact of one ball with the ball ahead without its friction.
-    pub struct BallBallContact per lane BallBallContactLanes {
+    pub(crate) struct BallBallContact per lane BallBallContactLanes {
         /// δb, m; negative: apart.
         deflection,
         /// dδb/dt, m/s.
@@ -71,7 +71,7 @@ impl BallBallContact {
     /// Force and moment on the ball under the friction `friction_n`, which pushes the balls
     /// along p and brakes both spins; the ball ahead takes the opposite force.
     #[inline(always)]
-    pub fn load(&self, constants: &Ball, friction_n: f64) -> BallLoad {
+    pub(crate) fn load(&self, constants: &Ball, friction_n: f64) -> BallLoad {
         BallLoad {
             fx: -self.force * self.ux + friction_n * self.uy,
             fy: -self.force * self.uy - friction_n * self.ux,

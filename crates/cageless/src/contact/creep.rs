@@ -52,7 +52,7 @@ const LEAST_SPEED_SQUARE: f64 = 1e-6;
 /// C11 of an ellipse whose semi-axis along rolling is `axis_ratio` times that across, of bodies with Poisson's ratio
 /// ν: linear in the smaller ratio of the axes, quadratic in ν. From a/b = 0.1 down it goes to that of a line,
 /// π²/(4(1 − ν)); from b/a = 0.1 down it grows with a/b.
-pub fn creep_coefficient(axis_ratio: f64, poisson_ratio: f64) -> f64 {
+pub(crate) fn creep_coefficient(axis_ratio: f64, poisson_ratio: f64) -> f64 {
     let row = |k: usize| {
         let [none, quarter, half] = C11[k];
         let t = 4.0 * poisson_ratio;
@@ -92,7 +92,7 @@ pub(crate) fn creep_stiffness_n1_3(contact: &PointContact, materials: [&Material
 lane_struct! {
     /// Creep of the contacts of a ball with the raceways, N^(1/3): G ca cb C11 over the coefficient of
     /// friction at rest.
-    pub struct Creep per lane CreepLanes {
+    pub(crate) struct Creep per lane CreepLanes {
         /// At the outer raceway.
         outer,
         /// At the inner raceway.

@@ -41,7 +41,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// What the friction of a ball at its flanks depends on beside ΔVo.
-    pub struct FlankSliding per lane FlankSlidingLanes {
+    pub(crate) struct FlankSliding per lane FlankSlidingLanes {
         /// (sin α dρ/dt)², (m/s)².
         along_square,
         /// 1/v₁, s/m.
@@ -52,7 +52,7 @@ lane_struct! {
 impl FlankSliding {
     /// Sliding of a ball that moves outwards at `radial_m_s` and rotates at `rotation_rad_s`.
     #[inline(always)]
-    pub fn new(
+    pub(crate) fn new(
         law: &impl Law,
         flanks: &FlankContact,
         radial_m_s: f64,
@@ -73,7 +73,7 @@ const LINEAR: f64 = 1e-5;
 
 /// Law of friction over ΔVo at the flanks of a ball.
 #[derive(Debug, Clone, Copy)]
-pub struct AtFlanks<L> {
+pub(crate) struct AtFlanks<L> {
     /// Law of the contact.
     pub law: L,
     /// The rest of its sliding.
@@ -101,7 +101,7 @@ impl<L: Law> AtFlanks<L> {
     /// Coefficients of the friction along the radius over dρ/dt, N·s/m, and of the moment of spin
     /// over ω, N·m·s.
     #[inline(always)]
-    pub fn drag(&self, flanks: &FlankContact, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+    pub(crate) fn drag(&self, flanks: &FlankContact, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
         let [secant, slope, _] = self.along_sliding(slip_m_s, normal_n);
         let knee = 0.75 * self.sliding.inverse_knee / self.law.inverse_regularisation_speed();
         let moment = 0.25 * flanks.axis_square * positive(slope) / (1.0 + knee * knee).sqrt();

@@ -32,7 +32,7 @@ use super::positive;
 
 /// Flanks of a discrete raceway at one ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FlankSection {
+pub(crate) struct FlankSection {
     /// g, distance of their centres from that of the ball that just touches, m.
     pub gap: f64,
     /// h, part of it along the radius, m.
@@ -43,7 +43,7 @@ pub struct FlankSection {
 
 /// A ball pressed into both flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FlankPress {
+pub(crate) struct FlankPress {
     /// δe, m; 0 apart.
     pub deflection: f64,
     /// ∂δe/∂ρ.
@@ -65,7 +65,7 @@ pub struct FlankPress {
 impl FlankSection {
     /// The ball at `beyond_m` from where it just touches, outwards positive.
     #[inline(always)]
-    pub fn press(&self, beyond_m: f64) -> FlankPress {
+    pub(crate) fn press(&self, beyond_m: f64) -> FlankPress {
         let (g, h, c) = (self.gap, self.height, self.cosine);
         let u = positive(beyond_m);
         // H² − g², without the cancellation of a difference of lengths.

@@ -8,7 +8,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Contacts of one ball with both flanks, beside its [`OuterContact`].
-    pub struct FlankContact per lane FlankContactLanes {
+    pub(crate) struct FlankContact per lane FlankContactLanes {
         /// δe, m; 0 apart.
         deflection,
         /// ∂δe/∂ρ.

@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Thermal effusivity √(kρc) of bearing steel 100Cr6, W·s^½/(m²·K): k = 46 W/(m·K),
 /// ρ = 7850 kg/m³, c = 460 J/(kg·K).
-pub const STEEL_EFFUSIVITY: f64 = 12_888.0;
+pub(crate) const STEEL_EFFUSIVITY: f64 = 12_888.0;
 
 /// Flash temperature from which a bearing surface is expected to fail, K: bearing steel 100Cr6 is
 /// tempered at 150 to 200 °C and softens above (ISO 683-17); oil films break down at about the
@@ -30,7 +30,7 @@ pub const FLASH_TEMPERATURE_LIMIT_K: f64 = 150.0;
 /// difference of the roots is then |V₁ − V₂|/(√|V₁| + √|V₂|).
 ///
 /// Source: H. Blok, General Discussion on Lubrication, IMechE 1937; ISO/TS 6336-20.
-pub fn flash_temperature_k(
+pub(crate) fn flash_temperature_k(
     friction_coefficient: f64,
     peak_pressure_pa: f64,
     semi_axis_m: f64,

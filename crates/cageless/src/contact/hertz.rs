@@ -30,7 +30,7 @@ pub const STRESS_LIMIT_PA: f64 = 4.2e9;
 pub(crate) const DEFLECTION_FRACTION_MAX: f64 = 0.05;
 
 /// Elastic energy 2/5 K δ^(5/2) of a contact with stiffness K in N·m^(−3/2), J; 0 for δ < 0.
-pub fn energy_j(stiffness_n_m1_5: f64, deflection_m: f64) -> f64 {
+pub(crate) fn energy_j(stiffness_n_m1_5: f64, deflection_m: f64) -> f64 {
     0.4 * stiffness_n_m1_5 * deflection_m.max(0.0).powf(2.5)
 }
 
@@ -64,14 +64,14 @@ pub(crate) fn modulus_of_pair_pa([one, other]: [&Material; 2]) -> f64 {
 
 impl PointContact {
     /// Contact of two bodies of one material; see [`PointContact::between`].
-    pub fn new(one: [f64; 2], other: [f64; 2], material: &Material) -> Self {
+    pub(crate) fn new(one: [f64; 2], other: [f64; 2], material: &Material) -> Self {
         Self::between(one, other, [material; 2])
     }
 
     /// Contact of two bodies whose principal curvatures (1/m, convex positive)
     /// lie in common planes: first the plane of rolling, then the meridian plane.
     /// The sums of curvatures in both planes must be positive.
-    pub fn between(one: [f64; 2], other: [f64; 2], materials: [&Material; 2]) -> Self {
+    pub(crate) fn between(one: [f64; 2], other: [f64; 2], materials: [&Material; 2]) -> Self {
         let sums = [one[0] + other[0], one[1] + other[1]];
         let (steep, flat) = (sums[0].max(sums[1]), sums[0].min(sums[1]));
         // A and B of z = A x² + B y², with the long axis a along x.
@@ -138,7 +138,7 @@ fn eccentricity_squared(ratio: f64) -> f64 {
 /// Closed form of the elastic impact of two equal spheres under F = K δ^(3/2)
 /// (Johnson, *Contact Mechanics*, section 11.4): largest deflection, largest force and
 /// duration at approach speed `speed_m_s`, with m the mass of one sphere.
-pub fn impact(stiffness_n_m1_5: f64, mass_kg: f64, speed_m_s: f64) -> (f64, f64, f64) {
+pub(crate) fn impact(stiffness_n_m1_5: f64, mass_kg: f64, speed_m_s: f64) -> (f64, f64, f64) {
     let reduced = mass_kg / 2.0;
     let deflection = (1.25 * reduced * speed_m_s.powi(2) / stiffness_n_m1_5).powf(0.4);
     // 2 ∫₀¹ dx/√(1 − x^(5/2)) = 2 √π Γ(2/5)/(5/2 · Γ(9/10)).

@@ -26,7 +26,7 @@ const LAST_SLIDE: [f64; 2] = [1.0, 1e-3];
 
 /// The two contacts of a ball with the raceways and what they slide against.
 #[derive(Debug, Clone, Copy)]
-pub struct RacewayContacts<'a> {
+pub(crate) struct RacewayContacts<'a> {
     /// The ball.
     pub ball: &'a Ball,
     /// The inner raceway.
@@ -46,7 +46,7 @@ impl SlipProblem {
     /// With Δv = h/m·(fi·ti − fo·to), Δω = h/J·(r·fo + R·fi), to and ti the tangents at both contacts,
     /// ΔVo = vt − r·ω and ΔVi = ωi·Ri − (vt,i + R·ω).
     #[inline(always)]
-    pub fn new(
+    pub(crate) fn new(
         contacts: &RacewayContacts<'_>,
         motion: &BallMotion,
         polar: &PolarMotion,
@@ -90,7 +90,7 @@ impl SlipProblem {
 
     /// ΔVo and ΔVi at the end of the step under the friction (fo, fi), m/s.
     #[inline(always)]
-    pub fn slips(&self, [outer, inner]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn slips(&self, [outer, inner]: [f64; 2]) -> [f64; 2] {
         [
             self.outer_free - (self.outer_outer * outer + self.outer_inner * inner),
             self.inner_free - (self.inner_outer * outer + self.inner_inner * inner),

@@ -6,7 +6,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Radius and surface speed of the inner raceway.
-    pub struct InnerRaceway per lane InnerRacewayLanes {
+    pub(crate) struct InnerRaceway per lane InnerRacewayLanes {
         /// Ri, m.
         radius,
         /// ωi·Ri, m/s.
@@ -18,7 +18,7 @@ lane_struct! {
 
 lane_struct! {
     /// Inner contact of one ball without its friction.
-    pub struct InnerContact per lane InnerContactLanes {
+    pub(crate) struct InnerContact per lane InnerContactLanes {
         /// δi, m; negative: apart.
         deflection,
         /// Fi, N.
@@ -32,7 +32,7 @@ lane_struct! {
 
 /// δi = Ri + Rw − |rb − ri|, m (Zhao 2022, Eq. (16)); negative: apart.
 #[inline(always)]
-pub fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
+pub(crate) fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
     ball.inner_contact_distance - distance_m
 }
 
@@ -41,7 +41,7 @@ pub fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
 ///
 /// ΔVi is the difference ωi·Ri − (vt + ω·Rw) of the surface velocities.
 #[inline(always)]
-pub fn inner_contact(
+pub(crate) fn inner_contact(
     ball: &Ball,
     raceway: &InnerRaceway,
     motion: &BallMotion,
@@ -64,7 +64,7 @@ pub fn inner_contact(
 
 /// ΔVi = ωi·Ri − (vt + ω·Rw), m/s.
 #[inline(always)]
-pub fn inner_slip(
+pub(crate) fn inner_slip(
     ball: &Ball,
     raceway: &InnerRaceway,
     motion: &BallMotion,

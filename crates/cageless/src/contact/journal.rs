@@ -22,7 +22,7 @@ use super::{Friction, positive};
 
 /// Constants of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Journal {
+pub(crate) struct Journal {
     /// Rj, radius of the journal, m.
     pub radius: f64,
     /// Rb, radius of the bore, m.
@@ -39,7 +39,7 @@ pub struct Journal {
 
 /// Motion of the centre of a journal or bore and the speed at which it turns.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct JournalMotion {
+pub(crate) struct JournalMotion {
     /// x, m.
     pub x: f64,
     /// y, m.
@@ -54,7 +54,7 @@ pub struct JournalMotion {
 
 /// Contact of journal and bore without its friction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct JournalContact {
+pub(crate) struct JournalContact {
     /// δ, m; negative: apart.
     pub deflection: f64,
     /// dδ/dt, m/s.
@@ -78,7 +78,7 @@ pub struct JournalContact {
 /// (Hunt & Crossley 1975, J. Appl. Mech. 42, 440–445); the surfaces slide at
 /// t·(żr − żi) + Ω·Rj − ωi·Rb. Elastic energy that the clamp at 0 withholds counts as damping.
 #[inline(always)]
-pub fn journal_contact(
+pub(crate) fn journal_contact(
     constants: &Journal,
     rotor: &JournalMotion,
     ring: &JournalMotion,
@@ -162,7 +162,7 @@ impl JournalContact {
 
 /// Sliding of a journal and the friction that belongs to it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct JournalSlip {
+pub(crate) struct JournalSlip {
     /// Sliding speed, m/s.
     pub slip: f64,
     /// Friction along −slip, N.
@@ -174,7 +174,7 @@ pub struct JournalSlip {
 impl JournalSlip {
     /// Friction at a sliding speed under the normal force `normal_n`.
     #[inline(always)]
-    pub fn at(slip: f64, law: &Friction, normal_n: f64) -> Self {
+    pub(crate) fn at(slip: f64, law: &Friction, normal_n: f64) -> Self {
         let [friction, slope] = law.force(slip, normal_n);
         Self {
             slip,

@@ -19,7 +19,7 @@
 //! ```
 
 mod ball_ball;
-pub mod creep;
+pub(crate) mod creep;
 mod flank_friction;
 mod flank_section;
 mod flanks;
@@ -33,37 +33,38 @@ mod journal;
 mod normal_force;
 mod outer;
 mod outer_geometry;
-pub mod published;
+pub(crate) mod published;
 mod regularisation;
 mod slip_problem;
 
-pub use ball_ball::BallBallContact;
 pub(crate) use ball_ball::{ball_ball_contact, ball_deflection};
-pub use flank_friction::{AtFlanks, FlankSliding};
-pub use flank_section::{FlankPress, FlankSection};
-pub use flanks::FlankContact;
+pub(crate) use flank_friction::{AtFlanks, FlankSliding};
+pub(crate) use flank_section::FlankSection;
+#[cfg(test)]
+pub(crate) use flanks::FlankContact;
 pub(crate) use flanks::flank_contact;
-pub use friction::{
-    Friction, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Law, OwnFriction, tanh,
-};
+pub(crate) use friction::Friction;
+pub(crate) use friction::Law;
+pub use friction::OwnFriction;
+pub use friction::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
 pub(crate) use friction_step::{MAX_ITERATIONS, end_weights};
-pub use implicit_friction::RacewayContacts;
+pub(crate) use implicit_friction::RacewayContacts;
 pub(crate) use implicit_friction::{further_step, newton_step};
+pub(crate) use inner::inner_contact;
 pub(crate) use inner::inner_load;
-pub use inner::{InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_slip};
-pub use journal::{Journal, JournalContact, JournalMotion, JournalSlip, journal_contact};
+pub(crate) use inner::{InnerContact, InnerRaceway, inner_deflection, inner_slip};
+pub(crate) use journal::{Journal, JournalContact, JournalMotion, JournalSlip, journal_contact};
 pub(crate) use journal::{implicit_slip, journal_energy_j, journal_slip};
-pub use normal_force::NormalForce;
+pub(crate) use normal_force::NormalForce;
 pub(crate) use normal_force::restitution_damping;
-pub use outer::{
-    OuterContact, OuterGeometry, OuterRaceway, outer_contact, outer_deflection, outer_slip,
-};
+pub(crate) use outer::outer_contact;
+pub(crate) use outer::{OuterContact, OuterGeometry, OuterRaceway, outer_deflection, outer_slip};
 pub(crate) use outer::{outer_load, slope_force};
-pub use outer_geometry::{FlankShape, OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues};
+pub(crate) use outer_geometry::{FlankShape, RacewayConstants, RacewayPosition, RacewayValues};
 pub(crate) use outer_geometry::{nominal_geometry, unequal_geometry};
 pub use regularisation::Regularisation;
 
-pub use slip_problem::{SlipProblem, Slips};
+pub(crate) use slip_problem::{SlipProblem, Slips};
 
 pub(crate) use ball_ball::BallBallContactLanes;
 pub(crate) use creep::CreepLanes;

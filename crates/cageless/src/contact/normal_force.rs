@@ -6,7 +6,7 @@ use super::positive;
 
 /// Normal force of a damped Hertz contact, N, and the power that the damping dissipates, W.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NormalForce {
+pub(crate) struct NormalForce {
     /// F, never below 0: surfaces do not pull.
     pub force_n: f64,
     /// (F − K δ^(3/2))·dδ/dt. Elastic energy that the clamp at 0 withholds counts as damping.

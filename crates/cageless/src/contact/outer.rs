@@ -6,7 +6,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of the outer raceway.
-    pub struct OuterRaceway per lane OuterRacewayLanes {
+    pub(crate) struct OuterRaceway per lane OuterRacewayLanes {
         /// Rm, m.
         pitch_radius,
         /// Ro − Rw of the nominal ball, m.
@@ -27,7 +27,7 @@ lane_struct! {
 
 lane_struct! {
     /// Geometry of the outer contact of one ball at its ψ.
-    pub struct OuterGeometry per lane OuterGeometryLanes {
+    pub(crate) struct OuterGeometry per lane OuterGeometryLanes {
         /// |rb| of a ball that just touches, m.
         orbit_radius,
         /// r, effective contact radius, m (Zhao 2022, Eq. (6)).
@@ -40,7 +40,7 @@ lane_struct! {
 impl OuterGeometry {
     /// Geometry on the plain raceway of a ball of radius R: |rb| = Ro − R, r = R.
     #[inline(always)]
-    pub fn plain(ball: &Ball) -> Self {
+    pub(crate) fn plain(ball: &Ball) -> Self {
         Self {
             orbit_radius: ball.outer_orbit_radius,
             effective_radius: ball.radius,
@@ -51,7 +51,7 @@ impl OuterGeometry {
 
 lane_struct! {
     /// Outer contact of one ball without its friction.
-    pub struct OuterContact per lane OuterContactLanes {
+    pub(crate) struct OuterContact per lane OuterContactLanes {
         /// δo, m; negative: apart.
         deflection,
         /// Fo, N: the radial sum of both contact points on a discrete raceway.
@@ -68,7 +68,7 @@ lane_struct! {
 
 /// δo = |rb| − (Ro − Rw), m (Zhao 2022, Eq. (18)); negative: apart.
 #[inline(always)]
-pub fn outer_deflection(distance_m: f64, geometry: &OuterGeometry) -> f64 {
+pub(crate) fn outer_deflection(distance_m: f64, geometry: &OuterGeometry) -> f64 {
     distance_m - geometry.orbit_radius
 }
 
@@ -79,7 +79,7 @@ pub fn outer_deflection(distance_m: f64, geometry: &OuterGeometry) -> f64 {
 /// friction acts under Fo·Rw/r; on the plain one r = Rw makes it Fo. ΔVo is the surface velocity
 /// vt − ω·r of the ball.
 #[inline(always)]
-pub fn outer_contact(
+pub(crate) fn outer_contact(
     ball: &Ball,
     raceway: &OuterRaceway,
     geometry: &OuterGeometry,
@@ -106,7 +106,11 @@ pub fn outer_contact(
 
 /// ΔVo = vt − ω·r, m/s.
 #[inline(always)]
-pub fn outer_slip(geometry: &OuterGeometry, motion: &BallMotion, polar: &PolarMotion) -> f64 {
+pub(crate) fn outer_slip(
+    geometry: &OuterGeometry,
+    motion: &BallMotion,
+    polar: &PolarMotion,
+) -> f64 {
     polar.tangential - motion.spin * geometry.effective_radius
 }
 

@@ -7,7 +7,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of one discrete raceway, or of a stretch of one.
-    pub struct RacewayConstants per lane RacewayConstantsLanes {
+    pub(crate) struct RacewayConstants per lane RacewayConstantsLanes {
         /// Sine of ψ of its middle.
         sin_centre,
         /// Cosine of ψ of its middle.
@@ -31,7 +31,7 @@ lane_struct! {
 
 lane_struct! {
     /// Angular position of a ball from the middle of a raceway.
-    pub struct RacewayPosition per lane RacewayPositionLanes {
+    pub(crate) struct RacewayPosition per lane RacewayPositionLanes {
         /// Sine of the angle; [`OUTSIDE`] beyond the ends of the raceway.
         sine,
         /// Cosine of the angle.
@@ -43,7 +43,7 @@ lane_struct! {
 
 lane_struct! {
     /// Values of the polynomials of a raceway at one ball.
-    pub struct RacewayValues per lane RacewayValuesLanes {
+    pub(crate) struct RacewayValues per lane RacewayValuesLanes {
         /// r of the nominal ball, m.
         radius,
         /// dr/du, m.
@@ -54,13 +54,13 @@ lane_struct! {
 }
 
 /// [`RacewayPosition::sine`] of a ball that is not in the raceway.
-pub const OUTSIDE: f64 = 2.0;
+pub(crate) const OUTSIDE: f64 = 2.0;
 
 impl RacewayPosition {
     /// Position of a ball; the raceway covers |ψ| < θ (Zhao 2022, Eq. (6)), a stretch of it one of
     /// sin²ψ.
     #[inline(always)]
-    pub fn new(raceway: &RacewayConstants, polar: &PolarMotion) -> Self {
+    pub(crate) fn new(raceway: &RacewayConstants, polar: &PolarMotion) -> Self {
         let sine = polar.ex * raceway.cos_centre + polar.ey * raceway.sin_centre;
         let cosine = polar.ex * raceway.sin_centre - polar.ey * raceway.cos_centre;
         let square = sine * sine;
@@ -103,7 +103,7 @@ pub(crate) fn nominal_geometry(
 /// Flanks of a discrete raceway at one ball of any radius R, milled too deep by
 /// e = E (1 − sin²ψ/sin²θ)², deeper by t likewise, and how they change with ψ.
 #[derive(Debug, Clone, Copy)]
-pub struct FlankShape {
+pub(crate) struct FlankShape {
     /// The flanks.
     pub section: FlankSection,
     /// dc/dψ of c = cos αc.
@@ -121,7 +121,7 @@ pub struct FlankShape {
 impl FlankShape {
     /// Flanks at a place in a raceway.
     #[inline(always)]
-    pub fn new(
+    pub(crate) fn new(
         raceway: &RacewayConstants,
         outer: &OuterRaceway,
         ball: &Ball,

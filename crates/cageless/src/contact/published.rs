@@ -29,7 +29,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Direction against which friction acts on a ball at the outer raceway.
-    pub struct FrictionDirection per lane FrictionDirectionLanes {
+    pub(crate) struct FrictionDirection per lane FrictionDirectionLanes {
         /// x of its unit vector.
         x,
         /// y of its unit vector.
@@ -77,7 +77,7 @@ impl FrictionDirection {
 
 /// ΔVo = Ω(r + Rm) − ω·r, m/s (Zhao 2022, Eq. (1)).
 #[inline(always)]
-pub fn outer_slip(
+pub(crate) fn outer_slip(
     raceway: &OuterRaceway,
     geometry: &OuterGeometry,
     motion: &BallMotion,
@@ -89,7 +89,7 @@ pub fn outer_slip(
 
 /// ΔVi = ωi·Ri − (Ωi·Ri + ω·Rw), m/s (Zhao 2022, Eq. (2)).
 #[inline(always)]
-pub fn inner_slip(
+pub(crate) fn inner_slip(
     ball: &Ball,
     raceway: &InnerRaceway,
     motion: &BallMotion,
@@ -100,7 +100,7 @@ pub fn inner_slip(
 
 /// Fw = m·vt²/Rm, N, outward (Zhao 2022, Eq. (15)); in an inertial frame it comes out of the motion.
 #[inline(always)]
-pub fn centrifugal_force(ball: &Ball, raceway: &OuterRaceway, polar: &PolarMotion) -> f64 {
+pub(crate) fn centrifugal_force(ball: &Ball, raceway: &OuterRaceway, polar: &PolarMotion) -> f64 {
     ball.mass * polar.tangential * polar.tangential / raceway.pitch_radius
 }
 
@@ -123,7 +123,7 @@ pub(crate) fn outer_load(
 
 /// A ball between both raceways, as the published equations see it.
 #[derive(Debug, Clone, Copy)]
-pub struct PublishedBall<'a> {
+pub(crate) struct PublishedBall<'a> {
     /// Constants of the ball.
     pub ball: &'a Ball,
     /// The outer raceway.
@@ -145,7 +145,7 @@ pub struct PublishedBall<'a> {
 impl PublishedBall<'_> {
     /// ΔVo and ΔVi, m/s.
     #[inline(always)]
-    pub fn slips(&self) -> [f64; 2] {
+    pub(crate) fn slips(&self) -> [f64; 2] {
         [
             outer_slip(self.outer, self.geometry, self.motion, self.polar),
             inner_slip(self.ball, self.inner, self.motion, self.inner_polar),

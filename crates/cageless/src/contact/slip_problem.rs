@@ -4,7 +4,7 @@ use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// The implicit equations s = s_free − H·f(s) of one ball.
-    pub struct SlipProblem per lane SlipProblemLanes {
+    pub(crate) struct SlipProblem per lane SlipProblemLanes {
         /// ΔVo at the end of the step without friction, m/s.
         outer_free,
         /// ΔVi at the end of the step without friction, m/s.
@@ -26,7 +26,7 @@ lane_struct! {
 
 lane_struct! {
     /// Sliding speeds of one ball and the friction that belongs to them.
-    pub struct Slips per lane SlipsLanes {
+    pub(crate) struct Slips per lane SlipsLanes {
         /// ΔVo, m/s.
         outer,
         /// ΔVi, m/s.

@@ -128,7 +128,7 @@ pub(crate) fn rolling_lag_fraction(case: &Case, seats: &[[f64; 2]]) -> f64 {
 
 /// Λ = ∫ (Ω0/Ω − 1) dψ through the raceway at the plain contact angle `angle_rad`: the angle by which
 /// a ball lags, per pass, behind one on the plain raceway.
-pub fn kinematic_lag_rad(
+pub(crate) fn kinematic_lag_rad(
     bearing: &Bearing,
     raceway: &Raceway,
     angle_rad: f64,
@@ -141,7 +141,7 @@ pub fn kinematic_lag_rad(
 /// β0 in space: [`kinematic_lag_rad`] over the middle ε of the raceway, by which a pair that rolls
 /// comes closer where the inner ring follows it however deep it sits. On flanks that do not yield and without a
 /// contact angle it is β0 of Zhao 2022, Eq. (11), with the polar angle.
-pub fn kinematic_gap_rad(
+pub(crate) fn kinematic_gap_rad(
     bearing: &Bearing,
     raceway: &Raceway,
     angle_rad: f64,

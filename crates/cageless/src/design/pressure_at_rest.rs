@@ -14,7 +14,7 @@ const POSITIONS: usize = 8;
 ///
 /// # Errors
 /// The case is impossible or has no equilibrium.
-pub fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
+pub(crate) fn pressure_at_rest_pa(case: &Case) -> Result<[f64; 2], EquilibriumError> {
     pressure_at_rest_controlled_pa(case, &mut || Control::Continue(()))
 }
 

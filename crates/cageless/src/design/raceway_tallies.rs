@@ -62,7 +62,7 @@ impl RacewayTallies {
 
     /// Lag in raceway `k` over that of rolling on rigid flanks at the angle of its section, of the row where it
     /// is least; 0 where no ball passes.
-    pub fn lag_fraction(&self, case: &Case, k: usize) -> f64 {
+    pub(crate) fn lag_fraction(&self, case: &Case, k: usize) -> f64 {
         let raceway = &case.raceways[k];
         let rolling_rad =
             kinematic_lag_rad(&case.bearing, raceway, raceway.section_angle_rad(), 0.0);

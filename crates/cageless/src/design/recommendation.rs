@@ -41,7 +41,7 @@ pub struct Recommendation {
 
 impl Recommendation {
     /// Whether the raceway passes its verdict; else it is only a starting point.
-    pub fn passes(&self) -> bool {
+    pub(crate) fn passes(&self) -> bool {
         self.judgement.passes() == Some(true)
     }
 }

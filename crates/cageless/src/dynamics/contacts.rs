@@ -12,7 +12,7 @@ use crate::world::joint::shoulder::FaceContact;
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
 #[derive(Clone, Copy)]
-pub struct Contacts<'a> {
+pub(crate) struct Contacts<'a> {
     pub(super) parameters: &'a Parameters,
     pub(super) work: &'a Workspace,
     pub(super) space: Option<&'a SpaceWorkspace>,
@@ -35,7 +35,7 @@ macro_rules! per_ball {
     ($($(#[$meta:meta])* $name:ident: $($field:ident).+;)*) => {
         $($(#[$meta])*
         #[inline]
-        pub fn $name(&self, k: usize) -> f64 {
+        pub(crate) fn $name(&self, k: usize) -> f64 {
             let (block, lane) = self.place(k);
             let lanes: &Lanes = &self.work.blocks[block].$($field).+;
             lanes.0[lane]
@@ -46,7 +46,7 @@ macro_rules! per_ball {
 impl Contacts<'_> {
     /// N.
     #[inline]
-    pub fn balls(&self) -> usize {
+    pub(crate) fn balls(&self) -> usize {
         self.parameters.layout.balls
     }
 
@@ -84,6 +84,7 @@ impl Contacts<'_> {
         /// Fo, normal force at the outer raceway, N.
         outer_force_n: outer.force;
         /// Force along ψ where the outer contact of an unequal ball rises, N, along the motion.
+        #[cfg(test)]
         outer_slope_force_n: slope_force;
         /// ΔVi, m/s.
         inner_sliding_m_s: inner.slip;
@@ -102,8 +103,6 @@ impl Contacts<'_> {
         /// δb between ball `k` and the ball ahead, m; once all balls are apart no longer kept up to
         /// date, but not above 0.
         pair_deflection_m: pair.deflection;
-        /// Rate of [`Self::pair_deflection_m`] while any two balls touch, else 0, m/s.
-        pair_rate_m_s: pair.rate;
         /// Normal force between ball `k` and the ball ahead, N.
         pair_force_n: pair.force;
         /// Sliding speed between ball `k` and the ball ahead while they touch, m/s.
@@ -123,7 +122,7 @@ impl Contacts<'_> {
 
     /// Whether any two balls touch.
     #[inline]
-    pub fn balls_touch(&self) -> bool {
+    pub(crate) fn balls_touch(&self) -> bool {
         self.work.pair_deflection_max[self.bearing] > 0.0
     }
 
@@ -187,7 +186,7 @@ impl Contacts<'_> {
 
     /// Where ball `k` bears on the outer raceway; on a discrete raceway the more loaded of two points.
     #[inline]
-    pub fn outer_point(&self, k: usize) -> RacewayPoint {
+    pub(crate) fn outer_point(&self, k: usize) -> RacewayPoint {
         match self.in_space(k) {
             Some(ball) => ball.outer_point(),
             None => {
@@ -216,7 +215,7 @@ impl Contacts<'_> {
     }
 
     /// Contact of the rotor with the inner ring, if there is a rotor.
-    pub fn rotor(&self) -> Option<RotorContact> {
+    pub(crate) fn rotor(&self) -> Option<RotorContact> {
         let rotor = &self.work.rotors[self.bearing];
         self.parameters.layout.has_rotor().then_some(*rotor)
     }
@@ -234,19 +233,19 @@ impl Contacts<'_> {
     }
 
     /// Axial force of the balls on the outer ring, friction included, N.
-    pub fn outer_ring_axial_force_n(&self) -> f64 {
+    pub(crate) fn outer_ring_axial_force_n(&self) -> f64 {
         self.space
             .map_or(0.0, |space| space.outer_ring_force_n()[2])
     }
 
     /// Axial force of the balls of a row, from 0, on its outer ring, friction included, N.
-    pub fn row_axial_force_n(&self, row: usize) -> f64 {
+    pub(crate) fn row_axial_force_n(&self, row: usize) -> f64 {
         self.space
             .map_or(0.0, |space| space.row_force_n(self.parameters.layout, row))
     }
 
     /// Force of the balls on the outer ring along X and Y, friction included, N.
-    pub fn outer_ring_force_n(&self) -> [f64; 2] {
+    pub(crate) fn outer_ring_force_n(&self) -> [f64; 2] {
         if let Some(space) = self.space {
             let [x, y, _] = space.outer_ring_force_n();
             return [x, y];

@@ -7,13 +7,15 @@
 //! assert_eq!(BALL[2].kind, Kind::VelocityOf(0));
 //! ```
 
-pub use crate::world::body::{
-    BodyCoordinate, OuterRingCoordinate, RingCoordinate, RotorCoordinate, SlidingCoordinate,
-};
+pub use crate::world::body::RingCoordinate;
+
+#[cfg(test)]
+pub(crate) use crate::world::body::BodyCoordinate;
+pub(crate) use crate::world::body::{OuterRingCoordinate, RotorCoordinate, SlidingCoordinate};
 
 /// What a coordinate is, so that methods, norms and columns can follow from the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// A position or angle; its rate is another coordinate of the same table.
     Position,
     /// The rate of the position with this index in the same table.
@@ -32,7 +34,7 @@ pub struct Coordinate {
     /// Difference that is visible within one passage of a raceway: the scale of errors.
     pub error_scale: f64,
     /// What it is.
-    pub kind: Kind,
+    pub(crate) kind: Kind,
 }
 
 pub(crate) const fn coordinate(
@@ -76,7 +78,8 @@ impl BallCoordinate {
     /// All of a planar bearing, in the order of the state vector.
     pub const ALL: [Self; BALL.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy, Self::Spin];
     /// All in space, in the order of the state vector.
-    pub const IN_SPACE: [Self; BALL_IN_SPACE.len()] = [
+    #[cfg(test)]
+    pub(crate) const IN_SPACE: [Self; BALL_IN_SPACE.len()] = [
         Self::X,
         Self::Y,
         Self::Vx,
@@ -99,7 +102,7 @@ pub const BALL: [Coordinate; 5] = [
 ];
 
 /// Coordinates of every ball in space; those of the plane come first.
-pub const BALL_IN_SPACE: [Coordinate; 9] = [
+pub(crate) const BALL_IN_SPACE: [Coordinate; 9] = [
     BALL[0],
     BALL[1],
     BALL[2],

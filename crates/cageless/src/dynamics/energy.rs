@@ -51,7 +51,7 @@ const WITHOUT_ROTOR: usize = EnergyTerm::RotorFriction as usize;
 
 impl EnergyTerm {
     /// The terms of a bearing without a rotor.
-    pub const fn without_rotor() -> &'static [Self] {
+    pub(crate) const fn without_rotor() -> &'static [Self] {
         const ALL: &[EnergyTerm] = &EnergyTerm::ALL;
         ALL.split_at(WITHOUT_ROTOR).0
     }

@@ -85,7 +85,8 @@ impl Layout {
     }
 
     /// Layout for one bearing of `balls` balls.
-    pub fn new(balls: usize) -> Self {
+    #[cfg(test)]
+    pub(crate) fn new(balls: usize) -> Self {
         let contents = Contents {
             balls,
             row: balls,
@@ -177,13 +178,13 @@ impl Layout {
     }
 
     /// Layout of this vector with the places of bearing number `bearing`.
-    pub fn of_bearing(self, bearing: usize) -> Self {
+    pub(crate) fn of_bearing(self, bearing: usize) -> Self {
         assert!(bearing < self.width);
         Self { bearing, ..self }
     }
 
     /// Layout of this vector as a part, from `start` on, of one that holds other bodies as well.
-    pub fn starting_at(self, start: usize) -> Self {
+    pub(crate) fn starting_at(self, start: usize) -> Self {
         Self { start, ..self }
     }
 
@@ -194,14 +195,8 @@ impl Layout {
 
     /// Bearings side by side.
     #[inline]
-    pub fn width(&self) -> usize {
+    pub(crate) fn width(&self) -> usize {
         self.width
-    }
-
-    /// Index of the bearing whose places are given.
-    #[inline]
-    pub fn bearing(&self) -> usize {
-        self.bearing
     }
 
     /// Length of the vector, or of this part of it.
@@ -253,7 +248,7 @@ impl Layout {
 
     /// Place of a coordinate of a body; it must move.
     #[inline]
-    pub fn body(&self, coordinate: impl Into<BodyCoordinate>) -> usize {
+    pub(crate) fn body(&self, coordinate: impl Into<BodyCoordinate>) -> usize {
         let BodyCoordinate { body, index } = coordinate.into();
         let place = self.bodies[body as usize][index];
         debug_assert!(place != HELD);
@@ -262,14 +257,14 @@ impl Layout {
 
     /// Whether a coordinate of a body moves.
     #[inline]
-    pub fn moves(&self, coordinate: impl Into<BodyCoordinate>) -> bool {
+    pub(crate) fn moves(&self, coordinate: impl Into<BodyCoordinate>) -> bool {
         let BodyCoordinate { body, index } = coordinate.into();
         self.bodies[body as usize][index] != HELD
     }
 
     /// Value of a coordinate of a body in a vector; 0 where it is held.
     #[inline]
-    pub fn at(&self, values: &[f64], coordinate: impl Into<BodyCoordinate>) -> f64 {
+    pub(crate) fn at(&self, values: &[f64], coordinate: impl Into<BodyCoordinate>) -> f64 {
         let coordinate = coordinate.into();
         match self.moves(coordinate) {
             true => values[self.body(coordinate)],
@@ -279,7 +274,12 @@ impl Layout {
 
     /// Sets a coordinate of a body in a vector, unless it is held.
     #[inline]
-    pub fn set(&self, values: &mut [f64], coordinate: impl Into<BodyCoordinate>, value: f64) {
+    pub(crate) fn set(
+        &self,
+        values: &mut [f64],
+        coordinate: impl Into<BodyCoordinate>,
+        value: f64,
+    ) {
         let coordinate = coordinate.into();
         if self.moves(coordinate) {
             values[self.body(coordinate)] = value;
@@ -299,14 +299,14 @@ impl Layout {
 
     /// Place of a coordinate of ring `k` of the outer rings that slide.
     #[inline]
-    pub fn sliding(&self, coordinate: SlidingCoordinate, k: usize) -> usize {
+    pub(crate) fn sliding(&self, coordinate: SlidingCoordinate, k: usize) -> usize {
         debug_assert!(k < self.sliding);
         self.of_bodies(self.moving + coordinate as usize * self.sliding + k)
     }
 
     /// Place of a term of the energy ledger.
     #[inline]
-    pub fn energy_term(&self, term: EnergyTerm) -> usize {
+    pub(crate) fn energy_term(&self, term: EnergyTerm) -> usize {
         self.start + self.parts[1] + term as usize * self.width + self.bearing
     }
 
@@ -321,7 +321,7 @@ impl Layout {
 
     /// The ball ahead of ball `k` in its row.
     #[inline]
-    pub fn next(&self, k: usize) -> usize {
+    pub(crate) fn next(&self, k: usize) -> usize {
         next_in_row(k, self.row)
     }
 
@@ -339,7 +339,7 @@ impl Layout {
 
     /// Motion of the centre of the inner ring in a vector.
     #[inline(always)] // into callers compiled for wider vectors
-    pub fn ring_motion(&self, values: &[f64]) -> Centre {
+    pub(crate) fn ring_motion(&self, values: &[f64]) -> Centre {
         let at = |coordinate: RingCoordinate| values[self.ring(coordinate)];
         Centre {
             x: at(RingCoordinate::X),
@@ -351,7 +351,7 @@ impl Layout {
 
     /// Motion of the centre of the outer ring in a vector; fixed at the origin without a rotor.
     #[inline(always)] // into callers compiled for wider vectors
-    pub fn outer_ring_motion(&self, values: &[f64]) -> Centre {
+    pub(crate) fn outer_ring_motion(&self, values: &[f64]) -> Centre {
         if !self.moves(OuterRingCoordinate::X) {
             return Centre::default();
         }
@@ -366,27 +366,27 @@ impl Layout {
 
     /// z and ż of the outer ring in a vector; 0 in the plane, and without a rotor.
     #[inline(always)] // into callers compiled for wider vectors
-    pub fn outer_ring_along_axis(&self, values: &[f64]) -> [f64; 2] {
+    pub(crate) fn outer_ring_along_axis(&self, values: &[f64]) -> [f64; 2] {
         [OuterRingCoordinate::Z, OuterRingCoordinate::Vz].map(|c| self.at(values, c))
     }
 
     /// Motion of the rotor in a vector, if there is one.
     #[inline(always)] // into callers compiled for wider vectors
-    pub fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
+    pub(crate) fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
         let at = |coordinate: RotorCoordinate| self.at(values, coordinate);
         self.has_rotor().then(|| RotorMotion::new(at))
     }
 
     /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.
     #[inline]
-    pub fn ring_speed_rad_s(&self, values: &[f64]) -> Option<f64> {
+    pub(crate) fn ring_speed_rad_s(&self, values: &[f64]) -> Option<f64> {
         self.moves(RingCoordinate::Speed)
             .then(|| values[self.body(RingCoordinate::Speed)])
     }
 
     /// One coordinate of the balls of this bearing in a vector.
     #[inline]
-    pub fn balls_of<'a>(&self, values: &'a [f64], coordinate: BallCoordinate) -> Balls<'a> {
+    pub(crate) fn balls_of<'a>(&self, values: &'a [f64], coordinate: BallCoordinate) -> Balls<'a> {
         Balls {
             values: &values[self.array(coordinate) + self.bearing..],
             step: self.width,
@@ -485,7 +485,7 @@ impl Layout {
 
 /// One quantity of every ball of a bearing within a vector.
 #[derive(Debug, Clone, Copy)]
-pub struct Balls<'a> {
+pub(crate) struct Balls<'a> {
     values: &'a [f64],
     step: usize,
     count: usize,
@@ -504,16 +504,9 @@ fn next_in_row(k: usize, row: usize) -> usize {
 }
 
 impl<'a> Balls<'a> {
-    /// N.
-    #[allow(clippy::len_without_is_empty)] // never empty
-    #[inline]
-    pub fn len(&self) -> usize {
-        self.count
-    }
-
     /// The ball ahead of ball `k` in its row.
     #[inline]
-    pub fn next(&self, k: usize) -> usize {
+    pub(crate) fn next(&self, k: usize) -> usize {
         next_in_row(k, self.row)
     }
 
@@ -548,7 +541,7 @@ impl<'a> Balls<'a> {
     }
 
     /// Ball by ball.
-    pub fn iter(&self) -> impl Iterator<Item = f64> + use<'a> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = f64> + use<'a> {
         self.values
             .iter()
             .step_by(self.step)

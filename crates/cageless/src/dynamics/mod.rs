@@ -28,10 +28,10 @@ pub mod state;
 mod stored_energy;
 
 pub use crate::simd::InstructionSet;
-pub use contacts::Contacts;
+pub(crate) use contacts::Contacts;
 pub use model::Model;
 pub use right_hand_side::RightHandSide;
-pub use space::BallContacts;
+pub(crate) use space::BallContacts;
 
 #[cfg(test)]
 mod tests;

@@ -238,12 +238,12 @@ impl Model {
     }
 
     /// N.
-    pub fn balls(&self) -> usize {
+    pub(crate) fn balls(&self) -> usize {
         self.layout.balls
     }
 
     /// Properties that bearings side by side must have in common.
-    pub fn kind(&self) -> impl PartialEq + use<> {
+    pub(crate) fn kind(&self) -> impl PartialEq + use<> {
         (
             self.balls(),
             self.formulation,
@@ -263,7 +263,7 @@ impl Model {
     }
 
     /// Distance of the centres of ball `k` and the ball ahead when they touch.
-    pub fn pair_distance_m(&self, k: usize) -> f64 {
+    pub(crate) fn pair_distance_m(&self, k: usize) -> f64 {
         self.balls[k].pair_distance
     }
 

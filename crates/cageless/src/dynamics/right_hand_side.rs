@@ -58,7 +58,7 @@ impl RightHandSide {
     ///
     /// # Panics
     /// If they differ in one of these.
-    pub fn side_by_side(models: [Arc<Model>; BATCH_WIDTH], isa: InstructionSet) -> Self {
+    pub(crate) fn side_by_side(models: [Arc<Model>; BATCH_WIDTH], isa: InstructionSet) -> Self {
         assert!(
             models.iter().all(|m| m.kind() == models[0].kind()),
             "bearings side by side must be of one kind"
@@ -104,12 +104,12 @@ impl RightHandSide {
     }
 
     /// The model of the first bearing.
-    pub fn model(&self) -> &Arc<Model> {
+    pub(crate) fn model(&self) -> &Arc<Model> {
         &self.models[0]
     }
 
     /// Layout of the vector that is integrated, with the places of the first bearing.
-    pub fn layout(&self) -> Layout {
+    pub(crate) fn layout(&self) -> Layout {
         self.parameters.layout
     }
 
@@ -124,13 +124,13 @@ impl RightHandSide {
     }
 
     /// Contacts of the first bearing as of the last evaluation.
-    pub fn contacts(&self) -> Contacts<'_> {
+    pub(crate) fn contacts(&self) -> Contacts<'_> {
         self.contacts_of(0)
     }
 
     /// Contacts of one of the bearings as of the last evaluation.
     #[inline]
-    pub fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
+    pub(crate) fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         Contacts {
             parameters: &self.parameters,
             work: &self.work,

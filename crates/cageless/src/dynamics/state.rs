@@ -13,7 +13,9 @@ use super::coordinates::BallCoordinate;
 use super::energy::EnergyTerm;
 use super::layout::Layout;
 use crate::ball::{BallMotion, Centre};
-use crate::world::body::{BodyCoordinate, RingCoordinate, RotorMotion, SlidingCoordinate};
+#[cfg(test)]
+use crate::world::body::RingCoordinate;
+use crate::world::body::{BodyCoordinate, RotorMotion, SlidingCoordinate};
 
 /// State of one bearing: the motion of balls and bodies, and the energy ledger.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +26,8 @@ pub struct State {
 
 impl State {
     /// The state of a bearing without a rotor in which everything is zero.
-    pub fn new(balls: usize) -> Self {
+    #[cfg(test)]
+    pub(crate) fn new(balls: usize) -> Self {
         Self::zero(Layout::new(balls))
     }
 
@@ -55,7 +58,7 @@ impl State {
     }
 
     /// Writes the state to the places of one bearing in a vector.
-    pub fn write_to(&self, layout: Layout, values: &mut [f64]) {
+    pub(crate) fn write_to(&self, layout: Layout, values: &mut [f64]) {
         for (own, place) in self.layout.pairs(layout) {
             values[place] = self.values[own];
         }
@@ -91,28 +94,29 @@ impl State {
     }
 
     /// Velocity along x of every ball, m/s.
-    pub fn vx_m_s(&self) -> &[f64] {
+    pub(crate) fn vx_m_s(&self) -> &[f64] {
         self.array(BallCoordinate::Vx)
     }
 
     /// Velocity along y of every ball, m/s.
-    pub fn vy_m_s(&self) -> &[f64] {
+    pub(crate) fn vy_m_s(&self) -> &[f64] {
         self.array(BallCoordinate::Vy)
     }
 
     /// Spin state of every ball, rad/s, clockwise positive: absolute in the `physical`
     /// formulation, relative to the orbit in `paper` (Zhao 2022, Eq. (13)).
-    pub fn spin_state_rad_s(&self) -> &[f64] {
+    #[cfg(test)]
+    pub(crate) fn spin_state_rad_s(&self) -> &[f64] {
         self.array(BallCoordinate::Spin)
     }
 
     /// Motion of ball `k`.
-    pub fn ball_motion(&self, k: usize) -> BallMotion {
+    pub(crate) fn ball_motion(&self, k: usize) -> BallMotion {
         self.layout.ball_motion(&self.values, k)
     }
 
     /// Sets the motion of ball `k`.
-    pub fn set_ball(&mut self, k: usize, ball: BallMotion) {
+    pub(crate) fn set_ball(&mut self, k: usize, ball: BallMotion) {
         for (coordinate, value) in [
             (BallCoordinate::X, ball.x),
             (BallCoordinate::Y, ball.y),
@@ -125,7 +129,7 @@ impl State {
     }
 
     /// Sets z and ωx, ωy of a ball in space.
-    pub fn set_ball_in_space(&mut self, k: usize, z_m: f64, omega_rad_s: [f64; 2]) {
+    pub(crate) fn set_ball_in_space(&mut self, k: usize, z_m: f64, omega_rad_s: [f64; 2]) {
         for (coordinate, value) in [
             (BallCoordinate::Z, z_m),
             (BallCoordinate::OmegaX, omega_rad_s[0]),
@@ -136,12 +140,12 @@ impl State {
     }
 
     /// Value of a coordinate of a body; 0 where it is held.
-    pub fn at(&self, coordinate: impl Into<BodyCoordinate>) -> f64 {
+    pub(crate) fn at(&self, coordinate: impl Into<BodyCoordinate>) -> f64 {
         self.layout.at(&self.values, coordinate)
     }
 
     /// Sets a coordinate of a body, unless it is held.
-    pub fn set(&mut self, coordinate: impl Into<BodyCoordinate>, value: f64) {
+    pub(crate) fn set(&mut self, coordinate: impl Into<BodyCoordinate>, value: f64) {
         self.layout.set(&mut self.values, coordinate, value);
     }
 
@@ -151,7 +155,8 @@ impl State {
     }
 
     /// Sets the motion of the centre of the inner ring.
-    pub fn set_ring(&mut self, ring: Centre) {
+    #[cfg(test)]
+    pub(crate) fn set_ring(&mut self, ring: Centre) {
         for (coordinate, value) in [
             (RingCoordinate::X, ring.x),
             (RingCoordinate::Y, ring.y),
@@ -172,24 +177,13 @@ impl State {
         self.layout.rotor_motion(&self.values)
     }
 
-    /// Sets the motion of the rotor.
-    ///
-    /// # Panics
-    /// If there is none.
-    pub fn set_rotor(&mut self, rotor: RotorMotion) {
-        assert!(self.layout.has_rotor(), "a state with a rotor");
-        for (coordinate, value) in rotor.coordinates() {
-            self.set(coordinate, value);
-        }
-    }
-
     /// Sets z of ring `k` of the outer rings that slide.
-    pub fn set_sliding(&mut self, k: usize, z_m: f64) {
+    pub(crate) fn set_sliding(&mut self, k: usize, z_m: f64) {
         self.values[self.layout.sliding(SlidingCoordinate::Z, k)] = z_m;
     }
 
     /// ωi of the inner ring, rad/s, where it is a state: under a rotor.
-    pub fn ring_speed_rad_s(&self) -> Option<f64> {
+    pub(crate) fn ring_speed_rad_s(&self) -> Option<f64> {
         self.layout.ring_speed_rad_s(&self.values)
     }
 

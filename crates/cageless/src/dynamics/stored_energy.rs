@@ -13,7 +13,7 @@ fn kinetic_j(mass: f64, vx: f64, vy: f64) -> f64 {
 impl Model {
     /// Kinetic and elastic energy, J. In the `paper` formulation the spin is that of
     /// Eq. (13), relative to the orbit.
-    pub fn energy_j(&self, state: &State) -> f64 {
+    pub(crate) fn energy_j(&self, state: &State) -> f64 {
         if let Some(space) = &self.space {
             return space::energy_j(self, space, state);
         }
@@ -51,7 +51,7 @@ impl Model {
     /// What the state lacks to balance its ledger: energy now − energy at the start −
     /// net work, J, and the sum of the absolute terms including the change of
     /// energy, to which it is to be compared.
-    pub fn energy_residual_j(&self, start_energy_j: f64, state: &State) -> (f64, f64) {
+    pub(crate) fn energy_residual_j(&self, start_energy_j: f64, state: &State) -> (f64, f64) {
         let change = self.energy_j(state) - start_energy_j;
         let (mut net, mut sum) = (0.0, change.abs());
         for &term in state.layout().energy_terms() {

@@ -5,7 +5,7 @@ use crate::flank_model::FlankModel;
 use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
 
 /// ψ of every ball at the start, increasing from ψ of ball 1 (Zhao 2022, Section 4.1).
-pub fn start_angles_rad(case: &Case) -> Vec<f64> {
+pub(crate) fn start_angles_rad(case: &Case) -> Vec<f64> {
     let bearing = &case.bearing;
     let n = bearing.balls();
     let mut angle = case.start.lead_ball_angle_rad;

@@ -31,7 +31,7 @@ use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 pub(crate) use ball_seat::ball_outer_geometry;
 pub(crate) use ball_seat::effective_radius_m;
-pub use ball_seat::start_angles_rad;
+pub(crate) use ball_seat::start_angles_rad;
 pub use error::EquilibriumError;
 pub use plane::Equilibrium;
 use space::SpatialEquilibrium;

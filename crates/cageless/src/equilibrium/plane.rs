@@ -43,7 +43,7 @@ pub struct Equilibrium {
 
 impl Equilibrium {
     /// Warning if the contact pressure exceeds [`STRESS_LIMIT_PA`].
-    pub fn overload(&self) -> Option<String> {
+    pub(crate) fn overload(&self) -> Option<String> {
         let (ring, stress) = if self.inner_pressure_max_pa > self.outer_pressure_max_pa {
             ("inner", self.inner_pressure_max_pa)
         } else {

@@ -9,7 +9,7 @@ use crate::numerics::elliptic;
 
 /// Dry constants of a lubricated point contact: radii, modulus and ellipse of Hertz.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LubricatedContact {
+pub(crate) struct LubricatedContact {
     /// R_x, reduced radius along rolling, m.
     pub rolling_radius_m: f64,
     /// R_y, reduced radius across, m.
@@ -26,7 +26,7 @@ pub struct LubricatedContact {
 
 impl LubricatedContact {
     /// Contact of two bodies with these curvatures, 1/m, along rolling and across.
-    pub fn between(one: [f64; 2], other: [f64; 2], materials: [&Material; 2]) -> Self {
+    pub(crate) fn between(one: [f64; 2], other: [f64; 2], materials: [&Material; 2]) -> Self {
         let ellipse = PointContact::between(one, other, materials);
         let [along, across] = ellipse.semi_axes_m(1.0);
         let [rolling_radius_m, cross_radius_m] = [0, 1].map(|k| 1.0 / (one[k] + other[k]));
@@ -43,7 +43,7 @@ impl LubricatedContact {
     }
 
     /// Nominal ball at the plain inner raceway.
-    pub fn inner(bearing: &Bearing) -> Self {
+    pub(crate) fn inner(bearing: &Bearing) -> Self {
         let d = bearing.dimensions();
         Self::of_ring(
             bearing,
@@ -56,7 +56,7 @@ impl LubricatedContact {
 
     /// Nominal ball at the outer raceway under the angle of this cosine: 1 on the plain raceway, less on either flank
     /// of a discrete one. The ring curves along rolling by −cos α/(Ro − Rw + Rw cos α).
-    pub fn outer(bearing: &Bearing, cosine: f64) -> Self {
+    pub(crate) fn outer(bearing: &Bearing, cosine: f64) -> Self {
         let contact_radius_m = bearing.outer_orbit_radius_m() + bearing.ball_radius_m() * cosine;
         Self::of_ring(
             bearing,
@@ -74,7 +74,7 @@ impl LubricatedContact {
     }
 
     /// a, semi-axis across under a load, m.
-    pub fn cross_axis_m(&self, load_n: f64) -> f64 {
+    pub(crate) fn cross_axis_m(&self, load_n: f64) -> f64 {
         self.cross_axis_m_n1_3 * load_n.max(0.0).cbrt()
     }
 

@@ -18,7 +18,7 @@ const ROLLING_MASS: f64 = 1.4;
 
 /// Ball that rolls on the plain outer raceway alone.
 #[derive(Debug, Clone, Copy)]
-pub struct FreeBall {
+pub(crate) struct FreeBall {
     film: Film,
     contact: LubricatedContact,
     mass_kg: f64,
@@ -39,7 +39,7 @@ pub struct FreeArc {
 
 impl FreeBall {
     /// A nominal ball of a bearing under its centrifugal force.
-    pub fn new(bearing: &Bearing, film: &Film) -> Self {
+    pub(crate) fn new(bearing: &Bearing, film: &Film) -> Self {
         let orbit_radius_m = bearing.outer_orbit_radius_m();
         let groove_m = bearing.dimensions().outer_groove_bottom_radius_m;
         Self {
@@ -53,7 +53,8 @@ impl FreeBall {
     }
 
     /// This ball under a constant load in N, in place of its centrifugal force.
-    pub fn under(self, load_n: f64) -> Self {
+    #[cfg(test)]
+    pub(crate) fn under(self, load_n: f64) -> Self {
         Self {
             load_n: Some(load_n),
             ..self
@@ -61,13 +62,13 @@ impl FreeBall {
     }
 
     /// Q at an orbital speed, N.
-    pub fn load_n(&self, speed_m_s: f64) -> f64 {
+    pub(crate) fn load_n(&self, speed_m_s: f64) -> f64 {
         let centrifugal_n = self.mass_kg * speed_m_s.powi(2) / self.orbit_radius_m;
         self.load_n.unwrap_or(centrifugal_n)
     }
 
     /// Force that brakes the orbit, 2 F_R u/v, N.
-    pub fn brake_n(&self, speed_m_s: f64) -> f64 {
+    pub(crate) fn brake_n(&self, speed_m_s: f64) -> f64 {
         let rolling = Rolling {
             load_n: self.load_n(speed_m_s),
             speed_m_s: self.speed_ratio * speed_m_s,
@@ -81,14 +82,15 @@ impl FreeBall {
     }
 
     /// Speed after a time, m/s.
-    pub fn speed_after_m_s(&self, speed_m_s: f64, time_s: f64) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn speed_after_m_s(&self, speed_m_s: f64, time_s: f64) -> f64 {
         let rate = |v: f64| [self.acceleration_m_s2(v), 0.0];
         let end = integrated([speed_m_s, 0.0], time_s, |[v, _]| rate(v));
         end[0]
     }
 
     /// Motion over an arc, rad, that it enters at a speed.
-    pub fn over(&self, arc_rad: f64, speed_m_s: f64) -> FreeArc {
+    pub(crate) fn over(&self, arc_rad: f64, speed_m_s: f64) -> FreeArc {
         // dv/dψ = ρ v̇/v, and the lag of Ω₀ t behind ψ.
         let rate = |v: f64| match v > STANDSTILL * speed_m_s {
             true => [

@@ -29,21 +29,25 @@ mod thickness;
 use crate::error::InputError;
 use crate::limits::{from_to, require};
 
-pub use contact::LubricatedContact;
+pub(crate) use contact::LubricatedContact;
 pub(crate) use curve::{RollingCurve, RollingCurveLanes};
-pub use free_arc::{FreeArc, FreeBall};
+pub use free_arc::FreeArc;
+#[cfg(test)]
+pub(crate) use free_arc::FreeBall;
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;
 pub use rest::{ContactFilm, FilmAtRest};
-pub use rolling_force::{Rolling, RollingForce};
+pub(crate) use rolling_force::Rolling;
 pub(crate) use spacing::QUEUE;
-pub use spacing::{free_share, opening_gap_rad};
-pub use starvation::starved_share;
-pub use thickness::{FilmThickness, asperity_share};
+pub(crate) use spacing::{free_share, opening_gap_rad};
+#[cfg(test)]
+pub(crate) use starvation::starved_share;
+#[cfg(test)]
+pub(crate) use thickness::asperity_share;
 
 /// Supply of contacts that flood.
-pub const FLOODED: f64 = 1.0;
+pub(crate) const FLOODED: f64 = 1.0;
 /// Supply of contacts with two drops of oil: balls of 7.94 mm measured beside races of their size carry 0.62 to 0.73 of
 /// the force of flooded ones (Bălan et al., Lubricants 3 (2015) 222).
 pub const TWO_DROPS: f64 = 0.65;
@@ -88,7 +92,7 @@ impl Film {
     }
 
     /// Rolling force on either surface of a contact, N, with the heat of the inlet and the supply; odd in the speed.
-    pub fn rolling_force_n(&self, contact: &LubricatedContact, rolling: Rolling) -> f64 {
+    pub(crate) fn rolling_force_n(&self, contact: &LubricatedContact, rolling: Rolling) -> f64 {
         let force = contact.rolling_force(&self.oil, rolling);
         let heat = match self.inlet_heat {
             true => force.heat_factor,

@@ -54,7 +54,7 @@ impl Oil {
 
     /// α of mineral oils, 1.237·10⁻⁸ η^0.168 1/Pa with η in mPa·s: fitted to eleven oils at 30, 60 and 100 °C
     /// (Stachowiak & Batchelor, *Engineering Tribology*, Table 2.3) within some 10 %.
-    pub fn mineral_pressure_viscosity_1_pa(viscosity_pa_s: f64) -> f64 {
+    pub(crate) fn mineral_pressure_viscosity_1_pa(viscosity_pa_s: f64) -> f64 {
         1.237e-8 * (viscosity_pa_s / MPA_S).powf(0.168)
     }
 

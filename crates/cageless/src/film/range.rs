@@ -25,7 +25,7 @@ pub struct RangeExceeded {
 impl LubricatedContact {
     /// The parameter furthest outside the range of the fit; `None` within, and without load or speed. Nothing is
     /// clamped to the range.
-    pub fn range_exceeded(&self, oil: &Oil, rolling: Rolling) -> Option<RangeExceeded> {
+    pub(crate) fn range_exceeded(&self, oil: &Oil, rolling: Rolling) -> Option<RangeExceeded> {
         if !(rolling.load_n > 0.0) || rolling.speed_m_s == 0.0 {
             return None;
         }
@@ -54,7 +54,7 @@ impl LubricatedContact {
 
 impl RangeExceeded {
     /// |ln factor|.
-    pub fn distance(&self) -> f64 {
+    pub(crate) fn distance(&self) -> f64 {
         self.factor.ln().abs()
     }
 }

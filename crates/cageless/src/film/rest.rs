@@ -17,7 +17,7 @@ use crate::raceway_contact::RacewayPoint;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ContactFilm {
     /// Thickness; zero without load.
-    pub thickness: FilmThickness,
+    pub(crate) thickness: FilmThickness,
     /// F_R of the contact, with heat and supply, N.
     pub force_n: f64,
     /// u, m/s.
@@ -25,7 +25,7 @@ pub struct ContactFilm {
     /// Contacts of the ball with the raceway: two on a discrete one, else one.
     pub contacts: f64,
     /// Parameter furthest outside the range of the fit.
-    pub exceeded: Option<RangeExceeded>,
+    pub(crate) exceeded: Option<RangeExceeded>,
 }
 
 impl ContactFilm {
@@ -40,7 +40,7 @@ impl ContactFilm {
     }
 
     /// Whether it carries load.
-    pub fn is_loaded(&self) -> bool {
+    pub(crate) fn is_loaded(&self) -> bool {
         self.thickness.central_m > 0.0
     }
 

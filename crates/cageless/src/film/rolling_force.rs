@@ -23,7 +23,7 @@ pub(super) const HEAT_EXPONENT: f64 = 0.78;
 
 /// Load and speed of a rolling contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rolling {
+pub(crate) struct Rolling {
     /// Q, N; without load, or apart, there is no force.
     pub load_n: f64,
     /// u, mean speed of both surfaces relative to the contact, m/s.
@@ -32,7 +32,7 @@ pub struct Rolling {
 
 /// Rolling force on either surface of a contact, in parts; zero without load or speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RollingForce {
+pub(crate) struct RollingForce {
     /// Force of rigid surfaces in oil of constant viscosity, N.
     pub rigid_n: f64,
     /// Force of an elastohydrodynamic contact, N.
@@ -45,13 +45,14 @@ pub struct RollingForce {
 
 impl RollingForce {
     /// F_R of an inlet at the temperature of the rings, N.
-    pub fn isothermal_n(&self) -> f64 {
+    pub(crate) fn isothermal_n(&self) -> f64 {
         (self.rigid_n - self.elastohydrodynamic_n) / (1.0 + self.transition / TRANSITION)
             + self.elastohydrodynamic_n
     }
 
     /// F_R with the heat of the inlet, N.
-    pub fn heated_n(&self) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn heated_n(&self) -> f64 {
         self.heat_factor * self.isothermal_n()
     }
 }
@@ -63,7 +64,7 @@ pub(super) fn speed_parameter(contact: &LubricatedContact, oil: &Oil, speed_m_s:
 
 impl LubricatedContact {
     /// Flooded rolling force; odd in the speed.
-    pub fn rolling_force(&self, oil: &Oil, rolling: Rolling) -> RollingForce {
+    pub(crate) fn rolling_force(&self, oil: &Oil, rolling: Rolling) -> RollingForce {
         let Rolling { load_n, speed_m_s } = rolling;
         if !(load_n > 0.0) || speed_m_s == 0.0 {
             return RollingForce {

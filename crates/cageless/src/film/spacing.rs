@@ -14,11 +14,11 @@ pub(crate) const QUEUE: f64 = 1.3;
 
 /// g_f = 0.85 d · 2π/N, gap that opens behind a ball that enters the load zone, rad; d the share of its speed that it
 /// has lost.
-pub fn opening_gap_rad(bearing: &Bearing, speed_deficit: f64) -> f64 {
+pub(crate) fn opening_gap_rad(bearing: &Bearing, speed_deficit: f64) -> f64 {
     OPENING * speed_deficit * TAU / bearing.balls() as f64
 }
 
 /// s = 1 − N ε/2π, share of the pitch circle that balls leave free.
-pub fn free_share(bearing: &Bearing) -> f64 {
+pub(crate) fn free_share(bearing: &Bearing) -> f64 {
     1.0 - bearing.balls() as f64 * bearing.ball_angle_rad() / TAU
 }

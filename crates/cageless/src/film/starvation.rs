@@ -2,7 +2,8 @@
 
 /// T/T* = (S² + 162.8 S)/(S² + 193.1 S + 1257) of S, thickness of the film at the inlet over the least of the flooded
 /// contact (Biboulet & Houpert, Part 1, doi 10.1243/13506501JET790, Eq. (44), of line contacts, from S = 2 on).
-pub fn starved_share(inlet_ratio: f64) -> f64 {
+#[cfg(test)]
+pub(crate) fn starved_share(inlet_ratio: f64) -> f64 {
     if inlet_ratio == f64::INFINITY {
         return 1.0;
     }

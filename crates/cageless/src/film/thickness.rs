@@ -6,7 +6,7 @@ use super::rolling_force::Rolling;
 
 /// Film of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FilmThickness {
+pub(crate) struct FilmThickness {
     /// h_min, least thickness, m.
     pub least_m: f64,
     /// h_c, thickness in the middle, m.
@@ -20,7 +20,7 @@ impl LubricatedContact {
     ///   h_min = 3.63 R_x U^0.68 G^0.49 W^(−0.073) (1 − e^(−0.68κ))
     ///
     /// (Hamrock & Dowson). Zero without load or speed.
-    pub fn film_thickness(&self, oil: &Oil, rolling: Rolling) -> FilmThickness {
+    pub(crate) fn film_thickness(&self, oil: &Oil, rolling: Rolling) -> FilmThickness {
         let Rolling { load_n, speed_m_s } = rolling;
         if !(load_n > 0.0) || speed_m_s == 0.0 {
             return FilmThickness::default();
@@ -49,6 +49,6 @@ impl LubricatedContact {
 
 /// φ = exp(−2.1 Λ^0.85), share of the load on asperities, Λ = h_c/R_q (Zhou & Hoeprich, as in Wingertszahn et al.,
 /// Lubricants 11 (2023) 369, Eq. (29) to (31)).
-pub fn asperity_share(film_parameter: f64) -> f64 {
+pub(crate) fn asperity_share(film_parameter: f64) -> f64 {
     (-2.1 * film_parameter.powf(0.85)).exp()
 }

@@ -51,12 +51,12 @@ const OUTSIDE: [Row; 11] = [
 
 impl BearingClass {
     /// Lower and upper deviation of the mean bore diameter, m; `None` beyond the tables.
-    pub fn bore_limits_m(self, bore_diameter_m: f64) -> Option<[f64; 2]> {
+    pub(crate) fn bore_limits_m(self, bore_diameter_m: f64) -> Option<[f64; 2]> {
         self.limits_m(&BORE, bore_diameter_m)
     }
 
     /// Lower and upper deviation of the mean outside diameter, m; `None` beyond the tables.
-    pub fn outside_limits_m(self, outside_diameter_m: f64) -> Option<[f64; 2]> {
+    pub(crate) fn outside_limits_m(self, outside_diameter_m: f64) -> Option<[f64; 2]> {
         self.limits_m(&OUTSIDE, outside_diameter_m)
     }
 

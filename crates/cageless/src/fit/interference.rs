@@ -2,7 +2,7 @@
 
 /// Effective interference of a ring with its seat on the diameter, m; below 0 a gap.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Interference {
+pub(crate) struct Interference {
     /// That of the middles of both tolerances.
     pub mean_m: f64,
     /// Three standard deviations, each diameter with a standard deviation of a sixth of its tolerance

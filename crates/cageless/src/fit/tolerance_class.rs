@@ -68,7 +68,7 @@ impl ShaftClass {
     }
 
     /// Lower and upper limit deviation of a nominal size, m; `None` beyond 1 to 500 mm.
-    pub fn limits_m(self, size_m: f64) -> Option<[f64; 2]> {
+    pub(crate) fn limits_m(self, size_m: f64) -> Option<[f64; 2]> {
         let range = SizeRange::of(size_m)?;
         let tolerance = range.tolerance_um(self.grade);
         // es of d to h, ei of the others.
@@ -124,7 +124,7 @@ impl HoleClass {
     ///
     /// EI of D to H is −es of the shaft. ES of K, M, N up to IT8 and of P, R up to IT7 is −ei + Δ,
     /// Δ = ITn − IT(n−1), 0 up to 3 mm; −ei above these grades, and 0 for N above 3 mm.
-    pub fn limits_m(self, size_m: f64) -> Option<[f64; 2]> {
+    pub(crate) fn limits_m(self, size_m: f64) -> Option<[f64; 2]> {
         let range = SizeRange::of(size_m)?;
         let tolerance = range.tolerance_um(self.grade);
         let ei = |deviation: f64| [deviation, deviation + tolerance];

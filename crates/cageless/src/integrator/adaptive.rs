@@ -27,7 +27,7 @@ const SMALLEST: f64 = 1e-8;
 impl Adaptive {
     /// The method for systems of this dimension, steps up to `size_max`, errors per step up to
     /// `tolerance` in the system's [`System::error_norm`].
-    pub fn new(dimension: usize, size_max: f64, tolerance: f64) -> Self {
+    pub(crate) fn new(dimension: usize, size_max: f64, tolerance: f64) -> Self {
         let tableau = if tolerance >= LOOSE {
             &TSITOURAS_5
         } else {

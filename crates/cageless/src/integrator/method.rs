@@ -47,7 +47,7 @@ pub trait Method {
 }
 
 /// A method that a case can name.
-pub trait NamedMethod: Method + Sized {
+pub(crate) trait NamedMethod: Method + Sized {
     /// Names, order, stability and automatic step.
     const PROPERTIES: Properties;
 

@@ -33,12 +33,17 @@ mod method;
 mod runge_kutta;
 mod step_state;
 mod system;
-pub mod tableau;
+pub(crate) mod tableau;
 
-pub use method::{Method, NamedMethod, Properties};
-pub use runge_kutta::{AcceptedStep, RungeKutta, UnresolvedStep};
+pub use method::Method;
+
+pub(crate) use method::NamedMethod;
+pub use method::Properties;
+pub use runge_kutta::{RungeKutta, UnresolvedStep};
 pub use step_state::StepState;
-pub use system::{PlanarVelocities, SecondOrderBlock, System};
+pub use system::PlanarVelocities;
+pub use system::SecondOrderBlock;
+pub use system::System;
 
 /// A method with the step that it last made.
 #[derive(Debug, Clone)]

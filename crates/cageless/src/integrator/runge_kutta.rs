@@ -46,7 +46,7 @@ impl RungeKutta {
     }
 
     /// A given pair.
-    pub fn with_tableau(tableau: &'static Tableau, dimension: usize) -> Self {
+    pub(crate) fn with_tableau(tableau: &'static Tableau, dimension: usize) -> Self {
         Self {
             tableau,
             stages: vec![Aligned::zeros(dimension); tableau.b.len() + 1],
@@ -108,7 +108,7 @@ impl RungeKutta {
     /// # Errors
     /// [`UnresolvedStep`] when the state is no longer finite or takes too many attempts.
     #[allow(clippy::too_many_arguments)] // the state of the step, in and out
-    pub fn step<S: System>(
+    pub(crate) fn step<S: System>(
         &mut self,
         system: &mut S,
         time_s: f64,
@@ -226,7 +226,7 @@ impl RungeKutta {
 
 /// An accepted step and the size suggested for the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AcceptedStep {
+pub(crate) struct AcceptedStep {
     /// Size of the step, s.
     pub size: f64,
     /// Size that the error suggests for the next step, s.

@@ -9,7 +9,7 @@
 
 /// An explicit pair: nodes, stages, weights and weights of the error estimate.
 #[derive(Debug)]
-pub struct Tableau {
+pub(crate) struct Tableau {
     /// Nodes.
     pub c: &'static [f64],
     /// Stages, lower triangle, row by row.
@@ -27,7 +27,7 @@ pub struct Tableau {
 
 /// Dormand & Prince 1980, order 5(4), seven stages of which the last is f at the end
 /// (Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, table II.5.2).
-pub static DORMAND_PRINCE_5: Tableau = Tableau {
+pub(crate) static DORMAND_PRINCE_5: Tableau = Tableau {
     c: &[0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0],
     a: &[
         &[],
@@ -71,7 +71,7 @@ pub static DORMAND_PRINCE_5: Tableau = Tableau {
 
 /// Tsitouras 2011, order 5(4), seven stages of which the last is f at the end
 /// (*Computers & Mathematics with Applications* 62, 770–775).
-pub static TSITOURAS_5: Tableau = Tableau {
+pub(crate) static TSITOURAS_5: Tableau = Tableau {
     c: &[0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0],
     a: &[
         &[],
@@ -114,7 +114,7 @@ pub static TSITOURAS_5: Tableau = Tableau {
 };
 
 /// Dormand & Prince, order 8(5,3), twelve stages (ibid., section II.5, appendix).
-pub static DORMAND_PRINCE_8: Tableau = Tableau {
+pub(crate) static DORMAND_PRINCE_8: Tableau = Tableau {
     c: &[
         0.0,
         0.05260015195876773,

@@ -120,7 +120,7 @@ pub(crate) type Rows = DMatrix<f64>;
 
 impl<P> Unbalance<P> {
     /// The unbalance in a plane that is given otherwise.
-    pub fn at<Q>(&self, place: Q) -> Unbalance<Q> {
+    pub(crate) fn at<Q>(&self, place: Q) -> Unbalance<Q> {
         Unbalance {
             place,
             moment_kg_m: self.moment_kg_m,
@@ -131,7 +131,7 @@ impl<P> Unbalance<P> {
 
 impl<P> ClearancePlane<P> {
     /// The clearance in a plane that is given otherwise.
-    pub fn at<Q>(&self, place: Q) -> ClearancePlane<Q> {
+    pub(crate) fn at<Q>(&self, place: Q) -> ClearancePlane<Q> {
         let clearance = self.clearance.clone();
         ClearancePlane { place, clearance }
     }
@@ -190,7 +190,7 @@ impl LinearRotor {
     }
 
     /// Number of touchdown bearings.
-    pub fn bearings(&self) -> usize {
+    pub(crate) fn bearings(&self) -> usize {
         self.journals.len()
     }
 
@@ -247,7 +247,7 @@ impl LinearRotor {
 
     /// Fastest decay of the lateral motion by C: the largest eigenvalue of M⁻¹·C, its symmetric
     /// part, 1/s.
-    pub fn fastest_decay_1_s(&self) -> f64 {
+    pub(crate) fn fastest_decay_1_s(&self) -> f64 {
         let rates = symmetric(&self.damping).symmetric_eigenvalues();
         rates.max().max(0.0)
     }

@@ -30,7 +30,7 @@ pub struct Aligned {
 
 impl Aligned {
     /// `len` zeros.
-    pub fn zeros(len: usize) -> Self {
+    pub(crate) fn zeros(len: usize) -> Self {
         Self {
             lines: vec![Line([0.0; LINE]); len.div_ceil(LINE)],
             len,

@@ -18,7 +18,7 @@ pub type Vec3 = [f64; 3];
 
 /// Control points of the C² cubic through `values` at ascending `sites` with the given
 /// derivatives at the first and the last site (de Boor 1978, chapter XIII).
-pub fn interpolate(sites: &[f64], values: &[Vec3], end_slopes: [Vec3; 2]) -> Vec<Vec3> {
+pub(crate) fn interpolate(sites: &[f64], values: &[Vec3], end_slopes: [Vec3; 2]) -> Vec<Vec3> {
     let n = sites.len() - 1;
     let mut control = vec![[0.0; 3]; n + 3];
     let (first, last) = ((sites[1] - sites[0]) / 3.0, (sites[n] - sites[n - 1]) / 3.0);
@@ -47,13 +47,13 @@ pub fn interpolate(sites: &[f64], values: &[Vec3], end_slopes: [Vec3; 2]) -> Vec
 }
 
 /// Index of the interval between sites that holds `x`.
-pub fn interval(sites: &[f64], x: f64) -> usize {
+pub(crate) fn interval(sites: &[f64], x: f64) -> usize {
     sites[1..sites.len() - 1].partition_point(|&s| s <= x)
 }
 
 /// The four basis functions that differ from 0 in `interval`, at `x`; they belong to the
 /// control points `interval` to `interval + 3` (Piegl & Tiller 1997, algorithm A2.2).
-pub fn basis(sites: &[f64], interval: usize, x: f64) -> [f64; 4] {
+pub(crate) fn basis(sites: &[f64], interval: usize, x: f64) -> [f64; 4] {
     let last = sites.len() as isize - 1;
     let knot = |k: isize| sites[(interval as isize + k).clamp(0, last) as usize];
     let mut values = [1.0, 0.0, 0.0, 0.0];

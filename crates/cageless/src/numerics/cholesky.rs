@@ -12,7 +12,11 @@ use crate::numerics::lanes::{LANES, Lanes};
 /// x of (H + shift) x = b by the factors L D Lᵀ, of H the lower half; `None` where that is not positive
 /// definite.
 #[inline(always)]
-pub fn solve<const N: usize>(hessian: &[[f64; N]; N], shift: f64, b: [f64; N]) -> Option<[f64; N]> {
+pub(crate) fn solve<const N: usize>(
+    hessian: &[[f64; N]; N],
+    shift: f64,
+    b: [f64; N],
+) -> Option<[f64; N]> {
     let mut l = [[0.0; N]; N];
     let mut inverse = [0.0; N];
     for j in 0..N {

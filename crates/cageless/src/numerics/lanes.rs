@@ -7,7 +7,7 @@
 //! ```
 
 /// Length of a block: what the arrays over the balls are padded to.
-pub const LANES: usize = 16;
+pub(crate) const LANES: usize = 16;
 
 /// Bearings side by side; two balls of each fill a block.
 pub const BATCH_WIDTH: usize = 8;

@@ -9,11 +9,11 @@
 //! assert_eq!(moments.mean(), 2.0);
 //! ```
 
-pub mod aligned;
+pub(crate) mod aligned;
 pub mod angle;
 pub mod bspline;
 pub(crate) mod chebyshev;
-pub mod cholesky;
+pub(crate) mod cholesky;
 pub(crate) mod elliptic;
 pub(crate) mod inverse_root;
 pub(crate) mod lane_set;
@@ -27,5 +27,5 @@ pub mod quantile;
 pub mod random;
 pub(crate) mod root;
 pub mod student;
-pub mod taylor;
+pub(crate) mod taylor;
 pub mod vector;

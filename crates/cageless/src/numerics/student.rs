@@ -12,7 +12,7 @@
 ///
 /// Abramowitz and Stegun, *Handbook of Mathematical Functions*, 26.7.3 and 26.7.4, with
 /// tan θ = t/√ν.
-pub fn two_sided_tail(t: f64, freedoms: usize) -> f64 {
+pub(crate) fn two_sided_tail(t: f64, freedoms: usize) -> f64 {
     let angle = (t.abs() / (freedoms as f64).sqrt()).atan();
     let (sine, cosine) = angle.sin_cos();
     let odd = freedoms % 2 == 1;

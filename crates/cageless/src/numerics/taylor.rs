@@ -16,7 +16,7 @@ use std::ops::{Add, Mul, Sub};
 
 /// A function of `N` variables at a point, to second order.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Taylor<const N: usize> {
+pub(crate) struct Taylor<const N: usize> {
     /// Value.
     pub value: f64,
     /// First derivatives.
@@ -27,7 +27,7 @@ pub struct Taylor<const N: usize> {
 
 impl<const N: usize> Taylor<N> {
     /// A constant.
-    pub fn constant(value: f64) -> Self {
+    pub(crate) fn constant(value: f64) -> Self {
         Self {
             value,
             gradient: [0.0; N],
@@ -36,7 +36,7 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// The variables at these values.
-    pub fn variables(values: [f64; N]) -> [Self; N] {
+    pub(crate) fn variables(values: [f64; N]) -> [Self; N] {
         std::array::from_fn(|k| {
             let mut variable = Self::constant(values[k]);
             variable.gradient[k] = 1.0;
@@ -45,7 +45,7 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// f of this number, by f and its first two derivatives at the value: chain rule.
-    pub fn map(self, [value, first, second]: [f64; 3]) -> Self {
+    pub(crate) fn map(self, [value, first, second]: [f64; 3]) -> Self {
         let mut out = Self::constant(value);
         for i in 0..N {
             out.gradient[i] = first * self.gradient[i];
@@ -58,7 +58,7 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// Square root of a number above 0.
-    pub fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.map([root, 0.5 / root, -0.25 / (root * self.value)])
     }
@@ -81,7 +81,7 @@ impl<const N: usize> Taylor<N> {
     }
 
     /// eˣ.
-    pub fn exp(self) -> Self {
+    pub(crate) fn exp(self) -> Self {
         self.map([self.value.exp(); 3])
     }
 

@@ -7,7 +7,7 @@ use crate::numerics::root;
 
 /// Contact path y = a x⁴ + b x² + c of a raceway in local coordinates, with its middle at −Y.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ContactPath {
+pub(crate) struct ContactPath {
     /// lC, m.
     axial_span_m: f64,
     /// θ.
@@ -78,7 +78,8 @@ impl ContactPath {
 
     /// Centre of groove curvature Oe at path abscissa x, branch z > 0 of the contact
     /// point (Zhao 2022, Eq. (7)), in local coordinates.
-    pub fn groove_centre_m(&self, x_m: f64) -> [f64; 3] {
+    #[cfg(test)]
+    pub(crate) fn groove_centre_m(&self, x_m: f64) -> [f64; 3] {
         let (rw, re) = (self.ball_radius_m, self.groove_curvature_radius_m);
         let y = self.y_m(x_m);
         let rho = x_m.hypot(y);
@@ -97,20 +98,20 @@ impl ContactPath {
     }
 
     /// y = a x⁴ + b x² + c (Zhao 2022, Eq. (4)).
-    pub fn y_m(&self, x_m: f64) -> f64 {
+    pub(crate) fn y_m(&self, x_m: f64) -> f64 {
         let [a, b, c] = self.coefficients;
         let x2 = x_m * x_m;
         (a * x2 + b) * x2 + c
     }
 
     /// dy/dx of the path.
-    pub fn slope(&self, x_m: f64) -> f64 {
+    pub(crate) fn slope(&self, x_m: f64) -> f64 {
         let [a, b, _] = self.coefficients;
         x_m * (4.0 * a * x_m * x_m + 2.0 * b)
     }
 
     /// z ≥ 0 of the path (Zhao 2022, Eq. (4)); the other branch is its mirror image.
-    pub fn z_m(&self, x_m: f64) -> f64 {
+    pub(crate) fn z_m(&self, x_m: f64) -> f64 {
         let r = self.effective_radius_at_x_m(x_m);
         (self.ball_radius_m.powi(2) - r * r).max(0.0).sqrt()
     }
@@ -137,7 +138,7 @@ impl ContactPath {
     }
 
     /// Abscissa of the contact point of a ball at local ψ: tan ψ = x/(−y).
-    pub fn x_m(&self, local_angle_rad: f64) -> f64 {
+    pub(crate) fn x_m(&self, local_angle_rad: f64) -> f64 {
         let (sin, cos) = local_angle_rad.abs().sin_cos();
         let x = root::brent(
             |x| x * cos + self.y_m(x) * sin,

@@ -108,7 +108,8 @@ impl MeasuredFlanks {
     }
 
     /// lC of the measurement for balls of this radius.
-    pub fn axial_span_m(&self, ball_radius_m: f64) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn axial_span_m(&self, ball_radius_m: f64) -> f64 {
         2.0 * ball_radius_m * self.middle_rad().sin()
     }
 

@@ -44,7 +44,7 @@ use crate::numerics::root;
 
 pub use blend::Ends;
 use blend::{Blend, CONTACT_SHARE};
-pub use contact_path::ContactPath;
+pub(crate) use contact_path::ContactPath;
 use flank_angle::Flanks;
 pub use measured_flanks::MeasuredFlanks;
 pub(crate) use measured_flanks::{Linearised, fit_flanks};
@@ -52,8 +52,9 @@ use outline::Outline;
 pub(crate) use piece::Piece;
 pub(crate) use power_angle::PowerAngle;
 pub use shape::{RacewayForm, RacewayShape};
+pub use slot::Slot;
 use slot::SlotPlan;
-pub use slot::{Slot, SlotSection};
+pub(crate) use slot::SlotSection;
 pub use spline_flanks::SplineFlanks;
 
 /// How often a machined end is halved at most.
@@ -168,7 +169,7 @@ impl Raceway {
     ///
     /// # Errors
     /// An [`InputError`] below 0 or beyond Re − Rw.
-    pub fn with_depth(mut self, depth_m: f64) -> Result<Self, InputError> {
+    pub(crate) fn with_depth(mut self, depth_m: f64) -> Result<Self, InputError> {
         let room = self.groove_curvature_radius_m - self.ball_radius_m;
         let why = "what the groove's curvature radius exceeds the ball's";
         from_to("depth_m", depth_m, [0.0, room], why)?;
@@ -189,7 +190,7 @@ impl Raceway {
     /// # Errors
     /// An [`InputError`] if the blend is too short or too long, or the flank angle would not fall
     /// steadily over it.
-    pub fn with_ends(mut self, ends: Ends) -> Result<Self, InputError> {
+    pub(crate) fn with_ends(mut self, ends: Ends) -> Result<Self, InputError> {
         let theta = self.half_angle_rad();
         let own = self.slot.is_some() || self.form.shape == RacewayShape::Measured;
         let mut blend_m = match ends {
@@ -270,13 +271,13 @@ impl Raceway {
     }
 
     /// Depth error at ψ, m.
-    pub fn depth_error_at_m(&self, angle_rad: f64) -> f64 {
+    pub(crate) fn depth_error_at_m(&self, angle_rad: f64) -> f64 {
         self.depth_error_m * self.depth_share(angle_rad)[0]
     }
 
     /// How much deeper a ball sits at ψ than on the plain raceway, m, and the slope over ψ, m/rad; in a
     /// slot by how much it sinks.
-    pub fn depth_at_m(&self, angle_rad: f64) -> [f64; 2] {
+    pub(crate) fn depth_at_m(&self, angle_rad: f64) -> [f64; 2] {
         if let Some(slot) = &self.slot {
             return slot.at(self.local_angle_rad(angle_rad)).sink_m;
         }
@@ -329,7 +330,7 @@ impl Raceway {
     }
 
     /// ψ from the middle of the raceway, wrapped to [−π, π].
-    pub fn local_angle_rad(&self, angle_rad: f64) -> f64 {
+    pub(crate) fn local_angle_rad(&self, angle_rad: f64) -> f64 {
         wrap_angle_rad(angle_rad - self.dimensions.centre_angle_rad)
     }
 
@@ -416,7 +417,7 @@ impl Raceway {
     }
 
     /// The quartic contact path of Zhao 2022 if this is the raceway's own, up to its ends.
-    pub fn contact_path(&self) -> Option<&ContactPath> {
+    pub(crate) fn contact_path(&self) -> Option<&ContactPath> {
         match self.pieces.as_slice() {
             [piece] => piece.flanks().contact_path(),
             _ => None,

@@ -160,7 +160,7 @@ pub struct Slot {
 
 /// The edges of a slot at the ψ of a ball; of two numbers the second is the slope over ψ.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlotSection {
+pub(crate) struct SlotSection {
     /// αc.
     pub angle_rad: [f64; 2],
     /// How far a ball on both edges sinks below its place on the plain raceway, m.
@@ -315,7 +315,7 @@ impl Slot {
     }
 
     /// Hertz's contact of a nominal ball at one edge at local ψ.
-    pub fn contact(&self, local_angle_rad: f64, bearing: &Bearing) -> PointContact {
+    pub(crate) fn contact(&self, local_angle_rad: f64, bearing: &Bearing) -> PointContact {
         let [root, _] = self.met_root(local_angle_rad);
         self.contact_of(root * root, bearing)
     }
@@ -334,7 +334,7 @@ impl Slot {
     }
 
     /// The edges at local ψ.
-    pub fn at(&self, local_angle_rad: f64) -> SlotSection {
+    pub(crate) fn at(&self, local_angle_rad: f64) -> SlotSection {
         let [root, root_slope] = self.met_root(local_angle_rad);
         let (share, rate) = (root * root, 2.0 * root * root_slope);
         let over_angle = |[value, slope]: [f64; 2]| [value, slope * rate];

@@ -44,7 +44,7 @@ impl SplineFlanks {
     /// # Errors
     /// An [`InputError`] of `profile` if there are fewer than 5 rows or more than 30, an angle is not below 90°, they do not
     /// lead from the middle to an end, or αc does not fall from row to row and between them.
-    pub fn through(rows: &[[f64; 2]]) -> Result<Self, InputError> {
+    pub(crate) fn through(rows: &[[f64; 2]]) -> Result<Self, InputError> {
         let refuse = |rule: &str| Err(InputError::rule("profile", f64::NAN, rule));
         let [least, most] = ROWS;
         if !(least..=most).contains(&rows.len()) {
@@ -107,12 +107,12 @@ impl SplineFlanks {
     }
 
     /// α0 of the rows.
-    pub fn middle_rad(&self) -> f64 {
+    pub(crate) fn middle_rad(&self) -> f64 {
         self.middle_rad
     }
 
     /// θ of the rows.
-    pub fn half_angle_rad(&self) -> f64 {
+    pub(crate) fn half_angle_rad(&self) -> f64 {
         self.half_angle_rad
     }
 }

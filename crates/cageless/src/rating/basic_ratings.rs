@@ -76,14 +76,14 @@ impl BasicRatings {
     /// 4200 MPa and Z Q/5 in C0r:
     ///
     ///   Cu = 5 · 0.2288 (1500/4200)³ C0r, times (100 mm/Dpw)^(1/2) above Dpw = 100 mm.
-    pub fn fatigue_load_limit_n(&self, pitch_diameter_mm: f64) -> f64 {
+    pub(crate) fn fatigue_load_limit_n(&self, pitch_diameter_mm: f64) -> f64 {
         let pressure = (FATIGUE_PRESSURE_PA / STRESS_LIMIT_PA).powi(3);
         let size = (FATIGUE_PITCH_MM / pitch_diameter_mm).sqrt().min(1.0);
         STRIBECK * RADIAL_INTEGRAL * pressure * size * self.static_n
     }
 
     /// L10 = (Cr/P)³, million revolutions, of an equivalent dynamic load P above 0.
-    pub fn l10_mrev(&self, dynamic_load_n: f64) -> f64 {
+    pub(crate) fn l10_mrev(&self, dynamic_load_n: f64) -> f64 {
         (self.dynamic_n / dynamic_load_n).powi(3)
     }
 
@@ -99,7 +99,7 @@ impl BasicRatings {
 ///   a = 1.04 ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41
 ///
 /// (ISO/TR 1281-1). The table of ISO 281 is this at 0.52 for both.
-pub fn dynamic_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
+pub(crate) fn dynamic_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
     let ratio = raceway_ratio(1.04, gamma, [inner, outer]);
     MATERIAL_CONSTANT
         * REDUCTION

@@ -120,7 +120,7 @@ const STATIC_X: [f64; 2] = [0.6, 0.5];
 
 /// How rows share an axial load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RowArrangement {
+pub(crate) enum RowArrangement {
     /// A row, or rows in tandem.
     Alike,
     /// Rows back to back or face to face.
@@ -129,7 +129,7 @@ pub enum RowArrangement {
 
 /// Factors of equivalent loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LoadFactors {
+pub(crate) struct LoadFactors {
     /// e, ratio Fa/Fr above which the axial load counts fully.
     pub e: f64,
     /// Y up to e, where X is 1.
@@ -147,7 +147,7 @@ pub struct LoadFactors {
 impl LoadFactors {
     /// Factors at a contact angle, rad, and a relative axial load Fa/(i Z Dw²), N/mm², linear between the values of
     /// the standards and constant beyond its loads; i = 1 for opposed rows. `None` above 45°.
-    pub fn new(
+    pub(crate) fn new(
         contact_angle_rad: f64,
         arrangement: RowArrangement,
         relative_load_n_mm2: f64,
@@ -186,7 +186,7 @@ impl LoadFactors {
     }
 
     /// P = Fr + Y Fa up to Fa/Fr = e, X Fr + Y Fa above it, at least the former's limit Fr, N (ISO 281).
-    pub fn dynamic_n(&self, radial_n: f64, axial_n: f64) -> f64 {
+    pub(crate) fn dynamic_n(&self, radial_n: f64, axial_n: f64) -> f64 {
         let [radial_n, axial_n] = [radial_n, axial_n].map(f64::abs);
         let below = radial_n + self.y_below * axial_n;
         if axial_n <= self.e * radial_n {
@@ -197,7 +197,7 @@ impl LoadFactors {
     }
 
     /// P0 = X0 Fr + Y0 Fa, at least Fr, N (ISO 76).
-    pub fn static_n(&self, radial_n: f64, axial_n: f64) -> f64 {
+    pub(crate) fn static_n(&self, radial_n: f64, axial_n: f64) -> f64 {
         let [radial_n, axial_n] = [radial_n, axial_n].map(f64::abs);
         (self.static_x * radial_n + self.static_y * axial_n).max(radial_n)
     }
@@ -215,7 +215,7 @@ pub struct EquivalentLoad {
 impl EquivalentLoad {
     /// Equivalent loads of the external loads of a case; preload of rows is no part of them. `None` without load,
     /// with a moment or a tilt, and with a contact angle above 45°, of which the standards have none.
-    pub fn new(case: &Case) -> Option<Self> {
+    pub(crate) fn new(case: &Case) -> Option<Self> {
         let operation = &case.operation;
         let straight = match operation.space.tilt {
             Tilt::Held { x_rad, y_rad } => x_rad == 0.0 && y_rad == 0.0,

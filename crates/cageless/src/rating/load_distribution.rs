@@ -25,7 +25,7 @@ struct Spring {
 /// stand where the case starts them, the outer raceway is plain. Displacements are small against
 /// the bearing, unlike in [`crate::equilibrium`]. `None` without load, or if the balls leave
 /// a gap through which the ring falls.
-pub fn rigid_ring_forces_n(case: &Case) -> Option<Vec<f64>> {
+pub(crate) fn rigid_ring_forces_n(case: &Case) -> Option<Vec<f64>> {
     let bearing = &case.bearing;
     let load_n = case.operation.radial_load_n;
     let springs: Vec<Spring> = start_angles_rad(case)

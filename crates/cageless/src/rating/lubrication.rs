@@ -24,7 +24,7 @@ const MM2_S: f64 = 1e-6;
 ///   ν1 = 45000 n^(−0.83) Dpw^(−1/2) mm²/s below 1000 rpm, 4500 n^(−1/2) Dpw^(−1/2) mm²/s from there on
 ///
 /// (ISO 281:2007; NTN 2203/E, Eq. (3.10), (3.11)).
-pub fn reference_viscosity_m2_s(speed_rpm: f64, pitch_diameter_mm: f64) -> f64 {
+pub(crate) fn reference_viscosity_m2_s(speed_rpm: f64, pitch_diameter_mm: f64) -> f64 {
     // A speed that went through rad/s is a rounding off; the two equations differ by 2.3 % here.
     let speed = if speed_rpm < SLOW_RPM * (1.0 - SPEED_ROUNDING) {
         45_000.0 * speed_rpm.powf(-0.83)
@@ -40,7 +40,7 @@ pub fn reference_viscosity_m2_s(speed_rpm: f64, pitch_diameter_mm: f64) -> f64 {
 ///
 /// k = 2.2649 κ^(−0.054381) below κ = 0.4, 1.9987 κ^(−0.19087) up to 1, 1.9987 κ^(−0.071739) up to 4,
 /// beyond which κ counts as 4 (ISO 281:2007). `None` below κ = 0.1, which the standard does not rate.
-pub fn life_modification_factor(viscosity_ratio: f64, load_ratio: f64) -> Option<f64> {
+pub(crate) fn life_modification_factor(viscosity_ratio: f64, load_ratio: f64) -> Option<f64> {
     let kappa = viscosity_ratio.min(VISCOSITY_RATIO_MAX);
     let k = match kappa {
         _ if !(kappa >= VISCOSITY_RATIO_MIN) => return None,
@@ -62,7 +62,7 @@ pub fn life_modification_factor(viscosity_ratio: f64, load_ratio: f64) -> Option
 ///   Frm = kr (ν n/1000)^(2/3) (dm/100)² kN, ν in mm²/s, n in rpm, dm in mm
 ///
 /// (SKF PUB 17000 (2018), p. 254), with Dpw for dm = (d + D)/2.
-pub fn minimum_radial_load_n(
+pub(crate) fn minimum_radial_load_n(
     factor: f64,
     viscosity_m2_s: f64,
     speed_rpm: f64,

@@ -38,18 +38,34 @@ use crate::equilibrium::Equilibrium;
 use crate::equilibrium::space::{SpatialEquilibrium, forces_at_rest};
 use crate::material::{Material, Materials};
 
-pub use basic_ratings::{BasicRatings, dynamic_factor, static_factor};
-pub use equivalent_load::{EquivalentLoad, LoadFactors, RowArrangement};
+pub use basic_ratings::{BasicRatings, static_factor};
+
+#[cfg(test)]
+pub(crate) use basic_ratings::dynamic_factor;
+pub use equivalent_load::EquivalentLoad;
+#[cfg(test)]
+pub(crate) use equivalent_load::LoadFactors;
+#[cfg(test)]
+pub(crate) use equivalent_load::RowArrangement;
 pub use friction_torque::{rolling_torque_n_m, skf_friction_torque_n_m};
-pub use load_distribution::rigid_ring_forces_n;
-pub use lubrication::{
-    LubricatedRating, VISCOSITY_RATIO_MIN, life_modification_factor, minimum_radial_load_n,
-    reference_viscosity_m2_s,
-};
-pub use passing_frequencies::{PassingFrequencies, loaded_contact_angle_rad};
-pub use reference_life::ReferenceLife;
-pub use skf_friction::{SkfFriction, SkfOperation};
-pub use speed_factor::{SPEED_PARAMETER_MAX_MM_RPM, speed_factor_mm_rpm, speed_warning};
+pub(crate) use load_distribution::rigid_ring_forces_n;
+#[cfg(test)]
+pub(crate) use lubrication::life_modification_factor;
+#[cfg(test)]
+pub(crate) use lubrication::minimum_radial_load_n;
+#[cfg(test)]
+pub(crate) use lubrication::reference_viscosity_m2_s;
+pub use lubrication::{LubricatedRating, VISCOSITY_RATIO_MIN};
+pub use passing_frequencies::PassingFrequencies;
+pub(crate) use passing_frequencies::loaded_contact_angle_rad;
+pub(crate) use reference_life::ReferenceLife;
+pub use skf_friction::SkfFriction;
+#[cfg(test)]
+pub(crate) use skf_friction::SkfOperation;
+#[cfg(test)]
+pub(crate) use speed_factor::SPEED_PARAMETER_MAX_MM_RPM;
+pub(crate) use speed_factor::speed_factor_mm_rpm;
+pub use speed_factor::speed_warning;
 
 /// Ratings of a bearing at its operating point.
 #[derive(Debug, Clone, PartialEq)]

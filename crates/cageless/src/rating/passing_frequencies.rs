@@ -49,7 +49,7 @@ impl PassingFrequencies {
 
 /// Contact angle of the loaded bearing, rad: the mean of both contacts of every ball that carries, without
 /// sign; `None` if none does.
-pub fn loaded_contact_angle_rad(space: &SpatialEquilibrium) -> Option<f64> {
+pub(crate) fn loaded_contact_angle_rad(space: &SpatialEquilibrium) -> Option<f64> {
     let angles = space
         .inner_contact_angle_rad
         .iter()

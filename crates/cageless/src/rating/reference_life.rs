@@ -13,7 +13,7 @@ const STATIONARY: f64 = 0.389;
 /// Dynamic load ratings of a single ball at each raceway of a bearing whose inner ring turns
 /// under a load that stands still.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ReferenceLife {
+pub(crate) struct ReferenceLife {
     /// Qci, rating of a ball at the inner raceway, N.
     pub inner_rating_n: f64,
     /// Qce, rating of a ball at the outer raceway, N.
@@ -26,7 +26,7 @@ impl ReferenceLife {
     ///   Qci = Cr/(0.407 Z cos^0.7 α0) (1 + a^(10/3))^(3/10),
     ///   Qce = Cr/(0.389 Z cos^0.7 α0) (1 + a^(−10/3))^(3/10),
     ///   a = 1.044 ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41.
-    pub fn new(bearing: &Bearing) -> Self {
+    pub(crate) fn new(bearing: &Bearing) -> Self {
         let across = bearing.contact_angle_rad().cos().powf(0.7);
         let per_ball = BasicRatings::new(bearing).dynamic_n / bearing.balls() as f64 / across;
         let ratio = raceway_ratio(1.044, gamma(bearing), conformities(bearing));
@@ -46,7 +46,7 @@ impl ReferenceLife {
     ///   L10r = ((Qci/Qei)^(−10/3) + (Qce/Qee)^(−10/3))^(−9/10).
     ///
     /// At speed the outer forces hold the centrifugal forces as well.
-    pub fn l10r_mrev(&self, inner_force_n: &[f64], outer_force_n: &[f64]) -> Option<f64> {
+    pub(crate) fn l10r_mrev(&self, inner_force_n: &[f64], outer_force_n: &[f64]) -> Option<f64> {
         self.l10r_of_rows_mrev([[inner_force_n, outer_force_n]])
     }
 

@@ -17,7 +17,7 @@ const NMM: f64 = 1e-3;
 
 /// Operation of a bearing in SKF's model.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SkfOperation {
+pub(crate) struct SkfOperation {
     /// d, mm.
     pub bore_mm: f64,
     /// D, mm.
@@ -54,7 +54,11 @@ impl SkfFriction {
     ///
     /// with dm = (d + D)/2 in mm, n in rpm, ν in mm²/s, loads in N. The two equations of Msl are SKF's and differ
     /// by a factor dm^0.115 at Fa = 0.
-    pub fn new(series: SkfSeries, lubrication: &Lubrication, operation: SkfOperation) -> Self {
+    pub(crate) fn new(
+        series: SkfSeries,
+        lubrication: &Lubrication,
+        operation: SkfOperation,
+    ) -> Self {
         let SkfConstants { r1, r2, s1, s2 } = series.constants();
         let starvation = match lubrication.lubricant {
             Lubricant::Oil => 3e-8,

@@ -6,10 +6,10 @@ use crate::case::Case;
 
 /// Largest n·Dpw of ball bearings in service, mm/min: hybrid spindle bearings under oil
 /// jets and bearings of aircraft engines reach 3 million.
-pub const SPEED_PARAMETER_MAX_MM_RPM: f64 = 3e6;
+pub(crate) const SPEED_PARAMETER_MAX_MM_RPM: f64 = 3e6;
 
 /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
-pub fn speed_factor_mm_rpm(case: &Case) -> f64 {
+pub(crate) fn speed_factor_mm_rpm(case: &Case) -> f64 {
     let rpm = case.operation.inner_speed_rad_s.abs() * 60.0 / TAU;
     rpm * 2e3 * case.bearing.pitch_radius_m()
 }

@@ -20,7 +20,7 @@ crate::named_enum! {
 
 impl InstructionSet {
     /// The widest that this processor has and this build was compiled for.
-    pub fn detect() -> Self {
+    pub(crate) fn detect() -> Self {
         #[cfg(all(target_arch = "x86_64", not(any(test, debug_assertions))))]
         {
             if std::arch::is_x86_feature_detected!("avx512f")

@@ -36,7 +36,7 @@ pub struct StepView<'a> {
     /// [`Self::layout`] has the places.
     pub step: &'a StepState,
     /// Contacts at the end of the step.
-    pub contacts: Contacts<'a>,
+    pub(crate) contacts: Contacts<'a>,
     /// Constants of the bearing.
     pub(super) model: &'a Model,
     /// A second right-hand side for snapshots within the step.
@@ -55,19 +55,13 @@ impl StepView<'_> {
 
     /// One coordinate of the balls at the end of the step.
     #[inline]
-    pub fn after(&self, coordinate: BallCoordinate) -> Balls<'_> {
+    pub(crate) fn after(&self, coordinate: BallCoordinate) -> Balls<'_> {
         self.layout.balls_of(&self.step.y1, coordinate)
-    }
-
-    /// One coordinate of the balls at the start of the step.
-    #[inline]
-    pub fn before(&self, coordinate: BallCoordinate) -> Balls<'_> {
-        self.layout.balls_of(&self.step.y0, coordinate)
     }
 
     /// x and y of the balls at the end of the step.
     #[inline]
-    pub fn positions(&self) -> [Balls<'_>; 2] {
+    pub(crate) fn positions(&self) -> [Balls<'_>; 2] {
         [self.after(BallCoordinate::X), self.after(BallCoordinate::Y)]
     }
 

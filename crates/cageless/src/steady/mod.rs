@@ -26,7 +26,7 @@ pub use operation::{
     BenefitWeights, GRADE, MEASURED_ORBITS, SteadyDraw, SteadyOperation, SteadyStart,
     TRANSIENT_ORBITS, WEIGHT,
 };
-pub use queue::leading_ball;
+pub(crate) use queue::leading_ball;
 pub use recorder::{SteadyBlock, SteadyRecorder};
 pub use stationarity::{Settling, Stationarity};
 pub use summary::SteadySummary;

@@ -7,7 +7,7 @@
 ///
 /// # Panics
 /// If there is no ball.
-pub fn leading_ball(drifts: &[f64]) -> usize {
+pub(crate) fn leading_ball(drifts: &[f64]) -> usize {
     let count = drifts.len();
     let mean = drifts.iter().sum::<f64>() / count as f64;
     // From ball N backwards, the head follows the place at which the sum of the drifts is largest.

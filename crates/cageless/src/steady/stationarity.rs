@@ -17,7 +17,7 @@ pub enum Settling {
 
 impl Settling {
     /// Every one.
-    pub const ALL: [Self; 3] = [Self::Spacing, Self::Contacts, Self::Force];
+    pub(crate) const ALL: [Self; 3] = [Self::Spacing, Self::Contacts, Self::Force];
 
     /// Name in sentences.
     pub(crate) fn label(self) -> &'static str {

@@ -168,7 +168,7 @@ impl MeasuredGroove {
     }
 
     /// αc at ψ from the middle of the raceway, within ±θ.
-    pub fn flank_angle_rad(&self, local_angle_rad: f64) -> f64 {
+    pub(crate) fn flank_angle_rad(&self, local_angle_rad: f64) -> f64 {
         self.flanks.at(local_angle_rad)[0]
     }
 

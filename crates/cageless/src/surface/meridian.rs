@@ -35,19 +35,19 @@ impl Meridian {
     }
 
     /// Largest distance of the groove from the axis.
-    pub fn deepest_radius_m(&self) -> f64 {
+    pub(crate) fn deepest_radius_m(&self) -> f64 {
         let [upper, lower] = self.arcs.map(|arc| arc.deepest_radius_m());
         upper.max(lower)
     }
 
     /// Angle between the normals on both sides of the ridge.
-    pub fn ridge_rad(&self) -> f64 {
+    pub(crate) fn ridge_rad(&self) -> f64 {
         self.arcs.iter().map(Arc::valley_rad).sum()
     }
 
     /// Point of the surface at η, the angle at the centre of an arc from the outward radius
     /// towards +z: of the upper arc from αg on, of the lower one below it.
-    pub fn point(&self, meridian_rad: f64) -> SurfacePoint {
+    pub(crate) fn point(&self, meridian_rad: f64) -> SurfacePoint {
         let [upper, lower] = &self.arcs;
         let below = meridian_rad < upper.axis_rad;
         let arc = if below { lower } else { upper };

@@ -67,12 +67,15 @@ use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Ends, Raceway, apart};
 
-pub use arc::{Arc, SurfacePoint};
+pub use arc::Arc;
+pub use measured_raceway::NoRaceway;
+
+pub use arc::SurfacePoint;
 pub use conformity::Conformity;
 pub use drawn_groove::DrawnGroove;
 pub use grid::{Grid, GridPoint, GridRow, PointKind};
 pub use measured_groove::MeasuredGroove;
-pub use measured_raceway::{MeasuredFlank, MeasuredRaceway, NoRaceway};
+pub use measured_raceway::{MeasuredFlank, MeasuredRaceway};
 pub use measured_ring::{MeasuredRing, PointOff};
 pub use measured_value::MeasuredValue;
 pub use meridian::Meridian;
@@ -80,7 +83,8 @@ pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
 pub use point_deviation::PointDeviation;
 pub use points_error::PointsError;
-pub use pose::Pose;
+#[cfg(test)]
+pub(crate) use pose::Pose;
 pub use recess::{Edge, EdgePlace, MeasuredSlot, Recess, SlotUncertainty};
 use section_frame::SectionFrame;
 pub use sector::RingSector;
@@ -121,7 +125,7 @@ impl OuterRing {
     /// # Errors
     /// An [`InputError`] if raceways overlap, belong to another bearing or have different contact
     /// angles, the groove would cut through the ring or its side faces, or a blend does not fit.
-    pub fn new(
+    pub(crate) fn new(
         bearing: &Bearing,
         raceways: &[Raceway],
         dimensions: OuterRingDimensions,

@@ -102,7 +102,7 @@ impl Patch {
     }
 
     /// Point of the B-spline.
-    pub fn point_m(&self, angle_rad: f64, across: f64) -> Vec3 {
+    pub(crate) fn point_m(&self, angle_rad: f64, across: f64) -> Vec3 {
         let (i, j) = (
             interval(&self.along_rad, angle_rad),
             interval(&self.across, across),

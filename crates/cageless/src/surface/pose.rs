@@ -5,7 +5,7 @@ use crate::numerics::bspline::Vec3;
 /// Place of a ring: its points are at shift + Rx Ry q, with q in its own frame, Rx and Ry turns about the axes of the
 /// machine.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Pose {
+pub(crate) struct Pose {
     /// Shift of its centre, m.
     pub shift_m: Vec3,
     /// Tilt of its axis about x and y, rad.
@@ -14,7 +14,8 @@ pub struct Pose {
 
 impl Pose {
     /// Point of the ring where the machine has it.
-    pub fn in_machine_m(&self, [x, y, z]: Vec3) -> Vec3 {
+    #[cfg(test)]
+    pub(crate) fn in_machine_m(&self, [x, y, z]: Vec3) -> Vec3 {
         let [(sa, ca), (sb, cb)] = self.tilt_rad.map(f64::sin_cos);
         let [x, z] = [x * cb + z * sb, z * cb - x * sb];
         let [y, z] = [y * ca - z * sa, y * sa + z * ca];

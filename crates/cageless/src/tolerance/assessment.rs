@@ -141,7 +141,7 @@ pub(super) const PASS_FRACTION: f64 = 0.95;
 
 impl Samples {
     /// Whether 95 % of all bearings pass; `None` where the interval leaves it open.
-    pub fn passes(&self) -> Option<bool> {
+    pub(crate) fn passes(&self) -> Option<bool> {
         match self.pass_probability_interval {
             [low, _] if low >= PASS_FRACTION => Some(true),
             [_, high] if high < PASS_FRACTION => Some(false),
@@ -150,7 +150,7 @@ impl Samples {
     }
 
     /// Fewest bearings with which [`Samples::passes`], if all do.
-    pub fn least() -> usize {
+    pub(crate) fn least() -> usize {
         let enough = |count: &usize| wilson_interval(*count, *count)[0] >= PASS_FRACTION;
         (1..).find(enough).unwrap_or(usize::MAX)
     }

@@ -123,12 +123,13 @@ impl Deviation {
     }
 
     /// Value of one influence, SI units; of the balls' radii 0.
-    pub fn value(&self, influence: Influence) -> f64 {
+    pub(crate) fn value(&self, influence: Influence) -> f64 {
         self.values[influence as usize]
     }
 
     /// Deviations of the balls' radii; empty if all are nominal.
-    pub fn ball_radius_m(&self) -> &[f64] {
+    #[cfg(test)]
+    pub(crate) fn ball_radius_m(&self) -> &[f64] {
         &self.ball_radius_m
     }
 

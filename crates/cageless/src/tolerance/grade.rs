@@ -44,7 +44,7 @@ pub fn ball_grade(number: u32) -> Option<BallGrade> {
 
 impl BallGrade {
     /// Largest deviation of a ball's radius from the middle of its lot.
-    pub fn radius_deviation_m(self) -> f64 {
+    pub(crate) fn radius_deviation_m(self) -> f64 {
         self.lot_variation_m / 4.0
     }
 }

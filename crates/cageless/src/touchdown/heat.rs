@@ -26,7 +26,7 @@ pub struct InterfaceHeat {
 
 impl InterfaceHeat {
     /// Heat by the terms of the energy ledger.
-    pub fn of(term_j: impl Fn(EnergyTerm) -> f64) -> Self {
+    pub(crate) fn of(term_j: impl Fn(EnergyTerm) -> f64) -> Self {
         Self {
             rotor_friction_j: term_j(EnergyTerm::RotorFriction),
             rotor_damping_j: term_j(EnergyTerm::RotorDamping),

@@ -26,12 +26,11 @@ mod replica;
 mod trajectory;
 
 pub use convergence::{Convergence, Judgement};
-pub use divergence::{DECORRELATED, Distance, Divergence, Loss};
+pub use divergence::Divergence;
+pub use divergence::{DECORRELATED, Distance, Loss};
 pub use quantity::Quantity;
-pub use replica::{
-    LARGE_PERTURBATION_RAD, Perturbation, Record, Replica, ReplicaError, ReplicaObserver, Role,
-    SMALL_PERTURBATION_RAD, SMALL_PERTURBATIONS, replicas,
-};
+pub use replica::Record;
+pub use replica::{Perturbation, Replica, ReplicaError, ReplicaObserver, Role, replicas};
 
 use crate::case::Case;
 use crate::error::InputError;
@@ -163,7 +162,8 @@ impl Verification {
     }
 
     /// Statistics of one result; `None` of one that the case does not have.
-    pub fn judgement(&self, quantity: Quantity) -> Option<&Judgement> {
+    #[cfg(test)]
+    pub(crate) fn judgement(&self, quantity: Quantity) -> Option<&Judgement> {
         self.judgements.iter().find(|j| j.quantity == quantity)
     }
 }

@@ -49,7 +49,7 @@ const VALUES: f64 = 10.0;
 
 impl Quantity {
     /// All quantities, in the order of their discriminants.
-    pub const ALL: [Self; 18] = [
+    pub(crate) const ALL: [Self; 18] = [
         Self::Collisions,
         Self::GapMin,
         Self::GapMax,
@@ -71,7 +71,7 @@ impl Quantity {
     ];
 
     /// Whether the quantity is a value at one instant.
-    pub fn is_point(self) -> bool {
+    pub(crate) fn is_point(self) -> bool {
         matches!(
             self,
             Self::RingXEnd | Self::RingYEnd | Self::LeadBallAngleEnd
@@ -84,7 +84,7 @@ impl Quantity {
     /// nominal gap, at least 0.1°; speeds those of rolling. Collisions, the largest slip and
     /// deviations are their own scale, at least by 1, the slip scale of the
     /// friction law and 0.1 µm. Forces, power and torque are ten times their own size.
-    pub fn scale(self, case: &Case, value: f64) -> f64 {
+    pub(crate) fn scale(self, case: &Case, value: f64) -> f64 {
         const PLACE_M: f64 = 1e-5;
         let bearing = &case.bearing;
         let radius = bearing.ball_radius_m();

@@ -16,14 +16,14 @@ use crate::simulation::{
 use crate::summary::{SummaryRecorder, transient_s};
 
 /// Angle between the starts with small perturbations, rad: far above rounding, far below any tolerance.
-pub const SMALL_PERTURBATION_RAD: f64 = 1.7e-11;
+pub(crate) const SMALL_PERTURBATION_RAD: f64 = 1.7e-11;
 /// Number of starts with a small perturbation.
-pub const SMALL_PERTURBATIONS: usize = 2;
+pub(crate) const SMALL_PERTURBATIONS: usize = 2;
 /// Angle between the starts with large perturbations, rad. They must decorrelate as early as the
 /// run and the run at half the step do, or earlier events would show no spread; 0.1 µm along the
 /// circle is the distance [`DECORRELATED`](super::DECORRELATED), below the uncertainty of any
 /// initial state.
-pub const LARGE_PERTURBATION_RAD: f64 = 3e-6;
+pub(crate) const LARGE_PERTURBATION_RAD: f64 = 3e-6;
 
 /// Perturbation of the initial state of a replica: all balls turned by one angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -151,7 +151,7 @@ impl Role {
 
     /// The case with all balls turned by the perturbation, and with half the step if this role has
     /// it.
-    pub fn case(&self, case: &Case) -> Case {
+    pub(crate) fn case(&self, case: &Case) -> Case {
         let mut replica = case.clone();
         replica.start.lead_ball_angle_rad += self.perturbation_rad;
         if self.half_step {
@@ -300,7 +300,7 @@ pub struct Record {
 impl Record {
     /// Value of one quantity, in SI units; NaN of a lag without passages, of a torque at a speed that
     /// varies.
-    pub fn value(&self, quantity: Quantity) -> f64 {
+    pub(crate) fn value(&self, quantity: Quantity) -> f64 {
         self.values[quantity as usize]
     }
 }

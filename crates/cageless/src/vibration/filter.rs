@@ -14,7 +14,7 @@ pub const FILTER_CORNER: f64 = 0.4;
 /// faster than the wanted rate every value is passed on as it is; else every k-th, with k
 /// the nearest integer to the ratio of the rates.
 #[derive(Debug, Clone)]
-pub struct Decimator {
+pub(crate) struct Decimator {
     cascade: Vec<DirectForm2Transposed<f64, f64>>,
     keep: usize,
     offset: Option<f64>,
@@ -24,7 +24,7 @@ pub struct Decimator {
 
 impl Decimator {
     /// Decimator from a signal with a value every `interval_s` to `rate_hz`.
-    pub fn new(interval_s: f64, rate_hz: f64) -> Self {
+    pub(crate) fn new(interval_s: f64, rate_hz: f64) -> Self {
         let keep = (1.0 / interval_s / rate_hz).round() as usize;
         let sections = if keep < 2 { 0 } else { FILTER_ORDER / 2 };
         // In units of half the input rate; 0.4 at most, since `keep` is 2 or more.
@@ -54,7 +54,7 @@ impl Decimator {
     }
 
     /// Takes the next value; the first and then every k-th comes out filtered.
-    pub fn push(&mut self, value: f64) -> Option<f64> {
+    pub(crate) fn push(&mut self, value: f64) -> Option<f64> {
         let offset = *self.offset.get_or_insert(value);
         let filtered = self
             .cascade

@@ -6,7 +6,7 @@ use crate::min_max_decimator::MinMaxDecimator;
 use crate::numerics::moments::Moments;
 
 /// Values in a stretch of [`Welch`]'s average: 1.6 s at 5 kHz.
-pub const STRETCH: usize = 8192;
+pub(crate) const STRETCH: usize = 8192;
 /// Most points of the trace over time.
 const TRACE_POINTS: usize = 8192;
 
@@ -27,7 +27,7 @@ pub struct Measurement {
 impl Measurement {
     /// Measurement of a signal with values every `interval_s` from `interval_s` on, sampled at
     /// `rate_hz`, leaving out what comes before `after_s`.
-    pub fn new(interval_s: f64, rate_hz: f64, after_s: f64) -> Self {
+    pub(crate) fn new(interval_s: f64, rate_hz: f64, after_s: f64) -> Self {
         let decimator = Decimator::new(interval_s, rate_hz);
         let welch = Welch::new(STRETCH, decimator.interval_s());
         Self {
@@ -43,7 +43,7 @@ impl Measurement {
     }
 
     /// Takes the next value of the signal.
-    pub fn push(&mut self, value: f64) {
+    pub(crate) fn push(&mut self, value: f64) {
         let Some(value) = self.decimator.push(value) else {
             return;
         };

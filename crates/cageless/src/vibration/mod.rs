@@ -23,10 +23,11 @@ mod passing;
 mod response;
 mod spectrum;
 
-pub use filter::{Decimator, FILTER_CORNER, FILTER_ORDER};
-pub use measurement::{Measurement, STRETCH};
-pub use passing::{LEAST_ORBITS, PassingSplit};
-pub use spectrum::{Spectrum, Welch, spectrum};
+pub use filter::{FILTER_CORNER, FILTER_ORDER};
+pub use spectrum::Spectrum;
+
+pub use measurement::Measurement;
+pub use passing::PassingSplit;
 
 use crate::case::Housing;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};

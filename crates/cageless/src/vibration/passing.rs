@@ -14,7 +14,7 @@ use super::spectrum::spectrum;
 const LOBE: f64 = 2.0;
 /// Least number of orbits in a signal: with fewer no value of the spectrum lies between the
 /// lobes of two multiples.
-pub const LEAST_ORBITS: f64 = 6.0;
+pub(crate) const LEAST_ORBITS: f64 = 6.0;
 
 /// Mean square of a signal about its mean, in two parts that add up to it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -20,7 +20,7 @@ pub struct Spectrum {
 
 /// Spectrum of the deviation from the mean, under a Hann window scaled so that a sine
 /// on a bin shows its amplitude. Empty for less than four values.
-pub fn spectrum(values: &[f64], interval_s: f64) -> Spectrum {
+pub(crate) fn spectrum(values: &[f64], interval_s: f64) -> Spectrum {
     let n = values.len();
     if n < 4 {
         return Spectrum::default();
@@ -61,7 +61,7 @@ pub fn spectrum(values: &[f64], interval_s: f64) -> Spectrum {
 /// gives the spectrum of all of it; of a longer one the rest that fills no stretch is left
 /// out.
 #[derive(Debug, Clone)]
-pub struct Welch {
+pub(crate) struct Welch {
     interval_s: f64,
     length: usize,
     values: Vec<f64>,
@@ -71,7 +71,7 @@ pub struct Welch {
 
 impl Welch {
     /// Stretches of `length` values (an even number), `interval_s` apart.
-    pub fn new(length: usize, interval_s: f64) -> Self {
+    pub(crate) fn new(length: usize, interval_s: f64) -> Self {
         Self {
             interval_s,
             length,
@@ -82,7 +82,7 @@ impl Welch {
     }
 
     /// Takes the next value.
-    pub fn push(&mut self, value: f64) {
+    pub(crate) fn push(&mut self, value: f64) {
         self.values.push(value);
         if self.values.len() < self.length {
             return;

@@ -18,7 +18,7 @@ pub(crate) const STICK_FRACTION: f64 = 0.4;
 
 law_struct! {
     /// μ·sign(ΔV)·N while sliding, at most μN while sticking.
-    pub struct Coulomb per lane CoulombLanes {
+    pub(crate) struct Coulomb per lane CoulombLanes {
         /// μ.
         coefficient,
         /// Explicit methods: friction per sliding speed within the cone, N·s/m.

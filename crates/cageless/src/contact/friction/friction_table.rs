@@ -14,7 +14,7 @@ use crate::error::InputError;
 use crate::numerics::lanes::lane_struct;
 
 /// Largest number of points of a table.
-pub const POINTS_MAX: usize = 30;
+pub(crate) const POINTS_MAX: usize = 30;
 /// A constant piece before the first point and behind the last one.
 pub(super) const PIECES_MAX: usize = POINTS_MAX + 1;
 /// Largest μ, as of the other laws.
@@ -132,7 +132,7 @@ impl FrictionTable {
     }
 
     /// μ at a sliding speed, m/s, and its slope, s/m.
-    pub fn coefficient(&self, speed_m_s: f64) -> [f64; 2] {
+    pub(crate) fn coefficient(&self, speed_m_s: f64) -> [f64; 2] {
         let pieces = self.pieces();
         let piece = pieces.iter().rfind(|p| speed_m_s >= p.start);
         piece.unwrap_or(&pieces[0]).coefficient(speed_m_s)

@@ -5,7 +5,7 @@ use crate::contact::slip_problem::{SlipProblem, Slips};
 use crate::numerics::lanes::Lanes;
 
 /// A law of friction with its constants.
-pub trait Law: Clone {
+pub(crate) trait Law: Clone {
     /// Whether a rolling contact sticks: the friction within the cone is then no function of
     /// the sliding speed. Implicit methods call [`Law::end_of_step`]; explicit ones get a stick
     /// that is relaxed over a few steps, `stick_gain` times the sliding speed.
@@ -71,7 +71,7 @@ pub trait Law: Clone {
 }
 
 /// A law as the parameters of a case give it.
-pub trait LawConstants: Law + Send + Sync + 'static {
+pub(crate) trait LawConstants: Law + Send + Sync + 'static {
     /// Name in files.
     const NAME: &'static str;
 

@@ -27,18 +27,18 @@ mod tanh;
 
 pub(crate) use at_knees::AtKnees;
 pub(crate) use coulomb::STICK_FRACTION;
-pub use friction_table::{FrictionTable, POINTS_MAX};
+pub use friction_table::FrictionTable;
 pub(crate) use law::{EvaluatedLaws, LawLanes};
-pub use law::{Law, LawConstants};
-pub use own_law::{FrictionFault, FrictionLaw, OwnFriction};
+pub(crate) use law::{Law, LawConstants};
+pub use own_law::OwnFriction;
+pub use own_law::{FrictionFault, FrictionLaw};
 pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
-pub use tanh::tanh;
 
 /// Declares a law whose constants are numbers.
 macro_rules! law_struct {
-    ($(#[$meta:meta])* pub struct $name:ident per lane $lanes:ident { $($fields:tt)* }) => {
-        lane_struct! { $(#[$meta])* pub struct $name per lane $lanes { $($fields)* } }
+    ($(#[$meta:meta])* pub(crate) struct $name:ident per lane $lanes:ident { $($fields:tt)* }) => {
+        lane_struct! { $(#[$meta])* pub(crate) struct $name per lane $lanes { $($fields)* } }
 
         impl super::law::LawLanes for $lanes {
             type Constants = $name;
@@ -66,7 +66,7 @@ macro_rules! friction_laws {
         $module:ident: $law:ident per lane $lanes:ident,
     )*) => {
         $(mod $module;)*
-        $(pub use $module::$law;)*
+        $(pub(crate) use $module::$law;)*
 
         /// Law of friction over the sliding speed.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -77,7 +77,7 @@ macro_rules! friction_laws {
         /// A law with its constants.
         #[derive(Debug, Clone, PartialEq)]
         #[allow(clippy::large_enum_variant)] // a table, one per contact partner
-        pub enum Friction {
+        pub(crate) enum Friction {
             $(#[doc = concat!("[`", stringify!($law), "`].")] $law($law),)*
         }
 
@@ -107,7 +107,7 @@ macro_rules! friction_laws {
             }
 
             /// Largest coefficient of friction.
-            pub fn coefficient_max(self, parameters: &FrictionParameters) -> f64 {
+            pub(crate) fn coefficient_max(self, parameters: &FrictionParameters) -> f64 {
                 match self { $(Self::$law => <$law as LawConstants>::coefficient_max(parameters),)* }
             }
 
@@ -129,7 +129,7 @@ macro_rules! friction_laws {
 
         impl Friction {
             /// The law with these parameters; explicit methods give a law that sticks this gain.
-            pub fn new(
+            pub(crate) fn new(
                 law: FrictionModel,
                 parameters: &FrictionParameters,
                 stick_gain_n_s_m: f64,
@@ -141,31 +141,31 @@ macro_rules! friction_laws {
 
             /// [`Law::force`].
             #[inline(always)]
-            pub fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+            pub(crate) fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
                 match self { $(Self::$law(law) => law.force(sliding_m_s, normal_n),)* }
             }
 
             /// [`Law::edge`].
             #[inline(always)]
-            pub fn edge(&self, sliding_m_s: f64) -> Option<f64> {
+            pub(crate) fn edge(&self, sliding_m_s: f64) -> Option<f64> {
                 match self { $(Self::$law(law) => law.edge(sliding_m_s),)* }
             }
 
             /// [`Law::STICKS`].
             #[inline(always)]
-            pub fn sticks(&self) -> bool {
+            pub(crate) fn sticks(&self) -> bool {
                 match self { $(Self::$law(_) => <$law as Law>::STICKS,)* }
             }
 
             /// [`Law::coefficient`].
             #[inline(always)]
-            pub fn coefficient(&self) -> f64 {
+            pub(crate) fn coefficient(&self) -> f64 {
                 match self { $(Self::$law(law) => law.coefficient(),)* }
             }
 
             /// [`Law::inverse_regularisation_speed`].
             #[inline(always)]
-            pub fn inverse_regularisation_speed(&self) -> f64 {
+            pub(crate) fn inverse_regularisation_speed(&self) -> f64 {
                 match self { $(Self::$law(law) => law.inverse_regularisation_speed(),)* }
             }
         }

@@ -10,7 +10,7 @@ use crate::numerics::lanes::{LANES, Lanes};
 
 /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a law of one's own.
 #[derive(Debug, Clone)]
-pub struct Own {
+pub(crate) struct Own {
     law: Option<OwnFriction>,
     coefficient: f64,
     inverse_regularisation_speed: f64,

@@ -93,7 +93,7 @@ impl OwnFriction {
     /// # Errors
     /// An [`InputError`] of `own_friction` with what the law returned: μ below 0, above 2 or not finite, or a slope
     /// that is not that of μ.
-    pub fn new(law: impl FrictionLaw + 'static) -> Result<Self, InputError> {
+    pub(crate) fn new(law: impl FrictionLaw + 'static) -> Result<Self, InputError> {
         let law: Arc<dyn FrictionLaw> = Arc::new(law);
         let decades = (TRIED_M_S[1] / TRIED_M_S[0]).log10().round() as i32;
         let of = |k: i32| TRIED_M_S[0] * 10f64.powf(f64::from(k) / f64::from(TRIED_PER_DECADE));
@@ -132,7 +132,7 @@ impl OwnFriction {
     }
 
     /// Name of the law.
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         self.law.name()
     }
 

@@ -61,13 +61,13 @@ impl FrictionParameters {
     /// assert_eq!(FrictionParameters::regularisation_of_rolling_m_s(5.0), 5e-3);
     /// assert_eq!(FrictionParameters::regularisation_of_rolling_m_s(50.0), 0.02);
     /// ```
-    pub fn regularisation_of_rolling_m_s(rolling_m_s: f64) -> f64 {
+    pub(crate) fn regularisation_of_rolling_m_s(rolling_m_s: f64) -> f64 {
         let [least, most] = REGULARISATION_M_S;
         (CREEP * rolling_m_s).clamp(least, most)
     }
 
     /// Those of the smooth law.
-    pub fn smooth(coefficient: f64, regularisation_speed_m_s: f64) -> Self {
+    pub(crate) fn smooth(coefficient: f64, regularisation_speed_m_s: f64) -> Self {
         Self {
             coefficient,
             regularisation_speed_m_s,
@@ -79,7 +79,7 @@ impl FrictionParameters {
     }
 
     /// Those of a law of one's own.
-    pub fn own(law: OwnFriction, regularisation_speed_m_s: f64) -> Self {
+    pub(crate) fn own(law: OwnFriction, regularisation_speed_m_s: f64) -> Self {
         Self {
             own: Some(law.clone()),
             ..Self::smooth(law.coefficient_fast(), regularisation_speed_m_s)
@@ -87,7 +87,7 @@ impl FrictionParameters {
     }
 
     /// Multiplies friction at every sliding speed.
-    pub fn scale(&mut self, factor: f64) {
+    pub(crate) fn scale(&mut self, factor: f64) {
         self.coefficient *= factor;
         self.static_coefficient = self.static_coefficient.map(|mu| mu * factor);
         self.table = self.table.as_ref().map(|t| t.scaled(factor));

@@ -7,7 +7,7 @@ use crate::numerics::lanes::lane_struct;
 
 law_struct! {
     /// μ·tanh(ΔV/scale)·N.
-    pub struct Smooth per lane SmoothLanes {
+    pub(crate) struct Smooth per lane SmoothLanes {
         /// μ.
         coefficient,
         /// 1/scale, s/m.

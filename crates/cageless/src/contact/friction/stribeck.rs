@@ -7,7 +7,7 @@ use crate::numerics::lanes::lane_struct;
 
 law_struct! {
     /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N.
-    pub struct Stribeck per lane StribeckLanes {
+    pub(crate) struct Stribeck per lane StribeckLanes {
         /// μ of fast sliding.
         coefficient,
         /// μs − μ.

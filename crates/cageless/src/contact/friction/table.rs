@@ -8,7 +8,7 @@ use crate::numerics::lanes::{LANES, Lanes};
 
 /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Table {
+pub(crate) struct Table {
     pieces: [Piece; PIECES_MAX],
     coefficient: f64,
     inverse_regularisation_speed: f64,

@@ -5,7 +5,7 @@
 ///
 /// tanh |x| = (1 − q)/(1 + q) with q = exp(−2|x|).
 #[inline(always)]
-pub fn tanh(x: f64) -> f64 {
+pub(crate) fn tanh(x: f64) -> f64 {
     let q = exp_negative((-2.0 * x.abs()).max(-80.0));
     ((1.0 - q) / (1.0 + q)).copysign(x)
 }

@@ -5,7 +5,7 @@ use super::requirement::{Bound, CauseKind, Requirement};
 use crate::film::QUEUE;
 
 /// Speed that free balls lose to the film over the free share of the pitch circle: beyond it they queue.
-pub static FILM_QUEUE: Requirement = Requirement {
+pub(crate) static FILM_QUEUE: Requirement = Requirement {
     name: "film-queue",
     most: Some(Bound {
         limit: QUEUE,
@@ -23,7 +23,7 @@ pub static FILM_QUEUE: Requirement = Requirement {
 
 /// Gap that the film opens over the critical gap: beyond it oil spaces the balls more than the raceway. Above 65 % the
 /// gaps of structure (d) of Zhao 2022 scatter on the plain ring no more than with the raceway, at 3000 and 12 000 rpm.
-pub static FILM_OUTWEIGHS: Requirement = Requirement {
+pub(crate) static FILM_OUTWEIGHS: Requirement = Requirement {
     name: "film-outweighs",
     most: Some(Bound {
         limit: 0.65,

@@ -6,7 +6,7 @@ use super::requirement::{Bound, CauseKind, Requirement};
 /// Lag in a raceway on elastic flanks over that of rolling on rigid ones without a contact angle: with less than
 /// half it hardly spaces the balls. Load, contact angle and sliding take the rest; β0 of rigid flanks is out of
 /// reach there.
-pub static LAG: Requirement = Requirement {
+pub(crate) static LAG: Requirement = Requirement {
     name: "lag",
     least: Some(Bound {
         limit: 0.5,
@@ -23,7 +23,7 @@ pub static LAG: Requirement = Requirement {
 };
 
 /// Lag under the largest axial load over that without it.
-pub static AXIAL_LAG: Requirement = Requirement {
+pub(crate) static AXIAL_LAG: Requirement = Requirement {
     name: "axial-lag",
     least: Some(Bound {
         limit: 0.5,

@@ -15,10 +15,11 @@ use requirement::Bound;
 
 pub use both_neighbours::BOTH_NEIGHBOURS;
 pub use deceleration::DECELERATION;
-pub use film::{FILM_OUTWEIGHS, FILM_QUEUE};
-pub use lag::{AXIAL_LAG, LAG};
-pub use pressure::{PEAK_PRESSURE, PRESSURE_AT_REST};
-pub use requirement::{CauseKind, Requirement};
+pub(crate) use film::{FILM_OUTWEIGHS, FILM_QUEUE};
+pub(crate) use lag::{AXIAL_LAG, LAG};
+pub(crate) use pressure::{PEAK_PRESSURE, PRESSURE_AT_REST};
+pub use requirement::CauseKind;
+pub use requirement::Requirement;
 pub use separation::SEPARATION;
 pub use steady_gap::STEADY_GAP;
 
@@ -159,7 +160,7 @@ impl Criterion {
     }
 
     /// The verdict on a raceway that this criterion decides.
-    pub fn verdict(self) -> RacewayVerdict {
+    pub(crate) fn verdict(self) -> RacewayVerdict {
         match self.bound() {
             Some(bound) if self.is_known() && !self.is_met() => bound.verdict,
             _ if self.is_met() => RacewayVerdict::Smooth,

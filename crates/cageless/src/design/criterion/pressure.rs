@@ -23,14 +23,14 @@ const PRESSURE: Requirement = Requirement {
 };
 
 /// Largest pressure at rest.
-pub static PRESSURE_AT_REST: Requirement = Requirement {
+pub(crate) static PRESSURE_AT_REST: Requirement = Requirement {
     name: "pressure",
     sentence: |_| "the contact pressure at rest reaches {}",
     ..PRESSURE
 };
 
 /// Largest pressure of a run, between balls as well.
-pub static PEAK_PRESSURE: Requirement = Requirement {
+pub(crate) static PEAK_PRESSURE: Requirement = Requirement {
     name: "peak-pressure",
     sentence: |_| "the contact pressure of the motion reaches {}",
     largest_counts: true,

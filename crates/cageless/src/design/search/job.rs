@@ -14,7 +14,7 @@ use crate::simulation::Control;
 
 /// Task of a job.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Task {
+pub(crate) enum Task {
     /// Critical gap and contact stress.
     PairSeparation,
     /// A run of all balls from this uneven start.
@@ -31,7 +31,7 @@ pub struct Job {
     /// Speed and load.
     pub point: OperatingPoint,
     /// Task of the job.
-    pub task: Task,
+    pub(crate) task: Task,
 }
 
 /// Critical gap and contact stress of a structure.

@@ -49,17 +49,22 @@ pub use axial::AxialSeparation;
 pub use budget::BUDGET_LEAST;
 pub use evaluation::{Confirmed, Evaluation, Role, Statistics};
 pub use grid::{MapCell, SpeedMap};
-pub use job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task, run_here, run_jobs};
+#[cfg(test)]
+pub(crate) use job::Task;
+pub use job::{Interrupted, Job, Numbers, Outcome, PairSeparation, run_here, run_jobs};
 pub use pareto::ObjectiveScale;
 pub(crate) use pareto::pareto_front;
-pub use perturbed_run::{
-    BUNCHED_TURNS, Motion, PerturbedRunError, UnevenStart, VALUES, perturbed_runs, uneven_gaps_rad,
-};
+#[cfg(test)]
+pub(crate) use perturbed_run::UnevenStart;
+#[cfg(test)]
+pub(crate) use perturbed_run::perturbed_runs;
+pub use perturbed_run::{BUNCHED_TURNS, Motion, VALUES, uneven_gaps_rad};
 pub use placement::placements;
 pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 pub use rehearsal::{ExpectedRuns, expected_runs};
 pub use rejection::{Cause, Rejection};
-pub use request::{BUDGET, CONFIRMING_STARTS, Execute, Request, Stage};
+pub(crate) use request::Execute;
+pub use request::{BUDGET, CONFIRMING_STARTS, Request, Stage};
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;

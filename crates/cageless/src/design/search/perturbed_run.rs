@@ -82,7 +82,7 @@ motion! {
 
 impl Motion {
     /// Mean of several; zero of none.
-    pub fn mean(all: &[Self]) -> Self {
+    pub(crate) fn mean(all: &[Self]) -> Self {
         let mut sum = [0.0; VALUES];
         for motion in all {
             for (s, v) in sum.iter_mut().zip(motion.values()) {
@@ -95,7 +95,7 @@ impl Motion {
 
 /// Error of a perturbed run.
 #[derive(Debug, thiserror::Error)]
-pub enum PerturbedRunError {
+pub(crate) enum PerturbedRunError {
     /// The case is impossible or has no equilibrium.
     #[error(transparent)]
     Case(EquilibriumError),
@@ -121,7 +121,7 @@ impl From<EquilibriumError> for PerturbedRunError {
 
 /// Start of a perturbed run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum UnevenStart {
+pub(crate) enum UnevenStart {
     /// Gaps drawn at random.
     Drawn {
         /// Seed of all draws.
@@ -135,7 +135,7 @@ pub enum UnevenStart {
 
 impl UnevenStart {
     /// Orbits of a perturbed run from it.
-    pub fn turns(self) -> f64 {
+    pub(crate) fn turns(self) -> f64 {
         match self {
             Self::Drawn { .. } => TURNS,
             Self::Bunched => BUNCHED_TURNS,
@@ -175,7 +175,7 @@ fn unit(seed: u64, start: u64, k: u64) -> f64 {
 ///
 /// # Errors
 /// Errors per case: the case is impossible, the run stops or the balls do not pass.
-pub fn perturbed_runs(
+pub(crate) fn perturbed_runs(
     cases: &[(&Case, UnevenStart)],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Vec<Result<Motion, PerturbedRunError>> {

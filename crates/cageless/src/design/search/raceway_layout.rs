@@ -50,7 +50,7 @@ impl RacewayLayout {
     /// # Errors
     /// The [`InputError`] of [`Raceway::formed`] or of [`Raceway::with_section_angle`], or that two of them
     /// overlap.
-    pub fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, InputError> {
+    pub(crate) fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, InputError> {
         let raceways = self
             .centres_rad
             .iter()
@@ -70,7 +70,7 @@ impl RacewayLayout {
 
     /// The structure of a case whose raceways are equal; `None` without raceways, or if they
     /// differ.
-    pub fn from_case(case: &Case) -> Option<Self> {
+    pub(crate) fn from_case(case: &Case) -> Option<Self> {
         let (first, form) = (case.raceways.first()?.dimensions(), case.raceway_form());
         let section_angle_rad = case.raceways.first()?.section_angle_rad();
         let equal = case.raceways.iter().all(|r| {
@@ -130,7 +130,7 @@ impl OperatingPoint {
     ///
     /// # Errors
     /// Those of [`seats`].
-    pub fn row_seats(&self, case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
+    pub(crate) fn row_seats(&self, case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
         let plain = self.case(case, vec![]);
         let signs = plain.all_rows().into_iter().map(|row| row.contact_sign);
         let seats = seats(&plain)?.into_iter().zip(signs);
@@ -151,7 +151,7 @@ pub struct ClosedForms {
 
 impl ClosedForms {
     /// Closed forms of equal raceways.
-    pub fn new(bearing: &Bearing, raceways: &[Raceway]) -> Self {
+    pub(crate) fn new(bearing: &Bearing, raceways: &[Raceway]) -> Self {
         Self {
             theoretical_gap_rad: raceways.first().map_or(0.0, |raceway| {
                 theoretical_gap_rad(bearing, raceway, Eq11::Published)
@@ -163,7 +163,7 @@ impl ClosedForms {
     /// Closed forms of equal raceways with elastic flanks, with the contact angles and deflections that
     /// [`OperatingPoint::row_seats`] has for rows and operating points: the least of them. A row without load
     /// spreads nothing.
-    pub fn elastic(bearing: &Bearing, raceways: &[Raceway], row_seats: &[[f64; 2]]) -> Self {
+    pub(crate) fn elastic(bearing: &Bearing, raceways: &[Raceway], row_seats: &[[f64; 2]]) -> Self {
         let least = |of: &dyn Fn(f64, f64) -> f64| {
             let values = row_seats
                 .iter()
@@ -198,7 +198,7 @@ impl ClosedForms {
     }
 
     /// β0 over the steady gap.
-    pub fn fraction(&self) -> f64 {
+    pub(crate) fn fraction(&self) -> f64 {
         self.theoretical_gap_rad / self.steady_gap_rad
     }
 }

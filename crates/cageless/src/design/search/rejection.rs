@@ -118,7 +118,7 @@ impl Cause {
     }
 
     /// Excess over the limit, as a fraction; infinite where there is no numerical limit.
-    pub fn excess(&self) -> f64 {
+    pub(crate) fn excess(&self) -> f64 {
         match self {
             Self::Missed(criterion) => -criterion.margin(),
             _ => f64::INFINITY,

@@ -94,7 +94,7 @@ crate::named_enum! {
 }
 
 /// Runs a batch of jobs and returns their outcomes in their order.
-pub type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;
+pub(crate) type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;
 
 /// Default of [`Request::budget`].
 pub const BUDGET: usize = 400;

@@ -30,7 +30,7 @@ pub(crate) use evaluation::evaluate;
 pub(crate) use friction::add_implicit_friction;
 pub(crate) use model::SpaceModel;
 pub(crate) use sliding::outer_z_m;
-pub use workspace::BallContacts;
+pub(crate) use workspace::BallContacts;
 pub(crate) use workspace::SpaceWorkspace;
 
 /// A vector in the frame of the outer ring: X, Y, Z.

@@ -30,7 +30,7 @@ impl ContactPoint {
 
 /// Contacts of a ball with the rings as of the last evaluation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallContacts {
+pub(crate) struct BallContacts {
     /// Both points at the outer raceway, that at the inner one.
     points: [ContactPoint; PLACES],
 }
@@ -55,7 +55,7 @@ impl From<ContactPoint> for RacewayPoint {
 impl BallContacts {
     /// Contact angle at the inner raceway, positive where an axial load along +Z presses, rad;
     /// NaN without contact.
-    pub fn inner_contact_angle_rad(&self) -> f64 {
+    pub(crate) fn inner_contact_angle_rad(&self) -> f64 {
         angle_rad(self.inner_force_n())
     }
 

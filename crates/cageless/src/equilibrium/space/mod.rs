@@ -23,7 +23,7 @@
 mod ball;
 mod groove_point;
 mod load_balance;
-pub mod outer_section;
+pub(crate) mod outer_section;
 mod rolling_ball;
 
 use std::convert::Infallible;

@@ -49,7 +49,7 @@ const OPEN: f64 = 1e-60;
 
 /// Two flanks at the ψ of a ball.
 #[derive(Debug, Clone, Copy)]
-pub struct Flanks {
+pub(crate) struct Flanks {
     /// αc.
     pub angle_rad: f64,
     /// αg.
@@ -66,7 +66,7 @@ pub struct Flanks {
 
 /// Section at a ball.
 #[derive(Debug, Clone, Copy)]
-pub struct OuterSection {
+pub(crate) struct OuterSection {
     /// Re − R of this ball.
     pub gap_m: f64,
     /// zo, of the groove's centre.
@@ -77,7 +77,7 @@ pub struct OuterSection {
 
 /// One contact of a section with a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SectionContact {
+pub(crate) struct SectionContact {
     /// Angle of **n** from the radius towards +Z.
     pub angle_rad: f64,
     /// Its share w of the force K δe^(3/2).
@@ -157,7 +157,7 @@ impl OuterSection {
 
     /// δe of a ball at (u, ζ); `None` where nothing touches. `flank_angle` is αc, which may
     /// be a function of ψ.
-    pub fn approach<const N: usize>(
+    pub(crate) fn approach<const N: usize>(
         &self,
         place: [Taylor<N>; 2],
         flank_angle: Taylor<N>,
@@ -189,7 +189,7 @@ impl OuterSection {
     }
 
     /// Contacts at a ball at (u, ζ): one, or both flanks, the one towards +Z first.
-    pub fn contacts(&self, [beyond, axial]: [f64; 2]) -> Vec<SectionContact> {
+    pub(crate) fn contacts(&self, [beyond, axial]: [f64; 2]) -> Vec<SectionContact> {
         let place = [beyond, axial].map(Taylor::<0>::constant);
         let touching = |flank| {
             let (delta, [radial, axial]): (Taylor<0>, _) = self.touch(place, flank)?;

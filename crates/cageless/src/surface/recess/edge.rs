@@ -75,7 +75,7 @@ impl Edge {
     }
 
     /// Unit normal out of the material at a share of the arc, from the groove on.
-    pub fn normal(&self, share: f64) -> Vec3 {
+    pub(crate) fn normal(&self, share: f64) -> Vec3 {
         let (sin, cos) = (share * self.arc_rad).sin_cos();
         plus(self.groove.map(|c| cos * c), sin, self.inside)
     }

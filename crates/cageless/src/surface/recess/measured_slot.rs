@@ -94,7 +94,11 @@ impl MeasuredSlot {
     ///
     /// # Panics
     /// If raceway `index` of the case is no slot.
-    pub fn fit(case: &Case, index: usize, points_m: &[[f64; 3]]) -> Result<Self, InputError> {
+    pub(crate) fn fit(
+        case: &Case,
+        index: usize,
+        points_m: &[[f64; 3]],
+    ) -> Result<Self, InputError> {
         let raceway = &case.raceways[index];
         let slot = raceway.slot().expect("a slot");
         let section = SectionFrame::of(case, raceway);

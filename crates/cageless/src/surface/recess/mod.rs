@@ -204,18 +204,18 @@ impl Recess {
     }
 
     /// Distance of a point near the floor from it, positive inside the material.
-    pub fn below_floor_m(&self, point: Vec3) -> f64 {
+    pub(crate) fn below_floor_m(&self, point: Vec3) -> f64 {
         -self.frame.above_floor_m(point)
     }
 
     /// Distance of a point near the rounded edge from it, positive inside the material; the edge is
     /// sought from a place on.
-    pub fn below_edge_m(&self, point: Vec3, near: EdgePlace) -> f64 {
+    pub(crate) fn below_edge_m(&self, point: Vec3, near: EdgePlace) -> f64 {
         self.below_arc_m(point, near, |_, from| from)
     }
 
     /// [`Self::below_edge_m`] of the wall.
-    pub fn below_wall_m(&self, point: Vec3, near: EdgePlace) -> f64 {
+    pub(crate) fn below_wall_m(&self, point: Vec3, near: EdgePlace) -> f64 {
         // Along the mill wall and edge are one circle around the line of centres.
         self.below_arc_m(point, near, |edge, from| {
             plus(from, -dot(from, edge.mill), edge.mill)

@@ -18,11 +18,13 @@ pub(crate) mod sliding_ring;
 
 pub(crate) use fastest_rates::{ContactStiffness, FastestRates};
 pub use inner_ring::RingCoordinate;
-pub use outer_ring::OuterRingCoordinate;
+pub(crate) use outer_ring::OuterRingCoordinate;
 pub(crate) use resting_ring::RestingRing;
-pub use rotor::{RotorCoordinate, RotorMotion};
-pub use row::{BodyRow, Freedom};
-pub use sliding_ring::SlidingCoordinate;
+pub(crate) use rotor::RotorCoordinate;
+pub use rotor::RotorMotion;
+pub use row::BodyRow;
+pub use row::Freedom;
+pub(crate) use sliding_ring::SlidingCoordinate;
 
 use crate::case::Case;
 
@@ -53,7 +55,7 @@ impl BodyKind {
 
 /// A coordinate of one of these bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BodyCoordinate {
+pub(crate) struct BodyCoordinate {
     /// The body.
     pub body: BodyKind,
     /// Index in its table.

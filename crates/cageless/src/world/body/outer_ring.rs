@@ -10,7 +10,7 @@ use crate::world::joint::support::SupportJoint;
 
 /// Index of a coordinate of the outer ring, which moves under a rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OuterRingCoordinate {
+pub(crate) enum OuterRingCoordinate {
     /// x, from its rest place.
     X,
     /// y, from its rest place.
@@ -27,7 +27,7 @@ pub enum OuterRingCoordinate {
 
 impl OuterRingCoordinate {
     /// Those of the plane, in the order of the state vector.
-    pub const ALL: [Self; 4] = [Self::X, Self::Y, Self::Vx, Self::Vy];
+    pub(crate) const ALL: [Self; 4] = [Self::X, Self::Y, Self::Vx, Self::Vy];
 }
 
 /// Coordinates of the outer ring with its housing.

@@ -10,7 +10,7 @@ use crate::world::joint::TouchLoads;
 
 /// Index of a coordinate of the rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RotorCoordinate {
+pub(crate) enum RotorCoordinate {
     /// x of the mass centre.
     X,
     /// y of the mass centre.

@@ -7,7 +7,7 @@ use crate::dynamics::coordinates::{Coordinate, Kind, coordinate};
 
 /// Index of a coordinate of an outer ring that slides in its housing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SlidingCoordinate {
+pub(crate) enum SlidingCoordinate {
     /// z of the ring, from where no preload displaces it.
     Z,
     /// ż of the ring.

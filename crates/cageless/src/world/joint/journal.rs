@@ -22,7 +22,7 @@ pub(crate) struct JournalJoint {
 
 /// Contact of the rotor with the inner ring at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RotorContact {
+pub(crate) struct RotorContact {
     /// Normal contact.
     pub contact: JournalContact,
     /// ε·e^(i(θ+φ)), from the centre of the journal to the mass centre, m.

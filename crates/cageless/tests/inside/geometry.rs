@@ -1,7 +1,7 @@
 //! Geometry of the discrete raceway against the numbers of Zhao 2022 and against itself.
 
+use super::outer_ring::SIZE;
 use crate::common::{dimensions, steel, structure, structures};
-use crate::outer_ring::SIZE;
 use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
@@ -254,6 +254,8 @@ fn kink_where_the_groove_meets_the_plain_raceway() {
 }
 
 proptest! {
+    #![proptest_config(super::trials(256))]
+
     /// Any raceway that is accepted obeys Eq. (8) and (9) and has a smooth r.
     #[test]
     fn accepted_raceways_obey_the_constraints(

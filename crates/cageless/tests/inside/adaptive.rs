@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::touchdown_reference::{difference, scaled, td1, td1_reference};
 use crate::common::{complete, drop_case, raceway, undamped};
-use crate::touchdown_reference::{difference, scaled, td1, td1_reference};
 use cageless::contact::FrictionTable;
 use cageless::simulation::RunOutcome;
 use cageless::{

@@ -282,7 +282,7 @@ fn torque_of_three_balls() {
         ..Material::STEEL
     };
     let oil = Oil::mineral(0.05, 0.0);
-    let lines = include_str!("reference/rolling_torque.csv").lines();
+    let lines = include_str!("../reference/rolling_torque.csv").lines();
     let rows: Vec<Vec<f64>> = lines
         .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()))
         .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())

@@ -1,7 +1,7 @@
 //! The film in the motion: coasting, momentum, ledger, lag and power.
 
+use super::film::oil;
 use crate::common::*;
-use crate::film::oil;
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::{Model, RightHandSide};

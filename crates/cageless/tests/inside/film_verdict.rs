@@ -1,6 +1,6 @@
 //! The verdict on a raceway in oil, and beside it without.
 
-use crate::film::oil;
+use super::film::oil;
 use cageless::design::search::{Request, SearchError, run_here, search};
 use cageless::design::{
     Judgement, RacewayVerdict, judge, recommend, steady_gap_rad, verdict_steps,

@@ -1,7 +1,7 @@
 //! Tolerances: what trials deviate by, and what is made of their outcomes.
 
+use super::film::oil;
 use crate::common::structure;
-use crate::film::oil;
 use cageless::Case;
 use cageless::design::{PassageStatistics, RacewayVerdict, judge};
 use cageless::film::Film;

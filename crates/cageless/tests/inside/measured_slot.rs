@@ -7,7 +7,7 @@ use cageless::numerics::random::RandomStream;
 use cageless::surface::{EdgePlace, Grid, MeasuredSlot, OuterRing, PointKind};
 use cageless::{Case, Raceway};
 
-use crate::slot_ring::{Given, SIZE, case, slot};
+use super::slot_ring::{Given, SIZE, case, slot};
 
 /// A point and what it is on.
 type Point = (PointKind, [f64; 3]);

@@ -7,8 +7,8 @@ use cageless::dynamics::coordinates::{
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::simulation::{Control, RotorDrop, RunOutcome, run};
 
-use crate::linear_rotor::{bearing, dropped, rigid};
-use crate::space_drop::{horizontal, rotor, vertical};
+use super::linear_rotor::{bearing, dropped, rigid};
+use super::space_drop::{horizontal, rotor, vertical};
 
 const STEP_S: f64 = 5e-7;
 

@@ -5,7 +5,7 @@ use cageless::{
     BearingClass, BearingDimensions, ClearanceRange, Fit, HoleClass, OperatingClearance, ShaftClass,
 };
 
-const PUBLISHED: &str = include_str!("reference/limit_deviations.txt");
+const PUBLISHED: &str = include_str!("../reference/limit_deviations.txt");
 
 fn limits_um(class: &str, mm: f64) -> Option<[f64; 2]> {
     let found = match class.starts_with(char::is_lowercase) {

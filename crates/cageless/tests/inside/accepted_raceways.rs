@@ -1,7 +1,7 @@
 //! Raceways that are accepted, as rings.
 
-use crate::outer_ring::{SIZE, bearing, edges_are_shared_by_two, ring};
-use crate::slot_ring::slot;
+use super::outer_ring::{SIZE, bearing, edges_are_shared_by_two, ring};
+use super::slot_ring::slot;
 use cageless::surface::{Mesh, OuterRing, OuterRingDimensions, Patch};
 use cageless::{Raceway, RacewayDimensions};
 use proptest::prelude::*;
@@ -55,7 +55,7 @@ fn a_path_that_ends_from_outside_is_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(super::trials(64))]
 
     #[test]
     fn every_accepted_raceway_becomes_a_ring(

@@ -1,6 +1,6 @@
 //! A rotor that touches nothing against its own linear equations.
 
-use crate::linear_rotor::{SPEED_RAD_S, bearing, dropped, rigid};
+use super::linear_rotor::{SPEED_RAD_S, bearing, dropped, rigid};
 use cageless::IntegrationMethod;
 use cageless::linear_rotor::{Complex, DMatrix, DVector, Reduction, RotorMatrices};
 use cageless::simulation::RotorDrop;

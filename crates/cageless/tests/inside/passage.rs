@@ -62,8 +62,9 @@ struct EveryStep {
 impl Observer for EveryStep {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
-        self.inside.resize(x.len(), None);
-        for k in 0..x.len() {
+        let balls = view.balls().count();
+        self.inside.resize(balls, None);
+        for k in 0..balls {
             let angle = (x[k] - cx).atan2(cy - y[k]) - self.centre_rad;
             let inside = wrap_angle_rad(angle).abs() < self.half_rad;
             if self.inside[k].is_some_and(|before| before != inside) {
@@ -135,8 +136,9 @@ struct TimeInside {
 impl Observer for TimeInside {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
-        self.inside_s.resize(x.len(), None);
-        for k in 0..x.len() {
+        let balls = view.balls().count();
+        self.inside_s.resize(balls, None);
+        for k in 0..balls {
             let inside = (x[k] - cx).atan2(cy - y[k]).abs() < 25.2f64.to_radians();
             match &mut self.inside_s[k] {
                 Some(time_s) if inside => {

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_4;
 
+use super::outer_ring::SIZE;
 use crate::common::*;
-use crate::outer_ring::SIZE;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
     PairSeparation, RacewayLayout, Request, Role, SearchError, SpeedMap, Stage, Task, UnevenStart,

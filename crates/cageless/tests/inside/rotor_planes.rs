@@ -1,8 +1,8 @@
 //! Clearances of a rotor to the stator, and rotors and bearings that cannot be.
 
+use super::free_rotor::shaft;
+use super::linear_rotor::{SPEED_RAD_S, bearing, dropped, rigid};
 use crate::common::drop_case;
-use crate::free_rotor::shaft;
-use crate::linear_rotor::{SPEED_RAD_S, bearing, dropped, rigid};
 use cageless::IntegrationMethod;
 use cageless::linear_rotor::{Clearance, ClearancePlane, Reduction, RigidRotor};
 use cageless::simulation::{Control, Observer, RotorDrop};

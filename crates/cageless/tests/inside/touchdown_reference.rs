@@ -98,7 +98,7 @@ pub fn difference(values: &[f64], reference: &[f64]) -> [f64; 2] {
 
 /// [`scaled`] of the reference.
 pub fn td1_reference() -> Vec<f64> {
-    let text = include_str!("reference/td1_2ms.csv");
+    let text = include_str!("../reference/td1_2ms.csv");
     let rows: Vec<Vec<f64>> = text.lines().skip(2).map(row).collect();
     assert_eq!(rows.len(), 17);
     let scales = |row: &[f64], scales: &[f64]| -> Vec<f64> {

@@ -8,8 +8,8 @@ use cageless::design::{
 use cageless::equilibrium;
 use cageless::{Case, Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 
+use super::space_design::{criterion, found, go_on, in_space, small};
 use crate::common::{conventional, dimensions};
-use crate::space_design::{criterion, found, go_on, in_space, small};
 
 const EDGE_M: f64 = 1.2e-3;
 const THETA_DEG: f64 = 25.2;

@@ -1,8 +1,8 @@
 //! A rotor with linear lateral motion in several bearings: against the rotor in one plane, against
 //! its own linear equations where nothing touches, and its energy ledger.
 
+use super::free_rotor::shaft;
 use crate::common::{drop_case, raceway};
-use crate::free_rotor::shaft;
 use cageless::linear_rotor::{
     DMatrix, LinearRotor, Reduction, RigidRotor, RotorMatrices, Unbalance,
 };

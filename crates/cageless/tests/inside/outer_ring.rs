@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use super::slot_ring;
+use super::turned_ring::{angular, turned_back};
 use crate::common::{dimensions, raceway, steel, structures};
-use crate::slot_ring;
-use crate::turned_ring::{angular, turned_back};
 use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side};
 use cageless::{Bearing, Raceway};
 

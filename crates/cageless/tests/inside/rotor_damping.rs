@@ -1,7 +1,7 @@
 //! Steps of a rotor that its own damping would make explode.
 
+use super::linear_rotor::dropped;
 use crate::common::drop_case;
-use crate::linear_rotor::dropped;
 use cageless::IntegrationMethod;
 use cageless::linear_rotor::{DMatrix, Reduction, RigidRotor, RotorMatrices, Unbalance};
 use cageless::simulation::RotorDrop;
