@@ -10,6 +10,10 @@ struct UnloadedTime {
     seconds: Vec<f64>,
 }
 
+fn is_unloaded(ball: &BallView<'_>) -> bool {
+    ball.inner_force_n() == 0.0
+}
+
 impl Observer for UnloadedTime {
     /// Before the first step: the case, its equations and its initial state.
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
@@ -20,7 +24,7 @@ impl Observer for UnloadedTime {
     /// After every step: both ends of the step, and the contacts at its end.
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         for (seconds, ball) in self.seconds.iter_mut().zip(view.balls()) {
-            if ball.inner_force_n() == 0.0 {
+            if is_unloaded(&ball) {
                 *seconds += view.step.size_s();
             }
         }

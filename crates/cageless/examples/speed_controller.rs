@@ -1,5 +1,5 @@
 //! A loop of one's own: a controller that runs the bearing up to 12 000 rpm, and takes speed out whenever a ball bears
-//! more than it may.
+//! more than it may. After 10 ms the radial load falls by a tenth.
 //!
 //! `cargo run -p cageless --example speed_controller`
 
@@ -35,6 +35,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             );
         }
         simulation.set_inner_speed_rad_s(speed_rad_s)?;
+        if decision == 20 {
+            simulation.set_radial_load_n(1350.0)?;
+        }
     }
     Ok(())
 }

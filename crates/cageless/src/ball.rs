@@ -1,12 +1,12 @@
 //! Constants, motion and acceleration of a ball.
 //!
 //! ```
-//! use cageless::ball::{BallMotion, Centre};
+//! use cageless::prelude::*;
 //!
-//! // A ball 2 mm below the centre that moves to the right orbits counter-clockwise.
-//! let ball = BallMotion { y: -2e-3, vx: 1.0, ..BallMotion::default() };
-//! let polar = ball.about(&Centre::default());
-//! assert_eq!((polar.distance, polar.tangential, polar.radial), (2e-3, 1.0, 0.0));
+//! let simulation = Simulation::new(&reference::conventional())?;
+//! let ring = simulation.state().ring_motion();
+//! assert!(ring.y < 0.0 && ring.vy == 0.0); // at rest, pressed down by the load
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
 use crate::numerics::lanes::lane_struct;
@@ -132,7 +132,7 @@ impl PolarMotion {
 
 lane_struct! {
     /// Sum of the forces and moments on a ball.
-    pub struct BallLoad per lane BallLoadLanes {
+    pub(crate) struct BallLoad per lane BallLoadLanes {
         /// Force along x, N.
         fx,
         /// Force along y, N.

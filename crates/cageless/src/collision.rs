@@ -1,11 +1,17 @@
 //! Contacts between neighbouring balls.
 //!
 //! ```
-//! use cageless::contact::hertz::impact;
+//! use cageless::prelude::*;
 //!
-//! // Two steel balls of 3.6 g that meet at 0.1 m/s.
-//! let (deflection_m, force_n, duration_s) = impact(7.4e9, 3.6e-3, 0.1);
-//! assert!(deflection_m < 1e-5 && force_n > 10.0 && duration_s < 1e-3);
+//! let mut found = vec![];
+//! let mut detector = CollisionDetector::new(|collision| {
+//!     found.push(collision);
+//!     Ok(())
+//! });
+//! let mut simulation = Simulation::new(&reference::conventional())?;
+//! simulation.run(1e-4, &mut [&mut detector]);
+//! assert!(found.is_empty()); // the balls start evenly spaced
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
 use crate::dynamics::coordinates::BallCoordinate;

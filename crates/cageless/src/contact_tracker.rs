@@ -1,17 +1,12 @@
 //! Start of contact between neighbouring balls.
 //!
 //! ```
-//! use cageless::reference::Structure;
-//! use cageless::contact_tracker::ContactTracker;
-//! use cageless::dynamics::{Model, RightHandSide};
+//! use cageless::contact_tracker::ContactCounts;
 //!
-//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
-//! let model = Model::new(&case)?;
-//! let rhs = RightHandSide::new(&model);
-//! let mut tracker = ContactTracker::new(case.bearing.balls());
-//! tracker.update(&rhs.contacts());
-//! assert_eq!(tracker.count(), 0);
-//! # Ok::<(), cageless::InputError>(())
+//! // One contact, slower than every speed that counts are kept above, and another.
+//! let mut counts = ContactCounts { all: 1, ..ContactCounts::default() };
+//! counts += counts;
+//! assert_eq!((counts.all, counts.above[0]), (2, 0));
 //! ```
 
 use std::ops::AddAssign;

@@ -1,24 +1,4 @@
 //! Gaps between neighbouring balls.
-//!
-//! ```
-//! use cageless::reference::Structure;
-//! use cageless::dynamics::Model;
-//! use cageless::dynamics::coordinates::BallCoordinate;
-//! use cageless::gap::GapRange;
-//! use cageless::initial_conditions::initial_state;
-//!
-//! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
-//! let (state, _angles) = initial_state(&case)?;
-//! let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
-//!     .map(|coordinate| state.layout().balls_of(state.values(), coordinate));
-//! let model = Model::new(&case)?;
-//! let mut range = GapRange::new(&model);
-//! range.look(x, y, [0.0; 2]);
-//! // All gaps are equal at the start.
-//! let [least, most] = range.range_rad();
-//! assert!((most - least).abs() < 1e-12 && (least.to_degrees() - 1.816).abs() < 1e-3);
-//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
-//! ```
 
 use std::f64::consts::TAU;
 

@@ -151,7 +151,7 @@ pub mod raceway_contact;
 pub mod rating;
 pub mod recorder;
 pub mod reference;
-pub mod ring_support;
+mod ring_support;
 mod rotating_ring;
 pub mod rotor;
 mod scope;

@@ -11,18 +11,6 @@
 //!
 //! On the plain raceway, α = 0, these are Ro − R and R. A raceway milled too deep by e along the
 //! normals of its flanks has flanks of radius Re + e about the same Oe.
-//!
-//! ```
-//! use cageless::reference;
-//! # use cageless::Bearing;
-//! use cageless::outer_contact_geometry::outer_contact_geometry;
-//!
-//! let bearing = reference::bearing(); // Zhao 2022, Table 1
-//! // On the plain raceway the arm of friction is the radius of the ball.
-//! let rw = bearing.ball_radius_m();
-//! assert_eq!(outer_contact_geometry(&bearing, &[], 0.0, rw).effective_radius_m, rw);
-//! # Ok::<(), cageless::InputError>(())
-//! ```
 
 use crate::bearing::Bearing;
 use crate::contact::FlankSection;

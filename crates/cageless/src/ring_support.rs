@@ -1,16 +1,5 @@
 //! Where the balls hold the inner ring, however they are spaced, and where its shoulders end a fall
 //! between them.
-//!
-//! ```
-//! use cageless::reference::Structure;
-//! let bearing = Structure::D.case().bearing; // Zhao 2022, Table 1: 14 balls
-//! assert!(!bearing.can_fall_between_balls());
-//! // Bunched, the balls that hold the ring reach over more than half of the circle.
-//! let (ball, pitch) = (bearing.ball_radius_m(), bearing.pitch_radius_m());
-//! let least = cageless::Bearing::balls_that_hold_ring(ball, pitch);
-//! let epsilon = bearing.ball_angle_rad().to_degrees();
-//! assert!((least - 1) as f64 * epsilon > 180.0 && (least - 2) as f64 * epsilon <= 180.0);
-//! ```
 
 use std::f64::consts::PI;
 

@@ -1,14 +1,4 @@
 //! Expansion of a ring or shaft by its own rotation.
-//!
-//! ```
-//! use cageless::Material;
-//! use cageless::rotating_ring::rotating_growth_m;
-//!
-//! // The inner ring of Zhao 2022 on a bore of 30 mm at 30,000 rpm: its raceway grows by 3.3 µm.
-//! let speed_rad_s = 30e3 / 60.0 * std::f64::consts::TAU;
-//! let growth_m = rotating_growth_m(&Material::STEEL, speed_rad_s, [30e-3, 36.48e-3], 36.48e-3);
-//! assert!((growth_m - 3.35e-6).abs() < 1e-8);
-//! ```
 
 use crate::material::Material;
 

@@ -2,6 +2,7 @@
 //! allocates; `inside/` is compiled with the library and tests what is not public.
 
 mod automatic_step;
+mod border;
 mod common;
 mod critical_gap;
 mod documentation;

@@ -7,13 +7,6 @@
 //!
 //! Source of C11: J. J. Kalker, *On the rolling contact of two elastic bodies in the presence of dry friction*,
 //! thesis, Delft 1967, as many tables of it have.
-//!
-//! ```
-//! use cageless::contact::creep::creep_coefficient;
-//!
-//! // A round contact of steel.
-//! assert!((creep_coefficient(1.0, 0.3) - 4.3072).abs() < 1e-5);
-//! ```
 
 use std::f64::consts::PI;
 

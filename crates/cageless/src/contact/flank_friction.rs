@@ -16,23 +16,6 @@
 //! ⅜ μ N a sin α of fast spin, f′ the slope μN/v₁ of the strip, and μ N a² sin² α ω/(5 vs) of creep,
 //! both those of the pressure of Hertz. Slip within the ellipse from its curvature (Heathcote) is
 //! left out; it needs several strips.
-//!
-//! ```
-//! use cageless::contact::friction::{Law, Smooth};
-//! use cageless::contact::{AtFlanks, FlankSliding};
-//!
-//! let law = Smooth {
-//!     coefficient: 0.1,
-//!     inverse_regularisation_speed: 50.0,
-//! };
-//! let sliding = FlankSliding {
-//!     along_square: 16.0,
-//!     inverse_knee: 50.0,
-//! };
-//! // 3 m/s across and 4 m/s along the groove: three fifths of μN act across.
-//! let [force_n, _] = AtFlanks { law, sliding }.force(3.0, 500.0);
-//! assert!((force_n - 30.0).abs() < 1e-12);
-//! ```
 
 use super::flanks::FlankContact;
 use super::friction::Law;

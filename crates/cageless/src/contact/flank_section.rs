@@ -14,19 +14,6 @@
 //!
 //! N is the normal force of each flank; the radial sum is F ∂δe/∂ρ = F cos α/cos αc, which is Zhao
 //! 2022, Eq. (19), for u → 0. The force along ψ is −F ∂δe/∂ψ/ρ.
-//!
-//! ```
-//! use cageless::contact::FlankSection;
-//!
-//! let flanks = FlankSection {
-//!     gap: 0.19e-3,
-//!     height: 0.19e-3 * 0.5_f64.cos(),
-//!     cosine: 0.5_f64.cos(),
-//! };
-//! // Just touching at αc; pressed in the contact angle falls.
-//! assert!((flanks.press(0.0).cosine - 0.5_f64.cos()).abs() < 1e-15);
-//! assert!(flanks.press(6e-6).cosine > 0.5_f64.cos());
-//! ```
 
 use super::positive;
 

@@ -3,16 +3,11 @@
 //! Source: K. L. Johnson, *Contact Mechanics* (1985), sections 4.1 and 4.2.
 //!
 //! ```
-//! use cageless::Material;
-//! use cageless::contact::hertz::PointContact;
+//! use cageless::reference;
 //!
-//! let steel = Material {
-//!     density_kg_m3: 7850.0,
-//!     youngs_modulus_pa: 206e9,
-//!     poisson_ratio: 0.3,
-//! };
-//! // A ball of radius 5 mm on a plane: F = K δ^(3/2), peak pressure ∝ F^(1/3).
-//! let contact = PointContact::new([200.0; 2], [0.0; 2], &steel);
+//! // F = K δ^(3/2), peak pressure ∝ F^(1/3).
+//! let bearing = reference::bearing();
+//! let contact = bearing.inner_contact();
 //! let ratio = contact.peak_pressure_pa(80.0) / contact.peak_pressure_pa(10.0);
 //! assert!((ratio - 2.0).abs() < 1e-12);
 //! ```

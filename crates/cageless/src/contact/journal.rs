@@ -1,22 +1,4 @@
 //! Contact between the journal of a rotor and the bore of the inner ring.
-//!
-//! ```
-//! use cageless::contact::{Journal, JournalMotion, journal_contact};
-//!
-//! let journal = Journal {
-//!     radius: 14.8e-3,
-//!     bore_radius: 15e-3,
-//!     radial_clearance: 2e-4,
-//!     stiffness: 1e9,
-//!     exponent: 1.0,
-//!     damping: 0.3,
-//! };
-//! // 1 µm deep at the bottom, still falling at 0.1 m/s, spinning at 100 rad/s.
-//! let rotor = JournalMotion { y: -2.01e-4, vy: -0.1, speed: 100.0, ..JournalMotion::default() };
-//! let contact = journal_contact(&journal, &rotor, &JournalMotion::default());
-//! assert!((contact.force - 1045.0).abs() < 1e-6);
-//! assert!((contact.slip - 1.48).abs() < 1e-12);
-//! ```
 
 use super::{Friction, positive};
 

@@ -7,15 +7,12 @@
 //! same ones.
 //!
 //! ```
-//! use cageless::contact::friction::{Law, Smooth};
+//! use cageless::contact::FrictionTable;
 //!
-//! let friction = Smooth {
-//!     coefficient: 0.007,
-//!     inverse_regularisation_speed: 1.0 / 0.02,
-//! };
-//! // Far above the scale of 0.02 m/s the smooth law is μN.
-//! let [force_n, _] = friction.force(1.0, 100.0);
-//! assert!((force_n - 0.7).abs() < 1e-12);
+//! // Dry steel: 0.3 at rest, 0.2 from 0.5 m/s on.
+//! let table = FrictionTable::new(vec![[0.0, 0.3], [0.1, 0.24], [0.5, 0.2]])?;
+//! assert!(FrictionTable::new(vec![[0.0, -0.3], [0.5, 0.2]]).is_err());
+//! # Ok::<(), cageless::InputError>(())
 //! ```
 
 mod ball_ball;
@@ -24,7 +21,7 @@ mod flank_friction;
 mod flank_section;
 mod flanks;
 pub mod flash_temperature;
-pub mod friction;
+pub(crate) mod friction;
 pub(crate) mod friction_step;
 pub mod hertz;
 mod implicit_friction;
@@ -46,7 +43,7 @@ pub(crate) use flanks::flank_contact;
 pub(crate) use friction::Friction;
 pub(crate) use friction::Law;
 pub use friction::OwnFriction;
-pub use friction::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
+pub use friction::{FrictionFault, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
 pub(crate) use friction_step::{MAX_ITERATIONS, end_weights};
 pub(crate) use implicit_friction::RacewayContacts;
 pub(crate) use implicit_friction::{further_step, newton_step};

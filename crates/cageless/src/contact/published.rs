@@ -8,17 +8,6 @@
 //!
 //! The power of each is a term of the energy ledger. Normal forces, Eq. (16) to (19), friction laws,
 //! Eq. (20) and (21), and the motion of the ring, Eq. (14), are those of all equations of motion.
-//!
-//! ```
-//! use cageless::contact::{OuterRaceway, published::centrifugal_force};
-//! use cageless::ball::{Ball, PolarMotion};
-//!
-//! let ball = Ball { mass: 3e-3, ..Ball::default() };
-//! let raceway = OuterRaceway { pitch_radius: 20e-3, ..OuterRaceway::default() };
-//! let polar = PolarMotion { tangential: 10.0, ..PolarMotion::default() };
-//! let force_n = centrifugal_force(&ball, &raceway, &polar); // m·vt²/Rm
-//! assert!((force_n - 15.0).abs() < 1e-12);
-//! ```
 
 use super::{
     InnerRaceway, OuterContact, OuterGeometry, OuterRaceway, RacewayConstants, RacewayPosition,

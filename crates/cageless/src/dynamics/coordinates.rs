@@ -1,10 +1,9 @@
 //! The coordinates of a bearing: one table that names what the state vector holds.
 //!
 //! ```
-//! use cageless::dynamics::coordinates::{BALL, Kind};
+//! use cageless::dynamics::coordinates::BALL;
 //!
 //! assert_eq!(BALL[2].name, "vx_m_s");
-//! assert_eq!(BALL[2].kind, Kind::VelocityOf(0));
 //! ```
 
 pub use crate::world::body::RingCoordinate;

@@ -3,8 +3,9 @@
 //! ```
 //! use cageless::dynamics::coordinates::BallCoordinate;
 //! use cageless::dynamics::layout::Layout;
+//! use cageless::reference;
 //!
-//! let layout = Layout::new(14);
+//! let layout = Layout::of_case(&reference::conventional());
 //! // The ball after the first stands next to it.
 //! let [first, second] = [0, 1].map(|k| layout.ball(BallCoordinate::X, k));
 //! assert_eq!(second, first + 1);

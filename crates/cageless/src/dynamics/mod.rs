@@ -2,15 +2,15 @@
 //! energy, and the right-hand side over them.
 //!
 //! ```
-//! use cageless::reference::Structure;
-//! use cageless::dynamics::Model;
+//! use cageless::dynamics::{Model, RightHandSide};
 //! use cageless::initial_conditions::initial_state;
+//! use cageless::integrator::System;
+//! use cageless::reference::Structure;
 //!
 //! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
-//!
-//! let model = Model::new(&case)?;
+//! let equations = RightHandSide::new(&Model::new(&case)?);
 //! let (state, _angles) = initial_state(&case)?;
-//! assert!(model.energy_j(&state) > 0.0);
+//! assert_eq!(equations.dimension(), state.values().len());
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 

@@ -1,12 +1,12 @@
 //! The state vector: what the integrators advance.
 //!
 //! ```
-//! use cageless::ball::BallMotion;
-//! use cageless::dynamics::state::State;
+//! use cageless::initial_conditions::initial_state;
+//! use cageless::reference;
 //!
-//! let mut state = State::new(14);
-//! state.set_ball(3, BallMotion { x: 0.02, ..BallMotion::default() });
-//! assert_eq!(state.x_m()[3], 0.02);
+//! let (state, angles_rad) = initial_state(&reference::conventional())?;
+//! assert_eq!(state.x_m().len(), angles_rad.len());
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
 use super::coordinates::BallCoordinate;

@@ -4,14 +4,10 @@
 //! IMechE J 224 (2010) 777). An unloaded ball loses some per cent of its speed by it in half an orbit.
 //!
 //! ```
-//! use cageless::film::{LubricatedContact, OilGrade, Rolling};
-//! use cageless::reference;
+//! use cageless::film::OilGrade;
 //!
-//! let oil = OilGrade::IsoVg32.at(70.0);
-//! let contact = LubricatedContact::outer(&reference::bearing(), 1.0);
-//! let rolling = Rolling { load_n: 20.0, speed_m_s: 13.75 };
-//! let force_n = contact.rolling_force(&oil, rolling).isothermal_n();
-//! assert!(force_n > 0.05 && force_n < 0.15);
+//! let [warm, hot] = [40.0, 70.0].map(|temperature_c| OilGrade::IsoVg32.at(temperature_c));
+//! assert!(hot.viscosity_pa_s < warm.viscosity_pa_s);
 //! ```
 
 mod contact;

@@ -1,11 +1,4 @@
 //! Coefficients of embedded Runge–Kutta pairs.
-//!
-//! ```
-//! use cageless::integrator::tableau::DORMAND_PRINCE_5;
-//!
-//! let weights: f64 = DORMAND_PRINCE_5.b.iter().sum();
-//! assert!((weights - 1.0).abs() < 1e-15);
-//! ```
 
 /// An explicit pair: nodes, stages, weights and weights of the error estimate.
 #[derive(Debug)]

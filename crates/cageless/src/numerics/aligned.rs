@@ -1,13 +1,4 @@
 //! Vectors of numbers that begin on a cache line.
-//!
-//! ```
-//! use cageless::numerics::aligned::Aligned;
-//!
-//! let mut values = Aligned::zeros(3);
-//! values[2] = 1.0;
-//! assert_eq!(*values, [0.0, 0.0, 1.0]);
-//! assert_eq!(values.as_ptr().align_offset(64), 0);
-//! ```
 
 use std::ops::{Deref, DerefMut};
 

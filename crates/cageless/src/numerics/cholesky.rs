@@ -1,11 +1,4 @@
 //! Linear equations with a symmetric positive definite matrix.
-//!
-//! ```
-//! use cageless::numerics::cholesky::solve;
-//!
-//! let [x, y] = solve(&[[4.0, 2.0], [2.0, 3.0]], 0.0, [10.0, 9.0]).unwrap();
-//! assert!((x - 1.5).abs() < 1e-15 && (y - 2.0).abs() < 1e-15);
-//! ```
 
 use crate::numerics::lanes::{LANES, Lanes};
 

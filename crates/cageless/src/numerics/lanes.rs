@@ -1,9 +1,9 @@
 //! One number per lane, and structs of them derived from plain structs of `f64`.
 //!
 //! ```
-//! use cageless::numerics::lanes::{BATCH_WIDTH, LANES};
+//! use cageless::numerics::lanes::BATCH_WIDTH;
 //!
-//! assert_eq!(LANES, 2 * BATCH_WIDTH); // two balls of each bearing in a block
+//! assert!(BATCH_WIDTH.is_power_of_two());
 //! ```
 
 /// Length of a block: what the arrays over the balls are padded to.

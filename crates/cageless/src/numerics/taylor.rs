@@ -1,16 +1,6 @@
 //! Second-order Taylor numbers: a value with its exact gradient and Hessian.
 //!
 //! A formula that is written once in them gives its derivatives as well, to rounding.
-//!
-//! ```
-//! use cageless::numerics::taylor::Taylor;
-//!
-//! let [x, y] = Taylor::variables([3.0, 4.0]);
-//! let length = (x * x + y * y).sqrt();
-//! assert_eq!(length.value, 5.0);
-//! assert!((length.gradient[0] - 0.6).abs() < 1e-15);
-//! assert!((length.hessian[0][1] + 3.0 * 4.0 / 125.0).abs() < 1e-15);
-//! ```
 
 use std::ops::{Add, Mul, Sub};
 

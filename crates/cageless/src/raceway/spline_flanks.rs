@@ -1,16 +1,4 @@
 //! Flanks by a spline through given angles.
-//!
-//! ```
-//! use cageless::raceway::SplineFlanks;
-//!
-//! // 20° in the middle, 10° half way, 0 at the ends.
-//! let rows = [[0.0, 20.0], [6.0, 18.0], [12.5, 10.0], [19.0, 4.0], [25.0, 0.0]];
-//! let rows = rows.map(|row: [f64; 2]| row.map(f64::to_radians));
-//! let flanks = SplineFlanks::through(&rows)?;
-//! assert_eq!(flanks.middle_rad(), 20f64.to_radians());
-//! assert_eq!(flanks.half_angle_rad(), 25f64.to_radians());
-//! # Ok::<(), cageless::InputError>(())
-//! ```
 
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;

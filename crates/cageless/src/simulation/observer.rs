@@ -110,7 +110,7 @@ impl StepView<'_> {
 
     /// Centre of the outer ring at the end of the step: the origin unless it moves on a support.
     #[inline]
-    pub fn outer_ring_m(&self) -> [f64; 2] {
+    pub(crate) fn outer_ring_m(&self) -> [f64; 2] {
         let motion = self.layout.outer_ring_motion(&self.step.y1);
         [motion.x, motion.y]
     }

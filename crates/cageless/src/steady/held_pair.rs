@@ -6,20 +6,6 @@ use crate::bearing::Bearing;
 use crate::tolerance::BallGrade;
 
 /// Two neighbours whose gap a raceway on rigid flanks holds up in steady operation.
-///
-/// ```
-/// # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
-/// use cageless::steady::HeldPair;
-/// use cageless::tolerance::ball_grade;
-///
-/// let case = common::structure(4.6, 25.2);
-/// let pair = HeldPair {
-///     critical_gap_rad: 1.417f64.to_radians(),
-///     steady_gap_rad: 1.944f64.to_radians(),
-/// };
-/// let contacts = pair.contacts_per_orbit(&case.bearing, ball_grade(10).unwrap());
-/// assert!((0.9..=1.0).contains(&contacts));
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldPair {
     /// Critical gap of the raceway.

@@ -8,10 +8,16 @@
 //! steady operation begins there, and leaves out the orbits in which a raceway spreads the balls or the queue closes.
 //!
 //! ```
-//! use cageless::steady::leading_ball;
+//! use cageless::reference;
+//! use cageless::steady::HeldPair;
+//! use cageless::tolerance::ball_grade;
 //!
-//! // Ball 3 is the slowest, and the balls behind it, 2, 1 and 4, push it along.
-//! assert_eq!(leading_ball(&[0.0, 2.0, -3.0, 1.0]), 2);
+//! let pair = HeldPair {
+//!     critical_gap_rad: 1.417f64.to_radians(),
+//!     steady_gap_rad: 1.944f64.to_radians(),
+//! };
+//! let contacts = pair.contacts_per_orbit(&reference::bearing(), ball_grade(10).unwrap());
+//! assert!((0.9..=1.0).contains(&contacts));
 //! ```
 
 mod held_pair;

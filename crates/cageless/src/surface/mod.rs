@@ -23,7 +23,7 @@
 //!     outer_ring_width_m: 16e-3,
 //!     blend_m: 0.0,
 //! };
-//! let ring = OuterRing::new(&case.bearing, &case.raceways, dimensions)?;
+//! let ring = OuterRing::of(&case, dimensions)?;
 //! assert!(ring.volume_m3() > 0.0);
 //! # Ok::<(), cageless::InputError>(())
 //! ```

@@ -8,12 +8,16 @@
 //! with the run.
 //!
 //! ```
-//! use cageless::vibration::Measurement;
+//! use cageless::Housing;
+//! use cageless::prelude::*;
+//! use cageless::vibration::VibrationRecorder;
 //!
-//! // A sine of amplitude 2 sampled every 10 µs, kept at 10 kHz.
-//! let mut measurement = Measurement::new(1e-5, 1e4, 0.0);
-//! (0..100_000).for_each(|k| measurement.push(2.0 * (k as f64 * 0.01).sin()));
-//! assert!((measurement.rms() - 2f64.sqrt()).abs() < 0.02);
+//! let housing = Housing { mass_kg: 1.0, stiffness_n_m: 1e8, damping_n_s_m: 500.0 };
+//! let mut recorder = VibrationRecorder::new(&housing, 1e5, 0.0);
+//! Simulation::new(&reference::conventional())?.run(1e-3, &mut [&mut recorder]);
+//! let [_across, along] = recorder.measurements();
+//! assert!(along.rms() > 0.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
 mod filter;

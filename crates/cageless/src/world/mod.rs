@@ -3,13 +3,12 @@
 //! A body in the plane is the one in space with coordinates held: its table has all of them.
 //!
 //! ```
-//! use cageless::reference;
 //! use cageless::initial_conditions::initial_state;
-//! use cageless::world::body::RotorCoordinate;
+//! use cageless::reference;
 //!
 //! let (state, _angles) = initial_state(&reference::rotor_drop())?;
-//! assert!((state.at(RotorCoordinate::Speed) - 3141.6).abs() < 0.1); // 30 000 rpm
-//! assert_eq!(state.at(RotorCoordinate::Z), 0.0); // held in the plane
+//! let rotor = state.rotor_motion().unwrap();
+//! assert!((rotor.speed - 3141.6).abs() < 0.1); // 30 000 rpm
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 

@@ -6,6 +6,7 @@ mod adaptive;
 mod balance;
 mod ball_advance;
 mod batch;
+mod computations;
 mod creep;
 mod elastic_flanks;
 mod equilibrium;

@@ -1,14 +1,4 @@
 //! Measured points of μ over the sliding speed.
-//!
-//! ```
-//! use cageless::contact::friction::FrictionTable;
-//!
-//! // Dry steel: 0.3 at rest, 0.2 from 0.5 m/s on.
-//! let table = FrictionTable::new(vec![[0.0, 0.3], [0.1, 0.24], [0.5, 0.2]])?;
-//! assert_eq!(table.coefficient(0.1)[0], 0.24);
-//! assert_eq!(table.coefficient(9.0), [0.2, 0.0]);
-//! # Ok::<(), cageless::InputError>(())
-//! ```
 
 use crate::error::InputError;
 use crate::numerics::lanes::lane_struct;

@@ -1,18 +1,5 @@
 //! Laws of friction over the sliding speed: a file each, and their list.
 //!
-//! ```
-//! use cageless::contact::friction::{Law, Smooth};
-//!
-//! let law = Smooth {
-//!     coefficient: 0.1,
-//!     inverse_regularisation_speed: 1.0 / 0.02,
-//! };
-//! let [sliding_n, _] = law.force(1.0, 500.0);
-//! assert_eq!(sliding_n, 50.0); // μ·N far from rolling
-//! let [_, slope_n_s_m] = law.force(0.0, 500.0);
-//! assert!((slope_n_s_m - 50.0 / 0.02).abs() < 1e-9);
-//! ```
-//!
 //! A law is the struct of its constants with [`Law`] and [`LawConstants`] implemented on it. A new
 //! one is a file beside `smooth.rs` and a line of the list below; methods, step limits, messages
 //! and pages follow from it.

@@ -54,13 +54,6 @@ impl FrictionParameters {
 
     /// Regularisation speed of balls whose centres roll at this speed, m/s: a thousandth of it, from 1e-6 to
     /// 0.02 m/s.
-    ///
-    /// ```
-    /// use cageless::FrictionParameters;
-    ///
-    /// assert_eq!(FrictionParameters::regularisation_of_rolling_m_s(5.0), 5e-3);
-    /// assert_eq!(FrictionParameters::regularisation_of_rolling_m_s(50.0), 0.02);
-    /// ```
     pub(crate) fn regularisation_of_rolling_m_s(rolling_m_s: f64) -> f64 {
         let [least, most] = REGULARISATION_M_S;
         (CREEP * rolling_m_s).clamp(least, most)

@@ -15,27 +15,6 @@
 //! 1/g at the groove. With **x** from B and **n**c = −(**C** − **B**)/g,
 //!
 //!   δ = (2 **x**·**n**c + κg x²)/(1 + √q) + R − Rw,   q = |**n**c + κg **x**|²,   **n** = (**n**c + κg **x**)/√q.
-//!
-//! ```
-//! use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
-//!
-//! let flanks = Flanks {
-//!     angle_rad: 0.5,
-//!     section_angle_rad: 0.0,
-//!     nominal_gap_m: 0.19e-3,
-//!     depth_error_m: 0.0,
-//!     depth_m: 0.0,
-//!     slot: None,
-//! };
-//! let section = OuterSection {
-//!     gap_m: 0.19e-3,
-//!     axial_m: 0.0,
-//!     flanks: Some(flanks),
-//! };
-//! // In the middle a ball sits on both flanks, far from it on one.
-//! assert_eq!(section.contacts([5e-6, 0.0]).len(), 2);
-//! assert_eq!(section.contacts([5e-6, 40e-6]).len(), 1);
-//! ```
 
 use std::f64::consts::LN_2;
 
