@@ -195,7 +195,7 @@ impl Fit {
     ///
     /// Ring and shaft grow by their rotation as free rings, the shaft with the E/ρ of the ring; the fit takes what is
     /// left of the interference. Without a bore in the fit, that of the ring is
-    /// [the estimate](BearingDimensions::bore_radius_estimate_m).
+    /// the estimate.
     ///
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be: a diameter that is needed and left out

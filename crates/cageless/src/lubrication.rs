@@ -83,7 +83,7 @@ pub struct Lubrication {
     /// eC, contamination factor, 0 (very severe) to 1 (extreme cleanliness).
     pub contamination_factor: f64,
     /// Cu, fatigue load limit as the maker states it, N; by
-    /// [`BasicRatings::fatigue_load_limit_n`](crate::rating::BasicRatings::fatigue_load_limit_n)
+    /// `BasicRatings::fatigue_load_limit_n`
     /// unless given.
     pub fatigue_load_limit_n: Option<f64>,
     /// kr, minimum load factor of SKF's catalogue, 0.015 to 0.03 for deep groove ball bearings.

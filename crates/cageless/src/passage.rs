@@ -64,7 +64,7 @@ pub struct Passage {
     /// Time inside over that of the largest speed of the inner ring: how long it takes that ring to turn as far.
     pub inside_at_largest_s: f64,
     /// Smallest orbital speed while inside, each over ωi of its time, times the largest ωi of the run; infinite where
-    /// the inner ring hardly turns ([`TURNS_FROM`]).
+    /// the inner ring hardly turns (`TURNS_FROM`).
     pub slowest_at_largest_rad_s: f64,
     /// Angle of the raceway.
     pub angle_rad: f64,

@@ -34,7 +34,7 @@ impl Bearing {
         (PI / epsilon).floor() as usize + 2
     }
 
-    /// Warning where [`Self::can_fall_between_balls`].
+    /// Warning where `can_fall_between_balls`.
     pub fn fall_warning(&self) -> Option<String> {
         let holding = Self::balls_that_hold_ring(self.ball_radius_m(), self.pitch_radius_m());
         self.can_fall_between_balls().then(|| {

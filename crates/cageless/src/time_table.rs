@@ -104,7 +104,7 @@ impl TimeTable {
     }
 
     /// The same quantity with its time counted from `time_s`.
-    pub(crate) fn from_time(&self, time_s: f64) -> Self {
+    pub(crate) fn beginning_at(&self, time_s: f64) -> Self {
         let rest = self.piece(time_s);
         let times = self.times_s[rest..].iter().map(|t| t - time_s);
         let mut table = Self {
@@ -190,7 +190,7 @@ mod tests {
     fn a_table_can_be_counted_from_later() {
         let table = TimeTable::new("f", vec![1.0, 2.0, 4.0], vec![3.0, 5.0, 1.0]).unwrap();
         for from_s in [0.0, 0.5, 1.0, 1.5, 3.0, 4.0, 7.0] {
-            let later = table.from_time(from_s);
+            let later = table.beginning_at(from_s);
             for time_s in [0.0, 0.25, 0.5, 1.0, 2.0, 5.0] {
                 let (a, b) = (later.value(time_s), table.value(from_s + time_s));
                 assert!((a - b).abs() < 1e-12, "{from_s} + {time_s}: {a} and {b}");

@@ -100,7 +100,7 @@ impl Operation {
             (&mut later.radial_load_n, &mut later.radial_load_table),
         ] {
             if let Some(table) = table {
-                *table = table.from_time(time_s);
+                *table = table.beginning_at(time_s);
                 *value = table.value(0.0);
             }
         }
@@ -352,7 +352,7 @@ impl Case {
 
     /// Force with which rings that fit together by interference press each nominal ball without
     /// load, weight and speed, N: both contacts in series; 0 unless the clearance is negative. That of
-    /// an axial preload is [`Self::axial_preload_n`].
+    /// an axial preload is `axial_preload_n`.
     pub fn preload_n(&self) -> f64 {
         let [inner, outer, _] = self.stiffness_n_m1_5();
         let interference = (-0.5 * self.bearing.radial_internal_clearance_m()).max(0.0);

@@ -19,7 +19,7 @@ impl Case {
     /// No raceway, elastic flanks, μ = 0.007 (lubricated) with the smooth law, contact damping 2·10⁵ N·s·m^(−3/2),
     /// restitution 0.95 between balls, balls evenly spaced in static equilibrium, g = 9.81 m/s², velocity Verlet over
     /// 0.5 s with a step of 1 µs.
-    pub(crate) fn of(bearing: Bearing) -> Self {
+    pub fn of(bearing: Bearing) -> Self {
         Self {
             bearing,
             raceways: vec![],

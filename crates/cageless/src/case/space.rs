@@ -192,7 +192,7 @@ impl Case {
     /// Passes a case that nothing but the edges of slots takes out of its plane.
     ///
     /// # Errors
-    /// Those of [`Self::check_planar`].
+    /// Those of `check_planar`.
     pub fn check_planar_but_for_slots(&self) -> Result<(), InputError> {
         let counts = |r: &&Raceway| r.slot().is_none() || r.section_angle_rad() != 0.0;
         let others = self.raceways.iter().filter(counts).cloned();

@@ -68,7 +68,7 @@ pub struct Row {
     pub preload_m: f64,
     /// Force of a soft spring on its outer ring by −σ times this; 0: the outer ring is held.
     pub preload_n: f64,
-    /// Mass that slides with the outer ring under a spring; that of [`Bearing::outer_ring_mass_kg`] if `None`.
+    /// Mass that slides with the outer ring under a spring; that of `Bearing::outer_ring_mass_kg` if `None`.
     pub sliding_mass_kg: Option<f64>,
     /// Viscous damping of that ring in its housing; that of a film of oil if `None`.
     pub sliding_damping_n_s_m: Option<f64>,

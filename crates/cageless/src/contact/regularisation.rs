@@ -6,7 +6,7 @@ crate::named_enum! {
     pub enum Regularisation {
         /// The speed that the case gives.
         Speed = "speed",
-        /// Kalker's creep, contact by contact, see [`crate::contact::creep`].
+        /// Kalker's creep, contact by contact, see `creep`.
         Kalker = "kalker",
     }
 }

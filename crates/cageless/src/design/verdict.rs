@@ -69,7 +69,7 @@ pub struct Judgement {
     pub deciding: Option<Criterion>,
     /// Largest critical gap: about the gap to which all raceways together separate balls.
     pub critical_gap_rad: Option<f64>,
-    /// Largest Hertz pressure of both rings at rest, as [`super::pressure_at_rest_pa`] has it; `None` if no ball passes.
+    /// Largest Hertz pressure of both rings at rest, as `pressure_at_rest_pa` has it; `None` if no ball passes.
     pub pressure_at_rest_pa: Option<f64>,
     /// Gap outside the raceways of balls that come by evenly in time: by rolling on rigid flanks, else by the lag of the run,
     /// with the lag of a film; `None` if that is not known.
@@ -127,7 +127,7 @@ pub fn verdict_steps(case: &Case) -> f64 {
 ///
 /// A case with a film is judged with it and, beside, without. The lag of the balls by the film, over the half orbit away
 /// from the load, is that of the run less that of the dry one. It widens the steady-state gap, of which the critical gap
-/// may be 1.1 times as much, and has limits of its own, [`FILM_QUEUE`] and [`FILM_OUTWEIGHS`].
+/// may be 1.1 times as much, and has limits of its own, `FILM_QUEUE` and `FILM_OUTWEIGHS`.
 ///
 /// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.

@@ -29,8 +29,8 @@ use crate::world::body::{
 /// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
 /// other.
 ///
-/// First the coordinates of the balls ([`BALL`], in space [`BALL_IN_SPACE`]), an array each, padded to a
-/// multiple of [`LANES`], so that whole vectors are computed either way; then those that move of each
+/// First the coordinates of the balls ([`BALL`], in space `BALL_IN_SPACE`), an array each, padded to a
+/// multiple of `LANES`, so that whole vectors are computed either way; then those that move of each
 /// body ([`BodyKind::ALL`]) and those of the outer rings that slide, an array each; then the terms of
 /// the energy ledger ([`EnergyTerm`]).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -36,7 +36,7 @@ pub use error::EquilibriumError;
 pub use plane::Equilibrium;
 use space::SpatialEquilibrium;
 
-/// Message of [`Equilibrium::overload`] for a case, at the time of its largest load or speed; `None` also without
+/// Message of `Equilibrium::overload` for a case, at the time of its largest load or speed; `None` also without
 /// equilibrium.
 pub fn overload(case: &Case) -> Option<String> {
     let held = case.extreme_times_s();

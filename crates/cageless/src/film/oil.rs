@@ -32,7 +32,7 @@ pub struct Oil {
 }
 
 impl Oil {
-    /// Mineral oil of this viscosity and β_T: α by [`Oil::mineral_pressure_viscosity_1_pa`], 0.14 W/(m·K), 860 kg/m³.
+    /// Mineral oil of this viscosity and β_T: α by `Oil::mineral_pressure_viscosity_1_pa`, 0.14 W/(m·K), 860 kg/m³.
     pub fn mineral(viscosity_pa_s: f64, viscosity_temperature_1_k: f64) -> Self {
         Self {
             viscosity_pa_s,

@@ -1,7 +1,7 @@
 //! Integration of ordinary differential equations. Nothing here knows of bearings.
 //!
 //! A method is one file: a struct that implements [`Method::perform_step`] on a [`StepState`]. One
-//! that a case can name has a row of [`Properties`] ([`NamedMethod`]) and a line in the list at the
+//! that a case can name has a row of [`Properties`] (`NamedMethod`) and a line in the list at the
 //! end of this file. [`Integrator`] owns the state of the step.
 //!
 //! ```

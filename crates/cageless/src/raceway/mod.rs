@@ -1,7 +1,7 @@
 //! The discrete raceway: contact path, effective contact radius and flank angle (Zhao 2022, Eq. (4) to (9)).
 //!
 //! In Eq. (4) to (8) the paper's Rm stands for Ro − Rw
-//! ([`Bearing::outer_orbit_radius_m`]), so that the path ends on the plain raceway
+//! (`Bearing::outer_orbit_radius_m`), so that the path ends on the plain raceway
 //! at any clearance. Local coordinates have the middle of the raceway at −Y.
 //!
 //! ```

@@ -95,7 +95,7 @@ pub struct RacewayForm {
     /// Its ends; a slot and a measured raceway have their own.
     pub ends: Ends,
     /// How much deeper a ball in the middle sits than on the plain raceway, along the axis of the
-    /// section, m; the depth runs out to nothing at the ends, as [`super::Raceway::depth_at_m`].
+    /// section, m; the depth runs out to nothing at the ends, as `Raceway::depth_at_m`.
     pub depth_m: f64,
     /// re, radius of the rounded edges of a slot, m; of [`RacewayShape::Slot`] alone, else 0.
     pub edge_radius_m: f64,
@@ -109,7 +109,7 @@ impl RacewayForm {
     ///
     /// # Errors
     /// An [`InputError`] of `profile` if the shape needs none, or as [`MeasuredFlanks::fit`] and
-    /// [`SplineFlanks::through`].
+    /// `SplineFlanks::through`.
     pub fn with_profile(self, rows: &[[f64; 2]]) -> Result<Self, InputError> {
         match self.shape {
             RacewayShape::Measured => Ok(Self {

@@ -183,7 +183,7 @@ impl Rating {
     }
 
     /// Warnings for what no bearing stands; that of the contact pressure is
-    /// [`Equilibrium::overload`].
+    /// `Equilibrium::overload`.
     pub fn warnings(&self) -> Vec<String> {
         let unsafe_load = self.static_safety_factor.filter(|s| *s < 1.0).map(|s| {
             format!(

@@ -14,7 +14,7 @@ pub(crate) fn speed_factor_mm_rpm(case: &Case) -> f64 {
     rpm * 2e3 * case.bearing.pitch_radius_m()
 }
 
-/// Warning if n·Dpw exceeds [`SPEED_PARAMETER_MAX_MM_RPM`].
+/// Warning if n·Dpw exceeds `SPEED_PARAMETER_MAX_MM_RPM`.
 pub fn speed_warning(speed_factor_mm_rpm: f64) -> Option<String> {
     (speed_factor_mm_rpm > SPEED_PARAMETER_MAX_MM_RPM).then(|| {
         format!(

@@ -4,7 +4,7 @@
 //! larger one orbits faster: dω/ω = dR/(Ro − R), some 0.1 °/s for 0.1 µm at 12 000 rpm. On a conventional ring the
 //! faster catch up with the slower; touching balls move on together, at the mean of their speeds. By the cycle lemma
 //! exactly one ball can lead all the others: no group at the head of the queue is faster than the rest
-//! ([`leading_ball`]). That queue is where every conventional ring ends, after minutes from an even start. A run of
+//! (`leading_ball`). That queue is where every conventional ring ends, after minutes from an even start. A run of
 //! steady operation begins there, and leaves out the orbits in which a raceway spreads the balls or the queue closes.
 //!
 //! ```

@@ -167,7 +167,7 @@ impl OuterRing {
     /// The ring of a case: that of its bearing, or of its row, which may press its balls to −Z.
     ///
     /// # Errors
-    /// That of [`Self::new`], and for several rows.
+    /// That of `new`, and for several rows.
     pub fn of(case: &Case, dimensions: OuterRingDimensions) -> Result<Self, InputError> {
         let ring = Self::new(&case.bearing, &case.raceways, dimensions)?;
         match case.rows.as_slice() {
@@ -318,7 +318,7 @@ impl OuterRing {
         &self.recesses
     }
 
-    /// Point of the groove at ψ and η, as [`Meridian::point`] counts it.
+    /// Point of the groove at ψ and η, as `Meridian::point` counts it.
     pub fn point(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
         self.meridian(angle_rad).point(meridian_rad)
     }

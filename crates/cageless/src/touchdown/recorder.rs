@@ -74,7 +74,7 @@ pub struct DropSummary {
     /// first contact, Hz; `None` before that.
     pub end_collision_rate_hz: Option<f64>,
     /// Contacts per second, as [`Self::end_collision_rate_hz`], that began above each of
-    /// [`APPROACH_SPEEDS_M_S`], Hz.
+    /// `APPROACH_SPEEDS_M_S`, Hz.
     pub end_collision_rate_above_hz: [Option<f64>; APPROACH_SPEEDS_M_S.len()],
     /// Largest force between balls, N.
     pub ball_force_max_n: f64,

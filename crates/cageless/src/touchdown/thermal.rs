@@ -13,7 +13,7 @@ use crate::limits::{not_negative, positive};
 use crate::material::Material;
 
 /// Specific heat of bearing steel 100Cr6, J/(kg K): that of
-/// [`STEEL_EFFUSIVITY`](crate::contact::flash_temperature::STEEL_EFFUSIVITY).
+/// `STEEL_EFFUSIVITY`.
 pub const STEEL_SPECIFIC_HEAT_J_KG_K: f64 = 460.0;
 
 /// Parts of a bearing that warm, each with one temperature: inner ring, balls, outer ring.

@@ -97,7 +97,7 @@ pub struct Verification {
     /// |z| above which a number is biased: Student's limit for [`Self::replicas`] runs at
     /// either step, as probable as three standard deviations are for many runs.
     pub z_limit: f64,
-    /// One for each [`Quantity`] that the case has, in the order of [`Quantity::ALL`].
+    /// One for each [`Quantity`] that the case has, in the order of `Quantity::ALL`.
     pub judgements: Vec<Judgement>,
     /// Divergence of the replicas.
     pub divergence: Divergence,

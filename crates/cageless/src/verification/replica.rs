@@ -30,10 +30,10 @@ pub(crate) const LARGE_PERTURBATION_RAD: f64 = 3e-6;
 pub enum Perturbation {
     /// Unperturbed initial state.
     None,
-    /// Small multiples of [`SMALL_PERTURBATION_RAD`]: sensitivity to the initial state and rate of
+    /// Small multiples of `SMALL_PERTURBATION_RAD`: sensitivity to the initial state and rate of
     /// divergence.
     Small,
-    /// Small multiples of [`LARGE_PERTURBATION_RAD`]: samples of the statistical ensemble of runs.
+    /// Small multiples of `LARGE_PERTURBATION_RAD`: samples of the statistical ensemble of runs.
     Large,
 }
 
@@ -117,7 +117,7 @@ pub fn replicas(case: &Case, seed: u64, large: usize) -> Vec<Replica> {
 }
 
 impl Role {
-    /// The roles of a verification: the run itself, [`SMALL_PERTURBATIONS`] starts with a small
+    /// The roles of a verification: the run itself, `SMALL_PERTURBATIONS` starts with a small
     /// perturbation and `large` with a large one, about 1, 2, 3 … times the angle, jittered by the
     /// seed; then the given start and the large perturbations at half the step.
     pub fn all(seed: u64, large: usize) -> Vec<Self> {

@@ -90,7 +90,7 @@ impl Measurement {
         self.decimator.interval_s()
     }
 
-    /// Amplitude spectrum, averaged over stretches of [`STRETCH`] samples if there are as
+    /// Amplitude spectrum, averaged over stretches of `STRETCH` samples if there are as
     /// many.
     pub fn spectrum(&self) -> Spectrum {
         self.welch.spectrum()

@@ -31,7 +31,7 @@ impl PassingSplit {
     /// two values of the spectrum to either side are at passing, less the level between
     /// this multiple and its neighbours.
     ///
-    /// `None` if the signal is shorter than [`LEAST_ORBITS`] orbits.
+    /// `None` if the signal is shorter than `LEAST_ORBITS` orbits.
     pub fn new(values: &[f64], interval_s: f64, orbit_hz: f64) -> Option<Self> {
         let n = values.len();
         let stretch_s = n as f64 * interval_s;

@@ -1,6 +1,7 @@
 //! `[solver]`.
 
 use cageless::IntegrationMethod;
+use cageless::design::search::SEED;
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::fields::Step;
@@ -22,7 +23,7 @@ section! {
         transient_s => transient_s: Option<f64> = Optional, Si("s"); AtLeast(0.0),
             "time at the start that results leave out; two orbits of the balls, at most half, unless given",
             Absent;
-        seed => seed: u64 = default(0), Plain,
+        seed => seed: u64 = default(SEED as i64), Plain,
             "seed of random starts (run --verify, design --search) and samples (tolerance, drop)",
             Commented("0", "of the random starts and samples of run --verify,\n\
                 design --search and tolerance");

@@ -60,7 +60,7 @@ impl FrictionTable {
     ///
     /// # Errors
     /// An [`InputError`] of `friction_table` if there are less than 2 points or more than
-    /// [`POINTS_MAX`], speeds are negative or do not increase, or a μ is not between 0 and 2.
+    /// `POINTS_MAX`, speeds are negative or do not increase, or a μ is not between 0 and 2.
     pub fn new(points: Vec<[f64; 2]>) -> Result<Self, InputError> {
         let refuse = |value: f64, rule: &str| Err(InputError::rule("friction_table", value, rule));
         if !(2..=POINTS_MAX).contains(&points.len()) {

@@ -88,7 +88,7 @@ macro_rules! friction_laws {
                 match self { $(Self::$law => <$law as LawConstants>::NAME,)* }
             }
 
-            /// Whether a rolling contact sticks, see [`Law::STICKS`].
+            /// Whether a rolling contact sticks, see `Law::STICKS`.
             pub fn sticks(self) -> bool {
                 match self { $(Self::$law => <$law as Law>::STICKS,)* }
             }

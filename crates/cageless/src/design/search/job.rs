@@ -38,11 +38,11 @@ pub struct Job {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairSeparation {
     /// Largest critical gap of the raceways, each alone in the ring: about the gap to which all of them
-    /// together separate balls, in space in the row with the least. No more than [`CROWDED_MAX`] steady gaps are
+    /// together separate balls, in space in the row with the least. No more than `CROWDED_MAX` steady gaps are
     /// looked at.
     pub critical_gap_rad: f64,
     /// Largest fraction of β0 that slip takes from a critical gap; 0 where that is beyond
-    /// [`CROWDED_MAX`]. On elastic flanks β0 is that of rolling at the contact angle and the deflection of the row.
+    /// `CROWDED_MAX`. On elastic flanks β0 is that of rolling at the contact angle and the deflection of the row.
     pub shortfall: f64,
     /// Largest Hertz pressure at the outer raceway while the balls go by; on elastic flanks NaN where the critical gap
     /// excludes the structure whatever the pressure.
@@ -52,11 +52,11 @@ pub struct PairSeparation {
 /// Outcome of a job.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Numbers {
-    /// Numbers of [`Task::PairSeparation`].
+    /// Numbers of `Task::PairSeparation`.
     PairSeparation(PairSeparation),
-    /// Numbers of [`Task::Motion`].
+    /// Numbers of `Task::Motion`.
     Motion(Motion),
-    /// Lag of [`Task::AxialLag`], rad.
+    /// Lag of `Task::AxialLag`, rad.
     AxialLag(f64),
 }
 
@@ -105,7 +105,7 @@ impl Job {
 /// [`search`](super::search) that needs no other.
 ///
 /// # Errors
-/// None; the type is that of [`Execute`](super::Execute).
+/// None; the type is that of `Execute`.
 pub fn run_here(case: &Case, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
     let jobs: Vec<&Job> = jobs.iter().collect();
     let outcomes = run_jobs(case, &jobs, &mut |_| Control::Continue(()));

@@ -64,7 +64,7 @@ pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 pub use rehearsal::{ExpectedRuns, expected_runs};
 pub use rejection::{Cause, Rejection};
 pub(crate) use request::Execute;
-pub use request::{BUDGET, CONFIRMING_STARTS, Request, Stage};
+pub use request::{BUDGET, CONFIRMING_STARTS, Request, SEED, Stage};
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;

@@ -143,7 +143,7 @@ impl OperatingPoint {
 /// Closed-form results of the geometry, on elastic flanks also of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosedForms {
-    /// β0 of Zhao 2022, Eq. (11), as published; on elastic flanks [`kinematic_gap_rad`].
+    /// β0 of Zhao 2022, Eq. (11), as published; on elastic flanks `kinematic_gap_rad`.
     pub theoretical_gap_rad: f64,
     /// Gap outside the raceways in steady flow, [`steady_gap_rad`].
     pub steady_gap_rad: f64,

@@ -25,7 +25,7 @@ pub struct Request {
     pub section_angles_rad: Vec<f64>,
     /// Fraction of the steady gap that the critical gap must reach, above 0 and below 1.
     pub critical_gap_min_fraction: f64,
-    /// Largest axial load of a search in the plane, under which a raceway must keep the share of its lag of [`crate::design::AXIAL_LAG`], N; 0
+    /// Largest axial load of a search in the plane, under which a raceway must keep the share of its lag of `AXIAL_LAG`, N; 0
     /// asks for none.
     pub axial_load_max_n: f64,
     /// Uneven starts per structure, 1 or more.
@@ -58,7 +58,7 @@ impl Request {
             critical_gap_min_fraction: STEADY_GAP.limit(),
             axial_load_max_n: 0.0,
             starts: 2,
-            seed: 0,
+            seed: SEED,
             budget: BUDGET,
         }
     }
@@ -95,6 +95,9 @@ crate::named_enum! {
 
 /// Runs a batch of jobs and returns their outcomes in their order.
 pub(crate) type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;
+
+/// Default of [`Request::seed`], and of every other seed of a case file.
+pub const SEED: u64 = 0;
 
 /// Default of [`Request::budget`].
 pub const BUDGET: usize = 400;
