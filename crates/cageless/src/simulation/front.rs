@@ -53,7 +53,7 @@ impl Simulation {
     ///
     /// # Errors
     /// Those of [`Self::new`], or `control` ended the search.
-    pub fn controlled(
+    pub(crate) fn controlled(
         case: &Case,
         control: &mut dyn FnMut() -> Control,
     ) -> Result<Self, EquilibriumError> {
