@@ -115,11 +115,6 @@ impl<M: Method> Simulation<M> {
         &self.case
     }
 
-    /// The equations of motion.
-    pub fn model(&self) -> &Arc<Model> {
-        &self.model
-    }
-
     /// Simulated time, s.
     pub fn time_s(&self) -> f64 {
         self.integrator.step().t1_s
