@@ -69,11 +69,17 @@ impl FreeBall {
 
     /// Force that brakes the orbit, 2 F_R u/v, N.
     pub(crate) fn brake_n(&self, speed_m_s: f64) -> f64 {
+        let film = &self.film;
+        self.brake_by_n(speed_m_s, |at| film.rolling_force_n(&self.contact, at))
+    }
+
+    /// [`Self::brake_n`] by a rolling force.
+    fn brake_by_n(&self, speed_m_s: f64, force_n: impl Fn(Rolling) -> f64) -> f64 {
         let rolling = Rolling {
             load_n: self.load_n(speed_m_s),
             speed_m_s: self.speed_ratio * speed_m_s,
         };
-        2.0 * self.film.rolling_force_n(&self.contact, rolling) * self.speed_ratio
+        2.0 * force_n(rolling) * self.speed_ratio
     }
 
     /// dv/dt, m/s².
@@ -124,4 +130,63 @@ fn integrated(start: [f64; 2], span: f64, rate: impl Fn([f64; 2]) -> [f64; 2]) -
         let k4 = rate(ahead(y, k3, h));
         [0, 1].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Oil, RollingForce};
+    use super::*;
+    use crate::reference;
+
+    /// Speed at the start, m/s, and time of coasting, s.
+    const START: f64 = 11.0;
+    const TIME_S: f64 = 10e-3;
+
+    /// Ball in 5 mPa·s under either limit of the force: its rate at the start, m/s², and its speed after a time.
+    fn coasting(load_n: Option<f64>, limit: fn(&RollingForce) -> f64, time_s: f64) -> (f64, f64) {
+        let film = Film::flooded(Oil::mineral(5e-3, 0.035));
+        let ball = FreeBall {
+            load_n,
+            ..FreeBall::new(&reference::bearing(), &film)
+        };
+        let rate = |v: f64| {
+            let force = |at: Rolling| limit(&ball.contact.rolling_force(&film.oil, at));
+            -ball.brake_by_n(v, force) / (ROLLING_MASS * ball.mass_kg)
+        };
+        let [end, _] = integrated([START, 0.0], time_s, |[v, _]| [rate(v), 0.0]);
+        (rate(START), end)
+    }
+
+    /// With dv/dt = −A vⁿ, v^(1−n) falls by (1 − n) A t: n = 2/3 and 3/4 under a held load, 4/3 and 17/12 under
+    /// Q = m v²/ρ.
+    #[test]
+    fn either_limit_of_the_force_has_a_closed_form() {
+        let (rigid, elastic): (fn(&RollingForce) -> f64, fn(&RollingForce) -> f64) =
+            (|force| force.rigid_n, |force| force.elastohydrodynamic_n);
+        for (load_n, limit, exponent, expected) in [
+            (Some(20.0), rigid, 2.0 / 3.0, 10.436815),
+            (Some(20.0), elastic, 0.75, 10.747679),
+            (None, rigid, 4.0 / 3.0, 10.458271),
+            (None, elastic, 17.0 / 12.0, 10.755120),
+        ] {
+            let (rate, end) = coasting(load_n, limit, TIME_S);
+            let rest: f64 = 1.0 - exponent;
+            let closed = START * (1.0 + rest * rate * TIME_S / START).powf(1.0 / rest);
+            assert!(
+                (closed - expected).abs() < 1e-6,
+                "{closed}, expected {expected}"
+            );
+            assert!((end - closed).abs() < 1e-9, "{end}, expected {closed}");
+        }
+    }
+
+    /// The elastohydrodynamic contact stops a ball under 20 N; after half of that time it has a sixteenth of its speed.
+    #[test]
+    fn standstill_under_a_held_load() {
+        let limit = |force: &RollingForce| force.elastohydrodynamic_n;
+        let stop_s = -4.0 * START / coasting(Some(20.0), limit, TIME_S).0;
+        assert!((stop_s - 1.7287).abs() < 5e-5, "{stop_s}");
+        let (_, half) = coasting(Some(20.0), limit, 0.5 * stop_s);
+        assert!((16.0 * half / START - 1.0).abs() < 1e-9, "{half}");
+    }
 }

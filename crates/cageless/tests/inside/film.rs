@@ -1,5 +1,7 @@
 //! The film of rolling contacts against numbers worked out apart from this program, and closed forms.
 
+use cageless::contact::friction::Smooth;
+use cageless::contact::{AtFlanks, FlankContact, FlankSliding};
 use cageless::film::{
     Film, FreeBall, LubricatedContact, Oil, Rolling, asperity_share, starved_share,
 };
@@ -168,6 +170,36 @@ fn starvation() {
     ] {
         close(starved_share(ratio), share, "T/T*");
     }
+}
+
+/// Pivoting of a contact under Coulomb friction over μQa (Bălan et al., Eq. (11)), and fast spin at a flank, whose
+/// strip is that of a line.
+#[test]
+fn pivoting() {
+    let moment = |k: f64| {
+        let [line, round] = [0.375, 3.0 * std::f64::consts::PI / 16.0];
+        line + (round - line) * k.powf(-0.945 - 0.016 * k.ln())
+    };
+    for (k, expected) in [(1.0, 0.589049), (5.0, 0.419873), (20.0, 0.385932)] {
+        close(moment(k), expected, "moment of pivoting");
+    }
+    let law = Smooth {
+        coefficient: 0.1,
+        inverse_regularisation_speed: 1e6,
+    };
+    let (normal_n, semi_axis_m, sine, spin_rad_s) = (300.0, 1e-3, 0.4, 1e3);
+    let flanks = FlankContact {
+        sine_square: sine * sine,
+        axis_square: semi_axis_m * semi_axis_m,
+        ..FlankContact::default()
+    };
+    let sliding = FlankSliding::new(&law, &flanks, 0.0, spin_rad_s);
+    let [_, drag] = AtFlanks { law, sliding }.drag(&flanks, 0.0, normal_n);
+    let found = drag * spin_rad_s / (0.1 * normal_n * semi_axis_m * sine);
+    assert!((found - 0.375).abs() < 1e-6, "{found}");
+    let outer = LubricatedContact::outer(&reference::bearing(), 1.0);
+    let ellipse = moment(outer.cross_radius_m / outer.rolling_radius_m);
+    assert!((ellipse / found - 1.0).abs() < 0.03, "{ellipse}");
 }
 
 #[test]
