@@ -190,6 +190,24 @@ fn a_film_that_is_not_computed_is_refused() {
     );
 }
 
+/// Hysteresis of the steel is off unless given, and refused by name where it is not computed.
+#[test]
+fn hysteresis_is_a_switch() {
+    assert!(!film(&[OIL, WARM, FLOODED]).hysteresis);
+    assert!(film(&[OIL, WARM, FLOODED, "hysteresis=\"yes\""]).hysteresis);
+    let with = |value: &'static str| [OIL, WARM, FLOODED, value];
+    refused(
+        &with("hysteresis=\"maybe\""),
+        &[],
+        &["film.hysteresis = \"maybe\"", "\"no\" or \"yes\""],
+    );
+    refused(
+        &with("hysteresis=\"yes\""),
+        &["operation.axial_load_n=100"],
+        &["film.hysteresis", "plane only"],
+    );
+}
+
 /// The oil of the film gives the viscosity of the ratings; two are refused.
 #[test]
 fn ratings_take_the_oil_of_the_film() {

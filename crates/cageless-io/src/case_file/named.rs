@@ -90,6 +90,11 @@ cageless::named_enum! {
     }
 }
 
+/// Switches.
+impl Named for bool {
+    const NAMES: &'static [(&'static str, Self)] = &[("no", false), ("yes", true)];
+}
+
 named!(
     Assembly,
     BearingClass,

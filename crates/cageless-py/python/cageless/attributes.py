@@ -281,6 +281,7 @@ class StaticAttributes:
     asperity_load_fraction: float  # share of the load on asperities
     rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
     rolling_resistance_power_w: float  # power of rolling resistance, W
+    hysteresis_torque_n_m: float  # torque of hysteresis, N m
     free_arc_deg: float  # angle without inner contact, deg
     film_lag_per_turn_deg: float  # lag of a ball by the film per orbit, deg
     film_speed_deficit_fraction: float  # share d of its speed that a ball loses by the film

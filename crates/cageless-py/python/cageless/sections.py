@@ -299,6 +299,7 @@ class Film(Section):
     thermal_conductivity_w_m_k: Annotated[float | None, "thermal conductivity of the oil; that of the oil unless given, 0.14 with viscosities"] = None
     density_kg_m3: Annotated[float | None, "density of the oil, for the kinematic viscosity of [lubrication]; that of the oil unless given, 860 with viscosities"] = None
     roughness_um: Annotated[float | None, "Rq, composite roughness of ball and raceway, for Λ"] = None
+    hysteresis: Annotated[Literal["no", "yes"] | None, "whether the hysteresis of the steel resists rolling as well, in the plane; its heat is part of rolling_resistance"] = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -134,6 +134,10 @@ impl Case {
             return Ok(());
         };
         film.check()?;
+        if film.hysteresis && (self.moves_in_space() || self.why_without_film().is_some()) {
+            let rule = "\"no\": hysteresis is computed in the plane only, without slots and rotors";
+            return Err(InputError::rule("hysteresis", f64::NAN, rule));
+        }
         let Some(why) = self.why_without_film() else {
             return Ok(());
         };

@@ -13,6 +13,7 @@
 mod contact;
 mod curve;
 mod free_arc;
+mod hysteresis;
 mod motion;
 mod oil;
 mod range;
@@ -61,6 +62,8 @@ pub struct Film {
     pub roughness_m: f64,
     /// Whether shear heats the inlet.
     pub inlet_heat: bool,
+    /// Whether the hysteresis of the steel resists rolling as well.
+    pub hysteresis: bool,
 }
 
 impl Film {
@@ -71,6 +74,7 @@ impl Film {
             supply: FLOODED,
             roughness_m: 1e-7,
             inlet_heat: true,
+            hysteresis: false,
         }
     }
 

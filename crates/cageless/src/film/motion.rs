@@ -2,6 +2,7 @@
 
 use super::contact::LubricatedContact;
 use super::curve::RollingCurve;
+use super::hysteresis::Hysteresis;
 use crate::case::Case;
 use crate::numerics::chebyshev::Polynomial;
 
@@ -21,6 +22,8 @@ pub(crate) struct RollingModel {
     pub outer: Vec<RollingCurve>,
     pub scale: f64,
     pub shift: f64,
+    /// Hysteresis of the steel, where it counts.
+    pub hysteresis: Option<Hysteresis>,
 }
 
 impl RollingModel {
@@ -28,6 +31,7 @@ impl RollingModel {
     pub(crate) fn new(case: &Case) -> Option<Self> {
         let film = case.film.as_ref()?;
         let bearing = &case.bearing;
+        let hysteresis = film.hysteresis.then(|| Hysteresis::new(bearing));
         let inner = RollingCurve::new(&LubricatedContact::inner(bearing), film);
         let at = |cosine: f64| RollingCurve::new(&LubricatedContact::outer(bearing, cosine), film);
         let Some(least) = least_cosine(case) else {
@@ -36,6 +40,7 @@ impl RollingModel {
                 outer: vec![at(1.0)],
                 scale: 0.0,
                 shift: 0.0,
+                hysteresis,
             });
         };
         let fit = |of: fn(&RollingCurve) -> f64| {
@@ -57,6 +62,7 @@ impl RollingModel {
             outer: coefficients.collect(),
             scale: rigid.scale,
             shift: rigid.shift,
+            hysteresis,
         })
     }
 }

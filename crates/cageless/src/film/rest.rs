@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::Film;
 use super::contact::LubricatedContact;
 use super::free_arc::{FreeArc, FreeBall};
+use super::hysteresis::{Hysteresis, moment_n_m};
 use super::range::RangeExceeded;
 use super::rolling_force::Rolling;
 use super::spacing::{MAY_QUEUE, QUEUE, free_share, opening_gap_rad};
@@ -61,6 +62,8 @@ pub struct FilmAtRest {
     pub power_w: f64,
     /// That over the speed of the inner ring, N·m.
     pub torque_n_m: f64,
+    /// Torque of the hysteresis of the steel, N·m; `None` where it does not count.
+    pub hysteresis_torque_n_m: Option<f64>,
     /// Angle over which the outer raceway alone carries a ball, rad.
     pub free_arc_rad: f64,
     /// What the film takes from a ball there.
@@ -116,6 +119,8 @@ impl FilmAtRest {
             outer,
             power_w,
             torque_n_m: power_w / inner_speed_rad_s,
+            hysteresis_torque_n_m: (film.hysteresis)
+                .then(|| hysteresis_power_w(case, rest) / inner_speed_rad_s),
             free_arc_rad,
             opening_gap_rad: opening_gap_rad(bearing, arc.speed_deficit),
             arc,
@@ -191,6 +196,23 @@ impl FilmAtRest {
     pub fn queue_deficit(&self) -> f64 {
         QUEUE * self.free_share
     }
+}
+
+/// Power of the hysteresis of the steel, W, balls rolling at ω = ωi Ri/(r + Rw).
+fn hysteresis_power_w(case: &Case, rest: &Equilibrium) -> f64 {
+    let (bearing, inner_rad_s) = (&case.bearing, case.operation.inner_speed_rad_s);
+    let (factors, rw) = (Hysteresis::new(bearing), bearing.ball_radius_m());
+    let surface_m_s = inner_rad_s * bearing.dimensions().inner_groove_bottom_radius_m;
+    let of_ball = |ball: usize| {
+        let r = rest.effective_radius_m[ball];
+        let (cosine, spin_rad_s) = ((r / rw).min(1.0), surface_m_s / (r + rw));
+        let contacts = if cosine < 1.0 { 2.0 } else { 1.0 };
+        let point = RacewayPoint::of_outer(cosine, rest.outer_force_n[ball]);
+        let outer_n_m = contacts * cosine * moment_n_m(factors.outer, point.force_n);
+        let inner_n_m = moment_n_m(factors.inner, rest.inner_force_n[ball]);
+        outer_n_m * spin_rad_s + inner_n_m * (spin_rad_s + inner_rad_s)
+    };
+    (0..rest.ball_angle_rad.len()).map(of_ball).sum()
 }
 
 /// Angle over which the inner ring, displaced by e, does not reach balls that lie on the plain outer raceway by their

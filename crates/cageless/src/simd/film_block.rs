@@ -18,6 +18,8 @@ pub(super) struct FilmBlock {
     pub scale: Lanes,
     /// See `scale`.
     pub shift: Lanes,
+    /// Hysteresis of the outer and the inner contacts, N·m/N^1.33.
+    pub hysteresis: Option<[Lanes; 2]>,
 }
 
 impl FilmBlock {
@@ -42,6 +44,12 @@ impl FilmBlock {
             lower: (0..highest).map(coefficient).collect(),
             scale: number(|film| film.scale),
             shift: number(|film| film.shift),
+            hysteresis: films.iter().any(|film| film.hysteresis.is_some()).then(|| {
+                [
+                    number(|film| film.hysteresis.unwrap_or_default().outer),
+                    number(|film| film.hysteresis.unwrap_or_default().inner),
+                ]
+            }),
         })
     }
 }

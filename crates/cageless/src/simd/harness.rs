@@ -6,6 +6,7 @@ use super::film;
 use super::flanks;
 use super::friction::{both_raceways, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
+use super::hysteresis;
 use super::implicit_friction;
 use super::motions::{CentreLanes, Motions, block_at, block_mut};
 use super::pairs::ball_contacts;
@@ -108,6 +109,9 @@ fn equations<const ROTOR: bool>(
         inner_loads(p, balls, results, &mut w.addends);
         if let Some(films) = &p.film {
             film::add((p, films), balls, results, motions, &mut w.addends);
+            if let Some(factors) = &films.hysteresis {
+                hysteresis::add((p, factors), balls, results, motions, &mut w.addends);
+            }
             w.sums.add(&Sum::ROLLING, &w.addends, alone, block);
         }
         w.sums.add(&Sum::NORMAL, &w.addends, alone, block);

@@ -17,6 +17,7 @@ mod flanks;
 mod friction;
 mod geometry;
 mod harness;
+mod hysteresis;
 mod implicit_friction;
 mod instruction_set;
 mod motions;

@@ -10,7 +10,7 @@ use cageless::integrator::System;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::prelude::*;
 use cageless::summary::Summary;
-use cageless::{Gaps, Start, StartState, equilibrium, reference};
+use cageless::{FlankModel, Gaps, Start, StartState, equilibrium, reference};
 
 fn with_oil(mut case: Case, mpa_s: f64) -> Case {
     case.film = Some(Film::flooded(oil(mpa_s)));
@@ -349,6 +349,51 @@ fn moments_close_on_flanks() {
         assert!(sum.abs() < 1e-7 * outer_n_m, "{sum:e} of {outer_n_m}");
     }
     assert!(found > 0);
+}
+
+/// Hysteresis of structure (d) at rest, 9.63 W beside 60 W of the film; what it adds to the rates is a couple, whose
+/// loss balances drive and spins, on rigid and elastic flanks.
+#[test]
+fn hysteresis_of_the_steel() {
+    for flanks in [FlankModel::Rigid, FlankModel::Elastic] {
+        let mut film = with_oil(reference::Structure::D.case(), 5.0);
+        film.flanks = flanks;
+        let mut both = film.clone();
+        both.film.as_mut().unwrap().hysteresis = true;
+        let speed_rad_s = film.operation.inner_speed_rad_s;
+        let rest = equilibrium::solve(&both).unwrap();
+        let at_rest = FilmAtRest::new(&both, &rest).unwrap();
+        let power_w = at_rest.hysteresis_torque_n_m.unwrap() * speed_rad_s;
+        assert!(
+            flanks != FlankModel::Rigid || (power_w - 9.63).abs() < 0.03,
+            "{power_w}"
+        );
+        let state = state_of(&film);
+        let (layout, values) = (state.layout(), state.values());
+        let [without, with] = [&film, &both].map(|case| {
+            let mut rates = vec![0.0; values.len()];
+            RightHandSide::new(&Model::new(case).unwrap()).derivative(0.0, values, &mut rates);
+            rates
+        });
+        let change = |at: usize| with[at] - without[at];
+        let mut spun_w = 0.0;
+        for k in 0..14 {
+            for c in [BallCoordinate::Vx, BallCoordinate::Vy] {
+                assert_eq!(change(layout.ball(c, k)), 0.0);
+            }
+            let at = layout.ball(BallCoordinate::Spin, k);
+            spun_w += film.bearing.ball(k).inertia_kg_m2 * change(at) * values[at];
+        }
+        let term = |term| change(layout.energy_term(term));
+        let loss_w = term(EnergyTerm::RollingResistance);
+        let closing = spun_w - (term(EnergyTerm::Drive) - loss_w);
+        assert!((loss_w / power_w - 1.0).abs() < 0.1, "{loss_w} {power_w}");
+        assert!(closing.abs() < 1e-8 * loss_w, "{closing:e} of {loss_w}");
+    }
+    let mut case = with_oil(reference::conventional(), 5.0);
+    case.film.as_mut().unwrap().hysteresis = true;
+    case.operation.space.axial_load_n = 100.0;
+    assert_eq!(case.check().unwrap_err().field, "hysteresis");
 }
 
 /// Where no film is computed it is refused by name.

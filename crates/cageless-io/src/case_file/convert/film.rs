@@ -38,6 +38,7 @@ impl Converter<'_> {
             supply,
             roughness_m: section.roughness_m,
             inlet_heat: true,
+            hysteresis: section.hysteresis,
         };
         film.check().map_err(|error| self.refused(&error, None))?;
         Ok(Some(film))
