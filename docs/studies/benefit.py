@@ -8,7 +8,7 @@ from page import PLAIN, RACEWAY, STUDIES, error, figures, fixed, markdown, mean,
 PAGE = "docs/benefit.md"
 RINGS, SEARCH, AXIAL = STUDIES["benefit"], STUDIES["benefit-search"], STUDIES["axial-remedies"]
 HELD, HELD_DESIGN = STUDIES["held"], STUDIES["held-design"]
-REMEDIES = STUDIES["remedies"].rows[0]
+REMEDIES, PAIR = STUDIES["remedies"].rows[0], STUDIES["remedies-pair"].rows[0]
 SPANS = "4.6", "4.9", "5.1", "5.2"
 LOTS_UM = {"G3": 0.13, "G10": 0.5, "G28": 1.4}
 """V_DwL of the grades (ISO 3290-1)."""
@@ -42,16 +42,22 @@ def expected(span, grade):
     return min(1, 1 - math.exp(-((reserve / mean_gap / 0.18) ** 2)) + drift / 0.015)
 
 
-def tables():
-    remedies = [
+def remedies(row):
+    """A table of remedies, a ring on each line."""
+    heads = ["ring", "contacts, 1/s", "above 0.5 m/s, 1/s", "scatter of gaps, °", "variation of force, N", "ball pressure, MPa", "losses, W", "life L10r, h", "verdict"]
+    rings = [
         [
-            REMEDIES["runs"][k],
-            *(measured(REMEDIES, name, k) for name in ("contacts", "hard", "gaps", "force", "pressure", "loss")),
-            figures(mean(REMEDIES, "life", k), 4),
-            words(REMEDIES["benefits"][k]["benefit"]) if k else "–",
+            ring,
+            *(measured(row, name, k) for name in ("contacts", "hard", "gaps", "force", "pressure", "loss")),
+            figures(mean(row, "life", k), 4),
+            words(row["benefits"][k]["benefit"]) if k else "–",
         ]
-        for k in range(5)
+        for k, ring in enumerate(row["runs"])
     ]
+    return markdown(heads, rings)
+
+
+def tables():
     heads = [*COLLIDING.values(), "ball pressure, MPa", "losses, W"]
     rings = [
         (head, lambda r, name=name: of_rings(r, name, PLAIN, RACEWAY))
@@ -74,10 +80,8 @@ def tables():
         for span in SPANS
     ]
     return {
-        "remedies": markdown(
-            ["ring", "contacts, 1/s", "above 0.5 m/s, 1/s", "scatter of gaps, °", "variation of force, N", "ball pressure, MPa", "losses, W", "life L10r, h", "verdict"],
-            remedies,
-        ),
+        "remedies": remedies(REMEDIES),
+        "remedies-pair": remedies(PAIR),
         "benefit": table(RINGS.rows, [*rings, ("verdict", lambda r: words(r["benefit"]))]),
         "benefit-search": table(
             SEARCH.rows,
@@ -146,6 +150,22 @@ def claims(claim):
     claim.between(1.5, ratio(pair, "loss"), 1.7, at, "and loses 60 % more")
     claim(at, "it is not judged", pair["benefit"] == "not-judged", pair["benefit"])
     claim.between(0.15, error(pair, "force", PLAIN) / mean(pair, "force", PLAIN), 0.3, at, "the force of the plain pair still wanders")
+
+    at = "A pair of 7205C"
+    full, fewer, plain_fewer = 1, 2, FEWER
+    claim(at, "leave the full pair plain", all(of["benefit"] == "harms" for of in PAIR["benefits"][1:]), PAIR["benefits"])
+    claim.between(1.8, [ratio(PAIR, name, full) for name in ("contacts", "loss")], 2.5, at, "a raceway doubles contacts and losses")
+    claim.between(3.3, ratio(PAIR, "force", full), 5.3, at, "the force varies four times as much")
+    claim(at, "one ball fewer touches less often", ratio(PAIR, "contacts", plain_fewer) < 0.75, ratio(PAIR, "contacts", plain_fewer))
+    claim(at, "but its balls gather", ratio(PAIR, "gaps", plain_fewer) > 10, ratio(PAIR, "gaps", plain_fewer))
+    claim.between(5, ratio(PAIR, "force", plain_fewer), 7.5, at, "the force varies six times as much")
+    held = {name: ratio(PAIR, name, fewer, plain_fewer) for name in (*COLLIDING, "loss", "pressure")}
+    claim(at, "with fourteen balls the raceway pays", max(held[name] for name in COLLIDING) < 0.8, held)
+    claim.between(0.14, held["contacts"], 0.2, at, "a sixth of the contacts")
+    claim.between(0.68, held["force"], 0.8, at, "three quarters of the varying force")
+    claim.between(1.85, held["loss"], 2.15, at, "twice the losses")
+    claim.between(1.35, held["pressure"], 1.45, at, "1.4 times the pressure")
+    claim(at, "against the full pair it still varies the force more", ratio(PAIR, "force", fewer) > 2, ratio(PAIR, "force", fewer))
 
     at = "Gaps that a raceway holds"
     for span in SPANS:
