@@ -236,6 +236,30 @@ fn what_is_not_stationary_is_not_judged() {
     );
 }
 
+/// A judgement in oil asks for the dry one, which a supply of 0 is.
+#[test]
+fn a_comparison_in_oil_asks_for_the_dry_one() {
+    let case = repository_case("zhao-d.toml");
+    let text = |supply: &str| {
+        let supply = format!("film.supply={supply}");
+        let oil = [
+            "film.viscosity_mpa_s=5",
+            "film.viscosity_temperature_1_k=0.035",
+        ];
+        let sets = [&SHORT[..], &oil, &[&supply, "solver.duration_s=0.005"]].concat();
+        let done = call_on(
+            "compare",
+            &case,
+            &sets,
+            &["--with-conventional", "--draws", "2"],
+        );
+        assert_eq!(done.code, Some(0), "{done:?}");
+        done.stdout
+    };
+    assert!(text("0.65").contains("in oil (film.supply = 0.65)"));
+    assert!(!text("0").contains("in oil"));
+}
+
 /// A case beside its remedies: all with the same balls, fewer of them where fewer fit.
 #[test]
 fn a_case_is_compared_with_its_remedies() {

@@ -249,7 +249,7 @@ impl Benefit {
             }
         };
         let sentence = match word {
-            BenefitWord::NotJudged => reasons.join("; "),
+            BenefitWord::NotJudged => in_short(&reasons),
             _ => {
                 let said = kinds.iter().filter(|(texts, ..)| !texts.is_empty());
                 let said = said.map(|(texts, before, _)| format!("{before}{}", texts.join(", ")));
@@ -290,6 +290,14 @@ impl Benefit {
         let difference = Estimate::of_differences(&self.scores, &than.scores);
         let is_higher = difference.is_some_and(|difference| difference.change() == Change::Higher);
         self.scores.is_empty() || is_higher || self.rank.breaks_limit && !than.rank.breaks_limit
+    }
+}
+
+/// The first reason, how many more there are, and the last, which is the advice.
+fn in_short(reasons: &[String]) -> String {
+    match reasons {
+        [first, _, .., advice] => format!("{first}, and {} more; {advice}", reasons.len() - 2),
+        _ => reasons.join("; "),
     }
 }
 
@@ -456,6 +464,24 @@ mod tests {
         for short in ["steady.measured_orbits=319", "steady.transient_orbits=119"] {
             assert_eq!(word(short, 0.09, 3.0), BenefitWord::NotJudged, "{short}");
         }
+    }
+
+    /// Whatever still changes is in the list; a headline names the first and counts the others.
+    #[test]
+    fn a_headline_that_is_not_judged_is_short() {
+        let changing = Settling::ALL.map(|of| Stationarity {
+            of,
+            change: 0.4,
+            error: 0.1,
+        });
+        let plain = ring("plain", "title=x", PLAIN, 900.0).settled_by(changing.to_vec());
+        let benefit = Benefit::of(&ring("A", "title=x", PLAIN, 900.0), &plain);
+        let [first, .., advice] = &benefit.benefit_reasons[..] else {
+            panic!("{benefit:?}")
+        };
+        let others = Settling::ALL.len() - 1;
+        assert_eq!(benefit.benefit_reasons.len(), others + 2);
+        assert_eq!(benefit.why, format!("{first}, and {others} more; {advice}"));
     }
 
     /// ln ½ + ln ½ + ln 4 = 0, with equal weights; with others their mean.

@@ -69,6 +69,9 @@ pub struct Draws {
     pub transient_orbits: Option<f64>,
     /// Orbits that are measured; `None` unless in steady operation.
     pub measured_orbits: Option<f64>,
+    /// Supply of the oil film, which the case has; `None` of dry runs.
+    #[serde(skip)]
+    pub film_supply: Option<f64>,
 }
 
 impl Draws {
@@ -82,6 +85,11 @@ impl Draws {
             start: steady.map(|s| s.start.name()),
             transient_orbits: steady.map(|s| s.transient_orbits),
             measured_orbits: steady.map(|s| s.measured_orbits),
+            film_supply: file
+                .case()
+                .film
+                .map(|film| film.supply)
+                .filter(|supply| *supply > 0.0),
         }
     }
 
@@ -94,6 +102,7 @@ impl Draws {
             start: None,
             transient_orbits: None,
             measured_orbits: None,
+            film_supply: None,
         }
     }
 
@@ -108,12 +117,13 @@ impl Draws {
         match (self.seed, self.grade, self.measured_orbits) {
             (Some(seed), Some(grade), Some(orbits)) => format!(
                 "Steady operation: {count} draws of balls of grade G{grade}, the same for every ring (seed {seed}), \
-                 over {orbits} orbits after {} that are left out, from {}. {means}",
+                 over {orbits} orbits after {} that are left out, from {}. {means}{}",
                 self.transient_orbits.unwrap_or(0.0),
                 match self.start {
                     Some("random") => "random gaps",
                     _ => "the queue in which the balls of a conventional ring end",
                 },
+                self.in_oil(),
             ),
             (Some(seed), ..) => format!(
                 "Every ring runs from the same {count} starts: the gaps between the balls are drawn at random, each \
@@ -125,5 +135,15 @@ impl Draws {
                   instead of finished runs: they run in steady operation with the same real balls."
                 .to_owned(),
         }
+    }
+
+    /// What a judgement in oil leaves open.
+    fn in_oil(&self) -> String {
+        self.film_supply.map_or_else(String::new, |supply| {
+            format!(
+                " The balls run in oil (film.supply = {supply}); a raceway for oil may be wrong without: judge it dry as \
+                 well, with film.supply = 0."
+            )
+        })
     }
 }
