@@ -44,27 +44,31 @@ impl LubricatedContact {
 
     /// Nominal ball at the plain inner raceway.
     pub(crate) fn inner(bearing: &Bearing) -> Self {
-        let d = bearing.dimensions();
-        Self::of_ring(
+        Self::inner_curved(
             bearing,
-            [
-                1.0 / d.inner_groove_bottom_radius_m,
-                -1.0 / d.inner_groove_curvature_radius_m,
-            ],
+            1.0 / bearing.dimensions().inner_groove_bottom_radius_m,
         )
+    }
+
+    /// Nominal ball at the inner raceway where its ring curves along rolling by this, 1/m: cos α over the distance of
+    /// the contact from the axis.
+    pub(super) fn inner_curved(bearing: &Bearing, curvature: f64) -> Self {
+        let groove_m = bearing.dimensions().inner_groove_curvature_radius_m;
+        Self::of_ring(bearing, [curvature, -1.0 / groove_m])
     }
 
     /// Nominal ball at the outer raceway under the angle of this cosine: 1 on the plain raceway, less on either flank
     /// of a discrete one. The ring curves along rolling by −cos α/(Ro − Rw + Rw cos α).
     pub(crate) fn outer(bearing: &Bearing, cosine: f64) -> Self {
         let contact_radius_m = bearing.outer_orbit_radius_m() + bearing.ball_radius_m() * cosine;
-        Self::of_ring(
-            bearing,
-            [
-                -cosine / contact_radius_m,
-                -1.0 / bearing.dimensions().outer_groove_curvature_radius_m,
-            ],
-        )
+        Self::outer_curved(bearing, cosine / contact_radius_m)
+    }
+
+    /// Nominal ball at the outer raceway where its ring curves along rolling by minus this, 1/m: cos α over the distance
+    /// of the contact from the axis.
+    pub(super) fn outer_curved(bearing: &Bearing, curvature: f64) -> Self {
+        let groove_m = bearing.dimensions().outer_groove_curvature_radius_m;
+        Self::of_ring(bearing, [-curvature, -1.0 / groove_m])
     }
 
     fn of_ring(bearing: &Bearing, ring: [f64; 2]) -> Self {

@@ -12,7 +12,9 @@
 
 mod contact;
 mod curve;
+mod curve_polynomial;
 mod free_arc;
+mod groove_curves;
 mod hysteresis;
 mod motion;
 mod oil;
@@ -28,9 +30,11 @@ use crate::limits::{from_to, require};
 
 pub(crate) use contact::LubricatedContact;
 pub(crate) use curve::{RollingCurve, RollingCurveLanes};
+pub(crate) use curve_polynomial::CurvePolynomial;
 pub use free_arc::FreeArc;
 #[cfg(test)]
 pub(crate) use free_arc::FreeBall;
+pub(crate) use groove_curves::GrooveCurves;
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;

@@ -1,10 +1,10 @@
-//! Rolling force of all contacts of a case, as the equations of motion take it.
+//! Rolling force of all contacts of a case, as the equations of motion in the plane take it.
 
 use super::contact::LubricatedContact;
 use super::curve::RollingCurve;
+use super::curve_polynomial::CurvePolynomial;
 use super::hysteresis::Hysteresis;
 use crate::case::Case;
-use crate::numerics::chebyshev::Polynomial;
 
 /// Degree of the constants of the outer contact over the cosine of its angle.
 const DEGREE: usize = 3;
@@ -18,10 +18,8 @@ const PLACES: usize = 64;
 pub(crate) struct RollingModel {
     /// Inner contact.
     pub inner: RollingCurve,
-    /// Coefficients of the constants of the outer contact over `scale` cos α + `shift`; one without raceways.
-    pub outer: Vec<RollingCurve>,
-    pub scale: f64,
-    pub shift: f64,
+    /// Constants of the outer contact over cos α; the same for all without raceways.
+    pub outer: CurvePolynomial,
     /// Hysteresis of the steel, where it counts.
     pub hysteresis: Option<Hysteresis>,
 }
@@ -31,38 +29,14 @@ impl RollingModel {
     pub(crate) fn new(case: &Case) -> Option<Self> {
         let film = case.film.as_ref()?;
         let bearing = &case.bearing;
-        let hysteresis = film.hysteresis.then(|| Hysteresis::new(bearing));
-        let inner = RollingCurve::new(&LubricatedContact::inner(bearing), film);
         let at = |cosine: f64| RollingCurve::new(&LubricatedContact::outer(bearing, cosine), film);
-        let Some(least) = least_cosine(case) else {
-            return Some(Self {
-                inner,
-                outer: vec![at(1.0)],
-                scale: 0.0,
-                shift: 0.0,
-                hysteresis,
-            });
-        };
-        let fit = |of: fn(&RollingCurve) -> f64| {
-            Polynomial::of_degree(|cosine| of(&at(cosine)), least - MARGIN, 1.0, DEGREE)
-        };
-        let [rigid, elastic, load] = [
-            fit(|curve| curve.rigid),
-            fit(|curve| curve.elastic),
-            fit(|curve| curve.load),
-        ];
-        let coefficients = (0..=DEGREE).map(|k| RollingCurve {
-            rigid: rigid.coefficients[k],
-            elastic: elastic.coefficients[k],
-            load: load.coefficients[k],
-            heat: inner.heat,
-        });
         Some(Self {
-            inner,
-            outer: coefficients.collect(),
-            scale: rigid.scale,
-            shift: rigid.shift,
-            hysteresis,
+            inner: RollingCurve::new(&LubricatedContact::inner(bearing), film),
+            outer: match least_cosine(case) {
+                None => CurvePolynomial::constant(at(1.0)),
+                Some(least) => CurvePolynomial::new(at, [least - MARGIN, 1.0], DEGREE),
+            },
+            hysteresis: film.hysteresis.then(|| Hysteresis::new(bearing)),
         })
     }
 }
@@ -97,17 +71,8 @@ mod tests {
             let cosine = least + (1.0 - least) * f64::from(k) / 20.0;
             let contact = LubricatedContact::outer(&case.bearing, cosine);
             let expected = RollingCurve::new(&contact, &film);
-            let place = model.scale * cosine + model.shift;
-            for of in [
-                |curve: &RollingCurve| curve.rigid,
-                |curve: &RollingCurve| curve.elastic,
-                |curve: &RollingCurve| curve.load,
-            ] {
-                let coefficients = model.outer.iter().rev();
-                let value = coefficients.fold(0.0, |sum, c| sum * place + of(c));
-                let relative = value / of(&expected) - 1.0;
-                assert!(relative.abs() < 3e-7, "{cosine}: {relative:e}");
-            }
+            let relative = model.outer.error(cosine, &expected);
+            assert!(relative < 3e-7, "{cosine}: {relative:e}");
         }
     }
 }

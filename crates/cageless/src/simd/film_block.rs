@@ -29,12 +29,20 @@ impl FilmBlock {
             models.iter().map(|model| model.film.as_ref()).collect();
         let films = films?;
         let film = |lane: usize| films[lane % films.len()];
-        let length = films.iter().map(|film| film.outer.len()).max()?;
+        let length = films
+            .iter()
+            .map(|film| film.outer.coefficients.len())
+            .max()?;
         let number = |of: fn(&RollingModel) -> f64| Lanes(std::array::from_fn(|l| of(film(l))));
         let coefficient = |k: usize| {
             RollingCurveLanes::from_fn(|lane| RollingCurve {
                 heat: film(lane).inner.heat,
-                ..film(lane).outer.get(k).copied().unwrap_or_default()
+                ..film(lane)
+                    .outer
+                    .coefficients
+                    .get(k)
+                    .copied()
+                    .unwrap_or_default()
             })
         };
         let highest = length.checked_sub(1)?;
@@ -42,8 +50,8 @@ impl FilmBlock {
             inner: RollingCurveLanes::from_fn(|lane| film(lane).inner),
             highest: coefficient(highest),
             lower: (0..highest).map(coefficient).collect(),
-            scale: number(|film| film.scale),
-            shift: number(|film| film.shift),
+            scale: number(|film| film.outer.scale),
+            shift: number(|film| film.outer.shift),
             hysteresis: films.iter().any(|film| film.hysteresis.is_some()).then(|| {
                 [
                     number(|film| film.hysteresis.unwrap_or_default().outer),

@@ -39,6 +39,8 @@ pub(super) struct Totals {
     pub weight: f64,
     pub ball_friction: f64,
     pub damping: f64,
+    /// Heat of the rolling force of films, W.
+    pub rolling: f64,
 }
 
 impl Totals {

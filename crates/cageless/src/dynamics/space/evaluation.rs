@@ -3,6 +3,7 @@
 use super::Vector;
 use super::bearing::{Bearing, Drive, Totals, tilting_by};
 use super::block::VELOCITIES;
+use super::film::add_rolling;
 use super::friction::{add_explicit_friction, outer_ring_velocity};
 use super::model::SpaceModel;
 use super::normal_contacts::{PLACE, normal_contacts};
@@ -63,6 +64,11 @@ pub(crate) fn evaluate(
     let bearing = (p, model, space, drive);
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         normal_contacts(bearing, (results, b), &ring, y, block, &mut totals, dydt);
+        if let Some(film) = &space.film {
+            let turning = (&ring, drive.inner_speed);
+            let of = (film, layout, p.balls(block));
+            add_rolling(of, (&results.polar, b), turning, block, &mut totals, dydt);
+        }
     }
     w.slip_max = Lanes::ZERO;
     if raceway_friction {
@@ -240,6 +246,7 @@ fn ring_rates(
         (EnergyTerm::OuterFriction, totals.heat[0]),
         (EnergyTerm::BallFriction, totals.ball_friction),
         (EnergyTerm::Damping, totals.damping),
+        (EnergyTerm::RollingResistance, totals.rolling),
         (EnergyTerm::Drag, drag * ring.velocity.norm_squared()),
     ] {
         dydt[layout.energy_term(term)] = power;

@@ -350,7 +350,7 @@ fn mean_friction(
 
 /// Adds the accelerations of the balls of a block under these forces to rates.
 #[inline(always)]
-fn accelerate(
+pub(super) fn accelerate(
     layout: Layout,
     balls: &BallLanes,
     block: usize,

@@ -11,6 +11,7 @@ mod creep;
 mod edges;
 mod energy;
 mod evaluation;
+mod film;
 mod frame;
 mod friction;
 mod inner_groove;

@@ -4,6 +4,7 @@ use super::inner_groove::InnerGroove;
 use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
+use crate::film::GrooveCurves;
 use crate::world::body::sliding_ring::SlidingRing;
 
 /// Grooves and contact ellipses of one ball.
@@ -44,6 +45,8 @@ pub(crate) struct SpaceModel {
     pub upward: usize,
     /// Outer rings that slide in the housing.
     pub sliding: Vec<SlidingRing>,
+    /// Films of the contacts with the raceways.
+    pub film: Option<GrooveCurves>,
 }
 
 impl SpaceModel {
@@ -109,6 +112,7 @@ impl SpaceModel {
             axial_load: load.axial_load_n,
             free_tilt,
             sliding: SlidingRing::of_case(case),
+            film: (case.film.as_ref()).map(|film| GrooveCurves::new(bearing, film)),
         })
     }
 

@@ -1,0 +1,75 @@
+//! Rolling force of the contacts with grooves that a ball touches under any angle.
+
+use super::Film;
+use super::contact::LubricatedContact;
+use super::curve::RollingCurve;
+use super::curve_polynomial::CurvePolynomial;
+use crate::bearing::Bearing;
+
+/// Degree of the constants over the curvature.
+const DEGREE: usize = 4;
+/// Largest curvature over that of the bottom of the groove: balls move along the radius.
+const MARGIN: f64 = 1.01;
+
+/// Constants of the contacts of one bearing over the curvature of the ring along rolling, cos α over the distance of
+/// the contact from its axis, 1/m; all but that curvature is the same under every contact angle.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct GrooveCurves {
+    pub outer: CurvePolynomial,
+    pub inner: CurvePolynomial,
+}
+
+impl GrooveCurves {
+    /// Constants of the nominal balls of a bearing.
+    pub(crate) fn new(bearing: &Bearing, film: &Film) -> Self {
+        let d = bearing.dimensions();
+        let fit = |groove: fn(&Bearing, f64) -> LubricatedContact, radius_m: f64| {
+            let at = |curvature: f64| RollingCurve::new(&groove(bearing, curvature), film);
+            CurvePolynomial::new(at, [0.0, MARGIN / radius_m], DEGREE)
+        };
+        Self {
+            outer: fit(
+                LubricatedContact::outer_curved,
+                d.outer_groove_bottom_radius_m,
+            ),
+            inner: fit(
+                LubricatedContact::inner_curved,
+                d.inner_groove_bottom_radius_m,
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::Oil;
+    use crate::reference;
+
+    #[test]
+    fn constants_follow_the_curvature() {
+        let bearing = reference::bearing();
+        let film = Film::flooded(Oil::mineral(5e-3, 0.035));
+        let curves = GrooveCurves::new(&bearing, &film);
+        let d = bearing.dimensions();
+        for angle_deg in [0.0, 10.0, 15.0, 40.0, 60.0, 85.0_f64] {
+            let (cosine, rw) = (angle_deg.to_radians().cos(), bearing.ball_radius_m());
+            let flank = LubricatedContact::outer(&bearing, cosine);
+            let contact_radius_m = bearing.outer_orbit_radius_m() + rw * cosine;
+            let outer = curves
+                .outer
+                .error(cosine / contact_radius_m, &RollingCurve::new(&flank, &film));
+            let ri = d.inner_groove_curvature_radius_m;
+            let curvature = cosine / (d.inner_groove_bottom_radius_m + ri * (1.0 - cosine));
+            let contact = LubricatedContact::inner_curved(&bearing, curvature);
+            let inner = curves
+                .inner
+                .error(curvature, &RollingCurve::new(&contact, &film));
+            assert!(outer < 1e-6 && inner < 1e-6, "{angle_deg}: {outer} {inner}");
+        }
+        assert_eq!(
+            LubricatedContact::inner(&bearing),
+            LubricatedContact::inner_curved(&bearing, 1.0 / d.inner_groove_bottom_radius_m)
+        );
+    }
+}
