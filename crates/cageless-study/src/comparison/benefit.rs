@@ -469,8 +469,8 @@ mod tests {
     /// Whatever still changes is in the list; a headline names the first and counts the others.
     #[test]
     fn a_headline_that_is_not_judged_is_short() {
-        let changing = Settling::ALL.map(|of| Stationarity {
-            of,
+        let changing = ASKED.map(|asked| Stationarity {
+            of: asked.settling,
             change: 0.4,
             error: 0.1,
         });
@@ -479,7 +479,7 @@ mod tests {
         let [first, .., advice] = &benefit.benefit_reasons[..] else {
             panic!("{benefit:?}")
         };
-        let others = Settling::ALL.len() - 1;
+        let others = ASKED.len() - 1;
         assert_eq!(benefit.benefit_reasons.len(), others + 2);
         assert_eq!(benefit.why, format!("{first}, and {others} more; {advice}"));
     }

@@ -134,7 +134,8 @@ fn integrated(start: [f64; 2], span: f64, rate: impl Fn([f64; 2]) -> [f64; 2]) -
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Oil, RollingForce};
+    use super::super::Oil;
+    use super::super::rolling_force::RollingForce;
     use super::*;
     use crate::reference;
 
@@ -161,8 +162,8 @@ mod tests {
     /// Q = m v²/ρ.
     #[test]
     fn either_limit_of_the_force_has_a_closed_form() {
-        let (rigid, elastic): (fn(&RollingForce) -> f64, fn(&RollingForce) -> f64) =
-            (|force| force.rigid_n, |force| force.elastohydrodynamic_n);
+        let rigid: fn(&RollingForce) -> f64 = |force| force.rigid_n;
+        let elastic: fn(&RollingForce) -> f64 = |force| force.elastohydrodynamic_n;
         for (load_n, limit, exponent, expected) in [
             (Some(20.0), rigid, 2.0 / 3.0, 10.436815),
             (Some(20.0), elastic, 0.75, 10.747679),
