@@ -256,7 +256,7 @@ pub static OFTEN: Requirement = Requirement {
         CORE
         + "design/criterion/mod.rs": [
             ["mod pressure;", "mod often;\n"],
-            ["pub use pressure::", "pub use often::OFTEN;\n"],
+            ["pub(crate) use pressure::", "pub(crate) use often::OFTEN;\n"],
         ],
         CORE
         + "design/verdict.rs": [

@@ -149,7 +149,11 @@ pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> V
     let key = "bearing.inner_ring_mass_kg";
     let width = tree.number("bearing.outer_ring_width_mm");
     let rings = tree.count("row").max(1) as f64;
-    let mass = rings * d.inner_ring_mass_estimate_kg(width.map(|mm| Millimetre.to_si(mm)));
+    // A bearing keeps the mass with which it was made, though its grooves have moved since to the contact angle.
+    let mass = match d.inner_ring_mass_kg {
+        made if made > 0.0 => made,
+        _ => rings * d.inner_ring_mass_estimate_kg(width.map(|mm| Millimetre.to_si(mm))),
+    };
     assume(
         tree.find(key).is_none(),
         key,
