@@ -37,7 +37,7 @@ use crate::numerics::lanes::lane_struct;
 
 law_struct! {
     /// μ·(1 + a·|ΔV|)·tanh(ΔV/scale)·N.
-    pub struct Rising per lane RisingLanes {
+    pub(crate) struct Rising per lane RisingLanes {
         /// μ at rest.
         coefficient,
         /// a, s/m.
@@ -237,7 +237,7 @@ use super::super::raceway_verdict::RacewayVerdict;
 use super::requirement::{Bound, CauseKind, Requirement};
 
 /// Contacts with neighbours per passage.
-pub static OFTEN: Requirement = Requirement {
+pub(crate) static OFTEN: Requirement = Requirement {
     name: "often",
     most: Some(Bound {
         limit: 1e-3,
