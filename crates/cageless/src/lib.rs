@@ -172,8 +172,7 @@ pub mod vibration;
 pub mod world;
 
 pub use assembly::Assembly;
-pub use bearing::Ball;
-pub use bearing::{Bearing, BearingDimensions, InnerRingBore};
+pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
     Case, Contact, Gaps, Housing, Motion, Operation, Row, SPATIAL_FIELDS, Solver, SpatialLoad,
     Start, StartState, Tilt,

@@ -15,7 +15,6 @@ pub use crate::case_builder::CaseBuilder;
 pub use crate::collision::{Collision, CollisionDetector};
 pub use crate::contact::{FrictionLaw, FrictionTable};
 pub use crate::critical_gap::{PairTest, critical_gap_rad};
-pub use crate::equilibrium;
 pub use crate::equilibrium::EquilibriumError;
 pub use crate::error::InputError;
 pub use crate::flank_model::FlankModel;
@@ -24,7 +23,6 @@ pub use crate::integrator::{IntegrationMethod, Method, StepState, System, Unreso
 pub use crate::material::{Material, Materials};
 pub use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 pub use crate::recorder::Recorder;
-pub use crate::reference;
 pub use crate::rotor::{Rotor, Shaft, Support};
 pub use crate::simulation::{
     BallView, Control, Ending, Observer, ObserverError, RingView, RotorDrop, RotorView, RunContext,
@@ -33,3 +31,4 @@ pub use crate::simulation::{
 pub use crate::snapshot::Snapshot;
 pub use crate::summary::SummaryRecorder;
 pub use crate::time_table::TimeTable;
+pub use crate::{equilibrium, reference};

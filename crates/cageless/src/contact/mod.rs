@@ -34,44 +34,40 @@ pub(crate) mod published;
 mod regularisation;
 mod slip_problem;
 
-pub(crate) use ball_ball::{ball_ball_contact, ball_deflection};
-pub(crate) use flank_friction::{AtFlanks, FlankSliding};
+pub(crate) use ball_ball::{BallBallContactLanes, ball_ball_contact, ball_deflection};
+pub(crate) use creep::CreepLanes;
+pub(crate) use flank_friction::{AtFlanks, FlankSliding, FlankSlidingLanes};
 pub(crate) use flank_section::FlankSection;
 #[cfg(test)]
 pub(crate) use flanks::FlankContact;
-pub(crate) use flanks::flank_contact;
-pub(crate) use friction::Friction;
-pub(crate) use friction::Law;
-pub use friction::OwnFriction;
-pub use friction::{FrictionFault, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
+pub(crate) use flanks::{FlankContactLanes, flank_contact};
+pub(crate) use friction::{
+    AtKnees, EvaluatedLaws, Friction, FrictionLanes, Law, LawLanes, with_law,
+};
+pub use friction::{
+    FrictionFault, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, OwnFriction,
+};
 pub(crate) use friction_step::{MAX_ITERATIONS, end_weights};
-pub(crate) use implicit_friction::RacewayContacts;
-pub(crate) use implicit_friction::{further_step, newton_step};
-pub(crate) use inner::inner_contact;
-pub(crate) use inner::inner_load;
-pub(crate) use inner::{InnerContact, InnerRaceway, inner_deflection, inner_slip};
-pub(crate) use journal::{Journal, JournalContact, JournalMotion, JournalSlip, journal_contact};
-pub(crate) use journal::{implicit_slip, journal_energy_j, journal_slip};
-pub(crate) use normal_force::NormalForce;
-pub(crate) use normal_force::restitution_damping;
-pub(crate) use outer::outer_contact;
-pub(crate) use outer::{OuterContact, OuterGeometry, OuterRaceway, outer_deflection, outer_slip};
-pub(crate) use outer::{outer_load, slope_force};
-pub(crate) use outer_geometry::{FlankShape, RacewayConstants, RacewayPosition, RacewayValues};
-pub(crate) use outer_geometry::{nominal_geometry, unequal_geometry};
+pub(crate) use implicit_friction::{RacewayContacts, further_step, newton_step};
+pub(crate) use inner::{
+    InnerContact, InnerContactLanes, InnerRaceway, InnerRacewayLanes, inner_contact,
+    inner_deflection, inner_load, inner_slip,
+};
+pub(crate) use journal::{
+    Journal, JournalContact, JournalMotion, JournalSlip, implicit_slip, journal_contact,
+    journal_energy_j, journal_slip,
+};
+pub(crate) use normal_force::{NormalForce, restitution_damping};
+pub(crate) use outer::{
+    OuterContact, OuterContactLanes, OuterGeometry, OuterGeometryLanes, OuterRaceway,
+    OuterRacewayLanes, outer_contact, outer_deflection, outer_load, outer_slip, slope_force,
+};
+pub(crate) use outer_geometry::{
+    FlankShape, RacewayConstants, RacewayConstantsLanes, RacewayPosition, RacewayPositionLanes,
+    RacewayValues, RacewayValuesLanes, nominal_geometry, unequal_geometry,
+};
 pub use regularisation::Regularisation;
-
-pub(crate) use slip_problem::{SlipProblem, Slips};
-
-pub(crate) use ball_ball::BallBallContactLanes;
-pub(crate) use creep::CreepLanes;
-pub(crate) use flank_friction::FlankSlidingLanes;
-pub(crate) use flanks::FlankContactLanes;
-pub(crate) use friction::{AtKnees, EvaluatedLaws, FrictionLanes, LawLanes, with_law};
-pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
-pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};
-pub(crate) use outer_geometry::{RacewayConstantsLanes, RacewayPositionLanes, RacewayValuesLanes};
-pub(crate) use slip_problem::{SlipProblemLanes, SlipsLanes};
+pub(crate) use slip_problem::{SlipProblem, SlipProblemLanes, Slips, SlipsLanes};
 
 /// The larger of `x` and 0; 0 for NaN.
 #[inline(always)]

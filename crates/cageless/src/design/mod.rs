@@ -38,16 +38,14 @@ pub use axial::{
     AXIAL_ORBITS, AxialLag, AxialLimit, LagAndAngle, NoLag, axial_critical_gap_rad, axial_lag,
     axial_load_keeping, axial_points, axial_sample,
 };
-pub(crate) use contact_angle::rolling_lag_fraction;
 pub use contact_angle::{ContactAngleEstimate, seats, seats_controlled};
-pub(crate) use contact_angle::{kinematic_gap_rad, kinematic_lag_rad};
-pub use criterion::CauseKind;
-pub use criterion::Requirement;
+pub(crate) use contact_angle::{kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction};
 pub(crate) use criterion::{AXIAL_LAG, LAG, PRESSURE_AT_REST};
-pub use criterion::{BOTH_NEIGHBOURS, Criterion, DECELERATION, SEPARATION, STEADY_GAP};
+pub use criterion::{
+    BOTH_NEIGHBOURS, CauseKind, Criterion, DECELERATION, Requirement, SEPARATION, STEADY_GAP,
+};
 use criterion::{IN_OIL, OF_SEARCH, RETAINED_GAP, STEADY_GAP_MAX, THEORETICAL_GAP};
-pub use estimate::Estimate;
-pub use estimate::EstimateTerm;
+pub use estimate::{Estimate, EstimateTerm};
 pub use film_evidence::FilmEvidence;
 pub(crate) use pressure_at_rest::pressure_at_rest_pa;
 pub use raceway_tallies::RacewayTallies;

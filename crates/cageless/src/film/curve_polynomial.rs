@@ -13,7 +13,7 @@ pub(crate) struct CurvePolynomial {
 }
 
 impl CurvePolynomial {
-    /// The same constants for all x.
+    /// One curve at every place.
     pub(super) fn constant(curve: RollingCurve) -> Self {
         Self {
             coefficients: vec![curve],

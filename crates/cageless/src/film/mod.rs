@@ -40,8 +40,7 @@ pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;
 pub use rest::{ContactFilm, FilmAtRest};
 pub(crate) use rolling_force::Rolling;
-pub(crate) use spacing::QUEUE;
-pub(crate) use spacing::{free_share, opening_gap_rad};
+pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
 #[cfg(test)]
 pub(crate) use starvation::starved_share;
 #[cfg(test)]

@@ -35,15 +35,12 @@ mod step_state;
 mod system;
 pub(crate) mod tableau;
 
-pub use method::Method;
+pub use method::{Method, Properties};
 
 pub(crate) use method::NamedMethod;
-pub use method::Properties;
 pub use runge_kutta::{RungeKutta, UnresolvedStep};
 pub use step_state::StepState;
-pub use system::PlanarVelocities;
-pub use system::SecondOrderBlock;
-pub use system::System;
+pub use system::{PlanarVelocities, SecondOrderBlock, System};
 
 /// A method with the step that it last made.
 #[derive(Debug, Clone)]

@@ -67,15 +67,13 @@ use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Ends, Raceway, apart};
 
-pub use arc::Arc;
-pub use measured_raceway::NoRaceway;
+pub use arc::{Arc, SurfacePoint};
+pub use measured_raceway::{MeasuredFlank, MeasuredRaceway, NoRaceway};
 
-pub use arc::SurfacePoint;
 pub use conformity::Conformity;
 pub use drawn_groove::DrawnGroove;
 pub use grid::{Grid, GridPoint, GridRow, PointKind};
 pub use measured_groove::MeasuredGroove;
-pub use measured_raceway::{MeasuredFlank, MeasuredRaceway};
 pub use measured_ring::{MeasuredRing, PointOff};
 pub use measured_value::MeasuredValue;
 pub use meridian::Meridian;

@@ -13,6 +13,5 @@ mod deviation;
 mod grade;
 
 pub use assessment::{Assessment, InfluenceResult, Interval, Outcome, Samples, assess};
-pub use deviation::Deviation;
-pub use deviation::{Influence, Tolerances, Trial, ball_lot_m, trials};
+pub use deviation::{Deviation, Influence, Tolerances, Trial, ball_lot_m, trials};
 pub use grade::{BallGrade, ball_grade, ball_grades_text};

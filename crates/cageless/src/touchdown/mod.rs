@@ -26,8 +26,7 @@ mod thermal;
 mod whirl;
 
 pub use end_state::EndState;
-pub use heat::EndPower;
-pub use heat::InterfaceHeat;
+pub use heat::{EndPower, InterfaceHeat};
 pub use limit::{Limit, LimitSide};
 pub use recorder::{DropRecorder, DropSummary, LAST};
 pub use scatter::{Drawn, DrawnBearing, Scatter};

@@ -26,11 +26,9 @@ mod replica;
 mod trajectory;
 
 pub use convergence::{Convergence, Judgement};
-pub use divergence::Divergence;
-pub use divergence::{DECORRELATED, Distance, Loss};
+pub use divergence::{DECORRELATED, Distance, Divergence, Loss};
 pub use quantity::Quantity;
-pub use replica::Record;
-pub use replica::{Perturbation, Replica, ReplicaError, ReplicaObserver, Role, replicas};
+pub use replica::{Perturbation, Record, Replica, ReplicaError, ReplicaObserver, Role, replicas};
 
 use crate::case::Case;
 use crate::error::InputError;

@@ -15,10 +15,8 @@ mod tanh;
 pub(crate) use at_knees::AtKnees;
 pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::FrictionTable;
-pub(crate) use law::{EvaluatedLaws, LawLanes};
-pub(crate) use law::{Law, LawConstants};
-pub use own_law::OwnFriction;
-pub use own_law::{FrictionFault, FrictionLaw};
+pub(crate) use law::{EvaluatedLaws, Law, LawConstants, LawLanes};
+pub use own_law::{FrictionFault, FrictionLaw, OwnFriction};
 pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
 

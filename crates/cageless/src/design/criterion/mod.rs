@@ -18,8 +18,7 @@ pub use deceleration::DECELERATION;
 pub(crate) use film::{FILM_OUTWEIGHS, FILM_QUEUE};
 pub(crate) use lag::{AXIAL_LAG, LAG};
 pub(crate) use pressure::{PEAK_PRESSURE, PRESSURE_AT_REST};
-pub use requirement::CauseKind;
-pub use requirement::Requirement;
+pub use requirement::{CauseKind, Requirement};
 pub use separation::SEPARATION;
 pub use steady_gap::STEADY_GAP;
 

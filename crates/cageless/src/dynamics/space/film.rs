@@ -10,9 +10,8 @@
 
 use super::bearing::Totals;
 use super::block::{INNER, SpaceBlock};
-use super::frame::{FrameLanes, SIZE, of_lane};
+use super::frame::{SIZE, of_lane};
 use super::friction::accelerate;
-use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
 use super::ring::RingMotion;
 use crate::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::layout::Layout;
@@ -47,18 +46,10 @@ pub(super) fn add_rolling(
     for &place in b.places {
         let frames = &b.frames[place];
         let curves = if place == INNER {
-            let ring = (ring, inner_speed);
-            roll_inner(
-                balls,
-                (&b.inner_groove, &b.inner),
-                frames,
-                (&b.velocity, ring),
-                &mut rolling,
-            );
+            roll_inner(balls, b, ring, inner_speed, &mut rolling);
             &film.inner
         } else {
-            let radial = [&b.outer.radial_0, &b.outer.radial_1][place];
-            roll_outer(balls, (polar, radial), frames, &b.velocity, &mut rolling);
+            roll_outer(balls, polar, b, place, &mut rolling);
             &film.outer
         };
         let curve = curve_at(curves, &rolling.curvature);
@@ -86,13 +77,7 @@ pub(super) fn add_rolling(
             forces[i].add(&force[i], 1.0);
         }
         match place {
-            INNER => react(
-                balls,
-                (&b.inner_groove, &b.inner),
-                &b.frames[INNER],
-                &force,
-                totals,
-            ),
+            INNER => react(balls, b, &force, totals),
             _ => (0..3).for_each(|i| b.outer_ring_force_n[i].add(&force[i], -1.0)),
         }
     }
@@ -103,13 +88,14 @@ pub(super) fn add_rolling(
 #[inline(always)]
 fn roll_outer(
     balls: &BallLanes,
-    (polar, radial): (&PolarMotionLanes, &Lanes),
-    frames: &FrameLanes,
-    velocity: &[Lanes; SIZE],
+    polar: &PolarMotionLanes,
+    b: &SpaceBlock,
+    place: usize,
     rolling: &mut EntrainmentLanes,
 ) {
+    let radial = [&b.outer.radial_0, &b.outer.radial_1][place];
     for lane in 0..LANES {
-        let (frame, v) = (frames.get(lane), of_lane(velocity, lane));
+        let (frame, v) = (b.frames[place].get(lane), of_lane(&b.velocity, lane));
         let (distance, normal) = (polar.distance.0[lane], radial.0[lane]);
         let reach = balls.radius.0[lane] * normal;
         let gear = -(distance + 2.0 * reach) / distance;
@@ -129,13 +115,9 @@ fn roll_outer(
 
 /// Place of a ball from the centre of the inner ring, m.
 #[inline(always)]
-fn from_ring(
-    (groove, touch): (&InnerGrooveLanes, &InnerTouchLanes),
-    frames: &FrameLanes,
-    lane: usize,
-) -> [f64; 3] {
-    let frame = frames.get(lane);
-    let reach = groove.curvature.0[lane] - touch.length.0[lane];
+fn from_ring(b: &SpaceBlock, lane: usize) -> [f64; 3] {
+    let frame = b.frames[INNER].get(lane);
+    let reach = b.inner_groove.curvature.0[lane] - b.inner.length.0[lane];
     let arm = [frame.arm_x, frame.arm_y, frame.arm_z];
     plus(
         arm,
@@ -148,20 +130,21 @@ fn from_ring(
 #[inline(always)]
 fn roll_inner(
     balls: &BallLanes,
-    (groove, touch): (&InnerGrooveLanes, &InnerTouchLanes),
-    frames: &FrameLanes,
-    (velocity, (ring, inner_speed)): (&[Lanes; SIZE], (&RingMotion, f64)),
+    b: &SpaceBlock,
+    ring: &RingMotion,
+    inner_speed: f64,
     rolling: &mut EntrainmentLanes,
 ) {
+    let (groove, touch) = (&b.inner_groove, &b.inner);
     let (centre, tilting) = (ring.velocity.into(), ring.tilting.into());
     for lane in 0..LANES {
-        let (frame, v) = (frames.get(lane), of_lane(velocity, lane));
+        let (frame, v) = (b.frames[INNER].get(lane), of_lane(&b.velocity, lane));
         let (radius, cosine) = (balls.radius.0[lane], touch.cosine.0[lane]);
         let (middle, curvature) = (groove.centre.0[lane], groove.curvature.0[lane]);
         let distance = middle - cosine * touch.length.0[lane];
         let contact = middle - cosine * curvature;
         let gear = (radius * cosine - contact) / distance;
-        let carried = cross(tilting, from_ring((groove, touch), frames, lane));
+        let carried = cross(tilting, from_ring(b, lane));
         let orbit = plus(plus([v[0], v[1], v[2]], -1.0, centre), -1.0, carried);
         let turning = plus([v[3], v[4], v[5]], -radius, tilting);
         let along = [frame.along_x, frame.along_y, frame.along_z];
@@ -199,18 +182,12 @@ fn curve_at(curves: &CurvePolynomial, curvature: &Lanes) -> RollingCurveLanes {
 
 /// Adds what holds the balance of momentum and moment of momentum of these forces on balls to those on the inner ring.
 #[inline(always)]
-fn react(
-    balls: &BallLanes,
-    grooves: (&InnerGrooveLanes, &InnerTouchLanes),
-    frames: &FrameLanes,
-    force: &[Lanes; SIZE],
-    totals: &mut Totals,
-) {
+fn react(balls: &BallLanes, b: &SpaceBlock, force: &[Lanes; SIZE], totals: &mut Totals) {
     let mut on_ring = [Lanes::ZERO; SIZE];
     for lane in 0..LANES {
         let [x, y, z, mx, my, mz] = of_lane(force, lane);
-        let turning = cross(from_ring(grooves, frames, lane), [x, y, z]);
-        let bears = frames.force_n.0[lane] > 0.0;
+        let turning = cross(from_ring(b, lane), [x, y, z]);
+        let bears = b.frames[INNER].force_n.0[lane] > 0.0;
         let moment = plus(turning, balls.radius.0[lane], [mx, my, mz]);
         for i in 0..3 {
             on_ring[i].0[lane] = -force[i].0[lane];

@@ -31,8 +31,7 @@ pub(crate) use evaluation::evaluate;
 pub(crate) use friction::add_implicit_friction;
 pub(crate) use model::SpaceModel;
 pub(crate) use sliding::outer_z_m;
-pub(crate) use workspace::BallContacts;
-pub(crate) use workspace::SpaceWorkspace;
+pub(crate) use workspace::{BallContacts, SpaceWorkspace};
 
 /// A vector in the frame of the outer ring: X, Y, Z.
 pub(crate) type Vector = nalgebra::Vector3<f64>;

@@ -22,8 +22,7 @@ pub(crate) use outer_ring::OuterRingCoordinate;
 pub(crate) use resting_ring::RestingRing;
 pub(crate) use rotor::RotorCoordinate;
 pub use rotor::RotorMotion;
-pub use row::BodyRow;
-pub use row::Freedom;
+pub use row::{BodyRow, Freedom};
 pub(crate) use sliding_ring::SlidingCoordinate;
 
 use crate::case::Case;
