@@ -175,12 +175,6 @@ fn a_film_that_is_not_computed_is_refused() {
     let oil = [OIL, WARM, FLOODED];
     refused(
         &oil,
-        &["operation.axial_load_n=100"],
-        &["film.supply", "left out, with all of [film]", "plane"],
-    );
-    refused(&oil, &["model.motion=\"space\""], &["film.supply", "plane"]);
-    refused(
-        &oil,
         &[
             "model.formulation=\"paper\"",
             "model.flanks=\"rigid\"",

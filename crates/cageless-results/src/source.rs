@@ -71,7 +71,7 @@ impl<'a> Solved<'a> {
             rating,
             space,
             advance: BallAdvance::new(case, settled),
-            film: FilmAtRest::new(case, &settled.rest),
+            film: FilmAtRest::new(case, settled),
             l10r_of_range_mrev: match particulars.fit.and_then(|fit| fit.range) {
                 Some(range) => range.probable_m.map(|m| l10r_at_clearance_mrev(case, m)),
                 None => [None; 2],

@@ -36,8 +36,8 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
 /// Warning of a film outside the range of its formula.
 fn of_film(case: &Case) -> Option<String> {
     case.film?;
-    let rest = equilibrium::solve(case).ok()?;
-    FilmAtRest::new(case, &rest)?.range_warning()
+    let settled = equilibrium::settle(case).ok()?;
+    FilmAtRest::new(case, &settled)?.range_warning()
 }
 
 /// Warnings of a drop onto a bearing.

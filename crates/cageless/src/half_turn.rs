@@ -1,7 +1,8 @@
 //! Lag of the balls against rolling over the half of their orbit away from the load.
 //!
-//! The lag is ωi Ri/(2 Rm) times the time from ψ = 90° to 270°, less 180°, in the mean over all balls and orbits; the
-//! film of a flooded bearing makes most of it.
+//! The lag is the orbital speed of rolling times the time from ψ = 90° to 270°, less 180°, in the mean over all balls and
+//! orbits; the film of a flooded bearing makes most of it. That speed is ωi Ri/(2 Rm) in the plane, in space the mean of
+//! the balls at rest on plain raceways, under their contact angles.
 //!
 //! ```
 //! use cageless::film::{Film, OilGrade};
@@ -21,6 +22,7 @@
 use std::f64::consts::PI;
 
 use crate::case::Case;
+use crate::equilibrium::settle;
 use crate::simulation::{Control, Observer, ObserverError, StepView};
 
 /// Follows a run with a film for the lag of its balls.
@@ -46,7 +48,7 @@ impl HalfTurnTracker {
     /// That of a case at constant speed, dry or wet.
     fn of(case: &Case) -> Self {
         Self {
-            rolling_rad_s: case.rolling_orbit_speed_rad_s(),
+            rolling_rad_s: rolling_rad_s(case).unwrap_or(f64::NAN),
             entered_s: vec![f64::NAN; case.balls()],
             height_m: vec![f64::NAN; case.balls()],
             ..Self::default()
@@ -78,8 +80,15 @@ impl HalfTurnTracker {
 
     /// The lag in the mean, rad; `None` before the first half orbit.
     pub(crate) fn lag_rad(&self) -> Option<f64> {
-        (self.passes > 0).then(|| self.lag_sum_rad / self.passes as f64)
+        let lag_rad = self.lag_sum_rad / self.passes as f64;
+        lag_rad.is_finite().then_some(lag_rad)
     }
+}
+
+/// Mean orbital speed of rolling, rad/s; `None` without an equilibrium.
+fn rolling_rad_s(case: &Case) -> Option<f64> {
+    let speeds_rad_s = settle(&case.conventional()).ok()?.orbit_speed_rad_s;
+    Some(speeds_rad_s.iter().sum::<f64>() / speeds_rad_s.len() as f64)
 }
 
 /// Follows a run, dry or wet, from a time on.

@@ -282,7 +282,15 @@ const LAYERS: [(&str, &[&str]); 7] = [
         ],
     ),
     ("simulation", &["simulation"]),
-    ("questions", &["film::rest", "*"]),
+    (
+        "questions",
+        &[
+            "film::rest",
+            "film::rolling_ball",
+            "film::unreached_arc",
+            "*",
+        ],
+    ),
 ];
 
 /// Index of the layer of a module.

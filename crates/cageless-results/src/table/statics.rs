@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::ball_advance::BallAdvance;
 use cageless::equilibrium::space::SpatialEquilibrium;
-use cageless::film::{ContactFilm, FilmAtRest};
+use cageless::film::FilmAtRest;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::raceway_contact::RacewayContact;
 use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
@@ -150,8 +150,8 @@ pub const FILM: &[Quantity] = &[
     group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone", part(quantity("film_opening_gap_deg", "deg", "gap that the film opens", Static(|s| film(s, |f| f.opening_gap_rad.to_degrees())))))),
     group(Group::Film, means("of the pitch circle, 1 − N ε/360°", part(quantity("free_share", "", "share that balls leave free", Static(|s| film(s, |f| f.free_share)))))),
     means("of the fit of the rolling force, with the factor, of the contact furthest outside; none within", part(text("film_range_exceeded", "range exceeded", Static(|s| s.film.as_ref().and_then(FilmAtRest::exceeded).map_or(Cell::Null, |beyond| Cell::Text(format!("{} × {:.3}", beyond.parameter, beyond.factor))))))),
-    column("Λi", part(list("inner_film_parameter", "", "film parameter Λ, inner raceway", Static(|s| films(s, |f| &f.inner))))),
-    column("Λo", part(list("outer_film_parameter", "", "film parameter Λ, outer raceway (of one contact point on a discrete raceway)", Static(|s| films(s, |f| &f.outer))))),
+    column("Λi", part(list("inner_film_parameter", "", "film parameter Λ, inner raceway", Static(|s| films(s, FilmAtRest::inner_film_parameters))))),
+    column("Λo", part(list("outer_film_parameter", "", "film parameter Λ, outer raceway (the lesser of two contact points on a discrete raceway)", Static(|s| films(s, FilmAtRest::outer_film_parameters))))),
 ];
 
 /// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a
@@ -243,12 +243,10 @@ fn film(s: &Solved<'_>, value: impl Fn(&FilmAtRest) -> f64) -> Cell {
 }
 
 /// Λ of the films at a raceway.
-fn films(s: &Solved<'_>, of: fn(&FilmAtRest) -> &Vec<ContactFilm>) -> Cell {
-    let all = s.film.as_ref().map(|at_rest| {
-        let films = of(at_rest).iter();
-        films.map(|film| at_rest.film_parameter(film)).collect()
-    });
-    all.map_or(Cell::Null, Cell::Numbers)
+fn films(s: &Solved<'_>, of: fn(&FilmAtRest) -> Vec<f64>) -> Cell {
+    s.film
+        .as_ref()
+        .map_or(Cell::Null, |at_rest| Cell::Numbers(of(at_rest)))
 }
 
 fn hours(solved: &Solved<'_>, life_mrev: Option<f64>) -> Cell {

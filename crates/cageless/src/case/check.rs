@@ -155,7 +155,6 @@ impl Case {
             () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => {
                 Some("the film at the edges of slots is not computed")
             }
-            () if self.moves_in_space() => Some("the film is computed in the plane only"),
             () => None,
         }
     }

@@ -20,10 +20,12 @@ mod motion;
 mod oil;
 mod range;
 mod rest;
+mod rolling_ball;
 mod rolling_force;
 mod spacing;
 mod starvation;
 mod thickness;
+mod unreached_arc;
 
 use crate::error::InputError;
 use crate::limits::{from_to, require};
@@ -38,7 +40,7 @@ pub(crate) use groove_curves::GrooveCurves;
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;
-pub use rest::{ContactFilm, FilmAtRest};
+pub use rest::FilmAtRest;
 pub(crate) use rolling_force::Rolling;
 pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
 #[cfg(test)]

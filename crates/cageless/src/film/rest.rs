@@ -1,30 +1,27 @@
 //! Films of a bearing in static equilibrium, and what they take from its balls.
 
-use std::f64::consts::{PI, TAU};
-
 use super::Film;
 use super::contact::LubricatedContact;
 use super::free_arc::{FreeArc, FreeBall};
 use super::hysteresis::{Hysteresis, moment_n_m};
 use super::range::RangeExceeded;
+use super::rolling_ball::{RollingBall, RollingFlank};
 use super::rolling_force::Rolling;
 use super::spacing::{MAY_QUEUE, QUEUE, free_share, opening_gap_rad};
 use super::thickness::{FilmThickness, asperity_share};
+use super::unreached_arc::unreached_arc_rad;
 use crate::case::Case;
-use crate::equilibrium::Equilibrium;
-use crate::raceway_contact::RacewayPoint;
+use crate::equilibrium::space::SpatialEquilibrium;
 
 /// Film of one contact of a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ContactFilm {
+pub(crate) struct ContactFilm {
     /// Thickness; zero without load.
     pub(crate) thickness: FilmThickness,
     /// F_R of the contact, with heat and supply, N.
     pub force_n: f64,
     /// u, m/s.
     pub speed_m_s: f64,
-    /// Contacts of the ball with the raceway: two on a discrete one, else one.
-    pub contacts: f64,
     /// Parameter furthest outside the range of the fit.
     pub(crate) exceeded: Option<RangeExceeded>,
 }
@@ -35,7 +32,6 @@ impl ContactFilm {
             thickness: contact.film_thickness(&film.oil, rolling),
             force_n: film.rolling_force_n(contact, rolling),
             speed_m_s: rolling.speed_m_s,
-            contacts: 1.0,
             exceeded: contact.range_exceeded(&film.oil, rolling),
         }
     }
@@ -47,7 +43,7 @@ impl ContactFilm {
 
     /// Power of the rolling resistance, W.
     fn power_w(&self) -> f64 {
-        2.0 * self.contacts * self.force_n * self.speed_m_s
+        2.0 * self.force_n * self.speed_m_s
     }
 }
 
@@ -55,16 +51,16 @@ impl ContactFilm {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmAtRest {
     /// At the inner raceway, of every ball.
-    pub inner: Vec<ContactFilm>,
-    /// At the outer raceway, of every ball; on a discrete raceway either of two.
-    pub outer: Vec<ContactFilm>,
+    pub(crate) inner: Vec<ContactFilm>,
+    /// At the outer raceway, of every ball: at the plain one the first is all.
+    pub(crate) outer: Vec<[ContactFilm; 2]>,
     /// Power of the rolling resistance, W.
     pub power_w: f64,
     /// That over the speed of the inner ring, N·m.
     pub torque_n_m: f64,
     /// Torque of the hysteresis of the steel, N·m; `None` where it does not count.
     pub hysteresis_torque_n_m: Option<f64>,
-    /// Angle over which the outer raceway alone carries a ball, rad.
+    /// Angle over which the outer raceway alone carries a ball, rad, of the row where it is largest.
     pub free_arc_rad: f64,
     /// What the film takes from a ball there.
     pub arc: FreeArc,
@@ -76,51 +72,42 @@ pub struct FilmAtRest {
 }
 
 impl FilmAtRest {
-    /// Films of a case in its equilibrium in the plane; `None` without a film, and at standstill.
-    pub fn new(case: &Case, rest: &Equilibrium) -> Option<Self> {
+    /// Films of a case in its equilibrium; `None` without a film, and at standstill.
+    pub fn new(case: &Case, settled: &SpatialEquilibrium) -> Option<Self> {
         let film = case.film.as_ref()?;
         let inner_speed_rad_s = case.operation.inner_speed_rad_s;
         if inner_speed_rad_s == 0.0 {
             return None;
         }
         let bearing = &case.bearing;
-        let radii = bearing.dimensions();
-        let (ri, rw) = (radii.inner_groove_bottom_radius_m, bearing.ball_radius_m());
-        let surface_m_s = inner_speed_rad_s * ri;
-        let inner_contact = LubricatedContact::inner(bearing);
-        let (mut inner, mut outer) = (vec![], vec![]);
-        for ball in 0..rest.ball_angle_rad.len() {
-            let (r, distance_m) = (rest.effective_radius_m[ball], rest.ball_distance_m[ball]);
-            // Rolling on both raceways: vt = ω r and vt + ω Rw = ωi Ri.
-            let speed_m_s = surface_m_s * r / (r + rw);
-            let rotation_m_s = surface_m_s * rw / (r + rw);
-            let cosine = (r / rw).min(1.0);
-            let point = RacewayPoint::of_outer(cosine, rest.outer_force_n[ball]);
-            let at_outer = Rolling {
-                load_n: point.force_n,
-                speed_m_s: speed_m_s * (distance_m + r) / distance_m,
-            };
-            let at_inner = Rolling {
-                load_n: rest.inner_force_n[ball],
-                speed_m_s: 0.5 * (surface_m_s + rotation_m_s - speed_m_s * (ri - rw) / (ri + rw)),
-            };
-            inner.push(ContactFilm::new(film, &inner_contact, at_inner));
-            outer.push(ContactFilm {
-                contacts: if cosine < 1.0 { 2.0 } else { 1.0 },
-                ..ContactFilm::new(film, &LubricatedContact::outer(bearing, cosine), at_outer)
-            });
-        }
-        let power_w = inner.iter().chain(&outer).map(ContactFilm::power_w).sum();
-        let free_arc_rad = free_arc_rad(case, rest);
+        let balls = (0..settled.row.len()).map(|ball| RollingBall::new(case, settled, ball));
+        let balls: Vec<RollingBall> = balls.collect();
+        let inner: Vec<ContactFilm> = (balls.iter())
+            .map(|ball| {
+                let contact = LubricatedContact::inner_curved(bearing, ball.inner_curvature);
+                ContactFilm::new(film, &contact, ball.inner)
+            })
+            .collect();
+        let of_flank = |flank: RollingFlank| {
+            let contact = LubricatedContact::outer(bearing, flank.cosine);
+            ContactFilm::new(film, &contact, flank.rolling)
+        };
+        let outer: Vec<[ContactFilm; 2]> = (balls.iter())
+            .map(|ball| ball.outer.map(of_flank))
+            .collect();
+        let all = inner.iter().chain(outer.iter().flatten());
+        let power_w = all.map(ContactFilm::power_w).sum();
+        let free_arc_rad = unreached_arc_rad(case, settled);
+        let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
         let ball = FreeBall::new(bearing, film);
-        let arc = ball.over(free_arc_rad, 0.5 * surface_m_s);
+        let arc = ball.over(free_arc_rad, 0.5 * inner_speed_rad_s * groove_m);
         Some(Self {
             inner,
             outer,
             power_w,
             torque_n_m: power_w / inner_speed_rad_s,
             hysteresis_torque_n_m: (film.hysteresis)
-                .then(|| hysteresis_power_w(case, rest) / inner_speed_rad_s),
+                .then(|| hysteresis_power_w(case, &balls) / inner_speed_rad_s),
             free_arc_rad,
             opening_gap_rad: opening_gap_rad(bearing, arc.speed_deficit),
             arc,
@@ -131,7 +118,7 @@ impl FilmAtRest {
 
     /// The contacts that carry load.
     fn loaded(&self) -> impl Iterator<Item = &ContactFilm> {
-        let all = self.inner.iter().chain(&self.outer);
+        let all = self.inner.iter().chain(self.outer.iter().flatten());
         all.filter(|film| film.is_loaded())
     }
 
@@ -148,8 +135,26 @@ impl FilmAtRest {
         sum / self.loaded().count() as f64
     }
 
+    /// Λ at the inner raceway, of every ball.
+    pub fn inner_film_parameters(&self) -> Vec<f64> {
+        let films = self.inner.iter();
+        films.map(|film| self.film_parameter(film)).collect()
+    }
+
+    /// Λ at the outer raceway, of every ball; of two flanks that of the more loaded one, the lesser.
+    pub fn outer_film_parameters(&self) -> Vec<f64> {
+        let of_ball = |flanks: &[ContactFilm; 2]| {
+            let loaded = flanks.iter().filter(|film| film.is_loaded());
+            loaded
+                .map(|film| self.film_parameter(film))
+                .reduce(f64::min)
+                .unwrap_or(0.0)
+        };
+        self.outer.iter().map(of_ball).collect()
+    }
+
     /// Λ, h_c over the roughness, of a contact.
-    pub fn film_parameter(&self, film: &ContactFilm) -> f64 {
+    fn film_parameter(&self, film: &ContactFilm) -> f64 {
         film.thickness.central_m / self.roughness_m
     }
 
@@ -198,36 +203,18 @@ impl FilmAtRest {
     }
 }
 
-/// Power of the hysteresis of the steel, W, balls rolling at ω = ωi Ri/(r + Rw).
-fn hysteresis_power_w(case: &Case, rest: &Equilibrium) -> f64 {
-    let (bearing, inner_rad_s) = (&case.bearing, case.operation.inner_speed_rad_s);
-    let (factors, rw) = (Hysteresis::new(bearing), bearing.ball_radius_m());
-    let surface_m_s = inner_rad_s * bearing.dimensions().inner_groove_bottom_radius_m;
-    let of_ball = |ball: usize| {
-        let r = rest.effective_radius_m[ball];
-        let (cosine, spin_rad_s) = ((r / rw).min(1.0), surface_m_s / (r + rw));
-        let contacts = if cosine < 1.0 { 2.0 } else { 1.0 };
-        let point = RacewayPoint::of_outer(cosine, rest.outer_force_n[ball]);
-        let outer_n_m = contacts * cosine * moment_n_m(factors.outer, point.force_n);
-        let inner_n_m = moment_n_m(factors.inner, rest.inner_force_n[ball]);
-        outer_n_m * spin_rad_s + inner_n_m * (spin_rad_s + inner_rad_s)
+/// Power of the hysteresis of the steel, W.
+fn hysteresis_power_w(case: &Case, balls: &[RollingBall]) -> f64 {
+    let (factors, inner_rad_s) = (
+        Hysteresis::new(&case.bearing),
+        case.operation.inner_speed_rad_s,
+    );
+    let of_ball = |ball: &RollingBall| {
+        let flank_n_m =
+            |flank: &RollingFlank| flank.cosine * moment_n_m(factors.outer, flank.rolling.load_n);
+        let outer_n_m: f64 = ball.outer.iter().map(flank_n_m).sum();
+        let inner_n_m = moment_n_m(factors.inner, ball.inner.load_n);
+        outer_n_m * ball.spin_rad_s + inner_n_m * (ball.spin_rad_s + inner_rad_s)
     };
-    (0..rest.ball_angle_rad.len()).map(of_ball).sum()
-}
-
-/// Angle over which the inner ring, displaced by e, does not reach balls that lie on the plain outer raceway by their
-/// centrifugal force: those of cos ψ below (ρ² + e² − (Ri + Rw)²)/(2ρe) from the direction of e.
-fn free_arc_rad(case: &Case, rest: &Equilibrium) -> f64 {
-    let bearing = &case.bearing;
-    let pressed_m = (case.centrifugal_force_n() / rest.outer_stiffness_n_m1_5).powf(2.0 / 3.0);
-    let distance_m = bearing.outer_orbit_radius_m() + pressed_m;
-    let shift_m = rest.ring_x_m.hypot(rest.ring_y_m);
-    let reach_m = bearing.dimensions().inner_groove_bottom_radius_m + bearing.ball_radius_m();
-    let square = distance_m.powi(2) + shift_m.powi(2) - reach_m.powi(2);
-    let cosine = square / (2.0 * distance_m * shift_m);
-    match cosine {
-        _ if cosine >= 1.0 || cosine.is_nan() => TAU,
-        _ if cosine <= -1.0 => 0.0,
-        _ => 2.0 * (PI - cosine.acos()),
-    }
+    balls.iter().map(of_ball).sum()
 }

@@ -12,7 +12,7 @@ use cageless::prelude::*;
 use cageless::summary::Summary;
 use cageless::{FlankModel, Gaps, Start, StartState, equilibrium, reference};
 
-fn with_oil(mut case: Case, mpa_s: f64) -> Case {
+pub(super) fn with_oil(mut case: Case, mpa_s: f64) -> Case {
     case.film = Some(Film::flooded(oil(mpa_s)));
     case
 }
@@ -22,7 +22,7 @@ fn with_oil(mut case: Case, mpa_s: f64) -> Case {
 fn films_at_rest() {
     for (mpa_s, torque_n_m) in [(2.0, 24.003e-3), (5.0, 47.476e-3), (20.0, 122.855e-3)] {
         let case = with_oil(reference::Structure::D.case(), mpa_s);
-        let rest = equilibrium::solve(&case).unwrap();
+        let rest = equilibrium::settle(&case).unwrap();
         let film = FilmAtRest::new(&case, &rest).unwrap();
         // The flanks of ball 1 have ellipses of their own, which the numbers do not know.
         let relative = film.torque_n_m / torque_n_m - 1.0;
@@ -30,7 +30,7 @@ fn films_at_rest() {
         let power_w = film.torque_n_m * case.operation.inner_speed_rad_s;
         assert!((film.power_w / power_w - 1.0).abs() < 1e-12);
         if mpa_s == 5.0 {
-            let [inner, outer] = [film.inner[0], film.outer[0]];
+            let (inner, [outer, other]) = (film.inner[0], film.outer[0]);
             assert!((inner.force_n - 0.138877).abs() < 2e-6, "{}", inner.force_n);
             // The ellipse of the flank, not that of the plain groove.
             assert!(
@@ -38,7 +38,7 @@ fn films_at_rest() {
                 "{}",
                 outer.force_n
             );
-            assert_eq!([inner.contacts, outer.contacts], [1.0, 2.0]);
+            assert_eq!(outer, other);
             assert!(!film.may_queue());
             assert!(
                 (film.free_share - 0.071).abs() < 1e-3,
@@ -66,7 +66,7 @@ fn no_supply_is_no_film() {
     }
 }
 
-fn summary(case: &Case) -> Summary {
+pub(super) fn summary(case: &Case) -> Summary {
     let mut recorder = SummaryRecorder::new();
     cageless::simulation::run(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
     recorder.summary().unwrap()
@@ -264,7 +264,7 @@ fn momentum_and_power_close() {
 }
 
 /// What the film adds to the rates of a state.
-fn change(dry: &Case, mpa_s: f64, state: &[f64]) -> Vec<f64> {
+pub(super) fn change(dry: &Case, mpa_s: f64, state: &[f64]) -> Vec<f64> {
     let [without, with] = [dry.clone(), with_oil(dry.clone(), mpa_s)].map(|case| {
         let mut rates = vec![0.0; state.len()];
         let model = Model::new(&case).unwrap();
@@ -361,7 +361,7 @@ fn hysteresis_of_the_steel() {
         let mut both = film.clone();
         both.film.as_mut().unwrap().hysteresis = true;
         let speed_rad_s = film.operation.inner_speed_rad_s;
-        let rest = equilibrium::solve(&both).unwrap();
+        let rest = equilibrium::settle(&both).unwrap();
         let at_rest = FilmAtRest::new(&both, &rest).unwrap();
         let power_w = at_rest.hysteresis_torque_n_m.unwrap() * speed_rad_s;
         assert!(
@@ -411,7 +411,7 @@ fn what_has_no_film_is_refused() {
     };
     assert!(case.check().is_ok());
     case.operation.space.axial_load_n = 100.0;
-    assert!(refused(case).contains("plane only"));
+    assert!(case.check().is_ok());
     let drop = Case {
         film,
         ..reference::rotor_drop()

@@ -13,6 +13,7 @@ mod equilibrium;
 mod equivalent_load;
 mod film;
 mod film_motion;
+mod film_space;
 mod film_verdict;
 mod fit_by_tolerance;
 mod free_rotor;

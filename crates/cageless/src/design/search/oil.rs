@@ -4,7 +4,7 @@ use super::raceway_layout::OperatingPoint;
 use super::request::Request;
 use crate::case::Case;
 use crate::design::{IN_OIL, STEADY_GAP_MAX};
-use crate::equilibrium::solve;
+use crate::equilibrium::settle;
 use crate::error::InputError;
 use crate::film::FilmAtRest;
 use crate::limits::require;
@@ -26,7 +26,7 @@ pub(super) fn film_lag_rad(case: &Case, point: &OperatingPoint) -> f64 {
         return 0.0;
     }
     let plain = point.case(case, vec![]);
-    let film = solve(&plain)
+    let film = settle(&plain)
         .ok()
         .and_then(|rest| FilmAtRest::new(&plain, &rest));
     film.map_or(f64::NAN, |film| film.arc.lag_rad)

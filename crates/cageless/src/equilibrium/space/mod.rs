@@ -76,6 +76,8 @@ pub struct SpatialEquilibrium {
     /// Forces at the flanks of the outer raceway, that towards +Z first; on the plain raceway the first
     /// is all.
     pub flank_force_n: Vec<[f64; 2]>,
+    /// Angles of the normals there from the radius, rad; NaN without contact.
+    pub flank_angle_rad: Vec<[f64; 2]>,
     /// Stiffness matrix over (X, Y, Z, tilt about X, tilt about Y), every ball staying in
     /// equilibrium under unchanged centrifugal forces: N/m, N/rad and N, N·m/rad; `None` where
     /// nothing holds the ring in a direction that is free.
@@ -489,12 +491,16 @@ fn push_ball(
         Some(one) => at_outer(one.angle_rad, force * one.share),
         None => at_outer(0.0, 0.0),
     });
-    let share = |k: usize| contacts.get(k).map_or(0.0, |c| force * c.share);
-    let towards_plus = contacts.len() != 1 || outer_angle >= 0.0 || ball.outer.flanks.is_none();
-    solved.flank_force_n.push(match towards_plus {
-        true => [share(0), share(1)],
-        false => [0.0, share(0)],
-    });
+    let mut flanks = contacts.iter().map(|c| (force * c.share, c.angle_rad));
+    let mut flank = || flanks.next().unwrap_or((0.0, f64::NAN));
+    let leans_back = contacts.len() == 1 && outer_angle < 0.0 && ball.outer.flanks.is_some();
+    let (plus, minus) = match ball.planar {
+        true => planar_flanks(arms[0] / ball.radius_m, resultant_n),
+        false if leans_back => ((0.0, f64::NAN), flank()),
+        false => (flank(), flank()),
+    };
+    solved.flank_force_n.push([plus.0, minus.0]);
+    solved.flank_angle_rad.push([plus.1, minus.1]);
     solved.row.push(ball.row);
     solved.inner_contact_angle_rad.push(inner_angle);
     solved.outer_contact_angle_rad.push(outer_angle);
@@ -524,6 +530,19 @@ fn push_ball(
         });
     // In the plane nothing presses a ball over a shoulder.
     beyond.filter(|_| !ball.planar)
+}
+
+/// Forces and angles at both flanks of a ball in the plane, r over its radius `cosine`; at the plain raceway the first
+/// alone.
+fn planar_flanks(cosine: f64, resultant_n: f64) -> ((f64, f64), (f64, f64)) {
+    let (point, angle_rad) = (
+        RacewayPoint::of_outer(cosine, resultant_n),
+        cosine.min(1.0).acos(),
+    );
+    match cosine < 1.0 {
+        true => ((point.force_n, angle_rad), (point.force_n, -angle_rad)),
+        false => ((point.force_n, 0.0), (0.0, f64::NAN)),
+    }
 }
 
 /// The Hessian over (X, Y, Z, −q, p).
