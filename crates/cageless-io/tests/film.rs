@@ -195,11 +195,6 @@ fn hysteresis_is_a_switch() {
         &[],
         &["film.hysteresis = \"maybe\"", "\"no\" or \"yes\""],
     );
-    refused(
-        &with("hysteresis=\"yes\""),
-        &["operation.axial_load_n=100"],
-        &["film.hysteresis", "plane only"],
-    );
 }
 
 /// The oil of the film gives the viscosity of the ratings; two are refused.

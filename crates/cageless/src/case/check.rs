@@ -134,10 +134,6 @@ impl Case {
             return Ok(());
         };
         film.check()?;
-        if film.hysteresis && (self.moves_in_space() || self.why_without_film().is_some()) {
-            let rule = "\"no\": hysteresis is computed in the plane only, without slots and rotors";
-            return Err(InputError::rule("hysteresis", f64::NAN, rule));
-        }
         let Some(why) = self.why_without_film() else {
             return Ok(());
         };
@@ -153,7 +149,7 @@ impl Case {
             }
             () if self.rotor.is_some() => Some("the film under a falling rotor is not computed"),
             () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => {
-                Some("the film at the edges of slots is not computed")
+                Some("contacts at the edges of a slot are longer along rolling than across, for which nobody fitted a film")
             }
             () => None,
         }

@@ -4,6 +4,7 @@ use super::Film;
 use super::contact::LubricatedContact;
 use super::curve::RollingCurve;
 use super::curve_polynomial::CurvePolynomial;
+use super::hysteresis::Hysteresis;
 use crate::bearing::Bearing;
 
 /// Degree of the constants over the curvature.
@@ -17,6 +18,8 @@ const MARGIN: f64 = 1.01;
 pub(crate) struct GrooveCurves {
     pub outer: CurvePolynomial,
     pub inner: CurvePolynomial,
+    /// Hysteresis of the steel, where it counts.
+    pub hysteresis: Option<Hysteresis>,
 }
 
 impl GrooveCurves {
@@ -36,6 +39,7 @@ impl GrooveCurves {
                 LubricatedContact::inner_curved,
                 d.inner_groove_bottom_radius_m,
             ),
+            hysteresis: film.hysteresis.then(|| Hysteresis::new(bearing)),
         }
     }
 }

@@ -9,6 +9,10 @@
 
 use super::contact::LubricatedContact;
 use crate::bearing::Bearing;
+use crate::numerics::inverse_root::{binary_logarithm, inverse_cube_root};
+
+/// u₀², m²/s²: the moment goes through zero with the speed of rolling.
+const LEAST_SPEED_SQUARE: f64 = 1e-6;
 
 /// Moment of a contact over Q^1.33, N·m/N^1.33.
 fn factor(contact: &LubricatedContact, ball_radius_m: f64) -> f64 {
@@ -39,4 +43,34 @@ impl Hysteresis {
 /// Moment of a contact of this factor under a load, N·m.
 pub(super) fn moment_n_m(factor: f64, load_n: f64) -> f64 {
     factor * load_n.max(0.0).powf(1.33)
+}
+
+/// Sense of a rotation by the speed of the surface of the ball, m/s: ±1 above u₀.
+#[inline(always)]
+pub(crate) fn sense(speed_m_s: f64) -> f64 {
+    speed_m_s / (speed_m_s * speed_m_s + LEAST_SPEED_SQUARE).sqrt()
+}
+
+/// Q^1.33 = Q^(4/3) Q^(−1/300), relative error below 1e-6 from a micronewton to a meganewton; 0 of 0.
+#[inline(always)]
+pub(crate) fn power_1_33(load_n: f64) -> f64 {
+    let root = inverse_cube_root(load_n);
+    let x = -std::f64::consts::LN_2 / 300.0 * binary_logarithm(load_n);
+    let small = 1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0))));
+    load_n * load_n * (root * root) * small
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn power_follows_the_standard_library() {
+        for k in -120..=120 {
+            let load_n = (0.115 * f64::from(k)).exp();
+            let relative = power_1_33(load_n) / load_n.powf(1.33) - 1.0;
+            assert!(relative.abs() < 1e-6, "{load_n}: {relative:e}");
+        }
+        assert_eq!(power_1_33(0.0), 0.0);
+    }
 }

@@ -15,7 +15,7 @@ mod curve;
 mod curve_polynomial;
 mod free_arc;
 mod groove_curves;
-mod hysteresis;
+pub(crate) mod hysteresis;
 mod motion;
 mod oil;
 mod range;

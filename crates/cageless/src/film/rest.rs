@@ -205,16 +205,13 @@ impl FilmAtRest {
 
 /// Power of the hysteresis of the steel, W.
 fn hysteresis_power_w(case: &Case, balls: &[RollingBall]) -> f64 {
-    let (factors, inner_rad_s) = (
-        Hysteresis::new(&case.bearing),
-        case.operation.inner_speed_rad_s,
-    );
+    let factors = Hysteresis::new(&case.bearing);
     let of_ball = |ball: &RollingBall| {
-        let flank_n_m =
-            |flank: &RollingFlank| flank.cosine * moment_n_m(factors.outer, flank.rolling.load_n);
-        let outer_n_m: f64 = ball.outer.iter().map(flank_n_m).sum();
-        let inner_n_m = moment_n_m(factors.inner, ball.inner.load_n);
-        outer_n_m * ball.spin_rad_s + inner_n_m * (ball.spin_rad_s + inner_rad_s)
+        let of_flank = |flank: &RollingFlank| {
+            moment_n_m(factors.outer, flank.rolling.load_n) * flank.turn_rad_s
+        };
+        let outer_w: f64 = ball.outer.iter().map(of_flank).sum();
+        outer_w + moment_n_m(factors.inner, ball.inner.load_n) * ball.inner_turn_rad_s
     };
     balls.iter().map(of_ball).sum()
 }

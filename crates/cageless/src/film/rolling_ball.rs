@@ -11,15 +11,17 @@ pub(super) struct RollingFlank {
     pub cosine: f64,
     /// Load and speed.
     pub rolling: Rolling,
+    /// Rotation across the normal, rad/s.
+    pub turn_rad_s: f64,
 }
 
 /// Ball that rolls on both raceways at the speed that its contact angles give.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RollingBall {
-    /// Rotation across the force at the outer raceway, rad/s.
-    pub spin_rad_s: f64,
     /// At the inner raceway.
     pub inner: Rolling,
+    /// Rotation against the ring there, across the normal, rad/s.
+    pub inner_turn_rad_s: f64,
     /// cos α there over the distance of the contact from the axis of the ring, 1/m.
     pub inner_curvature: f64,
     /// At the flanks of the outer raceway; at the plain one the first is all.
@@ -38,33 +40,35 @@ impl RollingBall {
         let speed_m_s = settled.orbit_speed_rad_s[ball] * bearing.pitch_radius_m();
         let spin_rad_s = speed_m_s / rest.effective_radius_m[ball];
         let pitch_rad = or_zero(settled.outer_contact_angle_rad[ball]);
-        let turned_m_s = |angle_rad: f64| spin_rad_s * radius_m * (angle_rad - pitch_rad).cos();
+        let turn_rad_s = |angle_rad: f64| spin_rad_s * (angle_rad - pitch_rad).cos();
         let distance_m = rest.ball_distance_m[ball];
         let flank = |flank: usize| {
             let angle_rad = or_zero(settled.flank_angle_rad[ball][flank]);
             let cosine = angle_rad.cos();
             let passing_m_s = speed_m_s * (distance_m + 2.0 * radius_m * cosine) / distance_m;
+            let turn_rad_s = turn_rad_s(angle_rad);
             RollingFlank {
                 cosine,
                 rolling: Rolling {
                     load_n: settled.flank_force_n[ball][flank],
-                    speed_m_s: 0.5 * (passing_m_s + turned_m_s(angle_rad)),
+                    speed_m_s: 0.5 * (passing_m_s + radius_m * turn_rad_s),
                 },
+                turn_rad_s,
             }
         };
         let angle_rad = or_zero(settled.inner_contact_angle_rad[ball]);
         let cosine = angle_rad.cos();
         let contact_m = radii.inner_groove_bottom_radius_m
             + radii.inner_groove_curvature_radius_m * (1.0 - cosine);
-        let reach_m = radius_m * cosine;
-        let carried_m_s = case.operation.inner_speed_rad_s * contact_m;
+        let (reach_m, inner_rad_s) = (radius_m * cosine, case.operation.inner_speed_rad_s);
+        let turned_m_s = radius_m * turn_rad_s(angle_rad);
         let passing_m_s = speed_m_s * (contact_m - reach_m) / (contact_m + reach_m);
         Self {
-            spin_rad_s,
             inner: Rolling {
                 load_n: rest.inner_force_n[ball],
-                speed_m_s: 0.5 * (carried_m_s + turned_m_s(angle_rad) - passing_m_s),
+                speed_m_s: 0.5 * (inner_rad_s * contact_m + turned_m_s - passing_m_s),
             },
+            inner_turn_rad_s: turn_rad_s(angle_rad) + inner_rad_s * cosine,
             inner_curvature: cosine / contact_m,
             outer: [flank(0), flank(1)],
         }

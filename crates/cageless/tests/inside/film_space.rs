@@ -31,9 +31,13 @@ fn pressed(axial_load_n: f64) -> Case {
 #[test]
 fn at_rest_as_in_the_plane() {
     for case in [reference::conventional(), reference::Structure::D.case()] {
-        let plane = at_rest(&with_oil(case.clone(), 5.0));
-        let space = at_rest(&in_space(with_oil(case, 5.0)));
+        let mut case = with_oil(case, 5.0);
+        case.film.as_mut().unwrap().hysteresis = true;
+        let plane = at_rest(&case);
+        let space = at_rest(&in_space(case));
+        let torques_n_m = [&plane, &space].map(|film| film.hysteresis_torque_n_m.unwrap());
         for (a, b) in [
+            (torques_n_m[0], torques_n_m[1]),
             (plane.power_w, space.power_w),
             (plane.free_arc_rad, space.free_arc_rad),
             (plane.arc.lag_rad, space.arc.lag_rad),

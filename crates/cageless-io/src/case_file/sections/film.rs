@@ -30,7 +30,7 @@ section! {
         roughness_um => roughness_m: f64 = default(0.1), Micrometre; Within(0.001, 10.0),
             "Rq, composite roughness of ball and raceway, for Λ", Absent;
         hysteresis => hysteresis: bool = default("no"), Plain,
-            "whether the hysteresis of the steel resists rolling as well, in the plane; its heat is part of rolling_resistance", Absent;
+            "whether the hysteresis of the steel resists rolling as well; its heat is part of rolling_resistance", Absent;
     }
 }
 

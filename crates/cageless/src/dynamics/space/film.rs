@@ -6,7 +6,7 @@
 //!
 //!   2u = g **τ**·**w** − R **l**·**ω** − ωi ρA,   outer: g = −(ρ + 2R nρ)/ρ,   inner: g = (R cos α − ρA)/ρ,
 //!
-//! the last term of 2u at the inner ring alone.
+//! the last term of 2u at the inner ring alone. Hysteresis of the steel is a couple about **l**.
 
 use super::bearing::Totals;
 use super::block::{INNER, SpaceBlock};
@@ -15,6 +15,7 @@ use super::friction::accelerate;
 use super::ring::RingMotion;
 use crate::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::layout::Layout;
+use crate::film::hysteresis::{power_1_33, sense};
 use crate::film::{CurvePolynomial, GrooveCurves, RollingCurve, RollingCurveLanes};
 use crate::numerics::lanes::{LANES, Lanes, lane_struct};
 use crate::numerics::vector::{cross, dot, plus};
@@ -28,6 +29,8 @@ lane_struct! {
         gear,
         /// 2u along τ, m/s.
         doubled,
+        /// Speed of the surface of the ball by its rotation against the ring, about **l**, m/s.
+        turning,
     }
 }
 
@@ -53,6 +56,9 @@ pub(super) fn add_rolling(
             &film.outer
         };
         let curve = curve_at(curves, &rolling.curvature);
+        let factor = film
+            .hysteresis
+            .map(|of| if place == INNER { of.inner } else { of.outer });
         let mut force = [Lanes::ZERO; SIZE];
         let mut power = Lanes::ZERO;
         for lane in 0..LANES {
@@ -64,13 +70,18 @@ pub(super) fn add_rolling(
             let bears = frame.force_n > 0.0;
             let kept = |value: f64| if bears { value } else { 0.0 };
             let along = -size * rolling.gear;
+            let moment = factor.map_or(0.0, |factor| {
+                let size = factor * power_1_33(frame.force_n) / balls.radius.0[lane];
+                size * sense(rolling.turning)
+            });
+            let across = size + moment;
             force[0].0[lane] = kept(along * frame.along_x);
             force[1].0[lane] = kept(along * frame.along_y);
             force[2].0[lane] = kept(along * frame.along_z);
-            force[3].0[lane] = kept(size * frame.across_x);
-            force[4].0[lane] = kept(size * frame.across_y);
-            force[5].0[lane] = kept(size * frame.across_z);
-            power.0[lane] = kept(size * rolling.doubled);
+            force[3].0[lane] = kept(across * frame.across_x);
+            force[4].0[lane] = kept(across * frame.across_y);
+            force[5].0[lane] = kept(across * frame.across_z);
+            power.0[lane] = kept(size * rolling.doubled + moment * rolling.turning);
         }
         totals.rolling += power.sum();
         for i in 0..SIZE {
@@ -108,6 +119,7 @@ fn roll_outer(
                 gear,
                 // τ points against the orbit.
                 doubled: -gear * polar.tangential.0[lane] - turning,
+                turning: -turning,
             },
         );
     }
@@ -155,6 +167,7 @@ fn roll_inner(
                 curvature: cosine / contact,
                 gear,
                 doubled: gear * dot(along, orbit) - dot(across, turning) - inner_speed * contact,
+                turning: -dot(across, turning) - inner_speed * radius * cosine,
             },
         );
     }
@@ -215,7 +228,10 @@ mod tests {
     use crate::reference::{self, Structure};
 
     fn film() -> Film {
-        Film::flooded(Oil::mineral(20e-3, 0.035))
+        Film {
+            hysteresis: true,
+            ..Film::flooded(Oil::mineral(20e-3, 0.035))
+        }
     }
 
     /// What the film adds to the rates of a state in space, and to the force on the outer ring.
