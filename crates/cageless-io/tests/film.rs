@@ -1,6 +1,6 @@
 //! `[film]`: the ways to give an oil, and what is refused.
 
-use cageless::film::{Film, OilGrade, TWO_DROPS};
+use cageless::film::{Film, OilGrade, TWO_DROPS, Traction};
 use cageless_io::case_file::{CaseFile, template};
 
 fn parse(film: &[&str], more: &[&str]) -> Result<CaseFile, String> {
@@ -194,6 +194,43 @@ fn hysteresis_is_a_switch() {
         &with("hysteresis=\"maybe\""),
         &[],
         &["film.hysteresis = \"maybe\"", "\"no\" or \"yes\""],
+    );
+}
+
+/// The traction of the film is off unless given; what has none is refused by name, and what it takes too.
+#[test]
+fn traction_is_a_choice() {
+    let by_default = film(&[OIL, WARM, FLOODED]);
+    assert_eq!(by_default.traction, Traction::Law);
+    let with = |values: [&'static str; 2]| [OIL, WARM, FLOODED, values[0], values[1]];
+    let sheared = film(&with(["traction=\"film\"", "traction_coefficient=0.03"]));
+    assert_eq!(sheared.traction, Traction::Film);
+    assert_eq!(sheared.traction_coefficient, 0.03);
+    let sheared = with(["traction=\"film\"", "roughness_um=0.1"]);
+    refused(
+        &with(["traction=\"oil\"", "roughness_um=0.1"]),
+        &[],
+        &["film.traction = \"oil\"", "\"law\" or \"film\""],
+    );
+    refused(
+        &with(["traction=\"law\"", "traction_coefficient=0.03"]),
+        &[],
+        &["film.traction_coefficient", "left out"],
+    );
+    refused(
+        &with(["traction=\"film\"", "traction_coefficient=-1"]),
+        &[],
+        &["film.traction_coefficient = -1"],
+    );
+    refused(
+        &sheared,
+        &["contact.friction_law=\"coulomb\""],
+        &["film.traction", "not coulomb"],
+    );
+    refused(
+        &[OIL, WARM, "supply=0", "traction=\"film\""],
+        &[],
+        &["film.traction", "without supply"],
     );
 }
 

@@ -71,7 +71,7 @@ pub fn provenance(title: &str, case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: title.to_owned(),
         formulation: Some(case.formulation.name().to_owned()),
-        friction_law: Some(case.contact.describe_friction()),
+        friction_law: Some(case.describe_friction()),
         method: Some(case.solver.method.properties().label.to_owned()),
         step_us: Some(microseconds(case.solver.step_s)),
         discarded,

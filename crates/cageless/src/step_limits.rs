@@ -16,6 +16,7 @@ use crate::contact::creep::rolling_speed_m_s;
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
 use crate::error::{Allowed, InputError};
+use crate::film::{Rolling, RollingModel};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::numerics::root::last_where;
@@ -258,6 +259,23 @@ fn creep_1_s(case: &Case, load_n: f64) -> f64 {
     5.0 * outer.max(inner) * load_n.powf(2.0 / 3.0) / (case.bearing.ball_mass_kg() * rolling_m_s)
 }
 
+/// Decay of sliding by the films of the contacts of a ball under a load, at the speed of the run at which it is
+/// slowest; 0 where the law alone is the friction.
+fn film_1_s(case: &Case, load_n: f64) -> f64 {
+    if !case.mixes_friction() {
+        return 0.0;
+    }
+    let Some(films) = RollingModel::new(case).and_then(|film| film.traction) else {
+        return 0.0;
+    };
+    let rolling = Rolling {
+        load_n,
+        speed_m_s: case.least_rolling_speed_m_s(),
+    };
+    let [outer, inner] = [films.outer, films.inner].map(|film| film.slope_n_s_m(rolling));
+    5.0 * outer.max(inner) / case.bearing.ball_mass_kg()
+}
+
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + what axial load and tilt press +
     /// centrifugal force, a quarter more, + the preload, of what presses the parts together without load
@@ -334,7 +352,7 @@ impl StepLimits {
             // Both friction forces of a ball together feel 1/5 of its mass.
             let largest = 5.0 * coefficient_max * load;
             let rate = largest / (mass * contact.friction.regularisation_speed_m_s);
-            let rate = rate.max(creep_1_s(case, load));
+            let rate = rate.max(creep_1_s(case, load)) + film_1_s(case, load);
             [rate.max(impact.friction_1_s), 0.0]
         };
         Self {
@@ -401,6 +419,7 @@ impl StepLimits {
         case.contact.friction_law.sticks()
             || rotor.is_some_and(|r| r.friction_law.sticks())
             || case.contact.regularisation == Regularisation::Kalker
+            || case.mixes_friction()
             || limits.wedged_friction_1_s() * case.solver.step_s > FRICTION_RESOLVED
     }
 

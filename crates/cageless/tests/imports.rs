@@ -287,6 +287,7 @@ const LAYERS: [(&str, &[&str]); 7] = [
         &[
             "film::rest",
             "film::rolling_ball",
+            "film::traction_at_rest",
             "film::unreached_arc",
             "*",
         ],

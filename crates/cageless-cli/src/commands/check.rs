@@ -77,6 +77,10 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
         ("nominal gap 360°/N − ε", degrees(bearing.nominal_gap_rad())),
         ("motion", motion_text(file.case()).to_owned()),
     ];
+    if file.case().mixes_friction() {
+        let friction = file.case().describe_friction();
+        lines.push(("friction at the raceways", friction));
+    }
     let blend_not_simulated = blend_not_simulated(file.case());
     if let Some(sentence) = &blend_not_simulated {
         lines.push(("blend of the exported ring", sentence.clone()));
@@ -86,6 +90,7 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     lines.push(("steps of a run", steps_text(file.case())));
     let mut notes = check_warnings([file.case()]);
     notes.extend(dry_motion(file));
+    notes.extend(slippery_asperities(file.case()));
     let assumptions = file.assumptions();
     for assumption in &assumptions {
         let (value, basis) = (assumption.value, assumption.basis);
@@ -145,6 +150,18 @@ fn dry_motion(file: &CaseFile) -> Option<String> {
         );
         format!(
             "[lubrication] is for ratings: the motion is computed without an oil film; {add}"
+        )
+    })
+}
+
+/// Warning about asperities that slide more easily than the film beside them.
+fn slippery_asperities(case: &Case) -> Option<String> {
+    let film = case.film.as_ref().filter(|_| case.mixes_friction())?;
+    let (asperities, most) = (case.contact.friction.coefficient, film.traction_coefficient);
+    (asperities < most).then(|| {
+        format!(
+            "with film.traction = \"film\" contact.friction_coefficient = {asperities} is that of asperities, which \
+             slide more easily than the film, {most}: boundary friction of steel is 0.11"
         )
     })
 }

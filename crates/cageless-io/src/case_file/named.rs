@@ -1,6 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
-use cageless::film::OilGrade;
+use cageless::film::{OilGrade, Traction};
 use cageless::touchdown::LimitSide;
 use cageless::{
     Assembly, BearingClass, FlankModel, Formulation, FrictionModel, IntegrationMethod, Lubricant,
@@ -113,5 +113,6 @@ named!(
     Shaft,
     SkfSeries,
     StartKind,
-    SteadyStart
+    SteadyStart,
+    Traction
 );

@@ -135,7 +135,7 @@ impl Case {
         };
         film.check()?;
         let Some(why) = self.why_without_film() else {
-            return Ok(());
+            return self.check_traction();
         };
         let rule = format!("left out, with all of [film]: {why}");
         Err(InputError::rule("supply", film.supply, rule))

@@ -18,6 +18,7 @@ mod over_time;
 mod plain;
 mod space;
 mod spatial_load;
+mod traction;
 
 use std::f64::consts::TAU;
 

@@ -40,7 +40,7 @@ const C11: [[f64; 3]; 19] = [
 /// Least a/b of the table, and its step.
 const STEP: f64 = 0.1;
 /// u₀², m²/s²: V = √(u² + u₀²) leaves a knee at standstill.
-const LEAST_SPEED_SQUARE: f64 = 1e-6;
+pub(crate) const LEAST_SPEED_SQUARE: f64 = 1e-6;
 
 /// C11 of an ellipse whose semi-axis along rolling is `axis_ratio` times that across, of bodies with Poisson's ratio
 /// ν: linear in the smaller ratio of the axes, quadratic in ν. From a/b = 0.1 down it goes to that of a line,

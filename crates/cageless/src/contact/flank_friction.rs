@@ -18,7 +18,7 @@
 //! left out; it needs several strips.
 
 use super::flanks::FlankContact;
-use super::friction::Law;
+use super::friction::{Law, Spinning};
 use super::positive;
 use crate::numerics::lanes::lane_struct;
 
@@ -29,6 +29,8 @@ lane_struct! {
         along_square,
         /// 1/v₁, s/m.
         inverse_knee,
+        /// (⅔ a ω sin α)², (m/s)².
+        spin_square,
     }
 }
 
@@ -42,11 +44,13 @@ impl FlankSliding {
         rotation_rad_s: f64,
     ) -> Self {
         let scale = law.inverse_regularisation_speed();
+        let turning = (2.0 / 3.0) * rotation_rad_s;
         let spin = (2.0 / 3.0) * scale * rotation_rad_s;
         let widening = spin * spin * flanks.sine_square * flanks.axis_square;
         Self {
             along_square: flanks.sine_square * radial_m_s * radial_m_s,
             inverse_knee: scale / (1.0 + widening).sqrt(),
+            spin_square: turning * turning * flanks.sine_square * flanks.axis_square,
         }
     }
 }
@@ -70,12 +74,17 @@ impl<L: Law> AtFlanks<L> {
         let FlankSliding {
             along_square,
             inverse_knee,
+            spin_square,
         } = self.sliding;
         let square = slip_m_s * slip_m_s;
         // Some speed far below any other keeps 0/0 out.
         let speed = (square + along_square + f64::MIN_POSITIVE).sqrt();
         let inverse = 1.0 / speed;
-        let [force, slope] = self.law.force_with_knee(speed, normal_n, inverse_knee);
+        let spinning = Spinning {
+            inverse_knee_s_m: inverse_knee,
+            spin_square,
+        };
+        let [force, slope] = self.law.spinning_force(speed, normal_n, &spinning);
         let linear = speed * inverse_knee < LINEAR;
         let secant = if linear { slope } else { force * inverse };
         [secant, slope, square * inverse * inverse]
@@ -110,7 +119,7 @@ impl<L: Law> Law for AtFlanks<L> {
     ) -> [[f64; 2]; 2] {
         [
             self.force_with_knee(slips_m_s[0], normals_n[0], outer),
-            (self.law).force_with_knee(slips_m_s[1], normals_n[1], inner),
+            (self.law).inner_force(slips_m_s[1], normals_n[1], inner),
         ]
     }
 
@@ -127,5 +136,10 @@ impl<L: Law> Law for AtFlanks<L> {
     #[inline(always)]
     fn inverse_knees(&self) -> [f64; 2] {
         self.law.inverse_knees()
+    }
+
+    #[inline(always)]
+    fn inverse_scales(&self) -> [f64; 2] {
+        self.law.inverse_scales()
     }
 }

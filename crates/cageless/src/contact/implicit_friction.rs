@@ -133,7 +133,7 @@ pub(crate) fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) 
     let inverse = 1.0 / (a * d - b * c);
     let step_o = (d * miss_o - b * miss_i) * inverse;
     let step_i = (a * miss_i - c * miss_o) * inverse;
-    let [knee_o, knee_i] = law.inverse_knees();
+    let [knee_o, knee_i] = law.inverse_scales();
     let guarded = |s: f64, step: f64, knee: f64| {
         let passes = s * (s + step) < 0.0 && s.abs() * knee > 1.0;
         if passes { 0.0 } else { s + step }
@@ -186,7 +186,7 @@ pub(crate) fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips)
 pub(crate) mod tests {
     use super::*;
     use crate::contact::MAX_ITERATIONS;
-    use crate::contact::friction::{Smooth, Stribeck};
+    use crate::contact::friction::{AtKnees, AtRaceways, FilmTraction, Mixed, Smooth, Stribeck};
 
     /// A ball in plane contact.
     pub(crate) fn problem(free: [f64; 2], normal: [f64; 2], h_s: f64) -> SlipProblem {
@@ -222,6 +222,29 @@ pub(crate) mod tests {
             inverse_regularisation_speed: 50.0,
         };
         converges_from_anywhere(&stribeck, 2e-6);
+        // Films of any steepness, with and without asperities.
+        for (asperity_share, inverse_speed, knee) in
+            [(0.0, 700.0, 50.0), (0.3, 5e4, 50.0), (0.3, 0.2, 1e3)]
+        {
+            let film = FilmTraction {
+                asperity_share,
+                limit: (1.0 - asperity_share) * 60.0,
+                stress_ratio: 0.04,
+                inverse_speed,
+            };
+            let smooth = Smooth {
+                coefficient: 0.1,
+                inverse_regularisation_speed: knee,
+            };
+            let law = AtKnees {
+                law: Mixed(smooth),
+                inverse_knees: [knee; 2],
+            };
+            let films = [film; 2];
+            for h in [2e-6, 1e-5] {
+                converges_from_anywhere(&AtRaceways { law, films }, h);
+            }
+        }
     }
 
     fn converges_from_anywhere(law: &impl Law, h: f64) {

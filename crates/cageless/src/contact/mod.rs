@@ -42,7 +42,8 @@ pub(crate) use flank_section::FlankSection;
 pub(crate) use flanks::FlankContact;
 pub(crate) use flanks::{FlankContactLanes, flank_contact};
 pub(crate) use friction::{
-    AtKnees, EvaluatedLaws, Friction, FrictionLanes, Law, LawLanes, with_law,
+    AtKnees, AtRaceways, EvaluatedLaws, FilmTraction, FilmTractionLanes, Friction, FrictionLanes,
+    Law, LawLanes, with_law,
 };
 pub use friction::{
     FrictionFault, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, OwnFriction,

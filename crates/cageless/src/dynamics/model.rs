@@ -138,6 +138,7 @@ impl Model {
         // 2/7 m is the mass that a force at the surface of a free ball feels.
         let lightest = balls.iter().map(|b| b.mass).fold(f64::INFINITY, f64::min);
         let stick_gain = STICK_FRACTION * 2.0 / 7.0 * lightest / case.solver.step_s;
+        let friction = Friction::new(c.friction_law, &c.friction, stick_gain);
         let space = SpaceModel::new(case);
         let ring = InnerRing {
             mass: d.inner_ring_mass_kg,
@@ -165,7 +166,10 @@ impl Model {
             balls,
             unequal: !case.has_nominal_geometry(),
             flanks: case.flanks,
-            friction: Friction::new(c.friction_law, &c.friction, stick_gain),
+            friction: match case.mixes_friction() {
+                true => friction.mixed(),
+                false => friction,
+            },
             creep: case.creep(),
             outer: OuterRaceway {
                 pitch_radius: bearing.pitch_radius_m(),
@@ -253,6 +257,7 @@ impl Model {
             self.implicit_friction,
             self.layout,
             self.film.is_some(),
+            matches!(self.friction, Friction::Mixed(_)),
             self.creep.is_some(),
         )
     }

@@ -25,10 +25,12 @@ mod rolling_force;
 mod spacing;
 mod starvation;
 mod thickness;
+mod traction;
+mod traction_at_rest;
 mod unreached_arc;
 
 use crate::error::InputError;
-use crate::limits::{from_to, require};
+use crate::limits::{from_to, not_negative, require};
 
 pub(crate) use contact::LubricatedContact;
 pub(crate) use curve::{RollingCurve, RollingCurveLanes};
@@ -47,6 +49,9 @@ pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
 pub(crate) use starvation::starved_share;
 #[cfg(test)]
 pub(crate) use thickness::asperity_share;
+pub use traction::Traction;
+pub(crate) use traction::{TractionCurve, TractionCurveLanes};
+pub use traction_at_rest::traction_at_rest;
 
 /// Supply of contacts that flood.
 pub(crate) const FLOODED: f64 = 1.0;
@@ -69,9 +74,16 @@ pub struct Film {
     pub inlet_heat: bool,
     /// Whether the hysteresis of the steel resists rolling as well.
     pub hysteresis: bool,
+    /// Friction of the contacts.
+    pub traction: Traction,
+    /// μ, limit of the friction of the film over the load; of [`Traction::Film`].
+    pub traction_coefficient: f64,
 }
 
 impl Film {
+    /// Limit of the friction of a film over its load, unless one is given.
+    pub const TRACTION_COEFFICIENT: f64 = 0.05;
+
     /// Flooded contacts of the usual roughness, 0.1 µm, with a heated inlet.
     pub fn flooded(oil: Oil) -> Self {
         Self {
@@ -80,6 +92,8 @@ impl Film {
             roughness_m: 1e-7,
             inlet_heat: true,
             hysteresis: false,
+            traction: Traction::Law,
+            traction_coefficient: Self::TRACTION_COEFFICIENT,
         }
     }
 
@@ -91,6 +105,7 @@ impl Film {
         self.oil.check()?;
         let why = "a share of the rolling force of a flooded contact";
         from_to("supply", self.supply, [0.0, FLOODED], why)?;
+        not_negative("traction_coefficient", self.traction_coefficient)?;
         let (least, most) = (1e-9, ROUGHNESS_MAX_M);
         let kept = (least..=most).contains(&self.roughness_m);
         require("roughness_m", self.roughness_m, kept, "from 0.001 to 10 µm")

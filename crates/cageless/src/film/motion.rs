@@ -1,9 +1,11 @@
 //! Rolling force of all contacts of a case, as the equations of motion in the plane take it.
 
+use super::Film;
 use super::contact::LubricatedContact;
 use super::curve::RollingCurve;
 use super::curve_polynomial::CurvePolynomial;
 use super::hysteresis::Hysteresis;
+use super::traction::{Traction, TractionContact, TractionCurve, TractionModel};
 use crate::case::Case;
 
 /// Degree of the constants of the outer contact over the cosine of its angle.
@@ -22,6 +24,8 @@ pub(crate) struct RollingModel {
     pub outer: CurvePolynomial,
     /// Hysteresis of the steel, where it counts.
     pub hysteresis: Option<Hysteresis>,
+    /// Friction, where it is that of the film.
+    pub traction: Option<TractionModel>,
 }
 
 impl RollingModel {
@@ -29,15 +33,41 @@ impl RollingModel {
     pub(crate) fn new(case: &Case) -> Option<Self> {
         let film = case.film.as_ref()?;
         let bearing = &case.bearing;
+        let least = least_cosine(case);
         let at = |cosine: f64| RollingCurve::new(&LubricatedContact::outer(bearing, cosine), film);
         Some(Self {
             inner: RollingCurve::new(&LubricatedContact::inner(bearing), film),
-            outer: match least_cosine(case) {
+            outer: match least {
                 None => CurvePolynomial::constant(at(1.0)),
                 Some(least) => CurvePolynomial::new(at, [least - MARGIN, 1.0], DEGREE),
             },
             hysteresis: film.hysteresis.then(|| Hysteresis::new(bearing)),
+            traction: (film.traction == Traction::Film)
+                .then(|| TractionModel::new(case, film, least)),
         })
+    }
+}
+
+impl TractionModel {
+    /// Constants of the contacts of a case in a film, whose flanks have this least cosine.
+    fn new(case: &Case, film: &Film, least_cosine: Option<f64>) -> Self {
+        let bearing = &case.bearing;
+        let [at_outer, at_inner] = case.creep_stiffness_n1_3();
+        let outer = TractionContact {
+            contact: LubricatedContact::outer(bearing, 1.0),
+            flank: least_cosine
+                .map(|cosine| (LubricatedContact::outer(bearing, cosine), 1.0 - cosine)),
+            creep_stiffness_n1_3: at_outer,
+        };
+        let inner = TractionContact {
+            contact: LubricatedContact::inner(bearing),
+            flank: None,
+            creep_stiffness_n1_3: at_inner,
+        };
+        Self {
+            outer: TractionCurve::new(film, &outer),
+            inner: TractionCurve::new(film, &inner),
+        }
     }
 }
 

@@ -47,8 +47,12 @@ impl LubricatedContact {
     }
 }
 
+/// Factor and exponent of Λ in the share of the load on asperities.
+pub(super) const ASPERITY_FACTOR: f64 = 2.1;
+pub(super) const ASPERITY_EXPONENT: f64 = 0.85;
+
 /// φ = exp(−2.1 Λ^0.85), share of the load on asperities, Λ = h_c/R_q (Zhou & Hoeprich, as in Wingertszahn et al.,
 /// Lubricants 11 (2023) 369, Eq. (29) to (31)).
 pub(crate) fn asperity_share(film_parameter: f64) -> f64 {
-    (-2.1 * film_parameter.powf(0.85)).exp()
+    (-ASPERITY_FACTOR * film_parameter.powf(ASPERITY_EXPONENT)).exp()
 }

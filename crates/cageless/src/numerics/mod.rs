@@ -15,6 +15,7 @@ pub mod bspline;
 pub(crate) mod chebyshev;
 pub(crate) mod cholesky;
 pub(crate) mod elliptic;
+pub(crate) mod exponential;
 pub(crate) mod inverse_root;
 pub(crate) mod lane_set;
 pub mod lanes;

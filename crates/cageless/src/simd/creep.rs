@@ -32,12 +32,13 @@ pub(super) fn set_knees(
     }
     for lane in 0..LANES {
         let radius = balls.radius.0[lane];
-        let (spin, surface) = (motions.get(lane).spin, p.inner.surface_speed.0[lane]);
-        // ΔVi = ωi Ri − (vt + ω R) and δi = Ri + R − q; 2u = ωi Ri + ω R − vt (Ri − R)/q.
-        let tangential = surface - results.inner.slip.0[lane] - spin * radius;
-        let distance = balls.inner_contact_distance.0[lane] - results.inner.deflection.0[lane];
-        let across = (surface + spin * radius) * distance;
-        let scaled = across - tangential * (p.inner.radius.0[lane] - radius);
+        let place = InnerRolling {
+            radius,
+            spin: motions.get(lane).spin,
+            slip: results.inner.slip.0[lane],
+            distance: balls.inner_contact_distance.0[lane] - results.inner.deflection.0[lane],
+        };
+        let (distance, scaled) = (place.distance, place.scaled_m2_s(p, lane));
         results.inverse_knees[1].0[lane] = inverse_speed_s_m(
             creep.inner.0[lane],
             results.inner.force.0[lane],
@@ -47,9 +48,30 @@ pub(super) fn set_knees(
     }
 }
 
+/// Rolling of a ball on the inner raceway.
+pub(super) struct InnerRolling {
+    pub radius: f64,
+    pub spin: f64,
+    /// ΔVi.
+    pub slip: f64,
+    /// q.
+    pub distance: f64,
+}
+
+impl InnerRolling {
+    /// 2u q: ΔVi = ωi Ri − (vt + ω R), 2u = ωi Ri + ω R − vt (Ri − R)/q.
+    #[inline(always)]
+    pub(super) fn scaled_m2_s(&self, p: &Parameters, lane: usize) -> f64 {
+        let (surface, spun) = (p.inner.surface_speed.0[lane], self.spin * self.radius);
+        let tangential = surface - self.slip - spun;
+        let across = (surface + spun) * self.distance;
+        across - tangential * (p.inner.radius.0[lane] - self.radius)
+    }
+}
+
 /// 2u = vt (ρ + 2r)/ρ + ω r at the outer raceway.
 #[inline(always)]
-fn twice_rolling_m_s(polar: &PolarMotion, spin_rad_s: f64, radius_m: f64) -> f64 {
+pub(super) fn twice_rolling_m_s(polar: &PolarMotion, spin_rad_s: f64, radius_m: f64) -> f64 {
     polar.tangential + (2.0 * polar.orbit + spin_rad_s) * radius_m
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::dynamics::Model;
-use crate::film::{RollingCurve, RollingCurveLanes, RollingModel};
+use crate::film::{RollingCurve, RollingCurveLanes, RollingModel, TractionCurveLanes};
 use crate::numerics::lanes::Lanes;
 
 /// Constants of the contacts of the bearing of each lane.
@@ -20,6 +20,8 @@ pub(super) struct FilmBlock {
     pub shift: Lanes,
     /// Hysteresis of the outer and the inner contacts, N·m/N^1.33.
     pub hysteresis: Option<[Lanes; 2]>,
+    /// Traction of the outer and the inner contacts.
+    pub traction: Option<[TractionCurveLanes; 2]>,
 }
 
 impl FilmBlock {
@@ -46,6 +48,14 @@ impl FilmBlock {
             })
         };
         let highest = length.checked_sub(1)?;
+        let tractions: Option<Vec<_>> = films.iter().map(|film| film.traction).collect();
+        let traction = tractions.map(|of| {
+            let at = |lane: usize| of[lane % of.len()];
+            [
+                TractionCurveLanes::from_fn(|lane| at(lane).outer),
+                TractionCurveLanes::from_fn(|lane| at(lane).inner),
+            ]
+        });
         Some(Self {
             inner: RollingCurveLanes::from_fn(|lane| film(lane).inner),
             highest: coefficient(highest),
@@ -58,6 +68,7 @@ impl FilmBlock {
                     number(|film| film.hysteresis.unwrap_or_default().inner),
                 ]
             }),
+            traction,
         })
     }
 }

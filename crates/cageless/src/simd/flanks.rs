@@ -3,10 +3,11 @@
 
 use super::beginning::Beginning;
 use super::creep;
-use super::friction::at_knees;
+use super::friction::at_raceways;
 use super::motions::{CentreLanes, Motions, outer_centre};
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum};
+use super::traction;
 use super::workspace::{BlockResults, ImplicitFriction};
 use crate::ball::{BallLanes, BallMotion};
 use crate::contact::{
@@ -77,6 +78,9 @@ fn contact(
     if let Some(constants) = &p.creep {
         creep::set_knee_on_flanks(constants, results, &motion, lane);
     }
+    if let Some([outer, _]) = p.tractions() {
+        traction::set_on_flanks(&outer.get(lane), ball.radius, results, &motion, lane);
+    }
 }
 
 /// Friction of balls on flanks from their velocities.
@@ -87,7 +91,7 @@ fn friction(law: &impl LawLanes, results: &mut BlockResults) {
             results.outer.slip.0[lane],
             results.outer.friction_normal.0[lane],
         );
-        let law = extrapolated_law(at_knees(law.lane(lane), results, lane), results, lane);
+        let law = extrapolated_law(at_raceways(law.lane(lane), results, lane), results, lane);
         let [radial, spin] = law.drag(&results.flanks.get(lane), slip, normal);
         [results.outer_friction.0[lane], _] = law.force(slip, normal);
         results.across_friction.0[lane] = radial * results.polar.radial.0[lane];
@@ -228,7 +232,7 @@ pub(super) fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
     for lane in results.on_flanks {
         let (ball, motion) = (balls.get(lane), motions.get(lane));
         let (outer, flanks) = (results.outer.get(lane), results.flanks.get(lane));
-        let at_flanks = extrapolated_law(at_knees(law.lane(lane), results, lane), results, lane);
+        let at_flanks = extrapolated_law(at_raceways(law.lane(lane), results, lane), results, lane);
         let coefficients = at_flanks.drag(&flanks, outer.slip, outer.friction_normal);
         let mobility = [h_s * ball.inverse_mass, h_s * ball.inverse_inertia];
         let decay = [coefficients[0] * mobility[0], coefficients[1] * mobility[1]];
@@ -280,7 +284,7 @@ pub(super) fn further_steps(
     friction: &mut ImplicitFriction,
 ) {
     for lane in results.on_flanks {
-        let law = at_knees(law.lane(lane), results, lane);
+        let law = at_raceways(law.lane(lane), results, lane);
         let sliding = friction.sliding.get(lane);
         let at_flanks = AtFlanks { law, sliding };
         let next = further_step(

@@ -2,7 +2,9 @@
 
 use super::parameters::Parameters;
 use super::workspace::BlockResults;
-use crate::contact::{AtKnees, EvaluatedLaws, Law, LawLanes, with_law};
+use crate::contact::{
+    AtKnees, AtRaceways, EvaluatedLaws, FilmTractionLanes, Law, LawLanes, with_law,
+};
 use crate::numerics::lanes::{LANES, Lanes, larger};
 
 /// Friction of one contact of each lane by the law of the case.
@@ -16,33 +18,38 @@ pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut
 pub(super) fn both_raceways(p: &Parameters, results: &mut BlockResults) {
     let (outer, inner) = (&results.outer, &results.inner);
     let [outer_knees, inner_knees] = &results.inverse_knees;
-    for (contact, knees, force) in [
+    let [outer_films, inner_films] = &results.film_tractions;
+    for (contact, at, force) in [
         (
             [&outer.slip, &outer.friction_normal],
-            outer_knees,
+            (outer_knees, outer_films),
             &mut results.outer_friction,
         ),
         (
             [&inner.slip, &inner.force],
-            inner_knees,
+            (inner_knees, inner_films),
             &mut results.inner_friction,
         ),
     ] {
-        with_law!(&p.friction, law => friction_with_knees(law, contact, knees, force));
+        with_law!(&p.friction, law => friction_at(law, contact, at, force));
     }
 }
 
 #[inline(always)]
-fn friction_with_knees(
-    law: &impl LawLanes,
+fn friction_at<L: LawLanes>(
+    law: &L,
     [slip, normal]: [&Lanes; 2],
-    knees: &Lanes,
+    (knees, films): (&Lanes, &FilmTractionLanes),
     force: &mut Lanes,
 ) {
     let law = law.evaluated([slip, slip]);
     for lane in 0..LANES {
         let law = law.lane(lane);
-        [force.0[lane], _] = law.force_with_knee(slip.0[lane], normal.0[lane], knees.0[lane]);
+        let dry = law.force_with_knee(slip.0[lane], normal.0[lane], knees.0[lane]);
+        [force.0[lane], _] = match L::Constants::MIXES {
+            true => films.get(lane).mixed(dry, slip.0[lane]),
+            false => dry,
+        };
     }
 }
 
@@ -54,12 +61,15 @@ fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut La
     }
 }
 
-/// The law of a lane with the knees of its contacts with the raceways.
+/// The law of a lane at its contacts with the raceways.
 #[inline(always)]
-pub(super) fn at_knees<L>(law: L, results: &BlockResults, lane: usize) -> AtKnees<L> {
+pub(super) fn at_raceways<L>(law: L, results: &BlockResults, lane: usize) -> AtRaceways<L> {
     let [outer, inner] = &results.inverse_knees;
     let inverse_knees = [outer.0[lane], inner.0[lane]];
-    AtKnees { law, inverse_knees }
+    AtRaceways {
+        law: AtKnees { law, inverse_knees },
+        films: [0, 1].map(|k| results.film_tractions[k].get(lane)),
+    }
 }
 
 /// Largest |ΔV| at contacts that carry load.

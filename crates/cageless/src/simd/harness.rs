@@ -13,6 +13,7 @@ use super::pairs::ball_contacts;
 use super::parameters::Parameters;
 use super::rotor::{add_with_rotor, outer_ring_reactions, ring_torques, set_rates_under_rotor};
 use super::sums::{Addends, Sum, Sums};
+use super::traction;
 use super::workspace::{BlockResults, Workspace};
 use crate::ball::{BallLanes, BallLoad, Centre};
 use crate::contact::{inner_contact, inner_load, outer_contact, outer_load, slope_force};
@@ -89,6 +90,9 @@ fn equations<const ROTOR: bool>(
         raceway_contacts(p, balls, results, motions, ring);
         if let Some(constants) = &p.creep {
             creep::set_knees((p, constants), balls, results, motions);
+        }
+        if let Some(curves) = p.tractions() {
+            traction::set(p, curves, balls, results, motions);
         }
         if raceway_friction {
             both_raceways(p, results);

@@ -2,7 +2,7 @@
 
 use super::beginning::{Beginning, STUCK_M_S};
 use super::flanks;
-use super::friction::{at_knees, loaded_slips};
+use super::friction::{at_raceways, loaded_slips};
 use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
@@ -210,7 +210,10 @@ fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
 ) {
     let law = law.evaluated([&results.outer.slip, &results.inner.slip]);
     for lane in 0..LANES {
-        let (law, motion) = (at_knees(law.lane(lane), results, lane), motions.get(lane));
+        let (law, motion) = (
+            at_raceways(law.lane(lane), results, lane),
+            motions.get(lane),
+        );
         let outer_centre = outer_centre::<ROTOR>(outer_ring, lane);
         let polar = results
             .polar
@@ -256,7 +259,7 @@ fn iterate<L: LawLanes>(
             let ImplicitFriction { problem, slips, .. } = &mut *friction;
             let laws = law.evaluated([&slips.outer, &slips.inner]);
             for lane in 0..LANES {
-                let law = at_knees(laws.lane(lane), results, lane);
+                let law = at_raceways(laws.lane(lane), results, lane);
                 let next = further_step(&law, &problem.get(lane), &slips.get(lane));
                 slips.put(lane, next);
             }

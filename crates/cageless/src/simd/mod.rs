@@ -26,6 +26,7 @@ mod parameters;
 pub(crate) mod published;
 mod rotor;
 mod sums;
+mod traction;
 mod workspace;
 
 pub(crate) use edges::{PER_DEPTH, PER_SINE_SQUARE, edges, rotor_edges};

@@ -14,6 +14,7 @@ use crate::contact::{
 use crate::dynamics::Model;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::RacewayModel;
+use crate::film::TractionCurveLanes;
 use crate::flank_model::FlankModel;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::Lanes;
@@ -61,6 +62,12 @@ pub(crate) struct Parameters {
 }
 
 impl Parameters {
+    /// Traction of the films of the outer and the inner contacts, where it is the friction there.
+    #[inline(always)]
+    pub(super) fn tractions(&self) -> Option<&[TractionCurveLanes; 2]> {
+        self.film.as_ref()?.traction.as_ref()
+    }
+
     /// Constants of the balls of a block.
     #[inline(always)]
     pub(crate) fn balls(&self, block: usize) -> &BallLanes {

@@ -6,8 +6,9 @@ use super::sums::{Addends, Sum, Sums};
 use crate::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::contact::published::FrictionDirectionLanes;
 use crate::contact::{
-    BallBallContactLanes, FlankContactLanes, FlankSlidingLanes, InnerContactLanes, JournalSlip,
-    Law, LawLanes, OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes, with_law,
+    BallBallContactLanes, FilmTractionLanes, FlankContactLanes, FlankSlidingLanes,
+    InnerContactLanes, JournalSlip, Law, LawLanes, OuterContactLanes, OuterGeometryLanes,
+    SlipProblemLanes, SlipsLanes, with_law,
 };
 use crate::formulation::Formulation;
 use crate::numerics::lane_set::LaneSet;
@@ -44,6 +45,8 @@ pub(crate) struct BlockResults {
     pub inner_friction: Lanes,
     /// 1/v_s of the law at the outer and the inner contact, s/m.
     pub inverse_knees: [Lanes; 2],
+    /// Films at the outer and the inner contact, of a law that mixes with them.
+    pub film_tractions: [FilmTractionLanes; 2],
     /// Contact with the ball ahead; forces are 0 unless any two balls touch.
     pub pair: BallBallContactLanes,
     /// Sums over the contacts of each ball and its weight.
@@ -66,6 +69,7 @@ impl BlockResults {
         inner: InnerContactLanes::ZERO,
         inner_friction: Lanes::ZERO,
         inverse_knees: [Lanes::ZERO; 2],
+        film_tractions: [FilmTractionLanes::ZERO; 2],
         pair: BallBallContactLanes::ZERO,
         load: BallLoadLanes::ZERO,
     };

@@ -9,11 +9,12 @@ use super::run::drive;
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
 use crate::case::Case;
-use crate::contact::FrictionModel;
+use crate::contact::{FrictionModel, Regularisation};
 use crate::control::Control;
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
+use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::initial_conditions::initial_state_controlled;
 use crate::numerics::lanes::BATCH_WIDTH;
@@ -26,6 +27,10 @@ struct Kind {
     balls: usize,
     formulation: Formulation,
     law: FrictionModel,
+    regularisation: Regularisation,
+    has_film: bool,
+    mixes_friction: bool,
+    flanks: FlankModel,
     implicit_friction: bool,
     has_nominal_geometry: bool,
     step_s: f64,
@@ -39,6 +44,10 @@ impl Kind {
             balls: case.bearing.balls(),
             formulation: case.formulation,
             law: case.contact.friction_law,
+            regularisation: case.contact.regularisation,
+            has_film: case.film.is_some(),
+            mixes_friction: case.mixes_friction(),
+            flanks: case.flanks,
             implicit_friction: StepLimits::friction_is_stiff(case),
             has_nominal_geometry: case.has_nominal_geometry(),
             step_s: case.solver.step_s,

@@ -6,6 +6,7 @@ use cageless::contact::FrictionTable;
 use std::sync::Arc;
 
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
+use cageless::film::{Film, Oil, Traction};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::numerics::lanes::BATCH_WIDTH;
@@ -89,7 +90,7 @@ fn same(one: &[(Vec<f64>, Option<Summary>)], other: &[(Vec<f64>, Option<Summary>
 /// unequal balls, lubricated and dry, on every instruction set.
 #[test]
 fn company_changes_no_bit() {
-    let kinds: [fn(&mut Case); 6] = [
+    let kinds: [fn(&mut Case); 7] = [
         |_| {},
         |case| case.formulation = Formulation::Paper,
         |case| {
@@ -114,6 +115,14 @@ fn company_changes_no_bit() {
             case.contact.friction.table = Some(FrictionTable::new(table).unwrap());
         },
         |case| case.flanks = FlankModel::Elastic,
+        // Films of different oils.
+        |case| {
+            let oil = Oil::mineral(1e-6 * case.operation.radial_load_n, 0.035);
+            case.film = Some(Film {
+                traction: Traction::Film,
+                ..Film::flooded(oil)
+            });
+        },
     ];
 
     // An odd number leaves a lane of each bearing empty.
@@ -128,6 +137,8 @@ fn company_changes_no_bit() {
         (13, vec![5, 2]),
         (14, vec![5, 4]),
         (14, vec![5, 3]),
+        (13, vec![6]),
+        (14, vec![5, 6]),
     ] {
         let mut cases = mixed_of(balls, 11);
         for case in &mut cases {
@@ -193,6 +204,15 @@ fn batches_hold_every_case_once() {
     for case in &mut cases[20..25] {
         case.formulation = Formulation::Paper;
     }
+    for (k, case) in cases[25..40].iter_mut().enumerate() {
+        case.film = Some(Film::flooded(Oil::mineral(5e-3, 0.035)));
+        if k >= 5 {
+            case.film.as_mut().unwrap().traction = Traction::Film;
+        }
+        if k >= 10 {
+            case.flanks = FlankModel::Elastic;
+        }
+    }
     let batches = batches(&cases);
     let mut all: Vec<usize> = batches.iter().flatten().copied().collect();
     all.sort();
@@ -203,12 +223,17 @@ fn batches_hold_every_case_once() {
                 cases[k].formulation,
                 cases[k].solver.duration_s,
                 cases[k].solver.method,
+                cases[k].film,
+                cases[k].flanks,
             )
         };
         assert!(batch.iter().all(|k| kind(*k) == kind(batch[0])));
     }
     assert!(batches.contains(&vec![2]) && batches.contains(&vec![3]));
-    assert!(batches.contains(&vec![20, 21, 22, 23, 24]));
+    for first in [20, 30, 35] {
+        let batch: Vec<usize> = (first..first + 5).collect();
+        assert!(batches.contains(&batch), "{batches:?}");
+    }
 }
 
 /// Every pair of neighbours is seen to touch from the first nanometre on and to be apart again,

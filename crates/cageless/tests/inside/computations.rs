@@ -46,6 +46,7 @@ fn flank_friction() {
     let sliding = FlankSliding {
         along_square: 16.0,
         inverse_knee: 50.0,
+        spin_square: 0.0,
     };
     // 3 m/s across and 4 m/s along the groove: three fifths of μN act across.
     let [force_n, _] = AtFlanks { law, sliding }.force(3.0, 500.0);

@@ -14,6 +14,7 @@ mod equivalent_load;
 mod film;
 mod film_motion;
 mod film_space;
+mod film_traction;
 mod film_verdict;
 mod fit_by_tolerance;
 mod free_rotor;

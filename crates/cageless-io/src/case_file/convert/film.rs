@@ -1,6 +1,6 @@
 //! The film of a case.
 
-use cageless::film::{Film, Oil, TEMPERATURES_C};
+use cageless::film::{Film, Oil, TEMPERATURES_C, Traction};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
@@ -13,6 +13,7 @@ const HOT: &str = "film.viscosity_100_mpa_s";
 const VISCOSITY: &str = "film.viscosity_mpa_s";
 const SLOPE: &str = "film.viscosity_temperature_1_k";
 const TEMPERATURE: &str = "film.temperature_c";
+const COEFFICIENT: &str = "film.traction_coefficient";
 /// Viscosity of the stiffest oil that a bearing runs in, Pa·s.
 const STIFFEST_PA_S: f64 = 10.0;
 
@@ -39,7 +40,14 @@ impl Converter<'_> {
             roughness_m: section.roughness_m,
             inlet_heat: true,
             hysteresis: section.hysteresis,
+            traction: section.traction,
+            traction_coefficient: (section.traction_coefficient)
+                .unwrap_or(Film::TRACTION_COEFFICIENT),
         };
+        if film.traction == Traction::Law && section.traction_coefficient.is_some() {
+            let allowed = "left out, or film.traction = \"film\": the law has its own coefficient";
+            return Err(self.refuse(COEFFICIENT, allowed));
+        }
         film.check().map_err(|error| self.refused(&error, None))?;
         Ok(Some(film))
     }

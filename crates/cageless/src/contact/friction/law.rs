@@ -4,12 +4,24 @@ use super::parameters::FrictionParameters;
 use crate::contact::slip_problem::{SlipProblem, Slips};
 use crate::numerics::lanes::Lanes;
 
+/// Spin of a contact as friction over its sliding has it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Spinning {
+    /// 1/v of the knee that it widens, s/m.
+    pub inverse_knee_s_m: f64,
+    /// Square of the speed at which it slides beside, (m/s)².
+    pub spin_square: f64,
+}
+
 /// A law of friction with its constants.
 pub(crate) trait Law: Clone {
     /// Whether a rolling contact sticks: the friction within the cone is then no function of
     /// the sliding speed. Implicit methods call [`Law::end_of_step`]; explicit ones get a stick
     /// that is relaxed over a few steps, `stick_gain` times the sliding speed.
     const STICKS: bool = false;
+
+    /// Whether a film takes its part of the friction at raceways.
+    const MIXES: bool = false;
 
     /// Friction force along −ΔV under the normal force `normal_n`, N, and its slope over ΔV,
     /// N·s/m.
@@ -43,6 +55,18 @@ pub(crate) trait Law: Clone {
         ]
     }
 
+    /// [`Self::force_with_knee`] of the inner contact, where those of a ball differ.
+    #[inline(always)]
+    fn inner_force(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
+        self.force_with_knee(sliding_m_s, normal_n, inverse_knee_s_m)
+    }
+
+    /// [`Self::force_with_knee`] of a contact that spins.
+    #[inline(always)]
+    fn spinning_force(&self, sliding_m_s: f64, normal_n: f64, spinning: &Spinning) -> [f64; 2] {
+        self.force_with_knee(sliding_m_s, normal_n, spinning.inverse_knee_s_m)
+    }
+
     /// Coefficient of friction of fast sliding.
     fn coefficient(&self) -> f64;
 
@@ -55,6 +79,12 @@ pub(crate) trait Law: Clone {
     #[inline(always)]
     fn inverse_knees(&self) -> [f64; 2] {
         [self.inverse_regularisation_speed(); 2]
+    }
+
+    /// 1/ΔV over which the force changes most at the outer and the inner contact, s/m.
+    #[inline(always)]
+    fn inverse_scales(&self) -> [f64; 2] {
+        self.inverse_knees()
     }
 
     /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of

@@ -5,17 +5,22 @@
 //! and pages follow from it.
 
 mod at_knees;
+mod at_raceways;
 mod check;
+mod film_traction;
 mod friction_table;
 mod law;
+mod mixed;
 mod own_law;
 mod parameters;
-mod tanh;
 
 pub(crate) use at_knees::AtKnees;
+pub(crate) use at_raceways::AtRaceways;
 pub(crate) use coulomb::STICK_FRACTION;
+pub(crate) use film_traction::{FilmTraction, FilmTractionLanes};
 pub use friction_table::FrictionTable;
-pub(crate) use law::{EvaluatedLaws, Law, LawConstants, LawLanes};
+pub(crate) use law::{EvaluatedLaws, Law, LawConstants, LawLanes, Spinning};
+pub(crate) use mixed::Mixed;
 pub use own_law::{FrictionFault, FrictionLaw, OwnFriction};
 pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
@@ -64,6 +69,8 @@ macro_rules! friction_laws {
         #[allow(clippy::large_enum_variant)] // a table, one per contact partner
         pub(crate) enum Friction {
             $(#[doc = concat!("[`", stringify!($law), "`].")] $law($law),)*
+            /// The smooth law beside a film.
+            Mixed(Mixed),
         }
 
         /// [`Friction`] of each lane, all of one law.
@@ -71,6 +78,7 @@ macro_rules! friction_laws {
         #[allow(clippy::large_enum_variant)] // one per model, read in every evaluation
         pub(crate) enum FrictionLanes {
             $($law($module::$lanes),)*
+            Mixed(mixed::MixedLanes),
         }
 
         impl FrictionModel {
@@ -127,35 +135,58 @@ macro_rules! friction_laws {
             /// [`Law::force`].
             #[inline(always)]
             pub(crate) fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-                match self { $(Self::$law(law) => law.force(sliding_m_s, normal_n),)* }
+                match self {
+                    $(Self::$law(law) => law.force(sliding_m_s, normal_n),)*
+                    Self::Mixed(law) => law.force(sliding_m_s, normal_n),
+                }
             }
 
             /// [`Law::edge`].
             #[inline(always)]
             pub(crate) fn edge(&self, sliding_m_s: f64) -> Option<f64> {
-                match self { $(Self::$law(law) => law.edge(sliding_m_s),)* }
+                match self {
+                    $(Self::$law(law) => law.edge(sliding_m_s),)*
+                    Self::Mixed(law) => law.edge(sliding_m_s),
+                }
             }
 
             /// [`Law::STICKS`].
             #[inline(always)]
             pub(crate) fn sticks(&self) -> bool {
-                match self { $(Self::$law(_) => <$law as Law>::STICKS,)* }
+                match self {
+                    $(Self::$law(_) => <$law as Law>::STICKS,)*
+                    Self::Mixed(_) => Mixed::STICKS,
+                }
             }
 
             /// [`Law::coefficient`].
             #[inline(always)]
             pub(crate) fn coefficient(&self) -> f64 {
-                match self { $(Self::$law(law) => law.coefficient(),)* }
+                match self {
+                    $(Self::$law(law) => law.coefficient(),)*
+                    Self::Mixed(law) => law.coefficient(),
+                }
             }
 
             /// [`Law::inverse_regularisation_speed`].
             #[inline(always)]
             pub(crate) fn inverse_regularisation_speed(&self) -> f64 {
-                match self { $(Self::$law(law) => law.inverse_regularisation_speed(),)* }
+                match self {
+                    $(Self::$law(law) => law.inverse_regularisation_speed(),)*
+                    Self::Mixed(law) => law.inverse_regularisation_speed(),
+                }
             }
         }
 
         impl Friction {
+            /// The law beside a film, of laws that mix with one.
+            pub(crate) fn mixed(self) -> Self {
+                match self {
+                    Self::Smooth(law) => Self::Mixed(Mixed(law)),
+                    other => other,
+                }
+            }
+
             /// First answer of a law of one's own that cannot be.
             pub(crate) fn fault(&self) -> Option<&FrictionFault> {
                 match self {
@@ -169,6 +200,12 @@ macro_rules! friction_laws {
             /// Constants lane by lane; all of one law, that of the first lane.
             pub(crate) fn from_fn(value: impl Fn(usize) -> Friction) -> Self {
                 match value(0) {
+                    Friction::Mixed(first) => Self::Mixed(LawLanes::filled(|lane| {
+                        match value(lane) {
+                            Friction::Mixed(law) => law,
+                            _ => first,
+                        }
+                    })),
                     $(Friction::$law(first) => Self::$law(LawLanes::filled(|lane| {
                         match value(lane) {
                             Friction::$law(law) => law,
@@ -184,6 +221,7 @@ macro_rules! friction_laws {
             ($friction:expr, $name:ident => $body:expr) => {
                 match $friction {
                     $(crate::contact::FrictionLanes::$law($name) => $body,)*
+                    crate::contact::FrictionLanes::Mixed($name) => $body,
                 }
             };
         }

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::law::{EvaluatedLaws, Law, LawConstants, LawLanes, knee};
 use super::own_law::{FrictionFault, OwnFriction};
 use super::parameters::FrictionParameters;
-use super::tanh::{tanh, tanh_pair};
+use crate::numerics::exponential::{tanh, tanh_pair};
 use crate::numerics::lanes::{LANES, Lanes};
 
 /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a law of one's own.

@@ -2,7 +2,7 @@
 
 use super::parameters::FrictionParameters;
 use super::law::{Law, LawConstants, knee};
-use super::tanh::{tanh, tanh_pair};
+use crate::numerics::exponential::{tanh, tanh_pair};
 use crate::numerics::lanes::lane_struct;
 
 law_struct! {

@@ -2,7 +2,7 @@
 
 use super::parameters::FrictionParameters;
 use super::law::{Law, LawConstants, knee};
-use super::tanh::{exp_negative, tanh};
+use crate::numerics::exponential::{exponential, tanh};
 use crate::numerics::lanes::lane_struct;
 
 law_struct! {
@@ -24,7 +24,7 @@ impl Law for Stribeck {
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
         let knee = tanh(sliding_m_s * inverse_knee_s_m);
-        let decay = exp_negative((-sliding_m_s.abs() * self.inverse_stribeck_speed).max(-80.0));
+        let decay = exponential((-sliding_m_s.abs() * self.inverse_stribeck_speed).max(-80.0));
         let excess = self.static_excess * decay * normal_n;
         let slope = (largest + excess) * (1.0 - knee * knee) * inverse_knee_s_m
             - excess * self.inverse_stribeck_speed * knee.abs();

@@ -3,7 +3,7 @@
 use super::friction_table::{FrictionTable, PIECES_MAX, Piece, PieceLanes};
 use super::parameters::FrictionParameters;
 use super::law::{Law, LawConstants, LawLanes, knee};
-use super::tanh::tanh;
+use crate::numerics::exponential::tanh;
 use crate::numerics::lanes::{LANES, Lanes};
 
 /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a table.
