@@ -279,6 +279,7 @@ class StaticAttributes:
     film_parameter_min: float  # film parameter Λ, least
     film_parameter_mean: float  # film parameter Λ, mean
     asperity_load_fraction: float  # share of the load on asperities
+    mixed_friction_coefficient: float  # friction coefficient of film and asperities
     rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
     rolling_resistance_power_w: float  # power of rolling resistance, W
     hysteresis_torque_n_m: float  # torque of hysteresis, N m
