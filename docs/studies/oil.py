@@ -7,6 +7,7 @@ from page import PLAIN, RACEWAY, STUDIES, error, figures, fixed, markdown, mean,
 
 PAGE = "docs/oil.md"
 OIL, MOTION, DRY = STUDIES["oil"], STUDIES["oil-motion"], STUDIES["oil-dry"]
+PAIR = "7205C pair, 7800 rpm"
 QUEUE = 1.3
 """Speed deficit over the free share from which balls queue."""
 
@@ -98,8 +99,10 @@ def claims(claim):
     slow = MOTION["Zhao 2022, 3000 rpm", "5", "flooded"]
     claim(at, "at the low speed 5 mPa·s, flooded, space better alone", does(slow) == "oil alone", does(slow))
     queue = {tuple(row.places.values()) for row in MOTION.rows if does(row) == "queue"}
-    expected = {("Zhao 2022, 3000 rpm", "20", "flooded"), ("Zhao 2022, 3000 rpm", "20", "two drops"), ("6205, 9000 rpm", "5", "flooded"), ("6205, 9000 rpm", "20", "flooded"), ("6205, 9000 rpm", "20", "two drops")}
-    claim(at, "queues: the slow bearing in thick oil, the 6205 from 5 mPa·s on, flooded", queue == expected, queue)
+    expected = {("Zhao 2022, 3000 rpm", "20", "flooded"), ("Zhao 2022, 3000 rpm", "20", "two drops"), ("6205, 9000 rpm", "5", "flooded"), ("6205, 9000 rpm", "20", "flooded"), ("6205, 9000 rpm", "20", "two drops"), (PAIR, "20", "flooded")}
+    claim(at, "queues: the slow bearing in thick oil, the 6205 from 5 mPa·s on, flooded, the pair at 20", queue == expected, queue)
+    pair = {does(row) for row in MOTION.rows if row.places["bearing"] == PAIR and row.places["viscosity, mPa·s"] == "2"}
+    claim(at, "the raceway helps the pair in thin oil", pair == {"raceway"}, pair)
     claim.between(900, (mean(row, "contacts", PLAIN) for row in MOTION.rows if does(row) == "queue"), 40000, at, "balls that queue meet a thousand times a second and more")
     starved = [row for row in MOTION.rows if row.places["supply"] == "0.1"]
     for row in starved:

@@ -178,6 +178,13 @@ fn of_film(solved: &Solved<'_>) -> Vec<String> {
             100.0 * at_rest.queue_deficit()
         )),
     };
+    let overcome = (at_rest.overcome_balls > 0).then(|| {
+        format!(
+            "the film brakes {} balls under light load more than the friction of the inner raceway drives them: they \
+             slide and fall behind as well, which the lag here leaves out; a run has it",
+            at_rest.overcome_balls
+        )
+    });
     let starved = (film.supply < 1.0).then(|| {
         "film thickness and Λ are those of flooded contacts: film.supply lowers the rolling force alone".to_owned()
     });
@@ -186,6 +193,7 @@ fn of_film(solved: &Solved<'_>) -> Vec<String> {
         .to_owned();
     spacing
         .into_iter()
+        .chain(overcome)
         .chain(starved)
         .chain([left_out])
         .collect()

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::ball_advance::BallAdvance;
 use cageless::equilibrium::space::SpatialEquilibrium;
-use cageless::film::{FilmAtRest, traction_at_rest};
+use cageless::film::FilmAtRest;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::raceway_contact::RacewayContact;
 use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
@@ -141,7 +141,7 @@ pub const FILM: &[Quantity] = &[
     group(Group::Film, means("least film thickness over the roughness", part(high(quantity("film_parameter_min", "", "film parameter Λ, least", Static(|s| film(s, FilmAtRest::film_parameter_min))))))),
     group(Group::Film, means("film thickness in the middle of the contacts over the roughness, mean", part(high(quantity("film_parameter_mean", "", "film parameter Λ, mean", Static(|s| film(s, FilmAtRest::film_parameter_mean))))))),
     group(Group::Film, means("largest of all contacts, from Λ of the middle of the contact (Zhou & Hoeprich)", part(low(quantity("asperity_load_fraction", "", "share of the load on asperities", Static(|s| film(s, FilmAtRest::asperity_share_max))))))),
-    group(Group::Film, means("of all contacts under load, sliding at 1 % of the speed of rolling; with `film.traction = \"film\"`", part(low(quantity("mixed_friction_coefficient", "", "friction coefficient of film and asperities", Static(|s| s.film.as_ref().and_then(|f| traction_at_rest(s.case, s.equilibrium, f)).into())))))),
+    group(Group::Film, means("of all contacts under load, sliding at 1 % of the speed of rolling; with `film.traction = \"film\"`", part(low(quantity("mixed_friction_coefficient", "", "friction coefficient of film and asperities", Static(|s| s.film.as_ref().and_then(|f| f.mixed_friction_coefficient).into())))))),
     group(Group::Film, means("of the oil film, power over the speed of the inner ring; without sliding and hysteresis", part(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Static(|s| film(s, |f| f.torque_n_m))))))),
     group(Group::Film, part(low(quantity("rolling_resistance_power_w", "W", "power of rolling resistance", Static(|s| film(s, |f| f.power_w)))))),
     group(Group::Film, means("elastic hysteresis of the steel; with `film.hysteresis`", part(low(quantity("hysteresis_torque_n_m", "N m", "torque of hysteresis", Static(|s| s.film.as_ref().and_then(|f| f.hysteresis_torque_n_m).into())))))),

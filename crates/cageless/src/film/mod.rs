@@ -51,7 +51,6 @@ pub(crate) use starvation::starved_share;
 pub(crate) use thickness::asperity_share;
 pub use traction::Traction;
 pub(crate) use traction::{TractionCurve, TractionCurveLanes};
-pub use traction_at_rest::traction_at_rest;
 
 /// Supply of contacts that flood.
 pub(crate) const FLOODED: f64 = 1.0;

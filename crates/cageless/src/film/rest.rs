@@ -9,6 +9,7 @@ use super::rolling_ball::{RollingBall, RollingFlank};
 use super::rolling_force::Rolling;
 use super::spacing::{MAY_QUEUE, QUEUE, free_share, opening_gap_rad};
 use super::thickness::{FilmThickness, asperity_share};
+use super::traction_at_rest::mixed_friction_coefficient;
 use super::unreached_arc::unreached_arc_rad;
 use crate::case::Case;
 use crate::equilibrium::space::SpatialEquilibrium;
@@ -60,6 +61,10 @@ pub struct FilmAtRest {
     pub torque_n_m: f64,
     /// Torque of the hysteresis of the steel, N·m; `None` where it does not count.
     pub hysteresis_torque_n_m: Option<f64>,
+    /// Friction over load of the contacts where the film is their friction, sliding at 1 % of the speed of rolling.
+    pub mixed_friction_coefficient: Option<f64>,
+    /// Balls under load at the inner raceway whose friction there is too weak to keep them rolling against the film.
+    pub overcome_balls: usize,
     /// Angle over which the outer raceway alone carries a ball, rad, of the row where it is largest.
     pub free_arc_rad: f64,
     /// What the film takes from a ball there.
@@ -97,6 +102,13 @@ impl FilmAtRest {
             .collect();
         let all = inner.iter().chain(outer.iter().flatten());
         let power_w = all.map(ContactFilm::power_w).sum();
+        let mixed_friction_coefficient = mixed_friction_coefficient(case, &balls);
+        let friction = mixed_friction_coefficient.unwrap_or(case.contact.friction.coefficient);
+        let is_overcome = |ball: usize| {
+            let held_n = friction * balls[ball].inner.load_n;
+            held_n > 0.0 && drag_n(&balls[ball], &inner[ball], &outer[ball]) > held_n
+        };
+        let overcome_balls = (0..balls.len()).filter(|ball| is_overcome(*ball)).count();
         let free_arc_rad = unreached_arc_rad(case, settled);
         let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
         let ball = FreeBall::new(bearing, film);
@@ -108,6 +120,8 @@ impl FilmAtRest {
             torque_n_m: power_w / inner_speed_rad_s,
             hysteresis_torque_n_m: (film.hysteresis)
                 .then(|| hysteresis_power_w(case, &balls) / inner_speed_rad_s),
+            mixed_friction_coefficient,
+            overcome_balls,
             free_arc_rad,
             opening_gap_rad: opening_gap_rad(bearing, arc.speed_deficit),
             arc,
@@ -201,6 +215,16 @@ impl FilmAtRest {
     pub fn queue_deficit(&self) -> f64 {
         QUEUE * self.free_share
     }
+}
+
+/// Friction that a ball needs at the inner raceway to keep rolling against its films, N. With the parts g of the orbit
+/// in 2u and F_R at both raceways its orbit and its rotation are steady under ½ (F_o (1 + g_o) + F_i (1 − g_i)).
+fn drag_n(ball: &RollingBall, inner: &ContactFilm, outer: &[ContactFilm; 2]) -> f64 {
+    let flanks = ball.outer.iter().zip(outer);
+    let outer_n: f64 = flanks
+        .map(|(flank, film)| film.force_n * (1.0 + flank.gear))
+        .sum();
+    0.5 * (outer_n + inner.force_n * (1.0 - ball.inner_gear))
 }
 
 /// Power of the hysteresis of the steel, W.

@@ -11,6 +11,8 @@ pub(super) struct RollingFlank {
     pub cosine: f64,
     /// Load and speed.
     pub rolling: Rolling,
+    /// (ρ + 2R cos α)/ρ, part of the orbit in 2u.
+    pub gear: f64,
     /// Rotation across the normal, rad/s.
     pub turn_rad_s: f64,
 }
@@ -22,6 +24,8 @@ pub(super) struct RollingBall {
     pub inner: Rolling,
     /// Rotation against the ring there, across the normal, rad/s.
     pub inner_turn_rad_s: f64,
+    /// (ρA − R cos α)/(ρA + R cos α), part of the orbit in 2u there.
+    pub inner_gear: f64,
     /// cos α there over the distance of the contact from the axis of the ring, 1/m.
     pub inner_curvature: f64,
     /// At the flanks of the outer raceway; at the plain one the first is all.
@@ -45,14 +49,15 @@ impl RollingBall {
         let flank = |flank: usize| {
             let angle_rad = or_zero(settled.flank_angle_rad[ball][flank]);
             let cosine = angle_rad.cos();
-            let passing_m_s = speed_m_s * (distance_m + 2.0 * radius_m * cosine) / distance_m;
+            let gear = (distance_m + 2.0 * radius_m * cosine) / distance_m;
             let turn_rad_s = turn_rad_s(angle_rad);
             RollingFlank {
                 cosine,
                 rolling: Rolling {
                     load_n: settled.flank_force_n[ball][flank],
-                    speed_m_s: 0.5 * (passing_m_s + radius_m * turn_rad_s),
+                    speed_m_s: 0.5 * (gear * speed_m_s + radius_m * turn_rad_s),
                 },
+                gear,
                 turn_rad_s,
             }
         };
@@ -62,13 +67,14 @@ impl RollingBall {
             + radii.inner_groove_curvature_radius_m * (1.0 - cosine);
         let (reach_m, inner_rad_s) = (radius_m * cosine, case.operation.inner_speed_rad_s);
         let turned_m_s = radius_m * turn_rad_s(angle_rad);
-        let passing_m_s = speed_m_s * (contact_m - reach_m) / (contact_m + reach_m);
+        let inner_gear = (contact_m - reach_m) / (contact_m + reach_m);
         Self {
             inner: Rolling {
                 load_n: rest.inner_force_n[ball],
-                speed_m_s: 0.5 * (inner_rad_s * contact_m + turned_m_s - passing_m_s),
+                speed_m_s: 0.5 * (inner_rad_s * contact_m + turned_m_s - inner_gear * speed_m_s),
             },
             inner_turn_rad_s: turn_rad_s(angle_rad) + inner_rad_s * cosine,
+            inner_gear,
             inner_curvature: cosine / contact_m,
             outer: [flank(0), flank(1)],
         }

@@ -1,24 +1,21 @@
 //! Friction of the films of a bearing in static equilibrium.
 
 use super::motion::RollingModel;
-use super::rest::FilmAtRest;
+use super::rolling_ball::RollingBall;
 use super::rolling_force::Rolling;
 use super::traction::TractionCurve;
 use crate::case::Case;
 use crate::contact::Law;
 use crate::contact::creep::{inverse_speed_s_m, rolling_speed_m_s};
 use crate::contact::friction::{LawConstants, Smooth};
-use crate::equilibrium::Equilibrium;
-use crate::raceway_contact::RacewayPoint;
 
 /// Sliding over rolling at which the friction is stated.
 const SLIDING: f64 = 0.01;
 
 /// Friction over load of all contacts under load together, were they to slide at a hundredth of the speed at which
 /// they roll; `None` unless the film is their friction.
-pub fn traction_at_rest(case: &Case, rest: &Equilibrium, films: &FilmAtRest) -> Option<f64> {
+pub(super) fn mixed_friction_coefficient(case: &Case, balls: &[RollingBall]) -> Option<f64> {
     let model = RollingModel::new(case)?.traction?;
-    let radius_m = case.bearing.ball_radius_m();
     let creep = case.creep();
     let outer = Place {
         case,
@@ -33,19 +30,13 @@ pub fn traction_at_rest(case: &Case, rest: &Equilibrium, films: &FilmAtRest) -> 
         ..outer
     };
     let [mut friction_n, mut load_n] = [0.0; 2];
-    for (k, (at_inner, at_outer)) in films.inner.iter().zip(&films.outer).enumerate() {
-        let cosine = (rest.effective_radius_m[k] / radius_m).min(1.0);
-        let one = Rolling {
-            load_n: RacewayPoint::of_outer(cosine, rest.outer_force_n[k]).force_n,
-            speed_m_s: at_outer.speed_m_s,
-        };
-        let rolling = Rolling {
-            load_n: rest.inner_force_n[k],
-            speed_m_s: at_inner.speed_m_s,
-        };
-        friction_n += at_outer.contacts * outer.friction_n(one, 1.0 - cosine);
-        friction_n += inner.friction_n(rolling, 0.0);
-        load_n += at_outer.contacts * one.load_n + rolling.load_n;
+    for ball in balls {
+        for flank in &ball.outer {
+            friction_n += outer.friction_n(flank.rolling, 1.0 - flank.cosine);
+            load_n += flank.rolling.load_n;
+        }
+        friction_n += inner.friction_n(ball.inner, 0.0);
+        load_n += ball.inner.load_n;
     }
     Some(friction_n / load_n)
 }

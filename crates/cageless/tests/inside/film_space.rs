@@ -98,6 +98,28 @@ fn power_under_axial_load() {
     );
 }
 
+/// Under a light axial load friction at the inner raceway is too weak for a thick film: at rest all balls are counted, in
+/// the motion they fall behind; under a heavy load they roll.
+#[test]
+fn thick_oil_overcomes_lightly_loaded_balls() {
+    for (axial_load_n, mpa_s, overcome) in [(60.0, 20.0, 14), (4000.0, 5.0, 0)] {
+        let mut case = with_oil(reference::conventional(), mpa_s);
+        case.operation.space.axial_load_n = axial_load_n;
+        case.operation.radial_load_n = 0.0;
+        case.operation.gravity_m_s2 = 0.0;
+        assert_eq!(at_rest(&case).overcome_balls, overcome);
+        case.solver.method = IntegrationMethod::VelocityVerlet;
+        case.solver.step_s = 2e-6;
+        case.solver.duration_s = 0.04;
+        case.solver.transient_s = Some(0.02);
+        let lag_deg = summary(&case).half_turn_lag_rad.unwrap().to_degrees();
+        match overcome {
+            0 => assert!(lag_deg.abs() < 0.3, "{lag_deg}"),
+            _ => assert!(lag_deg > 1.0, "{lag_deg}"),
+        }
+    }
+}
+
 /// The moments of the film about the axis of the bearing cancel under an axial load alone: balls, drive, outer ring.
 #[test]
 fn moments_close_in_space() {
