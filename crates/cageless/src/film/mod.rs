@@ -49,7 +49,6 @@ pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
 pub(crate) use starvation::starved_share;
 #[cfg(test)]
 pub(crate) use thickness::asperity_share;
-pub use traction::Traction;
 pub(crate) use traction::{TractionCurve, TractionCurveLanes};
 
 /// Supply of contacts that flood.
@@ -59,6 +58,17 @@ pub(crate) const FLOODED: f64 = 1.0;
 pub const TWO_DROPS: f64 = 0.65;
 /// Largest composite roughness of a raceway and a ball, m.
 const ROUGHNESS_MAX_M: f64 = 1e-5;
+
+crate::named_enum! {
+    /// Friction of lubricated contacts with raceways.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Traction {
+        /// The law of friction of the case.
+        Law = "law",
+        /// That of a film, shared by asperities with that law.
+        Film = "film",
+    }
+}
 
 /// Oil film of all contacts of balls with raceways.
 #[derive(Debug, Clone, Copy, PartialEq)]

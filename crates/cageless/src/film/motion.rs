@@ -1,11 +1,11 @@
 //! Rolling force of all contacts of a case, as the equations of motion in the plane take it.
 
-use super::Film;
 use super::contact::LubricatedContact;
 use super::curve::RollingCurve;
 use super::curve_polynomial::CurvePolynomial;
 use super::hysteresis::Hysteresis;
-use super::traction::{Traction, TractionContact, TractionCurve, TractionModel};
+use super::traction::{TractionContact, TractionCurve, TractionModel};
+use super::{Film, Traction};
 use crate::case::Case;
 
 /// Degree of the constants of the outer contact over the cosine of its angle.

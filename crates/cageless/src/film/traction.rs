@@ -19,17 +19,6 @@ use crate::numerics::exponential::{exponential, logarithm};
 use crate::numerics::inverse_root::inverse_cube_root;
 use crate::numerics::lanes::lane_struct;
 
-crate::named_enum! {
-    /// Friction of lubricated contacts with raceways.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Traction {
-        /// The law of friction of the case.
-        Law = "law",
-        /// That of a film, shared by asperities with that law.
-        Film = "film",
-    }
-}
-
 /// τ, stress from which the shear of oil is no longer viscous (Eyring), Pa.
 const STRESS_PA: f64 = 5e6;
 /// Constants of Roelands' viscosity, ln(η̄/η) = (ln η + 9.67) ((1 + 5.1·10⁻⁹ p)^Z − 1).

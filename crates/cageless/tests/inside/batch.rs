@@ -204,7 +204,7 @@ fn batches_hold_every_case_once() {
     for case in &mut cases[20..25] {
         case.formulation = Formulation::Paper;
     }
-    for (k, case) in cases[25..40].iter_mut().enumerate() {
+    for (k, case) in cases[4..19].iter_mut().enumerate() {
         case.film = Some(Film::flooded(Oil::mineral(5e-3, 0.035)));
         if k >= 5 {
             case.film.as_mut().unwrap().traction = Traction::Film;
@@ -230,7 +230,7 @@ fn batches_hold_every_case_once() {
         assert!(batch.iter().all(|k| kind(*k) == kind(batch[0])));
     }
     assert!(batches.contains(&vec![2]) && batches.contains(&vec![3]));
-    for first in [20, 30, 35] {
+    for first in [4, 9, 14, 20] {
         let batch: Vec<usize> = (first..first + 5).collect();
         assert!(batches.contains(&batch), "{batches:?}");
     }
