@@ -5,7 +5,7 @@ use cageless::dynamics::coordinates::{BALL, BallCoordinate, RingCoordinate};
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
-use cageless::world::body::{BodyKind, BodyRow};
+use cageless::world::body::{BodyKind, BodyRow, Freedoms};
 use cageless::{Case, Formulation, FrictionModel, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 
@@ -120,15 +120,19 @@ pub fn motion(state: &State, values: &[f64]) -> Vec<f64> {
         .into_iter()
         .map(|coordinate| layout.array(coordinate))
         .flat_map(|start| &values[start..start + layout.balls])
-        .chain(&values[bodies..bodies + in_plane(layout.has_rotor()).count()])
+        .chain(&values[bodies..bodies + in_plane(layout.freedoms()).count()])
         .copied()
         .collect()
 }
 
 /// Coordinates of the bodies that move in the plane.
-fn in_plane(under_rotor: bool) -> impl Iterator<Item = &'static BodyRow> {
+fn in_plane(of: Freedoms) -> impl Iterator<Item = &'static BodyRow> {
     let rows = BodyKind::ALL.into_iter().flat_map(BodyKind::table);
-    rows.filter(move |row| row.freedom.moves(false, under_rotor))
+    let in_plane = Freedoms {
+        in_space: false,
+        ..of
+    };
+    rows.filter(move |row| row.freedom.moves(in_plane))
 }
 
 /// Scale of each entry of a motion of `len` entries of `balls` balls.
@@ -136,7 +140,11 @@ pub fn scales(balls: usize, len: usize) -> Vec<f64> {
     let of_balls = BALL
         .iter()
         .flat_map(|c| std::iter::repeat_n(c.error_scale, balls));
-    let bodies = in_plane(true).map(|row| row.coordinate.error_scale);
+    let under_rotor = Freedoms {
+        in_space: false,
+        under_rotor: true,
+    };
+    let bodies = in_plane(under_rotor).map(|row| row.coordinate.error_scale);
     of_balls.chain(bodies).take(len).collect()
 }
 

@@ -21,7 +21,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::equilibrium::{self, EquilibriumError};
-use crate::formulation::Formulation;
 use crate::numerics::root::{self, Rise};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, StepView, Stop, run,
@@ -79,9 +78,9 @@ impl PairTest {
     pub(crate) fn of_raceways(case: &Case, row: usize, steady_gap_rad: f64) -> Self {
         Self {
             row,
-            neighbours_wider: match case.formulation {
-                Formulation::Paper => 1.0,
-                Formulation::Physical => NEIGHBOURS_WIDER,
+            neighbours_wider: match case.formulation.equations().even_neighbours {
+                true => 1.0,
+                false => NEIGHBOURS_WIDER,
             },
             tolerance_rad: GAP_TOLERANCE_RAD,
             gap_max_rad: Some(CROWDED_MAX * steady_gap_rad),

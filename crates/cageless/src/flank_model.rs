@@ -1,5 +1,7 @@
 //! Flanks of a discrete raceway under load.
 
+use crate::raceway::Ends;
+
 crate::named_enum! {
     /// What the load of a ball does to its contacts with the two flanks of a discrete raceway.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -10,5 +12,31 @@ crate::named_enum! {
         /// The contact angle yields, the ball slides along the flanks as it moves in and out, and it
         /// spins on them.
         Elastic = "elastic",
+    }
+}
+
+impl FlankModel {
+    /// Whether the contact angle of a ball that is pressed in yields.
+    pub(crate) fn yields(self) -> bool {
+        match self {
+            Self::Rigid => false,
+            Self::Elastic => true,
+        }
+    }
+
+    /// Whether a ball slides along the flanks as it moves in and out, and spins on them.
+    pub(crate) fn drags(self) -> bool {
+        match self {
+            Self::Rigid => false,
+            Self::Elastic => true,
+        }
+    }
+
+    /// Ends of a raceway unless they are given.
+    pub(crate) fn usual_ends(self) -> Ends {
+        match self {
+            Self::Rigid => Ends::default(),
+            Self::Elastic => Ends::Machined,
+        }
     }
 }

@@ -21,7 +21,6 @@ use crate::equilibrium::space::{self, SpatialEquilibrium};
 use crate::equilibrium::{
     self, EquilibriumError, effective_radius_m, settle_controlled, start_angles_rad,
 };
-use crate::formulation::Formulation;
 use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
@@ -123,9 +122,9 @@ pub fn initial_state_controlled(
             }
         });
         let (r, orbit) = (rest.effective_radius_m, rest.orbit_speed_rad_s);
-        let (speed, spin) = match case.formulation {
-            Formulation::Physical => (orbit * pitch, rolling_rotation_rad_s(bearing, orbit, r)),
-            Formulation::Paper => (
+        let (speed, spin) = match case.formulation.equations().spin_relative_to_orbit {
+            false => (orbit * pitch, rolling_rotation_rad_s(bearing, orbit, r)),
+            true => (
                 orbit * distance,
                 rolling_relative_rotation_rad_s(bearing, orbit, r),
             ),
@@ -142,10 +141,8 @@ pub fn initial_state_controlled(
                 spin: spin * along,
             },
         );
-        if state.layout().is_in_space() {
-            // The axis of rotation lies across the force at the outer raceway.
-            state.set_ball_in_space(k, rest.z_m, [spin * across * sin, -spin * across * cos]);
-        }
+        // The axis of rotation lies across the force at the outer raceway.
+        state.set_ball_in_space(k, rest.z_m, [spin * across * sin, -spin * across * cos]);
     }
     let held = match case.operation.space.tilt {
         Tilt::Held { x_rad, y_rad } => [x_rad, y_rad],

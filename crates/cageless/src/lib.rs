@@ -123,6 +123,7 @@ pub mod critical_gap;
 pub mod design;
 pub mod dynamics;
 mod ellipse_edges;
+mod equations;
 pub mod equilibrium;
 pub mod error;
 pub mod film;

@@ -16,7 +16,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::case::Case;
+use crate::case::{Case, InnerRingDrive};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::simulation::{BallAngle, StepView};
@@ -161,13 +161,10 @@ impl OrbitMeansTracker {
     #[inline(never)]
     fn add_rotations(&mut self, view: &StepView<'_>) {
         let balls = view.contacts.balls();
-        let sums = match view.layout().is_in_space() {
-            true => (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
-                let [of_ball, more] = rotations_rad_s(view, k);
-                [absolute + of_ball, beyond + more]
-            }),
-            false => [(0..balls).map(|k| view.contacts.rotation_rad_s(k)).sum(); 2],
-        };
+        let sums = (0..balls).fold([0.0; 2], |[absolute, beyond], k| {
+            let [of_ball, more] = rotations_rad_s(view, k);
+            [absolute + of_ball, beyond + more]
+        });
         for (total, sum) in self.rotation_sum.iter_mut().zip(sums) {
             *total += sum / balls as f64;
         }
@@ -202,22 +199,21 @@ impl OrbitMeansTracker {
         let angle = |mark: &Mark| mark.angles.iter().map(BallAngle::rad).sum::<f64>();
         let time_s = end.time_s - begin.time_s;
         let balls = case.bearing.balls();
-        let driven = case.rotor.is_none() && case.operation.inner_speed_table.is_none();
+        let drive = case.inner_ring_drive();
         let samples = (end.rotation_samples - begin.rotation_samples) as f64;
         let [rotation_rad_s, beyond_orbit_rad_s] =
             [0, 1].map(|k| (end.rotation_sum[k] - begin.rotation_sum[k]) / samples);
         (time_s > 0.0).then(|| OrbitMeans {
             orbits: self.orbits,
             interval_s: [begin.time_s, end.time_s],
-            inner_speed_rad_s: if driven {
-                case.operation.inner_speed_rad_s
-            } else {
-                f64::NAN
+            inner_speed_rad_s: match drive {
+                InnerRingDrive::Constant(speed_rad_s) => speed_rad_s,
+                InnerRingDrive::OverTime(_) | InnerRingDrive::Rotor(_) => f64::NAN,
             },
             orbit_speed_rad_s: (angle(end) - angle(begin)) / (end.angles.len() as f64 * time_s),
             rotation_rad_s,
             beyond_orbit_rad_s,
-            driven,
+            driven: matches!(drive, InnerRingDrive::Constant(_)),
             balls,
             power_w: std::array::from_fn(|k| (end.ledger_j[k] - begin.ledger_j[k]) / time_s),
         })
@@ -228,6 +224,9 @@ impl OrbitMeansTracker {
 /// rad/s; in the plane both are its spin.
 fn rotations_rad_s(view: &StepView<'_>, k: usize) -> [f64; 2] {
     let spin = view.contacts.rotation_rad_s(k);
+    if !view.layout().ball_moves(BallCoordinate::OmegaX) {
+        return [spin; 2];
+    }
     let across = [BallCoordinate::OmegaX, BallCoordinate::OmegaY].map(|c| view.after(c)[k]);
     let across = across[0].hypot(across[1]);
     let orbit = view.contacts.orbit_speed_rad_s(k);

@@ -79,10 +79,10 @@ pub(crate) struct SpatialSummaryTracker {
 }
 
 impl SpatialSummaryTracker {
-    /// Follows a run of this case from its state at the start.
-    pub(crate) fn new(case: &Case, start: &State) -> Self {
-        if !start.layout().is_in_space() {
-            return Self::default();
+    /// Follows a run of this case from its state at the start; `None` of a ring that stays in its plane.
+    pub(crate) fn new(case: &Case, start: &State) -> Option<Self> {
+        if !start.layout().moves(RingCoordinate::Z) {
+            return None;
         }
         let sprung = case.sprung_rows();
         let rows = case.all_rows().into_iter().enumerate().map(|(k, row)| {
@@ -97,10 +97,10 @@ impl SpatialSummaryTracker {
                 ..tracker
             }
         });
-        Self {
+        Some(Self {
             rows: rows.collect(),
             ..Self::default()
-        }
+        })
     }
 
     /// Takes a step of a run in space.
@@ -143,7 +143,7 @@ impl SpatialSummaryTracker {
         }
     }
 
-    /// The numbers so far, with how far ellipses reach; `None` in the plane.
+    /// The numbers so far, with how far ellipses reach; `None` before the first step.
     pub(crate) fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
         let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
         let [z, p, q] = self.ring.map(|sum| sum / self.time_s);

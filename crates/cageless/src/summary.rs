@@ -103,7 +103,7 @@ pub struct SummaryRecorder {
     peaks: Option<ContactPeakTracker>,
     means: OrbitMeansTracker,
     half_turn: Option<HalfTurnTracker>,
-    space: SpatialSummaryTracker,
+    space: Option<SpatialSummaryTracker>,
     /// σ of the row of every ball.
     contact_signs: Vec<f64>,
 }
@@ -134,7 +134,8 @@ impl SummaryRecorder {
             peaks: peaks.peaks(case),
             means: self.means.means(case),
             half_turn_lag_rad: self.half_turn.as_ref().and_then(HalfTurnTracker::lag_rad),
-            space: self.space.summary(peaks.ellipse_edge_max_rad()),
+            space: (self.space.as_ref())
+                .and_then(|space| space.summary(peaks.ellipse_edge_max_rad())),
         })
     }
 }
@@ -178,8 +179,8 @@ impl Observer for SummaryRecorder {
             *sum += 0.5 * h * (step.y0[at] + step.y1[at]);
         }
         self.time += h;
-        if layout.is_in_space() {
-            self.space.step(view);
+        if let Some(space) = &mut self.space {
+            space.step(view);
         }
         self.slip_max = larger(self.slip_max, contacts.sliding_max_m_s());
         self.since_loads_s += h;
@@ -211,8 +212,8 @@ impl SummaryRecorder {
     #[inline(never)] // most steps do without, as without the next
     fn look_at_loads(&mut self, view: &StepView<'_>, since_s: f64) {
         let contacts = &view.contacts;
-        if contacts.are_in_space() {
-            self.space.look(contacts, &self.contact_signs);
+        if let Some(space) = &mut self.space {
+            space.look(contacts, &self.contact_signs);
         }
         let force_n = contacts.outer_ring_force_n();
         for (moments, force_n) in self.outer_ring_force.iter_mut().zip(force_n) {

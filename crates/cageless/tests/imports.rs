@@ -243,6 +243,7 @@ const LAYERS: [(&str, &[&str]); 7] = [
             "ball",
             "bearing",
             "contact",
+            "equations",
             "film",
             "flank_model",
             "formulation",

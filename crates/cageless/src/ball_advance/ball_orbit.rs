@@ -6,7 +6,6 @@ use super::rolling_energy::RollingEnergy;
 use super::rolling_row::RollingRow;
 use crate::case::Case;
 use crate::equilibrium::space::{RollingBall, SpatialEquilibrium};
-use crate::formulation::Formulation;
 use crate::numerics::root::brent;
 
 /// Places around the bearing, at least.
@@ -17,9 +16,9 @@ const EDGE_RAD: f64 = 1e-9;
 
 /// Radius of the orbit that turns vt into Ω: |rb|; Rm in the equations as published (Zhao 2022, Eq. (1) and (2)).
 pub(super) fn orbit_radius_m(case: &Case, distance_m: f64) -> f64 {
-    match case.formulation {
-        Formulation::Physical => distance_m,
-        Formulation::Paper => case.bearing.pitch_radius_m(),
+    match case.formulation.equations().orbits_on_pitch_circle {
+        true => case.bearing.pitch_radius_m(),
+        false => distance_m,
     }
 }
 

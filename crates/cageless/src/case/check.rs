@@ -1,9 +1,9 @@
 //! What a case may be.
 
-use super::{Case, DURATION_MIN_S, Gaps, Operation, STEPS_MAX, StartState};
+use super::{Case, DURATION_MIN_S, Gaps, InnerRingDrive, Operation, STEPS_MAX, StartState};
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
+use crate::equations::CasePart;
 use crate::error::{Allowed, InputError};
-use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::limits::{not_negative, positive, require};
 use crate::raceway::RacewayShape;
@@ -48,8 +48,8 @@ impl Case {
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be.
     pub fn check(&self) -> Result<(), InputError> {
-        if self.rotor.is_none() && self.operation.inner_speed_table.is_none() {
-            let (field, speed) = ("inner_speed_rad_s", self.operation.inner_speed_rad_s);
+        if let InnerRingDrive::Constant(speed) = self.inner_ring_drive() {
+            let field = "inner_speed_rad_s";
             let rule = "other than 0: the balls of a ring at rest do not roll";
             require(field, speed, speed != 0.0, rule)?;
             positive(field, speed)?;
@@ -58,7 +58,7 @@ impl Case {
         self.check_space()?;
         self.check_rotor()?;
         self.check_flanks()?;
-        if self.formulation == Formulation::Paper {
+        if self.formulation.equations().friction_along_path {
             self.check_published_form(
                 "the published equations have friction along the quartic contact path",
             )?;
@@ -97,15 +97,17 @@ impl Case {
 
     /// Refuses an unbalance where the equations have none.
     fn check_unbalance(&self) -> Result<(), InputError> {
-        let why = match () {
-            () if self.operation.unbalance.amount_kg_m == 0.0 => return Ok(()),
-            () if self.formulation == Formulation::Paper => {
-                "the published equations have no unbalance"
+        if self.operation.unbalance.amount_kg_m == 0.0 {
+            return Ok(());
+        }
+        let of_equations = self.formulation.refusal(CasePart::Unbalance);
+        match (of_equations, self.inner_ring_drive()) {
+            (Some(why), _) => self.refuse_unbalance(why),
+            (None, InnerRingDrive::Rotor(_)) => {
+                self.refuse_unbalance("the rotor has one, by its eccentricity")
             }
-            () if self.rotor.is_some() => "the rotor has one, by its eccentricity",
-            () => return Ok(()),
-        };
-        self.refuse_unbalance(why)
+            (None, InnerRingDrive::Constant(_) | InnerRingDrive::OverTime(_)) => Ok(()),
+        }
     }
 
     /// Passes a case without an unbalance; `what` needs a load that stands still.
@@ -182,9 +184,10 @@ impl Case {
         let centrifugal = self.centrifugal_force_n();
         let elastic = "an elastic contact bears a deflection of 5 % of the ball radius";
         if !(centrifugal <= bears) {
-            let (field, speed) = match &self.rotor {
-                Some(rotor) => ("rotor_speed_rad_s", rotor.speed_rad_s.abs()),
-                None => ("inner_speed_rad_s", self.largest_inner_speed_rad_s()),
+            let (field, speed) = match self.inner_ring_drive() {
+                InnerRingDrive::Constant(speed) => ("inner_speed_rad_s", speed),
+                InnerRingDrive::OverTime(table) => ("inner_speed_rad_s", table.range()[1]),
+                InnerRingDrive::Rotor(rotor) => ("rotor_speed_rad_s", rotor.speed_rad_s.abs()),
             };
             let most = speed * (bears / centrifugal).sqrt();
             let allowed = match most > 0.0 {
@@ -208,15 +211,14 @@ impl Case {
 
     /// Refuses elastic flanks where the equations have none.
     fn check_flanks(&self) -> Result<(), InputError> {
-        let why = match (self.flanks, self.formulation) {
-            (FlankModel::Elastic, Formulation::Paper) => {
-                "the published equations have rigid flanks"
-            }
-            (FlankModel::Elastic, _) if self.contact.friction_law.sticks() => {
-                "flanks that slide in two directions and spin need a law with a \
-                 regularisation speed"
-            }
-            _ => return Ok(()),
+        let of_equations = self.formulation.refusal(CasePart::ElasticFlanks);
+        let of_equations = of_equations.filter(|_| self.flanks.yields());
+        let sticks = self.flanks.drags() && self.contact.friction_law.sticks();
+        let of_law = sticks.then_some(
+            "flanks that slide in two directions and spin need a law with a regularisation speed",
+        );
+        let Some(why) = of_equations.or(of_law) else {
+            return Ok(());
         };
         let rule = format!("\"rigid\": {why}");
         Err(InputError::rule("flanks", f64::NAN, rule))
@@ -264,9 +266,10 @@ impl Case {
             let rule = "left out: with a rotor the outer ring moves on its support";
             return Err(InputError::rule("mass_kg", housing.mass_kg, rule));
         }
-        let physical = self.formulation == Formulation::Physical;
-        let rule = "\"physical\": the published equations have no rotor";
-        require("formulation", f64::NAN, physical, rule)?;
+        if let Some(why) = self.formulation.refusal(CasePart::Rotor) {
+            let rule = format!("\"physical\": {why}");
+            return Err(InputError::rule("formulation", f64::NAN, rule));
+        }
         let at_rest = self.start.state == StartState::AtRest;
         let rule = "\"at-rest\": the rotor falls onto a bearing at rest";
         require("start_state", f64::NAN, at_rest, rule)
@@ -278,7 +281,7 @@ impl Case {
     /// # Errors
     /// An [`InputError`] naming the rotor or the table.
     pub fn check_constant_operation(&self, what: &str) -> Result<(), InputError> {
-        if self.rotor.is_some() {
+        if let InnerRingDrive::Rotor(_) = self.inner_ring_drive() {
             let why = format!("{what} needs an inner ring at constant speed");
             return Err(InputError::rotor_left_out(why));
         }

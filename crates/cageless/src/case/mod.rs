@@ -13,6 +13,7 @@
 mod check;
 mod contact;
 mod creep;
+mod inner_ring_drive;
 mod operating_clearance;
 mod over_time;
 mod plain;
@@ -30,13 +31,14 @@ use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::numerics::random::RandomStream;
 use crate::numerics::root;
-use crate::raceway::{Ends, Raceway, RacewayForm};
+use crate::raceway::{Raceway, RacewayForm};
 use crate::rotating_ring::rotating_growth_m;
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 use crate::unbalance::{Unbalance, UnbalanceForce};
 
 pub use contact::{Contact, STRIPS_MAX};
+pub(crate) use inner_ring_drive::InnerRingDrive;
 pub use space::SPATIAL_FIELDS;
 pub use spatial_load::{Motion, Row, SpatialLoad, Tilt};
 
@@ -446,10 +448,7 @@ impl Case {
     /// ends.
     pub fn raceway_form(&self) -> RacewayForm {
         let quartic = || RacewayForm {
-            ends: match self.flanks {
-                FlankModel::Elastic => Ends::Machined,
-                FlankModel::Rigid => Ends::default(),
-            },
+            ends: self.flanks.usual_ends(),
             ..RacewayForm::default()
         };
         self.raceways.first().map_or_else(quartic, Raceway::form)

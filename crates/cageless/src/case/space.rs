@@ -1,10 +1,9 @@
 //! What takes a case out of its plane: axial load, moments or tilt, contact angles, rows.
 
-use super::{Case, Motion, Row, SpatialLoad, Tilt};
+use super::{Case, InnerRingDrive, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionModel;
+use crate::equations::CasePart;
 use crate::error::{Allowed, InputError};
-use crate::flank_model::FlankModel;
-use crate::formulation::Formulation;
 use crate::limits::{finite, from_to, not_negative, positive, require};
 use crate::linear_rotor::ROUNDING;
 use crate::raceway::Raceway;
@@ -94,7 +93,7 @@ impl Case {
     /// Whether the flanks of the raceways yield under load, and balls slide and spin on them: in space, and in
     /// the plane with elastic flanks.
     pub fn has_elastic_flanks(&self) -> bool {
-        self.moves_in_space() || self.flanks == FlankModel::Elastic
+        self.moves_in_space() || self.flanks.yields()
     }
 
     /// Indices of rows of which no two move alike; every other row is like one of them. Rows with the same contact
@@ -139,9 +138,10 @@ impl Case {
                 format!("{most}, or left out: in motion every row has the balls of [bearing]");
             return Err(InputError::rule("row_balls", balls as f64, rule));
         }
-        let physical = self.formulation != Formulation::Paper;
-        let rule = "physical: the published equations are planar";
-        require("formulation", 0.0, physical, rule)?;
+        if let Some(why) = self.formulation.refusal(CasePart::Space) {
+            let rule = format!("physical: {why}");
+            return Err(InputError::rule("formulation", 0.0, rule));
+        }
         let of_rotor = self.rotor.as_ref().map(|rotor| rotor.friction_law);
         let laws = [
             ("friction_law", Some(self.contact.friction_law)),
@@ -248,7 +248,7 @@ impl Case {
             let allowed = Allowed::Above(sliding_kg, why);
             return Err(InputError::new("support_mass_kg", support.mass_kg, allowed));
         }
-        if self.rotor.is_some() {
+        if let InnerRingDrive::Rotor(_) = self.inner_ring_drive() {
             let of_load = Self::spatial_load(load)
                 .into_iter()
                 .find(|(.., given)| *given);

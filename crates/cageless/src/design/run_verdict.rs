@@ -3,7 +3,7 @@
 use super::RacewayVerdict;
 use super::criterion::{BOTH_NEIGHBOURS, Criterion, PEAK_PRESSURE, percentage_points};
 use super::raceway_tallies::RacewayTallies;
-use crate::case::{Case, Gaps};
+use crate::case::{Case, Gaps, InnerRingDrive};
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::numerics::moments::Moments;
 use crate::summary::{TRANSIENT_TURNS, transient_s};
@@ -47,7 +47,7 @@ impl RunVerdict {
             .map(|pa| PEAK_PRESSURE.of(pa / STRESS_LIMIT_PA));
         let missing = too_few(case, run.passages);
         let mut criteria = vec![];
-        if missing.is_none() && case.rotor.is_none() {
+        if missing.is_none() && nothing_to_judge(case).is_none() {
             for k in 0..case.raceways.len() {
                 let twice = run.passages.of_raceway(k).double_collision_fraction();
                 criteria.push(run.passages.slowing(case, k));
@@ -164,7 +164,7 @@ fn evenly(case: &Case) -> &'static str {
 
 /// Why a case has nothing that a run could be judged by.
 fn nothing_to_judge(case: &Case) -> Option<String> {
-    if case.rotor.is_some() {
+    if let InnerRingDrive::Rotor(_) = case.inner_ring_drive() {
         let reason = "the inner ring has no constant speed under a falling rotor; `cageless drop` judges the drop";
         return Some(reason.to_owned());
     }

@@ -8,7 +8,9 @@ use crate::numerics::lanes::{LANES, Lanes, lane_maxima, larger};
 use crate::raceway_contact::RacewayPoint;
 use crate::simd::{BlockResults, InstructionSet, Parameters, Workspace, with_instructions};
 use crate::world::joint::journal::RotorContact;
+use crate::world::joint::rotor_touch::RotorTouch;
 use crate::world::joint::shoulder::FaceContact;
+use crate::world::under_rotor::UnderRotor;
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
 #[derive(Clone, Copy)]
@@ -208,28 +210,44 @@ impl Contacts<'_> {
         self.space.map(|space| space.contacts(k))
     }
 
+    /// Contacts of the balls in space, with their numbers; none in the plane.
+    pub(crate) fn balls_in_space(&self) -> impl Iterator<Item = (usize, BallContacts)> {
+        let balls = self.balls();
+        let space = self.space.into_iter();
+        space.flat_map(move |space| (0..balls).map(move |k| (k, space.contacts(k))))
+    }
+
     /// ωi, rad/s, counter-clockwise.
     pub(crate) fn inner_ring_speed_rad_s(&self) -> f64 {
         let (inner, lane) = (&self.parameters.inner, self.bearing);
         inner.surface_speed.0[lane] / inner.radius.0[lane]
     }
 
+    /// The bodies under a rotor, if there is one.
+    fn under_rotor(&self) -> Option<&UnderRotor> {
+        self.parameters.drops.get(self.bearing)
+    }
+
     /// Contact of the rotor with the inner ring, if there is a rotor.
     pub(crate) fn rotor(&self) -> Option<RotorContact> {
-        let rotor = &self.work.rotors[self.bearing];
-        self.parameters.layout.has_rotor().then_some(*rotor)
+        let under = self.under_rotor();
+        under.map(|_| self.work.rotors[self.bearing])
+    }
+
+    /// What a rotor in space exchanges with the inner ring, if there is one.
+    fn rotor_in_space(&self) -> Option<&RotorTouch> {
+        self.under_rotor().and(self.space).map(|space| &space.rotor)
     }
 
     /// Contact of a shoulder of the rotor with the inner ring, if there is a rotor in space.
     pub(crate) fn face(&self) -> Option<FaceContact> {
-        let space = self.space.filter(|_| self.parameters.layout.has_rotor());
-        space.map(|space| space.rotor.face)
+        self.rotor_in_space().map(|rotor| rotor.face)
     }
 
     /// Force of the inner ring on the rotor, friction included, N, if there is a rotor in space.
     pub(crate) fn rotor_force_n(&self) -> Option<[f64; 3]> {
-        let space = self.space.filter(|_| self.parameters.layout.has_rotor());
-        space.map(|space| space.rotor.loads.fixed_rows::<3>(0).into())
+        let rotor = self.rotor_in_space();
+        rotor.map(|rotor| rotor.loads.fixed_rows::<3>(0).into())
     }
 
     /// Axial force of the balls on the outer ring, friction included, N.

@@ -21,8 +21,8 @@ use crate::integrator::SecondOrderBlock;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES, Lanes};
 use crate::simd::{InstructionSet, with_instructions};
 use crate::world::body::{
-    BodyCoordinate, BodyKind, LONGEST, OuterRingCoordinate, RingCoordinate, RotorCoordinate,
-    RotorMotion, SlidingCoordinate, sliding_ring,
+    BodyCoordinate, BodyKind, Freedoms, LONGEST, OuterRingCoordinate, RingCoordinate,
+    RotorCoordinate, RotorMotion, SlidingCoordinate, sliding_ring,
 };
 
 /// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
@@ -49,6 +49,8 @@ pub struct Layout {
     moving: usize,
     /// Outer rings that slide.
     sliding: usize,
+    /// Freedoms of the bodies.
+    freedoms: Freedoms,
     /// Bearings side by side.
     width: usize,
     /// The one whose places are given.
@@ -68,8 +70,7 @@ struct Contents {
     balls: usize,
     row: usize,
     sliding: usize,
-    in_space: bool,
-    under_rotor: bool,
+    freedoms: Freedoms,
 }
 
 impl Layout {
@@ -79,8 +80,10 @@ impl Layout {
             balls: case.balls(),
             row: case.bearing.balls(),
             sliding: case.sprung_rows().len(),
-            in_space: case.moves_in_space(),
-            under_rotor: case.rotor.is_some(),
+            freedoms: Freedoms {
+                in_space: case.moves_in_space(),
+                under_rotor: case.rotor.is_some(),
+            },
         };
         Self::with(contents, 1)
     }
@@ -92,8 +95,10 @@ impl Layout {
             balls,
             row: balls,
             sliding: 0,
-            in_space: false,
-            under_rotor: false,
+            freedoms: Freedoms {
+                in_space: false,
+                under_rotor: false,
+            },
         };
         Self::with(contents, 1)
     }
@@ -113,8 +118,7 @@ impl Layout {
             balls: self.balls,
             row: self.row,
             sliding: self.sliding,
-            in_space: self.is_in_space(),
-            under_rotor: self.has_rotor(),
+            freedoms: self.freedoms,
         };
         Self::with(contents, width)
     }
@@ -124,15 +128,17 @@ impl Layout {
             balls,
             row,
             sliding,
-            in_space,
-            under_rotor,
+            freedoms,
         } = contents;
-        let of_ball: &[Coordinate] = if in_space { &BALL_IN_SPACE } else { &BALL };
+        let of_ball: &[Coordinate] = match freedoms.in_space {
+            true => &BALL_IN_SPACE,
+            false => &BALL,
+        };
         let (mut bodies, mut moving) = ([[HELD; LONGEST]; BodyKind::ALL.len()], 0);
         for body in BodyKind::ALL {
             let places = bodies[body as usize].iter_mut();
             for (place, row) in places.zip(body.table()) {
-                if row.freedom.moves(in_space, under_rotor) {
+                if row.freedom.moves(freedoms) {
                     (*place, moving) = (moving, moving + 1);
                 }
             }
@@ -149,6 +155,7 @@ impl Layout {
             bodies,
             moving,
             sliding,
+            freedoms,
             width,
             bearing: 0,
             start: 0,
@@ -156,25 +163,17 @@ impl Layout {
         }
     }
 
-    /// Whether there are a rotor, an inner ring whose speed is a state, and an outer ring on a
-    /// support.
+    /// Freedoms of the bodies.
     #[inline]
-    pub fn has_rotor(&self) -> bool {
-        self.moves(RotorCoordinate::X)
-    }
-
-    /// Whether balls and ring move in space.
-    #[inline]
-    pub(crate) fn is_in_space(&self) -> bool {
-        self.of_ball.len() > BALL.len()
+    pub fn freedoms(&self) -> Freedoms {
+        self.freedoms
     }
 
     /// Terms of the energy ledger.
     pub fn energy_terms(&self) -> &'static [EnergyTerm] {
-        if self.has_rotor() {
-            &EnergyTerm::ALL
-        } else {
-            EnergyTerm::without_rotor()
+        match self.freedoms.under_rotor {
+            true => &EnergyTerm::ALL,
+            false => EnergyTerm::without_rotor(),
         }
     }
 
@@ -239,6 +238,21 @@ impl Layout {
     fn of_table(&self, coordinate: usize, k: usize) -> usize {
         debug_assert!(k < self.balls && coordinate < self.of_ball.len());
         self.start + coordinate * self.stride + self.entry(k)
+    }
+
+    /// Whether a coordinate of the balls moves.
+    #[inline]
+    pub(crate) fn ball_moves(&self, coordinate: BallCoordinate) -> bool {
+        (coordinate as usize) < self.of_ball.len()
+    }
+
+    /// Value of a coordinate of ball `k` in a vector; 0 where it is held.
+    #[inline]
+    pub(crate) fn ball_at(&self, values: &[f64], coordinate: BallCoordinate, k: usize) -> f64 {
+        match self.ball_moves(coordinate) {
+            true => values[self.ball(coordinate, k)],
+            false => 0.0,
+        }
     }
 
     /// Place of a coordinate of the inner ring.
@@ -375,7 +389,7 @@ impl Layout {
     #[inline(always)] // into callers compiled for wider vectors
     pub(crate) fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
         let at = |coordinate: RotorCoordinate| self.at(values, coordinate);
-        self.has_rotor().then(|| RotorMotion::new(at))
+        (self.moves(RotorCoordinate::X)).then(|| RotorMotion::new(at))
     }
 
     /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.
@@ -539,15 +553,6 @@ impl<'a> Balls<'a> {
                 }
             }
         }
-    }
-
-    /// Ball by ball.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = f64> + use<'a> {
-        self.values
-            .iter()
-            .step_by(self.step)
-            .take(self.count)
-            .copied()
     }
 }
 

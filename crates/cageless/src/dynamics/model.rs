@@ -291,7 +291,7 @@ impl Model {
     /// Deflection of the outer contact of ball `k`, m: δo, or δe on elastic flanks.
     pub(crate) fn outer_deflection_m(&self, k: usize, polar: &PolarMotion) -> f64 {
         let beyond = outer_deflection(polar.distance, &self.outer_geometry(k, polar));
-        if self.flanks == FlankModel::Rigid {
+        if !self.flanks.yields() {
             return beyond;
         }
         let angle = polar.ex.atan2(-polar.ey);
@@ -331,7 +331,7 @@ const ELLIPSE_TOLERANCE: f64 = 1e-12;
 impl RacewayModel {
     fn new(raceway: &Raceway, piece: &Piece, case: &Case) -> Self {
         let path = raceway.contact_path();
-        let path = path.filter(|_| case.formulation == Formulation::Paper);
+        let path = path.filter(|_| case.formulation.equations().friction_along_path);
         let [a, b, _] = path.map_or([0.0; 3], ContactPath::coefficients);
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
         let radius = piece.radius();
@@ -360,11 +360,9 @@ impl RacewayModel {
                 .collect(),
             direction: path.map_or(vec![], |path| path.direction_polynomial().coefficients),
             path_slope: [4.0 * a, 2.0 * b],
-            ellipse: match case.flanks {
-                FlankModel::Rigid => vec![],
-                FlankModel::Elastic => {
-                    Polynomial::fit(ellipse, lo, hi, ELLIPSE_TOLERANCE).coefficients
-                }
+            ellipse: match case.flanks.yields() {
+                true => Polynomial::fit(ellipse, lo, hi, ELLIPSE_TOLERANCE).coefficients,
+                false => vec![],
             },
         }
     }

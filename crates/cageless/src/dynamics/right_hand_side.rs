@@ -155,9 +155,7 @@ impl RightHandSide {
         if self.over_time {
             self.parameters.set_time(&self.models, time_s);
         }
-        if self.parameters.layout.has_rotor() {
-            self.parameters.set_ring_speed(y);
-        }
+        self.parameters.set_ring_speed(y);
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
             let b = (p, &*self.models[0], space, drive(p));
@@ -324,7 +322,7 @@ impl RightHandSide {
         let ring = state.ring_motion();
         let [outer_force_x_n, outer_force_y_n] = c.outer_ring_force_n();
         let each = |value: &dyn Fn(usize) -> f64| (0..n).map(value).collect();
-        let spatial = layout.is_in_space();
+        let spatial = layout.ball_moves(BallCoordinate::Z);
         let in_space = |value: &dyn Fn(usize) -> f64| match spatial {
             true => (0..n).map(value).collect(),
             false => vec![],
@@ -520,7 +518,7 @@ impl System for RightHandSide {
 
     fn planar_velocities(&self) -> Option<PlanarVelocities> {
         let layout = self.layout();
-        (!layout.is_in_space()).then(|| PlanarVelocities {
+        (!layout.ball_moves(BallCoordinate::Vz)).then(|| PlanarVelocities {
             x: layout.array(BallCoordinate::Vx),
             y: layout.array(BallCoordinate::Vy),
             count: layout.stride,

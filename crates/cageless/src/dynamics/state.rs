@@ -128,14 +128,16 @@ impl State {
         }
     }
 
-    /// Sets z and ωx, ωy of a ball in space.
+    /// Sets z and ωx, ωy of a ball, unless they are held.
     pub(crate) fn set_ball_in_space(&mut self, k: usize, z_m: f64, omega_rad_s: [f64; 2]) {
         for (coordinate, value) in [
             (BallCoordinate::Z, z_m),
             (BallCoordinate::OmegaX, omega_rad_s[0]),
             (BallCoordinate::OmegaY, omega_rad_s[1]),
         ] {
-            self.values[self.layout.ball(coordinate, k)] = value;
+            if self.layout.ball_moves(coordinate) {
+                self.values[self.layout.ball(coordinate, k)] = value;
+            }
         }
     }
 

@@ -1,7 +1,6 @@
 //! Where the balls of a case are along the raceway, and the outer raceway under each.
 
 use crate::case::{Case, Gaps};
-use crate::flank_model::FlankModel;
 use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
 
 /// ψ of every ball at the start, increasing from ψ of ball 1 (Zhao 2022, Section 4.1).
@@ -34,7 +33,7 @@ pub(crate) fn effective_radius_m(case: &Case, k: usize, angle_rad: f64, distance
     let geometry = ball_outer_geometry(case, k, angle_rad);
     let radius_m = case.bearing.ball(k).radius_m;
     match flank_section(&case.bearing, &case.raceways, angle_rad, radius_m) {
-        Some(flanks) if case.flanks == FlankModel::Elastic => {
+        Some(flanks) if case.flanks.yields() => {
             let press = flanks.press(distance_m - geometry.outer_orbit_radius_m);
             radius_m * press.cosine
         }

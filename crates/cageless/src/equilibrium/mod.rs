@@ -45,9 +45,6 @@ fn overload_of(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
     let operation = &case.operation;
     let balls_kg = bearing.balls() as f64 * bearing.ball_mass_kg();
-    if case.rotor.is_some() || case.spatial_field().is_some() {
-        return None;
-    }
     let most = operation.radial_load_n
         + case.preload_n()
         + (bearing.dimensions().inner_ring_mass_kg + balls_kg) * operation.gravity_m_s2

@@ -31,7 +31,7 @@ pub(crate) fn evaluate(
     dydt: &mut [f64],
     raceway_friction: bool,
 ) {
-    match p.layout.has_rotor() {
+    match p.layout.freedoms().under_rotor {
         true => equations::<true>(p, w, y, dydt, raceway_friction),
         false => equations::<false>(p, w, y, dydt, raceway_friction),
     }
@@ -51,7 +51,7 @@ pub(crate) fn add_implicit_friction(
     y: &mut [f64],
     dydt: &mut [f64],
 ) {
-    match p.layout.has_rotor() {
+    match p.layout.freedoms().under_rotor {
         true => add_with_rotor(p, w, h_s, y0, y, dydt),
         false => implicit_friction::add(p, w, h_s, y0, y, dydt),
     }

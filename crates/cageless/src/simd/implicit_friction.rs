@@ -124,8 +124,7 @@ pub(crate) fn add_given_friction(
     }
     let mass = p.ring.mass.0[0];
     let mut force = [Sum::RingX, Sum::RingY].map(|sum| w.sums.total(sum, true, 0));
-    if p.layout.has_rotor() {
-        let rotor = &mut w.rotors[0];
+    for rotor in &mut w.rotors[..p.drops.len()] {
         rotor.friction = journal_friction;
         // The ring takes the reaction of the journal.
         force[0] -= journal_friction * rotor.contact.ny;

@@ -12,10 +12,10 @@ use crate::contact::{
     RacewayConstantsLanes,
 };
 use crate::dynamics::Model;
+use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::RacewayModel;
 use crate::film::TractionCurveLanes;
-use crate::flank_model::FlankModel;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::Lanes;
 use crate::world::body::inner_ring::InnerRingLanes;
@@ -95,9 +95,12 @@ impl Parameters {
         }
     }
 
-    /// Sets the surface speed of the inner raceway from a state under a rotor.
+    /// Sets the surface speed of the inner raceway from a state of which the speed of the ring is a part.
     #[inline(always)]
     pub(crate) fn set_ring_speed(&mut self, y: &[f64]) {
+        if !self.layout.moves(RingCoordinate::Speed) {
+            return;
+        }
         let speed = ring_speeds(self.layout, y);
         for lane in 0..LANES {
             self.inner.surface_speed.0[lane] = speed.0[lane] * self.inner.radius.0[lane];
@@ -126,7 +129,7 @@ impl Parameters {
         Self {
             layout,
             unequal,
-            elastic: first.flanks == FlankModel::Elastic,
+            elastic: first.flanks.yields(),
             drops: models
                 .iter()
                 .filter_map(|m| m.under_rotor.clone())

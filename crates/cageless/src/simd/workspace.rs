@@ -168,9 +168,9 @@ impl Workspace {
             pair_deflection_max: [0.0; BATCH_WIDTH],
             pairs_loaded: false,
             slip_max: Lanes::ZERO,
-            friction_directions: match formulation {
-                Formulation::Physical => vec![],
-                Formulation::Paper => vec![FrictionDirectionLanes::ZERO; blocks],
+            friction_directions: match formulation.equations().friction_along_path {
+                true => vec![FrictionDirectionLanes::ZERO; blocks],
+                false => vec![],
             },
         }
     }

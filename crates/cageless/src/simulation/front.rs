@@ -8,7 +8,7 @@ use super::outcome::{Ending, RunOutcome};
 use super::run::{advance, made};
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
-use crate::case::Case;
+use crate::case::{Case, InnerRingDrive};
 use crate::control::Control;
 use crate::dynamics::state::State;
 use crate::dynamics::{Model, RightHandSide};
@@ -211,9 +211,8 @@ impl<M: Method> Simulation<M> {
     /// It is not finite, the ring turns freely below a rotor or has an unbalance, or its speed is given over time.
     pub fn set_inner_speed_rad_s(&mut self, speed_rad_s: f64) -> Result<(), InputError> {
         let operation = &self.case.operation;
-        let free = self.case.rotor.is_none()
-            && operation.inner_speed_table.is_none()
-            && operation.unbalance.amount_kg_m == 0.0;
+        let constant = matches!(self.case.inner_ring_drive(), InnerRingDrive::Constant(_));
+        let free = constant && operation.unbalance.amount_kg_m == 0.0;
         let rule =
             "finite, of a ring without rotor and unbalance whose speed is not given over time";
         let kept = free && speed_rad_s.is_finite();
@@ -229,7 +228,8 @@ impl<M: Method> Simulation<M> {
     /// It is not finite or negative, a rotor loads the ring, or the load is given over time.
     pub fn set_radial_load_n(&mut self, load_n: f64) -> Result<(), InputError> {
         let operation = &self.case.operation;
-        let free = self.case.rotor.is_none() && operation.radial_load_table.is_none();
+        let under_rotor = matches!(self.case.inner_ring_drive(), InnerRingDrive::Rotor(_));
+        let free = !under_rotor && operation.radial_load_table.is_none();
         let rule = "0 or more, of a ring without a rotor whose load is not given over time";
         let kept = free && load_n.is_finite() && load_n >= 0.0;
         require("radial_load_n", load_n, kept, rule)?;
@@ -244,11 +244,11 @@ impl<M: Method> Simulation<M> {
     /// It is not finite, or there is no rotor.
     pub fn set_drive_torque_n_m(&mut self, torque_n_m: f64) -> Result<(), InputError> {
         let rule = "finite, of a case with a rotor";
-        let kept = self.case.rotor.is_some() && torque_n_m.is_finite();
-        require("drive_torque_n_m", torque_n_m, kept, rule)?;
-        if let Some(rotor) = &mut self.case.rotor {
-            rotor.drive_torque_n_m = torque_n_m;
-        }
+        let rotor = self.case.rotor.as_mut().filter(|_| torque_n_m.is_finite());
+        let Some(rotor) = rotor else {
+            return Err(InputError::rule("drive_torque_n_m", torque_n_m, rule));
+        };
+        rotor.drive_torque_n_m = torque_n_m;
         self.rhs.set_drive_torque(torque_n_m);
         self.watch.interpolator().set_drive_torque(torque_n_m);
         self.integrator.restart_here(&mut self.rhs);

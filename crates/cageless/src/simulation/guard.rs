@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::bearing::{Bearing, BeyondGroove};
-use crate::case::Case;
+use crate::case::{Case, InnerRingDrive};
 use crate::contact::friction::FrictionFault;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::coordinates::SlidingCoordinate;
@@ -149,7 +149,7 @@ impl Stop {
             time_s,
             step_s: solver.step_s,
             automatic_step_s: StepLimits::new(case).automatic_s(solver.method),
-            drop: case.rotor.is_some(),
+            drop: matches!(case.inner_ring_drive(), InnerRingDrive::Rotor(_)),
             cause,
         }
     }
@@ -355,9 +355,7 @@ impl Guard {
                 Cause::ThroughBall(k)
             });
         }
-        if layout.is_in_space() {
-            self.on_grooves(contacts)?;
-        }
+        self.on_grooves(contacts)?;
         if let Some(rotor) = contacts.rotor() {
             let face = contacts.face().map_or(0.0, |face| face.deflection);
             if rotor.contact.deflection.max(face) > self.rotor_deflection_max {
@@ -373,10 +371,7 @@ impl Guard {
 
     /// Looks for a ball that bears beyond a shoulder.
     fn on_grooves(&self, contacts: &Contacts<'_>) -> Result<(), Cause> {
-        for k in 0..self.layout.balls {
-            let Some(ball) = contacts.in_space(k) else {
-                continue;
-            };
+        for (k, ball) in contacts.balls_in_space() {
             for (ring, point) in ball.bearing_points() {
                 let [cosine, sine] = point.normal;
                 if sine.abs() > self.shoulder_sines[ring] {

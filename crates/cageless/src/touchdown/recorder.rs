@@ -197,7 +197,7 @@ impl DropRecorder {
                 collisions as f64 / last.iter().map(|w| w.end_s - w.start_s).sum::<f64>()
             })
         };
-        let in_space = state.layout().is_in_space();
+        let in_space = state.layout().moves(RotorCoordinate::Z);
         DropSummary {
             end_state,
             end_whirl_hz: last.map_or(0.0, mean_frequency_hz),

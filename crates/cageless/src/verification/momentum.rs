@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use crate::ball::Ball;
 use crate::contact::published;
 use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
-use crate::formulation::Formulation;
 use crate::integrator::System;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
@@ -43,19 +43,15 @@ impl MomentumBalance {
 /// Sum of the momenta of balls, inner ring, rotor and outer ring, N·s.
 fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
     let of = |coordinate: BallCoordinate, ring: RingCoordinate| {
-        let speeds = layout.balls_of(values, coordinate);
-        let balls = model.balls.iter().zip(speeds.iter());
-        let balls: f64 = balls.map(|(ball, v)| ball.mass * v).sum();
-        balls + model.ring.mass * values[layout.ring(ring)]
+        let balls = model.balls.iter().enumerate();
+        let of_ball = |(k, ball): (usize, &Ball)| ball.mass * layout.ball_at(values, coordinate, k);
+        balls.map(of_ball).sum::<f64>() + model.ring.mass * layout.at(values, ring)
     };
-    let [x, y] = [
+    let [x, y, z] = [
         of(BallCoordinate::Vx, RingCoordinate::Vx),
         of(BallCoordinate::Vy, RingCoordinate::Vy),
+        of(BallCoordinate::Vz, RingCoordinate::Vz),
     ];
-    let z = match layout.is_in_space() {
-        true => of(BallCoordinate::Vz, RingCoordinate::Vz),
-        false => 0.0,
-    };
     let under = model.under_rotor.as_ref();
     let Some((under, rotor)) = under.zip(layout.rotor_motion(values)) else {
         return [x, y, z];
@@ -112,7 +108,7 @@ fn external(
         + load_x.hypot(load_y)
         + axial_load.abs()
         + weight;
-    if model.formulation == Formulation::Paper {
+    if model.formulation.equations().centrifugal_force {
         for (k, ball) in model.balls.iter().enumerate() {
             let polar = layout
                 .ball_motion(values, k)

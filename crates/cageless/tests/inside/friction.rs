@@ -151,14 +151,14 @@ impl Observer for MeanMotion {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         if view.step.t0_s >= self.from_s {
             let h = view.step.size_s();
-            let n = view.layout().balls as f64;
+            let balls = view.layout().balls;
+            let mean = |of: &dyn Fn(usize) -> f64| (0..balls).map(of).sum::<f64>() / balls as f64;
             let [vx, vy, spin] = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin]
                 .map(|coordinate| view.after(coordinate));
-            let speeds = vx.iter().zip(vy.iter()).map(|(x, y)| x.hypot(y));
             let values = [
                 view.layout().ring_motion(&view.step.y1).y,
-                speeds.sum::<f64>() / n,
-                spin.iter().sum::<f64>() / n,
+                mean(&|k| vx[k].hypot(vy[k])),
+                mean(&|k| spin[k]),
             ];
             self.time_s += h;
             for (sum, value) in self.sums.iter_mut().zip(values) {

@@ -35,8 +35,6 @@ use crate::equilibrium::{
     Equilibrium, EquilibriumError, ball_outer_geometry, effective_radius_m, start_angles_rad,
 };
 use crate::error::InputError;
-use crate::flank_model::FlankModel;
-use crate::formulation::Formulation;
 use crate::kinematics::orbit_speed_in_space_rad_s;
 use crate::numerics::cholesky::solve as solve_equations;
 use crate::raceway::Slot;
@@ -226,15 +224,15 @@ fn balance(case: &Case, planar: bool, inner_speed_rad_s: f64) -> LoadBalance {
                     [geometry.effective_radius_m, ball.radius_m],
                     0.0,
                 );
-            let doubled = match case.formulation {
-                Formulation::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
-                Formulation::Physical => 0.0,
+            let doubled = match case.formulation.equations().centrifugal_force {
+                true => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
+                false => 0.0,
             };
             let [inner_stiffness_n_m1_5, mut outer_stiffness_n_m1_5, _] =
                 case.ball_stiffness_n_m1_5(k);
             let mut outer = outer_section(case, row, k, angle_rad);
             let mut orbit_radius_m = d.outer_groove_bottom_radius_m - ball.radius_m;
-            if planar && case.flanks != FlankModel::Elastic {
+            if planar && !case.flanks.yields() {
                 outer.flanks = None;
                 orbit_radius_m = geometry.outer_orbit_radius_m;
             }

@@ -1,11 +1,12 @@
 //! Bodies beside the balls: one file is one body.
 //!
 //! ```
-//! use cageless::world::body::{BodyKind, RingCoordinate};
+//! use cageless::world::body::{BodyKind, Freedoms, RingCoordinate};
 //!
 //! let row = BodyKind::InnerRing.table()[RingCoordinate::TiltP as usize];
 //! assert_eq!(row.coordinate.name, "tilt_p");
-//! assert!(!row.freedom.moves(false, true)); // held in the plane
+//! let in_plane = Freedoms { in_space: false, under_rotor: true };
+//! assert!(!row.freedom.moves(in_plane));
 //! ```
 
 mod fastest_rates;
@@ -22,7 +23,7 @@ pub(crate) use outer_ring::OuterRingCoordinate;
 pub(crate) use resting_ring::RestingRing;
 pub(crate) use rotor::RotorCoordinate;
 pub use rotor::RotorMotion;
-pub use row::{BodyRow, Freedom};
+pub use row::{BodyRow, Freedom, Freedoms};
 pub(crate) use sliding_ring::SlidingCoordinate;
 
 use crate::case::Case;

@@ -79,8 +79,7 @@ pub(crate) struct OuterRing {
 /// What the ring adds to the fastest rates of a case: between balls and support; nothing where it is fixed.
 pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
     // Without a rotor the support holds it.
-    let support = case.support.as_ref().filter(|_| case.rotor.is_some());
-    let Some(support) = support else {
+    let (Some(_), Some(support)) = (&case.rotor, &case.support) else {
         return FastestRates::default();
     };
     let stop_n_m = support.stop.map_or(0.0, |stop| stop.stiffness_n_m);

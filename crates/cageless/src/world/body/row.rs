@@ -2,6 +2,15 @@
 
 use crate::dynamics::coordinates::{Coordinate, Kind};
 
+/// Freedoms of a bearing beyond those of an inner ring in its plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Freedoms {
+    /// Motion in space.
+    pub in_space: bool,
+    /// A rotor, an inner ring whose speed is a state, and an outer ring on a support.
+    pub under_rotor: bool,
+}
+
 /// Cases in which a coordinate of a body moves; in others it is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Freedom {
@@ -16,13 +25,13 @@ pub enum Freedom {
 }
 
 impl Freedom {
-    /// Whether it moves.
-    pub const fn moves(self, in_space: bool, under_rotor: bool) -> bool {
+    /// Whether it moves in a bearing with these freedoms.
+    pub const fn moves(self, bearing: Freedoms) -> bool {
         match self {
             Self::Always => true,
-            Self::InSpace => in_space,
-            Self::UnderRotor => under_rotor,
-            Self::UnderRotorInSpace => in_space && under_rotor,
+            Self::InSpace => bearing.in_space,
+            Self::UnderRotor => bearing.under_rotor,
+            Self::UnderRotorInSpace => bearing.in_space && bearing.under_rotor,
         }
     }
 }
