@@ -4,7 +4,7 @@
 use super::beginning::Beginning;
 use super::creep;
 use super::friction::at_raceways;
-use super::motions::{CentreLanes, Motions, outer_centre};
+use super::motions::{CentreLanes, Motions};
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum};
 use super::traction;
@@ -169,7 +169,7 @@ pub(super) fn add_reactions(results: &BlockResults, addends: &mut Addends) {
 /// Adds the heat of friction along the radius and about the axis over a step between two motions of
 /// the balls and the outer ring.
 #[inline(always)]
-pub(super) fn add_heat<const ROTOR: bool>(
+pub(super) fn add_heat(
     results: &BlockResults,
     ends: [(Motions<'_>, &CentreLanes); 2],
     addends: &mut Addends,
@@ -179,8 +179,7 @@ pub(super) fn add_heat<const ROTOR: bool>(
         let mut sums = [0.0; 2];
         for (motions, outer_ring) in ends {
             let motion = motions.get(lane);
-            let centre = outer_centre::<ROTOR>(outer_ring, lane);
-            sums[0] += polar.with_velocity(&motion, &centre).radial;
+            sums[0] += polar.with_velocity(&motion, &outer_ring.get(lane)).radial;
             sums[1] += motion.spin;
         }
         addends[Sum::OuterFriction as usize].0[lane] += 0.5
@@ -221,7 +220,7 @@ pub(super) fn keep_start(results: &mut BlockResults, friction: &mut ImplicitFric
 /// extrapolated with the drag D_x of the last step, they are of order 2 and damp as the other friction
 /// does.
 #[inline(always)]
-pub(super) fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
+pub(super) fn first_iterate<L: LawLanes, const KNOWN: bool>(
     law: &L,
     p: &Parameters,
     (balls, [ring, outer_ring], motions): (&BallLanes, [&CentreLanes; 2], Motions<'_>),
@@ -256,7 +255,7 @@ pub(super) fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
             spin: motion.spin - mobility[1] * drags[1],
             ..motion
         };
-        let polar = polar.with_velocity(&motion, &outer_centre::<ROTOR>(outer_ring, lane));
+        let polar = polar.with_velocity(&motion, &outer_ring.get(lane));
         let inner_polar = results.inner_polar.get(lane);
         let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
         let contacts = RacewayContacts {

@@ -1,6 +1,6 @@
 //! Positions of the balls of a block and the geometry of their outer contacts.
 
-use super::motions::{CentreLanes, Motions, outer_centre};
+use super::motions::{CentreLanes, Motions};
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use super::workspace::BlockResults;
 use crate::ball::BallLanes;
@@ -13,7 +13,7 @@ use crate::numerics::lanes::Lanes;
 
 /// Polar coordinates of every ball about the outer ring and the geometry of its contact on the plain raceway.
 #[inline(always)]
-pub(super) fn plain_positions<const ROTOR: bool>(
+pub(super) fn plain_positions(
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
@@ -21,7 +21,7 @@ pub(super) fn plain_positions<const ROTOR: bool>(
 ) {
     for lane in 0..LANES {
         let motion = motions.get(lane);
-        let polar = motion.about(&outer_centre::<ROTOR>(outer_ring, lane));
+        let polar = motion.about(&outer_ring.get(lane));
         results.polar.put(lane, polar);
         results.spin.0[lane] = motion.spin;
         let plain = OuterGeometry::plain(&balls.get(lane));

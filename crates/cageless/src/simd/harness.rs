@@ -31,9 +31,109 @@ pub(crate) fn evaluate(
     dydt: &mut [f64],
     raceway_friction: bool,
 ) {
-    match p.layout.freedoms().under_rotor {
-        true => equations::<true>(p, w, y, dydt, raceway_friction),
-        false => equations::<false>(p, w, y, dydt, raceway_friction),
+    assert!(y.len() == p.layout.len() && dydt.len() == y.len());
+    assert!(w.blocks.len() * LANES == p.layout.stride);
+    let (alone, under_rotor) = (p.layout.width() == 1, !p.drops.is_empty());
+    w.ring = CentreLanes::inner_ring(p.layout, y);
+    if under_rotor {
+        w.outer_ring = CentreLanes::outer_ring(p.layout, y);
+    }
+    let (ring, outer_ring) = (&w.ring, &w.outer_ring);
+    w.sums.clear(alone);
+    let mut slip_max = Lanes::ZERO;
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        // Or the constants of all lanes are read before the loop, only to be put on the stack.
+        let p = std::hint::black_box(p);
+        let motions = Motions::new(p.layout, y, block);
+        let balls = p.balls(block);
+        plain_positions(balls, results, motions, outer_ring);
+        contacts_of_block(p, balls, results, motions, ring, raceway_friction);
+        outer_loads(p, balls, results, &mut w.addends, motions);
+        if p.unequal {
+            slope_forces(results);
+        }
+        if p.elastic {
+            flanks::outer_contacts(p, balls, results, motions, &mut w.addends, raceway_friction);
+        }
+        if under_rotor {
+            outer_ring_reactions(p, balls, results, &mut w.addends);
+            w.sums.add(&Sum::OUTER_RING, &w.addends, alone, block);
+        }
+        inner_loads(p, balls, results, &mut w.addends);
+        if let Some(films) = &p.film {
+            film::add((p, films), balls, results, motions, &mut w.addends);
+            if let Some(factors) = &films.hysteresis {
+                hysteresis::add((p, factors), balls, results, motions, &mut w.addends);
+            }
+            w.sums.add(&Sum::ROLLING, &w.addends, alone, block);
+        }
+        w.sums.add(&Sum::NORMAL, &w.addends, alone, block);
+        if raceway_friction {
+            loaded_slips(results, &mut slip_max);
+            w.sums.add(&Sum::FRICTION, &w.addends, alone, block);
+            if under_rotor {
+                ring_torques(p, results, &mut w.addends);
+                w.sums.add(&[Sum::RingTorque], &w.addends, alone, block);
+            }
+        }
+    }
+    w.slip_max = slip_max;
+    w.slips_known &= !raceway_friction;
+    ball_contacts(p, w, y);
+    accelerations(p, w, y, dydt);
+    set_rates_of_bodies(p, w, y, dydt, raceway_friction);
+}
+
+/// Contacts of the balls of a block with both raceways, and their friction unless a method treats it implicitly.
+#[inline(always)]
+fn contacts_of_block(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &mut BlockResults,
+    motions: Motions<'_>,
+    ring: &CentreLanes,
+    raceway_friction: bool,
+) {
+    if p.unequal || p.elastic {
+        results.geometry.slope = Lanes::ZERO;
+    }
+    for raceway in &p.raceways {
+        raceway_geometry(p, balls, raceway, results);
+    }
+    raceway_contacts(p, balls, results, motions, ring);
+    if let Some(constants) = &p.creep {
+        creep::set_knees((p, constants), balls, results, motions);
+    }
+    if let Some(curves) = p.tractions() {
+        traction::set(p, curves, balls, results, motions);
+    }
+    if raceway_friction {
+        both_raceways(p, results);
+    } else {
+        (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
+    }
+}
+
+/// Rates of the bodies of each bearing, and the powers of its energy ledger.
+#[inline(always)]
+fn set_rates_of_bodies(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+    dydt: &mut [f64],
+    raceway_friction: bool,
+) {
+    for bearing in 0..p.layout.width() {
+        let (ring, layout) = (w.ring.get(bearing), p.layout.of_bearing(bearing));
+        if let Some(under) = p.drops.get(bearing) {
+            let touch = under.touch_in_plane(layout, y, raceway_friction);
+            let [x, y_force, _] = touch.loads.force;
+            ring_and_ledger(p, bearing, &ring, &w.sums, [x, y_force], dydt);
+            set_rates_under_rotor(p, bearing, &w.sums, &touch, y, dydt);
+            w.rotors[bearing] = touch.contact;
+        } else {
+            ring_and_ledger(p, bearing, &ring, &w.sums, [0.0; 2], dydt);
+        }
     }
 }
 
@@ -51,98 +151,9 @@ pub(crate) fn add_implicit_friction(
     y: &mut [f64],
     dydt: &mut [f64],
 ) {
-    match p.layout.freedoms().under_rotor {
-        true => add_with_rotor(p, w, h_s, y0, y, dydt),
-        false => implicit_friction::add(p, w, h_s, y0, y, dydt),
-    }
-}
-
-#[inline(always)]
-fn equations<const ROTOR: bool>(
-    p: &Parameters,
-    w: &mut Workspace,
-    y: &[f64],
-    dydt: &mut [f64],
-    raceway_friction: bool,
-) {
-    assert!(y.len() == p.layout.len() && dydt.len() == y.len());
-    assert!(w.blocks.len() * LANES == p.layout.stride);
-    let alone = p.layout.width() == 1;
-    w.ring = CentreLanes::inner_ring(p.layout, y);
-    if ROTOR {
-        w.outer_ring = CentreLanes::outer_ring(p.layout, y);
-    }
-    let (ring, outer_ring) = (&w.ring, &w.outer_ring);
-    w.sums.clear(alone);
-    let mut slip_max = Lanes::ZERO;
-    for (block, results) in w.blocks.iter_mut().enumerate() {
-        // Or the constants of all lanes are read before the loop, only to be put on the stack.
-        let p = std::hint::black_box(p);
-        let motions = Motions::new(p.layout, y, block);
-        let balls = p.balls(block);
-        plain_positions::<ROTOR>(balls, results, motions, outer_ring);
-        if p.unequal || p.elastic {
-            results.geometry.slope = Lanes::ZERO;
-        }
-        for raceway in &p.raceways {
-            raceway_geometry(p, balls, raceway, results);
-        }
-        raceway_contacts(p, balls, results, motions, ring);
-        if let Some(constants) = &p.creep {
-            creep::set_knees((p, constants), balls, results, motions);
-        }
-        if let Some(curves) = p.tractions() {
-            traction::set(p, curves, balls, results, motions);
-        }
-        if raceway_friction {
-            both_raceways(p, results);
-        } else {
-            (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
-        }
-        outer_loads(p, balls, results, &mut w.addends, motions);
-        if p.unequal {
-            slope_forces(results);
-        }
-        if p.elastic {
-            flanks::outer_contacts(p, balls, results, motions, &mut w.addends, raceway_friction);
-        }
-        if ROTOR {
-            outer_ring_reactions(p, balls, results, &mut w.addends);
-            w.sums.add(&Sum::OUTER_RING, &w.addends, alone, block);
-        }
-        inner_loads(p, balls, results, &mut w.addends);
-        if let Some(films) = &p.film {
-            film::add((p, films), balls, results, motions, &mut w.addends);
-            if let Some(factors) = &films.hysteresis {
-                hysteresis::add((p, factors), balls, results, motions, &mut w.addends);
-            }
-            w.sums.add(&Sum::ROLLING, &w.addends, alone, block);
-        }
-        w.sums.add(&Sum::NORMAL, &w.addends, alone, block);
-        if raceway_friction {
-            loaded_slips(results, &mut slip_max);
-            w.sums.add(&Sum::FRICTION, &w.addends, alone, block);
-            if ROTOR {
-                ring_torques(p, results, &mut w.addends);
-                w.sums.add(&[Sum::RingTorque], &w.addends, alone, block);
-            }
-        }
-    }
-    w.slip_max = slip_max;
-    w.slips_known &= !raceway_friction;
-    ball_contacts(p, w, y);
-    accelerations(p, w, y, dydt);
-    for bearing in 0..p.layout.width() {
-        let (ring, layout) = (w.ring.get(bearing), p.layout.of_bearing(bearing));
-        if ROTOR {
-            let touch = p.drops[bearing].touch_in_plane(layout, y, raceway_friction);
-            let [x, y_force, _] = touch.loads.force;
-            ring_and_ledger(p, bearing, &ring, &w.sums, [x, y_force], dydt);
-            set_rates_under_rotor(p, bearing, &w.sums, &touch, y, dydt);
-            w.rotors[bearing] = touch.contact;
-        } else {
-            ring_and_ledger(p, bearing, &ring, &w.sums, [0.0; 2], dydt);
-        }
+    match p.drops.is_empty() {
+        true => implicit_friction::add(p, w, h_s, y0, y, dydt),
+        false => add_with_rotor(p, w, h_s, y0, y, dydt),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::beginning::{Beginning, STUCK_M_S};
 use super::flanks;
 use super::friction::{at_raceways, loaded_slips};
-use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
+use super::motions::{CentreLanes, Motions, block_mut};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
@@ -29,17 +29,17 @@ pub(super) fn add(
     w.sums.clear(alone);
     let start_ring = CentreLanes::inner_ring(p.layout, y0);
     let mut slip_max = Lanes::ZERO;
-    with_law!(&p.friction, law => solve::<_, false>(law, p, w, y, h_s));
+    with_law!(&p.friction, law => solve(law, p, w, y, h_s));
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let (balls, slips) = (p.balls(block), &friction.slips);
         results.outer.slip = slips.outer;
         results.inner.slip = slips.inner;
         let against = |lane| circumference(results, lane);
         apply((p, balls, block), results, against, h_s, y, dydt);
-        let start = (Motions::new(p.layout, y0, block), &start_ring);
-        let end = (Motions::new(p.layout, y, block), &w.ring);
-        powers(p, balls, results, start, &mut w.addends);
-        flanks::add_heat::<false>(results, [start, end], &mut w.addends);
+        let [start, end] = [y0, &*y].map(|y| Motions::new(p.layout, y, block));
+        powers(p, balls, results, (start, &start_ring), &mut w.addends);
+        let ends = [start, end].map(|motions| (motions, &w.outer_ring));
+        flanks::add_heat(results, ends, &mut w.addends);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut slip_max);
@@ -151,13 +151,7 @@ pub(super) fn inner_friction_reactions(results: &BlockResults, addends: &mut Add
 /// Solves for the friction of the balls at the end of a step of `h_s`, where the other forces lead
 /// to `y`; leaves that which changes their velocities, (1 − θ)·f₀ + θ·f₁, in `w.blocks`.
 #[inline(always)]
-pub(super) fn solve<L: LawLanes, const ROTOR: bool>(
-    law: &L,
-    p: &Parameters,
-    w: &mut Workspace,
-    y: &[f64],
-    h_s: f64,
-) {
+pub(super) fn solve<L: LawLanes>(law: &L, p: &Parameters, w: &mut Workspace, y: &[f64], h_s: f64) {
     let rings = [&w.ring, &w.outer_ring];
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&mut w.friction).enumerate() {
         let motions = Motions::new(p.layout, y, block);
@@ -167,14 +161,14 @@ pub(super) fn solve<L: LawLanes, const ROTOR: bool>(
             flanks::keep_start(results, friction, w.slips_known);
         }
         if w.slips_known {
-            first_iterate::<L, ROTOR, true>(law, p, bodies, h_s, results, friction);
+            first_iterate::<L, true>(law, p, bodies, h_s, results, friction);
         } else {
-            first_iterate::<L, ROTOR, false>(law, p, bodies, h_s, results, friction);
+            first_iterate::<L, false>(law, p, bodies, h_s, results, friction);
         }
         if elastic && w.slips_known {
-            flanks::first_iterate::<L, ROTOR, true>(law, p, bodies, h_s, results, friction);
+            flanks::first_iterate::<L, true>(law, p, bodies, h_s, results, friction);
         } else if elastic {
-            flanks::first_iterate::<L, ROTOR, false>(law, p, bodies, h_s, results, friction);
+            flanks::first_iterate::<L, false>(law, p, bodies, h_s, results, friction);
         }
     }
     finish(law, p.elastic, w);
@@ -199,7 +193,7 @@ pub(super) fn finish<L: LawLanes>(law: &L, elastic: bool, w: &mut Workspace) {
 /// the sliding speeds extrapolated to it, or their solution under a law that sticks; θ = 1 unless
 /// the friction at the start is known. Leaves (1 − θ)·f₀ in `results`.
 #[inline(always)]
-fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
+fn first_iterate<L: LawLanes, const KNOWN: bool>(
     law: &L,
     p: &Parameters,
     (balls, [ring, outer_ring], motions): (&BallLanes, [&CentreLanes; 2], Motions<'_>),
@@ -209,15 +203,9 @@ fn first_iterate<L: LawLanes, const ROTOR: bool, const KNOWN: bool>(
 ) {
     let law = law.evaluated([&results.outer.slip, &results.inner.slip]);
     for lane in 0..LANES {
-        let (law, motion) = (
-            at_raceways(law.lane(lane), results, lane),
-            motions.get(lane),
-        );
-        let outer_centre = outer_centre::<ROTOR>(outer_ring, lane);
-        let polar = results
-            .polar
-            .get(lane)
-            .with_velocity(&motion, &outer_centre);
+        let (law, motion) = (at_raceways(law.lane(lane), results, lane), motions.get(lane));
+        let polar = results.polar.get(lane);
+        let polar = polar.with_velocity(&motion, &outer_ring.get(lane));
         let inner_polar = results.inner_polar.get(lane);
         let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
         let contacts = RacewayContacts {

@@ -112,13 +112,3 @@ impl CentreLanes {
         }
     }
 }
-
-/// Centre of the outer ring in a lane: fixed at the origin unless it moves.
-#[inline(always)]
-pub(super) fn outer_centre<const ROTOR: bool>(outer_ring: &CentreLanes, lane: usize) -> Centre {
-    if ROTOR {
-        outer_ring.get(lane)
-    } else {
-        Centre::default()
-    }
-}

@@ -35,7 +35,7 @@ pub(crate) fn evaluate(
     let directions = w.friction_directions.iter_mut();
     for (block, (results, direction)) in w.blocks.iter_mut().zip(directions).enumerate() {
         let (balls, motions) = (p.balls(block), Motions::new(p.layout, y, block));
-        plain_positions::<false>(balls, results, motions, &w.outer_ring);
+        plain_positions(balls, results, motions, &w.outer_ring);
         for lane in 0..LANES {
             let polar = results.polar.get(lane);
             results.spin.0[lane] -= polar.orbit;

@@ -100,7 +100,7 @@ pub(super) fn add_with_rotor(
 ) {
     let alone = p.layout.width() == 1;
     w.sums.clear(alone);
-    with_law!(&p.friction, law => solve::<_, true>(law, p, w, y, h_s));
+    with_law!(&p.friction, law => solve(law, p, w, y, h_s));
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
@@ -159,7 +159,7 @@ fn add_heat(p: &Parameters, w: &mut Workspace, [y0, y]: [&[f64]; 2]) {
             addends[Sum::InnerFriction as usize].0[lane] = results.inner_friction.0[lane] * mean(1);
         }
         let ends = [(motions_start, &start.outer), (motions_end, &end.outer)];
-        flanks::add_heat::<true>(results, ends, &mut addends);
+        flanks::add_heat(results, ends, &mut addends);
         let [outer, inner] = after;
         (results.outer.slip, results.inner.slip) = (outer, inner);
         results.outer_friction = friction.slips.outer_friction;

@@ -114,7 +114,7 @@ pub(crate) struct Workspace {
     pub(super) addends: Addends,
     /// The inner ring as of the last evaluation.
     pub(super) ring: CentreLanes,
-    /// The outer ring, where it moves.
+    /// The outer ring as of the last evaluation; at rest in the middle unless it moves.
     pub(super) outer_ring: CentreLanes,
     /// The contact of each bearing's rotor.
     pub rotors: [RotorContact; BATCH_WIDTH],
