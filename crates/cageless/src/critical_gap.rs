@@ -19,6 +19,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
@@ -223,17 +224,8 @@ pub(crate) fn pair_steps(case: &Case, test: &PairTest) -> f64 {
     PASSAGES * way_rad / case.rolling_orbit_speed_rad_s() / step_s(case, test)
 }
 
-/// One passage of the pair with gap `start_gap` at the start; `control` is called with the fraction
-/// of the passage that is done.
-fn pass(
-    case: &Case,
-    test: &PairTest,
-    ring_y: Option<f64>,
-    start_gap: f64,
-    control: &mut dyn FnMut(f64) -> Control,
-) -> Result<PairResult, CriticalGapError> {
-    let raceway = &case.raceways[0];
-    let bearing = &case.bearing;
+/// Gaps of a row at the start, rad: that of the pair, those to its neighbours, and the others alike.
+fn gaps_rad(bearing: &Bearing, test: &PairTest, start_gap: f64) -> Vec<f64> {
     let n = bearing.balls();
     let room = n as f64 * bearing.nominal_gap_rad() - start_gap;
     let even = room / (n - 1) as f64;
@@ -249,6 +241,21 @@ fn pass(
         gaps[1] = beside;
         gaps[n - 1] = beside;
     }
+    gaps
+}
+
+/// One passage of the pair with gap `start_gap` at the start; `control` is called with the fraction
+/// of the passage that is done.
+fn pass(
+    case: &Case,
+    test: &PairTest,
+    ring_y: Option<f64>,
+    start_gap: f64,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<PairResult, CriticalGapError> {
+    let raceway = &case.raceways[0];
+    let bearing = &case.bearing;
+    let gaps = gaps_rad(bearing, test, start_gap);
     let centre = raceway.dimensions().centre_angle_rad;
     let half_angle = raceway.half_angle_rad();
     let trailing = trailing_rad(case, test, start_gap);
@@ -272,7 +279,7 @@ fn pass(
     let rolling_s = (half_angle - trailing) / case.rolling_orbit_speed_rad_s();
     case.solver.duration_s = 3.0 * rolling_s;
     let mut watch = PairWatch {
-        first: test.row * n,
+        first: test.row * bearing.balls(),
         centre,
         half_angle,
         ball_angle: bearing.ball_angle_rad(),
@@ -287,14 +294,11 @@ fn pass(
     let outcome = run(&case, &mut [&mut watch], &mut |time_s| {
         control((time_s / rolling_s).min(1.0))
     })?;
-    match outcome.ending {
-        Ending::Stopped(stop) => return Err(CriticalGapError::Stopped(stop)),
+    match (outcome.ending, watch.entrance) {
+        (Ending::Stopped(stop), _) => Err(CriticalGapError::Stopped(stop)),
         // The watch ends the run as well, once the pair has passed.
-        Ending::Interrupted if !watch.passed => return Err(CriticalGapError::Interrupted),
-        _ => {}
-    }
-    match watch.entrance {
-        Some(entrance) if watch.passed => Ok(PairResult {
+        (Ending::Interrupted, _) if !watch.passed => Err(CriticalGapError::Interrupted),
+        (_, Some(entrance)) if watch.passed => Ok(PairResult {
             entrance,
             smallest: watch.smallest,
         }),

@@ -25,8 +25,10 @@
 mod bearing_class;
 mod clearance_range;
 mod interference;
+mod mounting;
 mod size_range;
 mod tolerance_class;
+mod warmth;
 
 pub use bearing_class::BearingClass;
 pub use clearance_range::ClearanceRange;
@@ -37,7 +39,8 @@ use crate::bearing::BearingDimensions;
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive, require};
 use crate::material::{Material, Materials, check_poisson_ratio};
-use crate::rotating_ring::rotating_growth_m;
+use mounting::{Mounting, Solid};
+use warmth::Warmth;
 
 /// Temperature at which clearance and interferences are stated, °C (ISO 1).
 pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
@@ -153,43 +156,6 @@ impl OperatingClearance {
     }
 }
 
-/// What a ring has of its seat.
-#[derive(Default)]
-struct Seat {
-    interference_m: f64,
-    pressure_pa: f64,
-    reduction_m: f64,
-}
-
-/// Pressure between two cylinders of diameters `[inside, fit, outside]`, pushed together with an
-/// interference on the diameter:
-///
-///   p = δ/d2 / ([(d1² + d2²)/(d1² − d2²) + ν1]/E1 + [(d2² + d3²)/(d2² − d3²) − ν2]/E2)
-///
-/// (Lamé; NTN 2203/E, table 8.6), 1 outside, 2 inside. 0 without interference: the two do not touch.
-fn pressure_pa(
-    interference_m: f64,
-    [d3, d2, d1]: [f64; 3],
-    [inside, outside]: [(f64, f64); 2],
-) -> f64 {
-    // (1 + q²)/(1 − q²) with q of the smaller over the larger diameter; 1 of a solid shaft or a thick housing.
-    let wall = |small: f64, large: f64| {
-        let q = (small / large).powi(2);
-        (1.0 + q) / (1.0 - q)
-    };
-    let outer = (wall(d2, d1) + outside.1) / outside.0;
-    let inner = (wall(d3, d2) - inside.1) / inside.0;
-    (interference_m / d2).max(0.0) / (outer + inner)
-}
-
-/// Change of the diameter of a ring at `far` under pressure on its diameter `near`, its other side free:
-/// 2 p far/E / |(far/near)² − 1| at its outside, of the same form at its inside.
-fn free_side_m(pressure_pa: f64, near: f64, far: f64, youngs_modulus_pa: f64) -> f64 {
-    let [small, large] = [near.min(far), near.max(far)];
-    let near_share = near * near / (large * large - small * small);
-    2.0 * pressure_pa * far * near_share / youngs_modulus_pa
-}
-
 impl Fit {
     /// The clearance of a bearing that is mounted like this, at a speed of its inner ring.
     ///
@@ -207,114 +173,31 @@ impl Fit {
         materials: &Materials,
         inner_speed_rad_s: f64,
     ) -> Result<OperatingClearance, InputError> {
-        let ring = (
-            materials.ring.youngs_modulus_pa,
-            materials.ring.poisson_ratio,
-        );
-        let [inner_m, outer_m] = [
-            dimensions.inner_groove_bottom_radius_m,
-            dimensions.outer_groove_bottom_radius_m,
-        ]
-        .map(|radius| 2.0 * radius);
+        let mounting = self.mounting(dimensions, materials, inner_speed_rad_s)?;
+        let Mounting {
+            inner_m,
+            outer_m,
+            warmth,
+            ..
+        } = mounting;
         let ball_m = 2.0 * dimensions.ball_radius_m;
-        self.check(inner_m, outer_m)?;
-        self.check_steel(materials)?;
-
-        let warmer = |given: Option<f64>, otherwise: f64| {
-            given.map_or(otherwise, |t| t - REFERENCE_TEMPERATURE_C)
-        };
-        let inner_k = warmer(self.inner_ring_temperature_c, 0.0);
-        let outer_k = warmer(self.outer_ring_temperature_c, 0.0);
-        let ball_k = warmer(self.ball_temperature_c, 0.5 * (inner_k + outer_k));
-        let shaft_k = warmer(self.shaft_temperature_c, inner_k);
-        let housing_k = warmer(self.housing_temperature_c, outer_k);
-        let warm = [inner_k, outer_k, ball_k, shaft_k, housing_k];
-        let is_warm = warm.iter().any(|k| *k != 0.0);
-        let of_steel = |field, given: Option<f64>, material: &Material| match given {
-            Some(value) => Ok(value),
-            None if material.is_steel() || !is_warm => Ok(STEEL_EXPANSION_PER_K),
-            None => Err(InputError::new(field, f64::NAN, Allowed::AtLeast(0.0, ""))),
-        };
-        let ring_per_k = of_steel(
-            "ring_expansion_per_k",
-            self.ring_expansion_per_k,
-            &materials.ring,
-        )?;
-        let ball_per_k = of_steel(
-            "ball_expansion_per_k",
-            self.ball_expansion_per_k,
-            &materials.ball,
-        )?;
-        let shaft_per_k = self.shaft_expansion_per_k.unwrap_or(ring_per_k);
-        let housing_per_k = self.housing_expansion_per_k.unwrap_or(ring_per_k);
-
-        let solid = |modulus: Option<f64>, ratio: Option<f64>| {
-            (modulus.unwrap_or(ring.0), ratio.unwrap_or(ring.1))
-        };
-        let shaft = solid(self.shaft_youngs_modulus_pa, self.shaft_poisson_ratio);
-        let housing = solid(self.housing_youngs_modulus_pa, self.housing_poisson_ratio);
-
-        let bore_m =
-            (self.bore_diameter_m).unwrap_or_else(|| 2.0 * dimensions.bore_radius_estimate_m());
-        let ring_growth_m = |at_m| {
-            let diameters = [bore_m, inner_m];
-            rotating_growth_m(&materials.ring, inner_speed_rad_s, diameters, at_m)
-        };
-        // Steel, aluminium and titanium have the same E/ρ within a third.
-        let turning_shaft = Material {
-            poisson_ratio: shaft.1,
-            ..materials.ring
-        };
-        let shaft_growth_m = |bore| {
-            let diameters = [self.shaft_bore_diameter_m, bore];
-            rotating_growth_m(&turning_shaft, inner_speed_rad_s, diameters, bore)
-        };
-        let on_shaft = |mounted_m: f64| {
-            let Some(bore) = self.bore_diameter_m else {
-                return Seat::default();
-            };
-            let interference_m = mounted_m
-                + bore * (shaft_per_k * shaft_k - ring_per_k * inner_k)
-                + shaft_growth_m(bore)
-                - ring_growth_m(bore);
-            let diameters = [self.shaft_bore_diameter_m, bore, inner_m];
-            let pressure_pa = pressure_pa(interference_m, diameters, [shaft, ring]);
-            Seat {
-                interference_m,
-                pressure_pa,
-                reduction_m: free_side_m(pressure_pa, bore, inner_m, ring.0),
-            }
-        };
-        let in_housing = |mounted_m: f64| {
-            let Some(outside) = self.outside_diameter_m else {
-                return Seat::default();
-            };
-            let interference_m =
-                mounted_m + outside * (ring_per_k * outer_k - housing_per_k * housing_k);
-            let thick = self.housing_outside_diameter_m.unwrap_or(f64::INFINITY);
-            let diameters = [outer_m, outside, thick];
-            let pressure_pa = pressure_pa(interference_m, diameters, [ring, housing]);
-            Seat {
-                interference_m,
-                pressure_pa,
-                reduction_m: free_side_m(pressure_pa, outside, outer_m, ring.0),
-            }
-        };
         let [of_shaft, of_housing] = self.interferences()?;
-        let [shaft_seat, housing_seat] = [on_shaft(of_shaft.mean_m), in_housing(of_housing.mean_m)];
-        let rings = ring_per_k * (outer_m * outer_k - inner_m * inner_k);
+        let shaft_seat = mounting.on_shaft(of_shaft.mean_m);
+        let housing_seat = mounting.in_housing(of_housing.mean_m);
+        let rings = warmth.ring_per_k * (outer_m * warmth.outer_k - inner_m * warmth.inner_k);
         let mut found = OperatingClearance {
             initial_m: outer_m - inner_m - 2.0 * ball_m,
             shaft_interference_m: shaft_seat.interference_m,
             housing_interference_m: housing_seat.interference_m,
             shaft_reduction_m: shaft_seat.reduction_m,
             housing_reduction_m: housing_seat.reduction_m,
-            thermal_change_m: rings - 2.0 * ball_m * ball_per_k * ball_k,
-            speed_reduction_m: ring_growth_m(inner_m),
+            thermal_change_m: rings - 2.0 * ball_m * warmth.ball_per_k * warmth.ball_k,
+            speed_reduction_m: mounting.ring_growth_m(inner_m),
             shaft_pressure_pa: shaft_seat.pressure_pa,
             housing_pressure_pa: housing_seat.pressure_pa,
-            parts_c: [inner_k, ball_k, outer_k].map(|k| REFERENCE_TEMPERATURE_C + k),
-            ring_expansion_per_k: ring_per_k,
+            parts_c: [warmth.inner_k, warmth.ball_k, warmth.outer_k]
+                .map(|k| REFERENCE_TEMPERATURE_C + k),
+            ring_expansion_per_k: warmth.ring_per_k,
             range: None,
         };
         if self.has_tolerances() {
@@ -323,8 +206,8 @@ impl Fit {
                     let [shaft_m, housing_m] =
                         [of_shaft, of_housing].map(|fit| fit.mean_m + tighter * half_m(fit));
                     let changes_m = [
-                        on_shaft(shaft_m).reduction_m - shaft_seat.reduction_m,
-                        in_housing(housing_m).reduction_m - housing_seat.reduction_m,
+                        mounting.on_shaft(shaft_m).reduction_m - shaft_seat.reduction_m,
+                        mounting.in_housing(housing_m).reduction_m - housing_seat.reduction_m,
                         self.clearance_tolerance_m,
                     ];
                     found.operating_m() - tighter * sum(changes_m.map(f64::abs))
@@ -340,6 +223,78 @@ impl Fit {
                     diameter of the inner groove";
         require("fit", strain_m, strain_m <= STRAIN_MAX * inner_m, rule)?;
         Ok(found)
+    }
+
+    /// Rings, shaft and housing, once their diameters and temperatures are checked.
+    fn mounting<'a>(
+        &self,
+        dimensions: &BearingDimensions,
+        materials: &'a Materials,
+        inner_speed_rad_s: f64,
+    ) -> Result<Mounting<'a>, InputError> {
+        let [inner_m, outer_m] = [
+            dimensions.inner_groove_bottom_radius_m,
+            dimensions.outer_groove_bottom_radius_m,
+        ]
+        .map(|radius| 2.0 * radius);
+        self.check(inner_m, outer_m)?;
+        self.check_steel(materials)?;
+        let ring = Solid {
+            youngs_modulus_pa: materials.ring.youngs_modulus_pa,
+            poisson_ratio: materials.ring.poisson_ratio,
+        };
+        let solid = |modulus: Option<f64>, ratio: Option<f64>| Solid {
+            youngs_modulus_pa: modulus.unwrap_or(ring.youngs_modulus_pa),
+            poisson_ratio: ratio.unwrap_or(ring.poisson_ratio),
+        };
+        let estimate_m = || 2.0 * dimensions.bore_radius_estimate_m();
+        Ok(Mounting {
+            ring_material: &materials.ring,
+            ring,
+            shaft: solid(self.shaft_youngs_modulus_pa, self.shaft_poisson_ratio),
+            housing: solid(self.housing_youngs_modulus_pa, self.housing_poisson_ratio),
+            inner_m,
+            outer_m,
+            bore_m: self.bore_diameter_m,
+            ring_bore_m: self.bore_diameter_m.unwrap_or_else(estimate_m),
+            shaft_bore_m: self.shaft_bore_diameter_m,
+            outside_m: self.outside_diameter_m,
+            housing_outside_m: self.housing_outside_diameter_m.unwrap_or(f64::INFINITY),
+            inner_speed_rad_s,
+            warmth: self.warmth(materials)?,
+        })
+    }
+
+    /// Temperatures and expansion of the parts.
+    fn warmth(&self, materials: &Materials) -> Result<Warmth, InputError> {
+        let warmer = |given: Option<f64>, otherwise: f64| {
+            given.map_or(otherwise, |t| t - REFERENCE_TEMPERATURE_C)
+        };
+        let inner_k = warmer(self.inner_ring_temperature_c, 0.0);
+        let outer_k = warmer(self.outer_ring_temperature_c, 0.0);
+        let ball_k = warmer(self.ball_temperature_c, 0.5 * (inner_k + outer_k));
+        let shaft_k = warmer(self.shaft_temperature_c, inner_k);
+        let housing_k = warmer(self.housing_temperature_c, outer_k);
+        let warm = [inner_k, outer_k, ball_k, shaft_k, housing_k];
+        let is_warm = warm.iter().any(|k| *k != 0.0);
+        let of_steel = |field, given: Option<f64>, material: &Material| match given {
+            Some(value) => Ok(value),
+            None if material.is_steel() || !is_warm => Ok(STEEL_EXPANSION_PER_K),
+            None => Err(InputError::new(field, f64::NAN, Allowed::AtLeast(0.0, ""))),
+        };
+        let (of_ring, of_ball) = (self.ring_expansion_per_k, self.ball_expansion_per_k);
+        let ring_per_k = of_steel("ring_expansion_per_k", of_ring, &materials.ring)?;
+        Ok(Warmth {
+            inner_k,
+            outer_k,
+            ball_k,
+            shaft_k,
+            housing_k,
+            ring_per_k,
+            ball_per_k: of_steel("ball_expansion_per_k", of_ball, &materials.ball)?,
+            shaft_per_k: self.shaft_expansion_per_k.unwrap_or(ring_per_k),
+            housing_per_k: self.housing_expansion_per_k.unwrap_or(ring_per_k),
+        })
     }
 
     /// Whether the clearance in operation has a range.
@@ -449,6 +404,12 @@ impl Fit {
         ] {
             finite(field, value.unwrap_or(0.0))?;
         }
+        self.check_counterparts(bore, outer_m)?;
+        self.check_warmth()
+    }
+
+    /// Checks shaft and housing.
+    fn check_counterparts(&self, bore: Option<f64>, outer_m: f64) -> Result<(), InputError> {
         not_negative("shaft_bore_diameter_m", self.shaft_bore_diameter_m)?;
         if let Some(bore) = bore {
             Allowed::Below(bore, "the bore of the inner ring")
@@ -471,6 +432,11 @@ impl Fit {
         ] {
             value.map_or(Ok(()), |value| check_poisson_ratio(field, value))?;
         }
+        Ok(())
+    }
+
+    /// Checks temperatures and coefficients of expansion.
+    fn check_warmth(&self) -> Result<(), InputError> {
         for (field, value) in [
             ("inner_ring_temperature_c", self.inner_ring_temperature_c),
             ("outer_ring_temperature_c", self.outer_ring_temperature_c),

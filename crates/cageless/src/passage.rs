@@ -73,6 +73,26 @@ pub struct Passage {
     pub way_here: Option<[f64; 2]>,
 }
 
+/// Sums over passages of what each has.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct PassageSums {
+    inside_s: f64,
+    inside_at_largest_s: f64,
+    unloaded_s: f64,
+    /// Contacts with either neighbour that began inside.
+    collisions: f64,
+    /// Passages in which both neighbours hit.
+    double_collisions: f64,
+    sliding_max_m_s: f64,
+    gap_min_rad: f64,
+    /// Of passages in which the inner ring turns.
+    slowest_at_largest_rad_s: f64,
+    angle_rad: f64,
+    /// Angle and time between passages.
+    outside_rad: f64,
+    outside_s: f64,
+}
+
 /// Sums over passages, accumulated one by one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassageTally {
@@ -80,9 +100,7 @@ pub struct PassageTally {
     pub count: u64,
     /// Those of them in which the inner ring turns.
     turned: u64,
-    sums: [f64; 9],
-    /// Angle and time between passages.
-    outside: [f64; 2],
+    sums: PassageSums,
     /// Largest and smallest gap to the ball ahead on going out.
     pub gap_leave_range_rad: [f64; 2],
 }
@@ -93,8 +111,7 @@ impl PassageTally {
         Self {
             count: 0,
             turned: 0,
-            sums: [0.0; 9],
-            outside: [0.0; 2],
+            sums: PassageSums::default(),
             gap_leave_range_rad: [f64::INFINITY, f64::NEG_INFINITY],
         }
     }
@@ -105,77 +122,74 @@ impl PassageTally {
         let turned = p.slowest_at_largest_rad_s.is_finite();
         self.turned += u64::from(turned);
         let twice = p.collisions_ahead > 0 && p.collisions_behind > 0;
-        let values = [
-            p.leave_s - p.enter_s,
-            f64::from(p.collisions_ahead + p.collisions_behind),
-            f64::from(u8::from(twice)),
-            p.sliding_max_m_s,
-            p.gap_min_rad,
-            if turned {
-                p.slowest_at_largest_rad_s
-            } else {
-                0.0
-            },
-            p.angle_rad,
-            p.unloaded_s,
-            p.inside_at_largest_s,
-        ];
-        for (sum, value) in self.sums.iter_mut().zip(values) {
-            *sum += value;
+        let sums = &mut self.sums;
+        sums.inside_s += p.leave_s - p.enter_s;
+        sums.inside_at_largest_s += p.inside_at_largest_s;
+        sums.unloaded_s += p.unloaded_s;
+        sums.collisions += f64::from(p.collisions_ahead + p.collisions_behind);
+        sums.double_collisions += f64::from(u8::from(twice));
+        sums.sliding_max_m_s += p.sliding_max_m_s;
+        sums.gap_min_rad += p.gap_min_rad;
+        if turned {
+            sums.slowest_at_largest_rad_s += p.slowest_at_largest_rad_s;
         }
-        for (sum, way) in self.outside.iter_mut().zip(p.way_here.unwrap_or_default()) {
-            *sum += way;
+        sums.angle_rad += p.angle_rad;
+        if let Some([angle_rad, time_s]) = p.way_here {
+            sums.outside_rad += angle_rad;
+            sums.outside_s += time_s;
         }
         let [low, high] = self.gap_leave_range_rad;
         self.gap_leave_range_rad = [low.min(p.gap_leave_rad), high.max(p.gap_leave_rad)];
     }
 
-    fn mean(&self, k: usize) -> f64 {
-        self.sums[k] / self.count as f64
+    /// Mean of a sum over all passages.
+    fn mean(&self, sum: f64) -> f64 {
+        sum / self.count as f64
     }
 
     /// Mean time inside; like all means NaN without passages.
     pub fn duration_mean_s(&self) -> f64 {
-        self.mean(0)
+        self.mean(self.sums.inside_s)
     }
 
     /// Mean number of contacts with either neighbour that began inside.
     pub fn collisions_mean(&self) -> f64 {
-        self.mean(1)
+        self.mean(self.sums.collisions)
     }
 
     /// Fraction of the passages in which both neighbours hit.
     pub fn double_collision_fraction(&self) -> f64 {
-        self.mean(2)
+        self.mean(self.sums.double_collisions)
     }
 
     /// Mean over the passages of the largest |ΔVi| or |ΔVo| in each.
     pub fn sliding_mean_m_s(&self) -> f64 {
-        self.mean(3)
+        self.mean(self.sums.sliding_max_m_s)
     }
 
     /// Mean of the smallest gap ahead in each.
     pub fn gap_min_mean_rad(&self) -> f64 {
-        self.mean(4)
+        self.mean(self.sums.gap_min_rad)
     }
 
     /// What a ball loses in one passage against the mean orbital speed between passages: that
     /// speed times the time inside, less the angle of the raceway. Where the speed varies, times are those in which
     /// the inner ring would turn as far at its largest. NaN until a ball has passed two.
     pub fn lag_mean_rad(&self) -> f64 {
-        let [angle, time] = self.outside;
-        angle / time * self.mean(8) - self.mean(6)
+        let sums = &self.sums;
+        sums.outside_rad / sums.outside_s * self.mean(sums.inside_at_largest_s)
+            - self.mean(sums.angle_rad)
     }
 
     /// Fraction of the time inside without force at the inner raceway.
     pub fn unloaded_fraction(&self) -> f64 {
-        self.sums[7] / self.sums[0]
+        self.sums.unloaded_s / self.sums.inside_s
     }
 
     /// Mean of the smallest orbital speed in each, at the largest speed of the inner ring. NaN where that stands in
     /// all.
     pub(crate) fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
-        self.sums[5] / self.turned as f64
+        self.sums.slowest_at_largest_rad_s / self.turned as f64
     }
 }
 

@@ -276,6 +276,114 @@ fn film_1_s(case: &Case, load_n: f64) -> f64 {
     5.0 * outer.max(inner) / case.bearing.ball_mass_kg()
 }
 
+/// Largest tangential speed of a ball with this contact radius in its orbit, m/s.
+fn orbit_m_s(case: &Case, contact_radius_m: f64) -> f64 {
+    let (bearing, inner_rad_s) = (&case.bearing, case.largest_inner_speed_rad_s());
+    rolling_orbit_speed_rad_s(bearing, inner_rad_s, contact_radius_m) * bearing.pitch_radius_m()
+}
+
+/// Speed at which balls meet, m/s: their speed difference in the deepest raceway.
+fn approach_m_s(case: &Case) -> f64 {
+    let outside_m_s = orbit_m_s(case, case.bearing.ball_radius_m());
+    let in_middle_m_s = |raceway: &Raceway| {
+        let middle_rad = raceway.dimensions().centre_angle_rad;
+        orbit_m_s(case, raceway.effective_radius_m(middle_rad))
+    };
+    let slower_m_s = case.raceways.iter().map(|r| outside_m_s - in_middle_m_s(r));
+    slower_m_s.fold(LEAST_IMPACT_M_S, f64::max)
+}
+
+/// Time in which a ball in space passes the shortest run-out of a raceway before its end, s; infinite without one.
+fn run_out_s(case: &Case) -> f64 {
+    match case.moves_in_space() {
+        true => {
+            let lengths_m = case.raceways.iter().filter_map(Raceway::run_out_m);
+            let shortest_m = lengths_m.fold(f64::INFINITY, f64::min);
+            shortest_m / orbit_m_s(case, case.bearing.ball_radius_m())
+        }
+        false => f64::INFINITY,
+    }
+}
+
+/// Largest force on a ball that takes `force_n` of the loads, N: with its centrifugal force, peaks over both, and
+/// what the rings press without load.
+fn under_n(case: &Case, force_n: f64) -> f64 {
+    OVERLOAD * (force_n + case.centrifugal_force_n()) + case.preload_n() + case.axial_preload_n()
+}
+
+/// Forces that the limits allow for.
+struct BallForces {
+    /// Radial load of the inner ring with weights and impact, N.
+    down_n: f64,
+    /// Force of all loads on the most loaded ball, N.
+    carried_n: f64,
+    /// Peak of the impact of a ball on a raceway, N.
+    struck_n: f64,
+    /// Largest force on a ball, N.
+    largest_n: f64,
+}
+
+impl BallForces {
+    fn of_case(case: &Case, impact: &Impact) -> Self {
+        let d = case.bearing.dimensions();
+        let mass = case.bearing.ball_mass_kg();
+        let [inner, outer, _] = case.stiffness_n_m1_5();
+        let down_n = case.largest_radial_load_n()
+            + case.operation.unbalance_force_n()
+            + impact.force_n.max(impact.axial_as_radial_n)
+            + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
+        let of_loads_n = 5.0 * down_n / d.balls as f64 + pressed_along_axis_n(case);
+        let carried_n = under_n(case, of_loads_n);
+        // A ball of mass m against a raceway: the reduced mass is m.
+        let (_, struck_n, _) = hertz::impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);
+        Self {
+            down_n,
+            carried_n,
+            struck_n,
+            largest_n: carried_n.max(squeezed_n(case)).max(struck_n),
+        }
+    }
+}
+
+/// Rates of the slip under friction.
+struct FrictionRates {
+    /// Decay under the smooth laws, 1/s.
+    decay_1_s: f64,
+    /// Creep under Coulomb's law per second of step, m/s².
+    creep_m_s2: f64,
+    /// Growth where friction falls with the sliding speed, 1/s.
+    growth_1_s: f64,
+}
+
+impl FrictionRates {
+    /// Those of a ball under `load_n`, and of an impact.
+    fn of_case(case: &Case, load_n: f64, impact: &Impact) -> Self {
+        let (contact, mass) = (&case.contact, case.bearing.ball_mass_kg());
+        let factor = contact.friction_factor_max();
+        let coefficient_max = factor * contact.friction_law.coefficient_max(&contact.friction);
+        let fall = contact.friction_law.steepest_fall(&contact.friction);
+        let growth_1_s = (5.0 * factor * fall * load_n / mass).max(impact.falling_1_s);
+        if contact.friction_law.sticks() {
+            // The stick of explicit methods is relaxed with the step, see `Model`.
+            let stick = STICK_FRACTION * 2.0 / 7.0 * mass;
+            return Self {
+                decay_1_s: impact.friction_1_s,
+                creep_m_s2: coefficient_max * load_n / stick,
+                growth_1_s,
+            };
+        }
+        // Both friction forces of a ball together feel 1/5 of its mass.
+        let largest = 5.0 * coefficient_max * load_n;
+        let rate = largest / (mass * contact.friction.regularisation_speed_m_s);
+        Self {
+            decay_1_s: (rate.max(creep_1_s(case, load_n)) + film_1_s(case, load_n))
+                .max(impact.friction_1_s),
+            creep_m_s2: 0.0,
+            growth_1_s,
+        }
+    }
+}
+
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + what axial load and tilt press +
     /// centrifugal force, a quarter more, + the preload, of what presses the parts together without load
@@ -283,38 +391,16 @@ impl StepLimits {
     /// ball, and an impact of two balls at the speed difference that the deepest raceway makes.
     /// Springs between ball and ring count at both masses: k (1/m + n/M) is an upper bound of ω².
     pub fn new(case: &Case) -> Self {
-        let bearing = &case.bearing;
-        let d = bearing.dimensions();
-        let mass = bearing.ball_mass_kg();
+        let mass = case.bearing.ball_mass_kg();
         let [inner, outer, ball] = case.stiffness_n_m1_5();
-        let rw = bearing.ball_radius_m();
-        let speed = |r: f64| {
-            rolling_orbit_speed_rad_s(bearing, case.largest_inner_speed_rad_s(), r)
-                * bearing.pitch_radius_m()
-        };
-        let centrifugal = case.centrifugal_force_n();
         let carrying = carrying(case);
         let impact = Impact::of_case(case, carrying);
-        let down = case.largest_radial_load_n()
-            + case.operation.unbalance_force_n()
-            + impact.force_n.max(impact.axial_as_radial_n)
-            + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
-        let under = |force: f64| {
-            OVERLOAD * (force + centrifugal) + case.preload_n() + case.axial_preload_n()
-        };
-        let carried = under(5.0 * down / d.balls as f64 + pressed_along_axis_n(case));
-        // A ball of mass m against a raceway: the reduced mass is m.
-        let (_, struck, _) = hertz::impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);
-        let load = carried.max(squeezed_n(case)).max(struck);
+        let forces = BallForces::of_case(case, &impact);
+        let load = forces.largest_n;
         // dF/dδ = 3/2 K^(2/3) F^(1/3).
         let slope = |k: f64, force: f64| 1.5 * k.powf(2.0 / 3.0) * force.cbrt();
         let raceways = slope(inner, load) + slope(outer, load);
-        let approach_m_s = case
-            .raceways
-            .iter()
-            .map(|r| speed(rw) - speed(r.effective_radius_m(r.dimensions().centre_angle_rad)))
-            .fold(LEAST_IMPACT_M_S, f64::max);
-        let (_, peak, _) = hertz::impact(ball, mass, approach_m_s);
+        let (_, peak, _) = hertz::impact(ball, mass, approach_m_s(case));
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
         let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
         let bodies = body::fastest_rates(
@@ -335,49 +421,25 @@ impl StepLimits {
             .fold(of_ball, |sum, own| sum + own.square_1_s2);
         let of_ball = (damper(inner) + damper(outer)) / mass;
         let damping_1_s = bodies.iter().fold(of_ball, |sum, own| sum + own.decay_1_s);
-        let contact = &case.contact;
-        let wedge = wedged_n(case, down);
+        let wedge = wedged_n(case, forces.down_n);
         let touching = match (&case.start.gaps, case.start.state) {
             (Gaps::List(_), StartState::AtRest) => impact.falls,
             (Gaps::List(gaps), _) => gaps.contains(&0.0),
             (Gaps::Uniform, _) => false,
         };
-        let factor = contact.friction_factor_max();
-        let coefficient_max = factor * contact.friction_law.coefficient_max(&contact.friction);
-        let [friction, creep] = if contact.friction_law.sticks() {
-            // The stick of explicit methods is relaxed with the step, see `Model`.
-            let stick = STICK_FRACTION * 2.0 / 7.0 * mass;
-            [impact.friction_1_s, coefficient_max * load / stick]
-        } else {
-            // Both friction forces of a ball together feel 1/5 of its mass.
-            let largest = 5.0 * coefficient_max * load;
-            let rate = largest / (mass * contact.friction.regularisation_speed_m_s);
-            let rate = rate.max(creep_1_s(case, load)) + film_1_s(case, load);
-            [rate.max(impact.friction_1_s), 0.0]
-        };
+        let friction = FrictionRates::of_case(case, load, &impact);
         Self {
             contact_rad_s: square.sqrt(),
             damping_1_s,
-            friction_1_s: friction,
-            creep_m_s2: creep,
-            falling_1_s: (5.0
-                * factor
-                * contact.friction_law.steepest_fall(&contact.friction)
-                * load
-                / mass)
-                .max(impact.falling_1_s),
+            friction_1_s: friction.decay_1_s,
+            creep_m_s2: friction.creep_m_s2,
+            falling_1_s: friction.growth_1_s,
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             // The impact of a rotor, too, where two balls have to take it.
-            light: carried < LIGHT * struck || (impact.falls && wedge > 0.0),
+            light: forces.carried_n < LIGHT * forces.struck_n || (impact.falls && wedge > 0.0),
             touching,
-            run_out_s: match case.moves_in_space() {
-                true => {
-                    let lengths_m = case.raceways.iter().filter_map(Raceway::run_out_m);
-                    lengths_m.fold(f64::INFINITY, f64::min) / speed(rw)
-                }
-                false => f64::INFINITY,
-            },
-            wedged: (under(wedge) / load).max(1.0).cbrt(),
+            run_out_s: run_out_s(case),
+            wedged: (under_n(case, wedge) / load).max(1.0).cbrt(),
         }
     }
 

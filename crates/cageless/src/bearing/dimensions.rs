@@ -84,24 +84,7 @@ impl BearingDimensions {
     pub(super) fn check(&self, materials: &Materials) -> Result<(), InputError> {
         let d = self;
         positive("ball_radius_m", d.ball_radius_m)?;
-        let (ri, re) = (
-            d.inner_groove_curvature_radius_m,
-            d.outer_groove_curvature_radius_m,
-        );
-        let grooves = [
-            ("inner_groove_curvature_radius_m", ri),
-            ("outer_groove_curvature_radius_m", re),
-        ];
-        let bottoms = [
-            (
-                "inner_groove_bottom_radius_m",
-                d.inner_groove_bottom_radius_m,
-            ),
-            (
-                "outer_groove_bottom_radius_m",
-                d.outer_groove_bottom_radius_m,
-            ),
-        ];
+        let (grooves, bottoms) = (d.grooves(), d.bottoms());
         let shoulder = ("outer_shoulder_radius_m", d.outer_shoulder_radius_m);
         for (field, radius_m) in bottoms.into_iter().chain([shoulder]).chain(grooves) {
             positive(field, radius_m)?;
@@ -112,30 +95,7 @@ impl BearingDimensions {
         materials.ring.check()?;
         let balls = d.balls as f64;
         Allowed::AtLeast(BALLS_MIN as f64, "").check("balls", balls)?;
-        let clearance = d.play_m();
-        // Dimensions given in millimetres do not add up to zero exactly.
-        if clearance < -ROUNDING_M && -clearance > d.interference_max_m(materials) {
-            let between = d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m;
-            let mut largest = self.clone();
-            // The limit is in proportion to the radius of the ball, a hundredth of it or less.
-            for _ in 0..4 {
-                largest.ball_radius_m = between / 2.0;
-                largest.ball_radius_m += largest.interference_max_m(materials) / 2.0;
-            }
-            let [(field, inner_m), (_, outer_m)] = bottoms;
-            if inner_m >= outer_m {
-                let why = "the radius of the outer groove bottom Ro, as the balls are between both";
-                return Err(InputError::new(
-                    field,
-                    inner_m,
-                    Allowed::Below(outer_m, why),
-                ));
-            }
-            let why = "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
-                       unloaded rings press the balls with over 4200 MPa, the limit of ISO 76";
-            let allowed = Allowed::AtMost(largest.ball_radius_m, why);
-            return Err(InputError::new("ball_radius_m", d.ball_radius_m, allowed));
-        }
+        d.check_interference(materials)?;
         Allowed::AtMost(BALLS_MAX as f64, "room in the vectors").check("balls", balls)?;
         let most = (TAU / (2.0 * (d.ball_radius_m / d.pitch_radius_m()).asin())).floor();
         Allowed::AtMost(most, "more do not fit on the pitch circle").check("balls", balls)?;
@@ -148,6 +108,59 @@ impl BearingDimensions {
             let why = "the diameter of the ball; grooves have 0.51 to 0.58 of it";
             Allowed::AtMost(flattest, why).check(field, radius)?;
         }
+        d.check_shoulders()
+    }
+
+    /// Radii of curvature of the grooves, with their fields: inner, outer.
+    fn grooves(&self) -> [(&'static str, f64); 2] {
+        let inner_m = self.inner_groove_curvature_radius_m;
+        let outer_m = self.outer_groove_curvature_radius_m;
+        [
+            ("inner_groove_curvature_radius_m", inner_m),
+            ("outer_groove_curvature_radius_m", outer_m),
+        ]
+    }
+
+    /// Radii of the groove bottoms, with their fields: inner, outer.
+    fn bottoms(&self) -> [(&'static str, f64); 2] {
+        let inner_m = self.inner_groove_bottom_radius_m;
+        let outer_m = self.outer_groove_bottom_radius_m;
+        [
+            ("inner_groove_bottom_radius_m", inner_m),
+            ("outer_groove_bottom_radius_m", outer_m),
+        ]
+    }
+
+    /// Refuses rings that press the balls beyond any contact.
+    fn check_interference(&self, materials: &Materials) -> Result<(), InputError> {
+        let clearance = self.play_m();
+        // Dimensions given in millimetres do not add up to zero exactly.
+        let pressed = clearance < -ROUNDING_M && -clearance > self.interference_max_m(materials);
+        if !pressed {
+            return Ok(());
+        }
+        let [(field, inner_m), (_, outer_m)] = self.bottoms();
+        if inner_m >= outer_m {
+            let why = "the radius of the outer groove bottom Ro, as the balls are between both";
+            let allowed = Allowed::Below(outer_m, why);
+            return Err(InputError::new(field, inner_m, allowed));
+        }
+        let mut largest = self.clone();
+        // The limit is in proportion to the radius of the ball, a hundredth of it or less.
+        for _ in 0..4 {
+            largest.ball_radius_m = (outer_m - inner_m) / 2.0;
+            largest.ball_radius_m += largest.interference_max_m(materials) / 2.0;
+        }
+        let why = "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
+                   unloaded rings press the balls with over 4200 MPa, the limit of ISO 76";
+        let allowed = Allowed::AtMost(largest.ball_radius_m, why);
+        let given_m = self.ball_radius_m;
+        Err(InputError::new("ball_radius_m", given_m, allowed))
+    }
+
+    /// Checks the shoulders of both rings.
+    fn check_shoulders(&self) -> Result<(), InputError> {
+        let d = self;
         let bottom = d.outer_groove_bottom_radius_m;
         let why = "ball centre at the outer raceway and groove bottom";
         Allowed::Between(bottom - d.ball_radius_m, bottom, why)

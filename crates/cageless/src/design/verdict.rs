@@ -199,45 +199,35 @@ fn judge_one(
 ) -> Result<(Judgement, Option<f64>), CriticalGapError> {
     let gap_orbits = GAP_ORBITS * case.raceways.len() as f64;
     let orbits = gap_orbits + TURNS[0] + TURNS[1];
-    let mut criticals = vec![];
-    for (k, raceway) in case.raceways.iter().enumerate() {
-        let alone = case.with_raceways(vec![raceway.clone()]);
-        let mut fraction = |part: f64| control(GAP_ORBITS * (k as f64 + part) / orbits);
-        match least_critical_gap_rad(&alone, &mut fraction) {
-            Ok(gap) => criticals.push(Ok(gap)),
-            Err(error @ (CriticalGapError::Case(_) | CriticalGapError::Interrupted)) => {
-                return Err(error);
-            }
-            Err(CriticalGapError::Stopped(stop)) => {
-                let reason = format!("the run of one pair stopped: {}", stop.cause);
-                return Ok((summary(vec![not_judged(reason, None)], Some(stop)), None));
-            }
-            Err(error) => criticals.push(Err(error.to_string())),
+    let criticals = match critical_gaps(case, &mut |part| control(part * gap_orbits / orbits))? {
+        CriticalGaps::Found(criticals) => criticals,
+        CriticalGaps::Stopped(stop) => {
+            let reason = format!("the run of one pair stopped: {}", stop.cause);
+            return Ok((summary(vec![not_judged(reason, None)], Some(stop)), None));
         }
-    }
+    };
     if let [Err(reason)] = criticals.as_slice() {
         return Ok((summary(vec![infeasible(reason.clone(), None)], None), None));
     }
     let orbit_s = case.rolling_orbit_s();
-    let SteadyRun {
-        statistics,
-        half_turn_lag_rad,
-        stopped,
-    } = steady_passages(case, beside, watchers, &mut |time_s| {
+    let run = steady_passages(case, beside, watchers, &mut |time_s| {
         control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
     })?;
     let film = match beside {
-        Beside::Dry(dry) => Some(FilmEvidence::new(&case.bearing, [half_turn_lag_rad, dry])),
+        Beside::Dry(dry) => {
+            let lags_rad = [run.half_turn_lag_rad, dry];
+            Some(FilmEvidence::new(&case.bearing, lags_rad))
+        }
         Beside::Nothing | Beside::Wet => None,
     };
     let delay_rad = match case.has_elastic_flanks() {
         false => Some(raceway_delay_rad(&case.bearing, &case.raceways)),
-        true => measured_delay_rad(&statistics),
+        true => measured_delay_rad(&run.statistics),
     };
     let film_delay_rad = film.map_or(0.0, |film| film.lag_rad);
     let steady_gap_rad =
         delay_rad.map(|delay_rad| gap_of_delay_rad(&case.bearing, delay_rad + film_delay_rad));
-    let any_passed = statistics.iter().any(Option::is_some);
+    let any_passed = run.statistics.iter().any(Option::is_some);
     let pressure = match any_passed {
         true => Some(pressure_at_rest_controlled_pa(case, &mut || control(1.0))?),
         false => None,
@@ -245,44 +235,78 @@ fn judge_one(
     let pressure_pa = pressure.map(|[inner, outer]| inner.max(outer));
     // All raceways together separate balls to about the largest.
     let largest = criticals.iter().flatten().copied().fold(f64::NAN, f64::max);
-    let judged = criticals
-        .into_iter()
-        .enumerate()
-        .map(|(k, critical)| {
-            let critical = match critical {
-                Ok(critical) => critical,
-                Err(reason) => return infeasible(reason, None),
-            };
-            if let Some(stop) = &stopped {
-                let reason = format!("the run stopped at {:.6} s: {}", stop.time_s, stop.cause);
-                return not_judged(reason, Some(critical));
-            }
-            match statistics.get(k).copied().flatten() {
-                Some(statistics) => {
-                    let steady = steady_gap_rad.unwrap_or(f64::NAN);
-                    let measured = Measured {
-                        critical,
-                        largest,
-                        steady,
-                        pressure_pa: pressure_pa.unwrap_or(f64::NAN),
-                        film,
-                    };
-                    decide(case, &case.raceways[k], measured, statistics)
-                }
-                None => {
-                    let reason = "the balls do not pass the raceway".to_owned();
-                    infeasible(reason, Some(critical))
-                }
-            }
-        })
+    let measured = |critical| Measured {
+        critical,
+        largest,
+        steady: steady_gap_rad.unwrap_or(f64::NAN),
+        pressure_pa: pressure_pa.unwrap_or(f64::NAN),
+        film,
+    };
+    let judged = (criticals.into_iter().enumerate())
+        .map(|(k, critical)| judge_raceway(case, k, critical.map(measured), &run))
         .collect();
     let judgement = Judgement {
         steady_gap_rad,
         pressure_at_rest_pa: pressure_pa,
         film,
-        ..summary(judged, stopped)
+        ..summary(judged, run.stopped)
     };
-    Ok((judgement, half_turn_lag_rad))
+    Ok((judgement, run.half_turn_lag_rad))
+}
+
+/// Judgement of raceway `k` by what was measured, or the reason why it has no critical gap, and by a run.
+fn judge_raceway(
+    case: &Case,
+    k: usize,
+    measured: Result<Measured, String>,
+    run: &SteadyRun,
+) -> RacewayJudgement {
+    let measured = match measured {
+        Ok(measured) => measured,
+        Err(reason) => return infeasible(reason, None),
+    };
+    let critical = measured.critical;
+    if let Some(stop) = &run.stopped {
+        let reason = format!("the run stopped at {:.6} s: {}", stop.time_s, stop.cause);
+        return not_judged(reason, Some(critical));
+    }
+    match run.statistics.get(k).copied().flatten() {
+        Some(statistics) => decide(case, &case.raceways[k], measured, statistics),
+        None => {
+            let reason = "the balls do not pass the raceway".to_owned();
+            infeasible(reason, Some(critical))
+        }
+    }
+}
+
+/// Critical gaps of the raceways of a case.
+enum CriticalGaps {
+    /// Of each raceway alone, rad, or the reason why it has none.
+    Found(Vec<Result<f64, String>>),
+    /// A run of a pair stopped.
+    Stopped(Stop),
+}
+
+/// Critical gaps of the raceways of a case, each alone; `control` is called with the part that is done.
+fn critical_gaps(
+    case: &Case,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<CriticalGaps, CriticalGapError> {
+    let raceways = case.raceways.len() as f64;
+    let mut criticals = vec![];
+    for (k, raceway) in case.raceways.iter().enumerate() {
+        let alone = case.with_raceways(vec![raceway.clone()]);
+        let mut fraction = |part: f64| control((k as f64 + part) / raceways);
+        match least_critical_gap_rad(&alone, &mut fraction) {
+            Ok(gap) => criticals.push(Ok(gap)),
+            Err(error @ (CriticalGapError::Case(_) | CriticalGapError::Interrupted)) => {
+                return Err(error);
+            }
+            Err(CriticalGapError::Stopped(stop)) => return Ok(CriticalGaps::Stopped(stop)),
+            Err(error) => criticals.push(Err(error.to_string())),
+        }
+    }
+    Ok(CriticalGaps::Found(criticals))
 }
 
 /// Critical gap of the only raceway of a case, in space that of the row with the least; on elastic flanks 0 where

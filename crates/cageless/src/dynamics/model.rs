@@ -100,41 +100,8 @@ impl Model {
         let bearing = &case.bearing;
         let d = bearing.dimensions();
         let c = &case.contact;
-        let alpha = restitution_damping(c.ball_restitution);
-        let radii = [
-            d.outer_groove_bottom_radius_m,
-            d.inner_groove_bottom_radius_m,
-        ];
-        // Every row has the balls of the bearing.
         let in_row = |k: usize| k % d.balls;
-        let balls: Vec<Ball> = (0..case.balls())
-            .map(in_row)
-            .map(|k| {
-                let (ball, next) = (bearing.ball(k), bearing.ball((k + 1) % d.balls));
-                let [
-                    inner_stiffness_n_m1_5,
-                    outer_stiffness_n_m1_5,
-                    pair_stiffness,
-                ] = case.ball_stiffness_n_m1_5(k);
-                let reduced = ball.mass_kg * next.mass_kg / (ball.mass_kg + next.mass_kg);
-                Ball {
-                    radius: ball.radius_m,
-                    mass: ball.mass_kg,
-                    inverse_mass: 1.0 / ball.mass_kg,
-                    inverse_inertia: 1.0 / ball.inertia_kg_m2,
-                    outer_orbit_radius: radii[0] - ball.radius_m,
-                    inner_contact_distance: radii[1] + ball.radius_m,
-                    inner_stiffness_n_m1_5,
-                    outer_stiffness_n_m1_5,
-                    raceway_damping: c.damping_n_s_m1_5,
-                    pair_distance: ball.radius_m + next.radius_m,
-                    pair_stiffness,
-                    pair_damping: alpha * (reduced * pair_stiffness).sqrt(),
-                    next_radius: next.radius_m,
-                    pair_friction_factor: c.ball_friction_factor,
-                }
-            })
-            .collect();
+        let balls = balls(case);
         // 2/7 m is the mass that a force at the surface of a free ball feels.
         let lightest = balls.iter().map(|b| b.mass).fold(f64::INFINITY, f64::min);
         let stick_gain = STICK_FRACTION * 2.0 / 7.0 * lightest / case.solver.step_s;
@@ -171,31 +138,12 @@ impl Model {
                 false => friction,
             },
             creep: case.creep(),
-            outer: OuterRaceway {
-                pitch_radius: bearing.pitch_radius_m(),
-                orbit_radius: radii[0] - d.ball_radius_m,
-                curvature_offset: d.outer_groove_curvature_radius_m - d.ball_radius_m,
-                curvature: d.outer_groove_curvature_radius_m,
-                ball_radius: d.ball_radius_m,
-                friction_factor: c.outer_friction_factor,
-                axis_square_per_m: axis_square_per_m(case),
-            },
-            inner: InnerRaceway {
-                radius: d.inner_groove_bottom_radius_m,
-                surface_speed: case.operation.inner_speed_rad_s * d.inner_groove_bottom_radius_m,
-                following: following_1_kg(bearing),
-            },
+            outer: outer_raceway(case),
+            inner: inner_raceway(case),
             ring,
             implicit_friction: space.is_some() || StepLimits::friction_is_stiff(case),
-            ball_damped: alpha > 0.0,
-            raceway_models: case
-                .raceways
-                .iter()
-                .flat_map(|raceway| {
-                    let pieces = raceway.pieces().iter();
-                    pieces.map(|piece| RacewayModel::new(raceway, piece, case))
-                })
-                .collect(),
+            ball_damped: restitution_damping(c.ball_restitution) > 0.0,
+            raceway_models: RacewayModel::of_case(case),
             inner_speed: case.operation.inner_speed_table.clone(),
             radial_load: case.operation.radial_load_table.clone(),
             unbalance: case.operation.unbalance_force(),
@@ -301,6 +249,64 @@ impl Model {
     }
 }
 
+/// The balls of all rows of a case: every row has those of the bearing.
+fn balls(case: &Case) -> Vec<Ball> {
+    let bearing = &case.bearing;
+    let (d, contact) = (bearing.dimensions(), &case.contact);
+    let alpha = restitution_damping(contact.ball_restitution);
+    let of_row = (0..d.balls).map(|k| {
+        let (ball, next) = (bearing.ball(k), bearing.ball((k + 1) % d.balls));
+        let [
+            inner_stiffness_n_m1_5,
+            outer_stiffness_n_m1_5,
+            pair_stiffness,
+        ] = case.ball_stiffness_n_m1_5(k);
+        let reduced = ball.mass_kg * next.mass_kg / (ball.mass_kg + next.mass_kg);
+        Ball {
+            radius: ball.radius_m,
+            mass: ball.mass_kg,
+            inverse_mass: 1.0 / ball.mass_kg,
+            inverse_inertia: 1.0 / ball.inertia_kg_m2,
+            outer_orbit_radius: d.outer_groove_bottom_radius_m - ball.radius_m,
+            inner_contact_distance: d.inner_groove_bottom_radius_m + ball.radius_m,
+            inner_stiffness_n_m1_5,
+            outer_stiffness_n_m1_5,
+            raceway_damping: contact.damping_n_s_m1_5,
+            pair_distance: ball.radius_m + next.radius_m,
+            pair_stiffness,
+            pair_damping: alpha * (reduced * pair_stiffness).sqrt(),
+            next_radius: next.radius_m,
+            pair_friction_factor: contact.ball_friction_factor,
+        }
+    });
+    let of_row: Vec<Ball> = of_row.collect();
+    of_row.repeat(case.balls() / d.balls)
+}
+
+/// The outer raceway with nominal balls.
+fn outer_raceway(case: &Case) -> OuterRaceway {
+    let d = case.bearing.dimensions();
+    OuterRaceway {
+        pitch_radius: case.bearing.pitch_radius_m(),
+        orbit_radius: d.outer_groove_bottom_radius_m - d.ball_radius_m,
+        curvature_offset: d.outer_groove_curvature_radius_m - d.ball_radius_m,
+        curvature: d.outer_groove_curvature_radius_m,
+        ball_radius: d.ball_radius_m,
+        friction_factor: case.contact.outer_friction_factor,
+        axis_square_per_m: axis_square_per_m(case),
+    }
+}
+
+/// The inner raceway at the speed of the start.
+fn inner_raceway(case: &Case) -> InnerRaceway {
+    let radius = case.bearing.dimensions().inner_groove_bottom_radius_m;
+    InnerRaceway {
+        radius,
+        surface_speed: case.operation.inner_speed_rad_s * radius,
+        following: following_1_kg(&case.bearing),
+    }
+}
+
 /// Mass of all balls over that of the inner ring beyond which it follows them.
 const HEAVY_BALLS: f64 = 1.5;
 
@@ -329,6 +335,16 @@ fn axis_square_per_m(case: &Case) -> f64 {
 const ELLIPSE_TOLERANCE: f64 = 1e-12;
 
 impl RacewayModel {
+    /// The stretches of all raceways of a case.
+    fn of_case(case: &Case) -> Vec<Self> {
+        let of_raceway = |raceway: &Raceway| -> Vec<Self> {
+            let pieces = raceway.pieces().iter();
+            let models = pieces.map(|piece| Self::new(raceway, piece, case));
+            models.collect()
+        };
+        case.raceways.iter().flat_map(of_raceway).collect()
+    }
+
     fn new(raceway: &Raceway, piece: &Piece, case: &Case) -> Self {
         let path = raceway.contact_path();
         let path = path.filter(|_| case.formulation.equations().friction_along_path);

@@ -319,8 +319,6 @@ impl RightHandSide {
     ) -> Snapshot {
         let (n, layout) = (self.model().balls(), state.layout());
         let c = self.contacts();
-        let ring = state.ring_motion();
-        let [outer_force_x_n, outer_force_y_n] = c.outer_ring_force_n();
         let each = |value: &dyn Fn(usize) -> f64| (0..n).map(value).collect();
         let spatial = layout.ball_moves(BallCoordinate::Z);
         let in_space = |value: &dyn Fn(usize) -> f64| match spatial {
@@ -331,7 +329,6 @@ impl RightHandSide {
         let angle = |k, of: fn(&BallContacts) -> f64| {
             c.in_space(k).map_or(f64::NAN, |contacts| of(&contacts))
         };
-        let of_ring = |coordinate: RingCoordinate| state.at(coordinate);
         Snapshot {
             time_s,
             angle_rad: angle_rad.to_vec(),
@@ -366,20 +363,27 @@ impl RightHandSide {
                 space.map_or(0.0, |s| space::outer_z_m(s, layout, state.values(), k))
             }),
             rotor: self.rotor_snapshot(state),
-            ring: RingSnapshot {
-                z_m: of_ring(RingCoordinate::Z),
-                vz_m_s: of_ring(RingCoordinate::Vz),
-                tilt_x_rad: -of_ring(RingCoordinate::TiltQ),
-                tilt_y_rad: of_ring(RingCoordinate::TiltP),
-                x_m: ring.x,
-                y_m: ring.y,
-                vx_m_s: ring.vx,
-                vy_m_s: ring.vy,
-                ax_m_s2: rate[layout.ring(RingCoordinate::Vx)],
-                ay_m_s2: rate[layout.ring(RingCoordinate::Vy)],
-                outer_force_x_n,
-                outer_force_y_n,
-            },
+            ring: self.ring_snapshot(state, rate),
+        }
+    }
+
+    /// The inner ring in a state that was evaluated last.
+    fn ring_snapshot(&self, state: &State, rate: &[f64]) -> RingSnapshot {
+        let (layout, ring) = (state.layout(), state.ring_motion());
+        let [outer_force_x_n, outer_force_y_n] = self.contacts().outer_ring_force_n();
+        RingSnapshot {
+            z_m: state.at(RingCoordinate::Z),
+            vz_m_s: state.at(RingCoordinate::Vz),
+            tilt_x_rad: -state.at(RingCoordinate::TiltQ),
+            tilt_y_rad: state.at(RingCoordinate::TiltP),
+            x_m: ring.x,
+            y_m: ring.y,
+            vx_m_s: ring.vx,
+            vy_m_s: ring.vy,
+            ax_m_s2: rate[layout.ring(RingCoordinate::Vx)],
+            ay_m_s2: rate[layout.ring(RingCoordinate::Vy)],
+            outer_force_x_n,
+            outer_force_y_n,
         }
     }
 }

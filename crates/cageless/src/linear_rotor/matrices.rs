@@ -104,23 +104,10 @@ impl RotorMatrices {
             &factor.l(),
             reduction.frequency_max_hz,
         )?;
-        // Columns: one kept displacement each, then the modes with all of them held.
-        let (b, m) = (boundary.len(), modes.ncols());
-        let mut t = DMatrix::zeros(size, b + m);
-        for (column, row) in boundary.iter().enumerate() {
-            t[(*row, column)] = 1.0;
-        }
-        for (row, inner) in inner.iter().enumerate() {
-            for column in 0..b {
-                t[(*inner, column)] = static_shapes[(row, column)];
-            }
-            for column in 0..m {
-                t[(*inner, b + column)] = modes[(row, column)];
-            }
-        }
+        let t = shapes(&boundary, &inner, &static_shapes, &modes);
         let of = |matrix: &DMatrix<f64>| t.transpose() * matrix * &t;
         let rows = |node: usize| {
-            let mut rows = DMatrix::zeros(2, b + m);
+            let mut rows = DMatrix::zeros(2, t.ncols());
             let first = 2 * held.iter().position(|n| *n == node).unwrap_or(0);
             (rows[(0, first)], rows[(1, first + 1)]) = (1.0, 1.0);
             rows
@@ -334,6 +321,30 @@ fn paired(
 /// Whether a stiffness has no direction without resistance, by its Cholesky factor.
 fn is_well_held(factor: &DMatrix<f64>, stiffness: &DMatrix<f64>) -> bool {
     (0..factor.nrows()).all(|k| factor[(k, k)].powi(2) > 1e-12 * stiffness[(k, k)])
+}
+
+/// Shapes of all coordinates, one column each: for every one at the `boundary` the static shape of a displacement of 1
+/// there alone, then the modes with the boundary held.
+fn shapes(
+    boundary: &[usize],
+    inner: &[usize],
+    static_shapes: &DMatrix<f64>,
+    modes: &DMatrix<f64>,
+) -> DMatrix<f64> {
+    let (b, m) = (boundary.len(), modes.ncols());
+    let mut t = DMatrix::zeros(b + inner.len(), b + m);
+    for (column, row) in boundary.iter().enumerate() {
+        t[(*row, column)] = 1.0;
+    }
+    for (row, inner) in inner.iter().enumerate() {
+        for column in 0..b {
+            t[(*inner, column)] = static_shapes[(row, column)];
+        }
+        for column in 0..m {
+            t[(*inner, b + column)] = modes[(row, column)];
+        }
+    }
+    t
 }
 
 /// Modes of mass M on the stiffness L·Lᵀ, columns, up to a frequency.

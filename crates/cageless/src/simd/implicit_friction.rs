@@ -203,7 +203,10 @@ fn first_iterate<L: LawLanes, const KNOWN: bool>(
 ) {
     let law = law.evaluated([&results.outer.slip, &results.inner.slip]);
     for lane in 0..LANES {
-        let (law, motion) = (at_raceways(law.lane(lane), results, lane), motions.get(lane));
+        let (law, motion) = (
+            at_raceways(law.lane(lane), results, lane),
+            motions.get(lane),
+        );
         let polar = results.polar.get(lane);
         let polar = polar.with_velocity(&motion, &outer_ring.get(lane));
         let inner_polar = results.inner_polar.get(lane);

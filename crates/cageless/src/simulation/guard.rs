@@ -159,6 +159,22 @@ impl Stop {
         format!("at t = {:.6} s {}", self.time_s, self.cause)
     }
 
+    /// Advice on balls that the forces press over a shoulder.
+    fn advice_beyond(&self, beyond: &BeyondGroove) -> String {
+        let less = match self.drop {
+            true => "rotor.axial_load_n, rotor.axial_clearance_um, rotor.vz_m_s",
+            false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
+        };
+        let higher = match beyond.ring {
+            0 => "bearing.inner_shoulder_radius_mm",
+            _ => "bearing.outer_shoulder_radius_mm",
+        };
+        format!(
+            "press the balls less along the axis ({less}, preload_um of a row); or make the shoulder \
+             higher ({higher})"
+        )
+    }
+
     /// Advice on what to change.
     pub fn advice(&self) -> String {
         // To the last digit that a case file needs.
@@ -195,20 +211,7 @@ impl Stop {
                      through each other"
                 )
             }
-            Cause::BeyondGroove(beyond) => {
-                let less = match self.drop {
-                    true => "rotor.axial_load_n, rotor.axial_clearance_um, rotor.vz_m_s",
-                    false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
-                };
-                let higher = match beyond.ring {
-                    0 => "bearing.inner_shoulder_radius_mm",
-                    _ => "bearing.outer_shoulder_radius_mm",
-                };
-                format!(
-                    "press the balls less along the axis ({less}, preload_um of a row); or make the shoulder \
-                     higher ({higher})"
-                )
-            }
+            Cause::BeyondGroove(beyond) => self.advice_beyond(beyond),
             Cause::RotorThroughInnerRing => format!(
                 "{halve}; if it happens again at the same time, the contact is too soft for the \
                  impact (rotor.contact_stiffness_n_mp)"

@@ -102,9 +102,8 @@ impl RotorDrop {
                 return Err(RotorError::value(name, value, "a finite number"));
             }
         }
-        let mean = rotor.mass_kg() / cases.len() as f64;
         let mut carried = Vec::with_capacity(cases.len());
-        for (k, (mut case, share)) in cases.into_iter().zip(rotor.mass_shares_kg()).enumerate() {
+        for (k, mut case) in cases.into_iter().enumerate() {
             if let Err(error) = case.check_motion() {
                 return refuse(format!("bearing {}: {error}", k + 1));
             }
@@ -115,34 +114,14 @@ impl RotorDrop {
                     k + 1
                 ));
             };
-            // Steps need a mass where a bearing carries none; a shoulder may catch all of the rotor.
-            journal.mass_kg = match journal.shaft {
-                Shaft::Horizontal => share.abs().max(LEAST_SHARE * mean),
-                Shaft::Vertical => rotor.mass_kg(),
-            };
+            journal.mass_kg = shown_mass_kg(&rotor, k, journal.shaft);
             journal.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2();
             journal.speed_rad_s = speed_rad_s;
             journal.eccentricity_m = 0.0;
             journal.drive_torque_n_m = drive_torque_n_m;
             carried.push(case);
         }
-        same(&carried, "solver.method", |case| Some(case.solver.method))?;
-        same(&carried, "solver.duration_s", |case| {
-            Some(case.solver.duration_s)
-        })?;
-        same(&carried, "solver.tolerance", |case| {
-            Some(case.solver.tolerance)
-        })?;
-        same(&carried, "operation.gravity_m_s2", |case| {
-            Some(case.operation.gravity_m_s2)
-        })?;
-        same(&carried, "rotor.shaft", |case| {
-            case.rotor.as_ref().map(|rotor| rotor.shaft.name())
-        })?;
-        same(&carried, "rotor.vz_m_s", |case| {
-            let rotor = case.rotor.as_ref().filter(|_| case.moves_in_space());
-            rotor.map(|rotor| rotor.vz_m_s)
-        })?;
+        check_common(&carried)?;
         let step_s = bearable_step_s(&rotor, &carried, step_s)?;
         for case in &mut carried {
             case.solver.step_s = step_s;
@@ -173,8 +152,7 @@ impl RotorDrop {
     /// [`Self::carried_n`] of a vertical rotor of this weight: of it that of the shoulder which meets its
     /// face first, and of those that do before the support of that one has yielded.
     fn shouldered_n(&self, weight_n: f64) -> Vec<Option<f64>> {
-        let rotors = || self.cases.iter().filter_map(|case| case.rotor.as_ref());
-        let thrust_n: f64 = rotors().map(|own| own.axial_load_n).sum();
+        let thrust_n: f64 = self.journals().map(|own| own.axial_load_n).sum();
         let down = (weight_n - thrust_n).signum();
         let gap_m = |case: &Case| {
             let own = case.rotor.as_ref()?;
@@ -254,6 +232,50 @@ impl RotorDrop {
         }
     }
 
+    /// What the cases describe of their journals.
+    fn journals(&self) -> impl Iterator<Item = &Rotor> {
+        self.cases.iter().filter_map(|case| case.rotor.as_ref())
+    }
+
+    /// Loads of a linear rotor beside those of its bearings.
+    fn loads(&self, rotor: &LinearRotor) -> RotorLoads {
+        let gravity = self.cases[0].operation.gravity_m_s2;
+        let [across, along] = match self.is_vertical() {
+            false => [gravity, 0.0],
+            true => [0.0, gravity],
+        };
+        let thrust_n: f64 = self.journals().map(|own| own.axial_load_n).sum();
+        RotorLoads {
+            gravity: across,
+            axial: thrust_n - along * rotor.mass_kg(),
+            drive_torque: self.of_rotor(|rotor| rotor.drive_torque_n_m),
+        }
+    }
+
+    /// Vector of bearings in these states and of the linear rotor at the start.
+    fn start<'a>(
+        &self,
+        system: &mut RotorOnBearings<'_>,
+        states: impl Iterator<Item = &'a State>,
+    ) -> Vec<f64> {
+        let mut start = vec![0.0; system.dimension()];
+        for (k, state) in states.enumerate() {
+            system.layout(k).spread_padding(&mut start);
+            state.write_to(system.layout(k), &mut start);
+        }
+        let [mut places, mut velocities] = [vec![], vec![]];
+        for journal in self.journals() {
+            places.extend([journal.x_m, journal.y_m]);
+            velocities.extend([journal.vx_m_s, journal.vy_m_s]);
+        }
+        let axial_speed = (self.journals())
+            .map(|own| own.vz_m_s)
+            .find(|speed| *speed != 0.0);
+        let speeds = [self.speed_rad_s(), axial_speed.unwrap_or(0.0)];
+        system.set_rotor(&mut start, &places, &velocities, speeds);
+        start
+    }
+
     /// Drops the rotor. `observers` watch one bearing each; `control` is called every thousand
     /// steps or so with the simulated time.
     ///
@@ -285,31 +307,8 @@ impl RotorDrop {
             starts.push(initial_state_controlled(case, &mut || control(0.0))?);
             models.push(Arc::new(Model::of_case(case)?.guided(rotor.mass_kg())));
         }
-        let gravity = self.cases[0].operation.gravity_m_s2;
-        let [across, along] = match self.is_vertical() {
-            false => [gravity, 0.0],
-            true => [0.0, gravity],
-        };
-        let rotors = || self.cases.iter().filter_map(|case| case.rotor.as_ref());
-        let loads = RotorLoads {
-            gravity: across,
-            axial: rotors().map(|own| own.axial_load_n).sum::<f64>() - along * rotor.mass_kg(),
-            drive_torque: self.of_rotor(|rotor| rotor.drive_torque_n_m),
-        };
-        let mut system = RotorOnBearings::new(rotor, loads, &models);
-        let mut start = vec![0.0; system.dimension()];
-        let [mut places, mut velocities] = [vec![], vec![]];
-        for (k, (state, _)) in starts.iter().enumerate() {
-            system.layout(k).spread_padding(&mut start);
-            state.write_to(system.layout(k), &mut start);
-        }
-        for journal in rotors() {
-            places.extend([journal.x_m, journal.y_m]);
-            velocities.extend([journal.vx_m_s, journal.vy_m_s]);
-        }
-        let axial_speed = rotors().map(|own| own.vz_m_s).find(|speed| *speed != 0.0);
-        let speeds = [self.speed_rad_s(), axial_speed.unwrap_or(0.0)];
-        system.set_rotor(&mut start, &places, &velocities, speeds);
+        let mut system = RotorOnBearings::new(rotor, self.loads(rotor), &models);
+        let start = self.start(&mut system, starts.iter().map(|(state, _)| state));
         let states: Vec<State> = (0..models.len())
             .map(|k| State::from_vector(system.layout(k), &start))
             .collect();
@@ -343,6 +342,38 @@ impl RotorDrop {
             }),
         })
     }
+}
+
+/// Mass that a linear rotor shows bearing `k`, kg: steps need one where the bearing carries none, and a shoulder may
+/// catch all of the rotor.
+fn shown_mass_kg(rotor: &LinearRotor, k: usize, shaft: Shaft) -> f64 {
+    let shares_kg = rotor.mass_shares_kg();
+    let mean_kg = rotor.mass_kg() / shares_kg.len() as f64;
+    match shaft {
+        Shaft::Horizontal => shares_kg[k].abs().max(LEAST_SHARE * mean_kg),
+        Shaft::Vertical => rotor.mass_kg(),
+    }
+}
+
+/// Checks what the bearings of a rotor must have in common.
+fn check_common(cases: &[Case]) -> Result<(), RotorError> {
+    same(cases, "solver.method", |case| Some(case.solver.method))?;
+    same(cases, "solver.duration_s", |case| {
+        Some(case.solver.duration_s)
+    })?;
+    same(cases, "solver.tolerance", |case| {
+        Some(case.solver.tolerance)
+    })?;
+    same(cases, "operation.gravity_m_s2", |case| {
+        Some(case.operation.gravity_m_s2)
+    })?;
+    same(cases, "rotor.shaft", |case| {
+        case.rotor.as_ref().map(|rotor| rotor.shaft.name())
+    })?;
+    same(cases, "rotor.vz_m_s", |case| {
+        let rotor = case.rotor.as_ref().filter(|_| case.moves_in_space());
+        rotor.map(|rotor| rotor.vz_m_s)
+    })
 }
 
 /// Checks that all cases that have a value agree in it.

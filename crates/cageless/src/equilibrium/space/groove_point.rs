@@ -15,7 +15,8 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-use super::{inner_contact, outer_contact, outer_section, resultant};
+use super::ball_in_row::outer_section;
+use super::{inner_contact, outer_contact, resultant};
 use crate::case::Case;
 use crate::raceway_contact::RacewayContact;
 
