@@ -158,7 +158,12 @@ impl RightHandSide {
         self.parameters.set_ring_speed(y);
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let b = (p, &*self.models[0], space, drive(p));
+            let b = space::Bearing {
+                parameters: p,
+                model: &self.models[0],
+                space,
+                drive: drive(p),
+            };
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
@@ -429,7 +434,12 @@ impl System for RightHandSide {
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let b = (p, &*self.models[0], space, drive(p));
+            let b = space::Bearing {
+                parameters: p,
+                model: &self.models[0],
+                space,
+                drive: drive(p),
+            };
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),

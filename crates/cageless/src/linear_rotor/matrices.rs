@@ -113,23 +113,15 @@ impl RotorMatrices {
             rows
         };
         let journals: Vec<_> = reduction.bearing_nodes.iter().map(|n| rows(*n)).collect();
-        let shaft = self.shaft();
-        // Displacement of these coordinates by 1 along +Y.
-        let upwards = |moved: Range<usize>| {
-            let y = |k: usize| match k < shaft {
-                true => k % NODE_COORDINATES == 1,
-                false => (k - shaft) % HOUSING_COORDINATES == 1,
-            };
-            DVector::from_fn(size, |k, _| f64::from(u8::from(moved.contains(&k) && y(k))))
-        };
+        let of_shaft = self.upwards(0..self.shaft());
         let lateral = Lateral {
             mass: symmetric(&of(&inertia)),
             damping: of(&self.damping),
             gyroscopic: of(&self.gyroscopic),
             stiffness: of(&self.stiffness),
             spin_up: of(&self.spin_up),
-            weight: t.transpose() * &self.mass * upwards(0..size),
-            rotor_kg: upwards(0..shaft).dot(&(&self.mass * upwards(0..shaft))),
+            weight: t.transpose() * &self.mass * self.upwards(0..size),
+            rotor_kg: of_shaft.dot(&(&self.mass * &of_shaft)),
             shapes: self.journal_shapes(&of(&stiffness), reduction, &held),
             journals,
             unbalances: (reduction.unbalances.iter())
@@ -141,6 +133,18 @@ impl RotorMatrices {
             polar_inertia: self.polar_inertia_kg_m2,
         };
         lateral.normal()
+    }
+
+    /// Displacement of these coordinates by 1 along +Y.
+    fn upwards(&self, moved: Range<usize>) -> DVector<f64> {
+        let shaft = self.shaft();
+        let along_y = |k: usize| match k < shaft {
+            true => k % NODE_COORDINATES == 1,
+            false => (k - shaft) % HOUSING_COORDINATES == 1,
+        };
+        DVector::from_fn(self.mass.nrows(), |k, _| {
+            f64::from(u8::from(moved.contains(&k) && along_y(k)))
+        })
     }
 
     /// Static shapes of the journals: further kept nodes follow without force.

@@ -1,7 +1,8 @@
 //! Where the right-hand side is not smooth: the edges of contacts.
 
 use super::parameters::Parameters;
-use super::workspace::Workspace;
+use super::workspace::{BlockResults, Workspace};
+use crate::ball::{Ball, BallMotion, Centre};
 use crate::contact::{Law, LawLanes, ball_deflection, with_law};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::LANES;
@@ -32,27 +33,8 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
         ];
         values.extend([inner, outer, pair].map(|depth| depth * PER_DEPTH));
         if ball.raceway_damping > 0.0 {
-            // Kδ + c dδ/dt.
-            let unclamped = |stiffness: f64, depth: f64, rate: f64| {
-                (depth + ball.raceway_damping / stiffness * rate) * PER_DEPTH
-            };
-            values.push(while_closed(inner, || {
-                let vx = at(BallCoordinate::Vx, k) - ring.vx;
-                let vy = at(BallCoordinate::Vy, k) - ring.vy;
-                let direction = &results.inner_polar;
-                let rate = -(vx * direction.ex.0[lane] + vy * direction.ey.0[lane]);
-                unclamped(ball.inner_stiffness_n_m1_5, inner, rate)
-            }));
-            values.push(while_closed(outer, || {
-                let slope = results.geometry.slope.0[lane];
-                let rate = polar.radial - slope * polar.orbit;
-                let flanks = results.flanks.get(lane);
-                if results.on_flanks.has(lane) {
-                    let rate = flanks.lever * rate;
-                    return unclamped(ball.outer_stiffness_n_m1_5, flanks.deflection, rate);
-                }
-                unclamped(ball.outer_stiffness_n_m1_5, outer, rate)
-            }));
+            let motion = layout.ball_motion(y, k);
+            values.extend(raceway_edges(&ball, results, lane, &motion, &ring));
         }
         if ball.pair_damping > 0.0 {
             // Kδ^(5/4) + α √(m K) dδ/dt.
@@ -81,6 +63,41 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
         }
     }
     rotor_edges(p, w, y, values);
+}
+
+/// What the damped contacts of a ball with the inner and the outer raceway are clamped by, Kδ + c dδ/dt.
+fn raceway_edges(
+    ball: &Ball,
+    results: &BlockResults,
+    lane: usize,
+    motion: &BallMotion,
+    ring: &Centre,
+) -> [f64; 2] {
+    let (inner, outer) = (
+        results.inner.deflection.0[lane],
+        results.outer.deflection.0[lane],
+    );
+    let unclamped = |stiffness: f64, depth: f64, rate: f64| {
+        (depth + ball.raceway_damping / stiffness * rate) * PER_DEPTH
+    };
+    let of_inner = while_closed(inner, || {
+        let direction = &results.inner_polar;
+        let (vx, vy) = (motion.vx - ring.vx, motion.vy - ring.vy);
+        let rate = -(vx * direction.ex.0[lane] + vy * direction.ey.0[lane]);
+        unclamped(ball.inner_stiffness_n_m1_5, inner, rate)
+    });
+    let of_outer = while_closed(outer, || {
+        let polar = results.polar.get(lane);
+        let slope = results.geometry.slope.0[lane];
+        let rate = polar.radial - slope * polar.orbit;
+        let flanks = results.flanks.get(lane);
+        if results.on_flanks.has(lane) {
+            let rate = flanks.lever * rate;
+            return unclamped(ball.outer_stiffness_n_m1_5, flanks.deflection, rate);
+        }
+        unclamped(ball.outer_stiffness_n_m1_5, outer, rate)
+    });
+    [of_inner, of_outer]
 }
 
 /// Edges of the contact of a rotor and of the stop of its support.

@@ -79,6 +79,12 @@ pub(crate) fn evaluate(
         add_ball_turning(p, w);
     }
     accelerations(p, w, y, dydt);
+    set_rates_of_rings(p, w, dydt);
+}
+
+/// Motion of the inner ring of each bearing, and the powers of its energy ledger.
+#[inline(always)]
+fn set_rates_of_rings(p: &Parameters, w: &Workspace, dydt: &mut [f64]) {
     for bearing in 0..p.layout.width() {
         ring_and_ledger(p, bearing, &w.ring.get(bearing), &w.sums, [0.0; 2], dydt);
         for (place, power) in published_powers(p, &w.sums, bearing) {

@@ -185,37 +185,19 @@ impl MeasuredRing {
         let mut outliers: Vec<usize> = plain.filter(beyond).map(|(k, ..)| *k).collect();
         let mut raceways = vec![];
         for (index, none) in none.iter().enumerate() {
-            let of_raceway = |error| PointsError {
-                raceway: Some(index),
-                error,
-            };
-            if let Some(none) = none {
-                raceways.push(MeasuredRaceway::None(*none));
-                continue;
-            }
-            let Some(dimensions) = fit.raceway(index) else {
-                let placed: Vec<Vec3> = points_m.iter().map(|p| ring.pose.in_ring_m(*p)).collect();
-                let slot = MeasuredSlot::fit(case, index, &placed).map_err(of_raceway)?;
-                raceways.push(MeasuredRaceway::Slot(Box::new(slot)));
-                continue;
-            };
-            let own = seen.iter().filter(|(.., raceway)| *raceway == Some(index));
-            let own: Vec<(usize, f64)> = own.map(|(k, error_m, _)| (*k, *error_m)).collect();
-            let found = flanks(case, fit, index, points_m, &own).map_err(of_raceway)?;
-            outliers.extend(found.outliers);
-            let [
-                axial_span_m,
-                half_angle_rad,
-                centre_angle_rad,
-                depth_error_m,
-            ] = dimensions;
-            raceways.push(MeasuredRaceway::Flanks(Box::new(MeasuredFlank {
-                axial_span_m,
-                half_angle_rad,
-                centre_angle_rad,
-                depth_error_m,
-                groove: found.groove,
-            })));
+            raceways.push(match none {
+                Some(none) => MeasuredRaceway::None(*none),
+                None => {
+                    let own = seen.iter().filter(|(.., raceway)| *raceway == Some(index));
+                    let own: Vec<_> = own.map(|(k, error_m, _)| (*k, *error_m)).collect();
+                    measured_raceway(case, fit, index, points_m, &own, &mut outliers).map_err(
+                        |error| PointsError {
+                            raceway: Some(index),
+                            error,
+                        },
+                    )?
+                }
+            });
         }
         outliers.sort_unstable();
         let used = of_groove.len() - outliers.len();
@@ -256,6 +238,38 @@ impl MeasuredRing {
             deviations,
         })
     }
+}
+
+/// Raceway `index` by its `own` points with their distances from the fit, to which outliers are added.
+fn measured_raceway(
+    case: &Case,
+    fit: &RingFit,
+    index: usize,
+    points_m: &[Vec3],
+    own: &[(usize, f64)],
+    outliers: &mut Vec<usize>,
+) -> Result<MeasuredRaceway, InputError> {
+    let Some(dimensions) = fit.raceway(index) else {
+        let pose = &fit.ring.pose;
+        let placed: Vec<Vec3> = points_m.iter().map(|p| pose.in_ring_m(*p)).collect();
+        let slot = MeasuredSlot::fit(case, index, &placed)?;
+        return Ok(MeasuredRaceway::Slot(Box::new(slot)));
+    };
+    let found = flanks(case, fit, index, points_m, own)?;
+    outliers.extend(found.outliers);
+    let [
+        axial_span_m,
+        half_angle_rad,
+        centre_angle_rad,
+        depth_error_m,
+    ] = dimensions;
+    Ok(MeasuredRaceway::Flanks(Box::new(MeasuredFlank {
+        axial_span_m,
+        half_angle_rad,
+        centre_angle_rad,
+        depth_error_m,
+        groove: found.groove,
+    })))
 }
 
 const FEW: &str = "50 or more of the groove, or nothing is fitted";

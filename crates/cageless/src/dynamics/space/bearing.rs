@@ -18,8 +18,14 @@ pub(crate) struct Drive {
     pub unbalance: [f64; 2],
 }
 
-/// A bearing and what drives it.
-pub(crate) type Bearing<'a> = (&'a Parameters, &'a Model, &'a SpaceModel, Drive);
+/// A bearing in space and what drives it.
+#[derive(Clone, Copy)]
+pub(crate) struct Bearing<'a> {
+    pub parameters: &'a Parameters,
+    pub model: &'a Model,
+    pub space: &'a SpaceModel,
+    pub drive: Drive,
+}
 
 /// Second derivatives of p and q that a moment on the ring adds.
 pub(super) fn tilting_by(free: &FreeTilt, ring: &RingMotion, moment: Vector) -> [f64; 2] {

@@ -1,11 +1,10 @@
 //! The rates of all coordinates.
 
 use super::Vector;
-use super::bearing::{Bearing, Drive, Totals, tilting_by};
+use super::bearing::{Bearing, Totals, tilting_by};
 use super::block::VELOCITIES;
 use super::film::add_rolling;
 use super::friction::{add_explicit_friction, outer_ring_velocity};
-use super::model::SpaceModel;
 use super::normal_contacts::{PLACE, normal_contacts};
 use super::ring::RingMotion;
 use super::sliding::{place_rings, sliding_rates};
@@ -46,22 +45,27 @@ pub(super) fn ball_motion(layout: Layout, y: &[f64], k: usize) -> [Vector; 3] {
 /// raceways only if asked for.
 #[inline(always)]
 pub(crate) fn evaluate(
-    (p, model, space, drive): Bearing<'_>,
+    bearing: Bearing<'_>,
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
     y: &[f64],
     dydt: &mut [f64],
     raceway_friction: bool,
 ) {
+    let Bearing {
+        parameters: p,
+        model,
+        space,
+        drive,
+    } = bearing;
     let layout = model.layout;
     let ring = RingMotion::new(layout, y, drive.inner_speed);
     s.ring = ring;
     s.outer_ring_velocity = outer_ring_velocity(layout, y);
     if !space.sliding.is_empty() {
-        place_rings((model, space), s, y);
+        place_rings(bearing, s, y);
     }
     dydt.fill(0.0);
     let mut totals = Totals::default();
-    let bearing = (p, model, space, drive);
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         normal_contacts(bearing, (results, b), &ring, y, block, &mut totals, dydt);
         if let Some(film) = &space.film {
@@ -76,14 +80,14 @@ pub(crate) fn evaluate(
         s.known = false;
     }
     w.pair_deflection_max[0] = if layout.balls > 1 {
-        ball_pairs((p, model), w, y, &mut totals, dydt)
+        ball_pairs(bearing, w, y, &mut totals, dydt)
     } else {
         0.0
     };
     let under = p.drops.first();
     let touch = under.map(|under| s.rotor.evaluate(under, layout, y, raceway_friction));
     let pushed = touch.map_or([0.0; 3], |touch| touch.loads.force);
-    ring_rates((model, space, drive), &ring, &totals, pushed.into(), dydt);
+    ring_rates(bearing, &ring, &totals, pushed.into(), dydt);
     if let Some((under, touch)) = under.zip(touch) {
         let balls = BallLoads {
             ring_torque: totals.torque_on(&ring),
@@ -93,7 +97,7 @@ pub(crate) fn evaluate(
         under.set_rates(layout, (&balls, &touch), y, dydt);
     }
     if !space.sliding.is_empty() {
-        sliding_rates((model, space), s, y, dydt);
+        sliding_rates(bearing, s, y, dydt);
     }
 }
 
@@ -143,15 +147,16 @@ fn near_pairs(p: &Parameters, layout: Layout, w: &mut Workspace, y: &[f64]) {
 /// Forces between neighbouring balls; the largest deflection.
 #[inline(always)]
 fn ball_pairs(
-    (p, model): (&Parameters, &Model),
+    bearing: Bearing<'_>,
     w: &mut Workspace,
     y: &[f64],
     totals: &mut Totals,
     dydt: &mut [f64],
 ) -> f64 {
+    let model = bearing.model;
     let layout = model.layout;
     let mut deepest: f64 = 0.0;
-    near_pairs(p, layout, w, y);
+    near_pairs(bearing.parameters, layout, w, y);
     for k in 0..layout.balls {
         let (block, lane) = (k / LANES, k % LANES);
         let deflection = w.blocks[block].pair.deflection.0[lane];
@@ -192,12 +197,18 @@ fn ball_pairs(
 
 /// Rates of the inner ring, which pushes a rotor with a force, and of the ledger.
 fn ring_rates(
-    (model, space, drive): (&Model, &SpaceModel, Drive),
+    bearing: Bearing<'_>,
     ring: &RingMotion,
     totals: &Totals,
     pushed: Vector,
     dydt: &mut [f64],
 ) {
+    let Bearing {
+        model,
+        space,
+        drive,
+        ..
+    } = bearing;
     let layout = model.layout;
     let (mass, drag) = (model.ring.mass, model.ring.drag);
     let [turning_x, turning_y] = drive.unbalance;

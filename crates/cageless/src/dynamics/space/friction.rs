@@ -16,7 +16,7 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes, larger};
-use crate::simd::{BlockResults, Parameters, Workspace, block_mut};
+use crate::simd::{BlockResults, Workspace, block_mut};
 use crate::world::joint::rotor_touch::TouchStep;
 use crate::world::step_change::StepChange;
 use crate::world::under_rotor::{BallLoads, UnderRotor};
@@ -24,16 +24,22 @@ use crate::world::under_rotor::{BallLoads, UnderRotor};
 /// Adds the friction of the last evaluation to the rates.
 #[inline(always)]
 pub(super) fn add_explicit_friction(
-    (p, model, space, _): Bearing<'_>,
+    bearing: Bearing<'_>,
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
+    let Bearing {
+        parameters: p,
+        model,
+        space,
+        ..
+    } = bearing;
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         for end in 0..2 {
             set_at_rest(b, end, &s.ring, s.outer_ring_velocity);
             if !space.sliding.is_empty() {
-                slide_as_evaluated((model, space), b, [block, end], &s.sliding);
+                slide_as_evaluated(bearing, b, [block, end], &s.sliding);
             }
         }
         if model.creep.is_some() {
@@ -56,35 +62,25 @@ pub(super) fn add_explicit_friction(
 /// rates.
 #[inline(always)]
 pub(crate) fn add_implicit_friction(
-    (p, model, space, drive): Bearing<'_>,
+    bearing: Bearing<'_>,
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
     h_s: f64,
     y0: &[f64],
     y: &mut [f64],
     dydt: &mut [f64],
 ) {
+    let Bearing {
+        parameters: p,
+        model,
+        space,
+        drive,
+    } = bearing;
     let layout = model.layout;
-    // Speeds at both ends of the step, along the directions in which the friction acts.
-    let rings_of = |y: &[f64], ring: &RingMotion| {
-        let speed = layout.ring_speed_rad_s(y).unwrap_or(drive.inner_speed);
-        let moving = RingMotion::new(layout, y, speed);
-        (
-            ring.with_velocities_of(&moving),
-            outer_ring_velocity(layout, y),
-        )
-    };
-    let start = rings_of(y0, &s.ring);
+    let start = rings_in(bearing, &s.ring, y0);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
     let begins = (h_s, start.0, start.1);
-    solve_blocks(
-        (p, model, space),
-        (w, s),
-        begins,
-        (y0, &mut *y),
-        &mut totals,
-        dydt,
-    );
+    solve_blocks(bearing, (w, s), begins, (y0, &mut *y), &mut totals, dydt);
     let mut change = StepChange {
         layout,
         h_s,
@@ -93,7 +89,7 @@ pub(crate) fn add_implicit_friction(
     };
     add_to_ring(model, space, &s.ring, &totals, &mut change);
     if !space.sliding.is_empty() {
-        add_sliding_friction((model, space), s, &mut change);
+        add_sliding_friction(bearing, s, &mut change);
     }
     let under = p.drops.first();
     if let Some(under) = under {
@@ -101,27 +97,18 @@ pub(crate) fn add_implicit_friction(
     }
     if under.is_some() || !space.sliding.is_empty() {
         // The light inner ring turns, and outer rings slide, by the friction of the step.
-        let (ring, outer) = rings_of(change.y, &s.ring);
+        let (ring, outer) = rings_in(bearing, &s.ring, change.y);
         for (block, b) in s.blocks.iter_mut().enumerate() {
             end_with_rings(b, &ring, outer);
             if !space.sliding.is_empty() {
-                slide_as_in((model, space), b, [block, 1], change.y);
+                slide_as_in(bearing, b, [block, 1], change.y);
             }
         }
     }
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        let (start, end) = (
-            b.velocities(layout, y0, block),
-            b.velocities(layout, change.y, block),
-        );
-        powers(
-            space,
-            b,
-            [&start, &end],
-            results,
-            &mut w.slip_max,
-            &mut totals,
-        );
+        let [start, end] = [y0, &*change.y].map(|y| b.velocities(layout, y, block));
+        let slip_max = &mut w.slip_max;
+        powers(space, b, [&start, &end], results, slip_max, &mut totals);
     }
     s.known = true;
     // A rotor, whose work on the ring is within the ledger, takes the place of what turns the ring.
@@ -132,24 +119,43 @@ pub(crate) fn add_implicit_friction(
     change.add_energy(EnergyTerm::InnerFriction, totals.heat[1]);
 }
 
+/// Motion of the inner ring and velocity of the outer one in a state, along the directions in which the friction of
+/// this motion of the inner ring acts.
+#[inline(always)]
+fn rings_in(bearing: Bearing<'_>, ring: &RingMotion, y: &[f64]) -> (RingMotion, [f64; 3]) {
+    let layout = bearing.model.layout;
+    let speed = layout.ring_speed_rad_s(y);
+    let moving = RingMotion::new(layout, y, speed.unwrap_or(bearing.drive.inner_speed));
+    (
+        ring.with_velocities_of(&moving),
+        outer_ring_velocity(layout, y),
+    )
+}
+
 /// Solves for the friction of the balls over a step of `h_s` from these motions of the rings, and adds it to the
 /// velocities and rates of the balls.
 #[inline(always)]
 fn solve_blocks(
-    (p, model, space): (&Parameters, &Model, &SpaceModel),
+    bearing: Bearing<'_>,
     (w, s): (&mut Workspace, &mut SpaceWorkspace),
     (h_s, ring, outer_ring): (f64, RingMotion, [f64; 3]),
     (y0, y): (&[f64], &mut [f64]),
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
+    let Bearing {
+        parameters: p,
+        model,
+        space,
+        ..
+    } = bearing;
     let layout = model.layout;
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         set_at_rest(b, 0, &ring, outer_ring);
         set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
         if !space.sliding.is_empty() {
-            slide_as_in((model, space), b, [block, 0], y0);
-            slide_as_evaluated((model, space), b, [block, 1], &s.sliding);
+            slide_as_in(bearing, b, [block, 0], y0);
+            slide_as_evaluated(bearing, b, [block, 1], &s.sliding);
         }
         if model.creep.is_some() {
             set_knees(&results.polar, b);

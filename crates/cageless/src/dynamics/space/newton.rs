@@ -19,7 +19,7 @@ use crate::contact::{
     AtKnees, EvaluatedLaws, FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law,
 };
 use crate::numerics::cholesky;
-use crate::numerics::lanes::{LANES, Lanes, larger};
+use crate::numerics::lanes::{LANES, Lanes, lane_struct, larger};
 
 /// [`LAST_STEP`] where the matrix is that of [`Slopes::Joint`], whose steps are not exact.
 const LAST_JOINT_STEP: f64 = 0.01;
@@ -194,6 +194,19 @@ impl Stiffness {
     }
 }
 
+lane_struct! {
+    /// Σ Φ, Φ·x/R and Φ·(x/R)² of the strips of a contact, with the shear 1/R, as far as the rows of J need them.
+    pub(super) struct ContactStiffness per lane ContactStiffnessLanes {
+        along_along,
+        along_across,
+        across_across,
+        /// Between τ and the spin, as are the next between l and the spin, and of the spin.
+        along_spin,
+        across_spin,
+        spin_spin,
+    }
+}
+
 /// The matrix of Newton's method and what is missing to the equations.
 #[inline(always)]
 fn equations(
@@ -217,8 +230,7 @@ fn equations(
     for &place in b.places {
         let curvature = *b.curvature_at(place);
         let mut traction = TractionLanes::ZERO;
-        // Σ Φ, Φ·x/R and Φ·(x/R)², with the shear 1/R, as far as the rows need them.
-        let mut sums = [Lanes::ZERO; 6];
+        let mut stiffness = ContactStiffnessLanes::ZERO;
         for (k, strip) in space.strips.iter().enumerate() {
             let step = &b.steps[place * space.strips.len() + k];
             for lane in 0..LANES {
@@ -228,12 +240,13 @@ fn equations(
                 traction.add(lane, force, x, curvature.0[lane]);
                 let phi = Stiffness::of(&friction, slopes, safe.0[lane] > 0.0);
                 let inverse = b.inverse_radius.0[lane];
-                sums[0].0[lane] += phi.along_along;
-                sums[1].0[lane] += phi.along_across;
-                sums[2].0[lane] += phi.across_across;
-                sums[3].0[lane] += inverse * (x * phi.along_along + phi.along_shear);
-                sums[4].0[lane] += inverse * (x * phi.along_across + phi.across_shear);
-                sums[5].0[lane] += inverse
+                stiffness.along_along.0[lane] += phi.along_along;
+                stiffness.along_across.0[lane] += phi.along_across;
+                stiffness.across_across.0[lane] += phi.across_across;
+                stiffness.along_spin.0[lane] += inverse * (x * phi.along_along + phi.along_shear);
+                stiffness.across_spin.0[lane] +=
+                    inverse * (x * phi.along_across + phi.across_shear);
+                stiffness.spin_spin.0[lane] += inverse
                     * inverse
                     * (x * (x * phi.along_along + 2.0 * phi.along_shear) + phi.shear_shear);
             }
@@ -248,26 +261,40 @@ fn equations(
             // J, and h θ Φ J.
             let rows = frame.rows();
             let [along, across, spin] = rows;
-            let [aa, ac, cc, xaa, xac, xxaa] = of_lane(&sums, lane);
+            let phi = stiffness.get(lane);
+            let [aa, ac, cc] = [phi.along_along, phi.along_across, phi.across_across];
+            let [a_spin, c_spin] = [phi.along_spin, phi.across_spin];
             let mut pressed = [[0.0; SIZE]; 3];
             for i in 0..SIZE {
-                pressed[0][i] = share * (aa * along[i] + ac * across[i] + xaa * spin[i]);
-                pressed[1][i] = share * (ac * along[i] + cc * across[i] + xac * spin[i]);
-                pressed[2][i] = share * (xaa * along[i] + xac * across[i] + xxaa * spin[i]);
+                pressed[0][i] = share * (aa * along[i] + ac * across[i] + a_spin * spin[i]);
+                pressed[1][i] = share * (ac * along[i] + cc * across[i] + c_spin * spin[i]);
+                pressed[2][i] =
+                    share * (a_spin * along[i] + c_spin * across[i] + phi.spin_spin * spin[i]);
             }
-            let both = |i: usize, j: usize| rows[0][i] * pressed[0][j] + rows[1][i] * pressed[1][j];
-            let spin = |i: usize, j: usize| rows[2][i] * pressed[2][j];
-            // The row of the spin has no part of **v**.
-            for i in 0..3 {
-                for j in 0..3 {
-                    matrix[3 + i][j].0[lane] += both(3 + i, j);
-                    matrix[3 + i][j].0[lane] += spin(3 + i, j);
-                    if j <= i {
-                        matrix[i][j].0[lane] += both(i, j);
-                        matrix[3 + i][3 + j].0[lane] += both(3 + i, 3 + j);
-                        matrix[3 + i][3 + j].0[lane] += spin(3 + i, 3 + j);
-                    }
-                }
+            add_products(matrix, lane, &rows, &pressed);
+        }
+    }
+}
+
+/// Adds Jᵀ·(h θ Φ J) of a contact to the lower half of the matrix.
+#[inline(always)]
+fn add_products(
+    matrix: &mut [[Lanes; SIZE]; SIZE],
+    lane: usize,
+    rows: &[[f64; SIZE]; 3],
+    pressed: &[[f64; SIZE]; 3],
+) {
+    let both = |i: usize, j: usize| rows[0][i] * pressed[0][j] + rows[1][i] * pressed[1][j];
+    let spin = |i: usize, j: usize| rows[2][i] * pressed[2][j];
+    // The row of the spin has no part of **v**.
+    for i in 0..3 {
+        for j in 0..3 {
+            matrix[3 + i][j].0[lane] += both(3 + i, j);
+            matrix[3 + i][j].0[lane] += spin(3 + i, j);
+            if j <= i {
+                matrix[i][j].0[lane] += both(i, j);
+                matrix[3 + i][3 + j].0[lane] += both(3 + i, 3 + j);
+                matrix[3 + i][3 + j].0[lane] += spin(3 + i, 3 + j);
             }
         }
     }

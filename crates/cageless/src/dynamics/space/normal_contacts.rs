@@ -4,14 +4,12 @@ use super::bearing::{Bearing, Totals};
 use super::block::{ALL_PLACES, INNER, SpaceBlock, WITHOUT_SECOND};
 use super::frame::{Frame, FrameLanes, of_lane};
 use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
-use super::model::SpaceModel;
 use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
 use super::ring::RingMotion;
 use crate::ball::{BallLanes, PolarMotionLanes};
 use crate::contact::{NormalForce, positive};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
-use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes, lane_struct};
 use crate::numerics::vector::{cross, dot, plus};
 use crate::simd::{BlockResults, Motions, block_at, block_mut};
@@ -36,7 +34,7 @@ struct Moving {
 /// Adds the normal forces on the balls of a block to the rates.
 #[inline(always)]
 pub(super) fn normal_contacts(
-    (p, model, space, _): Bearing<'_>,
+    bearing: Bearing<'_>,
     (results, b): (&mut BlockResults, &mut SpaceBlock),
     ring: &RingMotion,
     y: &[f64],
@@ -44,13 +42,14 @@ pub(super) fn normal_contacts(
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
-    let (layout, balls) = (model.layout, p.balls(block));
+    let Bearing { model, space, .. } = bearing;
+    let (layout, balls) = (model.layout, bearing.parameters.balls(block));
     let at = |coordinate| layout.array(coordinate) + block * LANES;
     let moving = moving(layout, (results, b), y, block);
     for (coordinate, rates) in PLACE.into_iter().zip(&moving.velocity) {
         *block_mut(dydt, at(coordinate)) = rates.0;
     }
-    touch_outer((model, space), (results, b), balls, &moving.height, block);
+    touch_outer(bearing, (results, b), balls, &moving.height, block);
     let mut outer = OuterForceLanes::ZERO;
     press_outer(balls, &b.outer, &results.polar, &moving.rise, &mut outer);
     frame_outer_points(model.outer.friction_factor, &results.polar, &outer, b);
@@ -133,7 +132,7 @@ fn moving(
 /// Contacts of the balls of a block with the outer ring, and the places at which they bear.
 #[inline(always)]
 fn touch_outer(
-    (model, space): (&Model, &SpaceModel),
+    bearing: Bearing<'_>,
     (results, b): (&BlockResults, &mut SpaceBlock),
     balls: &BallLanes,
     height: &Lanes,
@@ -145,9 +144,9 @@ fn touch_outer(
         beyond.0[lane] = polar.distance.0[lane] - balls.outer_orbit_radius.0[lane];
     }
     touch_plain(&b.outer_groove, &beyond, height, &mut b.outer);
-    for lane in 0..LANES.min(model.layout.balls - block * LANES) {
+    for lane in 0..LANES.min(bearing.model.layout.balls - block * LANES) {
         let direction = [polar.ex.0[lane], polar.ey.0[lane]];
-        if let Some(here) = space.flanks_at(block * LANES + lane, direction) {
+        if let Some(here) = bearing.space.flanks_at(block * LANES + lane, direction) {
             let groove = b.outer_groove.get(lane);
             let touch = groove.touch_flanks(beyond.0[lane], height.0[lane], &here);
             b.outer.put(lane, touch);

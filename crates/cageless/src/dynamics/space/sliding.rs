@@ -6,16 +6,16 @@
 //!   m z̈ = F − σP − c(ż − żh),
 //!
 //! the spring so soft that its force stays the same; the housing has the reaction. The functions are compiled
-//! once for all instruction sets, and cold: runs without springs pass them by. They take the model by reference, as
+//! once for all instruction sets, and cold: runs without springs pass them by. They take the bearing with references, as
 //! a layout whose address is taken slows the loops around them.
 
+use super::bearing::Bearing;
 use super::block::{INNER, SpaceBlock};
 use super::model::SpaceModel;
 use super::workspace::SpaceWorkspace;
 use crate::dynamics::coordinates::{OuterRingCoordinate, SlidingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
-use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
 use crate::world::body::sliding_ring::SlidingWork;
 use crate::world::step_change::StepChange;
@@ -60,23 +60,25 @@ fn slide_with(
 #[cold]
 #[inline(never)]
 pub(super) fn slide_as_evaluated(
-    (model, space): (&Model, &SpaceModel),
+    bearing: Bearing<'_>,
     b: &mut SpaceBlock,
     [block, end]: [usize; 2],
     work: &[SlidingWork],
 ) {
-    slide_with(space, model.layout, b, [block, end], |k| work[k].speed);
+    let layout = bearing.model.layout;
+    slide_with(bearing.space, layout, b, [block, end], |k| work[k].speed);
 }
 
 /// [`slide_with`] at the speeds of a vector.
 #[cold]
 #[inline(never)]
 pub(super) fn slide_as_in(
-    (model, space): (&Model, &SpaceModel),
+    bearing: Bearing<'_>,
     b: &mut SpaceBlock,
     [block, end]: [usize; 2],
     y: &[f64],
 ) {
+    let Bearing { model, space, .. } = bearing;
     let layout = model.layout;
     let [_, housing] = layout.outer_ring_along_axis(y);
     slide_with(space, layout, b, [block, end], |k| {
@@ -87,11 +89,8 @@ pub(super) fn slide_as_in(
 /// Puts the rings that slide, with their grooves, where they are in a vector, at their speeds there.
 #[cold]
 #[inline(never)]
-pub(super) fn place_rings(
-    (model, space): (&Model, &SpaceModel),
-    s: &mut SpaceWorkspace,
-    y: &[f64],
-) {
+pub(super) fn place_rings(bearing: Bearing<'_>, s: &mut SpaceWorkspace, y: &[f64]) {
+    let Bearing { model, space, .. } = bearing;
     let layout = model.layout;
     let [housing_z, housing_vz] = layout.outer_ring_along_axis(y);
     for (k, work) in s.sliding.iter_mut().enumerate() {
@@ -111,11 +110,12 @@ pub(super) fn place_rings(
 #[cold]
 #[inline(never)]
 pub(super) fn sliding_rates(
-    (model, space): (&Model, &SpaceModel),
+    bearing: Bearing<'_>,
     s: &mut SpaceWorkspace,
     y: &[f64],
     dydt: &mut [f64],
 ) {
+    let Bearing { model, space, .. } = bearing;
     let layout = model.layout;
     for (k, ring) in space.sliding.iter().enumerate() {
         let (force_n, speed) = (s.row_force_n(layout, ring.row), s.sliding[k].speed);
@@ -136,10 +136,11 @@ pub(super) fn sliding_rates(
 #[cold]
 #[inline(never)]
 pub(super) fn add_sliding_friction(
-    (model, space): (&Model, &SpaceModel),
+    bearing: Bearing<'_>,
     s: &SpaceWorkspace,
     change: &mut StepChange<'_>,
 ) {
+    let Bearing { model, space, .. } = bearing;
     let layout = model.layout;
     for (k, (ring, work)) in space.sliding.iter().zip(&s.sliding).enumerate() {
         let friction = s.row_force_n(layout, ring.row) - work.force_n;
