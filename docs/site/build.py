@@ -38,7 +38,7 @@ GALLERY = {
 # Of commands of the gallery: what `--sooner` replaces, and by what.
 SOONER = {
     "axial": ("--axial", "--axial --set solver.method=verlet --set solver.step_us=auto"),
-    "compare": ("duration_s=0.5", "duration_s=0.05"),
+    "compare": ("duration_s=0.5", "duration_s=0.05 --set steady.transient_orbits=1 --set steady.measured_orbits=3"),
     "tolerance": ("--samples 8", "--samples 2 --set solver.method=verlet --set solver.step_us=auto"),
 }
 HELP = ROOT / "crates/cageless-cli/tests/snapshots"

@@ -167,9 +167,9 @@ class Slot:
                 return np.linalg.norm(away, axis=-1)
 
             t = np.linspace(-stretch[2], stretch[2], 200)
-            best = t[np.argmin([off(np.full(len(points), one)) for one in t], axis=0)]
+            best = t[np.argmin([off(np.full(1, one)) for one in t], axis=0)]
             low, high = best - (t[1] - t[0]), best + (t[1] - t[0])
-            for _ in range(40):
+            for _ in range(26):
                 third = (high - low) / 3
                 left = off(low + third) < off(high - third)
                 low, high = np.where(left, low, low + third), np.where(left, high - third, high)
@@ -202,7 +202,7 @@ class Slot:
     def volume(self):
         """Of a closed surface of triangles, extrapolated from two numbers of them."""
         found = []
-        for count in (200, 400):
+        for count in (100, 200):
             u = np.linspace(0, 1, count + 1)
             total = 0.0
             for stretch in self.stretches:
