@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
-use super::run::{advance, made};
+use super::run::{MakeStep, advance, made};
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
 use crate::case::{Case, InnerRingDrive};
@@ -36,6 +36,7 @@ pub struct Simulation<M = CaseMethod> {
     model: Arc<Model>,
     rhs: RightHandSide,
     integrator: Integrator<M>,
+    make_step: MakeStep<RightHandSide, M>,
     watch: Watch,
     stop: Option<Stop>,
 }
@@ -87,6 +88,7 @@ impl Simulation {
             model,
             rhs,
             integrator,
+            make_step: RightHandSide::advance,
             watch,
             stop: None,
         })
@@ -105,6 +107,7 @@ impl<M: Method> Simulation<M> {
             model: self.model,
             rhs: self.rhs,
             integrator,
+            make_step: RightHandSide::advance,
             watch: self.watch,
             stop: self.stop,
         }
@@ -151,7 +154,7 @@ impl<M: Method> Simulation<M> {
             return Err(stop.clone());
         }
         let stop_at = |time_s| Stop::new(&self.case, time_s, Cause::NotResolved);
-        let made = self.rhs.advance(&mut self.integrator, limit_s);
+        let made = (self.make_step)(&mut self.rhs, &mut self.integrator, limit_s);
         let looked = made.map_err(|error| stop_at(error.time_s)).and_then(|()| {
             let (step, rhs) = (self.integrator.step(), &self.rhs);
             let contacts_of = |bearing| rhs.contacts_of(bearing);
@@ -183,7 +186,14 @@ impl<M: Method> Simulation<M> {
         };
         let mut tracker = RunTracker::new(context, &mut self.watch, observers);
         let alone = std::slice::from_mut(&mut tracker);
-        advance(&mut self.integrator, &mut self.rhs, alone, until_s, control);
+        advance(
+            &mut self.integrator,
+            &mut self.rhs,
+            self.make_step,
+            alone,
+            until_s,
+            control,
+        );
         let outcome = tracker.outcome();
         if let Ending::Stopped(stop) = &outcome.ending {
             self.stop = Some(stop.clone());

@@ -13,6 +13,10 @@ use crate::integrator::{self, CaseMethod, Integrator, System, UnresolvedStep};
 /// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;
 
+/// A step of bearings by a method, compiled where the method is chosen: in this crate for a method of a case, so
+/// that a crate with a simulation compiles no equations.
+pub(super) type MakeStep<B, M> = fn(&mut B, &mut Integrator<M>, f64) -> Result<(), UnresolvedStep>;
+
 thread_local! {
     static STEPS: Cell<u64> = const { Cell::new(0) };
 }
@@ -108,7 +112,14 @@ pub(super) fn drive_from(
     let mut integrator = Integrator::new(method, start.len());
     integrator.restart(bearings, 0.0, start);
     let duration_s = solver.duration_s;
-    advance(&mut integrator, bearings, trackers, duration_s, control);
+    advance(
+        &mut integrator,
+        bearings,
+        Bearings::advance,
+        trackers,
+        duration_s,
+        control,
+    );
     integrator.step().y1.to_vec()
 }
 
@@ -121,16 +132,17 @@ pub(super) fn made(bearings: &impl Bearings) -> Made {
 }
 
 /// Advances bearings to `until_s`, or until each has ended.
-pub(super) fn advance<M: integrator::Method>(
+pub(super) fn advance<B: Bearings, M: integrator::Method>(
     integrator: &mut Integrator<M>,
-    rhs: &mut impl Bearings,
+    rhs: &mut B,
+    make_step: MakeStep<B, M>,
     trackers: &mut [RunTracker<'_, '_>],
     until_s: f64,
     control: &mut dyn FnMut(f64) -> Control,
 ) {
     let mut steps = 0;
     while trackers.iter().any(RunTracker::under_way) {
-        if let Err(error) = rhs.advance(integrator, until_s) {
+        if let Err(error) = make_step(rhs, integrator, until_s) {
             for tracker in trackers.iter_mut() {
                 let stop = Stop::new(tracker.context.case, error.time_s, Cause::NotResolved);
                 tracker.stop(stop, &integrator.step().y1);
