@@ -133,6 +133,7 @@ fn result<'r>(found: &'r serde_json::Value, name: &str) -> &'r serde_json::Value
 fn the_raceway_of_the_paper_helps_in_steady_operation() {
     let dir = tempfile::tempdir().unwrap();
     let sets = [
+        "solver.method=verlet",
         "solver.step_us=2",
         "solver.duration_s=0.02",
         "steady.transient_orbits=100",

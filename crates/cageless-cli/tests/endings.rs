@@ -171,11 +171,9 @@ fn ctrl_c_ends_a_run_in_good_order() {
 #[test]
 fn signals_of_batch_systems_end_a_run_in_good_order() {
     let dir = tempfile::tempdir().unwrap();
-    let runs = ["-TERM", "-USR1", "-USR2", "-XCPU"].map(|name| {
+    for name in ["-TERM", "-USR1", "-USR2", "-XCPU"] {
         let out = dir.path().join(name);
-        (name, start_long_run(&out), out)
-    });
-    for (name, mut child, out) in runs {
+        let mut child = start_long_run(&out);
         wait_for_rows(&mut child, &out);
         for _ in 0..if name == "-TERM" { 1 } else { 3 } {
             signal(&child, name);

@@ -1,5 +1,7 @@
 //! Gaps that a discrete raceway holds in steady operation, against its critical gap from the passage of two balls.
 
+use std::sync::OnceLock;
+
 use cageless::design::judge;
 use cageless::simulation::Control;
 use cageless::steady::HeldPair;
@@ -17,6 +19,12 @@ struct Held {
     expected: f64,
     /// Contacts of a held pair in an orbit of the runs.
     of_pair: f64,
+}
+
+/// Spans of 4.6 mm and 4.9 mm with balls of grade 10 and 3, which several tests compare.
+fn shared() -> &'static [Held; 2] {
+    static SHARED: OnceLock<[Held; 2]> = OnceLock::new();
+    SHARED.get_or_init(|| [held(4.6, 10), held(4.9, 3)])
 }
 
 fn held(span_mm: f64, grade: u32) -> Held {
@@ -62,8 +70,8 @@ fn held_in(text: &str, set: &[&str], grade: u32) -> Held {
 /// is not so weak that it meets again in the passage.
 #[test]
 fn a_raceway_holds_gaps_at_the_critical_one() {
-    for (span_mm, contacts) in [(4.6, 0.9..1.05), (4.9, 0.5..0.8)] {
-        let held = held(span_mm, 10);
+    let of_spans = [(4.6, 0.9..1.05), (4.9, 0.5..0.8)];
+    for ((span_mm, contacts), held) in of_spans.into_iter().zip(shared()) {
         let scatter = held.scatter_deg / (13f64.sqrt() * held.reserve_deg);
         assert!((1.0..1.12).contains(&scatter), "{span_mm}: {scatter}");
         assert!(
@@ -77,7 +85,7 @@ fn a_raceway_holds_gaps_at_the_critical_one() {
 /// Drift does not set the rate of contacts: balls that differ by ten times as much meet as often.
 #[test]
 fn contacts_of_held_balls_do_not_depend_on_their_grade() {
-    let [fine, coarse] = [3, 28].map(|grade| held(4.9, grade));
+    let (fine, coarse) = (&shared()[1], held(4.9, 28));
     let ratio = coarse.contacts_hz / fine.contacts_hz;
     assert!((0.7..1.4).contains(&ratio), "{ratio}");
 }
@@ -94,20 +102,19 @@ fn held_pairs_meet_as_often_as_their_gaps_say_within_a_factor_of_two() {
         ];
         held_in(&small, &set.map(|s| s as &str), 10)
     };
-    let all = [
-        held(4.6, 10),
-        held(4.9, 3),
-        held(5.1, 10),
+    let [first, second] = shared();
+    let third = held(5.1, 10);
+    let others = [
         held(5.2, 28),
         of_6205("2.553", "23.41"),
         of_6205("2.919", "16.84"),
     ];
     let mut found = vec![];
-    for held in &all {
+    for held in [first, second, &third].into_iter().chain(&others) {
         let ratio = held.expected / held.of_pair;
         found.push(ratio);
         assert!((0.5..2.0).contains(&ratio), "{found:?}");
     }
     // Rates differ by more than the factor.
-    assert!(all[0].of_pair > 4.0 * all[2].of_pair);
+    assert!(first.of_pair > 4.0 * third.of_pair);
 }
