@@ -582,9 +582,12 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
     let orbit = m.orbit_speed_rad_s / (2.0 * PI);
     let bore = 2.0 * (18.24e-3 - 0.3 * 9.525e-3);
     let expected = [
-        ("friction_torque_n_m", m.drive_w() / (2.0 * PI * turns)),
+        (
+            "friction_torque_n_m",
+            m.power_w(EnergyTerm::Drive) / (2.0 * PI * turns),
+        ),
         ("friction_torque_skf_n_m", 0.5 * 0.0015 * 1500.0 * bore),
-        ("power_loss_w", m.drive_w()),
+        ("power_loss_w", m.power_w(EnergyTerm::Drive)),
         (
             "power_loss_inner_friction_w",
             m.power_w(EnergyTerm::InnerFriction),
@@ -602,7 +605,10 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             "power_loss_inner_ring_damping_w",
             m.power_w(EnergyTerm::Drag),
         ),
-        ("power_loss_stored_w", m.drive_w() - m.heat_w()),
+        (
+            "power_loss_stored_w",
+            m.power_w(EnergyTerm::Drive) - m.heat_w(),
+        ),
         (
             "rolling_resistance_power_w",
             m.power_w(EnergyTerm::RollingResistance),

@@ -56,7 +56,8 @@ fn runs(with_raceway: bool, set: &[&str], change: &Change) -> Vec<Vec<SteadyBloc
 
 fn is_stationary(runs: &[&[SteadyBlock]]) -> bool {
     let all = Stationarity::all(runs);
-    all.iter().all(|found| found.is_within(found.of.limit()))
+    all.iter()
+        .all(|found| found.reason(found.of.limit()).is_none())
 }
 
 /// Whether one quantity changes by more than its limit, beyond the error over all draws.

@@ -116,7 +116,7 @@ pub mod case;
 mod case_builder;
 pub mod collision;
 pub mod contact;
-pub mod contact_peaks;
+mod contact_peaks;
 pub mod contact_tracker;
 mod control;
 pub mod critical_gap;

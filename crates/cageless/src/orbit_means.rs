@@ -52,7 +52,7 @@ impl OrbitMeans {
     }
 
     /// Mean power that the drive of the inner ring supplies, W.
-    pub fn drive_w(&self) -> f64 {
+    pub(crate) fn drive_w(&self) -> f64 {
         self.power_w(EnergyTerm::Drive)
     }
 

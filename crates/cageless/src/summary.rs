@@ -15,7 +15,7 @@
 //! ```
 
 use crate::case::Case;
-use crate::contact_peaks::{ContactPeakTracker, ContactPeaks};
+use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
@@ -26,6 +26,8 @@ use crate::numerics::moments::Moments;
 use crate::orbit_means::{OrbitMeans, OrbitMeansTracker};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::spatial_summary::{SpatialSummary, SpatialSummaryTracker};
+
+pub use crate::contact_peaks::{ContactPeak, ContactPeaks};
 
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
 #[derive(Debug, Clone, PartialEq)]

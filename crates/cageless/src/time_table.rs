@@ -53,12 +53,12 @@ impl TimeTable {
     }
 
     /// Times, s.
-    pub fn times_s(&self) -> &[f64] {
+    pub(crate) fn times_s(&self) -> &[f64] {
         &self.times_s
     }
 
     /// Values at these times.
-    pub fn values(&self) -> &[f64] {
+    pub(crate) fn values(&self) -> &[f64] {
         &self.values
     }
 

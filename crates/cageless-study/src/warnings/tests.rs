@@ -1,7 +1,7 @@
-use cageless::contact_peaks::{ContactPeak, ContactPeaks};
 use cageless::design::RunVerdict;
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, RunOutcome, run};
+use cageless::summary::{ContactPeak, ContactPeaks};
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless_io::case_file::{CaseFile, template};
 

@@ -104,7 +104,7 @@ impl Stationarity {
 
     /// Whether the change is within a limit beyond its error: an equivalence test (TOST), which calls less than 5 %
     /// of the runs stationary that change by the limit.
-    pub fn is_within(&self, limit: f64) -> bool {
+    pub(crate) fn is_within(&self, limit: f64) -> bool {
         self.change.abs() + self.error <= limit
     }
 

@@ -1,12 +1,12 @@
 //! Speed and load that are given over time.
 
 use crate::common::{complete, structure};
-use cageless::contact_peaks::ContactPeaks;
 use cageless::design::{Criterion, RacewayTallies, RunEvidence, RunVerdict};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::simulation::{Control, RunOutcome, run};
+use cageless::summary::ContactPeaks;
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::{Case, FlankModel, IntegrationMethod, Operation, Start, StartState, TimeTable};
 
@@ -230,7 +230,7 @@ fn flash_temperatures_are_those_of_their_times() {
         (from_rest.inner, constant.inner),
         (from_rest.outer, constant.outer),
     ] {
-        let per_load = |peak: cageless::contact_peaks::ContactPeak| {
+        let per_load = |peak: cageless::summary::ContactPeak| {
             peak.flash_temperature_k / peak.pressure_velocity_pa_m_s
         };
         let ratio = per_load(found) / per_load(reference);

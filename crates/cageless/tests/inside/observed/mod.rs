@@ -7,10 +7,10 @@ use std::f64::consts::{PI, TAU};
 
 use cageless::collision::Collision;
 use cageless::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
-use cageless::contact_peaks::ContactPeak;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{Passage, PassageTally};
 use cageless::raceway_contact::{RacewayContact, RacewayPoint};
+use cageless::summary::ContactPeak;
 use cageless::verification::Quantity;
 use recording::{RECORDING, Recording, Row, Seen};
 
