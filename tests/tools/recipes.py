@@ -7,6 +7,7 @@ a figure, a criterion and a key more.
 FOLDER takes the copy and what is built from it; BUILT is a target folder whose dependencies are taken over.
 """
 
+import argparse
 import contextlib
 import json
 import math
@@ -361,12 +362,16 @@ def cosine_demand(span_m, half_angle_rad, ball_radius_m):
 
 
 def main():
-    folder = Path(sys.argv[1]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("built", type=Path, nargs="?")
+    options = parser.parse_args()
+    folder = options.folder.resolve()
     tree = copied(folder)
     follow(tree)
     if checks.failed():
         return checks.exit_code()
-    cageless = build(folder, tree, Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None)
+    cageless = build(folder, tree, options.built and options.built.resolve())
     short = ["solver.duration_s=0.02", "solver.method=heun", "solver.step_us=0.2", "contact.roughness_ratio=0.5"]
     rising = "contact.friction_law=rising"
 

@@ -3,14 +3,16 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use cageless::tolerance::ball_grades_text;
-use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
-use cageless_study::measured::Limits;
 use cageless_study::sweep::Shard;
-use cageless_study::tolerance::Request as Tolerances;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+
+mod cad;
+mod tolerances;
+
+pub use cad::{ExportArgs, MeasureArgs};
+pub use tolerances::{DrawingTolerances, ToleranceArgs};
 
 /// Simulate and design cageless ball bearings with a discrete raceway.
 #[derive(Debug, Parser)]
@@ -238,82 +240,6 @@ pub enum Reference {
     Conventional,
 }
 
-/// `export`.
-#[derive(Debug, Group)]
-pub struct ExportArgs {
-    /// Case file (TOML) with bearing.outer_ring_outer_radius_mm and
-    /// bearing.outer_ring_width_mm.
-    #[arg(value_name = "CASE")]
-    pub case: PathBuf,
-    /// Replace a value of the case file; may be repeated.
-    #[arg(long, value_name = "SECTION.KEY=VALUE")]
-    pub set: Vec<String>,
-    /// Kind of file.
-    #[arg(long)]
-    pub format: CadFormat,
-    /// Length of the blend between each end of a discrete raceway and the plain groove, inside
-    /// the raceway; 0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest half raceway if
-    /// that is shorter.
-    #[arg(long, value_parser = number, value_name = "MM", allow_negative_numbers = true)]
-    pub blend_mm: Option<f64>,
-    /// step: largest distance of the B-splines from the analytic surface. Default: 0.01.
-    #[arg(long, value_parser = number, value_name = "UM", allow_negative_numbers = true)]
-    pub tolerance_um: Option<f64>,
-    /// stl: largest distance of a triangle from the analytic surface. Default: 5.
-    #[arg(long, value_parser = number, value_name = "UM", allow_negative_numbers = true)]
-    pub chord_um: Option<f64>,
-    /// csv: largest distance of neighbouring points. Default: 0.5.
-    #[arg(long, value_parser = number, value_name = "MM", allow_negative_numbers = true)]
-    pub spacing_mm: Option<f64>,
-    /// Print the numbers as one JSON document.
-    #[arg(long)]
-    pub json: bool,
-    /// File, if the name ends in .step, .stp, .stl or .csv; else a folder, which gets
-    /// outer_ring.step, .stl or .csv and export.json. Without it the file is written to stdout, and
-    /// with --json only the numbers.
-    #[arg(long, value_name = "PATH")]
-    pub out: Option<PathBuf>,
-}
-
-/// `measure`.
-#[derive(Debug, Group)]
-pub struct MeasureArgs {
-    /// Case with the raceways as designed, output.
-    #[command(flatten)]
-    pub case: CaseArgs,
-    /// Points of the groove with the axis along z: lines of x, y, z in mm, with a head that
-    /// names x_mm, y_mm, z_mm or without.
-    #[arg(value_name = "POINTS")]
-    pub points: PathBuf,
-    /// Tolerances of the raceway.
-    #[command(flatten)]
-    pub raceway: RacewayTolerances,
-    /// Tolerance of the angular position ψ in the frame of the points, ± degrees; default: none.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG")]
-    pub centre_angle_deg: Option<f64>,
-}
-
-/// Kinds of files of `export`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum CadFormat {
-    /// One solid of B-splines, tori, cylinders and planes, AP214.
-    Step,
-    /// Triangles, binary.
-    Stl,
-    /// Surface points, normals and contact track for a five-axis program.
-    Csv,
-}
-
-impl From<CadFormat> for Format {
-    fn from(format: CadFormat) -> Self {
-        match format {
-            CadFormat::Step => Self::Step,
-            CadFormat::Stl => Self::Stl,
-            CadFormat::Csv => Self::Csv,
-        }
-    }
-}
-
 /// `sweep`.
 #[derive(Debug, Group)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
@@ -388,73 +314,6 @@ pub struct ReportArgs {
     pub open: bool,
 }
 
-/// Machining tolerances of a discrete raceway.
-#[derive(Debug, Group)]
-pub struct RacewayTolerances {
-    /// Tolerance of the raceway depth, ± µm.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().groove_depth_um)]
-    pub groove_depth_um: f64,
-    /// Tolerance of the axial span lC, ± µm.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().axial_span_um)]
-    pub axial_span_um: f64,
-    /// Tolerance of the half angle θ, ± degrees.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Tolerances::default().half_angle_deg)]
-    pub half_angle_deg: f64,
-}
-
-impl RacewayTolerances {
-    /// Limits of a drawing with these, and with that of the angular position, ± degrees.
-    pub fn limits(&self, centre_angle_deg: Option<f64>) -> Limits {
-        Limits {
-            groove_depth_um: self.groove_depth_um,
-            axial_span_um: self.axial_span_um,
-            half_angle_deg: self.half_angle_deg,
-            centre_angle_deg,
-        }
-    }
-}
-
-/// `tolerance`.
-#[derive(Debug, Group)]
-pub struct ToleranceArgs {
-    /// Case, output.
-    #[command(flatten)]
-    pub case: CaseArgs,
-    /// Monte Carlo sample size; 0: one-at-a-time only.
-    #[arg(long, value_parser = whole, allow_negative_numbers = true, default_value_t = Tolerances::default().samples)]
-    pub samples: u64,
-    /// Tolerances of the raceway.
-    #[command(flatten)]
-    pub raceway: RacewayTolerances,
-    /// Tolerance of the contact angle of the raceway, ± degrees; of cases in space.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG", default_value_t = Tolerances::default().contact_angle_deg)]
-    pub contact_angle_deg: f64,
-    /// Ball grade of ISO 3290-1; 0: equal balls.
-    #[arg(long, value_parser = ball_grade, allow_negative_numbers = true, value_name = "G", default_value_t = Tolerances::default().ball_grade)]
-    pub ball_grade: u32,
-    /// Tolerance of the friction coefficient, ±.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "MU", default_value_t = Tolerances::default().friction)]
-    pub friction: f64,
-    /// Tolerance of the radial internal clearance Gr (ISO 5753-1), ± µm.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "UM", default_value_t = Tolerances::default().clearance_um)]
-    pub clearance_um: f64,
-    /// Tolerance of the speed, ± %.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().speed_percent)]
-    pub speed_percent: f64,
-    /// Tolerance of the load, ± %.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
-    pub load_percent: f64,
-    /// Tolerance of the viscosity of the oil, ± %; with [film].
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "PERCENT", default_value_t = Tolerances::default().viscosity_percent)]
-    pub viscosity_percent: f64,
-    /// Tolerance of the supply of oil, a factor to either side, within flooded contacts; with [film].
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "FACTOR", default_value_t = Tolerances::default().supply_factor)]
-    pub supply_factor: f64,
-    /// Say whether the raceway helps in steady operation, as drawn and at both ends of its machining tolerances.
-    #[arg(long)]
-    pub benefit: bool,
-}
-
 /// `design`.
 #[derive(Debug, Group)]
 pub struct DesignArgs {
@@ -504,12 +363,9 @@ pub struct SheetArgs {
     /// Case, output: `report.html`, `drawing.svg`, `drawing.pdf`, `sheet.json`.
     #[command(flatten)]
     pub case: CaseArgs,
-    /// Tolerances of the raceway.
+    /// Tolerances of the drawing.
     #[command(flatten)]
-    pub raceway: RacewayTolerances,
-    /// Tolerance of the angular position ψ, ± degrees; default: none.
-    #[arg(long, value_parser = number, allow_negative_numbers = true, value_name = "DEG")]
-    pub centre_angle_deg: Option<f64>,
+    pub drawing: DrawingTolerances,
     /// Leave out the long runs that say whether the raceway helps.
     #[arg(long)]
     pub without_benefit: bool,
@@ -578,10 +434,4 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
         .ok()
         .filter(|n: &NonZeroUsize| n.get() <= THREADS_MAX);
     count.ok_or_else(|| format!("1 to {THREADS_MAX} are allowed"))
-}
-
-/// The study validates the grade.
-fn ball_grade(text: &str) -> Result<u32, String> {
-    text.parse()
-        .map_err(|_| format!("allowed are 0 for balls all equal, {}", ball_grades_text()))
 }

@@ -10,22 +10,24 @@ const OUTSIDE: [&str; 2] = [
 /// The numbers are those of `static` and `tolerance`; the drawing lies beside the page.
 #[test]
 fn the_sheet_has_the_numbers_of_the_other_commands() {
+    let quick = ["solver.method=verlet", "solver.step_us=auto"];
+    let sets = [&OUTSIDE[..], &quick].concat();
     let case = repository_case("zhao-d.toml");
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("sheet");
     let tolerances = ["--groove-depth-um", "3", "--json"];
     let more = ["--without-benefit", "--out", out.to_str().unwrap()];
     let more = [&more[..], &tolerances].concat();
-    let answer = call_on("sheet", &case, &OUTSIDE, &more);
+    let answer = call_on("sheet", &case, &sets, &more);
     assert_eq!(answer.code, Some(0), "{answer:?}");
     let found = answer.json();
     assert_eq!(json_file(&out.join("sheet.json")), found);
     let files = ["drawing.pdf", "drawing.svg", "report.html", "sheet.json"];
     assert_eq!(names(&out), files);
-    let alone = call_on("static", &case, &OUTSIDE, &["--json"]).json();
+    let alone = call_on("static", &case, &sets, &["--json"]).json();
     assert_eq!(found["static"], alone);
     let more = [&tolerances[..], &["--samples", "0"]].concat();
-    let alone = call_on("tolerance", &case, &OUTSIDE, &more).json();
+    let alone = call_on("tolerance", &case, &sets, &more).json();
     assert_eq!(found["tolerance"], alone);
     assert!(found["tolerance"]["benefit"].is_null());
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();

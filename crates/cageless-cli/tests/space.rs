@@ -361,7 +361,20 @@ fn designs_and_tolerances_are_computed_in_space() {
     assert!(lag(&turned_json) > lag(&straight), "{turned_json}");
     assert!(straight["recommendation"].is_null());
     let sets = [&sets[..], &turned].concat();
-    let options = ["--samples", "0", "--ball-grade", "0", "--json"];
+    let mut options = vec!["--samples", "0", "--json"];
+    // The contact angle alone.
+    for equal in [
+        "--groove-depth-um",
+        "--axial-span-um",
+        "--half-angle-deg",
+        "--ball-grade",
+        "--friction",
+        "--clearance-um",
+        "--speed-percent",
+        "--load-percent",
+    ] {
+        options.extend([equal, "0"]);
+    }
     let answer = call_on("tolerance", &case, &sets, &options);
     assert_eq!(answer.code, Some(0), "{answer:?}");
     let found = answer.json();

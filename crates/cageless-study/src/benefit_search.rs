@@ -19,7 +19,8 @@ pub const CANDIDATES: usize = 8;
 const FINALISTS: usize = 2;
 /// Draws of balls of short runs: with so many, two raceways fill the lanes of a vector.
 const SHORT_DRAWS: u64 = 4;
-/// Orbits that short runs measure, after the transient of the case or of the default, whichever is shorter.
+/// Orbits that short runs measure, or those of the case if these are fewer, after the transient of the case or of the
+/// default, whichever is shorter.
 const SHORT_ORBITS: f64 = 80.0;
 
 /// Names of the tasks of short and long runs.
@@ -100,7 +101,8 @@ fn short(rings: &[(String, CaseFile)]) -> Result<Vec<(String, CaseFile)>, CaseEr
         let mut document = file.document().clone();
         let transient = file.steady().transient_orbits.min(TRANSIENT_ORBITS);
         document.set("steady.transient_orbits", transient);
-        document.set("steady.measured_orbits", SHORT_ORBITS);
+        let measured = file.steady().measured_orbits.min(SHORT_ORBITS);
+        document.set("steady.measured_orbits", measured);
         Ok((name.clone(), CaseFile::from_document(document, "case")?))
     });
     shorter.collect()

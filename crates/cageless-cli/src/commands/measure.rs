@@ -16,7 +16,7 @@ const MEASURED: &str = "measured.toml";
 pub fn measure(args: &MeasureArgs) -> Result<(), Failure> {
     let file = read_case(&args.case.case, &args.case.set)?;
     let name = args.case.case.display().to_string();
-    let limits = args.raceway.limits(args.centre_angle_deg);
+    let limits = args.drawing.limits();
     let measured = measured(&file, &name, &args.points, &limits)?;
     let output = &args.case.output;
     let mut text = text(&measured);

@@ -15,7 +15,7 @@ const NUMBERS: &str = "sheet.json";
 pub fn sheet(args: &SheetArgs) -> Result<(), Failure> {
     let file = read_case_at_rest(&args.case.case, &args.case.set)?;
     let name = args.case.case.display().to_string();
-    let limits = args.raceway.limits(args.centre_angle_deg);
+    let limits = args.drawing.limits();
     // Bad input leaves no folder behind.
     let sheet = Sheet::new(&file, &name, &limits, !args.without_benefit)?;
     let output = &args.case.output;
