@@ -9,10 +9,14 @@ use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 mod cad;
+mod case;
 mod tolerances;
 
 pub use cad::{ExportArgs, MeasureArgs};
+pub use case::{CaseArgs, Output};
 pub use tolerances::{DrawingTolerances, ToleranceArgs};
+
+use case::whole;
 
 /// Simulate and design cageless ball bearings with a discrete raceway.
 #[derive(Debug, Parser)]
@@ -371,37 +375,6 @@ pub struct SheetArgs {
     pub without_benefit: bool,
 }
 
-/// Arguments of commands that work on a case.
-#[derive(Debug, Group)]
-pub struct CaseArgs {
-    /// Case file (TOML); `cageless new` prints one.
-    #[arg(value_name = "CASE")]
-    pub case: PathBuf,
-    /// Replace a value of the case file; may be repeated.
-    #[arg(long, value_name = "SECTION.KEY=VALUE")]
-    pub set: Vec<String>,
-    /// Output.
-    #[command(flatten)]
-    pub output: Output,
-}
-
-/// Output of commands that compute.
-#[derive(Debug, Group)]
-pub struct Output {
-    /// Print one JSON document.
-    #[arg(long)]
-    pub json: bool,
-    /// Folder for files.
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Write the results as CSV, too, with the tables of a run or drop.
-    #[arg(long, requires = "out")]
-    pub csv: bool,
-    /// Open the page in the browser.
-    #[arg(long, requires = "out")]
-    pub open: bool,
-}
-
 /// `studio`.
 #[derive(Debug, Group)]
 pub struct StudioArgs {
@@ -417,15 +390,6 @@ pub struct StudioArgs {
     /// Only print the address.
     #[arg(long)]
     pub no_browser: bool,
-}
-
-fn number(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| "it must be a number".to_owned())
-}
-
-fn whole(text: &str) -> Result<u64, String> {
-    let allowed = |_| "it must be a whole number, 0 or more".to_owned();
-    text.parse().map_err(allowed)
 }
 
 fn threads(text: &str) -> Result<NonZeroUsize, String> {

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use cageless_io::cad::Format;
 use clap::{Args as Group, ValueEnum};
 
-use super::{CaseArgs, DrawingTolerances, number};
+use super::case::{CaseArgs, number};
+use super::tolerances::DrawingTolerances;
 
 /// `export`.
 #[derive(Debug, Group)]

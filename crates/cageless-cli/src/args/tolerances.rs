@@ -5,7 +5,7 @@ use cageless_study::measured::Limits;
 use cageless_study::tolerance::Request as Tolerances;
 use clap::Args as Group;
 
-use super::{CaseArgs, number, whole};
+use super::case::{CaseArgs, number, whole};
 
 /// Machining tolerances of a discrete raceway.
 #[derive(Debug, Group)]
