@@ -33,7 +33,7 @@ RECIPES = {
 
 use super::law::{Law, LawConstants, knee};
 use super::parameters::FrictionParameters;
-use super::tanh::tanh;
+use crate::numerics::exponential::tanh;
 use crate::numerics::lanes::lane_struct;
 
 law_struct! {

@@ -150,9 +150,6 @@ impl Case {
                 Some("the published equations have no film")
             }
             () if self.rotor.is_some() => Some("the film under a falling rotor is not computed"),
-            () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => Some(
-                "contacts at the edges of a slot are longer along rolling than across, for which nobody fitted a film",
-            ),
             () => None,
         }
     }

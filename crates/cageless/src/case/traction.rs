@@ -36,9 +36,6 @@ impl Case {
             () if self.rotor.is_some() => {
                 "traction of a film under a falling rotor is not computed".to_owned()
             }
-            () if self.raceways.iter().any(|raceway| raceway.slot().is_some()) => {
-                "traction of a film at the edges of slots is not computed".to_owned()
-            }
             () if law != FrictionModel::Smooth => format!(
                 "asperities beside a film have the law \"smooth\", not {}",
                 law.name()

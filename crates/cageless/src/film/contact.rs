@@ -71,7 +71,8 @@ impl LubricatedContact {
         Self::of_ring(bearing, [-curvature, -1.0 / groove_m])
     }
 
-    fn of_ring(bearing: &Bearing, ring: [f64; 2]) -> Self {
+    /// Nominal ball at a ring with these curvatures along rolling and across, 1/m.
+    pub(super) fn of_ring(bearing: &Bearing, ring: [f64; 2]) -> Self {
         let materials = bearing.materials();
         let ball = [1.0 / bearing.ball_radius_m(); 2];
         Self::between(ball, ring, [&materials.ball, &materials.ring])

@@ -50,15 +50,26 @@ impl CurvePolynomial {
         }
     }
 
+    /// Constants at a place.
+    pub(crate) fn at(&self, place: f64) -> RollingCurve {
+        let u = self.scale * place + self.shift;
+        let value = |of: fn(&RollingCurve) -> f64| {
+            let coefficients = self.coefficients.iter().rev();
+            coefficients.fold(0.0, |sum, c| sum * u + of(c))
+        };
+        RollingCurve {
+            rigid: value(|curve| curve.rigid),
+            elastic: value(|curve| curve.elastic),
+            load: value(|curve| curve.load),
+            heat: self.coefficients[0].heat,
+        }
+    }
+
     /// Largest relative error of the constants at a place.
     #[cfg(test)]
     pub(super) fn error(&self, place: f64, expected: &RollingCurve) -> f64 {
-        let u = self.scale * place + self.shift;
-        let error = |of: fn(&RollingCurve) -> f64| {
-            let coefficients = self.coefficients.iter().rev();
-            let value = coefficients.fold(0.0, |sum, c| sum * u + of(c));
-            (value / of(expected) - 1.0).abs()
-        };
+        let found = self.at(place);
+        let error = |of: fn(&RollingCurve) -> f64| (of(&found) / of(expected) - 1.0).abs();
         [
             error(|curve| curve.rigid),
             error(|curve| curve.elastic),

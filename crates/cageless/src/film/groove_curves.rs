@@ -6,9 +6,12 @@ use super::curve::RollingCurve;
 use super::curve_polynomial::CurvePolynomial;
 use super::hysteresis::Hysteresis;
 use crate::bearing::Bearing;
+use crate::raceway::{Raceway, Slot};
 
 /// Degree of the constants over the curvature.
 const DEGREE: usize = 4;
+/// Degree of the constants of an edge over σ.
+const EDGE_DEGREE: usize = 10;
 /// Largest curvature over that of the bottom of the groove: balls move along the radius.
 const MARGIN: f64 = 1.01;
 
@@ -18,19 +21,31 @@ const MARGIN: f64 = 1.01;
 pub(crate) struct GrooveCurves {
     pub outer: CurvePolynomial,
     pub inner: CurvePolynomial,
+    /// Constants at the edges of the slot of each raceway over σ, where it is one.
+    pub edges: Vec<Option<CurvePolynomial>>,
     /// Hysteresis of the steel, where it counts.
     pub hysteresis: Option<Hysteresis>,
 }
 
 impl GrooveCurves {
-    /// Constants of the nominal balls of a bearing.
-    pub(crate) fn new(bearing: &Bearing, film: &Film) -> Self {
+    /// Constants of the nominal balls of a bearing with these raceways.
+    pub(crate) fn new(bearing: &Bearing, film: &Film, raceways: &[Raceway]) -> Self {
         let d = bearing.dimensions();
         let fit = |groove: fn(&Bearing, f64) -> LubricatedContact, radius_m: f64| {
             let at = |curvature: f64| RollingCurve::new(&groove(bearing, curvature), film);
             CurvePolynomial::new(at, [0.0, MARGIN / radius_m], DEGREE)
         };
+        let edges = |slot: &Slot| {
+            let at = |merged: f64| {
+                let ring = slot.merged_curvatures_per_m(merged);
+                RollingCurve::new(&LubricatedContact::of_ring(bearing, ring), film)
+            };
+            CurvePolynomial::new(at, [0.0, 1.0], EDGE_DEGREE)
+        };
         Self {
+            edges: (raceways.iter())
+                .map(|raceway| raceway.slot().map(edges))
+                .collect(),
             outer: fit(
                 LubricatedContact::outer_curved,
                 d.outer_groove_bottom_radius_m,
@@ -47,14 +62,34 @@ impl GrooveCurves {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::common::slotted;
     use crate::film::Oil;
     use crate::reference;
+
+    /// From the plain groove to the edge of a slot.
+    #[test]
+    fn constants_follow_the_edges_of_a_slot() {
+        let case = slotted();
+        let film = Film::flooded(Oil::mineral(5e-3, 0.035));
+        let curves = GrooveCurves::new(&case.bearing, &film, &case.raceways);
+        let edges = curves.edges[0].as_ref().unwrap();
+        let slot = case.raceways[0].slot().unwrap();
+        for k in 0..=20 {
+            let merged = f64::from(k) / 20.0;
+            let ring = slot.merged_curvatures_per_m(merged);
+            let contact = LubricatedContact::of_ring(&case.bearing, ring);
+            let error = edges.error(merged, &RollingCurve::new(&contact, &film));
+            assert!(error < 1e-3, "{merged}: {error:e}");
+        }
+        let plain = LubricatedContact::outer(&case.bearing, 1.0);
+        assert!(edges.error(0.0, &RollingCurve::new(&plain, &film)) < 1e-3);
+    }
 
     #[test]
     fn constants_follow_the_curvature() {
         let bearing = reference::bearing();
         let film = Film::flooded(Oil::mineral(5e-3, 0.035));
-        let curves = GrooveCurves::new(&bearing, &film);
+        let curves = GrooveCurves::new(&bearing, &film, &[]);
         let d = bearing.dimensions();
         for angle_deg in [0.0, 10.0, 15.0, 40.0, 60.0, 85.0_f64] {
             let (cosine, rw) = (angle_deg.to_radians().cos(), bearing.ball_radius_m());

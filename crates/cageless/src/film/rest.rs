@@ -12,7 +12,7 @@ use super::thickness::{FilmThickness, asperity_share};
 use super::traction_at_rest::mixed_friction_coefficient;
 use super::unreached_arc::unreached_arc_rad;
 use crate::case::Case;
-use crate::equilibrium::space::SpatialEquilibrium;
+use crate::equilibrium::space::{SpatialEquilibrium, slot};
 
 /// Film of one contact of a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -93,12 +93,18 @@ impl FilmAtRest {
                 ContactFilm::new(film, &contact, ball.inner)
             })
             .collect();
-        let of_flank = |flank: RollingFlank| {
-            let contact = LubricatedContact::outer(bearing, flank.cosine);
+        let of_flank = |flank: RollingFlank, angle_rad: f64| {
+            let contact = match slot(case, angle_rad) {
+                Some((slot, local_rad)) => {
+                    LubricatedContact::of_ring(bearing, slot.curvatures_at_per_m(local_rad))
+                }
+                None => LubricatedContact::outer(bearing, flank.cosine),
+            };
             ContactFilm::new(film, &contact, flank.rolling)
         };
-        let outer: Vec<[ContactFilm; 2]> = (balls.iter())
-            .map(|ball| ball.outer.map(of_flank))
+        let places = balls.iter().zip(&settled.rest.ball_angle_rad);
+        let outer: Vec<[ContactFilm; 2]> = places
+            .map(|(ball, angle_rad)| ball.outer.map(|flank| of_flank(flank, *angle_rad)))
             .collect();
         let all = inner.iter().chain(outer.iter().flatten());
         let power_w = all.map(ContactFilm::power_w).sum();

@@ -176,6 +176,8 @@ pub(crate) struct SlotSection {
     pub half_length_ratio: f64,
     /// κ less that of the plain groove, 1/m.
     pub curvature_change_per_m: f64,
+    /// σ, 0 in the groove, 1 at the edge.
+    pub merged: f64,
 }
 
 impl Slot {
@@ -291,19 +293,38 @@ impl Slot {
         ]
     }
 
-    /// Hertz's contact of a nominal ball at an edge where ze² has this share of the middle's.
-    fn contact_of(&self, share: f64, bearing: &Bearing) -> PointContact {
+    /// Curvatures of an edge along rolling and across where ze² has this share of the middle's, 1/m.
+    fn edge_curvatures_per_m(&self, share: f64) -> [f64; 2] {
         let of_ball = 1.0 / self.ball_radius_m;
         let cos = (1.0 - self.plan.middle_sine.powi(2) * share).sqrt();
         let place =
             self.groove_bottom_radius_m - self.ball_radius_m * (1.0 - cos) + self.sink_m(share)[0];
         let across = self.curvature_sum_per_m(share)[0] - of_ball;
+        [-cos / place, across]
+    }
+
+    /// Hertz's contact of a nominal ball at an edge where ze² has this share of the middle's.
+    fn contact_of(&self, share: f64, bearing: &Bearing) -> PointContact {
+        let of_ball = 1.0 / self.ball_radius_m;
         let materials = bearing.materials();
         PointContact::between(
             [of_ball; 2],
-            [-cos / place, across],
+            self.edge_curvatures_per_m(share),
             [&materials.ball, &materials.ring],
         )
+    }
+
+    /// Curvatures of an edge along rolling and across at local ψ, 1/m.
+    pub(crate) fn curvatures_at_per_m(&self, local_angle_rad: f64) -> [f64; 2] {
+        let [root, _] = self.met_root(local_angle_rad);
+        self.edge_curvatures_per_m(root * root)
+    }
+
+    /// Curvatures of an edge along rolling and across where σ has a value, 1/m.
+    pub(crate) fn merged_curvatures_per_m(&self, merged: f64) -> [f64; 2] {
+        // The root of t² (3 − 2t) = σ between 0 and 1.
+        let share = 0.5 - ((1.0 - 2.0 * merged).clamp(-1.0, 1.0).asin() / 3.0).sin();
+        self.edge_curvatures_per_m(share)
     }
 
     /// √t and its slope over ψ as a contact at local ψ meets it.
@@ -361,6 +382,7 @@ impl Slot {
             stiffness_ratio: over_angle([stiffness, stiffness * stiffening]),
             half_length_ratio: self.half_length.value(share).exp(),
             curvature_change_per_m: of_ball - 1.0 / self.groove_curvature_radius_m - sum,
+            merged,
         }
     }
 }

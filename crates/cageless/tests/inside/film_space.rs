@@ -165,6 +165,41 @@ fn moments_close_in_space() {
     );
 }
 
+/// At the edges of a slot the contact is longer along rolling than across, beyond the fit: R_x of the flank, R_y of the
+/// edge. The power at rest, with ball 1 in the middle of the slot, is about that of the motion.
+#[test]
+fn film_at_the_edges_of_a_slot() {
+    let mut case = with_oil(slotted(), 5.0);
+    let (settled, film) = (equilibrium::settle(&case).unwrap(), at_rest(&case));
+    let (bearing, slot) = (&case.bearing, case.raceways[0].slot().unwrap());
+    let (rw, angle_rad) = (bearing.ball_radius_m(), settled.flank_angle_rad[0][0]);
+    let contact_m = settled.rest.ball_distance_m[0] + rw * angle_rad.cos();
+    let ring = [-angle_rad.cos() / contact_m, 1.0 / slot.edge_radius_m()];
+    let materials = [&bearing.materials().ball, &bearing.materials().ring];
+    let contact = cageless::film::LubricatedContact::between([1.0 / rw; 2], ring, materials);
+    assert!(contact.axis_ratio > 2.0, "{}", contact.axis_ratio);
+    let rolling = cageless::film::Rolling {
+        load_n: settled.flank_force_n[0][0],
+        speed_m_s: film.outer[0][0].speed_m_s,
+    };
+    let force_n = case.film.unwrap().rolling_force_n(&contact, rolling);
+    let relative = film.outer[0][0].force_n / force_n - 1.0;
+    assert!(
+        relative.abs() < 2e-3,
+        "{} {force_n}",
+        film.outer[0][0].force_n
+    );
+    assert_eq!(film.exceeded().unwrap().parameter, "κ");
+    case.solver.duration_s = 10e-3;
+    let means = summary(&case).means.unwrap();
+    let power_w = means.power_w(EnergyTerm::RollingResistance);
+    assert!(
+        (film.power_w / power_w - 1.0).abs() < 0.15,
+        "{} {power_w}",
+        film.power_w
+    );
+}
+
 /// Without supply and without a film the motion in space is the same but for the sign of zero.
 #[test]
 fn no_supply_is_no_film_in_space() {

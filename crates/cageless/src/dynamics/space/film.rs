@@ -55,7 +55,10 @@ pub(super) fn add_rolling(
             roll_outer(balls, polar, b, place, &mut rolling);
             &film.outer
         };
-        let curve = curve_at(curves, &rolling.curvature);
+        let mut curve = curve_at(curves, &rolling.curvature);
+        if place != INNER && !film.edges.is_empty() {
+            set_at_edges(&film.edges, b, &mut curve);
+        }
         let factor = film
             .hysteresis
             .map(|of| if place == INNER { of.inner } else { of.outer });
@@ -193,6 +196,17 @@ fn curve_at(curves: &CurvePolynomial, curvature: &Lanes) -> RollingCurveLanes {
     curve
 }
 
+/// Replaces the constants of contacts with the edges of slots by theirs.
+#[inline(always)]
+fn set_at_edges(edges: &[Option<CurvePolynomial>], b: &SpaceBlock, curve: &mut RollingCurveLanes) {
+    for lane in 0..LANES {
+        let slot = (b.outer.slot.0[lane] as usize).checked_sub(1);
+        if let Some(edge) = slot.and_then(|slot| edges[slot].as_ref()) {
+            curve.put(lane, edge.at(b.outer.merged.0[lane]));
+        }
+    }
+}
+
 /// Adds what holds the balance of momentum and moment of momentum of these forces on balls to those on the inner ring.
 #[inline(always)]
 fn react(balls: &BallLanes, b: &SpaceBlock, force: &[Lanes; SIZE], totals: &mut Totals) {
@@ -217,6 +231,7 @@ mod tests {
     use std::sync::Arc;
 
     use crate::case::{Case, Motion, Tilt};
+    use crate::common::slotted;
     use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
     use crate::dynamics::energy::EnergyTerm;
     use crate::dynamics::layout::Layout;
@@ -238,7 +253,8 @@ mod tests {
     fn change(case: &Case, values: &[f64]) -> (Vec<f64>, [f64; 2]) {
         let dry = Model::of_case(case).unwrap();
         let mut wet = dry.clone();
-        wet.space.as_mut().unwrap().film = Some(GrooveCurves::new(&case.bearing, &film()));
+        wet.space.as_mut().unwrap().film =
+            Some(GrooveCurves::new(&case.bearing, &film(), &case.raceways));
         let [(a, outer_a), (b, outer_b)] = [dry, wet].map(|model| {
             let mut equations = RightHandSide::new(&Arc::new(model));
             let mut rates = vec![0.0; values.len()];
@@ -269,12 +285,17 @@ mod tests {
         (power_w, force_n)
     }
 
-    /// Balls under a contact angle, on flanks, a ring that moves and tilts: what the film takes from balls and ring is
-    /// its loss less what it takes from the drive, and its forces sum to zero.
+    /// Balls under a contact angle, on flanks or the edges of a slot, a ring that moves and tilts: what the film takes
+    /// from balls and ring is its loss less what it takes from the drive, and its forces sum to zero.
     #[test]
     fn power_and_momentum_close() {
+        for case in [Structure::D.case(), slotted()] {
+            power_and_momentum_of(case);
+        }
+    }
+
+    fn power_and_momentum_of(mut case: Case) {
         let inertia = [2e-4, 3e-4];
-        let mut case = Structure::D.case();
         case.operation.space.axial_load_n = 500.0;
         case.operation.space.tilt = Tilt::Free {
             moment_x_n_m: 0.0,

@@ -100,10 +100,14 @@ impl SpaceModel {
             }),
             _ => None,
         };
-        let flanks = case.raceways.iter().flat_map(|raceway| {
-            let pieces = raceway.met_pieces().into_iter();
-            pieces.map(|piece| FlankModel::new(raceway, &piece))
-        });
+        let flanks = case
+            .raceways
+            .iter()
+            .enumerate()
+            .flat_map(|(number, raceway)| {
+                let pieces = raceway.met_pieces().into_iter();
+                pieces.map(move |piece| FlankModel::new(raceway, number, &piece))
+            });
         Some(Self {
             upward: case.upward(),
             balls: balls.collect(),
@@ -112,7 +116,7 @@ impl SpaceModel {
             axial_load: load.axial_load_n,
             free_tilt,
             sliding: SlidingRing::of_case(case),
-            film: (case.film.as_ref()).map(|film| GrooveCurves::new(bearing, film)),
+            film: (case.film.as_ref()).map(|film| GrooveCurves::new(bearing, film, &case.raceways)),
         })
     }
 

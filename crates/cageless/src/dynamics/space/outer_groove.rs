@@ -36,6 +36,8 @@ pub(crate) struct FlankModel {
     depth: f64,
     /// The slot, if the raceway is one: all but the error follows from it.
     slot: Option<Slot>,
+    /// Number of the raceway, from 0.
+    number: usize,
 }
 
 /// The flanks at the ψ of a ball.
@@ -53,10 +55,12 @@ pub(crate) struct FlanksHere {
     depth: [f64; 2],
     /// The edges of a slot.
     slot: Option<SlotSection>,
+    /// Number of the raceway, from 0.
+    number: usize,
 }
 
 impl FlankModel {
-    pub(crate) fn new(raceway: &Raceway, piece: &Piece) -> Self {
+    pub(crate) fn new(raceway: &Raceway, number: usize, piece: &Piece) -> Self {
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
         let (sin_section, cos_section) = raceway.section_angle_rad().sin_cos();
         let end = raceway.half_angle_rad().sin().powi(2);
@@ -73,6 +77,7 @@ impl FlankModel {
             depth_error: raceway.depth_error_m(),
             depth: raceway.form().depth_m,
             slot: raceway.slot().cloned(),
+            number,
         }
     }
 
@@ -141,6 +146,7 @@ impl FlankModel {
             error: run_out(self.depth_error),
             depth: slot.map_or_else(|| run_out(self.depth), |slot| slot.sink_m),
             slot,
+            number: self.number,
         })
     }
 }
@@ -191,6 +197,10 @@ lane_struct! {
         half_length,
         /// Curvature of the ring across the groove less that of the plain one, 1/m.
         curvature_change,
+        /// Number of the slot on whose edges the ball is, from 1; 0 elsewhere.
+        slot,
+        /// σ of these edges.
+        merged,
     }
 }
 
@@ -329,6 +339,8 @@ impl OuterGroove {
             stiffening: here.slot.map_or(0.0, |slot| slot.stiffness_ratio[1]),
             half_length: here.slot.map_or(1.0, |slot| slot.half_length_ratio),
             curvature_change: here.slot.map_or(0.0, |slot| slot.curvature_change_per_m),
+            slot: here.slot.map_or(0.0, |_| (here.number + 1) as f64),
+            merged: here.slot.map_or(0.0, |slot| slot.merged),
         };
         let (most, least) = if delta[0] >= delta[1] { (0, 1) } else { (1, 0) };
         let mut shares = [0.0; 2];

@@ -62,7 +62,7 @@ pub(super) fn ball_in_row(
 }
 
 /// The slot at ψ, and ψ from its middle.
-pub(super) fn slot(case: &Case, angle_rad: f64) -> Option<(&Slot, f64)> {
+pub(crate) fn slot(case: &Case, angle_rad: f64) -> Option<(&Slot, f64)> {
     let raceway = case.raceways.iter().find(|r| r.contains(angle_rad))?;
     Some((raceway.slot()?, raceway.local_angle_rad(angle_rad)))
 }

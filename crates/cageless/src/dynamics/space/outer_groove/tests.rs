@@ -19,7 +19,7 @@ fn contacts_at_the_edges_of_a_slot_have_an_energy() {
     let raceway = case.raceways[0].clone().with_depth_error(1e-6).unwrap();
     let raceway = raceway.with_section_angle(0.05, &case.bearing).unwrap();
     let pieces = raceway.pieces().iter();
-    let models: Vec<FlankModel> = pieces.map(|p| FlankModel::new(&raceway, p)).collect();
+    let models: Vec<FlankModel> = pieces.map(|p| FlankModel::new(&raceway, 0, p)).collect();
     assert_eq!(models.len(), 2);
     let d = case.bearing.dimensions();
     let nominal_gap = d.outer_groove_curvature_radius_m - d.ball_radius_m;
@@ -120,7 +120,7 @@ fn contacts_are_those_of_the_section() {
         let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
         let raceway = raceway.with_depth(depth).unwrap();
         let raceway = raceway.with_section_angle(turned, &case.bearing).unwrap();
-        let model = FlankModel::new(&raceway, &raceway.pieces()[0]);
+        let model = FlankModel::new(&raceway, 0, &raceway.pieces()[0]);
         let d = case.bearing.dimensions();
         let gap = d.outer_groove_curvature_radius_m - d.ball_radius_m;
         let groove = OuterGroove {
