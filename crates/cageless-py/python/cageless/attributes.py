@@ -290,7 +290,7 @@ class StaticAttributes:
     free_share: float  # share that balls leave free
     film_range_exceeded: str  # range exceeded
     inner_film_parameter: Floats  # film parameter Λ, inner raceway
-    outer_film_parameter: Floats  # film parameter Λ, outer raceway (of one contact point on a discrete raceway)
+    outer_film_parameter: Floats  # film parameter Λ, outer raceway (the lesser of two contact points on a discrete raceway)
     ring_z_um: float  # displacement of the inner ring, z, um
     tilt_x_mrad: float  # tilt of the inner ring about x, mrad
     tilt_y_mrad: float  # tilt of the inner ring about y, mrad
