@@ -35,7 +35,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 48] = [
     (FIT, "Static equilibrium with fits and temperatures", "With `[fit]`."),
     (CLEARANCE_RANGE, "Static equilibrium with tolerances of shaft, housing or clearance", "With `fit.shaft`, `fit.housing` or `fit.clearance_tolerance_um`."),
     (LUBRICATION, "Static equilibrium with a lubricant", "With `[lubrication]`, in the plane."),
-    (FILM, "Static equilibrium with an oil film", "With `[film]`, in the plane."),
+    (FILM, "Static equilibrium with an oil film", "With `[film]`."),
     (SPACE, "Static equilibrium in space", "With an axial load, moments, a tilt, a contact angle or several rows."),
     (DESIGN, "Design: closed forms", "Of `design`."),
     (CONTACT_ANGLE, "Design: contact angle", "What an axial load or a tilt would leave of the first raceway, by estimate."),
