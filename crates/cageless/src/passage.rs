@@ -85,7 +85,7 @@ struct PassageSums {
     double_collisions: f64,
     sliding_max_m_s: f64,
     gap_min_rad: f64,
-    /// Of passages in which the inner ring turns.
+    /// Smallest orbital speeds at the largest ωi, of the passages in which the inner ring turns.
     slowest_at_largest_rad_s: f64,
     angle_rad: f64,
     /// Angle and time between passages.

@@ -281,7 +281,7 @@ fn judge_raceway(
 
 /// Critical gaps of the raceways of a case.
 enum CriticalGaps {
-    /// Of each raceway alone, rad, or the reason why it has none.
+    /// Critical gap of each raceway alone, rad, or the reason why it has none.
     Found(Vec<Result<f64, String>>),
     /// A run of a pair stopped.
     Stopped(Stop),

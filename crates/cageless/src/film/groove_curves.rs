@@ -21,7 +21,7 @@ const MARGIN: f64 = 1.01;
 pub(crate) struct GrooveCurves {
     pub outer: CurvePolynomial,
     pub inner: CurvePolynomial,
-    /// Constants at the edges of the slot of each raceway over σ, where it is one.
+    /// Constants at the edges of the slot of each raceway over σ, where it is one; empty without slots.
     pub edges: Vec<Option<CurvePolynomial>>,
     /// Hysteresis of the steel, where it counts.
     pub hysteresis: Option<Hysteresis>,
@@ -43,9 +43,11 @@ impl GrooveCurves {
             CurvePolynomial::new(at, [0.0, 1.0], EDGE_DEGREE)
         };
         Self {
-            edges: (raceways.iter())
-                .map(|raceway| raceway.slot().map(edges))
-                .collect(),
+            // None at all without slots: a step then asks nothing of it.
+            edges: match raceways.iter().any(|raceway| raceway.slot().is_some()) {
+                true => (raceways.iter()).map(|r| r.slot().map(edges)).collect(),
+                false => vec![],
+            },
             outer: fit(
                 LubricatedContact::outer_curved,
                 d.outer_groove_bottom_radius_m,

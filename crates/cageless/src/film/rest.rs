@@ -110,11 +110,7 @@ impl FilmAtRest {
         let power_w = all.map(ContactFilm::power_w).sum();
         let mixed_friction_coefficient = mixed_friction_coefficient(case, &balls);
         let friction = mixed_friction_coefficient.unwrap_or(case.contact.friction.coefficient);
-        let is_overcome = |ball: usize| {
-            let held_n = friction * balls[ball].inner.load_n;
-            held_n > 0.0 && drag_n(&balls[ball], &inner[ball], &outer[ball]) > held_n
-        };
-        let overcome_balls = (0..balls.len()).filter(|ball| is_overcome(*ball)).count();
+        let overcome_balls = overcome_balls(&balls, &inner, &outer, friction);
         let free_arc_rad = unreached_arc_rad(case, settled);
         let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
         let ball = FreeBall::new(bearing, film);
@@ -161,7 +157,7 @@ impl FilmAtRest {
         films.map(|film| self.film_parameter(film)).collect()
     }
 
-    /// Λ at the outer raceway, of every ball; of two flanks that of the more loaded one, the lesser.
+    /// Λ at the outer raceway, of every ball; of two flanks the lesser, that of the more loaded one.
     pub fn outer_film_parameters(&self) -> Vec<f64> {
         let of_ball = |flanks: &[ContactFilm; 2]| {
             let loaded = flanks.iter().filter(|film| film.is_loaded());
@@ -221,6 +217,20 @@ impl FilmAtRest {
     pub fn queue_deficit(&self) -> f64 {
         QUEUE * self.free_share
     }
+}
+
+/// Balls under load at the inner raceway whose friction there, of this coefficient, is too weak against their films.
+fn overcome_balls(
+    balls: &[RollingBall],
+    inner: &[ContactFilm],
+    outer: &[[ContactFilm; 2]],
+    friction: f64,
+) -> usize {
+    let is_overcome = |ball: &usize| {
+        let held_n = friction * balls[*ball].inner.load_n;
+        held_n > 0.0 && drag_n(&balls[*ball], &inner[*ball], &outer[*ball]) > held_n
+    };
+    (0..balls.len()).filter(is_overcome).count()
 }
 
 /// Friction that a ball needs at the inner raceway to keep rolling against its films, N. With the parts g of the orbit

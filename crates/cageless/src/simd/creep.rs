@@ -31,13 +31,7 @@ pub(super) fn set_knees(
             inverse_speed_s_m(creep.outer.0[lane], load, doubled, 2.0);
     }
     for lane in 0..LANES {
-        let radius = balls.radius.0[lane];
-        let place = InnerRolling {
-            radius,
-            spin: motions.get(lane).spin,
-            slip: results.inner.slip.0[lane],
-            distance: balls.inner_contact_distance.0[lane] - results.inner.deflection.0[lane],
-        };
+        let place = InnerRolling::of_lane(balls, results, &motions, lane);
         let (distance, scaled) = (place.distance, place.scaled_m2_s(p, lane));
         results.inverse_knees[1].0[lane] = inverse_speed_s_m(
             creep.inner.0[lane],
@@ -50,15 +44,31 @@ pub(super) fn set_knees(
 
 /// Rolling of a ball on the inner raceway.
 pub(super) struct InnerRolling {
-    pub radius: f64,
-    pub spin: f64,
+    radius: f64,
+    spin: f64,
     /// ΔVi.
-    pub slip: f64,
+    slip: f64,
     /// q.
     pub distance: f64,
 }
 
 impl InnerRolling {
+    /// That of a ball in a block.
+    #[inline(always)]
+    pub(super) fn of_lane(
+        balls: &BallLanes,
+        results: &BlockResults,
+        motions: &Motions<'_>,
+        lane: usize,
+    ) -> Self {
+        Self {
+            radius: balls.radius.0[lane],
+            spin: motions.get(lane).spin,
+            slip: results.inner.slip.0[lane],
+            distance: balls.inner_contact_distance.0[lane] - results.inner.deflection.0[lane],
+        }
+    }
+
     /// 2u q: ΔVi = ωi Ri − (vt + ω R), 2u = ωi Ri + ω R − vt (Ri − R)/q.
     #[inline(always)]
     pub(super) fn scaled_m2_s(&self, p: &Parameters, lane: usize) -> f64 {

@@ -38,12 +38,7 @@ pub(super) fn set(
         results.film_tractions[0].put(lane, of_all(one, contacts));
     }
     for lane in 0..LANES {
-        let rolling = InnerRolling {
-            radius: balls.radius.0[lane],
-            spin: motions.get(lane).spin,
-            slip: results.inner.slip.0[lane],
-            distance: balls.inner_contact_distance.0[lane] - results.inner.deflection.0[lane],
-        };
+        let rolling = InnerRolling::of_lane(balls, results, &motions, lane);
         let doubled = rolling.scaled_m2_s(p, lane) / rolling.distance;
         let load = results.inner.force.0[lane];
         let one = at_inner.get(lane).at(load, mean_square(doubled), 0.0);
