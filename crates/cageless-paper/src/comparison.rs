@@ -134,7 +134,7 @@ pub fn add_to(task: Task, grades: &[u32]) -> Result<Task, StudyError> {
     let plans = plans(grades)?;
     let steps = plans.iter().map(Plan::steps).sum();
     let case = plans[0].start(0)?;
-    Ok(task.with_together(&case, STARTS as usize, steps, plans.len()))
+    Ok(task.with_together(vec![case; STARTS as usize], steps, plans.len()))
 }
 
 /// The combinations, by speed, lot and ring.

@@ -33,8 +33,8 @@ struct Runs {
 /// What is timed.
 #[derive(Debug, Clone, PartialEq)]
 enum Sample {
-    /// So many of a case side by side.
-    Cases(Box<Case>, usize),
+    /// Cases side by side.
+    Cases(Vec<Case>),
     /// A rotor in several bearings.
     Drop(Box<RotorDrop>),
 }
@@ -50,23 +50,19 @@ impl Task {
 
     /// Adds runs of cases like one, of so many steps in all, in so many pieces.
     pub fn with(self, case: &Case, steps: f64, pieces: usize) -> Self {
-        self.with_together(case, 1, steps, pieces)
+        self.with_together(vec![case.clone()], steps, pieces)
     }
 
-    /// Adds runs of cases like one, so many side by side.
-    pub fn with_together(self, case: &Case, together: usize, steps: f64, pieces: usize) -> Self {
-        self.with_runs(
-            Sample::Cases(Box::new(case.clone()), together),
-            steps,
-            pieces,
-        )
+    /// Adds runs of cases like these, side by side.
+    pub fn with_together(self, cases: Vec<Case>, steps: f64, pieces: usize) -> Self {
+        self.with_runs(Sample::Cases(cases), steps, pieces)
     }
 
     /// Adds runs of cases like one, so many side by side if they can be.
     pub(crate) fn with_batch(self, case: &Case, most: usize, steps: f64, pieces: usize) -> Self {
         let members = batches(&vec![case.clone(); most.clamp(1, BATCH_WIDTH)]);
         let together = members.first().map_or(1, Vec::len);
-        self.with_together(case, together, steps, pieces)
+        self.with_together(vec![case.clone(); together], steps, pieces)
     }
 
     /// Adds drops like one, of so many steps of all bearings in all.
@@ -130,7 +126,7 @@ impl Sample {
     /// Time of a step of one bearing on the calling thread, s; 0 if it cannot start.
     fn step_s(&self, stop: &dyn Fn() -> bool) -> f64 {
         let (bearings, step_s) = match self {
-            Self::Cases(case, together) => (*together, case.solver.step_s),
+            Self::Cases(cases) => (cases.len(), cases[0].solver.step_s),
             Self::Drop(drop) => (drop.cases().len(), drop.cases()[0].solver.step_s),
         };
         let began = Instant::now();
@@ -161,8 +157,8 @@ impl Sample {
     /// Runs the sample until `control` ends it; the steps of all bearings.
     fn run(&self, control: &mut dyn FnMut(f64) -> Control) -> u64 {
         match self {
-            Self::Cases(case, together) => {
-                let cases = vec![&**case; *together];
+            Self::Cases(cases) => {
+                let cases: Vec<&Case> = cases.iter().collect();
                 let mut summaries: Vec<_> = cases.iter().map(|_| SummaryRecorder::new()).collect();
                 let mut passages: Vec<_> = cases
                     .iter()
@@ -217,11 +213,11 @@ mod tests {
         // 1e6 steps in 5 pieces on 2 threads are three rounds of five.
         let task = Task::new("task")
             .with(&case, 1e6, 5)
-            .with_together(&case, 8, 4e6, 1)
+            .with_together(vec![case.clone(); 8], 4e6, 1)
             .with(&case, 0.0, 3);
         assert_eq!(task.steps(), 5e6);
         let mut pace = |sample: &Sample, _| match sample {
-            Sample::Cases(_, 1) => 3e-6,
+            Sample::Cases(cases) if cases.len() == 1 => 3e-6,
             _ => 1e-6,
         };
         assert!((task.time_s(2, &mut pace) - (0.6 * 3.0 + 4.0)).abs() < 1e-9);
@@ -239,7 +235,7 @@ mod tests {
         let tasks = [
             Task::new("short").with(&short, 1e9, 1),
             Task::new("alone").with(&case(), 1e9, 4),
-            Task::new("together").with_together(&together, 8, 1e9, 4),
+            Task::new("together").with_together(vec![together; 8], 1e9, 4),
         ];
         let began = Instant::now();
         for time_s in times_s(&tasks, &|| false) {

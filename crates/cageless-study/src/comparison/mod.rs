@@ -169,9 +169,9 @@ pub fn with_steady_operation(
     }
     let groups = batches(&cases);
     Ok(groups.iter().fold(task, |task, members| {
-        let (case, together) = (&cases[members[0]], members.len());
-        let steps = members.iter().map(|k| cases[*k].solver.steps()).sum();
-        task.with_together(case, together, steps, groups.len())
+        let together: Vec<Case> = members.iter().map(|k| cases[*k].clone()).collect();
+        let steps = together.iter().map(|case| case.solver.steps()).sum();
+        task.with_together(together, steps, groups.len())
     }))
 }
 
