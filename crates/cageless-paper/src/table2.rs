@@ -255,6 +255,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, StudyError> {
                 ),
                 formulation: Some("as in the column heads".to_owned()),
                 friction_law: Some("as in the column heads".to_owned()),
+                film: None,
                 method: Some("ABM4".to_owned()),
                 step_us: Some(STEP_US),
                 discarded: "nothing; the pair starts rolling at ψ = −90°, the ring in static \

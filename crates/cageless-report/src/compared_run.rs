@@ -33,6 +33,7 @@ pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
         values.dedup();
         (!values.is_empty()).then(|| values.join(" / "))
     };
+    let oiled = all().any(|from| from.film.is_some());
     let cases = runs.iter().zip(all());
     let cases = cases.map(|(run, from)| format!("{}: {}", run.name, from.case));
     let step_us = all().next().and_then(|from| from.step_us);
@@ -40,6 +41,7 @@ pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
         case: cases.collect::<Vec<_>>().join("; "),
         formulation: joined(|from| from.formulation.clone()),
         friction_law: joined(|from| from.friction_law.clone()),
+        film: joined(|from| from.film.clone().or(Some("none".to_owned()))).filter(|_| oiled),
         method: joined(|from| from.method.clone()),
         step_us: step_us.filter(|_| all().all(|from| from.step_us == step_us)),
         discarded: joined(|from| Some(from.discarded.clone())).unwrap_or_default(),

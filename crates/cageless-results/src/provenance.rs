@@ -2,10 +2,11 @@
 
 use cageless::Case;
 use cageless::dynamics::InstructionSet;
+use cageless::film::Film;
 use serde::{Deserialize, Serialize};
 
 use crate::number_text::short;
-use crate::table::unit::microseconds;
+use crate::table::unit::{microseconds, millipascal_seconds};
 
 /// Provenance of a figure or table; printed under it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -16,6 +17,8 @@ pub struct Provenance {
     pub formulation: Option<String>,
     /// Friction law with its scale, for example `smooth, 0.02 m/s`.
     pub friction_law: Option<String>,
+    /// Oil film, for example `5 mPa·s, supply 0.65`; `None` without one.
+    pub film: Option<String>,
     /// Integration method.
     pub method: Option<String>,
     /// Step, µs.
@@ -25,7 +28,7 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// One line: case, formulation, friction law, method and step, what was discarded.
+    /// One line: case, formulation, friction law, film, method and step, what was discarded.
     pub fn line(&self) -> String {
         let mut parts = vec![self.case.clone()];
         parts.extend(
@@ -34,6 +37,7 @@ impl Provenance {
                 .map(|p| format!("formulation {p}")),
         );
         parts.extend(self.friction_law.as_ref().map(|f| format!("friction {f}")));
+        parts.extend(self.film.as_ref().map(|f| format!("film of {f}")));
         match (&self.method, self.step_us) {
             (Some(method), Some(step)) => parts.push(format!("{method}, step {} µs", short(step))),
             (Some(method), None) => parts.push(method.clone()),
@@ -72,8 +76,41 @@ pub fn provenance(title: &str, case: &Case, discarded: String) -> Provenance {
         case: title.to_owned(),
         formulation: Some(case.formulation.name().to_owned()),
         friction_law: Some(case.describe_friction()),
+        film: case.film.as_ref().map(film),
         method: Some(case.solver.method.properties().label.to_owned()),
         step_us: Some(microseconds(case.solver.step_s)),
         discarded,
+    }
+}
+
+/// Oil and supply of a film in a few words.
+fn film(film: &Film) -> String {
+    let viscosity_mpa_s = millipascal_seconds(film.oil.viscosity_pa_s);
+    format!(
+        "{} mPa·s, supply {}",
+        short(viscosity_mpa_s),
+        short(film.supply)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless::film::{Film, Oil};
+    use cageless::reference;
+
+    use super::*;
+
+    #[test]
+    fn oil_and_supply_stand_beside_the_friction() {
+        let mut case = reference::conventional();
+        let line = |case: &Case| provenance("", case, String::new()).line();
+        assert!(!line(&case).contains("film"), "{}", line(&case));
+        let film = Film::flooded(Oil::mineral(0.005, 0.035));
+        case.film = Some(Film {
+            supply: 0.65,
+            ..film
+        });
+        let wet = line(&case);
+        assert!(wet.contains(" · film of 5 mPa·s, supply 0.65 · "), "{wet}");
     }
 }

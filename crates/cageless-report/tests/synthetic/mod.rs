@@ -63,6 +63,7 @@ fn source(k: usize, formulation: &str) -> Provenance {
         ),
         formulation: Some(formulation.into()),
         friction_law: Some("smooth, 0.02 m/s".into()),
+        film: None,
         method: Some("ABM4".into()),
         step_us: Some(1.0),
         discarded: "the first 0.1 s".into(),

@@ -4,3 +4,8 @@
 pub(crate) fn microseconds(time_s: f64) -> f64 {
     time_s * 1e6
 }
+
+/// A viscosity in mPa·s.
+pub(crate) fn millipascal_seconds(viscosity_pa_s: f64) -> f64 {
+    viscosity_pa_s * 1e3
+}
