@@ -183,9 +183,13 @@ fn least_squares(
     (terms..TERMS_MAX).for_each(|k| normal[k][k] = 1.0);
     for [psi, a, b] in rows {
         let share = (psi / theta).powi(2);
-        let order = (2.0 * share - 1.0).acos();
+        let place = 2.0 * share - 1.0;
         let scale = a * (1.0 - share).powf(exponent);
-        let basis: [f64; TERMS_MAX] = std::array::from_fn(|k| scale * (k as f64 * order).cos());
+        let mut basis = [0.0; TERMS_MAX];
+        [basis[0], basis[1]] = [scale, scale * place];
+        for k in 2..terms {
+            basis[k] = 2.0 * place * basis[k - 1] - basis[k - 2];
+        }
         for i in 0..terms {
             right[i] += basis[i] * b;
             (0..=i).for_each(|j| normal[i][j] += basis[i] * basis[j]);

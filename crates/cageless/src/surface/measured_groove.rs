@@ -57,7 +57,7 @@ impl Seen {
         let (sin, cos) = angle_rad.sin_cos();
         let along = self.along_m + frame.offset_m * cos;
         let across = self.across_m + frame.offset_m * sin;
-        let distance = along.hypot(across);
+        let distance = (along * along + across * across).sqrt();
         let slope = frame.offset_m * (across * cos - along * sin) / distance;
         [
             distance - frame.curvature_radius_m - depth_error_m * self.share,
