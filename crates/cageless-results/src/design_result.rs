@@ -6,6 +6,7 @@ use cageless::design::{
     seats, span_angle_curve,
 };
 use cageless::equilibrium::{settle, solve};
+use cageless::film::FilmAtRest;
 
 use crate::number_text::significant;
 use crate::table::{CURVE, RECOMMENDATION};
@@ -60,15 +61,22 @@ pub fn design_record(
     };
     Record::from(closed.and(verdict))
         .with_sentences("reasons", judgement.reasons.clone())
-        .with_sentences(
-            "warnings",
-            settle(case).map_or(vec![], |at_rest| at_rest.warnings(case)),
-        )
+        .with_sentences("warnings", warnings(case))
         .with_limits(&particulars.limits)
         .with_part("passages", passages(judgement.passages.as_ref()))
         .with_part("raceways", Part::Many(raceways.collect()))
         .with_part("recommendation", recommendation)
         .with_part("curve", Some(curve))
+}
+
+/// Warnings of a case at rest and of its film.
+fn warnings(case: &Case) -> Vec<String> {
+    let Ok(at_rest) = settle(case) else {
+        return vec![];
+    };
+    let film = FilmAtRest::new(case, &at_rest).into_iter();
+    let of_film = film.flat_map(|film| film.warnings());
+    at_rest.warnings(case).into_iter().chain(of_film).collect()
 }
 
 /// Results of motion in space at the points of [`cageless::design::axial_points`]: `findings` says what the

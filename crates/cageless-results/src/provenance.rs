@@ -18,6 +18,7 @@ pub struct Provenance {
     /// Friction law with its scale, for example `smooth, 0.02 m/s`.
     pub friction_law: Option<String>,
     /// Oil film, for example `5 mPa·s, supply 0.65`; `None` without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub film: Option<String>,
     /// Integration method.
     pub method: Option<String>,

@@ -33,11 +33,11 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     warnings
 }
 
-/// Warning of a film outside the range of its formula.
-fn of_film(case: &Case) -> Option<String> {
-    case.film?;
-    let settled = equilibrium::settle(case).ok()?;
-    FilmAtRest::new(case, &settled)?.range_warning()
+/// Warnings of the film of a case at rest.
+fn of_film(case: &Case) -> Vec<String> {
+    let settled = case.film.and_then(|_| equilibrium::settle(case).ok());
+    let film = settled.and_then(|settled| FilmAtRest::new(case, &settled));
+    film.map_or(vec![], |film| film.warnings())
 }
 
 /// Warnings of a drop onto a bearing.

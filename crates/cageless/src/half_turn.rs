@@ -85,6 +85,12 @@ impl HalfTurnTracker {
     }
 }
 
+/// Mean orbital speed of rolling of a case that oil supplies at constant speed, rad/s; `None` of any other.
+pub(crate) fn rolling_with_film_rad_s(case: &Case) -> Option<f64> {
+    let supplied = case.film.as_ref().is_some_and(|film| film.supply > 0.0);
+    (supplied && case.has_constant_operation()).then(|| rolling_rad_s(case))?
+}
+
 /// Mean orbital speed of rolling, rad/s; `None` without an equilibrium.
 fn rolling_rad_s(case: &Case) -> Option<f64> {
     let speeds_rad_s = settle(&case.conventional()).ok()?.orbit_speed_rad_s;

@@ -24,6 +24,7 @@ use crate::contact_tracker::ContactTracker;
 use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::BallCoordinate::{Vx, Vy, X, Y};
 use crate::gap::Direction;
+use crate::half_turn::rolling_with_film_rad_s;
 use crate::integrator::StepState;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes, larger};
@@ -69,7 +70,7 @@ pub struct Passage {
     /// Angle of the raceway.
     pub angle_rad: f64,
     /// Angle and time between the last raceway that the ball left and this one, the time as that inside; `None` on
-    /// its first passage.
+    /// its first passage. With a film at constant speed the time is that of rolling: a film slows the ball on its way.
     pub way_here: Option<[f64; 2]>,
 }
 
@@ -172,9 +173,9 @@ impl PassageTally {
         self.mean(self.sums.gap_min_rad)
     }
 
-    /// What a ball loses in one passage against the mean orbital speed between passages: that
-    /// speed times the time inside, less the angle of the raceway. Where the speed varies, times are those in which
-    /// the inner ring would turn as far at its largest. NaN until a ball has passed two.
+    /// What a ball loses in one passage against the mean orbital speed between passages, with a film against that of
+    /// rolling: that speed times the time inside, less the angle of the raceway. Where the speed varies, times are
+    /// those in which the inner ring would turn as far at its largest. NaN until a ball has passed two.
     pub fn lag_mean_rad(&self) -> f64 {
         let sums = &self.sums;
         sums.outside_rad / sums.outside_s * self.mean(sums.inside_at_largest_s)
@@ -384,6 +385,8 @@ pub struct PassageRecorder<S> {
     contact_tracker: ContactTracker,
     /// The case if its speed varies.
     varying: Option<Case>,
+    /// Orbital speed of rolling with a film, rad/s.
+    rolling_rad_s: Option<f64>,
     sink: S,
 }
 
@@ -407,6 +410,7 @@ impl<S: PassageSink> PassageRecorder<S> {
             left: vec![],
             contact_tracker: ContactTracker::new(0),
             varying: None,
+            rolling_rad_s: None,
             sink,
         }
     }
@@ -512,8 +516,12 @@ impl<S: PassageSink> PassageRecorder<S> {
         let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
         let ([x, y], layout) = (view.positions(), view.layout());
         let from_end_of = |before: usize| self.sectors[r].begin_behind_rad(&self.sectors[before]);
-        let way_here = self.left[k]
-            .map(|(before, left_s)| [from_end_of(before), self.at_largest_s([left_s, enter_s])]);
+        let way_here = self.left[k].map(|(before, left_s)| {
+            let angle_rad = from_end_of(before);
+            let rolling_s = self.rolling_rad_s.map(|speed| angle_rad / speed);
+            let time_s = rolling_s.unwrap_or_else(|| self.at_largest_s([left_s, enter_s]));
+            [angle_rad, time_s]
+        });
         let orbit = view.contacts.orbit_speed_rad_s(k);
         UnderWay {
             passage: Passage {
@@ -575,6 +583,7 @@ impl<S: PassageSink> Observer for PassageRecorder<S> {
         self.contact_tracker = ContactTracker::new(n);
         let varies = context.case.operation.inner_speed_table.is_some();
         self.varying = varies.then(|| context.case.clone());
+        self.rolling_rad_s = rolling_with_film_rad_s(context.case);
         Ok(())
     }
 

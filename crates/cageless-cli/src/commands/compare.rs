@@ -15,7 +15,7 @@ use crate::args::CompareArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case};
 use crate::failure::Failure;
 use crate::finished_run::FinishedRun;
-use crate::format::{judged, pairs, rings};
+use crate::format::{judged, pairs, rings, warnings};
 
 const NUMBERS: &str = "compare.json";
 
@@ -74,7 +74,27 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
             .map(|(word, limit)| format!("{name}: {word}: {limit}\n"))
             .collect::<String>();
     }
-    text + "\n" + &rings(comparison, subject.into_iter())
+    text + "\n" + &rings(comparison, subject.into_iter()) + &warnings(&of_runs(runs))
+}
+
+/// Warnings of the runs, each with the names of its runs unless it is that of all.
+fn of_runs(runs: &[ComparedRun]) -> Vec<String> {
+    let mut found: Vec<(&String, Vec<&str>)> = vec![];
+    for run in runs {
+        for warning in &run.data.warnings {
+            match found.iter_mut().find(|(other, _)| *other == warning) {
+                Some((_, names)) => names.push(&run.name),
+                None => found.push((warning, vec![&run.name])),
+            }
+        }
+    }
+    let named = found
+        .into_iter()
+        .map(|(warning, names)| match names.len() == runs.len() {
+            true => warning.clone(),
+            false => format!("{}: {warning}", names.join(", ")),
+        });
+    named.collect()
 }
 
 /// A side of a comparison: a case, to be run beside a finished run once and beside others from the same

@@ -57,6 +57,22 @@ impl Run {
     }
 }
 
+/// Structure (d) in oil: balls queue from about 37 mPa·s on, where d exceeds the free share of the pitch circle.
+#[test]
+fn balls_that_may_queue_in_oil_are_warned_of() {
+    let queues = |viscosity: &str| {
+        let run = Run::new(&[
+            viscosity,
+            "film.viscosity_temperature_1_k=0.035",
+            "film.supply=flooded",
+        ]);
+        let found = run.warnings().into_iter();
+        found.filter(|text| text.contains("queue")).count()
+    };
+    assert_eq!(queues("film.viscosity_mpa_s=30"), 0);
+    assert_eq!(queues("film.viscosity_mpa_s=45"), 1);
+}
+
 fn orbits(summary: &mut Summary, count: u32) {
     summary.means.as_mut().unwrap().orbits = count;
 }

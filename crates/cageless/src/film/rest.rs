@@ -208,6 +208,18 @@ impl FilmAtRest {
         ))
     }
 
+    /// Warnings: a contact outside the range of the fit, and balls that queue.
+    pub fn warnings(&self) -> Vec<String> {
+        let [lost, free] = [self.arc.speed_deficit, self.free_share].map(|share| 100.0 * share);
+        let queue = self.may_queue().then(|| {
+            format!(
+                "film: balls may queue, as the oil takes {lost:.1} % of the speed of a free ball and they leave {free:.1} % \
+                 of the pitch circle free; slowed balls then hit each other all the time"
+            )
+        });
+        self.range_warning().into_iter().chain(queue).collect()
+    }
+
     /// Whether slowed balls may queue.
     pub fn may_queue(&self) -> bool {
         self.arc.speed_deficit > MAY_QUEUE * self.free_share
