@@ -26,13 +26,14 @@ def sector(angle_rad):
 
 
 def results(folder, document):
-    bearing = document["case"]["bearing"]
+    [drop] = document["bearings"]
+    folder, bearing = folder / "bearing-1", drop["case"]["bearing"]
     inner, outer = bearing["inner_groove_bottom_radius_mm"], bearing["outer_groove_bottom_radius_mm"]
     ball = bearing["ball_radius_mm"]
     pitch = (inner + outer) / 2
-    end, first = document["simulated_s"], document["first_contact_ms"] * 1e-3
+    end, first = drop["simulated_s"], drop["first_contact_ms"] * 1e-3
     start = first + 0.8 * (end - first)
-    ring = document["ring_speed_rpm"] * 2 * math.pi / 60
+    ring = drop["ring_speed_rpm"] * 2 * math.pi / 60
     # Pure rolling on the ring at its speed at the end.
     rolling_m_s = ring * inner * 1e-3 / 2
     rolling_rad_s = ring * inner / (2 * ball)

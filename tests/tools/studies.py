@@ -39,7 +39,7 @@ def rounded(value, digits):
 
 
 def at(document, path):
-    """Value at a path such as `ensemble.drops.0.result.impacts`; `*` is a list of all, a name the entry of a
+    """Value at a path such as `ensemble.drops.0.bearings.0.result.impacts`; `*` is a list of all, a name the entry of a
     list that has it. Nothing has nothing."""
     for n, key in enumerate(keys := path.split(".")):
         if document is None:
@@ -245,7 +245,7 @@ class Program:
             document = json.loads((folder / page).read_text(encoding="utf-8"))
         keep = declared["keep"]
         if "samples" in declared:
-            keep = {name: f"ensemble.drops.*.result.{name}" for name in keep}
+            keep = {name: f"ensemble.drops.*.bearings.0.result.{name}" for name in keep}
         for name, path in keep.items():
             results[name] = at(document, path)
         if analysis := declared.get("analysis"):

@@ -6,9 +6,7 @@ use std::path::Path;
 use cageless::dynamics::InstructionSet;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::{
-    Metadata, ResultError, ResultFolder, RunWriter, bearing_folder, values_csv,
-};
+use cageless_io::results::{Metadata, ResultError, ResultFolder, RunWriter, values_csv};
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::Progress;
 use cageless_study::run::Rows;
@@ -190,14 +188,13 @@ impl Output {
 pub struct Tables(Vec<Option<RunWriter>>);
 
 impl Tables {
-    /// Opens the tables of bearings, those of each in a folder of its own if they are `below` a linear rotor.
+    /// Opens the tables of bearings, each in a place within the folder.
     pub fn create<'c>(
         folder: Option<&ResultFolder>,
-        bearings: impl IntoIterator<Item = &'c CaseFile>,
-        below: bool,
+        bearings: impl IntoIterator<Item = (String, &'c CaseFile)>,
     ) -> Result<Self, Failure> {
         let isa = InstructionSet::chosen().name();
-        let open = |(number, file): (usize, &CaseFile)| -> Result<_, Failure> {
+        let open = |(place, file): (String, &CaseFile)| -> Result<_, Failure> {
             let Some(folder) = folder else {
                 return Ok(None);
             };
@@ -207,17 +204,10 @@ impl Tables {
                 case: &case,
                 in_space: file.case().moves_in_space(),
             };
-            let place = match below {
-                true => bearing_folder(number),
-                false => String::new(),
-            };
             Ok(Some(folder.tables(&place, &metadata)?))
         };
-        (1..)
-            .zip(bearings)
-            .map(open)
-            .collect::<Result<_, _>>()
-            .map(Self)
+        let writers: Result<_, _> = bearings.into_iter().map(open).collect();
+        writers.map(Self)
     }
 
     /// Receivers of the rows of each bearing.

@@ -31,9 +31,9 @@ def test_a_drop_is_that_of_the_command(both: tuple[cageless.Drop, Path], tmp_pat
     assert drop.values == summary_of(folder)
     saved = drop.save(tmp_path / "saved")
     for name in ["rotor", "ring", "balls", "collisions"]:
-        written = pd.read_parquet(folder / f"{name}.parquet")
+        written = pd.read_parquet(folder / "bearing-1" / f"{name}.parquet")
         pd.testing.assert_frame_equal(getattr(drop, f"data_{name}")(), written, check_exact=True)
-        pd.testing.assert_frame_equal(pd.read_parquet(saved / f"{name}.parquet"), written)
+        pd.testing.assert_frame_equal(pd.read_parquet(saved / "bearing-1" / f"{name}.parquet"), written)
     for name in ["summary.json", "report.html"]:
         assert (saved / name).read_text() == (folder / name).read_text()
 
@@ -52,7 +52,17 @@ def test_a_drop_has_its_results(both: tuple[cageless.Drop, Path]) -> None:
     # The drop ends before the rotor is in lasting contact.
     with pytest.raises(cageless.InputError, match='nothing to show as "whirl"'):
         drop.plot_whirl()
-    assert drop.conventional.impacts >= 1
+    assert drop.conventional.impacts == drop.conventional.bearings[0].impacts >= 1
+    # The drop has what its only bearing has.
+    [bearing] = drop.bearings
+    assert (drop.impacts, drop.case) == (bearing.impacts, bearing.case)
+    assert drop.plot_orbit() == bearing.plot_orbit()
+    assert (drop.time_s == bearing.time_s).all()
+    assert drop.data_summary().loc["impacts", "value"] == bearing.impacts
+    assert {"impacts", "windows", "plot_orbit"} <= set(dir(drop))
+    assert drop.ensemble.end_states == drop.ensemble.bearings[0].end_states
+    with pytest.raises(AttributeError, match="has no 'impactz'; did you mean impacts"):
+        drop.impactz  # noqa: B018
     assert drop.array("y_m", "rotor").shape == drop.time_s.shape
     assert drop.data_rotor().attrs["units"]["speed_rad_s"] == "rad/s"
     drops = drop.data_drops()
@@ -85,6 +95,8 @@ def test_a_drop_in_space_shows_the_motion_along_the_axis(tmp_path: Path) -> None
 
 def test_a_drop_is_verified() -> None:
     verified = falling(**{"solver.duration_s": 0.0068}).drop(verify=True)
+    assert "converged" in repr(verified.verification)
+    assert verified.verification.converged == verified.verification.bearings[0].converged
     assert verified.data_verification().verdict["first_contact_ms"] == "converged"
     assert falling().drop().data_verification().empty
 
@@ -106,7 +118,7 @@ def test_a_sweep_has_drops_as_columns() -> None:
     variants = cageless.sweep(plan).data_variants()
     alone = falling(**{"rotor.friction_coefficient": 0.3}).drop()
     for name in ["rotor_force_max_n", "collisions", "dissipated_j", "ring_speed_rpm"]:
-        assert variants[f"drop_{name}"][1] == alone.values[name]
+        assert variants[f"drop_{name}"][1] == alone.bearings[0].values[name]
     assert list(variants.drop_end_state)[1] == alone.end_state
 
 

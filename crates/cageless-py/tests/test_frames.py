@@ -17,17 +17,20 @@ def rows(found: Any) -> list[dict[str, Any]]:
 
 
 def test_scattered_drops_have_what_was_drawn_and_their_own_results() -> None:
-    one = {"drop": 1, "unbalance_deg": 40.0, "rotor_friction": 0.11, "gaps_deg": [1.0, 2.0]}
+    text = "at t = 0.250000 s went through. To change: halve the step."
     stop = {"time_s": 0.25, "cause": "went through", "advice": "halve the step"}
+
+    def one(friction: float, result: dict[str, Any]) -> list[dict[str, Any]]:
+        return [{"rotor_friction": friction, "gaps_deg": [1.0, 2.0], "result": result}]
+
     values: dict[str, Any] = {
         "ensemble": {
             "drops": [
-                one | {"result": {"impacts": 3, "verdict": "pass", "stopped": None, "windows": []}},
-                one | {"drop": 2, "rotor_friction": 0.17, "result": {"impacts": 5, "verdict": "fail", "stopped": stop}},
+                {"drop": 1, "unbalance_deg": 40.0, "stopped": None, "bearings": one(0.11, {"impacts": 3, "verdict": "pass", "stopped": None, "windows": []})},
+                {"drop": 2, "unbalance_deg": 40.0, "stopped": text, "bearings": one(0.17, {"impacts": 5, "verdict": "fail", "stopped": stop})},
             ]
         }
     }
-    text = "at t = 0.250000 s went through. To change: halve the step."
     head = {"unbalance_deg": 40.0}
     assert rows(frames.scattered(values)) == [
         head | {"drop": 1, "rotor_friction": 0.11, "impacts": 3, "verdict": "pass", "stopped": None},

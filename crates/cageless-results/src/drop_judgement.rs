@@ -7,6 +7,7 @@ use cageless::touchdown::{DropSummary, EndState};
 use cageless::{Case, Support};
 
 use crate::Stopped;
+use crate::bearing_number::on_bearing;
 use crate::cell::Cell;
 use crate::kind::Kind;
 use crate::number_text::short;
@@ -179,27 +180,22 @@ impl DropJudgement {
         self
     }
 
-    /// Verdict on a drop by the verdicts on its bearings: that of the only one of a case, that of all
-    /// under a linear rotor.
+    /// Verdict on a drop by the verdicts on its bearings, and on the planes and the energy balance of a
+    /// linear rotor.
     pub fn of_bearings(bearings: &[&Self], rotor: Option<&RotorOutcome>) -> Self {
-        let Some(rotor) = rotor else {
-            return bearings.iter().copied().next().cloned().unwrap_or_default();
-        };
         let mut all = Self {
             touched: bearings.iter().any(|bearing| bearing.touched),
             ..Self::default()
         };
         for (k, bearing) in bearings.iter().enumerate() {
-            let number = |text: &String| format!("bearing {}: {text}", k + 1);
+            let number = |text: &String| on_bearing(k, bearings.len(), text);
             all.failed.extend(bearing.failed.iter().map(number));
             let unjudged = bearing.unjudged.iter();
             all.unjudged
                 .extend(unjudged.map(|(name, text)| (name.clone(), number(text))));
-            if bearing.failed.is_empty() {
-                all.kept.extend(bearing.kept.iter().map(number));
-            }
+            all.kept.extend(bearing.kept.iter().map(number));
         }
-        all.with_rotor(Some(rotor))
+        all.with_rotor(rotor)
     }
 
     /// The verdict with that on the planes and the energy balance of a linear rotor.

@@ -3,6 +3,7 @@
 use cageless::simulation::{PlaneDisplacement, RotorDrop, RotorDropOutcome, RotorOutcome};
 use cageless::touchdown::DropRecorder;
 
+use crate::bearing_number::bearing_number;
 use crate::table::PLANE;
 use crate::{Across, Cell, DropJudgement, DropResult, Particulars, Quantity, Record, Subject};
 
@@ -13,7 +14,7 @@ pub struct DropRun {
     pub bearings: Vec<DropResult>,
     /// Outcome of a linear rotor.
     pub rotor: Option<RotorOutcome>,
-    /// Reason why the drop stopped early, if it did, under a linear rotor with the bearing.
+    /// Reason why the drop stopped early, if it did, with the bearing of several.
     pub stopped: Option<String>,
 }
 
@@ -35,9 +36,9 @@ impl DropRun {
         let stopped = outcome.stopped_bearing().map(|k| {
             let reason = bearings[k].stopped.as_ref().map(ToString::to_string);
             let reason = reason.unwrap_or_default();
-            match outcome.rotor {
+            match bearing_number(k, bearings.len()) {
                 None => reason,
-                Some(_) => format!("in bearing {} {reason}", k + 1),
+                Some(number) => format!("in bearing {number} {reason}"),
             }
         });
         // One that stops interrupts the others, and the stop is its own.
@@ -60,20 +61,19 @@ impl DropRun {
 
     /// Value of a quantity for the drop as a whole.
     pub fn value(&self, quantity: &Quantity) -> Cell {
-        let of_bearing = |bearing: &DropResult| bearing.results.get(quantity.name).cloned();
-        let Some(rotor) = &self.rotor else {
-            return of_bearing(&self.bearings[0]).unwrap_or(Cell::Null);
-        };
-        if let Some(own) = quantity.of(Subject::RotorDrop(rotor)) {
+        let rotor = self.rotor.as_ref();
+        if let Some(own) = rotor.and_then(|rotor| quantity.of(Subject::RotorDrop(rotor))) {
             return own;
         }
-        match quantity.across {
-            Some(Across::Verdict) => self.judgement().cell(quantity.kind),
-            Some(across) => {
-                let bearings = self.bearings.iter().map(|b| b.results.get(quantity.name));
-                across.of(bearings.map(|cell| cell.unwrap_or(&Cell::Null)))
-            }
-            None => Cell::Null,
+        let found = |bearing: &DropResult| {
+            let cell = bearing.results.get(quantity.name);
+            cell.cloned().unwrap_or(Cell::Null)
+        };
+        match (quantity.across, &self.bearings[..]) {
+            (Some(Across::Verdict), _) => self.judgement().cell(quantity.kind),
+            (_, [only]) => found(only),
+            (Some(across), all) => across.of(all.iter().map(found).collect::<Vec<_>>().iter()),
+            (None, _) => Cell::Null,
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Python package are views of it.
 
 mod across;
+mod bearing_number;
 mod cell;
 mod computation;
 mod declare;
@@ -41,6 +42,7 @@ mod verification_result;
 mod view;
 
 pub use across::Across;
+pub use bearing_number::{bearing_number, on_bearing};
 pub use cell::Cell;
 pub use computation::Computation;
 pub use design_result::{Recommended, axial_record, design_record};

@@ -19,7 +19,7 @@ pub fn result_at(kind: &str, path: &[&str]) -> Option<&'static Quantity> {
         }
         ("design", ["search", rest @ ..]) => within(&SEARCH_SHAPE, rest),
         // What stands there are statistics of results.
-        ("compare", _) | (_, ["case", ..]) => None,
+        ("compare", _) | (_, ["case", ..] | ["bearings", "case", ..]) => None,
         _ if path.contains(&"planes") => PLANE.iter().find(named),
         _ if path.contains(&"numbers") => JUDGEMENT.iter().find(named),
         _ => {
@@ -57,7 +57,7 @@ mod tests {
     #[test]
     fn a_place_tells_results_of_one_name_apart() {
         let label = |kind, path: &[&str]| result_at(kind, path).map(|q| q.label.trim());
-        let rows: [(&str, &[&str], Option<&str>); 11] = [
+        let rows: [(&str, &[&str], Option<&str>); 12] = [
             ("tolerance", &["passes"], Some("passes")),
             ("tolerance", &["influences", "name"], Some("deviates")),
             ("tolerance", &["influences", "passed"], Some("pass")),
@@ -79,6 +79,7 @@ mod tests {
                 Some("difference of the means over its standard error"),
             ),
             ("summary", &["case", "search", "starts"], None),
+            ("summary", &["bearings", "case", "search", "starts"], None),
             ("compare", &["starts"], None),
             (
                 "design",

@@ -182,7 +182,7 @@ fn a_drop_without_a_rotor_says_which_keys_it_needs() {
     }
 }
 
-/// The judgement of a result by a verification.
+/// The judgement of a result by the verification of a bearing.
 pub fn judged<'v>(verification: &'v Record, name: &str) -> &'v Record {
     let mut numbers = verification.parts("numbers").iter();
     numbers.find(|n| n.text("name") == name).unwrap()
@@ -197,11 +197,14 @@ fn the_first_milliseconds_of_a_drop_are_converged() {
     let file = drop(&["solver.duration_s=0.007"]);
     let found = studied(&file, request);
     let verification = found.verification.unwrap();
+    let [verification] = verification.parts("bearings") else {
+        panic!("one bearing")
+    };
     assert_eq!(
         verification.get("end_states"),
         verification.get("half_step_end_states")
     );
-    let verdict = |name: &str| judged(&verification, name).text("verdict").to_owned();
+    let verdict = |name: &str| judged(verification, name).text("verdict").to_owned();
     for name in [
         "first_contact_ms",
         "rotor_force_max_n",
@@ -214,13 +217,14 @@ fn the_first_milliseconds_of_a_drop_are_converged() {
     let file = drop(&["solver.duration_s=0.007", "solver.step_us=2.7"]);
     let coarse = studied(&file, request);
     let coarse = coarse.verification.unwrap();
+    let coarse = &coarse.parts("bearings")[0];
     let change = |v: &Record, name: &str| {
         let j = judged(v, name);
         j.number("step_change") / j.number("value").abs()
     };
     // The error grows with the square of the step.
     for name in ["rotor_friction_j", "dissipated_j", "ring_speed_rpm"] {
-        let (at_step, at_long_step) = (change(&verification, name), change(&coarse, name));
+        let (at_step, at_long_step) = (change(verification, name), change(coarse, name));
         println!("{name}: {at_step:.1e}, {at_long_step:.1e}");
         assert!((3e-5..4e-4).contains(&at_step), "{name}: {at_step:e}");
         assert!(
@@ -302,7 +306,7 @@ fn repeats(law: &str, common: &[String], given: &[String]) {
     let all: Vec<&str> = common.iter().chain(given).map(String::as_str).collect();
     let ensemble = studied(&drop(&all), request).ensemble.unwrap();
     let row = serde_json::to_value(&ensemble.drops[1]).unwrap();
-    let of = |name: &str| row[name].clone();
+    let of = |name: &str| row.get(name).unwrap_or(&row["bearings"][0][name]).clone();
     assert_eq!(of("drop"), 2);
     let changes = [
         ("rotor.friction_coefficient", of("rotor_friction")),

@@ -1,5 +1,6 @@
 //! Studies of drops into several bearings: scattered and verified.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,7 +14,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::rotor_file::{
     RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance,
 };
-use cageless_study::drop::{DropRequest, FiledDrop, RotorRow, ensemble, study};
+use cageless_study::drop::{DropRequest, DropRow, FiledDrop, ensemble, study};
 use cageless_study::{Progress, Silent, StudyError, Workload, on_threads};
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
@@ -55,16 +56,9 @@ fn two_bearings(changes: &[&str]) -> BearingArrangement {
     BearingArrangement::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
 }
 
-fn unbalance_deg(rotor: &RotorRow) -> f64 {
-    match rotor {
-        RotorRow::Case {
-            eccentricity_phase_deg,
-            ..
-        } => eccentricity_phase_deg.unwrap(),
-        RotorRow::Linear {
-            unbalance_turn_deg, ..
-        } => unbalance_turn_deg.unwrap(),
-    }
+fn unbalance_deg(row: &DropRow) -> f64 {
+    let of_case = row.eccentricity_phase_deg;
+    of_case.or(row.unbalance_turn_deg).unwrap()
 }
 
 #[test]
@@ -85,7 +79,7 @@ fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     let several = ensemble(&linear, 3, &scatter, &Silent).unwrap();
     assert_eq!((several.completed, several.bearings.len()), (3, 1));
     for (a, b) in one.drops.iter().zip(&several.drops) {
-        assert_eq!(unbalance_deg(&a.rotor), unbalance_deg(&b.rotor));
+        assert_eq!(unbalance_deg(a), unbalance_deg(b));
         let (a, b) = (&a.bearings[0], &b.bearings[0]);
         assert_eq!(
             (a.rotor_friction, a.ball_friction, a.radial_clearance_um),
@@ -104,8 +98,9 @@ fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     }
     let (a, b) = (&one.bearings[0], &several.bearings[0]);
     assert_eq!(a.end_states, b.end_states);
-    assert_eq!(Some(a.backward_whirl), several.in_any_bearing);
-    assert_eq!(one.in_any_bearing, None);
+    for many in [&one, &several] {
+        assert_eq!(a.backward_whirl, many.in_any_bearing);
+    }
 }
 
 #[test]
@@ -127,7 +122,7 @@ fn scattered_drops_into_bearings_are_the_same_on_any_number_of_threads() {
     let [a, b] = [0, 1].map(|k| &many.drops[0].bearings[k]);
     assert!(a.rotor_friction / 0.15 != b.rotor_friction / 0.15);
     assert!(a.radial_clearance_um != b.radial_clearance_um);
-    let turned = [0, 1].map(|k: usize| unbalance_deg(&many.drops[k].rotor));
+    let turned = [0, 1].map(|k: usize| unbalance_deg(&many.drops[k]));
     assert!(turned[0] != turned[1]);
     // The distribution of a bearing is that of its drops.
     for (k, of_bearing) in many.bearings.iter().enumerate() {
@@ -331,10 +326,7 @@ fn an_interrupted_drop_is_not_judged() {
         let rows = drop.cases().iter().map(|_| None).collect();
         let found = study(&file, drop, DropRequest::default(), rows, &Ended).unwrap();
         let json: serde_json::Value = serde_json::from_str(&found.to_json(&file).unwrap()).unwrap();
-        let bearings = match cases {
-            1 => vec![&json],
-            _ => json["bearings"].as_array().unwrap().iter().collect(),
-        };
+        let bearings = json["bearings"].as_array().unwrap();
         assert_eq!(bearings.len(), cases);
         for bearing in bearings {
             assert!(bearing["impacts"].as_u64() > Some(0), "{bearing}");
@@ -351,6 +343,47 @@ fn an_interrupted_drop_is_not_judged() {
         let headline = json["headline"].as_str().unwrap();
         assert!(headline.contains("interrupted after"), "{headline}");
     }
+}
+
+/// Names of all values of a document, and of elements of lists, but of cases.
+fn places(value: &serde_json::Value, at: &str, found: &mut BTreeSet<String>) {
+    match value {
+        serde_json::Value::Object(map) => {
+            for (key, value) in map.iter().filter(|(key, _)| *key != "case") {
+                places(value, &format!("{at}.{key}"), found);
+            }
+        }
+        serde_json::Value::Array(list) if list.iter().any(serde_json::Value::is_object) => {
+            (list.iter()).for_each(|value| places(value, &format!("{at}[]"), found));
+        }
+        _ => drop(found.insert(at.to_owned())),
+    }
+}
+
+/// What belongs to the rotor of a rotor file alone has no value in a case; every other result has one place.
+#[test]
+fn a_case_and_a_rotor_file_have_results_of_one_shape() {
+    let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0015"]);
+    let rotor = BearingArrangement::new("", &rigid(&[0.0]), 30000.0, 0.0, &[case.clone()]);
+    let several = two_bearings(&["solver.duration_s=0.0015"]);
+    let request = DropRequest {
+        compare: true,
+        samples: Some(2),
+        verify: true,
+        drops: None,
+    };
+    let [of_case, of_one, of_several] =
+        [case.into(), rotor.unwrap(), several].map(|file: BearingArrangement| {
+            let mut found = BTreeSet::new();
+            let json = studied(&file, request).to_json(&file).unwrap();
+            places(&serde_json::from_str(&json).unwrap(), "", &mut found);
+            found
+        });
+    let alone = ".verification.rotor_energy_residual_relative";
+    let more: Vec<&String> = of_one.difference(&of_case).collect();
+    assert_eq!(more, [alone]);
+    assert!(of_case.is_subset(&of_one), "{of_case:?} {of_one:?}");
+    assert_eq!(of_one, of_several);
 }
 
 /// The shoulder that meets its face first carries all of a vertical rotor, and one that does as the

@@ -1,10 +1,12 @@
 //! `cageless drop`.
 
 use cageless_io::arrangement::BearingArrangement;
-use cageless_io::results::{ROTOR, SUMMARY};
+use cageless_io::results::{ROTOR, SUMMARY, bearing_folder};
 use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
-use cageless_results::{DropJudgement, Record, plane_records, table_of};
+use cageless_results::{
+    DropJudgement, Record, bearing_number, on_bearing, plane_records, table_of,
+};
 use cageless_study::drop::{
     Distribution, DropRequest, DropStudy, Ensemble, Succession, WhirlProbability, study,
 };
@@ -18,7 +20,7 @@ use crate::format::{columns, drops, judged, pairs, values, warnings};
 /// Failure of a drop whose samples or verification were interrupted.
 const REST_INTERRUPTED: &str = "interrupted: the drop itself is complete.";
 
-/// Drops a rotor into its bearings. Below a linear rotor the tables of each go to a folder of its own.
+/// Drops a rotor into its bearings; the tables of each go to a folder of its own.
 pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let path = &args.case.case;
     let file = BearingArrangement::read(path, &args.case.set)?;
@@ -29,11 +31,11 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
         drops: args.drops,
     };
     let drop = request.check(&file, &path.display().to_string())?;
-    let linear = drop.rotor().is_some();
     let output = &args.case.output;
     output.drive_into(&[SUMMARY, PAGE, ROTOR], |folder, bars| {
         let out = output.out.as_deref();
-        let mut tables = Tables::create(folder.as_ref(), file.cases(), linear)?;
+        let places = (1..).map(bearing_folder);
+        let mut tables = Tables::create(folder.as_ref(), places.zip(file.cases()))?;
         let study = study(&file, drop, request, tables.rows(), bars)?;
         tables.finish(folder, output.csv)?;
         let (json, text) = (study.to_json(&file)?, text(&study));
@@ -44,10 +46,8 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
             ])
         })?;
         let rest_interrupted = study.interrupted.then_some(REST_INTERRUPTED);
-        let place = match linear {
-            true => format!("bearing {}: ", study.record.last_index() + 1),
-            false => String::new(),
-        };
+        let bearings = study.record.bearings.len();
+        let place = on_bearing(study.record.last_index(), bearings, "");
         let cut_short = study.succession.cut_short;
         let ending = Failure::of_outcome(study.record.into_last_outcome(), rest_interrupted, out);
         let ending = ending.map_err(|failure| failure.stopped_at(&place));
@@ -77,7 +77,7 @@ fn text(study: &DropStudy) -> String {
         text += &ensemble_text(ensemble);
     }
     if let Some(verification) = &study.verification {
-        text += &verification_text(study, verification);
+        text += &verification_text(verification);
     }
     text + &warnings(&study.warnings)
 }
@@ -135,21 +135,31 @@ fn rotor_text(study: &DropStudy) -> String {
     text + "\n"
 }
 
-fn verification_text(study: &DropStudy, verification: &Record) -> String {
-    let of_bearing =
-        |bearing: &Record, title: &str| verified(bearing, bearing.parts("numbers").iter(), title);
-    if study.drop.rotor().is_none() {
-        return of_bearing(verification, "verification");
-    }
-    let bearings = (1..).zip(verification.parts("bearings"));
-    let bearings = bearings.map(|(k, b)| of_bearing(b, &format!("verification, bearing {k}")));
-    format!("\n{}", pairs(&values(verification))) + &bearings.collect::<String>()
+fn verification_text(verification: &Record) -> String {
+    let bearings = verification.parts("bearings");
+    let of_bearing = |(k, bearing): (usize, &Record)| {
+        let title = match bearing_number(k, bearings.len()) {
+            None => "verification".to_owned(),
+            Some(number) => format!("verification, bearing {number}"),
+        };
+        verified(bearing, bearing.parts("numbers").iter(), &title)
+    };
+    let of_rotor = match &values(verification)[..] {
+        [] => String::new(),
+        shown => format!("\n{}", pairs(shown)),
+    };
+    of_rotor
+        + &bearings
+            .iter()
+            .enumerate()
+            .map(of_bearing)
+            .collect::<String>()
 }
 
 fn ensemble_text(many: &Ensemble) -> String {
     let mut completed = format!("{} completed", many.completed);
-    if many.in_any_bearing.is_none() {
-        completed += &format!(": {}", many.bearings[0].end_states_text());
+    if let [only] = &many.bearings[..] {
+        completed += &format!(": {}", only.end_states_text());
     }
     let mut lines = vec![("drops".to_owned(), completed)];
     let passing = many.passing.percent();
@@ -159,19 +169,18 @@ fn ensemble_text(many: &Ensemble) -> String {
         probability.percent().map(|percent| (name, percent))
     };
     let rows = |of_bearing: &Distribution| columns(&of_bearing.rows());
-    let Some(any) = &many.in_any_bearing else {
-        let only = &many.bearings[0];
+    if let [only] = &many.bearings[..] {
         lines.extend(whirl(
             "probability of backward whirl".to_owned(),
             &only.backward_whirl,
         ));
         lines.extend(stopped());
         return format!("\n{}\n{}", pairs(&lines), rows(only));
-    };
+    }
     lines.extend(stopped());
     lines.extend(whirl(
         "probability of backward whirl in any bearing".to_owned(),
-        any,
+        &many.in_any_bearing,
     ));
     for (k, of_bearing) in (1..).zip(many.bearings.iter()) {
         lines.extend(whirl(format!("in bearing {k}"), &of_bearing.backward_whirl));

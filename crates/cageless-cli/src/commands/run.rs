@@ -24,7 +24,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     initial_state(file.case())?;
     output.drive_into(&[SUMMARY, PAGE, PAGE_DATA], |folder, bars| {
         let out = output.out.as_deref();
-        let mut tables = Tables::create(folder.as_ref(), [&file], false)?;
+        let mut tables = Tables::create(folder.as_ref(), [(String::new(), &file)])?;
         let rows = tables.rows().remove(0);
         let mut record = study(&file, Options { rows, verify }, bars)?;
         if let (Ending::ObserverFailed(error), Some(dir)) = (&record.outcome.ending, out) {

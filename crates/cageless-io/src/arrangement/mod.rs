@@ -13,7 +13,7 @@ use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 use toml::Value;
 
-use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue, Change};
+use crate::case_file::{CASE_KIND, CaseDocument, CaseError, CaseFile, CaseValue, Change};
 use crate::rotor_file::address::{Address, address};
 use crate::rotor_file::{ReadRotor, RotorDescription, RotorFileDocument};
 
@@ -143,11 +143,15 @@ impl BearingArrangement {
     /// # Errors
     /// Those of [`Self::parse`].
     pub fn changed(&self, changes: &[String]) -> Result<Self, CaseError> {
-        let name = match self.rotor_file {
-            None => "case",
+        Self::parse(&self.to_toml()?, self.kind(), Path::new(""), changes)
+    }
+
+    /// Kind of the file: `case` or `rotor`.
+    pub fn kind(&self) -> &'static str {
+        match self.rotor_file {
+            None => CASE_KIND,
             Some(_) => "rotor",
-        };
-        Self::parse(&self.to_toml()?, name, Path::new(""), changes)
+        }
     }
 
     /// Passes a file whose motion can be computed.

@@ -10,25 +10,24 @@ use super::keys;
 use super::spanned_toml::{Node, Origin, Section, Value, join};
 use crate::text_file::excerpt;
 
+/// Kind of a case file among the files of a drop.
+pub(crate) const CASE_KIND: &str = "case";
+
 /// Parses a document.
 pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     let text = text.trim_start_matches('\u{feff}');
     let json: Map<String, Json> = serde_json::from_str(text).map_err(|e| {
         CaseError::on_line(name, e.line().max(1), None, format!("is not JSON: {e}"))
     })?;
-    if json.get("bearings").is_some_and(Json::is_array) {
-        let why = "has the results of a rotor on several bearings and their cases, not the rotor itself: \
-                   give the rotor file, or the rotor.toml of the same folder";
-        return Err(CaseError::of_file(name, why.to_owned()));
-    }
-    let case = match json.get("case") {
+    let result = result(&json, name)?;
+    let case = match result.get("case") {
         Some(Json::Object(case)) => case,
-        _ => &json,
+        _ => result,
     };
     let mut root = section(case, "");
     former::rename(&mut root, name)?;
     // What was derived is derived again: from the same numbers, to the same bits.
-    let defaults = json.get("defaults").and_then(Json::as_array);
+    let defaults = result.get("defaults").and_then(Json::as_array);
     for key in defaults.into_iter().flatten().filter_map(Json::as_str) {
         let Some((section, key)) = key.split_once('.') else {
             continue;
@@ -45,6 +44,20 @@ pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
         }
     }
     Ok(root)
+}
+
+/// The results of the only bearing of a drop, or a document that has no bearings.
+fn result<'j>(json: &'j Map<String, Json>, name: &str) -> Result<&'j Map<String, Json>, CaseError> {
+    let Some(Json::Array(bearings)) = json.get("bearings") else {
+        return Ok(json);
+    };
+    let of_case = json.get("file").and_then(Json::as_str) == Some(CASE_KIND);
+    let only = bearings.first().and_then(Json::as_object);
+    only.filter(|_| of_case).ok_or_else(|| {
+        let why = "has the results of the bearings of a rotor file and their cases, not the rotor itself: \
+                   give the rotor file, or the rotor.toml of the same folder";
+        CaseError::of_file(name, why.to_owned())
+    })
 }
 
 fn section(map: &Map<String, Json>, path: &str) -> Section {

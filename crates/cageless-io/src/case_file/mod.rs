@@ -44,6 +44,7 @@ pub use document::{CaseDocument, SectionValues};
 pub use error::CaseError;
 pub use format::{SCHEMA, SectionTable, nearest};
 pub use former::on_former_name;
+pub(crate) use json::CASE_KIND;
 pub use key::{Key, Kind, Presence};
 pub use keys::{is_spatial, missing_rotor};
 pub use overrides::Change;

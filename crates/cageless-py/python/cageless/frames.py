@@ -114,7 +114,7 @@ def summary(result: Result) -> pd.DataFrame:
 
     known = quantities(result.kind)
     rows = []
-    for name, value in scalars(result.values).items():
+    for name, value in scalars(result._known).items():
         symbol, label, numeric = known.get(name, (unit(name), "", False))
         value = np.nan if numeric and value is None else value
         rows.append({"name": name, "value": value, "unit": symbol, "label": label.strip()})
@@ -156,16 +156,13 @@ def of_balls(values: Row) -> pd.DataFrame:
 def scattered(values: Row) -> pd.DataFrame:
     """Scattered drops, a row for each, with several bearings for each drop and bearing: what was
     drawn, and the scalar results."""
-    from .result import early_stop
-
     rows = []
     for drop in (values.get("ensemble") or {}).get("drops", []):
-        whole = {key: value for key, value in drop.items() if key not in ("bearings", "result")}
-        for number, bearing in enumerate(drop.get("bearings", [drop]), 1):
-            which = {"bearing": number} if "bearings" in drop else {}
+        bearings = drop["bearings"]
+        for number, bearing in enumerate(bearings, 1):
+            which = {"bearing": number} if len(bearings) > 1 else {}
             # The stop of one bearing ends the drop: the reason of the drop is given.
-            results = scalars(bearing["result"]) | {"stopped": early_stop(bearing["result"])}
-            rows.append(which | scalars(bearing) | results | scalars(whole))
+            rows.append(which | scalars(bearing) | scalars(bearing["result"]) | scalars(drop))
     return frame(rows)
 
 
@@ -185,7 +182,7 @@ def judged(values: Row) -> pd.DataFrame:
         if isinstance(numbers, dict):
             numbers = [{"name": name} | row for name, row in numbers.items()]
         rows += [{"bearing": number} | row for row in numbers]
-    if "bearings" in found:
+    if len(bearings) > 1:
         return frame(rows, ["bearing", "name"])
     return frame([{k: v for k, v in row.items() if k != "bearing"} for row in rows], "name")
 
@@ -309,8 +306,9 @@ def special(kind: str, values: Row) -> Frames:
 
 def of(result: Result) -> Frames:
     """The frames of a result by name."""
-    own = special(result.kind, result.values)
-    by_name = ((name, generic(name, value)) for name, value in result.values.items())
+    values = result._known
+    own = special(result.kind, values)
+    by_name = ((name, generic(name, value)) for name, value in values.items())
     recordings = {name: partial(recorded, result, name) for name in result._arrays}
     found: Frames = {"summary": partial(summary, result)}
     found |= recordings

@@ -101,9 +101,10 @@ def early_stop(values: dict[str, Any]) -> str | None:
         at, cause, advice = (stop[key] for key in ("time_s", "cause", "advice"))
         # By the user.
         return None if cause == "interrupted" else f"at t = {at:.6f} s {cause}. To change: {advice}."
-    for number, bearing in enumerate(values.get("bearings", []), 1):
+    bearings = values.get("bearings", [])
+    for number, bearing in enumerate(bearings, 1):
         if reason := early_stop(bearing):
-            return f"bearing {number}: {reason}"
+            return f"bearing {number}: {reason}" if len(bearings) > 1 else reason
     return None
 
 
@@ -180,8 +181,21 @@ class Result(Fixed):
         return array(found)
 
     @property
+    def _only(self) -> Result | None:
+        """The only bearing of a drop, whose attributes the drop has as well."""
+        bearings = self.values.get("bearings")
+        alone = isinstance(bearings, list) and len(bearings) == 1 and isinstance(bearings[0], dict)
+        return self._at("bearings")[0] if alone else None
+
+    @property
+    def _known(self) -> dict[str, Any]:
+        """The values with those of an only bearing."""
+        only = self._only
+        return {**only.values, **self.values} if only else self.values
+
+    @property
     def _bearing(self) -> int | None:
-        """Index of the bearing, of one of several of a drop."""
+        """Index of the bearing, of one of those of a drop."""
         bearing = len(self._place) == 2 and self._place[0] == "bearings"
         return int(self._place[1]) if bearing else None
 
@@ -248,9 +262,11 @@ class Result(Fixed):
         for columns in self._arrays.values():
             if name in columns:
                 return columns[name]
+        if (only := self._only) and hasattr(only, name):
+            return getattr(only, name)
         near = difflib.get_close_matches(name, dir(self), 1)
         hint = f"; did you mean {near[0]}?" if near else ""
-        if self.values.get("bearings") and name in dir(self.bearings[0]):
+        if self.values.get("bearings") and name in dir(self._at("bearings")[0]):
             hint = f"; each of its bearings has: bearings[0].{name}"
         raise AttributeError(f"{type(self).__name__} has no {name!r}{hint}")
 
@@ -258,7 +274,7 @@ class Result(Fixed):
         columns = [name for table in self._arrays.values() for name in table]
         plots = [f"plot_{name}" for name in self._figures]
         data = [f"data_{name}" for name in self._frames]
-        return sorted({*super().__dir__(), *self.values, *columns, *plots, *data})
+        return sorted({*super().__dir__(), *self._known, *columns, *plots, *data})
 
     def _plot(self, name: str, *of: str, title: str | None = None, **options: Any) -> go.Figure:
         unitless(f"plot_{name}", options)
@@ -281,7 +297,7 @@ class Result(Fixed):
                 raise refused("balls", balls, f"whole numbers from 1 to {count}")
         if balls == [1] and "ball" in options:
             balls = None
-        if self._bearing is not None:
+        if self._bearing is not None and len(self._core.tables) > 1:
             name = f"{name}-bearing-{self._bearing + 1}"
         window = given(span, "time_s", options.get("time_s"))
         return figure(self._core.figure(name, balls, window, options.get("output")), title)
@@ -370,7 +386,7 @@ class Result(Fixed):
         for key in HEADLINES:
             if found := self.values.get(key):
                 return str(found[0] if isinstance(found, list) else found)
-        summary = frames.scalars(self.values).items()
+        summary = frames.scalars(self._known).items()
         numbers = {k: v for k, v in summary if type(v) in (int, float)}
         shown = [name for name in self._shown if name in numbers] or list(numbers)[:3]
         return ", ".join(f"{name} {numbers[name]:.5g}" for name in shown)
@@ -382,7 +398,7 @@ class Result(Fixed):
     def _repr_html_(self) -> str:
         known = quantities(self.kind)
         rows: list[tuple[str, object]] = []
-        for name, value in frames.scalars(self.values).items():
+        for name, value in frames.scalars(self._known).items():
             symbol, label, _ = known.get(name, (unit(name), name, False))
             rows.append((label.strip(), f"{value} {symbol}".strip()))
         for key in ("findings", "reasons", "warnings", "notes"):

@@ -42,7 +42,8 @@ class Verification(Result):
 
     def _headline(self) -> str:
         counts = ("converged", "statistical", "step_biased")
-        return ", ".join(f"{self.values[name]} {name.replace('_', '-')}" for name in counts)
+        known = self._known
+        return ", ".join(f"{known[name]} {name.replace('_', '-')}" for name in counts if name in known)
 
 
 class Run(of.RunAttributes, Result):
@@ -53,9 +54,9 @@ class Run(of.RunAttributes, Result):
 
 
 class Drop(of.DropAttributes, Result):
-    """The drop of a rotor into one bearing, or onto several: then each of ``bearings`` is a drop
-    with the tables and figures of that bearing. ``conventional``, ``ensemble`` and ``verification``
-    are None unless they were asked for."""
+    """The drop of a rotor. Each of ``bearings`` is a drop with the results, tables and figures of that
+    bearing; of an only bearing the drop has them as well. ``conventional``, ``ensemble`` and
+    ``verification`` are None unless they were asked for."""
 
     kind = "drop"
 
@@ -375,6 +376,9 @@ def load(path: str | os.PathLike[str]) -> Any:
         kind, text, files[name] = "search", json.dumps(values["search"]), text
     bearings = values.get("bearings")
     count = len(bearings) if isinstance(bearings, list) else 0
+    if kind == "drop" and not count:
+        why = "it lacks `bearings`: it is of an earlier version, and must be computed again"
+        raise InputError(f"{path / name}: cannot be read: {why}")
     tables: list[Any] = []
     if kind in ("run", "drop"):
         places = [f"bearing-{number}" for number in range(1, count + 1)] or [""]

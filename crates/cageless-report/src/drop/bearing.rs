@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
-use cageless_results::{Particulars, Record};
+use cageless_results::{Particulars, Record, bearing_number};
 use cageless_study::drop::{BearingRecord, DropStudy};
 use cageless_study::{Provenance, provenance};
 
@@ -12,7 +12,7 @@ use crate::plot::Plot;
 
 /// A bearing of a drop.
 pub(super) struct Bearing<'s> {
-    /// Its number below a linear rotor; `None` of the only bearing of a case.
+    /// Its number among several; `None` of an only bearing.
     pub number: Option<usize>,
     pub case: &'s Case,
     pub particulars: &'s Particulars,
@@ -28,7 +28,7 @@ impl<'s> Bearing<'s> {
     /// The bearings of the drop of a file.
     pub fn all(file: &'s BearingArrangement, study: &'s DropStudy) -> Vec<Self> {
         let bearing = |(k, file): (usize, &'s CaseFile)| Self {
-            number: study.drop.rotor().map(|_| k + 1),
+            number: bearing_number(k, study.record.bearings.len()),
             case: &study.drop.cases()[k],
             particulars: file.particulars(),
             record: &study.record.bearings[k],
@@ -43,7 +43,7 @@ impl<'s> Bearing<'s> {
         file.cases().iter().enumerate().map(bearing).collect()
     }
 
-    /// Label of a table, figure or section of the bearing, below a linear rotor with its number.
+    /// Label of a table, figure or section of the bearing, among several with its number.
     pub fn label(&self, name: &str) -> String {
         match self.number {
             None => name.to_owned(),

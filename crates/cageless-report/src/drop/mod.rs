@@ -8,11 +8,10 @@ mod rotor;
 mod scattered;
 mod succession;
 
-use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::results::VERSION;
-use cageless_results::{DropResult, Record, plane_records, table_of};
+use cageless_results::{DropResult, Record, on_bearing, plane_records, table_of};
 use cageless_study::drop::DropStudy;
 use cageless_study::{Parameter, Provenance, parameter};
 
@@ -34,19 +33,16 @@ use succession::succession;
 pub fn drop_page(file: &BearingArrangement, study: &DropStudy) -> String {
     let bearings = Bearing::all(file, study);
     let source = &bearings[0].source;
-    let title = match (file.title(), study.drop.rotor()) {
-        ("", None) => "Drop of a rotor",
-        ("", Some(_)) => "Drop of a rotor onto several bearings",
+    let title = match (file.title(), bearings.len()) {
+        ("", 1) => "Drop of a rotor",
+        ("", _) => "Drop of a rotor onto several bearings",
         (title, _) => title,
     };
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
     let planes = study.record.rotor.as_ref().map(|rotor| &rotor.planes[..]);
     let planes = planes.unwrap_or_default();
     let facts = facts(&bearings, planes);
-    page.head(&match study.drop.rotor() {
-        None => head(&study.record.bearings[0].result, facts),
-        Some(rotor) => head_of_rotor(rotor, study, facts),
-    });
+    page.head(&head(study, facts));
     // Without any clearance the place of the journal is that of the first figure all the same.
     let first = |bearing: &&Bearing<'_>| planes.is_empty() || rotor::has_clearance(bearing);
     let displacements = bearings.iter().filter(first).map(rotor::displacement);
@@ -138,34 +134,24 @@ fn event(file: &BearingArrangement) -> String {
     )
 }
 
-/// The head of a drop of a linear rotor.
-fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy, facts: Vec<Parameter>) -> Head {
-    let results = || study.record.bearings.iter().map(|bearing| &bearing.result);
-    let states = (1..).zip(results());
-    let states = states.map(|(k, result)| format!("bearing {k}: {}", result.end_state_text()));
+/// The head of the page.
+fn head(study: &DropStudy, facts: Vec<Parameter>) -> Head {
+    let bearings = &study.record.bearings;
+    let states = bearings.iter().enumerate().map(|(k, bearing)| {
+        let state = bearing.result.end_state_text();
+        on_bearing(k, bearings.len(), &state)
+    });
     let states: Vec<String> = states.collect();
-    let last = study.record.last_index();
-    let end = results()
-        .nth(last)
-        .map_or(0.0, |r| r.results.number("simulated_s"));
+    let last = &bearings[study.record.last_index()].result;
+    let end = short(last.results.number("simulated_s"));
     let judgement = &study.judgement;
-    let state = format!("State after {} s: {}.", short(end), states.join("; "));
-    let mass = parameter("mass of the rotor", short(rotor.mass_kg()), "kg");
+    let state = format!("State after {end} s: {}.", states.join("; "));
+    let rotor = study.drop.rotor();
+    let mass = rotor.map(|rotor| parameter("mass of the rotor", short(rotor.mass_kg()), "kg"));
     Head::new(judgement.passes(), &judgement.headline())
         .verdict(None, &state)
         .facts(facts)
-        .facts([mass])
-}
-
-fn head(drop: &DropResult, facts: Vec<Parameter>) -> Head {
-    let state = format!(
-        "State after {} s: {}.",
-        short(drop.results.number("simulated_s")),
-        drop.end_state_text()
-    );
-    Head::new(drop.judgement.passes(), &drop.judgement.headline())
-        .verdict(None, &state)
-        .facts(facts)
+        .facts(mass)
 }
 
 /// Table of the results of all bearings, one column each, under the headings of their groups.
@@ -209,11 +195,7 @@ fn verification_section(page: &mut Page, bearings: &[Bearing<'_>], verification:
              {half:.1e} at half of it."
         ));
     }
-    let verified = match verification.parts("bearings") {
-        [] => std::slice::from_ref(verification),
-        several => several,
-    };
-    for (bearing, verified) in bearings.iter().zip(verified) {
+    for (bearing, verified) in bearings.iter().zip(verification.parts("bearings")) {
         let table = VerificationTable::new(verified, verified.parts("numbers").iter());
         table.show(page, &bearing.label("Verification"), &bearing.source);
     }

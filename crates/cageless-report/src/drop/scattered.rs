@@ -22,13 +22,13 @@ pub(super) fn scattered(page: &mut Page, bearings: &[Bearing<'_>], ensemble: &En
     if let Some(stopped) = ensemble.stopped_text() {
         page.note(Note::Warning, &stopped);
     }
-    if let Some(any) = &ensemble.in_any_bearing {
-        page.table(&end_states(&bearings[0], ensemble, any));
+    if bearings.len() > 1 {
+        page.table(&end_states(&bearings[0], ensemble));
     }
-    for (k, (bearing, distribution)) in bearings.iter().zip(ensemble.bearings.iter()).enumerate() {
-        let caption = match ensemble.in_any_bearing {
-            None => of_only_bearing(ensemble, distribution),
-            Some(_) => format!(
+    for (k, (bearing, distribution)) in bearings.iter().zip(&ensemble.bearings).enumerate() {
+        let caption = match bearings.len() {
+            1 => of_only_bearing(ensemble, distribution),
+            _ => format!(
                 "{} completed drops: {}.",
                 ensemble.completed,
                 distribution.end_states_text()
@@ -44,7 +44,7 @@ pub(super) fn scattered(page: &mut Page, bearings: &[Bearing<'_>], ensemble: &En
     }
 }
 
-/// Caption of the distribution of the results of the only bearing of a case.
+/// Caption of the distribution of the results of an only bearing.
 fn of_only_bearing(ensemble: &Ensemble, distribution: &Distribution) -> String {
     let whirl = match distribution.backward_whirl.percent() {
         Some(percent) => format!(" Probability of backward whirl: {percent}."),
@@ -59,15 +59,16 @@ fn of_only_bearing(ensemble: &Ensemble, distribution: &Distribution) -> String {
     )
 }
 
-/// Table of the states at the end of scattered drops of a linear rotor.
-fn end_states(first: &Bearing<'_>, ensemble: &Ensemble, any: &WhirlProbability) -> Table {
+/// Table of the states at the end of scattered drops onto several bearings.
+fn end_states(first: &Bearing<'_>, ensemble: &Ensemble) -> Table {
     let row = |name: String, whirl: &WhirlProbability, states: String| {
         vec![name, whirl.percent().unwrap_or("–".to_owned()), states]
     };
     let head = ["Bearing", "Backward whirl", "State at the end"].map(str::to_owned);
+    let any = &ensemble.in_any_bearing;
     let any = row("Any bearing".to_owned(), any, String::new());
     let mut rows = vec![head.to_vec(), any];
-    rows.extend((1..).zip(ensemble.bearings.iter()).map(|(k, of_bearing)| {
+    rows.extend((1..).zip(&ensemble.bearings).map(|(k, of_bearing)| {
         let states = of_bearing.end_states_text();
         row(format!("Bearing {k}"), &of_bearing.backward_whirl, states)
     }));

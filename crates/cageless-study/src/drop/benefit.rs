@@ -161,21 +161,14 @@ fn values(ensemble: &Ensemble, quantity: &Quantity) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
-    use cageless_io::arrangement::BearingArrangement;
-    use cageless_results::{Cell, Stopped};
+    use cageless_results::Cell;
 
     use super::*;
     use crate::drop::ensemble::evaluate;
-    use crate::drop::ensemble::tests::bearing_with;
-    use crate::drop::{Bearings, DropRequest, RotorRow};
+    use crate::drop::ensemble::tests::{bearing_with, row};
 
     /// Drops with these contacts, pressures, forces and heat, each scaled by the draw and all by a factor.
     fn drops(values: [f64; 4], factors: &[f64], stopped: bool) -> Ensemble {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
-        let file = BearingArrangement::read(Path::new(path), &[]).unwrap();
-        let drop = DropRequest::default().check(&file, "case").unwrap();
         let rows = (1..).zip(factors).map(|(number, factor)| {
             // Pressure, force and heat scatter less than contacts.
             let [contacts, others @ ..] = values;
@@ -186,23 +179,13 @@ mod tests {
                 ("rotor_force_max_n", Cell::Number(force)),
                 ("dissipated_j", Cell::Number(heat)),
             ];
-            let stop = stopped.then(|| Stopped {
-                time_s: 1e-3,
-                cause: "a cause".to_owned(),
-                advice: String::new(),
-            });
-            let bearing = bearing_with(&results, stop);
+            let stop = stopped.then_some("at t = 0.001 s a cause");
             DropRow {
                 drop: number,
-                rotor: RotorRow::Case {
-                    eccentricity_phase_deg: None,
-                    x_um: None,
-                    y_um: None,
-                },
-                bearings: Bearings::Case(bearing),
+                ..row(vec![bearing_with(&results)], stop)
             }
         });
-        evaluate(&drop, 0, rows.collect())
+        evaluate(1, 0, rows.collect())
     }
 
     const PLAIN: [f64; 4] = [1000.0, 3000.0, 900.0, 20.0];

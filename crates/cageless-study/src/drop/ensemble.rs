@@ -10,9 +10,7 @@ use cageless_results::{DropResult, DropRun};
 use super::distribution::{all_pass, whirls_backward};
 use super::record::steps;
 use super::side_by_side::{drop_task, run_drops, worth_together};
-use super::{
-    BearingRow, Bearings, Distribution, FiledDrop, PassProbability, WhirlProbability, check_drops,
-};
+use super::{BearingRow, Distribution, FiledDrop, PassProbability, WhirlProbability, check_drops};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
 use crate::task::Task;
@@ -30,12 +28,11 @@ pub struct Ensemble {
     /// Probability that a drop passes its verdict.
     #[serde(flatten)]
     pub passing: PassProbability,
-    /// Probability that a linear rotor ends in backward whirl in any of its bearings.
+    /// Probability that the rotor ends in backward whirl in any of its bearings.
     #[serde(flatten)]
-    pub in_any_bearing: Option<WhirlProbability>,
+    pub in_any_bearing: WhirlProbability,
     /// What each bearing went through in the completed drops.
-    #[serde(flatten)]
-    pub bearings: Bearings<Distribution>,
+    pub bearings: Vec<Distribution>,
     /// The drops, in the order of their numbers.
     pub drops: Vec<DropRow>,
 }
@@ -58,36 +55,20 @@ impl Ensemble {
 pub struct DropRow {
     /// Number of the drop, from 1.
     pub drop: u64,
-    /// The rotor.
-    #[serde(flatten)]
-    pub rotor: RotorRow,
+    /// Direction of the unbalance of the rotor of a case at the start, degrees; `None` of another.
+    pub eccentricity_phase_deg: Option<f64>,
+    /// Angle by which all unbalances of a linear rotor are turned at the start, degrees; `None` of another.
+    pub unbalance_turn_deg: Option<f64>,
+    /// Mass centre at the start, µm; `None` if it is not drawn.
+    pub x_um: Option<f64>,
+    /// Mass centre at the start, µm; `None` if it is not drawn.
+    pub y_um: Option<f64>,
+    /// Energy balance error of a linear rotor alone, relative.
+    pub rotor_energy_residual_relative: Option<f64>,
+    /// Reason why the drop stopped early, if it did, with the bearing of several.
+    pub stopped: Option<String>,
     /// The bearings.
-    #[serde(flatten)]
-    pub bearings: Bearings<BearingRow>,
-}
-
-/// The rotor in one drop of an ensemble.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum RotorRow {
-    /// The rotor of a case.
-    Case {
-        /// Direction of the unbalance at the start, degrees.
-        eccentricity_phase_deg: Option<f64>,
-        /// Mass centre at the start, µm.
-        x_um: Option<f64>,
-        /// Mass centre at the start, µm.
-        y_um: Option<f64>,
-    },
-    /// A linear rotor.
-    Linear {
-        /// Angle by which all unbalances are turned at the start, degrees.
-        unbalance_turn_deg: Option<f64>,
-        /// Energy balance error of the rotor alone, relative.
-        rotor_energy_residual_relative: f64,
-        /// Bearing and reason, where the drop stopped early.
-        stopped: Option<String>,
-    },
+    pub bearings: Vec<BearingRow>,
 }
 
 /// Name of the task of an ensemble.
@@ -118,7 +99,7 @@ pub fn ensemble(
         .map(|chunk| together(filed, chunk, scatter, &work))
         .collect();
     Ok(evaluate(
-        drop,
+        drop.cases().len(),
         filed.seed(),
         rows?.into_iter().flatten().collect(),
     ))
@@ -142,43 +123,27 @@ fn together(
     let rows = indices.iter().zip(&drawn).zip(runs);
     rows.map(|((index, drawn), run)| {
         let run = run.map_err(|error| StudyError::Input(error.to_string()))?;
-        Ok(DropRow::new(*index + 1, drop, drawn, run))
+        Ok(DropRow::new(*index + 1, drawn, run))
     })
     .collect()
 }
 
 impl DropRow {
-    fn new(number: u64, drop: &RotorDrop, drawn: &Drawn, run: DropRun) -> Self {
+    fn new(number: u64, drawn: &Drawn, run: DropRun) -> Self {
         let unbalance_deg = drawn.unbalance_rad.map(f64::to_degrees);
         let centre_um = drawn.centre_m.map(|centre| centre.map(|m| 1e6 * m));
         let bearings = drawn.bearings.iter().zip(run.bearings);
         let bearings = bearings.map(|(drawn, result)| BearingRow::new(drawn, result));
+        let linear = run.rotor.as_ref();
         Self {
             drop: number,
-            bearings: Bearings::new(drop, bearings),
-            rotor: match run.rotor {
-                None => RotorRow::Case {
-                    eccentricity_phase_deg: unbalance_deg,
-                    x_um: centre_um.map(|[x, _]| x),
-                    y_um: centre_um.map(|[_, y]| y),
-                },
-                Some(rotor) => RotorRow::Linear {
-                    unbalance_turn_deg: unbalance_deg,
-                    rotor_energy_residual_relative: rotor.energy_residual_relative,
-                    stopped: run.stopped,
-                },
-            },
-        }
-    }
-
-    /// Reason why the drop stopped early, if it did.
-    fn stopped(&self) -> Option<String> {
-        match &self.rotor {
-            RotorRow::Case { .. } => {
-                let stopped = self.bearings[0].result.stopped.as_ref();
-                stopped.map(ToString::to_string)
-            }
-            RotorRow::Linear { stopped, .. } => stopped.clone(),
+            eccentricity_phase_deg: unbalance_deg.filter(|_| linear.is_none()),
+            unbalance_turn_deg: unbalance_deg.filter(|_| linear.is_some()),
+            x_um: centre_um.map(|[x, _]| x),
+            y_um: centre_um.map(|[_, y]| y),
+            rotor_energy_residual_relative: linear.map(|rotor| rotor.energy_residual_relative),
+            stopped: run.stopped,
+            bearings: bearings.collect(),
         }
     }
 
@@ -195,39 +160,33 @@ impl DropRow {
     }
 }
 
-pub(super) fn evaluate(drop: &RotorDrop, seed: u64, drops: Vec<DropRow>) -> Ensemble {
-    let complete: Vec<&DropRow> = drops.iter().filter(|d| d.stopped().is_none()).collect();
+/// The distributions of drops into so many bearings.
+pub(super) fn evaluate(bearings: usize, seed: u64, drops: Vec<DropRow>) -> Ensemble {
+    let complete: Vec<&DropRow> = drops.iter().filter(|d| d.stopped.is_none()).collect();
     let whirls = complete.iter().filter(|d| d.whirls_backward()).count();
     let stopped = drops.len() - complete.len();
     let of_bearing = |k: usize| {
         let results: Vec<&DropResult> = complete.iter().map(|d| &d.bearings[k].result).collect();
         Distribution::new(&results, stopped)
     };
-    let whirl = || WhirlProbability::new(whirls, complete.len(), stopped);
     Ensemble {
         seed,
         completed: complete.len(),
-        stopped: drops.iter().filter_map(DropRow::stopped).collect(),
+        stopped: drops.iter().filter_map(|d| d.stopped.clone()).collect(),
         passing: PassProbability::new(drops.iter().map(DropRow::passes)),
-        in_any_bearing: drop.rotor().map(|_| whirl()),
-        bearings: Bearings::new(drop, (0..drop.cases().len()).map(of_bearing)),
+        in_any_bearing: WhirlProbability::new(whirls, complete.len(), stopped),
+        bearings: (0..bearings).map(of_bearing).collect(),
         drops,
     }
 }
 #[cfg(test)]
 pub(super) mod tests {
-    use std::path::Path;
-
-    use cageless_io::arrangement::BearingArrangement;
-    use cageless_results::{Cell, DROP, DropJudgement, Results, Stopped};
+    use cageless_results::{Cell, DROP, DropJudgement, Results};
 
     use super::*;
 
     /// A bearing of a drop with these results.
-    pub(in crate::drop) fn bearing_with(
-        results: &[(&str, Cell)],
-        stopped: Option<Stopped>,
-    ) -> BearingRow {
+    pub(in crate::drop) fn bearing_with(results: &[(&str, Cell)]) -> BearingRow {
         BearingRow {
             rotor_friction: 0.1,
             rotor_static_friction: None,
@@ -242,7 +201,7 @@ pub(super) mod tests {
             result: DropResult {
                 results: Results::only(DROP, results),
                 judgement: DropJudgement::default(),
-                stopped,
+                stopped: None,
                 unheated: vec![],
                 windows: vec![],
             },
@@ -254,18 +213,19 @@ pub(super) mod tests {
             ("end_state", Cell::Text(state.to_owned())),
             ("rotor_force_max_n", Cell::Number(force)),
         ];
-        bearing_with(&results, None)
+        bearing_with(&results)
     }
 
-    fn row(bearings: Vec<BearingRow>, stopped: Option<&str>) -> DropRow {
+    pub(in crate::drop) fn row(bearings: Vec<BearingRow>, stopped: Option<&str>) -> DropRow {
         DropRow {
             drop: 1,
-            rotor: RotorRow::Linear {
-                unbalance_turn_deg: None,
-                rotor_energy_residual_relative: 0.0,
-                stopped: stopped.map(str::to_owned),
-            },
-            bearings: Bearings::Rotor { bearings },
+            eccentricity_phase_deg: None,
+            unbalance_turn_deg: None,
+            x_um: None,
+            y_um: None,
+            rotor_energy_residual_relative: None,
+            stopped: stopped.map(str::to_owned),
+            bearings,
         }
     }
 
@@ -282,20 +242,11 @@ pub(super) mod tests {
                 Some("in bearing 1 at t = 0.1 s"),
             ),
         ];
-        let path = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../cases/rotors/two-bearings.toml"
-        );
-        let file = BearingArrangement::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
-        let many = evaluate(
-            file.drop().unwrap(),
-            file.cases()[0].particulars().seed,
-            drops,
-        );
+        let many = evaluate(2, 3, drops);
         assert_eq!((many.seed, many.completed), (3, 4));
         assert_eq!(many.stopped, ["in bearing 1 at t = 0.1 s"]);
         // Nothing is the mean or a quantile of the rest: by Wilson 1927 from 2 of 5 to 3 of 5.
-        let any = many.in_any_bearing.unwrap();
+        let any = many.in_any_bearing;
         let [low, high] = any.interval.unwrap();
         assert!((low - 0.118).abs() < 1e-3 && (high - 0.882).abs() < 1e-3);
         assert_eq!(
@@ -312,15 +263,15 @@ pub(super) mod tests {
         let text = many.stopped_text().unwrap();
         assert!(text.starts_with("1 of 5 drops stopped, the first in bearing 1 at t = 0.1 s"));
 
-        let many = evaluate(file.drop().unwrap(), 3, many.drops[..4].to_vec());
+        let many = evaluate(2, 3, many.drops[..4].to_vec());
         assert_eq!(many.stopped_text(), None);
-        assert_eq!(many.in_any_bearing.unwrap().fraction, Some(0.5));
+        assert_eq!(many.in_any_bearing.fraction, Some(0.5));
         let fractions = [0, 1].map(|k: usize| many.bearings[k].backward_whirl.fraction);
         assert_eq!(fractions, [Some(0.25), Some(0.5)]);
         let most = |k: usize| many.bearings[k].quantiles[0].most;
         assert_eq!([most(0), most(1)], [3.0, 7.0]);
         // Wilson 1927: 2 of 4.
-        let [low, high] = many.in_any_bearing.unwrap().interval.unwrap();
+        let [low, high] = many.in_any_bearing.interval.unwrap();
         assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
     }
 
@@ -344,12 +295,7 @@ pub(super) mod tests {
             one.result.results = Results::only(DROP, &values);
             row(vec![one, bearing("bouncing", 7.0)], None)
         });
-        let path = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../cases/rotors/two-bearings.toml"
-        );
-        let file = BearingArrangement::read(Path::new(path), &[]).unwrap();
-        let many = evaluate(file.drop().unwrap(), 0, drops.collect());
+        let many = evaluate(2, 0, drops.collect());
         let found = &many.bearings[0].quantiles;
         for (name, expected) in [
             ("rotor_force_max_n", [1000.0, 1100.0, 1190.0, 1200.0]),

@@ -1,7 +1,6 @@
 //! Drops of a rotor into its bearings: one drop, the same with conventional outer rings, many whose
 //! conditions scatter, and its verification.
 
-mod bearings;
 mod benefit;
 mod distribution;
 mod ensemble;
@@ -14,13 +13,12 @@ mod succession;
 mod summary;
 mod verification;
 
-pub use bearings::Bearings;
 pub use benefit::{DropBenefit, DropCriterion};
 pub use distribution::{
     BearingRow, DROPS_MAX, Distribution, EndStateCount, PassProbability, Quantiles,
     WhirlProbability, check_drops,
 };
-pub use ensemble::{DropRow, Ensemble, RotorRow, ensemble};
+pub use ensemble::{DropRow, Ensemble, ensemble};
 pub use filed_drop::FiledDrop;
 pub(crate) use record::steps;
 pub use record::{BearingRecord, DropRecord};

@@ -4,8 +4,8 @@ use cageless::Case;
 use cageless::rating::rolling_torque_n_m;
 use cageless::simulation::RotorDrop;
 use cageless::touchdown::{Brake, EndPower, LAST, PARTS, SpinDown};
-use cageless_results::DropResult;
 use cageless_results::number_text::short;
+use cageless_results::{DropResult, bearing_number, on_bearing};
 
 use super::DropRecord;
 
@@ -61,9 +61,9 @@ impl Standstill {
         }
         for (k, (case, bearing)) in drop.cases().iter().zip(&record.bearings).enumerate() {
             if let Some(reason) = slides(case, &bearing.result) {
-                return Err(match drop.rotor() {
+                return Err(match bearing_number(k, ends.len()) {
                     None => reason,
-                    Some(_) => format!("in bearing {}, {reason}", k + 1),
+                    Some(number) => format!("in bearing {number}, {reason}"),
                 });
             }
         }
@@ -72,10 +72,7 @@ impl Standstill {
         let brakes = brakes.enumerate().map(|(k, ((case, carried_n), end))| {
             let rolling_n_m = rolling_torque_n_m(&case.bearing, carried_n.unwrap_or(0.0));
             let doubt = unsteady(end, rolling_n_m);
-            warnings.extend(doubt.map(|text| match drop.rotor() {
-                None => text,
-                Some(_) => format!("bearing {}: {text}", k + 1),
-            }));
+            warnings.extend(doubt.map(|text| on_bearing(k, ends.len(), &text)));
             Brake::new(end, rolling_n_m).ok_or_else(driven)
         });
         let brakes = brakes.collect::<Result<Vec<_>, _>>()?;

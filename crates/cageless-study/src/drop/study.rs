@@ -6,7 +6,7 @@ use cageless::touchdown::Scatter;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::missing_rotor;
 use cageless_results::number_text::short;
-use cageless_results::{DropJudgement, DropResult, Record};
+use cageless_results::{DropJudgement, DropResult, Record, bearing_number, on_bearing};
 
 use super::record::{TASK, steps};
 use super::side_by_side::drop_task;
@@ -195,7 +195,7 @@ impl DropStudy {
         let mut warnings = rests(&drop);
         for (k, (case, bearing)) in drop.cases().iter().zip(&record.bearings).enumerate() {
             let own = of_drop(case, &bearing.result).into_iter();
-            warnings.extend(own.map(|text| in_bearing(&drop, k, &text)));
+            warnings.extend(own.map(|text| on_bearing(k, record.bearings.len(), &text)));
         }
         Self {
             interrupted: matches!(record.ending(), Ending::Interrupted),
@@ -222,9 +222,6 @@ impl DropStudy {
         let first = self.record.judgement();
         let all = first.with_later(later, cut_short.as_ref());
         self.judgement = all.failed(runaway.clone());
-        if self.drop.rotor().is_none() {
-            self.record.bearings[0].result.judge(self.judgement.clone());
-        }
     }
 
     /// A result, or the reason why there is none among the warnings.
@@ -240,12 +237,12 @@ impl DropStudy {
     }
 
     /// Names and records of the bearings, those with conventional outer rings last, each with its
-    /// case: `own` and `conventional` in the only bearing of a case, those below a linear rotor by
-    /// their numbers.
+    /// case: `own` and `conventional` of an only bearing, several by their numbers.
     pub fn columns(&self, own: &str, conventional: &str) -> Vec<(String, Case, &BearingRecord)> {
-        let named = |k: usize, alone: &str, note: &str| match self.drop.rotor() {
+        let count = self.record.bearings.len();
+        let named = |k: usize, alone: &str, note: &str| match bearing_number(k, count) {
             None => alone.to_owned(),
-            Some(_) => format!("bearing {}{note}", k + 1),
+            Some(number) => format!("bearing {number}{note}"),
         };
         let cases = || self.drop.cases().iter().enumerate();
         let bearings = cases().zip(&self.record.bearings);
@@ -271,7 +268,7 @@ fn scattered_warnings(drop: &RotorDrop, ensemble: &Ensemble) -> Vec<String> {
         let drops = ensemble.drops.iter();
         let drops = drops.map(|row| (row.drop, &row.bearings[k].result));
         let own = of_scattered(case, drops).into_iter();
-        own.map(|text| in_bearing(drop, k, &text))
+        own.map(|text| on_bearing(k, drop.cases().len(), &text))
             .collect::<Vec<_>>()
     };
     drop.cases()
@@ -279,14 +276,6 @@ fn scattered_warnings(drop: &RotorDrop, ensemble: &Ensemble) -> Vec<String> {
         .enumerate()
         .flat_map(of_bearing)
         .collect()
-}
-
-/// A text on a bearing, below a linear rotor with its number.
-fn in_bearing(drop: &RotorDrop, k: usize, text: &str) -> String {
-    match drop.rotor() {
-        None => text.to_owned(),
-        Some(_) => format!("bearing {}: {text}", k + 1),
-    }
 }
 
 /// Warnings of a linear rotor that rests in its bearings in another way than a drop has it.
@@ -336,7 +325,7 @@ fn unloaded(drop: &RotorDrop) -> Vec<String> {
                     .to_owned(),
             };
             let text = format!("{what}; its forces have no weight to be compared with");
-            in_bearing(drop, k, &text)
+            on_bearing(k, drop.cases().len(), &text)
         })
         .collect()
 }

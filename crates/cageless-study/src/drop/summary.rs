@@ -6,7 +6,7 @@ use cageless_io::results::{SCHEMA, VERSION};
 use cageless_results::{DropResult, Record, plane_records};
 use serde::Serialize;
 
-use super::{Bearings, DropBenefit, DropRecord, DropStudy, Ensemble};
+use super::{DropBenefit, DropRecord, DropStudy, Ensemble};
 
 impl DropStudy {
     /// `summary.json` of the study of the drop of `file`.
@@ -24,13 +24,22 @@ impl DropStudy {
                 defaults: file.defaults(),
                 result: &record.result,
             });
+        let outcome = self.record.rotor.as_ref();
+        let judgement = &self.judgement;
         let summary = Summary {
             schema: SCHEMA,
             version: VERSION,
             isa: records[0].outcome.instruction_set.name(),
-            rotor: self.rotor(file),
-            bearings: Bearings::new(&self.drop, bearings),
-            conventional: self.conventional.as_ref().map(OfBearings::results),
+            file: file.kind(),
+            title: file.title(),
+            rotor: self.rotor(),
+            verdict: judgement.name(),
+            passes: judgement.passes(),
+            headline: judgement.headline(),
+            reasons: judgement.reasons(),
+            clearances: outcome.map_or(vec![], |outcome| plane_records(&outcome.planes)),
+            bearings: bearings.collect(),
+            conventional: self.conventional.as_ref().map(Conventional::of),
             ensemble: self.ensemble.as_ref(),
             benefit: self.benefit.as_ref(),
             succession: &self.succession.records,
@@ -40,25 +49,19 @@ impl DropStudy {
         serde_json::to_string_pretty(&summary).map(|json| json + "\n")
     }
 
-    fn rotor<'a>(&'a self, file: &'a BearingArrangement) -> Option<Rotor<'a>> {
-        let rotor = self.drop.rotor()?;
-        let outcome = self.record.rotor.as_ref()?;
-        let judgement = &self.judgement;
-        Some(Rotor {
-            title: file.title(),
-            rotor: RotorNumbers {
-                mass_kg: rotor.mass_kg(),
-                polar_inertia_kg_m2: rotor.polar_inertia_kg_m2(),
-                coordinates: rotor.coordinates(),
-                mass_shares_kg: rotor.mass_shares_kg(),
-                energy_residual_relative: outcome.energy_residual_relative,
-            },
-            verdict: judgement.name(),
-            passes: judgement.passes(),
-            headline: judgement.headline(),
-            reasons: judgement.reasons(),
-            clearances: plane_records(&outcome.planes),
-        })
+    fn rotor(&self) -> Rotor {
+        let outcome = self.record.rotor.as_ref();
+        let linear = self.drop.rotor();
+        let of_case = self.drop.cases()[0].rotor.as_ref();
+        let of_case = |value: fn(&cageless::Rotor) -> f64| of_case.map_or(0.0, value);
+        let mass_kg = linear.map_or(of_case(|rotor| rotor.mass_kg), |rotor| rotor.mass_kg());
+        Rotor {
+            mass_kg,
+            polar_inertia_kg_m2: of_case(|rotor| rotor.polar_inertia_kg_m2),
+            coordinates: linear.map(|rotor| rotor.coordinates()),
+            mass_shares_kg: linear.map_or(vec![mass_kg], |rotor| rotor.mass_shares_kg()),
+            energy_residual_relative: outcome.map(|outcome| outcome.energy_residual_relative),
+        }
     }
 }
 
@@ -68,12 +71,18 @@ struct Summary<'a> {
     schema: u64,
     version: &'static str,
     isa: &'static str,
-    #[serde(flatten)]
-    rotor: Option<Rotor<'a>>,
-    #[serde(flatten)]
-    bearings: Bearings<Bearing<'a>>,
+    /// Kind of the file with the rotor.
+    file: &'static str,
+    title: &'a str,
+    rotor: Rotor,
+    verdict: &'static str,
+    passes: Option<bool>,
+    headline: String,
+    reasons: Vec<String>,
+    clearances: Vec<Record>,
+    bearings: Vec<Bearing<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    conventional: Option<OfBearings<'a>>,
+    conventional: Option<Conventional<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a Ensemble>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -85,26 +94,16 @@ struct Summary<'a> {
     warnings: &'a [String],
 }
 
-/// A linear rotor and the verdict on its drop.
+/// The numbers of a rotor.
 #[derive(Serialize)]
-struct Rotor<'a> {
-    title: &'a str,
-    rotor: RotorNumbers,
-    verdict: &'static str,
-    passes: Option<bool>,
-    headline: String,
-    reasons: Vec<String>,
-    clearances: Vec<Record>,
-}
-
-/// The numbers of a linear rotor.
-#[derive(Serialize)]
-struct RotorNumbers {
+struct Rotor {
     mass_kg: f64,
     polar_inertia_kg_m2: f64,
-    coordinates: usize,
+    /// Those of a linear rotor.
+    coordinates: Option<usize>,
     mass_shares_kg: Vec<f64>,
-    energy_residual_relative: f64,
+    /// That of a linear rotor alone; that of a case is in the balance of its bearing.
+    energy_residual_relative: Option<f64>,
 }
 
 /// One bearing: its case, below a linear rotor as one plane, what of it took its default, and its results.
@@ -116,19 +115,17 @@ struct Bearing<'a> {
     result: &'a DropResult,
 }
 
-/// Results of the bearings: those of the only one of a case, or a list.
+/// The same drop with conventional outer rings.
 #[derive(Serialize)]
-#[serde(untagged)]
-enum OfBearings<'a> {
-    Case(&'a DropResult),
-    Rotor(Vec<&'a DropResult>),
+struct Conventional<'a> {
+    bearings: Vec<&'a DropResult>,
 }
 
-impl<'a> OfBearings<'a> {
-    fn results(record: &'a DropRecord) -> Self {
-        match record.rotor {
-            None => Self::Case(&record.bearings[0].result),
-            Some(_) => Self::Rotor(record.bearings.iter().map(|b| &b.result).collect()),
+impl<'a> Conventional<'a> {
+    fn of(record: &'a DropRecord) -> Self {
+        let results = record.bearings.iter().map(|bearing| &bearing.result);
+        Self {
+            bearings: results.collect(),
         }
     }
 }

@@ -45,18 +45,24 @@ pub(super) fn verify(
         let drops: Vec<_> = std::iter::once(first).chain(others).collect();
         judged(case.solver.step_s, &drops)
     };
-    let Some(rotor) = &done.rotor else {
-        return Ok(of_bearing(0));
-    };
     let halved = replicas.iter().find(|(role, _)| role.half_step);
-    let halved = halved.and_then(|(_, run)| run.rotor.as_ref());
+    let of_rotor = Record::from(of_rotor(done, halved.map(|(_, run)| run)));
+    let bearings = (0..done.bearings.len()).map(of_bearing).collect();
+    Ok(of_rotor.with_part("bearings", Part::Many(bearings)))
+}
+
+/// Results of the rotor alone, of the drop and of one at half the step; the energy of the rotor of a
+/// case is in the balance of its bearing.
+fn of_rotor(done: &DropRecord, halved: Option<&DropRun>) -> Results {
+    let Some(rotor) = &done.rotor else {
+        return Results::default();
+    };
+    let halved = halved.and_then(|run| run.rotor.as_ref());
     let residuals = [
         rotor.energy_residual_relative,
         halved.map_or(f64::NAN, |rotor| rotor.energy_residual_relative),
     ];
-    let residuals = Results::of(ROTOR_VERIFICATION, Subject::RotorVerified(&residuals));
-    let bearings = (0..done.bearings.len()).map(of_bearing).collect();
-    Ok(Record::from(residuals).with_part("bearings", Part::Many(bearings)))
+    Results::of(ROTOR_VERIFICATION, Subject::RotorVerified(&residuals))
 }
 
 /// Judges the results of a bearing in the drop and in its replicas.

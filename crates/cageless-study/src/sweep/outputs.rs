@@ -11,8 +11,8 @@ use cageless_results::{Cell, DropRun, Kind, Quantity, SPACE, quantities};
 pub(crate) struct Output {
     /// The result.
     pub quantity: &'static Quantity,
-    /// The bearing that has it, from 0, of a rotor in several; `None` for the rotor as a whole,
-    /// and in the case of one bearing.
+    /// The bearing that has it, from 0, of a rotor in several; `None` for the drop as a whole, and of
+    /// an only bearing.
     bearing: Option<usize>,
 }
 
@@ -87,18 +87,19 @@ pub(crate) fn outputs(plan: &PlanFile, in_space: bool) -> Result<Vec<Output>, Ca
     Ok(computed.into_iter().filter(wanted).collect())
 }
 
-/// Every column that the base of a plan can have: those of the rotor as a whole, then those of each
-/// bearing.
+/// Every column that the base of a plan can have: those of the drop as a whole, then those of each of
+/// several bearings.
 fn all(plan: &PlanFile) -> impl Iterator<Item = Output> {
     let base = &plan.base_file;
-    let bearings = match base.case() {
-        Some(_) => 0,
-        None => base.cases().len(),
+    let bearings = match base.cases().len() {
+        1 => 0,
+        several => several,
     };
+    let of_rotor = base.rotor_file().is_some();
     let in_sweeps = || quantities().filter(|quantity| quantity.in_sweeps);
-    let whole = in_sweeps().filter(move |quantity| match bearings {
-        0 => quantity.is_of_bearing(),
-        _ => quantity.is_of_rotor(),
+    let whole = in_sweeps().filter(move |quantity| {
+        let of_only = bearings == 0 && quantity.is_of_bearing();
+        of_only || of_rotor && quantity.is_of_rotor()
     });
     let of_bearing = move |k: usize| {
         let own = in_sweeps().filter(|q| q.is_of_bearing());
