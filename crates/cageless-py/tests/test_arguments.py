@@ -124,7 +124,7 @@ def test_a_number_that_no_row_has_is_nan() -> None:
     found = frame([{"spin_up_ms": None, "end_state": "falling"}, {"spin_up_ms": None, "end_state": None}])
     assert found.spin_up_ms.dtype == float and found.spin_up_ms.isna().all()
     assert found.end_state[0] == "falling"
-    drop: Any = SimpleNamespace(kind="drop", values={"spin_up_ms": None})
+    drop: Any = SimpleNamespace(kind="drop", _known={"spin_up_ms": None})
     value = summary(drop).value["spin_up_ms"]
     assert isinstance(value, float) and np.isnan(value)
 

@@ -109,8 +109,9 @@ def test_what_is_saved_comes_back_equal(kind: str, tmp_path: Path) -> None:
     loaded = cageless.load(folder)
     assert_same(loaded, made)
     again = loaded.save(tmp_path / "again")
-    for path in again.iterdir():
-        assert path.read_bytes() == (folder / path.name).read_bytes(), path.name
+    there = contents(folder)
+    for name, found in contents(again).items():
+        assert found == there[name], name
     assert not [path for path in folder.iterdir() if path.name.startswith(".")]
 
 
@@ -329,9 +330,14 @@ def test_folders_that_are_no_result_are_refused(tmp_path: Path) -> None:
     with pytest.raises(cageless.InputError, match="static.json: cannot be read"):
         cageless.load(broken)
     (broken / "static.json").rename(broken / "summary.json")
-    (broken / "summary.json").write_text('{"bearings": 7, "stopped": {}}')
-    with pytest.raises(cageless.InputError, match="parquet"):
-        cageless.load(broken)
+    for text, why in [
+        ('{"bearings": 7, "stopped": {}}', "lacks `bearings`"),
+        ('{"case": {}, "impacts": 3}', "of an earlier version must be computed again"),
+        ('{"bearings": [7], "tables": {}}', "parquet"),
+    ]:
+        (broken / "summary.json").write_text(text)
+        with pytest.raises(cageless.InputError, match=why):
+            cageless.load(broken)
     text = result("drop").save(tmp_path / "other") / "summary.json"
     summary = {key: value for key, value in json.loads(text.read_text()).items() if key != "isa"}
     text.write_text(json.dumps(summary))

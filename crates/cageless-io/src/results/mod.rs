@@ -9,6 +9,8 @@
 //! | `collisions.parquet` | collision |
 //! | `summary.json` | (one document, `RunSummary` of `cageless-study`) |
 //!
+//! Tables of a drop are in a folder for each bearing, `bearing-1` and so on.
+//!
 //! Balls count from 1. The footer of each table has `schema`, `version`, `isa`
 //! (instruction set), `case` (JSON, as run), for each column `unit:<column>`, and `file_crc32`, the
 //! CRC-32 of the whole file with these eight digits as zeros.
@@ -52,7 +54,7 @@ pub const SCHEMA: u64 = 1;
 /// Numbers of a run or drop, the file that speaks for its tables.
 pub const SUMMARY: &str = "summary.json";
 
-/// The rotor file of a drop in several bearings, which repeats it.
+/// The rotor file of a drop of one, which repeats it.
 pub const ROTOR: &str = "rotor.toml";
 
 /// Files that say something about the tables beside them.

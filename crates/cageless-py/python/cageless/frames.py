@@ -102,6 +102,8 @@ def generic(name: str, value: Any) -> Callable[[], pd.DataFrame] | None:
     if all(isinstance(each, dict) for each in inner):
         rows = [{"name": key} | row for key, row in value.items()]
         return partial(frame, rows, "name")
+    if any(isinstance(item, dict) for each in inner if isinstance(each, list) for item in each):
+        return None
     lengths = {len(each) if isinstance(each, list) else -1 for each in inner}
     return partial(columns, value) if len(lengths) == 1 and -1 not in lengths else None
 

@@ -377,7 +377,7 @@ def load(path: str | os.PathLike[str]) -> Any:
     bearings = values.get("bearings")
     count = len(bearings) if isinstance(bearings, list) else 0
     if kind == "drop" and not count:
-        why = "it lacks `bearings`: it is of an earlier version, and must be computed again"
+        why = "it lacks `bearings`: a drop of an earlier version must be computed again"
         raise InputError(f"{path / name}: cannot be read: {why}")
     tables: list[Any] = []
     if kind in ("run", "drop"):
