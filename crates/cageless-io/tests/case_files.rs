@@ -684,3 +684,27 @@ fn defaults_of_files_are_those_of_the_library() {
     ];
     assert!((shoulders[0] - shoulders[1]).abs() < 1e-9, "{shoulders:?}");
 }
+
+/// The summary of a drop is the case of its only bearing; of a rotor file it has no rotor to drop again.
+#[test]
+fn a_summary_of_a_drop_is_the_case_that_was_dropped() {
+    let file = CaseFile::parse(&template(false), "case.toml", &[]).unwrap();
+    let case = serde_json::to_string(&file.document_as_run()).unwrap();
+    let read = |kind: &str| {
+        let bearing =
+            format!("{{\"case\": {case}, \"defaults\": [\"contact.inner_stiffness_n_m1_5\"]}}");
+        let summary = format!("{{\"file\": \"{kind}\", \"bearings\": [{bearing}]}}");
+        CaseFile::parse(&summary, "summary.json", &[])
+    };
+    let of_case = read("case").unwrap();
+    assert_eq!(of_case.case().bearing, file.case().bearing);
+    // Derived, so it is derived again.
+    let stiffness = |end: &str| format!("contact.{end}_stiffness_n_m1_5");
+    let given = |end: &str| of_case.document().number(&stiffness(end));
+    assert!(given("inner").is_none() && given("outer").is_some());
+    let refused = read("rotor").unwrap_err().to_string();
+    assert!(
+        refused.contains("rotor.toml of the same folder"),
+        "{refused}"
+    );
+}
