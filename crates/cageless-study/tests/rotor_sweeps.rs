@@ -160,6 +160,36 @@ fn every_result_of_a_drop_has_columns() {
     assert!(of_case.column("drop_bearing_1_impacts").is_none());
 }
 
+/// Columns of a rotor in one bearing are those of a case, with those of the rotor; numbers are for several.
+#[test]
+fn an_only_bearing_has_the_columns_of_a_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = ROTOR.replace("rotors/two-bearings", "touchdown-d");
+    let rotor = folder.path().join("rotor.toml");
+    let text = format!(
+        "[rotor]\nmass_kg = 20.0\npolar_inertia_kg_m2 = 0.02\ntransverse_inertia_kg_m2 = 0.3\n\
+         speed_rpm = 30000.0\n[[bearing]]\ncase = {case:?}\naxial_mm = 0.0\n"
+    );
+    std::fs::write(&rotor, text).unwrap();
+    let names = |file: &str| -> Vec<String> {
+        let plan = format!("case = {file:?}\ncompute = [\"drop\"]\n");
+        let sweep = Sweep::new(PlanFile::parse(&plan, "", Path::new("")).unwrap()).unwrap();
+        let columns = sweep.columns().iter().map(|c| c.name.to_string());
+        columns.filter(|name| name.starts_with("drop_")).collect()
+    };
+    let of_case = names(&case);
+    let mut of_rotor = names(rotor.to_str().unwrap());
+    let own = [
+        "drop_rotor_energy_residual_relative",
+        "drop_plane_margin_min_um",
+    ];
+    for name in own {
+        assert!(of_rotor.contains(&name.to_owned()), "{name}");
+    }
+    of_rotor.retain(|name| !own.contains(&name.as_str()));
+    assert_eq!(of_rotor, of_case);
+}
+
 /// Rows in the table of a result.
 fn job(result: PathBuf, shard: Option<Shard>) -> Job {
     let threads = std::num::NonZeroUsize::new(1);
