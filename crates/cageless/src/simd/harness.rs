@@ -3,6 +3,7 @@
 
 use super::creep;
 use super::film;
+use super::film_block::FilmBlock;
 use super::flanks;
 use super::friction::{both_raceways, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
@@ -16,9 +17,12 @@ use super::sums::{Addends, Sum, Sums};
 use super::traction;
 use super::workspace::{BlockResults, Workspace};
 use crate::ball::{BallLanes, BallLoad, Centre};
-use crate::contact::{inner_contact, inner_load, outer_contact, outer_load, slope_force};
+use crate::contact::{
+    CreepLanes, inner_contact, inner_load, outer_contact, outer_load, slope_force,
+};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
+use crate::film::TractionCurveLanes;
 use crate::numerics::lanes::{LANES, Lanes};
 
 /// Writes the right-hand side into `dydt`; without friction at the raceways if a method treats
@@ -33,13 +37,65 @@ pub(crate) fn evaluate(
 ) {
     assert!(y.len() == p.layout.len() && dydt.len() == y.len());
     assert!(w.blocks.len() * LANES == p.layout.stride);
-    let (alone, under_rotor) = (p.layout.width() == 1, !p.drops.is_empty());
     w.ring = CentreLanes::inner_ring(p.layout, y);
-    if under_rotor {
+    if !p.drops.is_empty() {
         w.outer_ring = CentreLanes::outer_ring(p.layout, y);
     }
+    w.sums.clear(p.layout.width() == 1);
+    let rolling = Rolling::of(p);
+    // Written out twice, so that the loop of dry contacts has no code of others in it.
+    match rolling.is_dry() {
+        true => loads_of_blocks(p, w, y, raceway_friction, Rolling::DRY),
+        false => loads_of_blocks(p, w, y, raceway_friction, rolling),
+    }
+    w.slips_known &= !raceway_friction;
+    ball_contacts(p, w, y);
+    accelerations(p, w, y, dydt);
+    set_rates_of_bodies(p, w, y, dydt, raceway_friction);
+}
+
+/// What rolling contacts have beside dry friction at a given regularisation speed.
+#[derive(Clone, Copy)]
+struct Rolling<'p> {
+    creep: Option<&'p CreepLanes>,
+    tractions: Option<&'p [TractionCurveLanes; 2]>,
+    film: Option<&'p FilmBlock>,
+}
+
+impl<'p> Rolling<'p> {
+    const DRY: Self = Self {
+        creep: None,
+        tractions: None,
+        film: None,
+    };
+
+    /// That of these bearings.
+    #[inline(always)]
+    fn of(p: &'p Parameters) -> Self {
+        Self {
+            creep: p.creep.as_ref(),
+            tractions: p.tractions(),
+            film: p.film.as_ref(),
+        }
+    }
+
+    #[inline(always)]
+    fn is_dry(&self) -> bool {
+        self.creep.is_none() && self.film.is_none()
+    }
+}
+
+/// Contacts of the balls of all blocks with both raceways, their loads and sums.
+#[inline(always)]
+fn loads_of_blocks(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+    raceway_friction: bool,
+    rolling: Rolling<'_>,
+) {
+    let (alone, under_rotor) = (p.layout.width() == 1, !p.drops.is_empty());
     let (ring, outer_ring) = (&w.ring, &w.outer_ring);
-    w.sums.clear(alone);
     let mut slip_max = Lanes::ZERO;
     for (block, results) in w.blocks.iter_mut().enumerate() {
         // Or the constants of all lanes are read before the loop, only to be put on the stack.
@@ -47,7 +103,14 @@ pub(crate) fn evaluate(
         let motions = Motions::new(p.layout, y, block);
         let balls = p.balls(block);
         plain_positions(balls, results, motions, outer_ring);
-        contacts_of_block(p, balls, results, motions, ring, raceway_friction);
+        contacts_of_block(
+            (p, rolling),
+            balls,
+            results,
+            motions,
+            ring,
+            raceway_friction,
+        );
         outer_loads(p, balls, results, &mut w.addends, motions);
         if p.unequal {
             slope_forces(results);
@@ -60,7 +123,7 @@ pub(crate) fn evaluate(
             w.sums.add(&Sum::OUTER_RING, &w.addends, alone, block);
         }
         inner_loads(p, balls, results, &mut w.addends);
-        if let Some(films) = &p.film {
+        if let Some(films) = rolling.film {
             film::add((p, films), balls, results, motions, &mut w.addends);
             if let Some(factors) = &films.hysteresis {
                 hysteresis::add((p, factors), balls, results, motions, &mut w.addends);
@@ -78,16 +141,12 @@ pub(crate) fn evaluate(
         }
     }
     w.slip_max = slip_max;
-    w.slips_known &= !raceway_friction;
-    ball_contacts(p, w, y);
-    accelerations(p, w, y, dydt);
-    set_rates_of_bodies(p, w, y, dydt, raceway_friction);
 }
 
 /// Contacts of the balls of a block with both raceways, and their friction unless a method treats it implicitly.
 #[inline(always)]
 fn contacts_of_block(
-    p: &Parameters,
+    (p, rolling): (&Parameters, Rolling<'_>),
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
@@ -101,10 +160,10 @@ fn contacts_of_block(
         raceway_geometry(p, balls, raceway, results);
     }
     raceway_contacts(p, balls, results, motions, ring);
-    if let Some(constants) = &p.creep {
+    if let Some(constants) = rolling.creep {
         creep::set_knees((p, constants), balls, results, motions);
     }
-    if let Some(curves) = p.tractions() {
+    if let Some(curves) = rolling.tractions {
         traction::set(p, curves, balls, results, motions);
     }
     if raceway_friction {
