@@ -300,7 +300,7 @@ class Film(Section):
     density_kg_m3: Annotated[float | None, "density of the oil, for the kinematic viscosity of [lubrication]; that of the oil unless given, 860 with viscosities"] = None
     roughness_um: Annotated[float | None, "Rq, composite roughness of ball and raceway, for Λ"] = None
     hysteresis: Annotated[Literal["no", "yes"] | None, "whether the hysteresis of the steel resists rolling as well; its heat is part of rolling_resistance"] = None
-    traction: Annotated[Literal["law", "film"] | None, "friction at the raceways, in the plane; \"law\": that of [contact]; \"film\": the film is sheared, and asperities have the smooth law of [contact] for the share of the load that they carry, for which contact.friction_coefficient = 0.11 is measured"] = None
+    traction: Annotated[Literal["law", "film"] | None, "friction at the raceways; \"law\": that of [contact]; \"film\": the film is sheared, and asperities have the smooth law of [contact] for the share of the load that they carry, for which contact.friction_coefficient = 0.11 is measured"] = None
     traction_coefficient: Annotated[float | None, "limit of the friction of a sheared film over its load, with traction = \"film\"; 0.03 to 0.05 of mineral oils, 0.05 unless given"] = None
 
 

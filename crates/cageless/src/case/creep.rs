@@ -13,8 +13,9 @@ impl Case {
         let materials = self.bearing.materials();
         let angle = self.bearing.contact_angle_rad();
         let [inner, outer] = self.bearing.contacts_at([angle; 2]);
-        [outer, inner]
-            .map(|contact| creep_stiffness_n1_3(&contact, [&materials.ball, &materials.ring]))
+        [outer, inner].map(|contact| {
+            creep_stiffness_n1_3(contact.semi_axes_m(1.0), [&materials.ball, &materials.ring])
+        })
     }
 
     /// Creep of the contacts with the raceways; `None` if the regularisation speed is given.

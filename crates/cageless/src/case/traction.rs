@@ -30,9 +30,6 @@ impl Case {
         };
         let law = self.contact.friction_law;
         let why = match () {
-            () if self.moves_in_space() => {
-                "traction of a film is computed in the plane only".to_owned()
-            }
             () if self.rotor.is_some() => {
                 "traction of a film under a falling rotor is not computed".to_owned()
             }

@@ -10,7 +10,6 @@
 
 use std::f64::consts::PI;
 
-use crate::contact::hertz::PointContact;
 use crate::material::Material;
 use crate::numerics::inverse_root::inverse_cube_root;
 use crate::numerics::lanes::lane_struct;
@@ -68,9 +67,9 @@ pub(crate) fn creep_coefficient(axis_ratio: f64, poisson_ratio: f64) -> f64 {
     from + (to - from) * (place - k as f64)
 }
 
-/// G ca cb C11 of a contact of two bodies, N^(1/3): the slope of friction over ΔV is this N^(2/3)/V. Of unequal
-/// materials 1/G and ν/G are means.
-pub(crate) fn creep_stiffness_n1_3(contact: &PointContact, materials: [&Material; 2]) -> f64 {
+/// G ca cb C11 of a contact of two bodies with these semi-axes along rolling and across under 1 N, N^(1/3): the slope of
+/// friction over ΔV is this N^(2/3)/V. Of unequal materials 1/G and ν/G are means.
+pub(crate) fn creep_stiffness_n1_3([along, across]: [f64; 2], materials: [&Material; 2]) -> f64 {
     let compliances = materials.map(|m| 2.0 * (1.0 + m.poisson_ratio) / m.youngs_modulus_pa);
     let compliance = 0.5 * (compliances[0] + compliances[1]);
     let contraction = [0, 1]
@@ -78,7 +77,6 @@ pub(crate) fn creep_stiffness_n1_3(contact: &PointContact, materials: [&Material
         .iter()
         .sum::<f64>()
         * 0.5;
-    let [along, across] = contact.semi_axes_m(1.0);
     along * across * creep_coefficient(along / across, contraction / compliance) / compliance
 }
 

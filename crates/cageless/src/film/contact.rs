@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::bearing::Bearing;
+use crate::contact::creep::creep_stiffness_n1_3;
 use crate::contact::hertz::{PointContact, modulus_of_pair_pa};
 use crate::material::Material;
 use crate::numerics::elliptic;
@@ -52,7 +53,7 @@ impl LubricatedContact {
 
     /// Nominal ball at the inner raceway where its ring curves along rolling by this, 1/m: cos α over the distance of
     /// the contact from the axis.
-    pub(super) fn inner_curved(bearing: &Bearing, curvature: f64) -> Self {
+    pub(crate) fn inner_curved(bearing: &Bearing, curvature: f64) -> Self {
         let groove_m = bearing.dimensions().inner_groove_curvature_radius_m;
         Self::of_ring(bearing, [curvature, -1.0 / groove_m])
     }
@@ -66,13 +67,13 @@ impl LubricatedContact {
 
     /// Nominal ball at the outer raceway where its ring curves along rolling by minus this, 1/m: cos α over the distance
     /// of the contact from the axis.
-    pub(super) fn outer_curved(bearing: &Bearing, curvature: f64) -> Self {
+    pub(crate) fn outer_curved(bearing: &Bearing, curvature: f64) -> Self {
         let groove_m = bearing.dimensions().outer_groove_curvature_radius_m;
         Self::of_ring(bearing, [-curvature, -1.0 / groove_m])
     }
 
     /// Nominal ball at a ring with these curvatures along rolling and across, 1/m.
-    pub(super) fn of_ring(bearing: &Bearing, ring: [f64; 2]) -> Self {
+    pub(crate) fn of_ring(bearing: &Bearing, ring: [f64; 2]) -> Self {
         let materials = bearing.materials();
         let ball = [1.0 / bearing.ball_radius_m(); 2];
         Self::between(ball, ring, [&materials.ball, &materials.ring])
@@ -81,6 +82,19 @@ impl LubricatedContact {
     /// a, semi-axis across under a load, m.
     pub(crate) fn cross_axis_m(&self, load_n: f64) -> f64 {
         self.cross_axis_m_n1_3 * load_n.max(0.0).cbrt()
+    }
+
+    /// A = πab, area of the ellipse over Q^(2/3), m²/N^(2/3).
+    pub(super) fn area_m2_n2_3(&self) -> f64 {
+        PI * self.cross_axis_m_n1_3.powi(2) * self.axis_ratio
+    }
+
+    /// G ca cb C11 of this contact of a ball and a ring, N^(1/3).
+    pub(super) fn creep_stiffness_n1_3(&self, bearing: &Bearing) -> f64 {
+        let materials = bearing.materials();
+        let across = self.cross_axis_m_n1_3;
+        let axes = [self.axis_ratio * across, across];
+        creep_stiffness_n1_3(axes, [&materials.ball, &materials.ring])
     }
 
     /// W = Q/(E′ R_x²).

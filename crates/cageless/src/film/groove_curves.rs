@@ -1,10 +1,11 @@
 //! Rolling force of the contacts with grooves that a ball touches under any angle.
 
-use super::Film;
 use super::contact::LubricatedContact;
 use super::curve::RollingCurve;
 use super::curve_polynomial::CurvePolynomial;
+use super::groove_traction::{ContactRange, GrooveFilms};
 use super::hysteresis::Hysteresis;
+use super::{Film, Traction};
 use crate::bearing::Bearing;
 use crate::raceway::{Raceway, Slot};
 
@@ -25,6 +26,8 @@ pub(crate) struct GrooveCurves {
     pub edges: Vec<Option<CurvePolynomial>>,
     /// Hysteresis of the steel, where it counts.
     pub hysteresis: Option<Hysteresis>,
+    /// Friction at the outer and the inner raceway, where it is that of the film.
+    pub traction: Option<[GrooveFilms; 2]>,
 }
 
 impl GrooveCurves {
@@ -57,8 +60,47 @@ impl GrooveCurves {
                 d.inner_groove_bottom_radius_m,
             ),
             hysteresis: film.hysteresis.then(|| Hysteresis::new(bearing)),
+            traction: (film.traction == Traction::Film).then(|| traction(bearing, film, raceways)),
         }
     }
+}
+
+/// Friction of the films at the outer and the inner raceway.
+fn traction(bearing: &Bearing, film: &Film, raceways: &[Raceway]) -> [GrooveFilms; 2] {
+    let d = bearing.dimensions();
+    let of_groove = |at: &dyn Fn(f64) -> LubricatedContact,
+                     radius_m: f64,
+                     edges: &[Option<ContactRange<'_>>]| {
+        let groove = ContactRange {
+            at,
+            range: [0.0, MARGIN / radius_m],
+            degree: DEGREE,
+        };
+        GrooveFilms::new((bearing, film), &groove, edges)
+    };
+    let at_edges: Vec<_> = (raceways.iter())
+        .map(|raceway| {
+            let slot = raceway.slot()?;
+            Some(move |merged: f64| {
+                LubricatedContact::of_ring(bearing, slot.merged_curvatures_per_m(merged))
+            })
+        })
+        .collect();
+    let edges: Vec<_> = (at_edges.iter())
+        .map(|at| {
+            at.as_ref().map(|at| ContactRange {
+                at,
+                range: [0.0, 1.0],
+                degree: EDGE_DEGREE,
+            })
+        })
+        .collect();
+    let outer = |curvature: f64| LubricatedContact::outer_curved(bearing, curvature);
+    let inner = |curvature: f64| LubricatedContact::inner_curved(bearing, curvature);
+    [
+        of_groove(&outer, d.outer_groove_bottom_radius_m, &edges),
+        of_groove(&inner, d.inner_groove_bottom_radius_m, &[]),
+    ]
 }
 
 #[cfg(test)]

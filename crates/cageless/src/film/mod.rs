@@ -15,6 +15,7 @@ mod curve;
 mod curve_polynomial;
 mod free_arc;
 mod groove_curves;
+mod groove_traction;
 pub(crate) mod hysteresis;
 mod motion;
 mod oil;
@@ -39,6 +40,7 @@ pub use free_arc::FreeArc;
 #[cfg(test)]
 pub(crate) use free_arc::FreeBall;
 pub(crate) use groove_curves::GrooveCurves;
+pub(crate) use groove_traction::GrooveFilms;
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C};
 pub use range::RangeExceeded;

@@ -9,7 +9,7 @@ use super::rolling_ball::{RollingBall, RollingFlank};
 use super::rolling_force::Rolling;
 use super::spacing::{MAY_QUEUE, QUEUE, free_share, opening_gap_rad};
 use super::thickness::{FilmThickness, asperity_share};
-use super::traction_at_rest::mixed_friction_coefficient;
+use super::traction_at_rest::{BallContacts, mixed_friction_coefficient};
 use super::unreached_arc::unreached_arc_rad;
 use crate::case::Case;
 use crate::equilibrium::space::{SpatialEquilibrium, slot};
@@ -87,28 +87,22 @@ impl FilmAtRest {
         let bearing = &case.bearing;
         let balls = (0..settled.row.len()).map(|ball| RollingBall::new(case, settled, ball));
         let balls: Vec<RollingBall> = balls.collect();
-        let inner: Vec<ContactFilm> = (balls.iter())
-            .map(|ball| {
-                let contact = LubricatedContact::inner_curved(bearing, ball.inner_curvature);
-                ContactFilm::new(film, &contact, ball.inner)
-            })
-            .collect();
-        let of_flank = |flank: RollingFlank, angle_rad: f64| {
-            let contact = match slot(case, angle_rad) {
-                Some((slot, local_rad)) => {
-                    LubricatedContact::of_ring(bearing, slot.curvatures_at_per_m(local_rad))
-                }
-                None => LubricatedContact::outer(bearing, flank.cosine),
-            };
-            ContactFilm::new(film, &contact, flank.rolling)
-        };
         let places = balls.iter().zip(&settled.rest.ball_angle_rad);
-        let outer: Vec<[ContactFilm; 2]> = places
-            .map(|(ball, angle_rad)| ball.outer.map(|flank| of_flank(flank, *angle_rad)))
+        let contacts: Vec<BallContacts> = places
+            .map(|(ball, angle_rad)| contacts(case, ball, *angle_rad))
+            .collect();
+        let of_balls = || balls.iter().zip(&contacts);
+        let inner: Vec<ContactFilm> = of_balls()
+            .map(|(ball, of)| ContactFilm::new(film, &of.inner, ball.inner))
+            .collect();
+        let outer: Vec<[ContactFilm; 2]> = of_balls()
+            .map(|(ball, of)| {
+                [0, 1].map(|k| ContactFilm::new(film, &of.outer[k], ball.outer[k].rolling))
+            })
             .collect();
         let all = inner.iter().chain(outer.iter().flatten());
         let power_w = all.map(ContactFilm::power_w).sum();
-        let mixed_friction_coefficient = mixed_friction_coefficient(case, &balls);
+        let mixed_friction_coefficient = mixed_friction_coefficient(case, &balls, &contacts);
         let friction = mixed_friction_coefficient.unwrap_or(case.contact.friction.coefficient);
         let overcome_balls = overcome_balls(&balls, &inner, &outer, friction);
         let free_arc_rad = unreached_arc_rad(case, settled);
@@ -228,6 +222,21 @@ impl FilmAtRest {
     /// Speed deficit from which balls queue as a rule.
     pub fn queue_deficit(&self) -> f64 {
         QUEUE * self.free_share
+    }
+}
+
+/// Contacts of a ball at an angle; at the edges of a slot those with the edges.
+fn contacts(case: &Case, ball: &RollingBall, angle_rad: f64) -> BallContacts {
+    let bearing = &case.bearing;
+    let of_flank = |flank: RollingFlank| match slot(case, angle_rad) {
+        Some((slot, local_rad)) => {
+            LubricatedContact::of_ring(bearing, slot.curvatures_at_per_m(local_rad))
+        }
+        None => LubricatedContact::outer(bearing, flank.cosine),
+    };
+    BallContacts {
+        inner: LubricatedContact::inner_curved(bearing, ball.inner_curvature),
+        outer: ball.outer.map(of_flank),
     }
 }
 

@@ -7,8 +7,6 @@
 //!
 //! and so shear at ΔV₀ = A τ/g = τ h/η̄ + πτ V/(G C11). Asperities carry φ = exp(−2.1 (h/R_q)^0.85).
 
-use std::f64::consts::PI;
-
 use super::Film;
 use super::contact::LubricatedContact;
 use super::rolling_force::Rolling;
@@ -56,6 +54,19 @@ lane_struct! {
     }
 }
 
+/// Contact of a ball with a ring of another curvature, against the contact that a [`TractionCurve`] is of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ContactShape {
+    /// ln of the ratio of the films.
+    pub thickening: f64,
+    /// Ratio of the areas of Hertz.
+    pub area: f64,
+    /// Its inverse.
+    pub inverse_area: f64,
+    /// Ratio of 1/C11.
+    pub creep: f64,
+}
+
 /// Contact of a film with asperities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TractionContact {
@@ -77,10 +88,7 @@ impl TractionCurve {
         };
         let thickness_m = |contact: &LubricatedContact| contact.film_thickness(oil, one).central_m;
         let h = thickness_m(&of.contact);
-        let area_of = |contact: &LubricatedContact| {
-            PI * contact.cross_axis_m(1.0).powi(2) * contact.axis_ratio
-        };
-        let area = area_of(&of.contact);
+        let area = of.contact.area_m2_n2_3();
         let over_angle = |value: &dyn Fn(&LubricatedContact) -> f64| {
             let flank = of.flank.as_ref();
             flank.map_or(0.0, |(contact, raised)| {
@@ -98,7 +106,7 @@ impl TractionCurve {
             fluidity: (STRESS_PA * h / oil.viscosity_pa_s).ln(),
             asperity: ASPERITY_FACTOR.ln() + ASPERITY_EXPONENT * (h / film.roughness_m).ln(),
             flank: over_angle(&thickness_m),
-            widening: over_angle(&area_of),
+            widening: over_angle(&LubricatedContact::area_m2_n2_3),
             pressure: ROELANDS[1] / area,
             exponent: oil.pressure_viscosity_1_pa / (ROELANDS[1] * stiffening),
             stiffening,
@@ -109,23 +117,40 @@ impl TractionCurve {
     /// Film of a contact under a load, whose u² + u₀² is `speed_square`, on a flank of the 1 − cos α `raised`.
     #[inline(always)]
     pub(crate) fn at(&self, load_n: f64, speed_square: f64, raised: f64) -> FilmTraction {
-        let load = load_n + LEAST_LOAD_N;
-        let root = inverse_cube_root(load);
         // Linear, for areas differ by less than a hundredth.
         let wider = self.widening * raised;
-        let grown = 1.0 + self.pressure * (1.0 - wider) * (load * root * root);
+        let shape = ContactShape {
+            thickening: self.flank * raised,
+            area: 1.0 + wider,
+            inverse_area: 1.0 - wider,
+            creep: 1.0,
+        };
+        self.of_shape(load_n, speed_square, &shape)
+    }
+
+    /// Film of a contact of another shape under a load, whose u² + u₀² is `speed_square`.
+    #[inline(always)]
+    pub(crate) fn of_shape(
+        &self,
+        load_n: f64,
+        speed_square: f64,
+        shape: &ContactShape,
+    ) -> FilmTraction {
+        let load = load_n + LEAST_LOAD_N;
+        let root = inverse_cube_root(load);
+        let grown = 1.0 + self.pressure * shape.inverse_area * (load * root * root);
         let thicker = self.stiffening * (exponential(self.exponent * logarithm(grown)) - 1.0);
         let square = speed_square * speed_square;
         let film = THICKNESS_EXPONENT * logarithm(square * square * speed_square / load)
-            + self.flank * raised;
+            + shape.thickening;
         let viscous = exponential((self.fluidity + film - thicker).max(LEAST));
         let bearing = exponential(self.asperity + ASPERITY_EXPONENT * film);
         let asperity_share = exponential((-bearing).max(LEAST));
         FilmTraction {
             asperity_share,
             limit: (1.0 - asperity_share) * self.limit * load_n,
-            stress_ratio: self.stress * (1.0 + wider) * root,
-            inverse_speed: 1.0 / (viscous + self.creep * speed_square.sqrt()),
+            stress_ratio: self.stress * shape.area * root,
+            inverse_speed: 1.0 / (viscous + self.creep * shape.creep * speed_square.sqrt()),
         }
     }
 
@@ -147,6 +172,8 @@ pub(crate) struct TractionModel {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::super::Oil;
     use super::*;
     use crate::film::thickness::asperity_share;

@@ -1,60 +1,85 @@
 //! Friction of the films of a bearing in static equilibrium.
 
-use super::motion::RollingModel;
+use super::Film;
+use super::contact::LubricatedContact;
+use super::groove_traction::curve;
 use super::rolling_ball::RollingBall;
 use super::rolling_force::Rolling;
-use super::traction::TractionCurve;
 use crate::case::Case;
 use crate::contact::Law;
-use crate::contact::creep::{inverse_speed_s_m, rolling_speed_m_s};
+use crate::contact::creep::{Creep, inverse_speed_s_m, rolling_speed_m_s};
 use crate::contact::friction::{LawConstants, Smooth};
 
 /// Sliding over rolling at which the friction is stated.
 const SLIDING: f64 = 0.01;
 
+/// Contacts of a ball.
+pub(super) struct BallContacts {
+    /// With the inner raceway.
+    pub inner: LubricatedContact,
+    /// With the flanks of the outer one.
+    pub outer: [LubricatedContact; 2],
+}
+
 /// Friction over load of all contacts under load together, were they to slide at a hundredth of the speed at which
 /// they roll; `None` unless the film is their friction.
-pub(super) fn mixed_friction_coefficient(case: &Case, balls: &[RollingBall]) -> Option<f64> {
-    let model = RollingModel::new(case)?.traction?;
-    let creep = case.creep();
-    let outer = Place {
-        case,
-        curve: &model.outer,
-        factor: case.contact.outer_friction_factor,
-        creep: creep.map(|creep| creep.outer),
-    };
-    let inner = Place {
-        curve: &model.inner,
-        factor: 1.0,
-        creep: creep.map(|creep| creep.inner),
-        ..outer
-    };
+pub(super) fn mixed_friction_coefficient(
+    case: &Case,
+    balls: &[RollingBall],
+    contacts: &[BallContacts],
+) -> Option<f64> {
+    let friction = MixedFriction::new(case)?;
     let [mut friction_n, mut load_n] = [0.0; 2];
-    for ball in balls {
-        for flank in &ball.outer {
-            friction_n += outer.friction_n(flank.rolling, 1.0 - flank.cosine);
+    for (ball, contacts) in balls.iter().zip(contacts) {
+        for (flank, contact) in ball.outer.iter().zip(&contacts.outer) {
+            friction_n += friction.outer_n(contact, flank.rolling);
             load_n += flank.rolling.load_n;
         }
-        friction_n += inner.friction_n(ball.inner, 0.0);
+        friction_n += friction.inner_n(&contacts.inner, ball.inner);
         load_n += ball.inner.load_n;
     }
     Some(friction_n / load_n)
 }
 
-/// Contacts of the balls with one raceway.
-#[derive(Clone, Copy)]
-struct Place<'a> {
+/// Friction of single contacts of a case, each sliding at a hundredth of the speed at which it rolls.
+pub(crate) struct MixedFriction<'a> {
     case: &'a Case,
-    curve: &'a TractionCurve,
-    /// Friction of asperities over that of the law.
-    factor: f64,
-    /// See [`crate::contact::creep::Creep`].
-    creep: Option<f64>,
+    film: &'a Film,
+    creep: Option<Creep>,
 }
 
-impl Place<'_> {
-    /// Friction of one contact at [`SLIDING`], N.
-    fn friction_n(&self, rolling: Rolling, raised: f64) -> f64 {
+impl<'a> MixedFriction<'a> {
+    /// That of a case; `None` unless the film is its friction.
+    pub(crate) fn new(case: &'a Case) -> Option<Self> {
+        Some(Self {
+            case,
+            film: case.film.as_ref().filter(|_| case.mixes_friction())?,
+            creep: case.creep(),
+        })
+    }
+
+    /// Friction of a contact with the outer raceway, N.
+    pub(crate) fn outer_n(&self, contact: &LubricatedContact, rolling: Rolling) -> f64 {
+        let factor = self.case.contact.outer_friction_factor;
+        self.friction_n(
+            contact,
+            rolling,
+            (factor, self.creep.map(|creep| creep.outer)),
+        )
+    }
+
+    /// Friction of a contact with the inner raceway, N.
+    pub(crate) fn inner_n(&self, contact: &LubricatedContact, rolling: Rolling) -> f64 {
+        self.friction_n(contact, rolling, (1.0, self.creep.map(|creep| creep.inner)))
+    }
+
+    /// Friction where that of asperities is so many times that of the law.
+    fn friction_n(
+        &self,
+        contact: &LubricatedContact,
+        rolling: Rolling,
+        (factor, creep): (f64, Option<f64>),
+    ) -> f64 {
         let Rolling { load_n, speed_m_s } = rolling;
         if !(load_n > 0.0) {
             return 0.0;
@@ -62,10 +87,11 @@ impl Place<'_> {
         let law = Smooth::new(&self.case.contact.friction, 0.0);
         let given = law.inverse_regularisation_speed();
         let of_creep = |creep| inverse_speed_s_m(creep, load_n, speed_m_s, 1.0);
-        let (knee, slip_m_s) = (self.creep.map_or(given, of_creep), SLIDING * speed_m_s);
-        let dry = law.force_with_knee(slip_m_s, self.factor * load_n, knee);
+        let (knee, slip_m_s) = (creep.map_or(given, of_creep), SLIDING * speed_m_s);
+        let dry = law.force_with_knee(slip_m_s, factor * load_n, knee);
         let square = rolling_speed_m_s(speed_m_s).powi(2);
-        let [friction_n, _] = self.curve.at(load_n, square, raised).mixed(dry, slip_m_s);
+        let traction = curve(&self.case.bearing, self.film, *contact);
+        let [friction_n, _] = traction.at(load_n, square, 0.0).mixed(dry, slip_m_s);
         friction_n
     }
 }

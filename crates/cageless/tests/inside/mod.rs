@@ -15,6 +15,7 @@ mod film;
 mod film_motion;
 mod film_space;
 mod film_traction;
+mod film_traction_space;
 mod film_verdict;
 mod fit_by_tolerance;
 mod free_rotor;

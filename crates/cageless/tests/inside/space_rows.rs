@@ -20,7 +20,7 @@ const FREE: Tilt = Tilt::Free {
 };
 
 /// Structure (d) with this free contact angle, its section turned or not.
-fn angular_contact(angle_deg: f64, section_deg: f64) -> Case {
+pub(super) fn angular_contact(angle_deg: f64, section_deg: f64) -> Case {
     let mut case = structure(5.1, 25.2);
     let angle = angle_deg.to_radians();
     case.bearing = case.bearing.with_contact_angle(angle, 0.0).unwrap();
@@ -36,7 +36,7 @@ fn angular_contact(angle_deg: f64, section_deg: f64) -> Case {
 }
 
 /// Two rows, back to back (1) or face to face (−1).
-fn pair(case: &Case, sign: f64, preload_m: f64) -> Case {
+pub(super) fn pair(case: &Case, sign: f64, preload_m: f64) -> Case {
     let row = |axial_position_m: f64, contact_sign: f64| Row {
         axial_position_m,
         contact_sign,

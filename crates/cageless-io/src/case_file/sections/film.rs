@@ -32,7 +32,7 @@ section! {
         hysteresis => hysteresis: bool = default("no"), Plain,
             "whether the hysteresis of the steel resists rolling as well; its heat is part of rolling_resistance", Absent;
         traction => traction: Traction = default(Traction::Law.name()), Plain,
-            "friction at the raceways, in the plane; \"law\": that of [contact]; \"film\": the film is sheared, and asperities have the smooth law of [contact] for the share of the load that they carry, for which contact.friction_coefficient = 0.11 is measured", Absent;
+            "friction at the raceways; \"law\": that of [contact]; \"film\": the film is sheared, and asperities have the smooth law of [contact] for the share of the load that they carry, for which contact.friction_coefficient = 0.11 is measured", Absent;
         traction_coefficient => traction_coefficient: Option<f64> = Optional, Plain; AtLeast(0.0),
             "limit of the friction of a sheared film over its load, with traction = \"film\"; 0.03 to 0.05 of mineral oils, 0.05 unless given", Absent;
     }

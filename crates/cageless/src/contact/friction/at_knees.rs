@@ -14,6 +14,7 @@ pub(crate) struct AtKnees<L> {
 
 impl<L: Law> Law for AtKnees<L> {
     const STICKS: bool = L::STICKS;
+    const MIXES: bool = L::MIXES;
 
     #[inline(always)]
     fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {

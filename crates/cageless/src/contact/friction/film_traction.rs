@@ -42,6 +42,18 @@ impl FilmTraction {
         ]
     }
 
+    /// F/S and F′ − F/S of the film alone, sheared at S of this square, N·s/m.
+    #[inline(always)]
+    pub(crate) fn secant(&self, speed_square: f64) -> [f64; 2] {
+        if speed_square * self.inverse_speed * self.inverse_speed < LINEAR {
+            return [self.limit * self.stress_ratio * self.inverse_speed, 0.0];
+        }
+        let speed = speed_square.sqrt();
+        let [film, steepness] = self.mixed([0.0; 2], speed);
+        let secant = film / speed;
+        [secant, steepness - secant]
+    }
+
     /// [`Self::mixed`] of a contact that spins as well: the film is sheared at S² = ΔV² + w², w² `spin_square`, and its
     /// part along ΔV is F(S) ΔV/S.
     #[inline(always)]
@@ -56,12 +68,10 @@ impl FilmTraction {
         if sum * self.inverse_speed * self.inverse_speed < LINEAR {
             return self.mixed([force, slope], sliding_m_s);
         }
-        let speed = sum.sqrt();
-        let [film, steepness] = self.mixed([0.0; 2], speed);
-        let (secant, share) = (film / speed, square / sum);
+        let ([secant, more], share) = (self.secant(sum), square / sum);
         [
             self.asperity_share * force + secant * sliding_m_s,
-            self.asperity_share * slope + secant + (steepness - secant) * share,
+            self.asperity_share * slope + secant + more * share,
         ]
     }
 }

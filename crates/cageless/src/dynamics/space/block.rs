@@ -5,6 +5,7 @@ use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
 use super::model::SpaceModel;
 use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
 use super::strips::{SlidingLanes, StripFrictionLanes};
+use crate::contact::FilmTractionLanes;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
@@ -95,6 +96,8 @@ pub(crate) struct SpaceBlock {
     pub at_rest: [[SlidingLanes; PLACES]; 2],
     /// 1/v_s of the law at each place, s/m.
     pub inverse_knees: [Lanes; PLACES],
+    /// Film at each place, of laws that mix.
+    pub films: [FilmTractionLanes; PLACES],
     /// Whether a ball was within a discrete raceway at the end of the last step: 1 or 0.
     pub was_inside: Lanes,
     /// θ of each place.
@@ -165,6 +168,7 @@ impl SpaceBlock {
             places: &ALL_PLACES,
             at_rest: [const { [const { SlidingLanes::ZERO }; PLACES] }; 2],
             inverse_knees: [Lanes::all(model.friction.inverse_regularisation_speed()); PLACES],
+            films: [const { FilmTractionLanes::ZERO }; PLACES],
             was_inside: Lanes::ZERO,
             weights: [Lanes::ZERO; PLACES],
             rest: [Lanes::ZERO; SIZE],

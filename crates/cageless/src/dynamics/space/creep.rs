@@ -17,20 +17,30 @@ const NO_LENGTH_M: f64 = 1e-12;
 #[inline(always)]
 pub(super) fn set_knees(polar: &PolarMotionLanes, b: &mut SpaceBlock) {
     for &place in b.places {
-        let sliding = b.sliding(place, &b.velocity, 1);
+        let rolling = rolling_m_s(polar, b, place);
         let creep = b.creep_length_m[usize::from(place == INNER)];
         let mut inverse_knees = Lanes::ZERO;
         for lane in 0..LANES {
-            let (frame, v) = (b.frames[place].get(lane), of_lane(&b.velocity, lane));
-            let orbit = frame.along_x * v[0] + frame.along_y * v[1] + frame.along_z * v[2];
-            let radial = frame.normal_x * polar.ex.0[lane] + frame.normal_y * polar.ey.0[lane];
-            let reach = b.inverse_radius.0[lane] * polar.distance.0[lane];
-            let surface = -b.at_rest[1][place].along.0[lane];
-            let rolling =
-                surface - orbit * ((reach + radial) / reach) + 0.5 * sliding.along.0[lane];
-            let length = frame.half_length_m + NO_LENGTH_M;
-            inverse_knees.0[lane] = creep.0[lane] / (length * rolling_speed_m_s(rolling));
+            let length = b.frames[place].half_length_m.0[lane] + NO_LENGTH_M;
+            inverse_knees.0[lane] = creep.0[lane] / (length * rolling_speed_m_s(rolling.0[lane]));
         }
         b.inverse_knees[place] = inverse_knees;
     }
+}
+
+/// u at a place, m/s.
+#[inline(always)]
+pub(super) fn rolling_m_s(polar: &PolarMotionLanes, b: &SpaceBlock, place: usize) -> Lanes {
+    let sliding = b.sliding(place, &b.velocity, 1);
+    let mut rolling = Lanes::ZERO;
+    for lane in 0..LANES {
+        let (frame, v) = (b.frames[place].get(lane), of_lane(&b.velocity, lane));
+        let orbit = frame.along_x * v[0] + frame.along_y * v[1] + frame.along_z * v[2];
+        let radial = frame.normal_x * polar.ex.0[lane] + frame.normal_y * polar.ey.0[lane];
+        let reach = b.inverse_radius.0[lane] * polar.distance.0[lane];
+        let surface = -b.at_rest[1][place].along.0[lane];
+        rolling.0[lane] =
+            surface - orbit * ((reach + radial) / reach) + 0.5 * sliding.along.0[lane];
+    }
+    rolling
 }

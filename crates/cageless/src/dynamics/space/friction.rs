@@ -9,8 +9,9 @@ use super::newton::{begin, iterate, slide};
 use super::ring::RingMotion;
 use super::sliding::{add_sliding_friction, slide_as_evaluated, slide_as_in};
 use super::strips::SlidingLanes;
+use super::traction::set_films;
 use super::workspace::SpaceWorkspace;
-use crate::ball::BallLanes;
+use crate::ball::{BallLanes, PolarMotionLanes};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
@@ -42,9 +43,7 @@ pub(super) fn add_explicit_friction(
                 slide_as_evaluated(bearing, b, [block, end], &s.sliding);
             }
         }
-        if model.creep.is_some() {
-            set_knees(&results.polar, b);
-        }
+        set_law(bearing, &results.polar, b);
         slide(&p.friction, space, b);
         for step in &mut b.steps {
             let friction = &step.friction;
@@ -119,6 +118,18 @@ pub(crate) fn add_implicit_friction(
     change.add_energy(EnergyTerm::InnerFriction, totals.heat[1]);
 }
 
+/// Sets what the law of friction has from the last evaluation: knees, where creep gives them, and films.
+#[inline(always)]
+fn set_law(bearing: Bearing<'_>, polar: &PolarMotionLanes, b: &mut SpaceBlock) {
+    if bearing.model.creep.is_some() {
+        set_knees(polar, b);
+    }
+    let film = bearing.space.film.as_ref();
+    if let Some(traction) = film.and_then(|film| film.traction.as_ref()) {
+        set_films(traction, polar, b);
+    }
+}
+
 /// Motion of the inner ring and velocity of the outer one in a state, along the directions in which the friction of
 /// this motion of the inner ring acts.
 #[inline(always)]
@@ -157,9 +168,7 @@ fn solve_blocks(
             slide_as_in(bearing, b, [block, 0], y0);
             slide_as_evaluated(bearing, b, [block, 1], &s.sliding);
         }
-        if model.creep.is_some() {
-            set_knees(&results.polar, b);
-        }
+        set_law(bearing, &results.polar, b);
         let free = b.velocities(layout, y, block);
         begin(space, b, h_s, s.known, free);
         iterate(&p.friction, space, b, h_s);

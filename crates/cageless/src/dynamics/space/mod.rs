@@ -22,6 +22,7 @@ mod outer_groove;
 mod ring;
 mod sliding;
 mod strips;
+mod traction;
 mod workspace;
 
 pub(crate) use bearing::{Bearing, Drive};

@@ -16,7 +16,8 @@ use super::model::SpaceModel;
 use super::strips::{Patch, SlidingLanes, Strip, StripFriction};
 use crate::contact::friction_step::{LAST_STEP, PATIENCE, slides_on};
 use crate::contact::{
-    AtKnees, EvaluatedLaws, FrictionLanes, LawLanes, MAX_ITERATIONS, end_weights, with_law,
+    AtKnees, EvaluatedLaws, FilmTractionLanes, FrictionLanes, Law, LawLanes, MAX_ITERATIONS,
+    end_weights, with_law,
 };
 use crate::numerics::cholesky;
 use crate::numerics::lanes::{LANES, Lanes, lane_struct, larger};
@@ -37,7 +38,7 @@ fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
     for &place in b.places {
         let sliding = b.sliding(place, &b.velocity, 1);
         let (frame, curvature) = (&b.frames[place], &b.curvature[usize::from(place == INNER)]);
-        let at = (frame, curvature, &b.inverse_knees[place]);
+        let at = (frame, curvature, &b.inverse_knees[place], &b.films[place]);
         let steps = &mut b.steps[place * space.strips.len()..];
         for (strip, step) in space.strips.iter().zip(steps) {
             slide_strip(law, at, &sliding, strip, step);
@@ -48,9 +49,9 @@ fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
 /// [`slide`] of one strip; a function, so that the compiler knows what is read apart from what is
 /// written.
 #[inline(always)]
-fn slide_strip(
-    law: &impl LawLanes,
-    (frame, curvature, inverse_knees): (&FrameLanes, &Lanes, &Lanes),
+fn slide_strip<L: LawLanes>(
+    law: &L,
+    (frame, curvature, inverse_knees, films): (&FrameLanes, &Lanes, &Lanes, &FilmTractionLanes),
     sliding: &SlidingLanes,
     strip: &Strip,
     step: &mut StripStep,
@@ -66,12 +67,17 @@ fn slide_strip(
     }
     let laws = law.evaluated([&speeds, &speeds]);
     for lane in 0..LANES {
+        let (film, normal_n) = (films.get(lane), frame.friction_normal_n.0[lane]);
         let patch = Patch {
             law: AtKnees {
                 law: laws.lane(lane),
                 inverse_knees: [inverse_knees.0[lane]; 2],
             },
-            normal_n: frame.friction_normal_n.0[lane],
+            film,
+            normal_n: match L::Constants::MIXES {
+                true => film.asperity_share * normal_n,
+                false => normal_n,
+            },
             half_length_m: frame.half_length_m.0[lane],
         };
         let slip = step.slip.each_ref().map(|slips| slips.0[lane]);

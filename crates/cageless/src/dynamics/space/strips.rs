@@ -7,10 +7,11 @@
 //! ω′n being the spin and κx² ω′l the differential sliding that Heathcote found. The strips lie at
 //! the nodes of Gauss–Jacobi quadrature for ¾(1 − ξ²), the load of Hertz's ellipse per length. Over
 //! a strip of half-width h the sliding velocity varies by ±hγ, γ = ω′n + 2κx ω′l, which widens the knee of the law to
-//! √(v² + (hγ)²) and leaves a moment.
+//! √(v² + (hγ)²) and leaves a moment. A film is sheared at S² = |**s**|² + (hγ)² in it: with F of the film under the
+//! share of the load, **f** = −F **s**/S and m = −F h²γ/S are the gradient of one potential.
 
-use crate::contact::Law;
-use crate::numerics::lanes::lane_struct;
+use crate::contact::{FilmTraction, Law};
+use crate::numerics::lanes::{lane_struct, larger};
 
 lane_struct! {
     /// Sliding of a contact: of its middle, and the rotation of the ball relative to the ring.
@@ -152,13 +153,63 @@ const NO_LENGTH_M: f64 = 1e-30;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Patch<L> {
     pub law: L,
-    /// Normal force under which friction acts, N.
+    /// Film, of laws that mix.
+    pub film: FilmTraction,
+    /// Normal force under which friction acts, N; of laws that mix the part that asperities carry.
     pub normal_n: f64,
     /// a, m.
     pub half_length_m: f64,
 }
 
 impl<L: Law> Patch<L> {
+    /// Friction of a strip that slides with `slip` and shears at `shear`, that of the film included.
+    #[inline(always)]
+    pub(super) fn friction(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
+        let mut friction = self.friction_of_law(strip, slip, shear);
+        if L::MIXES {
+            self.add_film(strip, slip, shear, &mut friction);
+        }
+        friction
+    }
+
+    /// Adds the friction of the film. With F′ − F/S = D, D/S² = d and z = h²γ its slopes are those of
+    ///
+    ///   −∂(**f**, m)/∂(**s**, γ) = (F/S) diag(1, 1, h²) + d (**s**, z)(**s**, z)ᵀ;
+    ///
+    /// the moments of law and film answer the sliding so that both together leave Newton's matrix positive definite.
+    #[inline(always)]
+    fn add_film(&self, strip: &Strip, [a, b]: [f64; 2], shear: f64, friction: &mut StripFriction) {
+        let half = strip.half_width * self.half_length_m;
+        let turn = half * half * shear;
+        let sliding = a * a + b * b;
+        let square = sliding + half * half * shear * shear;
+        let [secant, more] = self.film.secant(square);
+        let secant = strip.weight * secant;
+        let bend = strip.weight * more / (square + f64::MIN_POSITIVE);
+        friction.along -= secant * a;
+        friction.across -= secant * b;
+        friction.moment -= secant * turn;
+        friction.along_along += secant + bend * a * a;
+        friction.along_across += bend * a * b;
+        friction.across_across += secant + bend * b * b;
+        let [pull, push] = [friction.along_shear, friction.across_shear];
+        let of_law = (pull * pull + push * push).sqrt();
+        let of_film = (bend * turn).abs() * sliding.sqrt();
+        let both = of_law + of_film + f64::MIN_POSITIVE;
+        let mean = (friction.moment_ratio.sqrt() * of_law + of_film) / both;
+        friction.moment_ratio = mean * mean;
+        friction.along_shear += bend * a * turn;
+        friction.across_shear += bend * b * turn;
+        friction.shear_shear += half * half * secant + bend * turn * turn;
+        friction.secant += secant;
+        friction.moment_secant += half * half * secant;
+        let scale = self.film.inverse_speed;
+        let spread = half * shear * scale;
+        let scale = scale / (1.0 + spread * spread).sqrt();
+        friction.inverse_knee = larger(friction.inverse_knee, scale);
+        friction.inverse_shear = larger(friction.inverse_shear, half * scale);
+    }
+
     /// Friction of a strip that slides with `slip` and shears at `shear`.
     ///
     /// With F the law under w N, k = √(vs² + (hγ)²) its knee, u = |s|/k and F′ = ∂F/∂|s|,
@@ -169,7 +220,7 @@ impl<L: Law> Patch<L> {
     ///
     /// these two as of the smooth law, for which F′ k = μ w N sech² u.
     #[inline(always)]
-    pub(super) fn friction(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
+    fn friction_of_law(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
         let knee = 1.0 / self.law.inverse_regularisation_speed();
         let half = strip.half_width * self.half_length_m;
         let spread = half * shear;
@@ -220,7 +271,8 @@ impl<L: Law> Patch<L> {
 #[cfg(test)]
 mod tests {
     use super::{Patch, Sliding, strips};
-    use crate::contact::friction::Smooth;
+    use crate::contact::FilmTraction;
+    use crate::contact::friction::{Mixed, Smooth};
 
     /// ∫ ¾(1 − ξ²)ξ^2k = 3/((2k + 1)(2k + 3)), exact to degree 2n − 1; the nodes of three strips.
     #[test]
@@ -248,6 +300,7 @@ mod tests {
                 coefficient: 1.0,
                 inverse_regularisation_speed: 1e6,
             },
+            film: FilmTraction::default(),
             normal_n: 1.0,
             half_length_m: 1e-3,
         };
@@ -303,5 +356,90 @@ mod tests {
         let [force, _, power] = force_and_moment(21, &sliding, curvature);
         assert!(force.abs() < 0.01, "{force}");
         assert!((power / full - 0.161142).abs() < 2e-3, "{}", power / full);
+    }
+
+    /// A film and asperities under sliding, shear and both: the slopes are the derivatives, and the power that they
+    /// take is that of the film sheared at S.
+    #[test]
+    fn film_of_a_strip_has_one_potential() {
+        let film = FilmTraction {
+            asperity_share: 0.0,
+            limit: 12.0,
+            stress_ratio: 0.03,
+            inverse_speed: 400.0,
+        };
+        let law = Mixed(Smooth {
+            coefficient: 0.1,
+            inverse_regularisation_speed: 50.0,
+        });
+        let patch = Patch {
+            law,
+            film,
+            normal_n: 0.0,
+            half_length_m: 1e-3,
+        };
+        for (strip, slip, shear) in [
+            (0, [1e-4, -2e-4], 0.3),
+            (1, [3e-3, 1e-3], 8.0),
+            (1, [0.2, -0.5], -900.0),
+            (2, [1e-3, 0.0], 3e3),
+            (2, [0.0, 0.0], 3.0),
+        ] {
+            let strip = &strips(3)[strip];
+            let at = |[a, b, c]: [f64; 3]| {
+                let f = patch.friction(strip, [a, b], c);
+                [f.along, f.across, f.moment]
+            };
+            let (found, here) = (
+                patch.friction(strip, slip, shear),
+                [slip[0], slip[1], shear],
+            );
+            let half = strip.half_width * 1e-3;
+            let speed = slip[0].hypot(slip[1]).hypot(half * shear);
+            let power: f64 = at(here).iter().zip(here).map(|(f, v)| -f * v).sum();
+            let expected = strip.weight * film.mixed([0.0; 2], speed)[0] * speed;
+            assert!((power / expected - 1.0).abs() < 1e-12, "{power} {expected}");
+            // In N·s/m: the shear as hγ, the moment over h.
+            let units = [1.0, 1.0, half];
+            let slope = |i: usize, j: usize| {
+                let h = 1e-4 * speed.max(1e-6) / units[j];
+                let [mut more, mut less] = [here; 2];
+                (more[j], less[j]) = (here[j] + h, here[j] - h);
+                (at(less)[i] - at(more)[i]) / (2.0 * h)
+            };
+            let ratio = found.moment_ratio;
+            let slopes = [
+                [found.along_along, found.along_across, found.along_shear],
+                [found.along_across, found.across_across, found.across_shear],
+                [
+                    ratio * found.along_shear,
+                    ratio * found.across_shear,
+                    found.shear_shear,
+                ],
+            ];
+            let scale = found.secant;
+            for i in 0..3 {
+                for j in 0..3 {
+                    let unit = units[i] * units[j] * scale;
+                    let miss = (slopes[i][j] - slope(i, j)).abs() / unit;
+                    assert!(miss < 1e-6, "{slip:?} {shear} {i}{j}: {miss}");
+                }
+            }
+        }
+        let bearing = Patch {
+            normal_n: 7.0,
+            ..patch
+        };
+        let strip = &strips(3)[1];
+        let both = bearing.friction(strip, [0.01, 0.02], 40.0);
+        let dry = Patch {
+            film: FilmTraction::default(),
+            ..bearing
+        }
+        .friction(strip, [0.01, 0.02], 40.0);
+        let wet = patch.friction(strip, [0.01, 0.02], 40.0);
+        assert_eq!(both.along, dry.along + wet.along);
+        assert_eq!(both.secant, dry.secant + wet.secant);
+        assert!(both.inverse_knee >= dry.inverse_knee && both.inverse_knee >= wet.inverse_knee);
     }
 }
