@@ -6,6 +6,7 @@ use super::{
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
+use crate::film::{LubricatedContact, MixedFriction, Rolling};
 use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_rotation_rad_s};
 use crate::raceway::Raceway;
 
@@ -149,14 +150,10 @@ impl Estimate {
 
 /// Largest Ti/(μ·Fi) and To/(μ·Fo) of a ball that rolls into the raceway without slip at
 /// Ω(r(ψ)): m·Rm·dΩ/dt = Ti − To along the orbit and J·dω/dt = (Ti + To)·Rw in spin, with the
-/// normal forces of the equilibrium at ψ.
+/// normal forces of the equilibrium at ψ; where the film is the friction, μ is that of each contact.
 fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) -> f64 {
     let bearing = &case.bearing;
-    let friction = case
-        .contact
-        .friction_law
-        .coefficient_max(&case.contact.friction);
-    let outer_factor = case.contact.outer_friction_factor;
+    let available = AvailableFriction::new(case);
     let speed = case.operation.inner_speed_rad_s;
     let centre = raceway.dimensions().centre_angle_rad;
     let orbit =
@@ -169,16 +166,95 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
         let rate = |f: &dyn Fn(f64) -> f64| (f(psi + h) - f(psi - h)) / (2.0 * h) * orbit(psi);
         let along = bearing.ball_mass_kg() * bearing.pitch_radius_m() * rate(&orbit);
         let turning = bearing.ball_inertia_kg_m2() * rate(&spin) / bearing.ball_radius_m();
-        let [inner_force, outer_force] = forces_n(equilibrium, psi);
-        let over = |tangential: f64, normal: f64| tangential.abs() / (friction * normal).max(1e-12);
-        let inner = over(0.5 * (turning + along), inner_force);
-        inner.max(over(0.5 * (turning - along), outer_factor * outer_force))
+        let rolling = RollingThrough {
+            radius_m: raceway.effective_radius_m(psi),
+            orbit_rad_s: orbit(psi),
+            spin_rad_s: spin(psi),
+        };
+        let [inner_n, outer_n] = available.at(forces_n(equilibrium, psi), &rolling);
+        let over = |tangential: f64, largest: f64| tangential.abs() / largest.max(1e-12);
+        let inner = over(0.5 * (turning + along), inner_n);
+        inner.max(over(0.5 * (turning - along), outer_n))
     };
     let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
     let demands = pieces.flat_map(|range| (0..POINTS).map(move |k| (range, k)));
     demands
         .map(|(range, k)| demand(range, k))
         .fold(0.0, f64::max)
+}
+
+/// Ball that rolls through a raceway without slip.
+struct RollingThrough {
+    /// r.
+    radius_m: f64,
+    orbit_rad_s: f64,
+    spin_rad_s: f64,
+}
+
+/// Largest friction at the raceways.
+struct AvailableFriction<'a> {
+    case: &'a Case,
+    /// Where the film is the friction.
+    mixed: Option<MixedFriction<'a>>,
+}
+
+impl<'a> AvailableFriction<'a> {
+    fn new(case: &'a Case) -> Self {
+        Self {
+            case,
+            mixed: MixedFriction::new(case),
+        }
+    }
+
+    /// Friction at the inner and the outer raceway under these forces there, N.
+    fn at(&self, [inner_n, outer_n]: [f64; 2], rolling: &RollingThrough) -> [f64; 2] {
+        match &self.mixed {
+            Some(mixed) => self.mixed([inner_n, outer_n], rolling, mixed),
+            None => {
+                let contact = &self.case.contact;
+                let friction = contact.friction_law.coefficient_max(&contact.friction);
+                [
+                    friction * inner_n,
+                    friction * (contact.outer_friction_factor * outer_n),
+                ]
+            }
+        }
+    }
+
+    /// [`Self::at`] of film and asperities; on a raceway both flanks bear.
+    fn mixed(
+        &self,
+        [inner_n, outer_n]: [f64; 2],
+        rolling: &RollingThrough,
+        mixed: &MixedFriction<'_>,
+    ) -> [f64; 2] {
+        let bearing = &self.case.bearing;
+        let (ball_m, orbit_m) = (bearing.ball_radius_m(), bearing.pitch_radius_m());
+        let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
+        let RollingThrough {
+            radius_m,
+            orbit_rad_s,
+            spin_rad_s,
+        } = *rolling;
+        let flanks = if radius_m < ball_m { 2.0 } else { 1.0 };
+        let at_outer = Rolling {
+            load_n: outer_n * ball_m / (radius_m * flanks),
+            speed_m_s: 0.5 * (orbit_rad_s * (orbit_m + 2.0 * radius_m) + spin_rad_s * radius_m),
+        };
+        // The surfaces of ring and ball, less twice that of the contact.
+        let surface_m_s = self.case.operation.inner_speed_rad_s * groove_m;
+        let carried_m_s = orbit_rad_s * (groove_m - ball_m);
+        let at_inner = Rolling {
+            load_n: inner_n,
+            speed_m_s: 0.5 * (surface_m_s + spin_rad_s * ball_m - carried_m_s),
+        };
+        let flank = LubricatedContact::outer(bearing, radius_m / ball_m);
+        [
+            mixed.inner_n(&LubricatedContact::inner(bearing), at_inner),
+            // Over the force of the raceway, as that of the law.
+            flanks * mixed.outer_n(&flank, at_outer) * (radius_m / ball_m),
+        ]
+    }
 }
 
 /// Fi and Fo at ψ, linear between the two nearest balls of the equilibrium.
@@ -206,6 +282,7 @@ mod tests {
     use super::*;
     use crate::common::{conventional, dimensions, structure, structures};
     use crate::equilibrium;
+    use crate::film::{Film, Oil, Traction};
     use crate::flank_model::FlankModel;
 
     fn estimate(case: &Case) -> Estimate {
@@ -219,6 +296,32 @@ mod tests {
             .find(|t| t.name == name)
             .unwrap()
             .value
+    }
+
+    /// A film too thin to part the surfaces demands what asperities alone do; a full one leaves μ of the law out, and the
+    /// friction that remains is of one contact or two.
+    #[test]
+    fn films_are_what_friction_is_available() {
+        let with = |film: Option<Film>, coefficient: f64| {
+            let mut case = structure(5.1, 25.2);
+            case.contact.friction.coefficient = coefficient;
+            case.film = film;
+            value(&estimate(&case), "sliding")
+        };
+        let film = |mpa_s: f64, roughness_m: f64| {
+            Some(Film {
+                traction: Traction::Film,
+                roughness_m,
+                ..Film::flooded(Oil::mineral(1e-3 * mpa_s, 0.035))
+            })
+        };
+        let (thin, dry) = (with(film(0.1, 1e-5), 0.11), with(None, 0.11));
+        assert!((thin / dry - 1.0).abs() < 0.02, "{thin} {dry}");
+        let [full, other] = [0.007, 0.11].map(|coefficient| with(film(20.0, 1e-9), coefficient));
+        assert!((full / other - 1.0).abs() < 1e-9, "{full} {other}");
+        assert!(full > 2.0 * dry, "{full} {dry}");
+        let rough = with(film(20.0, 1e-6), 0.11);
+        assert!(dry < rough && rough < full, "{dry} {rough} {full}");
     }
 
     #[test]

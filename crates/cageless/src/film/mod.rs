@@ -52,6 +52,7 @@ pub(crate) use starvation::starved_share;
 #[cfg(test)]
 pub(crate) use thickness::asperity_share;
 pub(crate) use traction::{TractionCurve, TractionCurveLanes};
+pub(crate) use traction_at_rest::MixedFriction;
 
 /// Supply of contacts that flood.
 pub(crate) const FLOODED: f64 = 1.0;
