@@ -1,11 +1,11 @@
 //! The two problems: a case for the error and one for the time, and the true end of the former.
 
 use anyhow::{Context, Result, bail, ensure};
-use cageless::dynamics::coordinates::{BALL, BallCoordinate, RingCoordinate};
-use cageless::dynamics::state::State;
-use cageless::initial_conditions::initial_state;
+use cageless::dynamics::State;
+use cageless::dynamics::{BALL, BallCoordinate, RingCoordinate};
+use cageless::dynamics::{BodyKind, BodyRow, Freedoms};
+use cageless::initial_state;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
-use cageless::world::body::{BodyKind, BodyRow, Freedoms};
 use cageless::{Case, Formulation, FrictionModel, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 
@@ -132,7 +132,7 @@ fn in_plane(of: Freedoms) -> impl Iterator<Item = &'static BodyRow> {
         in_space: false,
         ..of
     };
-    rows.filter(move |row| row.freedom.moves(in_plane))
+    rows.filter(move |row| row.moves(in_plane))
 }
 
 /// Scale of each entry of a motion of `len` entries of `balls` balls.

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::{Result, ensure};
 use cageless::Case;
-use cageless::dynamics::state::State;
+use cageless::dynamics::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::integrator::System;
 use cageless::reference::Textbook;

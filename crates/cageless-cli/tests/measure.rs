@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cageless::numerics::random::RandomStream;
+use cageless::numerics::RandomStream;
 
 use crate::common::*;
 

@@ -1,7 +1,7 @@
 //! Means over independent starts, with their standard error.
 
-use cageless::numerics::moments::Moments;
-use cageless::numerics::student::two_sided_limit;
+use cageless::numerics::Moments;
+use cageless::numerics::two_sided_limit;
 use serde::{Deserialize, Serialize};
 
 use cageless_results::number_text::{fixed, significant};

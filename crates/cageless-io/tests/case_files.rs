@@ -658,7 +658,7 @@ fn bunched_balls_settle_under_an_axial_load() {
             "model.motion=space".to_owned(),
         ];
         let file = CaseFile::parse(&template(false), "template", &sets).unwrap();
-        cageless::initial_conditions::initial_state(file.case()).unwrap();
+        cageless::initial_state(file.case()).unwrap();
     }
 }
 

@@ -2,42 +2,41 @@
 //! against locating them and starting anew there.
 //! `cargo test -p cageless-io --test all crossing -- --nocapture` prints the comparison.
 
-use cageless::Case;
-use cageless::dynamics::state::State;
-use cageless::dynamics::{Model, RightHandSide};
-use cageless::initial_conditions::initial_state;
-use cageless::integrator::{Abm4, Integrator, RungeKutta, System, UnresolvedStep};
+use std::cell::Cell;
+use std::rc::Rc;
+
+use cageless::IntegrationMethod;
+use cageless::dynamics::State;
+use cageless::integrator::{Abm4, Method, StepState, System, UnresolvedStep};
+use cageless::simulation::Simulation;
 use cageless_io::case_file::CaseFile;
 
 /// ABM4 that locates each change of mode within the step by bisection on the cubic
-/// through its ends, to a millionth of the step, steps up to it, across it, and starts anew
-/// beyond.
+/// through its ends, to a millionth of the step, steps up to it by the classical Runge–Kutta
+/// method, and starts anew beyond.
 struct Located {
-    inner: Integrator<Abm4>,
-    crossing: RungeKutta,
+    inner: Abm4,
     h: f64,
     mode: u64,
     y: Vec<f64>,
     rate: Vec<f64>,
-    found: u32,
+    found: Rc<Cell<u32>>,
 }
 
 impl Located {
-    fn new(dimension: usize, h: f64) -> Self {
+    fn new(dimension: usize, h: f64, found: &Rc<Cell<u32>>) -> Self {
         Self {
-            inner: Integrator::new(Abm4::new(dimension, h), dimension),
-            crossing: RungeKutta::new(dimension),
+            inner: Abm4::new(dimension, h),
             h,
             mode: 0,
             y: vec![0.0; dimension],
             rate: vec![0.0; dimension],
-            found: 0,
+            found: found.clone(),
         }
     }
 
-    /// Offset of the first change of mode in the last step.
-    fn locate<S: System>(&mut self, system: &mut S) -> f64 {
-        let step = self.inner.step();
+    /// Offset of the first change of mode in the step.
+    fn locate<S: System>(&mut self, system: &mut S, step: &StepState) -> f64 {
         let (mut same, mut changed) = (0.0, step.t1_s - step.t0_s);
         while changed - same > 1e-6 * self.h {
             let middle = 0.5 * (same + changed);
@@ -53,74 +52,54 @@ impl Located {
         }
         changed
     }
+
+    /// Ends the step at the offset `h`, by the classical method of order 4.
+    fn shorten<S: System>(&mut self, system: &mut S, step: &mut StepState, h: f64) {
+        step.t1_s = step.t0_s + h;
+        step.y1.copy_from_slice(&step.y0);
+        self.rate.copy_from_slice(&step.f0);
+        for (weight, next) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)] {
+            for k in 0..self.y.len() {
+                step.y1[k] += weight * h / 6.0 * self.rate[k];
+                self.y[k] = step.y0[k] + next * h * self.rate[k];
+            }
+            if next > 0.0 {
+                system.derivative(step.t0_s + next * h, &self.y, &mut self.rate);
+            }
+        }
+        system.derivative(step.t1_s, &step.y1, &mut step.f1);
+    }
 }
 
-impl Stepper for Located {
-    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
-        self.inner.restart(system, time_s, y);
+impl Method for Located {
+    fn restart<S: System>(&mut self, system: &mut S, step: &StepState) {
+        self.inner.restart(system, step);
         self.mode = system.mode();
     }
 
-    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), UnresolvedStep> {
-        self.inner.advance(system, limit_s)?;
-        if system.mode() == self.mode {
-            return Ok(());
+    fn perform_step<S: System>(
+        &mut self,
+        system: &mut S,
+        step: &mut StepState,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
+        self.inner.perform_step(system, step, limit_s)?;
+        if system.mode() != self.mode {
+            self.found.set(self.found.get() + 1);
+            let edge = self.locate(system, step);
+            self.shorten(system, step, edge);
+            self.restart(system, step);
         }
-        self.found += 1;
-        let edge = self.locate(system);
-        let from_s = self.inner.step().t0_s;
-        self.y.copy_from_slice(&self.inner.step().y0);
-        self.rate.copy_from_slice(&self.inner.step().f0);
-        self.crossing
-            .integrate_across(system, from_s, edge, &mut self.y, &mut self.rate)?;
-        self.restart(system, from_s + edge, &self.y.clone());
         Ok(())
-    }
-
-    fn end(&self) -> (f64, &[f64]) {
-        (self.inner.step().t1_s, &self.inner.step().y1)
-    }
-}
-
-/// What both ways have in common.
-trait Stepper {
-    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]);
-    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), UnresolvedStep>;
-    /// Time and state reached.
-    fn end(&self) -> (f64, &[f64]);
-}
-
-impl Stepper for Integrator<Abm4> {
-    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
-        self.restart(system, time_s, y);
-    }
-
-    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), UnresolvedStep> {
-        self.advance(system, limit_s)
-    }
-
-    fn end(&self) -> (f64, &[f64]) {
-        (self.step().t1_s, &self.step().y1)
     }
 }
 
 const END_S: f64 = 0.002;
 
 /// State at 2 ms and evaluations of the right-hand side.
-fn end(case: &Case, method: &mut impl Stepper) -> (Vec<f64>, u64) {
-    let model = Model::new(case).unwrap();
-    let mut rhs = RightHandSide::new(&model);
-    let (start, _) = initial_state(case).unwrap();
-    method.restart(&mut rhs, 0.0, start.values());
-    while method.end().0 < END_S {
-        method.advance(&mut rhs, END_S).unwrap();
-    }
-    (method.end().1.to_vec(), rhs.evaluations())
-}
-
-fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
-    let layout = Model::new(case).unwrap().layout();
-    crate::common::scaled_error_of(case, name, &State::from_vector(layout, values))
+fn end<M: Method>(mut simulation: Simulation<M>) -> (State, u64) {
+    simulation.advance_to(END_S).unwrap();
+    (simulation.state(), simulation.outcome().rhs_evaluations)
 }
 
 /// Where damped contacts close, the slope of the force is infinite: whatever locates the
@@ -133,18 +112,20 @@ fn error_control_crosses_jumps_as_well_as_location() {
         let mut case = CaseFile::read(&path, &[]).unwrap().case().clone();
         for step_us in [1.0, 0.5, 0.25] {
             case.solver.step_s = step_us * 1e-6;
-            let model = Model::new(&case).unwrap();
-            let dimension = model.layout().len();
-            let method = Abm4::new(dimension, case.solver.step_s);
-            let mut plain = Integrator::new(method, dimension);
-            let (y, evaluations) = end(&case, &mut plain);
-            let mut located = Located::new(dimension, case.solver.step_s);
-            let (z, more) = end(&case, &mut located);
-            let (controlled, by_location) = (error(&case, name, &y), error(&case, name, &z));
+            case.solver.method = IntegrationMethod::Abm4;
+            let plain = Simulation::new(&case).unwrap();
+            let dimension = plain.state().values().len();
+            let found = Rc::default();
+            let method = Located::new(dimension, case.solver.step_s, &found);
+            let located = Simulation::new(&case).unwrap().with_method(method);
+            let (y, evaluations) = end(plain);
+            let (z, more) = end(located);
+            let error = |state| crate::common::scaled_error_of(&case, name, state);
+            let (controlled, by_location) = (error(&y), error(&z));
             println!(
                 "{name:14} {step_us:4} µs, {:3} changes: error {controlled:.1e} in {evaluations:6} \
                  evaluations, located {by_location:.1e} in {more:6}",
-                located.found
+                found.get()
             );
             assert!(
                 controlled < 1.5 * by_location + 1e-9,

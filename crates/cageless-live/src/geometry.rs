@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use cageless::Case;
-use cageless::design::{Estimate, seats_controlled};
+use cageless::design::{Estimate, seats};
 use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::raceway::Raceway;
 use cageless::simulation::Control;
@@ -95,7 +95,7 @@ fn settled(
     let (case, mut ask) = (file.case(), || control(0.0));
     let solved = settle_controlled(case, &mut ask)?;
     let estimate = match case.has_elastic_flanks() {
-        true => Estimate::elastic(case, &seats_controlled(case, &mut ask)?, Some(&solved.rest)),
+        true => Estimate::elastic(case, &seats(case, &mut ask)?, Some(&solved.rest)),
         false => Estimate::new(case, &solved.rest),
     };
     Ok((static_record(case, file.particulars(), &solved), estimate))

@@ -1,7 +1,7 @@
 //! Estimates over two keys of a case.
 
 use cageless::Case;
-use cageless::design::{Eq11, Estimate, seats_controlled, theoretical_gap_rad};
+use cageless::design::{Eq11, Estimate, seats, theoretical_gap_rad};
 use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::simulation::Control;
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, Change};
@@ -124,11 +124,11 @@ impl Estimates<'_> {
             return Ok(solved.map(|rest| Estimate::new(case, rest)));
         }
         let Some(common) = self.common else {
-            let seats = found(seats_controlled(case, control))?;
+            let seats = found(seats(case, control))?;
             return Ok(seats.map(|seats| Estimate::elastic(case, &seats, solved)));
         };
         if self.rests.is_none() {
-            self.rests = Some(found(seats_controlled(common, control))?);
+            self.rests = Some(found(seats(common, control))?);
         }
         let rests = self.rests.as_ref().and_then(Option::as_ref);
         Ok(rests.map(|rests| Estimate::elastic(case, rests, solved)))

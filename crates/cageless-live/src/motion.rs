@@ -3,14 +3,14 @@
 use std::f64::consts::{PI, TAU};
 
 use cageless::Case;
-use cageless::dynamics::layout::Layout;
-use cageless::dynamics::state::State;
+use cageless::Rotor;
+use cageless::dynamics::Layout;
+use cageless::dynamics::State;
 use cageless::equilibrium::space::{inner_point, outer_points};
-use cageless::initial_conditions::initial_state_controlled;
+use cageless::initial_state_controlled;
 use cageless::recorder::Recorder;
-use cageless::rotor::Rotor;
 use cageless::simulation::{Control, Ending, Simulation};
-use cageless::snapshot::{RotorSnapshot, Snapshot};
+use cageless::{RotorSnapshot, Snapshot};
 use cageless_results::Particulars;
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -1,10 +1,10 @@
 //! Vibration (Fig. 12) and the two bearings side by side (Fig. 13, 14).
 
+use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
-use cageless::numerics::moments::Moments;
+use cageless::numerics::Moments;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::run;
-use cageless::snapshot::Snapshot;
 use cageless::vibration::VibrationRecorder;
 use cageless_io::case_file::CaseFile;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};

@@ -4,11 +4,11 @@
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
+use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
-use cageless::numerics::angle::wrap_angle_rad;
+use cageless::numerics::wrap_angle_rad;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::run;
-use cageless::snapshot::Snapshot;
 use cageless::{Case, Formulation, FrictionModel};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use cageless::collision::Collision;
 use cageless::equilibrium::solve;
-use cageless::numerics::angle::wrap_angle_rad;
+use cageless::numerics::wrap_angle_rad;
 use cageless::{Case, Gaps, Start, StartState};
 use cageless_study::StudyError;
 

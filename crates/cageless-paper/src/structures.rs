@@ -1,16 +1,16 @@
 //! The ten structures in motion: verdicts, phase portraits (Fig. 8) and orbital speeds
 //! (Fig. 9).
 
+use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::design::{
     Eq11, Judgement, half_angle_for_gap_rad, judge, judge_watched, steady_after_s, steady_case,
 };
 use cageless::kinematics::rolling_orbit_speed_rad_s;
-use cageless::numerics::angle::wrap_angle_rad;
-use cageless::numerics::moments::Moments;
+use cageless::numerics::Moments;
+use cageless::numerics::wrap_angle_rad;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::recorder::{Recorder, keeping};
-use cageless::snapshot::Snapshot;
 use cageless::{Case, Formulation, FrictionModel, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;

@@ -9,11 +9,11 @@ use crate::{
     RacewayLabel, RacewaySurface,
 };
 use cageless::Case;
+use cageless::Snapshot;
 use cageless::design::{
     AXIAL_ORBITS, RacewayVerdict, span_angle_curve, steady_after_s, steady_case,
 };
 use cageless::raceway::axial_span_limit_m;
-use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{Recommended, Record, software};
 use cageless_study::{DesignResult, lines, parameter, parameters, provenance};

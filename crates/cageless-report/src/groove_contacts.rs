@@ -1,7 +1,7 @@
 //! Contacts of one ball with both grooves over a stretch of a run in space.
 
 use cageless::Case;
-use cageless::case::Row;
+use cageless::Row;
 use cageless::equilibrium::space::{GroovePoint, inner_point, outer_points};
 use cageless_io::case_file::CaseFile;
 

@@ -1,9 +1,9 @@
 //! Loads and contact pressures over the angular position, from snapshots.
 
 use cageless::Case;
+use cageless::Snapshot;
 use cageless::equilibrium::space::{GroovePoint, inner_point, outer_points};
-use cageless::raceway_contact::{RacewayContact, RacewayPoint};
-use cageless::snapshot::Snapshot;
+use cageless::{RacewayContact, RacewayPoint};
 
 use crate::run_data::LoadProfile;
 

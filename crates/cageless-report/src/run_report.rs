@@ -1,9 +1,9 @@
 //! Data of the report of a run.
 
 use cageless::Case;
+use cageless::Snapshot;
 use cageless::passage::Passage;
 use cageless::simulation::RunOutcome;
-use cageless::snapshot::Snapshot;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;

@@ -7,6 +7,7 @@ use cageless::design::{
 };
 use cageless::equilibrium::{settle, solve};
 use cageless::film::FilmAtRest;
+use cageless::simulation::Control;
 
 use crate::number_text::significant;
 use crate::table::{CURVE, RECOMMENDATION};
@@ -133,7 +134,7 @@ fn limit_text(limit: &AxialLimit, share: &str) -> Option<String> {
 fn contact_angle(case: &Case) -> Option<ContactAngleEstimate> {
     let raceway = case.raceways.first()?;
     let pressed_in_m = match case.moves_in_space() {
-        true => seats(case).map_or(0.0, |seats| {
+        true => seats(case, &mut || Control::Continue(())).map_or(0.0, |seats| {
             seats.iter().map(|seat| seat[1]).fold(0.0, f64::max)
         }),
         false => solve(case).map_or(0.0, |e| {

@@ -1,6 +1,6 @@
 //! Verdict on a drop, with its reasons.
 
-use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::contact::STRESS_LIMIT_PA;
 use cageless::rating::BasicRatings;
 use cageless::simulation::{Ending, RESIDUAL_FRACTION, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropSummary, EndState};

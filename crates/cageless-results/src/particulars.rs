@@ -1,7 +1,7 @@
 //! What files and commands need of a case beside its physics.
 
-use cageless::error::Allowed;
-use cageless::fit::REFERENCE_TEMPERATURE_C;
+use cageless::Allowed;
+use cageless::REFERENCE_TEMPERATURE_C;
 use cageless::touchdown::{Limit, PARTS, Thermal};
 use cageless::{Bearing, InputError, Lubrication, OperatingClearance};
 

@@ -1,7 +1,7 @@
 //! What results are computed from.
 
+use cageless::BallAdvance;
 use cageless::RacewayForm;
-use cageless::ball_advance::BallAdvance;
 use cageless::design::search::{Evaluation, Excluded, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
     AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,

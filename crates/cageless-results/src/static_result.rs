@@ -1,9 +1,9 @@
 //! Results of a static equilibrium and the ratings of the bearing.
 
+use cageless::SMOOTHING_M;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{EquilibriumError, settle};
 use cageless::film::FilmAtRest;
-use cageless::fit::SMOOTHING_M;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 

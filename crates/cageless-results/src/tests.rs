@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use cageless::Case;
+use cageless::SpatialSummary;
 use cageless::design::{
     AxialLag, Judgement, LagAndAngle, NoLag, PassageStatistics, RacewayVerdict, RunVerdict,
 };
-use cageless::dynamics::energy::EnergyTerm;
+use cageless::dynamics::EnergyTerm;
 use cageless::film::{Film, OilGrade};
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::raceway::MeasuredFlanks;
 use cageless::simulation::{Cause, Control, Stop, run};
-use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::SummaryRecorder;
 use cageless::surface::{
     MeasuredGroove, MeasuredSlot, OuterRing, OuterRingDimensions, PointDeviation, SlotUncertainty,

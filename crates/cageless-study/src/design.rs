@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use cageless::Case;
+use cageless::Snapshot;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::search::Found;
 use cageless::design::{
@@ -12,7 +13,6 @@ use cageless::design::{
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::Stop;
-use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 
 use cageless_results::{Recommended, Record, axial_record, design_record};

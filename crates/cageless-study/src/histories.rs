@@ -4,9 +4,9 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 use cageless::Case;
+use cageless::Snapshot;
 use cageless::collision::Collision;
 use cageless::min_max_decimator::MinMaxDecimator;
-use cageless::snapshot::Snapshot;
 use serde::{Deserialize, Serialize};
 
 /// One contact of two neighbouring balls.

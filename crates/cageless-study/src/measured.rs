@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless::numerics::angle::wrap_angle_rad;
+use cageless::numerics::wrap_angle_rad;
 use cageless::surface::{
     Conformity, MeasuredFlank, MeasuredRaceway, MeasuredRing, MeasuredSlot, MeasuredValue,
     PointDeviation, PointOff, PointsError,
@@ -190,7 +190,7 @@ pub fn measured(
     let file = CaseFile::from_document(document.clone(), name)?;
     let dimensions: Vec<Vec<Dimension>> = (case.raceways.iter().zip(&ring.raceways))
         .map(|(drawn, made)| match made {
-            MeasuredRaceway::None(_) => vec![],
+            MeasuredRaceway::None { .. } => vec![],
             MeasuredRaceway::Flanks(made) => limits.of_flanks(drawn, made),
             MeasuredRaceway::Slot(made) => limits.of_slot(drawn, made),
         })
@@ -259,7 +259,7 @@ fn refused(points: &Path, problem: &PointsError) -> StudyError {
 /// Enters a raceway as it was made in the place of that drawn.
 fn enter(document: &mut CaseDocument, index: usize, drawn: &Raceway, made: &MeasuredRaceway) {
     match made {
-        MeasuredRaceway::None(_) => {}
+        MeasuredRaceway::None { .. } => {}
         MeasuredRaceway::Flanks(made) => {
             let groove = &made.groove;
             document.enter_profile(index, &groove.rows(INTERVALS), groove.depth_error_m());
@@ -276,7 +276,7 @@ fn enter(document: &mut CaseDocument, index: usize, drawn: &Raceway, made: &Meas
 
 fn results(made: &MeasuredRaceway) -> Results {
     let (deviation, depth_error_m) = match made {
-        MeasuredRaceway::None(_) => {
+        MeasuredRaceway::None { .. } => {
             let none = PointDeviation {
                 points: 0,
                 mean_m: f64::NAN,
@@ -339,7 +339,7 @@ fn frame(ring: &MeasuredRing) -> Vec<Dimension> {
 /// That the groove is plain where the case has raceways.
 fn missing(ring: &MeasuredRing, case: &Case) -> Option<String> {
     let absent = |(k, made): (usize, &MeasuredRaceway)| match made {
-        MeasuredRaceway::None(_) => Some((k + 1).to_string()),
+        MeasuredRaceway::None { .. } => Some((k + 1).to_string()),
         _ => None,
     };
     let absent: Vec<String> = ring

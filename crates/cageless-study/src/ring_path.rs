@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
-use cageless::dynamics::coordinates::RingCoordinate;
+use cageless::dynamics::RingCoordinate;
 use cageless::simulation::{Observer, ObserverError, RunContext, StepView};
 
 /// Time between samples, s. On its loaded balls the ring vibrates with periods of some tenths of

@@ -4,10 +4,10 @@ use std::cell::RefCell;
 use std::time::Instant;
 
 use crate::StudyError;
+use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Observer, ObserverError, RunOutcome, run as simulate};
-use cageless::snapshot::Snapshot;
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::{Measurement, VibrationRecorder};
 use cageless_io::case_file::CaseFile;

@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use cageless::Case;
-use cageless::numerics::lanes::BATCH_WIDTH;
+use cageless::numerics::BATCH_WIDTH;
 use cageless::passage::PassageRecorder;
 use cageless::simulation::{Control, Observer, RotorDrop, batches, run_batch};
 use cageless::summary::SummaryRecorder;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use cageless::contact::flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
-use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::contact::FLASH_TEMPERATURE_LIMIT_K;
+use cageless::contact::STRESS_LIMIT_PA;
 use cageless::equilibrium;
 use cageless::film::FilmAtRest;
 use cageless::rating::speed_warning;

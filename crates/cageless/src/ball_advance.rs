@@ -34,7 +34,7 @@
 //!
 //! ```
 //! use cageless::reference;
-//! use cageless::ball_advance::BallAdvance;
+//! use cageless::BallAdvance;
 //! use cageless::equilibrium::settle;
 //!
 //! let mut case = reference::conventional(); // Zhao 2022, Table 1

@@ -1,7 +1,7 @@
 //! Start of contact between neighbouring balls.
 //!
 //! ```
-//! use cageless::contact_tracker::ContactCounts;
+//! use cageless::ContactCounts;
 //!
 //! // One contact, slower than every speed that counts are kept above, and another.
 //! let mut counts = ContactCounts { all: 1, ..ContactCounts::default() };

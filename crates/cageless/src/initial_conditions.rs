@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use cageless::reference::Structure;
-//! use cageless::initial_conditions::initial_state;
+//! use cageless::initial_state;
 //!
 //! let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
 //!

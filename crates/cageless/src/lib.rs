@@ -89,8 +89,8 @@
 //! # Where things are
 //! | question | module |
 //! |---|---|
-//! | where a ring settles, and what each ball bears | [`equilibrium`], [`rating`], [`fit`] |
-//! | how far a raceway slows a ball, and whether it helps | [`design`], [`critical_gap`], [`ball_advance`], [`steady`] |
+//! | where a ring settles, and what each ball bears | [`equilibrium`], [`rating`], [`Fit`] |
+//! | how far a raceway slows a ball, and whether it helps | [`design`], [`critical_gap`], [`BallAdvance`], [`steady`] |
 //! | which raceway | [`design::search`]; the example `search` |
 //! | a rotor that falls onto its touch-down bearings | [`simulation::RotorDrop`], [`touchdown`], [`linear_rotor`]; the example `drop` |
 //! | what deviations from the drawing change | [`tolerance`], [`surface`] |
@@ -109,15 +109,15 @@
 #![cfg_attr(not(test), warn(unreachable_pub))]
 
 mod assembly;
-pub mod ball;
-pub mod ball_advance;
-pub mod bearing;
-pub mod case;
+mod ball;
+mod ball_advance;
+mod bearing;
+mod case;
 mod case_builder;
 pub mod collision;
 pub mod contact;
 mod contact_peaks;
-pub mod contact_tracker;
+mod contact_tracker;
 mod control;
 pub mod critical_gap;
 pub mod design;
@@ -125,74 +125,88 @@ pub mod dynamics;
 mod ellipse_edges;
 mod equations;
 pub mod equilibrium;
-pub mod error;
+mod error;
 pub mod film;
-pub mod fit;
+mod fit;
 mod flank_model;
 mod formulation;
 mod gap;
 mod gap_scatter;
 mod half_turn;
-pub mod initial_conditions;
+mod initial_conditions;
 pub mod integrator;
 pub mod kinematics;
-pub mod limits;
+mod limits;
 pub mod linear_rotor;
 mod lubrication;
 mod material;
 pub mod min_max_decimator;
 mod named_enum;
 pub mod numerics;
-pub mod orbit_means;
+mod orbit_means;
 mod outer_contact_geometry;
 pub mod passage;
 pub mod prelude;
 pub mod raceway;
-pub mod raceway_contact;
+mod raceway_contact;
 pub mod rating;
 pub mod recorder;
 pub mod reference;
 mod ring_support;
 mod rotating_ring;
-pub mod rotor;
+mod rotor;
 mod scope;
 pub(crate) mod simd;
 pub mod simulation;
-pub mod snapshot;
-pub mod spatial_summary;
+mod snapshot;
+mod spatial_summary;
 pub mod steady;
 pub mod step_limits;
 pub mod summary;
 pub mod surface;
-pub mod time_table;
+mod time_table;
 pub mod tolerance;
 pub mod touchdown;
 mod unbalance;
 pub mod verification;
 pub mod vibration;
-pub mod world;
+pub(crate) mod world;
 
 pub use assembly::Assembly;
-pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
+pub use ball::Centre;
+pub use ball_advance::BallAdvance;
+pub use bearing::{
+    BALLS_MIN, Ball, Bearing, BearingDimensions, BeyondGroove, CONFORMITY,
+    INNER_RING_DAMPING_N_S_M, InnerRingBore, SHOULDER_HEIGHT,
+};
 pub use case::{
-    Case, Contact, Gaps, Housing, Motion, Operation, Row, SPATIAL_FIELDS, Solver, SpatialLoad,
-    Start, StartState, Tilt,
+    Case, Contact, Gaps, Housing, Motion, Operation, Row, SPATIAL_FIELDS, STRIPS_MAX, Solver,
+    SpatialLoad, Start, StartState, Tilt,
 };
 pub use case_builder::CaseBuilder;
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Regularisation};
-pub use error::InputError;
+pub use contact_tracker::ContactCounts;
+pub use error::{Allowed, InputError};
 pub use film::Film;
-pub use fit::{BearingClass, ClearanceRange, Fit, HoleClass, OperatingClearance, ShaftClass};
+pub use fit::{
+    BearingClass, ClearanceRange, Fit, HoleClass, OperatingClearance, REFERENCE_TEMPERATURE_C,
+    SMOOTHING_M, STEEL_EXPANSION_PER_K, ShaftClass,
+};
 pub use flank_model::FlankModel;
 pub use formulation::Formulation;
+pub use initial_conditions::{initial_state, initial_state_controlled, unloaded_equilibrium};
 pub use integrator::IntegrationMethod;
+pub use limits::{LIMITS, Limit};
 pub use lubrication::{Lubricant, Lubrication, SkfSeries};
 pub use material::{Material, Materials};
+pub use orbit_means::OrbitMeans;
 pub use raceway::{Ends, Raceway, RacewayDimensions, RacewayForm, RacewayShape};
+pub use raceway_contact::{RacewayContact, RacewayPoint};
 pub use rotor::{Rotor, Shaft, Support, SupportStop};
 pub use scope::SCOPE;
 pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
+pub use spatial_summary::SpatialSummary;
 pub use time_table::TimeTable;
 pub use unbalance::Unbalance;
 

@@ -2,7 +2,7 @@
 //! meant in another unit: a modulus in MPa, a radius in metres, a density in g/cm³.
 //!
 //! ```
-//! let limit = cageless::limits::LIMITS.iter().find(|limit| limit.field == "ball_radius_m").unwrap();
+//! let limit = cageless::LIMITS.iter().find(|limit| limit.field == "ball_radius_m").unwrap();
 //! assert!((limit.least..=limit.most).contains(&3.969e-3) && !(limit.least..=limit.most).contains(&3.969));
 //! ```
 

@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use cageless::reference::Structure;
-//! use cageless::raceway_contact::{RacewayContact, RacewayPoint};
+//! use cageless::{RacewayContact, RacewayPoint};
 //!
 //! let bearing = Structure::D.case().bearing; // Zhao 2022, Table 1
 //! let pressure = |cosine: f64| {

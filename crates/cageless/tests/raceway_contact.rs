@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::common::structure;
 use cageless::FlankModel;
 use cageless::equilibrium::{Equilibrium, settle, solve};
-use cageless::raceway_contact::{RacewayContact, RacewayPoint};
+use cageless::{RacewayContact, RacewayPoint};
 
 /// Pressure of every ball from its force, semi-axes with p = 3F/(2πab); on the raceway half of
 /// the force over the cosine of the contact angle at each point.

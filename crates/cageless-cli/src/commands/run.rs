@@ -1,6 +1,6 @@
 //! `cageless run`.
 
-use cageless::initial_conditions::initial_state;
+use cageless::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::SUMMARY;

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use cageless::numerics::bspline::Vec3;
+use cageless::numerics::Vec3;
 use cageless::surface::{Arc, Meridian, OuterRing, Patch, PatchError, RingSector, Side};
 
 /// Curve of an edge.

@@ -10,7 +10,7 @@ use super::{points, step, stl};
 use crate::OptionError;
 use crate::case_file::{CaseError, CaseFile};
 use crate::results::{PartialFile, ResultError};
-use cageless::error::Allowed;
+use cageless::Allowed;
 use cageless::surface::OuterRing;
 use cageless::{Case, Ends, Formulation, InputError, Raceway};
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use cageless::numerics::vector::cross;
+use cageless::numerics::cross;
 use cageless::surface::{Edge, EdgePlace, PatchError, Recess, Side};
 
 use super::brep::{Curve, Solid, Surface, Use, along, back, circle, radial, row};

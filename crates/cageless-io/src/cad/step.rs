@@ -1,6 +1,6 @@
 //! STEP: ISO 10303-21 with the schema of AP214, one solid, millimetres.
 
-use cageless::numerics::bspline::Vec3;
+use cageless::numerics::Vec3;
 use cageless::surface::{OuterRing, Patch, PatchError};
 
 use super::brep::{Curve, Face, Solid, Surface};

@@ -1,7 +1,7 @@
 //! STL: the ring as triangles, binary, millimetres in single precision.
 
 use cageless::InputError;
-use cageless::numerics::vector::{cross, dot};
+use cageless::numerics::{cross, dot};
 use cageless::surface::{Mesh, OuterRing};
 
 use super::numbers::{Counts, RingFile};

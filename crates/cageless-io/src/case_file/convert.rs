@@ -8,9 +8,9 @@ mod search;
 mod start;
 mod steady;
 
+use cageless::SupportStop;
 use cageless::design::search::Request;
 use cageless::film::Film;
-use cageless::rotor::SupportStop;
 use cageless::steady::SteadyOperation;
 use cageless::step_limits::StepLimits;
 use cageless::touchdown::Limit;

@@ -1,6 +1,6 @@
 //! Messages about allowed values, in the units of the file.
 
-use cageless::error::Allowed;
+use cageless::Allowed;
 use cageless::{Bearing, Case, InputError};
 
 use super::document::CaseDocument;

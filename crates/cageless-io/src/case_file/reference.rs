@@ -4,7 +4,7 @@ use super::format::{Format, Heading, SectionTable};
 use super::key::{Key, Limit};
 use super::sections::CASE_FILE;
 use super::unit::{Side, round};
-use cageless::limits::LIMITS;
+use cageless::LIMITS;
 
 /// An end of the numbers of a key.
 #[derive(Debug, Clone, Copy, PartialEq)]

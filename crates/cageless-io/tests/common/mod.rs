@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use cageless::Case;
-use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
-use cageless::dynamics::state::State;
+use cageless::dynamics::State;
+use cageless::dynamics::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::integrator::System;
 use cageless_io::case_file::{CaseError, CaseFile, template};

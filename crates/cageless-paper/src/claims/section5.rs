@@ -1,6 +1,6 @@
 //! The experiment, Fig. 12 to 14, and the comparison with conventional bearings.
 
-use cageless::numerics::student::two_sided_limit;
+use cageless::numerics::two_sided_limit;
 use cageless_io::estimate::SIGNIFICANCE;
 use cageless_report::{
     Change, Claim, ComparisonCell, Estimate, RecordChange, Requirement, RingComparison, RingNumbers,

@@ -2,7 +2,7 @@
 //! ISO 14839-5.
 
 use cageless::Shaft;
-use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::contact::STRESS_LIMIT_PA;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_results::{DROP, Quantity, SUCCESSION, judged_limit};

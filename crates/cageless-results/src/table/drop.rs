@@ -1,8 +1,8 @@
 //! Results of a drop.
 
 use cageless::Case;
-use cageless::initial_conditions::unloaded_equilibrium;
 use cageless::touchdown::{EndPower, EndState};
+use cageless::unloaded_equilibrium;
 
 use crate::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
 use crate::FinishedDrop;

@@ -2,13 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use cageless::contact_tracker::ContactCounts;
+use cageless::ContactCounts;
+use cageless::OrbitMeans;
+use cageless::SpatialSummary;
 use cageless::design::Criterion;
-use cageless::dynamics::energy::EnergyTerm;
-use cageless::orbit_means::OrbitMeans;
+use cageless::dynamics::EnergyTerm;
 use cageless::passage::PassageTally;
 use cageless::rating::{PassingFrequencies, skf_friction_torque_n_m};
-use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::Summary;
 
 use crate::Finished;

@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use cageless::ball_advance::BallAdvance;
+use cageless::BallAdvance;
+use cageless::RacewayContact;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::film::FilmAtRest;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
-use cageless::raceway_contact::RacewayContact;
 use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
 use cageless::{ClearanceRange, OperatingClearance};
 

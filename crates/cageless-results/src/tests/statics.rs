@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless::ball_advance::BallAdvance;
+use cageless::BallAdvance;
 use cageless::equilibrium::settle;
 use cageless::rating::{BasicRatings, PassingFrequencies, Rating};
 
@@ -193,14 +193,13 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
     compare(&results, &expected, &["rating_factor"], 1e-12);
     let loaded = results.get("loaded_balls");
     assert_eq!(loaded, Some(&Cell::Integer(BALLS as i64 - 1)));
-    let contacts =
-        |contacts: &[cageless::raceway_contact::RacewayContact], of: usize| -> Vec<f64> {
-            let axis = |c: &cageless::raceway_contact::RacewayContact| match of {
-                0 => c.pressure_pa / MPA,
-                of => c.semi_axes_m[of - 1] / 1e-3,
-            };
-            contacts.iter().map(axis).collect()
+    let contacts = |contacts: &[cageless::RacewayContact], of: usize| -> Vec<f64> {
+        let axis = |c: &cageless::RacewayContact| match of {
+            0 => c.pressure_pa / MPA,
+            of => c.semi_axes_m[of - 1] / 1e-3,
         };
+        contacts.iter().map(axis).collect()
+    };
     let scaled = |list: &[f64], unit: f64| list.iter().map(|v| v / unit).collect::<Vec<f64>>();
     let flank = |side: usize| space.flank_force_n.iter().map(|f| f[side]).collect();
     let lists: [(&str, Vec<f64>); 19] = [

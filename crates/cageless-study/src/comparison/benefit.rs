@@ -1,6 +1,6 @@
 //! Whether a ring helps against another: what the balls do in steady operation, what it costs and what it breaks.
 
-use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::contact::STRESS_LIMIT_PA;
 use cageless::steady::{BenefitWeights, Settling, Stationarity};
 use cageless_io::estimate::{Change, Estimate};
 use serde::{Serialize, Serializer};

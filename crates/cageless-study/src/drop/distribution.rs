@@ -1,8 +1,8 @@
 //! Distributions over drops whose conditions scatter.
 
 use cageless::FrictionParameters;
-use cageless::numerics::proportion::wilson_interval;
-use cageless::numerics::quantile::quantile;
+use cageless::numerics::quantile;
+use cageless::numerics::wilson_interval;
 use cageless::touchdown::{DrawnBearing, EndState};
 use cageless_io::OptionError;
 use serde::{Serialize, Serializer};

@@ -2,10 +2,10 @@
 
 use std::cell::RefCell;
 
+use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, RotorDrop, RotorOutcome, RunOutcome};
-use cageless::snapshot::Snapshot;
 use cageless_results::{DropJudgement, DropResult, DropRun};
 
 use super::FiledDrop;

@@ -2,7 +2,7 @@
 
 use cageless::Case;
 use cageless::equilibrium::EquilibriumError;
-use cageless::numerics::lanes::BATCH_WIDTH;
+use cageless::numerics::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending, Observer, RotorDrop, RotorDropOutcome};
 use cageless::touchdown::DropRecorder;
 use cageless_results::DropRun;

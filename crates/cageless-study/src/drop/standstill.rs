@@ -43,13 +43,13 @@ impl Standstill {
     pub fn after(drop: &RotorDrop, record: &DropRecord) -> Result<Self, String> {
         let ends = record.bearings.iter().map(|b| end_power(&b.result));
         let ends: Option<Vec<EndPower>> = ends.collect();
-        let motion = record.bearings[0].outcome.state.rotor_motion();
+        let speed_rad_s = record.bearings[0].outcome.state.rotor_speed_rad_s();
         let rotor = drop.cases()[0].rotor.as_ref();
-        let (Some(ends), Some(motion), Some(rotor)) = (ends, motion, rotor) else {
+        let (Some(ends), Some(speed_rad_s), Some(rotor)) = (ends, speed_rad_s, rotor) else {
             return Err("the rotor has not touched every inner ring".to_owned());
         };
         let driven = || "the drive turns the rotor on, which does not come to rest".to_owned();
-        let (inertia_kg_m2, speed_rad_s) = (rotor.polar_inertia_kg_m2, motion.speed);
+        let inertia_kg_m2 = rotor.polar_inertia_kg_m2;
         let drive_n_m = -rotor.drive_torque_n_m * speed_rad_s.signum();
         // A slow one stands at once.
         if ends.iter().any(|end| end.torque_n_m.is_none()) {

@@ -13,7 +13,7 @@ use cageless::design::search::{
     expected_runs, run_jobs, search,
 };
 use cageless::design::{RacewayVerdict, judge, verdict_steps};
-use cageless::numerics::lanes::BATCH_WIDTH;
+use cageless::numerics::BATCH_WIDTH;
 use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::{CaseFile, SectionValues};
 use rayon::prelude::*;

@@ -8,7 +8,7 @@ use cageless::Case;
 use cageless::design::search::{
     Interrupted, Job, Motion, Numbers, Outcome, PairSeparation, Stage, run_jobs,
 };
-use cageless::numerics::lanes::BATCH_WIDTH;
+use cageless::numerics::BATCH_WIDTH;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::{Entry, Journal};
 use cageless_io::results::VERSION;

@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::equilibrium::settle;
-use cageless::numerics::lanes::BATCH_WIDTH;
+use cageless::numerics::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};

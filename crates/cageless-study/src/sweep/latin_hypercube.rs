@@ -1,6 +1,6 @@
 //! Latin hypercubes by index.
 
-use cageless::numerics::random::{GOLDEN_GAMMA, mix};
+use cageless::numerics::{GOLDEN_GAMMA, mix};
 
 use super::random::Purpose;
 

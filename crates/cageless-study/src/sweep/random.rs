@@ -1,6 +1,6 @@
 //! Purposes of the random numbers of a sweep.
 
-use cageless::numerics::random::RandomStream;
+use cageless::numerics::RandomStream;
 
 /// Purpose of random numbers; each has its own streams. The numbers are kept for good: a plan
 /// gives the same variants in every version.

@@ -1,7 +1,7 @@
 //! Case of a variant by its index.
 
 use cageless::Gaps;
-use cageless::numerics::random::RandomStream;
+use cageless::numerics::RandomStream;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{

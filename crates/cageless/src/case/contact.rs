@@ -63,7 +63,7 @@ impl Contact {
     }
 
     /// The law of friction with its parameters in a few words.
-    pub fn describe_friction(&self) -> String {
+    pub(crate) fn describe_friction(&self) -> String {
         let law = self.friction_law.describe(&self.friction);
         match self.regularisation {
             Regularisation::Speed => law,

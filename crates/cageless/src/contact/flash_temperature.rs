@@ -1,7 +1,7 @@
 //! Flash temperature of sliding contacts (Blok 1937).
 //!
 //! ```
-//! use cageless::contact::flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
+//! use cageless::contact::FLASH_TEMPERATURE_LIMIT_K;
 //!
 //! assert_eq!(FLASH_TEMPERATURE_LIMIT_K, 150.0);
 //! ```

@@ -20,10 +20,10 @@ pub(crate) mod creep;
 mod flank_friction;
 mod flank_section;
 mod flanks;
-pub mod flash_temperature;
+pub(crate) mod flash_temperature;
 pub(crate) mod friction;
 pub(crate) mod friction_step;
-pub mod hertz;
+pub(crate) mod hertz;
 mod implicit_friction;
 mod inner;
 mod journal;
@@ -33,6 +33,9 @@ mod outer_geometry;
 pub(crate) mod published;
 mod regularisation;
 mod slip_problem;
+
+pub use flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
+pub use hertz::{PointContact, STRESS_LIMIT_PA};
 
 pub(crate) use ball_ball::{BallBallContactLanes, ball_ball_contact, ball_deflection};
 pub(crate) use creep::CreepLanes;

@@ -76,19 +76,12 @@ impl ContactAngleEstimate {
 
 /// Contact angle and deflection at the outer raceway of the most loaded ball of each row on a plain outer
 /// ring, in static equilibrium in space. The contact angle is that of the line through the centres of both
-/// grooves, the mean of both contacts: centrifugal force makes that at the inner raceway larger.
+/// grooves, the mean of both contacts: centrifugal force makes that at the inner raceway larger. `control` is called
+/// before every place of the ring that is tried.
 ///
 /// # Errors
-/// Those of [`space::solve`].
-pub fn seats(case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
-    seats_controlled(case, &mut || Control::Continue(()))
-}
-
-/// [`seats`], with `control` called before every place of the ring that is tried.
-///
-/// # Errors
-/// Those of [`seats`], or `control` ended the search.
-pub fn seats_controlled(
+/// Those of [`space::solve`], or `control` ended the search.
+pub fn seats(
     case: &Case,
     control: &mut dyn FnMut() -> Control,
 ) -> Result<Vec<[f64; 2]>, EquilibriumError> {

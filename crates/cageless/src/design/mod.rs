@@ -38,7 +38,7 @@ pub use axial::{
     AXIAL_ORBITS, AxialLag, AxialLimit, LagAndAngle, NoLag, axial_critical_gap_rad, axial_lag,
     axial_load_keeping, axial_points, axial_sample,
 };
-pub use contact_angle::{ContactAngleEstimate, seats, seats_controlled};
+pub use contact_angle::{ContactAngleEstimate, seats};
 pub(crate) use contact_angle::{kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction};
 pub(crate) use criterion::{AXIAL_LAG, LAG, PRESSURE_AT_REST};
 pub use criterion::{

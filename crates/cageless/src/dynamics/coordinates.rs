@@ -1,7 +1,7 @@
 //! The coordinates of a bearing: one table that names what the state vector holds.
 //!
 //! ```
-//! use cageless::dynamics::coordinates::BALL;
+//! use cageless::dynamics::BALL;
 //!
 //! assert_eq!(BALL[2].name, "vx_m_s");
 //! ```

@@ -1,7 +1,7 @@
 //! Terms of the energy ledger.
 //!
 //! ```
-//! use cageless::dynamics::energy::EnergyTerm;
+//! use cageless::dynamics::EnergyTerm;
 //!
 //! assert_eq!(EnergyTerm::Damping.name(), "damping");
 //! assert!(EnergyTerm::Damping.is_loss());

@@ -1,8 +1,8 @@
 //! Places of the coordinates in the vector that the integrators advance.
 //!
 //! ```
-//! use cageless::dynamics::coordinates::BallCoordinate;
-//! use cageless::dynamics::layout::Layout;
+//! use cageless::dynamics::BallCoordinate;
+//! use cageless::dynamics::Layout;
 //! use cageless::reference;
 //!
 //! let layout = Layout::of_case(&reference::conventional());

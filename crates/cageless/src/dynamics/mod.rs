@@ -3,7 +3,7 @@
 //!
 //! ```
 //! use cageless::dynamics::{Model, RightHandSide};
-//! use cageless::initial_conditions::initial_state;
+//! use cageless::initial_state;
 //! use cageless::integrator::System;
 //! use cageless::reference::Structure;
 //!
@@ -15,17 +15,23 @@
 //! ```
 
 mod contacts;
-pub mod coordinates;
-pub mod energy;
-pub mod layout;
+pub(crate) mod coordinates;
+pub(crate) mod energy;
+pub(crate) mod layout;
 pub(crate) mod model;
 pub(crate) mod plane_path;
 mod right_hand_side;
 pub(crate) mod rotor_equations;
 pub(crate) mod rotor_on_bearings;
 pub(crate) mod space;
-pub mod state;
+pub(crate) mod state;
 mod stored_energy;
+
+pub use crate::world::body::{BodyKind, BodyRow, Freedoms};
+pub use coordinates::{BALL, BallCoordinate, Coordinate, RingCoordinate};
+pub use energy::EnergyTerm;
+pub use layout::Layout;
+pub use state::State;
 
 pub use crate::simd::InstructionSet;
 pub(crate) use contacts::Contacts;

@@ -1,7 +1,7 @@
 //! The state vector: what the integrators advance.
 //!
 //! ```
-//! use cageless::initial_conditions::initial_state;
+//! use cageless::initial_state;
 //! use cageless::reference;
 //!
 //! let (state, angles_rad) = initial_state(&reference::conventional())?;
@@ -43,7 +43,7 @@ impl State {
     }
 
     /// The state of one bearing in a vector that an integrator has advanced.
-    pub fn from_vector(layout: Layout, values: &[f64]) -> Self {
+    pub(crate) fn from_vector(layout: Layout, values: &[f64]) -> Self {
         if layout.width() == 1 {
             let mut values = values[layout.start()..][..layout.len()].to_vec();
             let layout = layout.alone();
@@ -175,8 +175,13 @@ impl State {
     }
 
     /// Motion of the rotor, if there is one.
-    pub fn rotor_motion(&self) -> Option<RotorMotion> {
+    pub(crate) fn rotor_motion(&self) -> Option<RotorMotion> {
         self.layout.rotor_motion(&self.values)
+    }
+
+    /// Angular velocity of the rotor, rad/s, if there is one.
+    pub fn rotor_speed_rad_s(&self) -> Option<f64> {
+        Some(self.rotor_motion()?.speed)
     }
 
     /// Sets z of ring `k` of the outer rings that slide.

@@ -2,35 +2,23 @@
 //!
 //! A method is one file: a struct that implements [`Method::perform_step`] on a [`StepState`]. One
 //! that a case can name has a row of [`Properties`] (`NamedMethod`) and a line in the list at the
-//! end of this file. [`Integrator`] owns the state of the step.
+//! end of this file. The example `own_integrator` has a method of a user's own.
 //!
 //! ```
-//! use cageless::integrator::{Abm4, Integrator, System};
+//! use cageless::integrator::Abm4;
+//! use cageless::reference::Structure;
+//! use cageless::simulation::Simulation;
 //!
-//! /// y″ = −y.
-//! struct Oscillator;
-//!
-//! impl System for Oscillator {
-//!     fn dimension(&self) -> usize {
-//!         2
-//!     }
-//!     fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
-//!         (dydt[0], dydt[1]) = (y[1], -y[0]);
-//!     }
-//! }
-//!
-//! let mut integrator = Integrator::new(Abm4::new(2, 0.01), 2);
-//! integrator.restart(&mut Oscillator, 0.0, &[0.0, 1.0]);
-//! while integrator.step().t1_s < 1.0 {
-//!     integrator.advance(&mut Oscillator, 1.0)?;
-//! }
-//! assert!((integrator.step().y1[0] - 1f64.sin()).abs() < 1e-8);
-//! # Ok::<(), cageless::integrator::UnresolvedStep>(())
+//! let simulation = Simulation::new(&Structure::D.case())?;
+//! let dimension = simulation.state().values().len();
+//! let mut simulation = simulation.with_method(Abm4::new(dimension, 0.2e-6));
+//! simulation.advance_to(1e-5)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod edges;
 mod method;
-mod runge_kutta;
+pub(crate) mod runge_kutta;
 mod step_state;
 mod system;
 pub(crate) mod tableau;
@@ -38,20 +26,20 @@ pub(crate) mod tableau;
 pub use method::{Method, Properties};
 
 pub(crate) use method::NamedMethod;
-pub use runge_kutta::{RungeKutta, UnresolvedStep};
+pub use runge_kutta::UnresolvedStep;
 pub use step_state::StepState;
 pub use system::{PlanarVelocities, SecondOrderBlock, System};
 
 /// A method with the step that it last made.
 #[derive(Debug, Clone)]
-pub struct Integrator<M> {
+pub(crate) struct Integrator<M> {
     method: M,
     step: StepState,
 }
 
 impl<M: Method> Integrator<M> {
     /// Integrates systems of this dimension by `method`.
-    pub fn new(method: M, dimension: usize) -> Self {
+    pub(crate) fn new(method: M, dimension: usize) -> Self {
         Self {
             method,
             step: StepState::new(dimension),
@@ -59,7 +47,7 @@ impl<M: Method> Integrator<M> {
     }
 
     /// Forgets all history and starts at `y`.
-    pub fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
+    pub(crate) fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
         self.step.restart(system, time_s, y);
         self.method.restart(system, &self.step);
     }
@@ -69,7 +57,7 @@ impl<M: Method> Integrator<M> {
     /// # Errors
     /// [`UnresolvedStep`] if no step size resolves the equations.
     #[inline(always)] // into callers compiled for wider vectors
-    pub fn advance<S: System>(
+    pub(crate) fn advance<S: System>(
         &mut self,
         system: &mut S,
         limit_s: f64,
@@ -85,7 +73,7 @@ impl<M: Method> Integrator<M> {
     }
 
     /// The last step. The system's last evaluation was at its end.
-    pub fn step(&self) -> &StepState {
+    pub(crate) fn step(&self) -> &StepState {
         &self.step
     }
 }

@@ -21,7 +21,7 @@ pub struct UnresolvedStep {
 
 /// A pair with its work arrays.
 #[derive(Debug, Clone)]
-pub struct RungeKutta {
+pub(crate) struct RungeKutta {
     tableau: &'static Tableau,
     /// f at the stages, and at the end of the step in the last place.
     stages: Vec<Aligned>,
@@ -41,7 +41,7 @@ enum Attempt {
 
 impl RungeKutta {
     /// The fifth-order pair, for systems of this dimension.
-    pub fn new(dimension: usize) -> Self {
+    pub(crate) fn new(dimension: usize) -> Self {
         Self::with_tableau(&DORMAND_PRINCE_5, dimension)
     }
 
@@ -70,7 +70,7 @@ impl RungeKutta {
     ///
     /// # Errors
     /// [`UnresolvedStep`] when the state is no longer finite or takes too many sub-steps.
-    pub fn integrate_across<S: System>(
+    pub(crate) fn integrate_across<S: System>(
         &mut self,
         system: &mut S,
         from_s: f64,

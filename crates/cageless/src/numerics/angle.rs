@@ -1,7 +1,7 @@
 //! Angles on the circle.
 //!
 //! ```
-//! use cageless::numerics::angle::wrap_angle_rad;
+//! use cageless::numerics::wrap_angle_rad;
 //! use std::f64::consts::TAU;
 //!
 //! assert!((wrap_angle_rad(3.0 * TAU - 0.5) + 0.5).abs() < 1e-14);

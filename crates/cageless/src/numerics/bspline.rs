@@ -4,7 +4,7 @@
 //! the first and the last four times over, so n + 1 sites go with n + 3 control points.
 //!
 //! ```
-//! use cageless::numerics::bspline::Vec3;
+//! use cageless::numerics::Vec3;
 //!
 //! let point: Vec3 = [0.0, 0.0, 1.0];
 //! assert_eq!(point.len(), 3);

@@ -1,7 +1,7 @@
 //! One number per lane, and structs of them derived from plain structs of `f64`.
 //!
 //! ```
-//! use cageless::numerics::lanes::BATCH_WIDTH;
+//! use cageless::numerics::BATCH_WIDTH;
 //!
 //! assert!(BATCH_WIDTH.is_power_of_two());
 //! ```

@@ -1,7 +1,7 @@
 //! The little numerical analysis that the physics rests on.
 //!
 //! ```
-//! use cageless::numerics::moments::Moments;
+//! use cageless::numerics::Moments;
 //!
 //! let mut moments = Moments::default();
 //! moments.add(1.0, 1.0);
@@ -10,23 +10,33 @@
 //! ```
 
 pub(crate) mod aligned;
-pub mod angle;
-pub mod bspline;
+pub(crate) mod angle;
+pub(crate) mod bspline;
 pub(crate) mod chebyshev;
 pub(crate) mod cholesky;
 pub(crate) mod elliptic;
 pub(crate) mod exponential;
 pub(crate) mod inverse_root;
 pub(crate) mod lane_set;
-pub mod lanes;
+pub(crate) mod lanes;
 pub(crate) mod minimum;
-pub mod moments;
+pub(crate) mod moments;
 pub(crate) mod normal_equations;
-pub mod proportion;
+pub(crate) mod proportion;
 pub(crate) mod quadrature;
-pub mod quantile;
-pub mod random;
+pub(crate) mod quantile;
+pub(crate) mod random;
 pub(crate) mod root;
-pub mod student;
+pub(crate) mod student;
 pub(crate) mod taylor;
-pub mod vector;
+pub(crate) mod vector;
+
+pub use angle::wrap_angle_rad;
+pub use bspline::Vec3;
+pub use lanes::BATCH_WIDTH;
+pub use moments::Moments;
+pub use proportion::wilson_interval;
+pub use quantile::quantile;
+pub use random::{GOLDEN_GAMMA, RandomStream, mix};
+pub use student::two_sided_limit;
+pub use vector::{cross, dot};

@@ -1,7 +1,7 @@
 //! Mean and deviation of a series as it comes.
 //!
 //! ```
-//! use cageless::numerics::moments::Moments;
+//! use cageless::numerics::Moments;
 //!
 //! let mut moments = Moments::default();
 //! for value in [1.0, 2.0, 3.0] {

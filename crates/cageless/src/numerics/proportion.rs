@@ -1,7 +1,7 @@
 //! Interval of a probability that was estimated by counting.
 //!
 //! ```
-//! use cageless::numerics::proportion::wilson_interval;
+//! use cageless::numerics::wilson_interval;
 //!
 //! let [low, high] = wilson_interval(0, 10);
 //! assert!(low == 0.0 && (high - 0.2775).abs() < 5e-5);

@@ -1,7 +1,7 @@
 //! Quantiles of samples.
 //!
 //! ```
-//! use cageless::numerics::quantile::quantile;
+//! use cageless::numerics::quantile;
 //!
 //! assert_eq!([0.0, 0.5, 1.0].map(|p| quantile(&[1.0, 2.0, 4.0, 8.0], p)), [1.0, 3.0, 8.0]);
 //! ```

@@ -2,7 +2,7 @@
 //! and the thread on which, they are drawn.
 //!
 //! ```
-//! use cageless::numerics::random::RandomStream;
+//! use cageless::numerics::RandomStream;
 //!
 //! let draw = |index| RandomStream::new(7, 0, 0, index).uniform();
 //! assert_eq!(draw(5), draw(5));

@@ -1,7 +1,7 @@
 //! Student's distribution, for means of a few runs.
 //!
 //! ```
-//! use cageless::numerics::student::two_sided_limit;
+//! use cageless::numerics::two_sided_limit;
 //!
 //! assert!((two_sided_limit(0.05, 4) - 2.776).abs() < 1e-3); // as in every table
 //! ```

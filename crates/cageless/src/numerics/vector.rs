@@ -1,7 +1,7 @@
 //! Vectors of three numbers in loops over lanes, where every operation must be inlined.
 //!
 //! ```
-//! use cageless::numerics::vector::{cross, dot};
+//! use cageless::numerics::{cross, dot};
 //!
 //! let normal = cross([1.0, 2.0, 0.0], [0.0, 1.0, 3.0]);
 //! assert_eq!(normal, [6.0, -3.0, 1.0]);

@@ -114,7 +114,7 @@ pub(crate) fn dynamic_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
 /// with the load Q under which the peak pressure at the more stressed raceway is 4200 MPa, by
 /// Hertz with the steel of the standard (207 GPa, ν = 0.3). The table of ISO 76 is this at
 /// 0.52 inside and 0.53 outside.
-pub fn static_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
+pub(crate) fn static_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
     // Dw = 1: the ball has the curvature 2, the rings ±2γ/(1 ∓ γ) in the plane of rolling.
     let ball = [2.0; 2];
     let raceways = [

@@ -38,7 +38,9 @@ use crate::equilibrium::Equilibrium;
 use crate::equilibrium::space::{SpatialEquilibrium, forces_at_rest};
 use crate::material::{Material, Materials};
 
-pub use basic_ratings::{BasicRatings, static_factor};
+pub use basic_ratings::BasicRatings;
+#[cfg(test)]
+pub(crate) use basic_ratings::static_factor;
 
 #[cfg(test)]
 pub(crate) use basic_ratings::dynamic_factor;

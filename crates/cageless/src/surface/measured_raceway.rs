@@ -8,18 +8,14 @@ use super::recess::MeasuredSlot;
 #[derive(Debug, Clone, PartialEq)]
 pub enum MeasuredRaceway {
     /// Nothing: the groove is plain there.
-    None(NoRaceway),
+    None {
+        /// lC that points of the groove have there at most, with its uncertainty, m; `None` if none comes near them.
+        axial_span_m: Option<MeasuredValue>,
+    },
     /// Flanks.
     Flanks(Box<MeasuredFlank>),
     /// A slot.
     Slot(Box<MeasuredSlot>),
-}
-
-/// A plain groove where the drawing has a raceway.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NoRaceway {
-    /// lC that points of the groove have there at most, with its uncertainty, m; `None` if none comes near them.
-    pub axial_span_m: Option<MeasuredValue>,
 }
 
 /// Dimensions and flanks of a raceway.

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use super::made_ring::MadeRing;
 use super::measured_groove::MeasuredGroove;
-use super::measured_raceway::{MeasuredFlank, MeasuredRaceway, NoRaceway};
+use super::measured_raceway::{MeasuredFlank, MeasuredRaceway};
 use super::measured_value::MeasuredValue;
 use super::points_error::PointsError;
 use super::recess::MeasuredSlot;
@@ -17,6 +17,12 @@ use crate::error::InputError;
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::bspline::Vec3;
 use crate::raceway::{Raceway, RacewayDimensions};
+
+/// A plain groove where the drawing has a raceway.
+#[derive(Clone, Copy)]
+struct NoRaceway {
+    axial_span_m: Option<MeasuredValue>,
+}
 
 /// Fewest points of the groove, and of a raceway.
 const POINTS_MIN: usize = 50;
@@ -186,7 +192,9 @@ impl MeasuredRing {
         let mut raceways = vec![];
         for (index, none) in none.iter().enumerate() {
             raceways.push(match none {
-                Some(none) => MeasuredRaceway::None(*none),
+                Some(none) => MeasuredRaceway::None {
+                    axial_span_m: none.axial_span_m,
+                },
                 None => {
                     let own = seen.iter().filter(|(.., raceway)| *raceway == Some(index));
                     let own: Vec<_> = own.map(|(k, error_m, _)| (*k, *error_m)).collect();
@@ -378,7 +386,7 @@ fn turn_rad(case: &Case, raceways: &[MeasuredRaceway]) -> Option<MeasuredValue> 
     let turns: Vec<MeasuredValue> = turns
         .filter_map(|(drawn, made)| {
             let centre = match made {
-                MeasuredRaceway::None(_) => return None,
+                MeasuredRaceway::None { .. } => return None,
                 MeasuredRaceway::Flanks(made) => made.centre_angle_rad,
                 MeasuredRaceway::Slot(made) => made.measured_centre_angle_rad(),
             };

@@ -68,7 +68,7 @@ use crate::numerics::quadrature::gauss;
 use crate::raceway::{Ends, Raceway, apart};
 
 pub use arc::{Arc, SurfacePoint};
-pub use measured_raceway::{MeasuredFlank, MeasuredRaceway, NoRaceway};
+pub use measured_raceway::{MeasuredFlank, MeasuredRaceway};
 
 pub use conformity::Conformity;
 pub use drawn_groove::DrawnGroove;

@@ -3,7 +3,7 @@
 //! A body in the plane is the one in space with coordinates held: its table has all of them.
 //!
 //! ```
-//! use cageless::initial_conditions::initial_state;
+//! use cageless::initial_state;
 //! use cageless::reference;
 //!
 //! let (state, _angles) = initial_state(&reference::rotor_drop())?;
@@ -12,7 +12,7 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-pub mod body;
+pub(crate) mod body;
 pub(crate) mod joint;
 pub(crate) mod step_change;
 pub(crate) mod under_rotor;

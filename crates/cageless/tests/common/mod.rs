@@ -1,6 +1,6 @@
 // Cases that the tests share.
 
-use cageless::dynamics::state::State;
+use cageless::dynamics::State;
 use cageless::reference::{self, Structure};
 use cageless::simulation::{Control, Ending, Observer, RunOutcome, Simulation, run};
 use cageless::{

@@ -1,8 +1,9 @@
 //! The integrators on problems with known solutions.
 
+use cageless::integrator::runge_kutta::RungeKutta;
 use cageless::integrator::{
-    Abm4, Adaptive, Integrator, Method, PlanarVelocities, RungeKutta, SecondOrderBlock, System,
-    VelocityVerlet, tableau,
+    Abm4, Adaptive, Integrator, Method, PlanarVelocities, SecondOrderBlock, System, VelocityVerlet,
+    tableau,
 };
 
 /// A pendulum-like smooth oscillator with a nonlinear clock: y = (sin s, cos s) with

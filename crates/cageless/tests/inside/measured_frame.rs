@@ -233,7 +233,7 @@ fn a_plain_groove_has_no_raceway() {
         let (points, _) = touched(&case.with_raceways(vec![]), &Touch { sigma_m, ..touch });
         let found = MeasuredRing::fit(&case, &points).unwrap();
         assert!(
-            matches!(found.raceways[0], MeasuredRaceway::None(_)),
+            matches!(found.raceways[0], MeasuredRaceway::None { .. }),
             "{}",
             found.outliers.len()
         );

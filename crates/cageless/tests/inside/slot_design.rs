@@ -6,6 +6,7 @@ use cageless::design::{
     seats, span_angle_curve,
 };
 use cageless::equilibrium;
+use cageless::simulation::Control;
 use cageless::{Case, Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 
 use super::space_design::{criterion, found, go_on, in_space, small};
@@ -131,7 +132,7 @@ fn load_and_contact_angle_on_edges() {
 fn verdicts_on_slots() {
     let case = slotted(3.2, 0.1, 12e3, 1500.0);
     let judged = judge(&case, &mut go_on).unwrap();
-    let [angle, pressed_in] = seats(&case).unwrap()[0];
+    let [angle, pressed_in] = seats(&case, &mut || Control::Continue(())).unwrap()[0];
     let gap = kinematic_gap_rad(&case.bearing, &case.raceways[0], angle, pressed_in);
     let critical = judged.critical_gap_rad.unwrap();
     assert!((critical / gap - 1.0).abs() < 0.02, "{critical} {gap}");
@@ -169,7 +170,11 @@ fn verdicts_on_slots() {
     let lost = judge(&deep, &mut go_on).unwrap();
     assert_eq!(lost.verdict, RacewayVerdict::LosesLag);
     let share_of = |case: &Case| {
-        let estimate = Estimate::elastic(case, &seats(case).unwrap(), None);
+        let estimate = Estimate::elastic(
+            case,
+            &seats(case, &mut || Control::Continue(())).unwrap(),
+            None,
+        );
         let lag = estimate.terms().iter().find(|t| t.name == "lag");
         lag.unwrap().value
     };

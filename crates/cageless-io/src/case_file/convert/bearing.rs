@@ -1,10 +1,10 @@
 //! Bearing of a case.
 
-use cageless::bearing::{CONFORMITY, INNER_RING_DAMPING_N_S_M};
-use cageless::error::Allowed;
+use cageless::Allowed;
 use cageless::{
     Bearing, BearingDimensions, Fit, InnerRingBore, InputError, Materials, OperatingClearance,
 };
+use cageless::{CONFORMITY, INNER_RING_DAMPING_N_S_M};
 
 use crate::case_file::converter::{Converter, refused_in};
 use crate::case_file::error::CaseError;

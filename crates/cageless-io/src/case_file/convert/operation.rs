@@ -1,6 +1,6 @@
 //! Operation of a case.
 
-use cageless::time_table::TimeTable;
+use cageless::TimeTable;
 use cageless::{Operation, SpatialLoad, Tilt, Unbalance};
 
 use crate::case_file::converter::Converter;

@@ -1,7 +1,7 @@
 //! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
-use cageless::bearing::{BALLS_MIN, CONFORMITY, SHOULDER_HEIGHT};
 use cageless::{Assembly, Bearing, BearingDimensions};
+use cageless::{BALLS_MIN, CONFORMITY, SHOULDER_HEIGHT};
 use serde::Serialize;
 
 use crate::case_file::declaration::prelude::*;

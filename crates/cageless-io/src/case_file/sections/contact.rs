@@ -1,6 +1,6 @@
 //! `[contact]`.
 
-use cageless::case::STRIPS_MAX;
+use cageless::STRIPS_MAX;
 use cageless::contact::FrictionTable;
 use cageless::{FrictionModel, Regularisation};
 

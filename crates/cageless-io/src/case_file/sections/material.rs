@@ -1,6 +1,6 @@
 //! `[material]`, `[ball_material]` and `[ring_material]`: a name, or the three numbers.
 
-use cageless::fit::STEEL_EXPANSION_PER_K;
+use cageless::STEEL_EXPANSION_PER_K;
 use cageless::touchdown::STEEL_SPECIFIC_HEAT_J_KG_K;
 
 use crate::case_file::declaration::prelude::*;

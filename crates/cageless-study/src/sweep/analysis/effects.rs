@@ -297,7 +297,7 @@ pub(super) fn maps(
 mod tests {
     use std::f64::consts::PI;
 
-    use cageless::numerics::random::RandomStream;
+    use cageless::numerics::RandomStream;
 
     use super::super::quantities::stretches_of_equal_count;
     use super::*;

@@ -51,7 +51,7 @@ pub(super) fn seat(
     axial_load_n: f64,
 ) -> Result<[f64; 2], EquilibriumError> {
     let plain = in_space(case, point, vec![], axial_load_n);
-    let [angle_rad, pressed_in_m] = seats(&plain)?[0];
+    let [angle_rad, pressed_in_m] = seats(&plain, &mut || Control::Continue(()))?[0];
     Ok([angle_rad.abs(), pressed_in_m])
 }
 

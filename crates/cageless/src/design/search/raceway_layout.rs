@@ -2,6 +2,7 @@
 
 use crate::bearing::Bearing;
 use crate::case::Case;
+use crate::control::Control;
 use crate::design::{
     Eq11, gap_of_delay_rad, kinematic_gap_rad, kinematic_lag_rad, seats, steady_gap_rad,
     theoretical_gap_rad,
@@ -133,7 +134,9 @@ impl OperatingPoint {
     pub(crate) fn row_seats(&self, case: &Case) -> Result<Vec<[f64; 2]>, EquilibriumError> {
         let plain = self.case(case, vec![]);
         let signs = plain.all_rows().into_iter().map(|row| row.contact_sign);
-        let seats = seats(&plain)?.into_iter().zip(signs);
+        let seats = seats(&plain, &mut || Control::Continue(()))?
+            .into_iter()
+            .zip(signs);
         Ok(seats
             .map(|([angle_rad, pressed_in_m], sign)| [sign * angle_rad, pressed_in_m])
             .collect())

@@ -1,7 +1,7 @@
 //! Bodies beside the balls: one file is one body.
 //!
 //! ```
-//! use cageless::world::body::{BodyKind, Freedoms, RingCoordinate};
+//! use cageless::dynamics::{BodyKind, Freedoms, RingCoordinate};
 //!
 //! let row = BodyKind::InnerRing.table()[RingCoordinate::TiltP as usize];
 //! assert_eq!(row.coordinate.name, "tilt_p");
@@ -22,8 +22,8 @@ pub use inner_ring::RingCoordinate;
 pub(crate) use outer_ring::OuterRingCoordinate;
 pub(crate) use resting_ring::RestingRing;
 pub(crate) use rotor::RotorCoordinate;
-pub use rotor::RotorMotion;
-pub use row::{BodyRow, Freedom, Freedoms};
+pub(crate) use rotor::RotorMotion;
+pub use row::{BodyRow, Freedoms};
 pub(crate) use sliding_ring::SlidingCoordinate;
 
 use crate::case::Case;

@@ -58,7 +58,7 @@ pub(crate) const TABLE: [BodyRow; 8] = {
 
 /// Motion of the mass centre of a rotor and its rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RotorMotion {
+pub(crate) struct RotorMotion {
     /// x of the mass centre, m.
     pub x: f64,
     /// y of the mass centre, m.

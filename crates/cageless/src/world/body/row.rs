@@ -13,7 +13,7 @@ pub struct Freedoms {
 
 /// Cases in which a coordinate of a body moves; in others it is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Freedom {
+pub(crate) enum Freedom {
     /// In every case.
     Always,
     /// In space.
@@ -26,7 +26,7 @@ pub enum Freedom {
 
 impl Freedom {
     /// Whether it moves in a bearing with these freedoms.
-    pub const fn moves(self, bearing: Freedoms) -> bool {
+    pub(crate) const fn moves(self, bearing: Freedoms) -> bool {
         match self {
             Self::Always => true,
             Self::InSpace => bearing.in_space,
@@ -42,7 +42,14 @@ pub struct BodyRow {
     /// The coordinate; a velocity names the index of its position in the same table.
     pub coordinate: Coordinate,
     /// Cases in which it moves.
-    pub freedom: Freedom,
+    pub(crate) freedom: Freedom,
+}
+
+impl BodyRow {
+    /// Whether the coordinate moves in a bearing with these freedoms.
+    pub fn moves(&self, bearing: Freedoms) -> bool {
+        self.freedom.moves(bearing)
+    }
 }
 
 /// A position, or a velocity of the position with an index, by its name, unit and scale of errors.
