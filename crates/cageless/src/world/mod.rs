@@ -7,8 +7,8 @@
 //! use cageless::reference;
 //!
 //! let (state, _angles) = initial_state(&reference::rotor_drop())?;
-//! let rotor = state.rotor_motion().unwrap();
-//! assert!((rotor.speed - 3141.6).abs() < 0.1); // 30 000 rpm
+//! let speed_rad_s = state.rotor_speed_rad_s().unwrap();
+//! assert!((speed_rad_s - 3141.6).abs() < 0.1); // 30 000 rpm
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 

@@ -6,7 +6,7 @@
 //! let row = BodyKind::InnerRing.table()[RingCoordinate::TiltP as usize];
 //! assert_eq!(row.coordinate.name, "tilt_p");
 //! let in_plane = Freedoms { in_space: false, under_rotor: true };
-//! assert!(!row.freedom.moves(in_plane));
+//! assert!(!row.moves(in_plane));
 //! ```
 
 mod fastest_rates;
