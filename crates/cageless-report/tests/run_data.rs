@@ -4,7 +4,6 @@
 use cageless::Snapshot;
 use cageless::collision::Collision;
 use cageless::simulation::ObserverError;
-use cageless::{RacewayContact, RacewayPoint};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_report::figures::{
     RUN, ball, collisions, contact_angles, energy, gap_map, groove, history, ring,
@@ -80,7 +79,7 @@ fn contacts_on_the_grooves_carry_the_forces_of_the_run() {
     let found = GrooveContacts::of(&data).expect("a run in space");
     let transient = kept.snapshots.len() - found.angle_rad.len();
     let bearing = &found.case.bearing;
-    let inner = bearing.inner_contact();
+    let [inner, _] = bearing.contacts_at([0.0; 2]);
     let inside = found.in_raceway();
     assert!(
         inside.iter().filter(|both| **both).count() > 20,
@@ -98,9 +97,7 @@ fn contacts_on_the_grooves_carry_the_forces_of_the_run() {
         let (mut along, mut across, mut count) = (0.0, 0.0, 0);
         for point in points {
             let angle_rad = point.angle_rad[k];
-            let (force_n, cosine) = (1.0, angle_rad.cos());
-            let unit = RacewayContact::outer(bearing, RacewayPoint { force_n, cosine });
-            let [_, per_newton] = unit.semi_axes_m;
+            let [_, per_newton] = bearing.contacts_at([angle_rad; 2])[1].semi_axes_m(1.0);
             let force = (point.semi_axes_m[k][1] / per_newton).powi(3);
             let (sin, cos) = angle_rad.sin_cos();
             (along, across, count) = (along + force * cos, across + force * sin, count + 1);
