@@ -2,7 +2,9 @@
 
 use std::io::IsTerminal;
 
-use cageless_results::{DropResult, Results, Shown, ShownBeside, number_text, with_unit};
+use cageless_results::{
+    DropResult, DryVerdict, Results, Shown, ShownBeside, number_text, with_unit,
+};
 use cageless_study::comparison::{ComparedResult, RingComparison};
 
 /// What long runs of real balls say, with the table of the rings and a blank line.
@@ -133,6 +135,16 @@ pub fn judged(passes: Option<bool>, headline: &str) -> String {
         return headline.to_owned();
     }
     coloured(passes, headline)
+}
+
+/// The verdict of a tolerance analysis with its reason, below it that without oil.
+pub fn headlines(results: &Results) -> String {
+    let own = judged(results.flag("passes"), results.text("headline")) + "\n";
+    let dry = DryVerdict::of(results).map(|dry| {
+        let headline = judged(dry.passes, dry.headline);
+        format!("{}: {headline}\n", DryVerdict::NAME)
+    });
+    own + &dry.unwrap_or_default()
 }
 
 /// The verdict at the head of a headline in its colour.

@@ -157,3 +157,53 @@ fn bad_tolerances_are_refused() {
     assert_eq!(answer.code, Some(2));
     assert!(answer.stderr.contains("no [raceway]"), "{answer:?}");
 }
+
+/// A raceway that works in oil and is too deep without it says both at the head of every answer.
+#[test]
+fn a_raceway_for_oil_that_fails_dry_says_so() {
+    let case = repository_case("zhao-d.toml");
+    let deep = [
+        "film.viscosity_mpa_s=5",
+        "film.viscosity_temperature_1_k=0.035",
+        "film.supply=flooded",
+        "raceway.axial_span_mm=5.422",
+        "raceway.half_angle_deg=29.63",
+    ];
+    let sets = [&QUICK[..], &deep].concat();
+    let nominal = ["--groove-depth-um", "0"];
+    let of_machining = [&nominal[..], &FEW[..4], &["--without-benefit"]].concat();
+    let oil = ["--viscosity-percent", "0", "--supply-factor", "1"];
+    let of_all = [&nominal[..], &FEW, &oil, &["--ball-grade", "0"]].concat();
+    let of_all = [&of_all[..], &["--samples", "0"]].concat();
+    let dry = "does not work from evenly spaced balls: too deep";
+    for (command, options, facts) in [
+        ("design", vec![], "/dry_headline"),
+        ("sheet", of_machining, "/tolerance/dry_headline"),
+        ("tolerance", of_all, "/dry_headline"),
+    ] {
+        let dir = tempfile::tempdir().unwrap();
+        let out = ["--out", dir.path().to_str().unwrap()];
+        let answer = call_on(command, &case, &sets, &[&options[..], &out].concat());
+        assert_eq!(answer.code, Some(0), "{command}: {answer:?}");
+        let lines: Vec<&str> = answer.stdout.lines().collect();
+        let own = lines
+            .iter()
+            .position(|line| line.contains("works from evenly spaced"));
+        let beside = lines[own.expect("a verdict") + 1];
+        assert!(beside.starts_with("without oil"), "{command}: {beside}");
+        assert!(beside.contains(dry), "{command}: {beside}");
+        let read = |name: &str| std::fs::read_to_string(dir.path().join(name)).unwrap();
+        let page = read("report.html");
+        let head = page.split("</header>").next().unwrap();
+        assert!(head.contains(&format!("✘ without oil: {dry}")), "{command}");
+        let json: serde_json::Value =
+            serde_json::from_str(&read(&format!("{command}.json"))).unwrap();
+        let headline = json.pointer(facts).and_then(|text| text.as_str());
+        assert!(
+            headline.is_some_and(|text| text.starts_with(dry)),
+            "{command}"
+        );
+        let passes = facts.replace("headline", "passes");
+        assert_eq!(json.pointer(&passes), Some(&false.into()), "{command}");
+    }
+}

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use cageless::design::search::NEIGHBOURS_WIDER;
 
-use cageless_results::Record;
+use cageless_results::{DryVerdict, Record};
 use cageless_study::benefit_search::BenefitSearch;
 use cageless_study::search::point_label;
 
@@ -42,6 +42,9 @@ pub struct DesignData {
     pub passes: Option<bool>,
     /// Whether it works, with the reason and the margin.
     pub headline: String,
+    /// The same without oil: whether it passes, and a line; `None` of a dry case.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dry: Option<(Option<bool>, String)>,
     /// Numbers of the case's own raceways.
     pub results: Vec<Parameter>,
     /// Limits of the user: whether each is kept (`None`: not judged), in a sentence.
@@ -109,6 +112,9 @@ pub fn design_page(data: &DesignData) -> String {
     if !data.results.is_empty() {
         page.section("The raceway of the case");
         page.verdict(data.passes, &data.headline);
+        if let Some((passes, line)) = &data.dry {
+            page.verdict(*passes, line);
+        }
         if data.search.is_some() && data.passes.is_some() {
             page.note(Note::Remark, &two_critical_gaps());
         }
@@ -169,13 +175,21 @@ fn head(data: &DesignData) -> Head {
                 &format!("{}: {}", capital(&shown.name), shown.headline),
             )
             .facts(shown.facts.clone());
+        if let Some((passes, line)) = &shown.dry {
+            head = head.verdict(*passes, &format!("{} {line}", capital(&shown.name)));
+        }
     }
     let own = match (&data.shown, data.headline.as_str()) {
         (_, "") => String::new(),
         (Some(_), headline) => format!("Initial design: {headline}"),
         (None, headline) => headline.to_owned(),
     };
-    head.verdict(data.passes, &own).limits(&data.limits)
+    head = head.verdict(data.passes, &own);
+    if let Some((passes, line)) = &data.dry {
+        let about = data.shown.as_ref().map_or("", |_| "Initial design ");
+        head = head.verdict(*passes, &format!("{about}{line}"));
+    }
+    head.limits(&data.limits)
 }
 
 /// The recommended raceway as it is to be made.
@@ -219,6 +233,9 @@ fn search_sections(page: &mut Page, search: &Record, with_benefit: bool) {
         };
         let headline = format!("{at}{}", verdict.text("headline"));
         page.verdict(verdict.flag("passes"), &headline);
+        if let Some(dry) = DryVerdict::of(verdict) {
+            page.verdict(dry.passes, &dry.line());
+        }
     }
     page.notes(Note::Remark, search.sentences("findings"));
     if search.part("recommended").or(search.part("own")).is_some() {

@@ -15,7 +15,7 @@ use cageless::design::{
 };
 use cageless::raceway::axial_span_limit_m;
 use cageless_io::case_file::CaseFile;
-use cageless_results::{Recommended, Record, software};
+use cageless_results::{DryVerdict, Recommended, Record, software};
 use cageless_study::{DesignResult, lines, parameter, parameters, provenance};
 
 /// Points of the curve of Eq. (11).
@@ -52,6 +52,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         warnings: record.sentences("warnings").to_vec(),
         passes,
         headline: results_of.text("headline").to_owned(),
+        dry: DryVerdict::of(results_of).map(|dry| (dry.passes, dry.line())),
         results: results(result),
         recommendation_passes: near.and_then(Recommended::passes),
         recommendation: near.map_or(String::new(), |r| {

@@ -1,6 +1,6 @@
 //! The box on top of a page: verdicts and key numbers.
 
-use cageless_results::open_benefit;
+use cageless_results::{DryVerdict, Results, open_benefit};
 
 use crate::data::Parameter;
 use crate::text::{escape, rich, significant};
@@ -30,6 +30,14 @@ impl Head {
             self.verdicts.push((passes, headline.to_owned()));
         }
         self
+    }
+
+    /// Adds the verdict without oil beside that of a raceway in oil.
+    pub fn dry(self, results: &Results) -> Self {
+        match DryVerdict::of(results) {
+            Some(dry) => self.verdict(dry.passes, &dry.line()),
+            None => self,
+        }
     }
 
     /// Adds limits of the user with whether they are kept.

@@ -2,7 +2,7 @@
 
 use cageless::Case;
 use cageless_io::case_file::{CaseDocument, CaseFile};
-use cageless_results::Cell;
+use cageless_results::{Cell, DryVerdict, Results};
 use cageless_study::{DesignResult, parameter, raceway_section, reshaped, turned, with_raceways};
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +18,9 @@ pub struct ShownRaceway {
     pub passes: Option<bool>,
     /// Whether it works, with the reason and the margin.
     pub headline: String,
+    /// The same without oil: whether it passes, and a line; `None` of a dry case.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dry: Option<(Option<bool>, String)>,
     /// Key numbers.
     pub facts: Vec<Parameter>,
     /// Dimensions for a drawing.
@@ -130,6 +133,7 @@ impl ShownRaceway {
             name: name.to_owned(),
             passes,
             headline,
+            dry: dry(result),
             facts: facts.collect(),
             drawing: drawing(&case, &document, &surface),
             toml: toml(&document),
@@ -139,20 +143,31 @@ impl ShownRaceway {
     }
 }
 
+/// The results that have the verdict on the recommended raceway.
+fn verdict_of(result: &DesignResult) -> Option<&Results> {
+    let searched = result.search.as_ref();
+    let searched = searched.and_then(|s| s.parts("recommended_verdicts").first());
+    let near = || result.recommendation().map(|near| near.0);
+    searched.or_else(near).map(|record| &record.results)
+}
+
 fn verdict(result: &DesignResult) -> (Option<bool>, String) {
     // One that helps works at every operating point; the head says how it helps.
     if let (Some(_), Some(benefit)) = (&result.search, &result.benefit) {
         return (benefit.helps(), "helps in steady operation".to_owned());
     }
-    let searched = result
-        .search
-        .as_ref()
-        .and_then(|s| s.parts("recommended_verdicts").first());
-    match (searched, result.recommendation()) {
-        (Some(verdict), _) => (verdict.flag("passes"), verdict.text("headline").to_owned()),
-        (None, Some(near)) => (near.passes(), near.0.results.text("headline").to_owned()),
-        (None, None) => (None, String::new()),
+    match verdict_of(result) {
+        Some(verdict) => (verdict.flag("passes"), verdict.text("headline").to_owned()),
+        None => (None, String::new()),
     }
+}
+
+/// Whether the recommended raceway passes without oil, and a line; `None` of a dry case, and where benefit chose.
+fn dry(result: &DesignResult) -> Option<(Option<bool>, String)> {
+    if result.search.is_some() && result.benefit.is_some() {
+        return None;
+    }
+    DryVerdict::of(verdict_of(result)?).map(|dry| (dry.passes, dry.line()))
 }
 
 /// A number with so many decimals.

@@ -77,6 +77,7 @@ fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &st
     if let Some(judged) = judged {
         let passes = judged.record.flag("passes");
         head = head.verdict(passes, judged.record.text("headline"));
+        head = head.dry(&judged.record);
         if let Some(failing) = failing(&judged.record) {
             head = head.verdict(None, &failing);
         }

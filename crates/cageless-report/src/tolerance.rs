@@ -21,6 +21,7 @@ pub fn tolerance_page(result: &ToleranceResult) -> String {
         head = head.verdict(benefit.helps(), &benefit.answer);
     }
     let head = head.verdict(record.flag("passes"), record.text("headline"));
+    let head = head.dry(record);
     page.head(&head.facts(lines(record.rows())));
     page.notes(Note::Warning, record.sentences("warnings"));
     if let Some(benefit) = &result.benefit {

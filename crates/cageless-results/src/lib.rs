@@ -11,6 +11,7 @@ mod design_result;
 mod drop_judgement;
 mod drop_result;
 mod drop_run;
+mod dry_verdict;
 mod limited;
 #[cfg(test)]
 mod list_tests;
@@ -50,6 +51,7 @@ pub use drop_judgement::DropJudgement;
 pub use drop_result::{DropResult, ShownBeside, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
+pub use dry_verdict::DryVerdict;
 pub use kind::Kind;
 pub use limited::{LIMITED, LimitJudgement, judged_limit};
 pub use measured_result::{MEASURED_SHAPE, measured_rows};

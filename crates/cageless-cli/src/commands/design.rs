@@ -6,7 +6,7 @@ use cageless_paper::structures_of;
 use cageless_report::design_report::design_data;
 use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
-use cageless_results::open_benefit;
+use cageless_results::{DryVerdict, open_benefit};
 use cageless_study::design::{Asked, DesignResult, Designed, design as study};
 use cageless_study::{StudyError, search};
 
@@ -132,6 +132,8 @@ fn text(r: &DesignResult) -> String {
         record.results.text("headline"),
     );
     lines.push(("verdict", judged(passes, headline)));
+    let dry = DryVerdict::of(&record.results);
+    lines.extend(dry.map(|dry| (DryVerdict::NAME, judged(dry.passes, dry.headline))));
     let open = open_benefit(passes).filter(|_| r.benefit.is_none());
     lines.extend(open.map(|open| ("benefit", open.to_owned())));
     lines.extend(record.limits().lines());

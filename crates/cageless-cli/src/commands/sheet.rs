@@ -7,7 +7,7 @@ use cageless_study::tolerance::interruption;
 use crate::args::SheetArgs;
 use crate::driver::{Answer, pretty, read_case_at_rest};
 use crate::failure::Failure;
-use crate::format::{compared, grouped, judged, notes, pairs, warnings};
+use crate::format::{compared, grouped, headlines, notes, pairs, warnings};
 
 const NUMBERS: &str = "sheet.json";
 
@@ -42,7 +42,7 @@ fn text(result: &SheetResult) -> String {
         if let Some(benefit) = &found.benefit {
             text += &compared(&benefit.answer, &benefit.comparison);
         }
-        text += &(judged(found.record.flag("passes"), found.record.text("headline")) + "\n");
+        text += &headlines(&found.record);
         let failing = failing(&found.record).map(|text| text + "\n");
         text += &failing.unwrap_or_default();
         text += &warnings(found.record.sentences("warnings"));

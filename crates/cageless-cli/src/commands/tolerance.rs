@@ -10,7 +10,7 @@ use cageless_study::tolerance::{
 use crate::args::ToleranceArgs;
 use crate::driver::{Answer, PAGE};
 use crate::failure::Failure;
-use crate::format::{columns, compared, judged, pairs, values, warnings};
+use crate::format::{columns, compared, headlines, pairs, values, warnings};
 
 const NUMBERS: &str = "tolerance.json";
 
@@ -55,7 +55,7 @@ fn text(result: &ToleranceResult) -> String {
     let benefit = result.benefit.as_ref();
     let benefit = benefit.map(|b| compared(&b.answer, &b.comparison));
     let mut text = benefit.unwrap_or_default();
-    text += &(judged(record.flag("passes"), record.text("headline")) + "\n");
+    text += &headlines(record);
     text += &pairs(&values(record));
     text += &format!("\n{}", columns(&table_of(record.parts("influences"))));
     if let Some(samples) = record.part("samples") {

@@ -376,6 +376,8 @@ class ToleranceAttributes:
     passes: bool | None  # passes
     headline: str  # verdict with its reason
     nominal_passes: bool | None  # nominal bearing passes
+    dry_passes: bool | None  # nominal bearing passes without oil
+    dry_headline: str  # verdict with its reason on the nominal bearing without oil
     nominal_verdict: str  # verdict on the nominal bearing
     nominal_critical_gap_deg: float  # critical gap, nominal, deg
     nominal_lag_fraction: float  # lag of the row and raceway with the least, share of rolling, nominal

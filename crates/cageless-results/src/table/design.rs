@@ -113,7 +113,7 @@ pub const FILM_VERDICT: &[Quantity] = &[
     means("outside the raceways, with the lag of the film", part(quantity("film_steady_gap_deg", "deg", "steady-state gap with the film", Verdict(|j| j.judgement.steady_gap_rad.map(f64::to_degrees).into())))),
     means(VERDICT_NAMES, part(text("dry_verdict", "verdict without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.verdict.name().to_owned())))))),
     part(high(flag("dry_passes", "passes without oil", Verdict(|j| flagged(j.judgement.dry.as_ref().and_then(|dry| dry.passes())))))),
-    part(in_tables(text("dry_headline", "without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.headline())))))),
+    file_only(text("dry_headline", "verdict with its reason, without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.headline()))))),
 ];
 
 /// Passages of balls in the runs of a verdict.

@@ -20,6 +20,8 @@ pub const TOLERANCE: &[Quantity] = &[
     part(high(flag("passes", "passes", Tolerance(|t| flagged(t.assessment.passes()))))),
     part(text("headline", "verdict with its reason", Tolerance(|t| Cell::Text(t.assessment.headline())))),
     part(high(flag("nominal_passes", "nominal bearing passes", Tolerance(|t| flagged(t.assessment.nominal.passes()))))),
+    part(means("none of a case without `[film]`", high(flag("dry_passes", "nominal bearing passes without oil", Tolerance(|t| flagged(t.assessment.nominal.dry.as_ref().and_then(|dry| dry.passes()))))))),
+    part(means("none of a case without `[film]`", text("dry_headline", "verdict with its reason on the nominal bearing without oil", Tolerance(|t| t.assessment.nominal.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.headline.clone())))))),
     part(in_tables(means(VERDICT_NAMES, text("nominal_verdict", "verdict on the nominal bearing", Tolerance(|t| Cell::Text(t.assessment.nominal.verdict.name().to_owned())))))),
     part(means(CRITICAL_GAP, quantity("nominal_critical_gap_deg", "deg", "critical gap, nominal", Tolerance(|t| t.assessment.nominal.critical_gap_rad.map(f64::to_degrees).into())))),
     part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, share of rolling, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.lag_fraction).into()))))),

@@ -141,6 +141,7 @@ fn results_are_in_the_units_of_the_drawing() {
         }),
         reason: (verdict == RacewayVerdict::Infeasible).then(|| format!("reason {number}")),
         headline: String::new(),
+        dry: None,
     };
     let verdict = |k: usize| match all.len() - k {
         3 => RacewayVerdict::Slips,

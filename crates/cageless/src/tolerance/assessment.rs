@@ -18,6 +18,8 @@ pub struct Outcome {
     pub reason: Option<String>,
     /// Whether it works, with the verdict, the criterion that decides, and its margin.
     pub headline: String,
+    /// That of the same bearing without oil; `None` of a dry one.
+    pub dry: Option<Box<Outcome>>,
 }
 
 impl Outcome {
@@ -33,6 +35,8 @@ impl Outcome {
 
     /// Outcome of a bearing that was judged; one whose run stopped is not.
     pub fn judged(judgement: &Judgement) -> Self {
+        let dry = judgement.dry.as_deref();
+        let dry = dry.map(|dry| Box::new(Self::judged(dry)));
         let stopped = judgement.stopped.as_ref();
         if let Some(stop) = stopped.filter(|stop| !stop.cause.gives_way()) {
             let reason = format!("the run stopped {}", stop.reason());
@@ -42,6 +46,7 @@ impl Outcome {
                 passages: None,
                 headline: format!("not judged: {reason}"),
                 reason: Some(reason),
+                dry,
             };
         }
         Self {
@@ -54,6 +59,7 @@ impl Outcome {
             )
             .then(|| judgement.reasons.join("; ")),
             headline: judgement.headline(),
+            dry,
         }
     }
 
@@ -69,6 +75,7 @@ impl Outcome {
                 RacewayVerdict::Infeasible.label()
             ),
             reason: Some(reason),
+            dry: None,
         }
     }
 }

@@ -183,6 +183,7 @@ fn outcome(verdict: RacewayVerdict, number: f64) -> Outcome {
         }),
         reason: None,
         headline: format!("headline {number}"),
+        dry: None,
     }
 }
 
