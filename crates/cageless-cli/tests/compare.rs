@@ -261,6 +261,30 @@ fn a_comparison_in_oil_asks_for_the_dry_one() {
     assert!(!text("0").contains("in oil"));
 }
 
+/// Two cases that differ in the film alone are told apart.
+#[test]
+fn cases_with_other_films_say_which() {
+    let dir = tempfile::tempdir().unwrap();
+    let dry = repository_case("zhao-d.toml");
+    let wet = dir.path().join("wet.toml");
+    let oil = "\n[film]\nviscosity_mpa_s = 5\nviscosity_temperature_1_k = 0.035\nsupply = \"two-drops\"\n";
+    std::fs::write(&wet, std::fs::read_to_string(&dry).unwrap() + oil).unwrap();
+    let out = ["--draws", "2", "--out", dir.path().to_str().unwrap()];
+    let sets = [&SHORT[..], &["solver.duration_s=0.005"]].concat();
+    let done = call_on(
+        "compare",
+        &dry,
+        &sets,
+        &[&[wet.to_str().unwrap()], &out[..]].concat(),
+    );
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
+    for film in ["; no film", "; film: 5 mPa·s, supply 0.65"] {
+        assert!(done.stdout.contains(film), "{film}: {}", done.stdout);
+        assert!(page.contains(film), "{film}");
+    }
+}
+
 /// A case beside its remedies: all with the same balls, fewer of them where fewer fit.
 #[test]
 fn a_case_is_compared_with_its_remedies() {

@@ -2,7 +2,7 @@
 
 use cageless_study::comparison::{ComparedResult, RingComparison};
 
-use crate::compared_run::{ComparedRun, provenance};
+use crate::compared_run::{ComparedRun, films, provenance};
 use crate::data::{Motion, Provenance};
 use crate::figures::compare as figures;
 use crate::head::Head;
@@ -21,8 +21,8 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         Some(_) => format!("{}, draw 1 of {}", run.name, comparison.draws.count),
         None => run.name.clone(),
     };
-    let lead: Vec<String> = (runs.iter())
-        .map(|run| format!("{}: {}", shown(run), run.data.lead))
+    let lead: Vec<String> = (runs.iter().zip(films(runs)))
+        .map(|(run, film)| format!("{}{film}: {}", shown(run), run.data.lead))
         .collect();
     let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
     let judged = comparison.benefits.iter().flatten();

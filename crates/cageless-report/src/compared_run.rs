@@ -25,6 +25,19 @@ pub fn compared_runs(rings: &[ComparedRing], comparison: &RingComparison) -> Vec
     .collect()
 }
 
+/// Film of each run, in words; empty where the runs do not differ in it.
+pub fn films(runs: &[ComparedRun]) -> Vec<String> {
+    let film = |run: &ComparedRun| match &run.data.provenance.film {
+        Some(film) => format!("; film: {film}"),
+        None => "; no film".to_owned(),
+    };
+    let films: Vec<String> = runs.iter().map(film).collect();
+    match films.iter().all(|film| *film == films[0]) {
+        true => vec![String::new(); films.len()],
+        false => films,
+    }
+}
+
 /// Provenance of what shows all runs; settings in which they differ stand side by side.
 pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
     let all = || runs.iter().map(|run| &run.data.provenance);

@@ -148,7 +148,15 @@ impl Table {
                     (None, Column::Dim) => " class=\"num dim\"",
                     _ => " class=\"num\"",
                 };
-                out.push_str(&format!("<td{class}>{}</td>", rich(text)));
+                let indent = if text.starts_with("  ") {
+                    "\u{2003}"
+                } else {
+                    ""
+                };
+                out.push_str(&format!(
+                    "<td{class}>{indent}{}</td>",
+                    rich(text.trim_start())
+                ));
             }
             out.push_str("</tr>\n");
         }

@@ -20,6 +20,40 @@ fn json(summary: &RunSummary) -> Value {
     serde_json::from_str(&summary.to_json().unwrap()).unwrap()
 }
 
+/// The rows below the power loss are all of it, the rolling resistance of film and steel among them.
+#[test]
+fn rows_of_the_power_loss_in_oil_add_up() {
+    let oil = [
+        "solver.duration_s=0.05",
+        "film.viscosity_mpa_s=5",
+        "film.viscosity_temperature_1_k=0.035",
+        "film.supply=flooded",
+        "film.hysteresis=yes",
+    ];
+    let results = summary(false, &oil).results;
+    let groups = results.groups();
+    let friction = groups
+        .iter()
+        .find(|(heading, _)| *heading == "Friction and speed");
+    let parts = friction.unwrap().1.iter();
+    let parts = parts.filter(|(label, ..)| label.starts_with("  "));
+    // Powers of ten are too small to count.
+    let parts_w: f64 = parts
+        .map(|(_, value, _)| value.parse().unwrap_or(0.0))
+        .sum();
+    let [loss_w, stored_w, rolling_w] = [
+        "power_loss_w",
+        "power_loss_stored_w",
+        "rolling_resistance_power_w",
+    ]
+    .map(|name| results.number(name));
+    assert!(rolling_w > 0.9 * loss_w, "{rolling_w} of {loss_w}");
+    assert!(
+        (parts_w + stored_w - loss_w).abs() < 1e-3 * loss_w,
+        "{parts_w} {stored_w} {loss_w}"
+    );
+}
+
 #[test]
 fn summary_and_tables_are_views_of_one_table() {
     let summary = summary(false, &["solver.duration_s=0.09"]);
@@ -63,7 +97,10 @@ fn summary_and_tables_are_views_of_one_table() {
             .count()
     );
     let unit = |label: &str| &shown.iter().find(|r| r.0.starts_with(label)).unwrap().2;
-    assert_eq!(unit("torque of gross sliding in the model"), "N·mm");
+    assert_eq!(
+        unit("friction torque in the model, rolling in oil included"),
+        "N·mm"
+    );
     assert_eq!(unit("friction torque with lubricant"), "N·mm");
     assert_eq!(unit("peak contact pressure"), "MPa");
 

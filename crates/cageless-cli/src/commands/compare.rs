@@ -3,7 +3,7 @@
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::SUMMARY;
 use cageless_report::compare::compare_page;
-use cageless_report::compared_run::{ComparedRun, compared_runs};
+use cageless_report::compared_run::{ComparedRun, compared_runs, films};
 use cageless_report::run_report::run_data;
 use cageless_study::Progress;
 use cageless_study::comparison::{
@@ -49,8 +49,8 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
 }
 
 fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
-    let titles: Vec<_> = (runs.iter())
-        .map(|run| (run.name.as_str(), run.data.title.clone()))
+    let titles: Vec<_> = (runs.iter().zip(films(runs)))
+        .map(|(run, film)| (run.name.as_str(), run.data.title.clone() + &film))
         .collect();
     let verdicts: Vec<_> = (comparison.runs.iter().zip(&comparison.verdicts))
         .map(|(name, verdict)| (name, judged(verdict.passes, &verdict.headline)))

@@ -28,22 +28,22 @@ pub const RUN: &[Quantity] = &[
     file_only(text("headline", "verdict with its reason", Run(|r| Cell::Text(r.verdict.headline.clone())))),
     means(CRITERION, text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
     means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into())))),
-    group(Group::Friction, means("`power_loss_w` over the speed of the inner ring; without rolling resistance and lubricant, but for those of `[film]`", low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))))),
+    group(Group::Friction, means("`power_loss_w` over the speed of the inner ring: gross sliding and damping, with `[film]` also rolling resistance; without cage, seals and churning", low(quantity("friction_torque_n_m", "N m", "friction torque in the model, rolling in oil included", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))))),
     group(Group::Friction, means("estimate for a deep groove ball bearing with a cage: P of ISO 281, d the bore, μ = 0.0015; none with moments, a tilt, a contact angle or several rows", quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into())))),
     group(Group::Friction, means("power of the drive, averaged over whole orbits of the balls: the heat of friction and damping, and what is stored less the work of loads (`power_loss_stored_w`); where the speed varies, the heat alone", low(quantity("power_loss_w", "W", "power loss in the model, damping included", Run(|r| of_means(r, OrbitMeans::power_loss_w)))))),
     group(Group::Friction, quantity("power_loss_inner_friction_w", "W", "  friction at the inner raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::InnerFriction))))),
     group(Group::Friction, quantity("power_loss_outer_friction_w", "W", "  friction at the outer raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::OuterFriction))))),
     group(Group::Friction, unless_zero(quantity("power_loss_ball_friction_w", "W", "  friction between balls", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::BallFriction)))))),
+    group(Group::Friction, means("heat of the oil film at both raceways, with `film.hysteresis` also of the steel; with `[film]`", part(low(quantity("rolling_resistance_power_w", "W", "  rolling resistance at both raceways", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance)))))))),
     group(Group::Friction, quantity("power_loss_damping_w", "W", "  damping of the contacts (an assumed constant)", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Damping))))),
     group(Group::Friction, unless_zero(means("and damping in the seats of outer rings that slide under springs", quantity("power_loss_inner_ring_damping_w", "W", "  drag on the inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Drag))))))),
     group(Group::Friction, unless_zero(quantity("power_loss_rotor_friction_w", "W", "  friction between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorFriction)))))),
     group(Group::Friction, unless_zero(quantity("power_loss_rotor_damping_w", "W", "  damping between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorDamping)))))),
     group(Group::Friction, unless_zero(quantity("power_loss_support_damping_w", "W", "  damping of the support", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::SupportDamping)))))),
     not_in_tables(means("rise of the stored energy less the work of the loads, per second", quantity("power_loss_stored_w", "W", "  stored, less work of loads", Run(|r| of_means(r, OrbitMeans::stored_w))))),
-    group(Group::Film, means("heat of the oil film at both raceways, and of hysteresis where it counts; part of `power_loss_w`; with `[film]`", part(low(quantity("rolling_resistance_power_w", "W", "power of rolling resistance", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance)))))))),
-    group(Group::Film, means("that power over the speed of the inner ring", part(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance) / m.inner_speed_rad_s))))))),
+    group(Group::Film, means("`rolling_resistance_power_w` over the speed of the inner ring; part of `friction_torque_n_m`", part(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance) / m.inner_speed_rad_s))))))),
     group(Group::Film, means("orbital speed of rolling times the time from ψ = 90° to 270°, less 180°, mean over the balls; with `[film]`", part(quantity("half_turn_lag_deg", "deg", "lag of the balls over the half orbit away from the load", Run(|r| half_turn(r, |lag| lag.to_degrees())))))),
-    group(Group::Film, means("2/π times that lag: by film, weight, contact angles and contacts of the balls together; `design` has the part of the film", part(quantity("half_turn_deficit_fraction", "", "share of its speed that a ball loses over that half orbit", Run(|r| half_turn(r, |lag| lag / FRAC_PI_2)))))),
+    group(Group::Film, means("2/π times that lag: by film, weight, contact angles and contacts of the balls together; none where that is all of it; `design` has the part of the film", part(quantity("half_turn_deficit_fraction", "", "share of its speed that a ball loses over that half orbit", Run(|r| half_turn(r, deficit)))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_pa * 1e-6)))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_pa * 1e-6)))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_pa * 1e-6)))))),
@@ -121,6 +121,12 @@ fn of_film(run: &Finished<'_>, value: fn(&OrbitMeans) -> f64) -> Cell {
     }
 }
 
+/// 2/π of a lag over half an orbit; NaN where it is all of the speed or more.
+fn deficit(lag_rad: f64) -> f64 {
+    let share = lag_rad / FRAC_PI_2;
+    if share < 1.0 { share } else { f64::NAN }
+}
+
 fn half_turn(run: &Finished<'_>, value: fn(f64) -> f64) -> Cell {
     let lag_rad = run.summary.and_then(|s| s.half_turn_lag_rad);
     lag_rad.map(value).into()
@@ -158,4 +164,16 @@ fn of_rows(run: &Finished<'_>, values: fn(&SpatialSummary) -> Vec<f64>) -> Cell 
 
 fn of_summary(run: &Finished<'_>, value: fn(&Summary) -> f64) -> Cell {
     run.summary.map(value).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::deficit;
+
+    /// A ball has no more than its speed to lose.
+    #[test]
+    fn nothing_is_lost_beyond_all_of_the_speed() {
+        assert!((deficit(0.1) - 0.2 / std::f64::consts::PI).abs() < 1e-15);
+        assert!(deficit(1.6).is_nan());
+    }
 }

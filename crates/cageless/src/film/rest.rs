@@ -55,11 +55,11 @@ pub struct FilmAtRest {
     pub(crate) inner: Vec<ContactFilm>,
     /// At the outer raceway, of every ball: at the plain one the first is all.
     pub(crate) outer: Vec<[ContactFilm; 2]>,
-    /// Power of the rolling resistance, W.
+    /// Power of the rolling resistance, that of hysteresis included where it counts, W.
     pub power_w: f64,
     /// That over the speed of the inner ring, N·m.
     pub torque_n_m: f64,
-    /// Torque of the hysteresis of the steel, N·m; `None` where it does not count.
+    /// Part of the hysteresis of the steel in that torque, N·m; `None` where it does not count.
     pub hysteresis_torque_n_m: Option<f64>,
     /// Friction over load of the contacts where the film is their friction, sliding at 1 % of the speed of rolling.
     pub mixed_friction_coefficient: Option<f64>,
@@ -101,7 +101,9 @@ impl FilmAtRest {
             })
             .collect();
         let all = inner.iter().chain(outer.iter().flatten());
-        let power_w = all.map(ContactFilm::power_w).sum();
+        let film_w: f64 = all.map(ContactFilm::power_w).sum();
+        let hysteresis_w = film.hysteresis.then(|| hysteresis_power_w(case, &balls));
+        let power_w = film_w + hysteresis_w.unwrap_or(0.0);
         let mixed_friction_coefficient = mixed_friction_coefficient(case, &balls, &contacts);
         let friction = mixed_friction_coefficient.unwrap_or(case.contact.friction.coefficient);
         let overcome_balls = overcome_balls(&balls, &inner, &outer, friction);
@@ -114,8 +116,7 @@ impl FilmAtRest {
             outer,
             power_w,
             torque_n_m: power_w / inner_speed_rad_s,
-            hysteresis_torque_n_m: (film.hysteresis)
-                .then(|| hysteresis_power_w(case, &balls) / inner_speed_rad_s),
+            hysteresis_torque_n_m: hysteresis_w.map(|power_w| power_w / inner_speed_rad_s),
             mixed_friction_coefficient,
             overcome_balls,
             free_arc_rad,

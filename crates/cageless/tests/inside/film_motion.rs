@@ -39,7 +39,7 @@ fn films_at_rest() {
                 outer.force_n
             );
             assert_eq!(outer, other);
-            assert!(!film.may_queue());
+            assert!(film.arc.speed_deficit < film.queue_deficits()[0]);
             assert!(
                 (film.free_share - 0.071).abs() < 1e-3,
                 "{}",
@@ -371,6 +371,9 @@ fn hysteresis_of_the_steel() {
         let rest = equilibrium::settle(&both).unwrap();
         let at_rest = FilmAtRest::new(&both, &rest).unwrap();
         let power_w = at_rest.hysteresis_torque_n_m.unwrap() * speed_rad_s;
+        // One name for what a run has under it: film and steel.
+        let film_w = FilmAtRest::new(&film, &rest).unwrap().power_w;
+        assert!((at_rest.power_w - film_w - power_w).abs() < 1e-12 * film_w);
         assert!(
             flanks != FlankModel::Rigid || (power_w - 9.63).abs() < 0.03,
             "{power_w}"
