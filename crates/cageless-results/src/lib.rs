@@ -17,6 +17,7 @@ mod limited;
 mod list_tests;
 #[rustfmt::skip]
 mod meanings;
+mod film_notes;
 mod group;
 mod judged;
 mod kind;
@@ -50,8 +51,8 @@ pub use design_result::{Recommended, axial_record, design_record};
 pub use drop_judgement::DropJudgement;
 pub use drop_result::{DropResult, ShownBeside, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
-pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use dry_verdict::DryVerdict;
+pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
 pub use limited::{LIMITED, LimitJudgement, judged_limit};
 pub use measured_result::{MEASURED_SHAPE, measured_rows};

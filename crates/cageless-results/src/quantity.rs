@@ -113,7 +113,8 @@ impl Quantity {
 
     /// Factor and unit of values in tables for readers; fractions are percentages there.
     pub fn printed(&self) -> (f64, String) {
-        match self.unit.is_empty() && self.name.ends_with("_fraction") {
+        let is_share = ["_fraction", "_share"].map(|end| self.name.ends_with(end));
+        match self.unit.is_empty() && is_share.contains(&true) {
             true => (100.0, "%".to_owned()),
             false => printed(&self.unit_text()),
         }

@@ -7,6 +7,7 @@ use cageless::film::FilmAtRest;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
+use crate::film_notes::film_notes;
 use crate::number_text::short;
 use crate::{
     CLEARANCE_RANGE, DEFECTS, FILM, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
@@ -117,7 +118,9 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
         ),
     }
     notes.extend(of_lubricant(solved));
-    notes.extend(of_film(solved));
+    if let (Some(film), Some(at_rest)) = (&case.film, &solved.film) {
+        notes.extend(film_notes(film, at_rest, !case.raceways.is_empty()));
+    }
     if solved.space.is_some() {
         notes.push(
             "in space: L10r takes the load of every ball under rigid rings that turn exactly, not by \
@@ -160,45 +163,6 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     notes
 }
 
-/// What the film does to the balls, and what it leaves out.
-fn of_film(solved: &Solved<'_>) -> Vec<String> {
-    let (Some(film), Some(at_rest)) = (&solved.case.film, &solved.film) else {
-        return vec![];
-    };
-    let [lost, free] = [at_rest.arc.speed_deficit, at_rest.free_share].map(|share| 100.0 * share);
-    let spacing = match at_rest.may_queue() {
-        _ if lost == 0.0 => None,
-        true => Some(format!(
-            "balls will queue: the oil takes {lost:.1} % of the speed of a free ball, more than the {free:.1} % of the \
-             pitch circle that balls leave free allow; slowed balls hit each other all the time"
-        )),
-        false => Some(format!(
-            "oil spaces the balls: it takes {lost:.1} % of the speed of a free ball, and opens a gap behind one that \
-             enters the load zone; balls queue from some {:.1} % on",
-            100.0 * at_rest.queue_deficit()
-        )),
-    };
-    let overcome = (at_rest.overcome_balls > 0).then(|| {
-        format!(
-            "the film brakes {} balls under light load more than the friction of the inner raceway drives them: they \
-             slide and fall behind as well, which the lag here leaves out; a run has it",
-            at_rest.overcome_balls
-        )
-    });
-    let starved = (film.supply < 1.0).then(|| {
-        "film thickness and Λ are those of flooded contacts: film.supply lowers the rolling force alone".to_owned()
-    });
-    let left_out = "the film leaves out drag and churning of oil, and what the ball before leaves on the track; the \
-                    supply of a bearing is known to a factor of ten: try film.supply = 0.1 and \"flooded\""
-        .to_owned();
-    spacing
-        .into_iter()
-        .chain(overcome)
-        .chain(starved)
-        .chain([left_out])
-        .collect()
-}
-
 /// What the ratings with a lubricant leave out.
 fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
     let Some(rating) = &solved.lubricated else {
@@ -220,10 +184,15 @@ fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
             "the radial load is below the minimum load of SKF's rule, {least:.0} N: balls may slide"
         )
     });
+    let own = match &solved.case.film {
+        Some(_) => "sliding and the rolling resistance of the film",
+        None => "dry sliding",
+    };
     let skf = rating.skf_friction.map(|_| {
-        "SKF's friction model is for lubricated bearings with a cage of SKF's inner geometry; for a full \
-         complement of balls SKF has no constants; the friction of the motion is another, dry one"
-            .to_owned()
+        format!(
+            "SKF's friction model is for lubricated bearings with a cage of SKF's inner geometry; for a full \
+             complement of balls SKF has no constants; the friction of the motion is another: {own}"
+        )
     });
     let other = solved
         .particulars

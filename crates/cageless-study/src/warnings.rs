@@ -231,9 +231,9 @@ fn of_case(case: &Case) -> Vec<String> {
             Regularisation::Kalker => "",
         };
         warnings.push(format!(
-            "the step is too long for this friction law: sliding speeds near zero are wrong for steps above {:.2} µs \
+            "the step is too long for this friction law: sliding speeds near zero are wrong for steps above {} µs \
              (solver.step_us, {speed}or solver.method = \"verlet\", which treats friction implicitly)",
-            resolved * 1e6
+            short(resolved * 1e6)
         ));
     }
     let resolved = limits.falling_resolved_to_s(method);

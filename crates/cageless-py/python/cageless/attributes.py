@@ -26,19 +26,19 @@ class RunAttributes:
     headline: str  # verdict with its reason
     criterion: str | None  # criterion that decides
     margin: float  # margin to the nearest limit
-    friction_torque_n_m: float  # torque of gross sliding in the model, N m
+    friction_torque_n_m: float  # friction torque in the model, rolling in oil included, N m
     friction_torque_skf_n_m: float  # friction torque with lubricant and cage, SKF ½ μ P d, N m
     power_loss_w: float  # power loss in the model, damping included, W
     power_loss_inner_friction_w: float  # friction at the inner raceway, W
     power_loss_outer_friction_w: float  # friction at the outer raceway, W
     power_loss_ball_friction_w: float  # friction between balls, W
+    rolling_resistance_power_w: float  # rolling resistance at both raceways, W
     power_loss_damping_w: float  # damping of the contacts (an assumed constant), W
     power_loss_inner_ring_damping_w: float  # drag on the inner ring, W
     power_loss_rotor_friction_w: float  # friction between rotor and inner ring, W
     power_loss_rotor_damping_w: float  # damping between rotor and inner ring, W
     power_loss_support_damping_w: float  # damping of the support, W
     power_loss_stored_w: float  # stored, less work of loads, W
-    rolling_resistance_power_w: float  # power of rolling resistance, W
     rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
     half_turn_lag_deg: float  # lag of the balls over the half orbit away from the load, deg
     half_turn_deficit_fraction: float  # share of its speed that a ball loses over that half orbit
@@ -281,8 +281,8 @@ class StaticAttributes:
     asperity_load_fraction: float  # share of the load on asperities
     mixed_friction_coefficient: float  # friction coefficient of film and asperities
     rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
+    hysteresis_torque_n_m: float  # part of hysteresis, N m
     rolling_resistance_power_w: float  # power of rolling resistance, W
-    hysteresis_torque_n_m: float  # torque of hysteresis, N m
     free_arc_deg: float  # angle without inner contact, deg
     film_lag_per_turn_deg: float  # lag of a ball by the film per orbit, deg
     film_speed_deficit_fraction: float  # share d of its speed that a ball loses by the film

@@ -295,3 +295,81 @@ fn limits_on_a_static_equilibrium_are_judged() {
     let judged = judged_of(&file);
     assert_eq!(judged.limits_not_judged.len(), 2, "{judged:?}");
 }
+
+/// The static record of structure (d) with this film, and its notes on the film.
+fn in_oil(sets: &[&str]) -> (Record, String) {
+    let oil = [
+        "film.viscosity_temperature_1_k=0.035",
+        "film.supply=flooded",
+    ];
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/zhao-d.toml");
+    let sets = oil.iter().chain(sets).map(|set| (*set).to_owned());
+    let file = CaseFile::read(Path::new(path), &sets.collect::<Vec<_>>()).unwrap();
+    let settled = settle(file.case()).unwrap();
+    let record = static_record(file.case(), &particulars(&file), &settled);
+    let notes = record.sentences("notes").join("\n");
+    (record, notes)
+}
+
+/// The same two limits of queueing stand in every note, and the words fit them; from d = 5 % on a raceway for dry balls
+/// is outweighed.
+#[test]
+fn notes_on_queueing_do_not_contradict_each_other() {
+    let limits = "balls queue from some 9.2 % on, never below 7.8 %";
+    let outweighed = "above some 5.0 % it spaces them more than a raceway for dry balls";
+    for (mpa_s, says, outweighs) in [
+        ("5", "oil spaces the balls", false),
+        ("34", "oil spaces the balls", true),
+        ("40", "balls may queue", true),
+        ("60", "balls will queue", false),
+    ] {
+        let (record, notes) = in_oil(&[&format!("film.viscosity_mpa_s={mpa_s}")]);
+        assert!(
+            notes.contains(says) && notes.contains(limits),
+            "{mpa_s}: {notes}"
+        );
+        assert_eq!(notes.contains(outweighed), outweighs, "{mpa_s}: {notes}");
+        assert!(
+            notes.contains("try film.supply = 0.1\n") || notes.ends_with("try film.supply = 0.1")
+        );
+        // Both shares of one comparison in per cent.
+        let (_, _, unit) = record.row("free_share").unwrap();
+        assert_eq!(unit, "%");
+    }
+}
+
+/// Without a load zone no gap opens; a ball that stops has none; where asperities carry the load there is no film.
+#[test]
+fn notes_on_a_film_without_load_or_speed() {
+    let oil = "film.viscosity_mpa_s=5";
+    let free = ["operation.radial_load_n=0", "operation.gravity_m_s2=0", oil];
+    let (record, notes) = in_oil(&free);
+    assert!(
+        notes.contains("no ball touches the inner raceway"),
+        "{notes}"
+    );
+    assert!(!notes.contains("queue"), "{notes}");
+    assert_eq!(record.value("film_opening_gap_deg"), None);
+    let thick = ["operation.inner_speed_rpm=3000", "film.viscosity_mpa_s=1000"];
+    let (record, notes) = in_oil(&thick);
+    assert!(notes.contains("the film stops a free ball"), "{notes}");
+    assert_eq!(record.value("film_lag_per_turn_deg"), None);
+    assert_eq!(record.value("film_opening_gap_deg"), None);
+    let (_, notes) = in_oil(&["operation.inner_speed_rpm=0.001", oil]);
+    assert!(notes.contains("there is hardly a film: Λ is 3"), "{notes}");
+    assert!(!notes.contains("queue"), "{notes}");
+}
+
+/// Beside SKF's model the friction of the motion is that of the case, with a film no dry one.
+#[test]
+fn the_note_on_skf_has_the_film() {
+    let lubricated = [
+        "film.viscosity_mpa_s=5",
+        "lubrication.contamination_factor=0.5",
+        "lubrication.skf_series=62",
+    ];
+    let (_, notes) = in_oil(&lubricated);
+    let expected =
+        "the friction of the motion is another: sliding and the rolling resistance of the film";
+    assert!(notes.contains(expected), "{notes}");
+}

@@ -81,7 +81,7 @@ pub fn narrative(found: &Found, record: &Record) -> Vec<String> {
         }
         if !own.text("why").is_empty() {
             all.push(format!(
-                "The initial design is not acceptable: {}.",
+                "From the starts of the search the initial design is not acceptable: {}.",
                 own.text("why")
             ));
         }
@@ -209,7 +209,7 @@ fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> Strin
             |n| n.gap_deviation_rad.to_degrees(),
             3,
         ),
-        ("friction loss in W", |n| n.friction_w, 2),
+        ("loss by sliding friction in W", |n| n.friction_w, 2),
     ];
     let of = |role| found.of_role(role).next()?.statistics.get(point);
     let mut parts = vec![];

@@ -113,7 +113,8 @@ pub fn verdict_steps(case: &Case) -> f64 {
         pair_steps(&alone, &PairTest::default())
     });
     let steps = case.distinct_rows().len() as f64 * pairs.sum::<f64>();
-    let verdicts = if case.film.is_some() { 2.0 } else { 1.0 };
+    let has_oil = case.film.is_some_and(|film| film.has_oil());
+    let verdicts = if has_oil { 2.0 } else { 1.0 };
     verdicts * (steps + steady_case(case).solver.steps())
 }
 
@@ -161,7 +162,7 @@ pub fn judge_watched(
             ..summary(vec![], None)
         });
     }
-    if case.film.is_none() {
+    if !case.film.is_some_and(|film| film.has_oil()) {
         let (judgement, _) = judge_one(case, Beside::Nothing, watchers, control)?;
         return Ok(judgement);
     }

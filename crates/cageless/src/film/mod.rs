@@ -109,6 +109,11 @@ impl Film {
         }
     }
 
+    /// Whether oil reaches the contacts.
+    pub(crate) fn has_oil(&self) -> bool {
+        self.supply > 0.0
+    }
+
     /// Checks that oil and supply can be.
     ///
     /// # Errors

@@ -1,5 +1,7 @@
 //! Range of the fit of the rolling force.
 
+use std::fmt::{self, Display, Formatter};
+
 use super::contact::LubricatedContact;
 use super::oil::Oil;
 use super::rolling_force::{Rolling, speed_parameter};
@@ -52,7 +54,19 @@ impl LubricatedContact {
     }
 }
 
+impl Display for RangeExceeded {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} × {}", self.parameter, self.factor_text())
+    }
+}
+
 impl RangeExceeded {
+    /// The factor to at least three digits.
+    pub(crate) fn factor_text(&self) -> String {
+        let decimals = (2.0 - self.factor.log10().floor()).max(3.0);
+        format!("{:.1$}", self.factor, decimals as usize)
+    }
+
     /// |ln factor|.
     pub(crate) fn distance(&self) -> f64 {
         self.factor.ln().abs()

@@ -33,7 +33,9 @@ impl ContactFilm {
             thickness: contact.film_thickness(&film.oil, rolling),
             force_n: film.rolling_force_n(contact, rolling),
             speed_m_s: rolling.speed_m_s,
-            exceeded: contact.range_exceeded(&film.oil, rolling),
+            exceeded: (film.has_oil())
+                .then(|| contact.range_exceeded(&film.oil, rolling))
+                .flatten(),
         }
     }
 
@@ -69,7 +71,8 @@ pub struct FilmAtRest {
     pub free_arc_rad: f64,
     /// What the film takes from a ball there.
     pub arc: FreeArc,
-    /// g_f, gap that opens behind a ball that enters the load zone, rad.
+    /// g_f, gap that opens behind a ball that enters the load zone, rad; NaN of a ball that stops, and without a load
+    /// zone.
     pub opening_gap_rad: f64,
     /// s, share of the pitch circle that balls leave free.
     pub free_share: f64,
@@ -111,6 +114,10 @@ impl FilmAtRest {
         let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
         let ball = FreeBall::new(bearing, film);
         let arc = ball.over(free_arc_rad, 0.5 * inner_speed_rad_s * groove_m);
+        let opening_gap_rad = match arc.speed_deficit < 1.0 && has_load_zone(&inner) {
+            true => opening_gap_rad(bearing, arc.speed_deficit),
+            false => f64::NAN,
+        };
         Some(Self {
             inner,
             outer,
@@ -120,7 +127,7 @@ impl FilmAtRest {
             mixed_friction_coefficient,
             overcome_balls,
             free_arc_rad,
-            opening_gap_rad: opening_gap_rad(bearing, arc.speed_deficit),
+            opening_gap_rad,
             arc,
             free_share: free_share(bearing),
             roughness_m: film.roughness_m,
@@ -195,18 +202,20 @@ impl FilmAtRest {
 
     /// Warning if a contact is outside the range of the fit of the rolling force.
     pub fn range_warning(&self) -> Option<String> {
-        let RangeExceeded { parameter, factor } = self.exceeded()?;
+        let exceeded = self.exceeded()?;
+        let RangeExceeded { parameter, factor } = exceeded;
         let end = if factor > 1.0 { "upper" } else { "lower" };
         Some(format!(
-            "film: {parameter} of a contact is {factor:.3} times the {end} end of the range that the rolling force was \
-             fitted in; nothing is cut off"
+            "film: {parameter} of a contact is {} times the {end} end of the range that the rolling force was fitted \
+             in; nothing is cut off",
+            exceeded.factor_text()
         ))
     }
 
     /// Warnings: a contact outside the range of the fit, and balls that queue.
     pub fn warnings(&self) -> Vec<String> {
         let [lost, free] = [self.arc.speed_deficit, self.free_share].map(|share| 100.0 * share);
-        let queue = self.may_queue().then(|| {
+        let queue = (self.arc.speed_deficit > self.queue_deficits()[0]).then(|| {
             format!(
                 "film: balls may queue, as the oil takes {lost:.1} % of the speed of a free ball and they leave {free:.1} % \
                  of the pitch circle free; slowed balls then hit each other all the time"
@@ -215,14 +224,14 @@ impl FilmAtRest {
         self.range_warning().into_iter().chain(queue).collect()
     }
 
-    /// Whether slowed balls may queue.
-    pub fn may_queue(&self) -> bool {
-        self.arc.speed_deficit > MAY_QUEUE * self.free_share
+    /// Whether a ball has inner contact.
+    pub fn has_load_zone(&self) -> bool {
+        has_load_zone(&self.inner)
     }
 
-    /// Speed deficit from which balls queue as a rule.
-    pub fn queue_deficit(&self) -> f64 {
-        QUEUE * self.free_share
+    /// Speed deficits below which balls never queue, and from which they do as a rule.
+    pub fn queue_deficits(&self) -> [f64; 2] {
+        [MAY_QUEUE, QUEUE].map(|factor| factor * self.free_share)
     }
 }
 
@@ -239,6 +248,11 @@ fn contacts(case: &Case, ball: &RollingBall, angle_rad: f64) -> BallContacts {
         inner: LubricatedContact::inner_curved(bearing, ball.inner_curvature),
         outer: ball.outer.map(of_flank),
     }
+}
+
+/// Whether a ball has contact at the inner raceway, from the films of all there.
+fn has_load_zone(inner: &[ContactFilm]) -> bool {
+    inner.iter().any(ContactFilm::is_loaded)
 }
 
 /// Balls under load at the inner raceway whose friction there, of this coefficient, is too weak against their films.

@@ -5,7 +5,8 @@ use cageless::design::search::{Request, SearchError, run_here, search};
 use cageless::design::{
     Judgement, RacewayVerdict, judge, recommend, steady_gap_rad, verdict_steps,
 };
-use cageless::film::Film;
+use cageless::equilibrium::settle;
+use cageless::film::{Film, FilmAtRest};
 use cageless::prelude::*;
 use cageless::reference;
 
@@ -73,26 +74,28 @@ fn a_raceway_for_oil_is_too_deep_without_it() {
     assert_eq!(wet.dry.unwrap().verdict, RacewayVerdict::TooDeep);
 }
 
-/// Both runs are in the expected work; a film without supply judges as without one; the curve of Eq. (11) knows no film.
+/// Both runs are in the expected work; the curve of Eq. (11) knows no film; a film without supply is judged as without
+/// one, and out of no range.
 #[test]
 fn the_dry_run_is_part_of_the_work() {
     let dry = reference::Structure::D.case();
     let mut case = in_oil(5.0);
     assert!((verdict_steps(&case) / verdict_steps(&dry) - 2.0).abs() < 1e-9);
     let mut fractions = vec![];
-    case.film.as_mut().unwrap().supply = 0.0;
-    let none = judge(&case, &mut |part| {
+    judge(&case, &mut |part| {
         fractions.push(part);
         Control::Continue(())
-    });
-    let none = none.unwrap();
+    })
+    .unwrap();
     assert!(fractions.is_sorted() && fractions.last().is_some_and(|&last| last <= 1.0));
-    let without = none.dry.as_ref().unwrap();
-    assert_eq!(none.film.unwrap().lag_rad, 0.0);
-    assert_eq!(none.critical_gap_rad, without.critical_gap_rad);
-    assert_eq!(none.passages, without.passages);
+    let at_rest = |case: &Case| FilmAtRest::new(case, &settle(case).unwrap()).unwrap();
+    assert!(at_rest(&case).range_warning().is_some());
     let entered = |_| Some(case.clone());
     assert_eq!(recommend(&case, &entered, &mut go_on).unwrap(), None);
+    case.film.as_mut().unwrap().supply = 0.0;
+    assert_eq!(verdict_steps(&case), verdict_steps(&dry));
+    assert_eq!(judged(&case), judged(&dry));
+    assert_eq!(at_rest(&case).range_warning(), None);
 }
 
 /// The raceway that a search finds in oil has a critical gap of 1.0 to 1.1 times the steady gap with the film: more than

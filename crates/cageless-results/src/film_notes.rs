@@ -1,0 +1,125 @@
+//! Notes on the film of a bearing at rest.
+
+use cageless::film::{Film, FilmAtRest};
+
+use crate::number_text::short;
+
+/// Λ below which asperities carry three quarters of the load and more.
+const NO_FILM: f64 = 0.1;
+/// Speed deficit above which oil spaces balls more than a raceway for dry ones.
+const OUTWEIGHS: f64 = 0.05;
+
+/// What the film does to the balls, on a plain ring or one with raceways, and what it leaves out.
+pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, has_raceway: bool) -> Vec<String> {
+    let starved = (film.supply < 1.0).then(|| {
+        "film thickness and Λ are those of flooded contacts: film.supply lowers the rolling force alone".to_owned()
+    });
+    let notes = [
+        effect(at_rest, has_raceway),
+        overcome(at_rest.overcome_balls),
+        starved,
+        Some(left_out(film.supply)),
+    ];
+    notes.into_iter().flatten().collect()
+}
+
+/// What it does to the spacing of the balls; `None` where it takes nothing from them.
+fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    let lost = at_rest.arc.speed_deficit;
+    let lambda = at_rest.film_parameter_mean();
+    let taken = format!(
+        "the oil takes {} of the speed of a free ball",
+        percent(lost)
+    );
+    let [never, as_a_rule] = at_rest.queue_deficits();
+    let limits = format!(
+        "balls queue from some {} on, never below {}",
+        percent(as_a_rule),
+        percent(never)
+    );
+    let outweighs = match has_raceway && lost > OUTWEIGHS {
+        true => format!(
+            "; above some {} it spaces them more than a raceway for dry balls",
+            percent(OUTWEIGHS)
+        ),
+        false => String::new(),
+    };
+    Some(match () {
+        () if lost == 0.0 => return None,
+        () if lambda < NO_FILM => format!(
+            "there is hardly a film: Λ is {} in the mean, and asperities carry the load; lag, speed and gap here are \
+             those of a film that does not form",
+            short(lambda)
+        ),
+        () if !at_rest.has_load_zone() => {
+            "no ball touches the inner raceway: without a load zone lag and speed are those of a whole orbit on the \
+             outer raceway alone, and no gap opens"
+                .to_owned()
+        }
+        () if lost >= 1.0 => {
+            "the film stops a free ball before it is back in the load zone: it has no lag, and balls will queue"
+                .to_owned()
+        }
+        () if lost > as_a_rule => {
+            format!("balls will queue: {taken}; {limits}; slowed balls hit each other all the time")
+        }
+        () if lost > never => format!("balls may queue: {taken}; {limits}{outweighs}"),
+        () => format!(
+            "oil spaces the balls: {taken}, and opens a gap behind one that enters the load zone; \
+             {limits}{outweighs}"
+        ),
+    })
+}
+
+/// Balls that the film brakes more than the inner raceway drives them.
+fn overcome(balls: usize) -> Option<String> {
+    let (balls, drives) = match balls {
+        0 => return None,
+        1 => ("1 ball".to_owned(), "it: it slides and falls"),
+        _ => (format!("{balls} balls"), "them: they slide and fall"),
+    };
+    Some(format!(
+        "the film brakes {balls} under light load more than the friction of the inner raceway drives {drives} behind \
+         as well, which the lag here leaves out; a run has it"
+    ))
+}
+
+/// What it leaves out, and other supplies to try.
+fn left_out(supply: f64) -> String {
+    let others = match supply {
+        0.1 => "\"flooded\"",
+        1.0 => "0.1",
+        _ => "0.1 and \"flooded\"",
+    };
+    format!(
+        "the film leaves out drag and churning of oil, and what the ball before leaves on the track; the supply of a \
+         bearing is known to a factor of ten: try film.supply = {others}"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_ball_is_no_plural() {
+        assert_eq!(overcome(0), None);
+        let one = overcome(1).unwrap();
+        assert!(one.contains("brakes 1 ball under") && one.contains("drives it: it slides"));
+        let two = overcome(2).unwrap();
+        assert!(two.contains("brakes 2 balls under") && two.contains("drives them: they slide"));
+    }
+
+    /// No supply is recommended that the case has.
+    #[test]
+    fn another_supply_is_to_be_tried() {
+        for (supply, others) in [
+            (0.1, "= \"flooded\""),
+            (1.0, "= 0.1"),
+            (0.65, "= 0.1 and \"flooded\""),
+        ] {
+            assert!(left_out(supply).ends_with(others), "{supply}");
+        }
+    }
+}
