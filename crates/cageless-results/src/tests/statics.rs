@@ -350,7 +350,10 @@ fn notes_on_a_film_without_load_or_speed() {
     );
     assert!(!notes.contains("queue"), "{notes}");
     assert_eq!(record.value("film_opening_gap_deg"), None);
-    let thick = ["operation.inner_speed_rpm=3000", "film.viscosity_mpa_s=1000"];
+    let thick = [
+        "operation.inner_speed_rpm=3000",
+        "film.viscosity_mpa_s=1000",
+    ];
     let (record, notes) = in_oil(&thick);
     assert!(notes.contains("the film stops a free ball"), "{notes}");
     assert_eq!(record.value("film_lag_per_turn_deg"), None);
