@@ -103,14 +103,7 @@ fn loads_of_blocks(
         let motions = Motions::new(p.layout, y, block);
         let balls = p.balls(block);
         plain_positions(balls, results, motions, outer_ring);
-        contacts_of_block(
-            (p, rolling),
-            balls,
-            results,
-            motions,
-            ring,
-            raceway_friction,
-        );
+        contacts_of_block(p, rolling, balls, results, motions, ring, raceway_friction);
         outer_loads(p, balls, results, &mut w.addends, motions);
         if p.unequal {
             slope_forces(results);
@@ -146,7 +139,8 @@ fn loads_of_blocks(
 /// Contacts of the balls of a block with both raceways, and their friction unless a method treats it implicitly.
 #[inline(always)]
 fn contacts_of_block(
-    (p, rolling): (&Parameters, Rolling<'_>),
+    p: &Parameters,
+    rolling: Rolling<'_>,
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
