@@ -359,7 +359,7 @@ fn notes_on_a_film_without_load_or_speed() {
     assert_eq!(record.value("film_lag_per_turn_deg"), None);
     assert_eq!(record.value("film_opening_gap_deg"), None);
     let (_, notes) = in_oil(&["operation.inner_speed_rpm=0.001", oil]);
-    assert!(notes.contains("there is hardly a film: Λ is 3"), "{notes}");
+    assert!(notes.contains("there is hardly a film: Λ is 6"), "{notes}");
     assert!(!notes.contains("queue"), "{notes}");
 }
 
