@@ -14,6 +14,7 @@ mod export;
 mod former_names;
 mod limits;
 mod measure;
+mod oil;
 mod paper_structures;
 mod pins;
 mod places;

@@ -130,8 +130,13 @@ const OPTIONAL_SECTIONS: &str = "\
 # outer_ring_temperature_c = 55.0
 
 # [lubrication]                                # modified life, minimum load and SKF's friction in `static`
-# viscosity_mm2_s = 20.0
+# viscosity_mm2_s = 20.0                       # left out with [film]
 # contamination_factor = 0.5
+
+# [film]                                       # oil film, which resists rolling and spaces balls
+# supply = \"flooded\"                         # or \"two-drops\", or 0.1: nearly dry, greased
+# oil = \"iso-vg-32\"
+# temperature_c = 70.0                         # of the inlet: that of the rings
 ";
 
 impl NewOperation {
@@ -201,9 +206,12 @@ mod tests {
             line.replace("outside_diameter_mm =", "outside_diameter_mm = 44.0") + "\n"
         });
         let text = head.to_owned() + &sections.collect::<String>();
+        // The oil of the film is that of the ratings.
+        let text = text.replace("viscosity_mm2_s", "# viscosity_mm2_s");
         let file = CaseFile::parse(&text, "new", &[]).unwrap();
         let own = file.particulars();
         assert!(own.fit.is_some() && own.lubrication.is_some());
+        assert!(file.case().film.is_some(), "{text}");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::common::edited;
+use crate::common::{edited, without_film};
 use cageless::{
     FlankModel, Formulation, FrictionModel, Gaps, IntegrationMethod, Start, StartState,
 };
@@ -219,7 +219,7 @@ fn the_commented_lines_of_the_template_are_good_keys() {
             .is_some_and(|(key, _)| !key.contains(' '));
         (named || line.starts_with('[')).then(|| line.to_owned())
     };
-    let all: Vec<_> = template(false)
+    let all: Vec<_> = without_film(&template(false))
         .lines()
         .map(|l| key(l).unwrap_or_else(|| l.to_owned()))
         .collect();

@@ -80,13 +80,26 @@ fn the_supply_has_to_be_given() {
             "0.1 is nearly dry",
         ],
     );
-    for wrong in ["supply=\"dry\"", "supply=1.5", "supply=-0.1"] {
+    for wrong in [
+        "supply=\"dry\"",
+        "supply=1.5",
+        "supply=-0.1",
+        "supply=1e-300",
+        "supply=true",
+        "supply=[1, 2]",
+        "supply={a=1}",
+    ] {
         refused(
             &[OIL, WARM, wrong],
             &[],
-            &["film.supply = ", "\"flooded\"", "a number from 0 to 1"],
+            &[
+                "film.supply = ",
+                "\"flooded\"",
+                "0, or a number from 0.001 to 1",
+            ],
         );
     }
+    assert_eq!(film(&[OIL, WARM, "supply=0"]).supply, 0.0);
 }
 
 #[test]
@@ -103,7 +116,20 @@ fn one_way_excludes_the_others() {
         refused(&[also, other, FLOODED], &[], &[key, "left out with film."]);
     }
     refused(&[OIL, FLOODED], &[], &["film.temperature_c is missing"]);
-    refused(&[FLOODED], &[], &["film.oil is missing"]);
+    refused(
+        &[FLOODED],
+        &[],
+        &[
+            "film.oil is missing in [film]: give film.viscosity_mpa_s and film.viscosity_temperature_1_k; or film.oil \
+             (\"iso-vg-10\"",
+            "[set] as well",
+        ],
+    );
+    refused(
+        &["viscosity_temperature_1_k=0.035", FLOODED],
+        &[],
+        &["film.viscosity_mpa_s is missing in [film]"],
+    );
     refused(
         &["viscosity_mpa_s=5", FLOODED],
         &[],
@@ -143,15 +169,18 @@ fn what_no_oil_has_is_refused() {
         &[],
         &["film.temperature_c = -40", "Pa·s"],
     );
-    refused(
-        &[
-            "viscosity_mpa_s=0.01",
-            "viscosity_temperature_1_k=0.03",
-            FLOODED,
-        ],
-        &[],
-        &["film.viscosity_mpa_s = 0.01", "between 0.1"],
-    );
+    for wrong in [
+        "viscosity_mpa_s=0.01",
+        "viscosity_40_mpa_s=20000",
+        "viscosity_100_mpa_s=0.001",
+    ] {
+        let key = wrong.split('=').next().unwrap();
+        refused(
+            &[wrong, FLOODED],
+            &[],
+            &[key, "between 0.1 and 10000 mPa·s"],
+        );
+    }
     refused(
         &[OIL, WARM, FLOODED, "pressure_viscosity_1_pa=20"],
         &[],
@@ -167,6 +196,97 @@ fn what_no_oil_has_is_refused() {
         &[],
         &["film.density_kg_m3 = 0.9"],
     );
+}
+
+/// Derived values that no oil has are refused by the keys that were given.
+#[test]
+fn derived_values_name_the_keys_that_give_them() {
+    refused(
+        &["oil=\"iso-vg-10\"", "temperature_c=-40", FLOODED],
+        &[],
+        &[
+            "film.temperature_c = -40",
+            "warmer",
+            "0.2002 of itself per K",
+        ],
+    );
+    let between = |values: [&'static str; 3]| [values[0], values[1], values[2], FLOODED];
+    refused(
+        &between([
+            "viscosity_40_mpa_s=20",
+            "viscosity_100_mpa_s=0.1",
+            "temperature_c=250",
+        ]),
+        &[],
+        &["film.temperature_c = 250", "colder", "below 0.1 mPa·s"],
+    );
+    refused(
+        &between([
+            "viscosity_40_mpa_s=10000",
+            "viscosity_100_mpa_s=0.1",
+            "temperature_c=60",
+        ]),
+        &[],
+        &[
+            "film.viscosity_100_mpa_s = 0.1",
+            "nearer to film.viscosity_40_mpa_s",
+            "of itself per K",
+        ],
+    );
+}
+
+/// Oil is as warm as the rings: a contradiction to the fits is said.
+#[test]
+fn oil_beside_the_temperatures_of_the_rings() {
+    let warning = |more: &[&str]| {
+        parse(&[OIL, "temperature_c=40", FLOODED], more)
+            .unwrap()
+            .oil_temperature_warning()
+    };
+    let warmed = [
+        "fit.inner_ring_temperature_c=120",
+        "fit.outer_ring_temperature_c=115",
+    ];
+    let said = warning(&warmed).unwrap();
+    for fragment in [
+        "film.temperature_c = 40 is 75 K from",
+        "fit.inner_ring_temperature_c = 120",
+        "fit.outer_ring_temperature_c = 115",
+    ] {
+        assert!(said.contains(fragment), "{said}");
+    }
+    assert_eq!(warning(&[]), None);
+    let beside = [
+        "fit.inner_ring_temperature_c=60",
+        "fit.outer_ring_temperature_c=50",
+    ];
+    assert_eq!(warning(&beside), None);
+}
+
+/// A search in oil has one operating point and a gap of its own; the key of `[search]` is at fault.
+#[test]
+fn a_search_in_oil_names_its_own_keys() {
+    for (set, allowed) in [
+        (
+            "search.inner_speed_rpm=[3000, 12000]",
+            "one number or left out",
+        ),
+        ("search.radial_load_n=[500, 1500]", "one number or left out"),
+        ("search.map_speed_rpm=[6000]", "left out"),
+        ("search.critical_gap_min_fraction=0.5", "left out, or 0.8"),
+    ] {
+        let dry = parse(&[], &[set]).unwrap();
+        assert!(dry.request_to_run().is_ok(), "{set}");
+        let file = parse(&[OIL, WARM, FLOODED], &[set]).unwrap();
+        let error = file.request_to_run().unwrap_err().to_string();
+        let key = set.split('=').next().unwrap();
+        assert!(
+            error.contains(&format!("{key} = ")) && error.contains(allowed),
+            "{error}"
+        );
+    }
+    let one = parse(&[OIL, WARM, FLOODED], &["search.inner_speed_rpm=9000"]).unwrap();
+    assert!(one.request_to_run().is_ok());
 }
 
 /// Where no film is computed, one message says so; the name of each is in it.
@@ -222,6 +342,13 @@ fn traction_is_a_choice() {
         &[],
         &["film.traction_coefficient = -1"],
     );
+    for wrong in ["traction_coefficient=5", "traction_coefficient=1e300"] {
+        refused(
+            &with(["traction=\"film\"", wrong]),
+            &[],
+            &["film.traction_coefficient = ", "between 0 and 0.2"],
+        );
+    }
     refused(
         &sheared,
         &["contact.friction_law=\"coulomb\""],

@@ -3,6 +3,7 @@
 //! Python package are views of it.
 
 mod across;
+mod asperities;
 mod bearing_number;
 mod cell;
 mod computation;
@@ -44,6 +45,7 @@ mod verification_result;
 mod view;
 
 pub use across::Across;
+pub use asperities::slippery_asperities;
 pub use bearing_number::{bearing_number, on_bearing};
 pub use cell::Cell;
 pub use computation::Computation;

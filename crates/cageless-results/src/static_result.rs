@@ -7,6 +7,7 @@ use cageless::film::FilmAtRest;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
+use crate::asperities::slippery_asperities;
 use crate::film_notes::film_notes;
 use crate::number_text::short;
 use crate::{
@@ -24,7 +25,7 @@ pub fn static_record(
     let warnings = settled.warnings(case).into_iter();
     let film = solved.film.as_ref().and_then(FilmAtRest::range_warning);
     let warnings = warnings.chain(solved.rating.warnings()).chain(film);
-    let warnings = warnings.collect();
+    let warnings = warnings.chain(slippery_asperities(case)).collect();
     let mut groups = vec![STATIC, DEFECTS];
     groups.extend(particulars.fit.map(|_| FIT));
     let range = particulars.fit.and_then(|fit| fit.range);

@@ -46,3 +46,4 @@ pub use structure::RacewayLabel;
 pub use summary::RunSummary;
 pub use task::{Task, about};
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};
+pub use warnings::of_case as case_warnings;

@@ -2,6 +2,7 @@
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::{RacewayVerdict, judge, verdict_steps};
+use cageless::film::{Film, VISCOSITIES_PA_S};
 use cageless::tolerance::{
     Outcome, Tolerances, Trial, assess, ball_grade, ball_grades_text, trials,
 };
@@ -228,7 +229,12 @@ impl Request {
                     Some("percent") => "%",
                     _ => "",
                 };
-                let allowed = format!("from 0 to {}", with_unit(&significant(most, 6), unit));
+                let oil = match (option, case.film.as_ref()) {
+                    ("viscosity_percent", Some(film)) => within_oils(film),
+                    _ => String::new(),
+                };
+                let most = with_unit(&significant(most, 6), unit);
+                let allowed = format!("from 0 to {most}{oil}");
                 return Err(OptionError::not_possible(option, value, &allowed).into());
             }
         }
@@ -285,10 +291,33 @@ impl Request {
             (
                 "viscosity_percent",
                 self.viscosity_percent,
-                VISCOSITY_PERCENT_MAX,
+                case.film
+                    .as_ref()
+                    .map_or(VISCOSITY_PERCENT_MAX, viscosity_percent_max),
             ),
         ]
     }
+}
+
+/// Largest deviation of the viscosity of a film that leaves an oil that can be, %.
+fn viscosity_percent_max(film: &Film) -> f64 {
+    let viscosity_pa_s = film.oil.viscosity_pa_s;
+    let [least, most] = VISCOSITIES_PA_S;
+    let either = (1.0 - least / viscosity_pa_s).min(most / viscosity_pa_s - 1.0);
+    (100.0 * either).clamp(0.0, VISCOSITY_PERCENT_MAX)
+}
+
+/// Reason for the largest deviation of the viscosity of a film where an end of the range of oils sets it.
+fn within_oils(film: &Film) -> String {
+    if viscosity_percent_max(film) == VISCOSITY_PERCENT_MAX {
+        return String::new();
+    }
+    let mpa_s = |viscosity_pa_s: f64| significant(1e3 * viscosity_pa_s, 4);
+    let [least, most] = VISCOSITIES_PA_S.map(mpa_s);
+    let own = mpa_s(film.oil.viscosity_pa_s);
+    format!(
+        ", as oils have {least} to {most} mPa·s, and that of the film has {own} mPa·s (film.viscosity_mpa_s)"
+    )
 }
 
 /// Name of the task of an analysis.

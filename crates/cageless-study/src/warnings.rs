@@ -11,7 +11,7 @@ use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod, Raceway, Regularisation};
 
 use cageless_results::number_text::short;
-use cageless_results::{DropResult, Finished};
+use cageless_results::{DropResult, Finished, slippery_asperities};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
@@ -20,6 +20,7 @@ const UNDAMPED_STEP_S: f64 = 0.5e-6;
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);
     warnings.extend(of_film(run.case));
+    warnings.extend(slippery_asperities(run.case));
     warnings.extend(beyond_bearings(run));
     match run.summary.map(|summary| summary.means) {
         None => warnings.push("the run ended within its transient: no statistics".to_owned()),
@@ -219,8 +220,8 @@ fn short_down(value: f64) -> String {
     exact.to_string()
 }
 
-/// Warnings that the case alone gives.
-fn of_case(case: &Case) -> Vec<String> {
+/// Warnings that the case alone gives, before a run.
+pub fn of_case(case: &Case) -> Vec<String> {
     let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();
     let method = case.solver.method;
     let limits = StepLimits::new(case);

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use cageless::film::Oil;
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::RotorDrop;
 use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
@@ -9,6 +10,8 @@ use cageless_io::arrangement::BearingArrangement;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
 use cageless_results::number_text::significant;
+use cageless_results::slippery_asperities;
+use cageless_study::case_warnings;
 use cageless_study::drop::rests;
 use serde::Serialize;
 
@@ -20,6 +23,28 @@ use crate::failure::Failure;
 use crate::format::{fixed, pairs, warnings};
 
 const NUMBERS: &str = "check.json";
+
+/// Oil of a film at the inlet of the contacts, in `check.json`.
+#[derive(Serialize)]
+struct OilAtInlet {
+    viscosity_mpa_s: f64,
+    viscosity_temperature_1_k: f64,
+    pressure_viscosity_1_pa: f64,
+    thermal_conductivity_w_m_k: f64,
+    density_kg_m3: f64,
+}
+
+impl OilAtInlet {
+    fn of(oil: Oil) -> Self {
+        Self {
+            viscosity_mpa_s: 1e3 * oil.viscosity_pa_s,
+            viscosity_temperature_1_k: oil.viscosity_temperature_1_k,
+            pressure_viscosity_1_pa: oil.pressure_viscosity_1_pa,
+            thermal_conductivity_w_m_k: oil.thermal_conductivity_w_m_k,
+            density_kg_m3: oil.density_kg_m3,
+        }
+    }
+}
 
 /// Checks a case, or the file of a rotor above several bearings.
 pub fn check(args: &CheckArgs) -> Result<(), Failure> {
@@ -81,6 +106,8 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
         let friction = file.case().describe_friction();
         lines.push(("friction at the raceways", friction));
     }
+    let oil = file.case().film.as_ref().map(|film| film.oil);
+    lines.extend(oil.map(|oil| ("oil at the inlet", oil_text(&oil))));
     let blend_not_simulated = blend_not_simulated(file.case());
     if let Some(sentence) = &blend_not_simulated {
         lines.push(("blend of the exported ring", sentence.clone()));
@@ -89,7 +116,10 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     lines.extend(expansion_line(&speed_expansion_left_out));
     lines.push(("steps of a run", steps_text(file.case())));
     let mut notes = check_warnings([file.case()]);
+    notes.extend(case_warnings(file.case()));
     notes.extend(dry_motion(file));
+    notes.extend(file.oil_temperature_warning());
+    notes.extend(search_refused(file));
     notes.extend(slippery_asperities(file.case()));
     let assumptions = file.assumptions();
     for assumption in &assumptions {
@@ -118,6 +148,8 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
         scope: [&'static str; SCOPE.len()],
         motion: &'static str,
         #[serde(skip_serializing_if = "Option::is_none")]
+        oil: Option<OilAtInlet>,
+        #[serde(skip_serializing_if = "Option::is_none")]
         blend_not_simulated: Option<String>,
         #[serde(skip_serializing_if = "Option::is_none")]
         speed_expansion_left_out: Option<String>,
@@ -133,12 +165,31 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
             true => "space",
             false => "plane",
         },
+        oil: oil.map(OilAtInlet::of),
         blend_not_simulated,
         speed_expansion_left_out,
         warnings: &notes,
     };
     let text = pairs(&lines) + &warnings(&notes);
     (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&result)?, text))
+}
+
+/// Warning about a `[search]` that `design --search` refuses.
+fn search_refused(file: &CaseFile) -> Option<String> {
+    let error = file.request_to_run().err()?;
+    Some(format!("`design --search` refuses this case: {error}"))
+}
+
+/// Oil of a film at the inlet of the contacts, in a line.
+fn oil_text(oil: &Oil) -> String {
+    format!(
+        "η {} mPa·s, β_T {} 1/K, α {:.2e} 1/Pa, λ {} W/(m·K), {} kg/m³",
+        significant(1e3 * oil.viscosity_pa_s, 4),
+        significant(oil.viscosity_temperature_1_k, 3),
+        oil.pressure_viscosity_1_pa,
+        significant(oil.thermal_conductivity_w_m_k, 3),
+        significant(oil.density_kg_m3, 4)
+    )
 }
 
 /// Warning about a lubricated case whose motion is computed dry.
@@ -150,18 +201,6 @@ fn dry_motion(file: &CaseFile) -> Option<String> {
         );
         format!(
             "[lubrication] is for ratings: the motion is computed without an oil film; {add}"
-        )
-    })
-}
-
-/// Warning about asperities that slide more easily than the film beside them.
-fn slippery_asperities(case: &Case) -> Option<String> {
-    let film = case.film.as_ref().filter(|_| case.mixes_friction())?;
-    let (asperities, most) = (case.contact.friction.coefficient, film.traction_coefficient);
-    (asperities < most).then(|| {
-        format!(
-            "with film.traction = \"film\" contact.friction_coefficient = {asperities} is that of asperities, which \
-             slide more easily than the film, {most}: boundary friction of steel is 0.11"
         )
     })
 }

@@ -14,6 +14,14 @@ pub fn static_equilibrium(args: &StaticArgs) -> Result<(), Failure> {
     let (file, note) = read_case_at_rest(&args.case, &args.set)?.resting()?;
     file.checked(|case| case.check_constant_operation("a static equilibrium"))?;
     let record = equilibrium_record_noted(file.case(), file.particulars(), note)?;
+    let record = match file.oil_temperature_warning() {
+        Some(warning) => {
+            let warned = record.sentences("warnings").iter().cloned();
+            let warned = warned.chain([warning]).collect();
+            record.with_sentences("warnings", warned)
+        }
+        None => record,
+    };
     let balls = match balls {
         true => columns(&record.results.columns()) + "\n",
         false => String::new(),

@@ -100,8 +100,12 @@ field!([f64; 2], Kind::Range, |reader, name, node| {
 field!(Step, Kind::NumberOr(&["auto"]), |reader, name, node| {
     match &node.value {
         Value::Text(text) if text == "auto" => Ok(Self(None)),
-        Value::Text(_) => Err(reader.refuse(name, node, "\"auto\" or a number of µs")),
-        _ => Ok(Self(Some(reader.number(name, node)?))),
+        Value::Integer(_) | Value::Number(_) => Ok(Self(Some(reader.number(name, node)?))),
+        _ => Err(reader.refuse(
+            name,
+            node,
+            "\"auto\" or a number in µs, without quotes and unit",
+        )),
     }
 });
 

@@ -17,6 +17,13 @@ pub fn edited(from: &str, to: &str) -> String {
     text.replacen(from, to, 1)
 }
 
+/// The template without the lines of a film, whose oil takes the place of the viscosity of the ratings.
+pub fn without_film(template: &str) -> String {
+    let (before, film) = template.split_once("# [film]").expect("lines of a film");
+    let (_, after) = film.split_once("\n\n").expect("a further section");
+    before.to_owned() + after
+}
+
 /// Reads a text that must be refused.
 pub fn refused(text: &str, overrides: &[&str]) -> CaseError {
     let overrides: Vec<String> = overrides.iter().map(|s| (*s).to_owned()).collect();

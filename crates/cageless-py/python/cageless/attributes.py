@@ -274,6 +274,7 @@ class StaticAttributes:
     skf_sliding_torque_n_m: float  # sliding friction torque (SKF), N m
     skf_model_torque_n_m: float  # friction torque (SKF model), N m
     skf_model_power_w: float  # power loss (SKF model), W
+    oil_viscosity_mpa_s: float  # viscosity of the oil, mPa s
     film_thickness_min_um: float  # least film thickness, um
     film_thickness_mean_um: float  # film thickness, mean, um
     film_parameter_min: float  # film parameter Λ, least

@@ -17,6 +17,7 @@ use crate::group::Group;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::Static;
+use crate::table::unit::millipascal_seconds;
 use crate::unit::rpm;
 
 /// Ball advance that rounding makes of equal speeds.
@@ -136,6 +137,7 @@ pub const LUBRICATION: &[Quantity] = &[
 /// Further results of a static equilibrium with an oil film.
 #[rustfmt::skip]
 pub const FILM: &[Quantity] = &[
+    group(Group::Film, means("dynamic, at the inlet of the contacts: given, or that of the oil at `film.temperature_c`", part(quantity("oil_viscosity_mpa_s", "mPa s", "viscosity of the oil", Static(|s| s.case.film.map(|film| millipascal_seconds(film.oil.viscosity_pa_s)).into()))))),
     group(Group::Film, means("of a flooded, isothermal contact: an upper bound (Hamrock & Dowson)", part(high(quantity("film_thickness_min_um", "um", "least film thickness", Static(|s| film(s, |f| f.thickness_min_m() * 1e6))))))),
     group(Group::Film, means("mean of the film in the middle of all loaded contacts; flooded and isothermal", part(high(quantity("film_thickness_mean_um", "um", "film thickness, mean", Static(|s| film(s, |f| f.thickness_mean_m() * 1e6))))))),
     group(Group::Film, means("least film thickness over the roughness", part(high(quantity("film_parameter_min", "", "film parameter Λ, least", Static(|s| film(s, FilmAtRest::film_parameter_min))))))),

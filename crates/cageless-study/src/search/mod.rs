@@ -40,7 +40,7 @@ const VERDICT_TASK: &str = "search: verdict";
 /// # Errors
 /// The case or the operating range is impossible.
 pub fn tasks(file: &CaseFile, announced: bool) -> Result<Vec<Task>, StudyError> {
-    let request = file.search();
+    let request = file.request_to_run()?;
     let expected = expected_runs(file.case(), request).map_err(|error| refused(file, error))?;
     let mut tasks: Vec<Task> = vec![];
     let empty = announced && nothing_is_acceptable(file, &expected);
@@ -132,11 +132,12 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<(Found, Record), StudyError> {
     file.checked(cageless::Case::check_motion)?;
+    let request = file.request_to_run()?;
     if progress.wants(VERDICT_TASK) {
         progress.whole(&tasks(file, progress.announces())?);
     }
     let mut runner = TaskRunner::new(file, folder, progress)?;
-    let found = search(file.case(), file.search(), &mut |stage, jobs| {
+    let found = search(file.case(), request, &mut |stage, jobs| {
         runner.execute(stage, jobs)
     });
     runner.check()?;

@@ -124,6 +124,43 @@ fn each_option_has_its_limits() {
     ));
 }
 
+/// The viscosity deviates within the oils that can be, and is refused beyond, before anything is computed.
+#[test]
+fn the_viscosity_stays_that_of_an_oil() {
+    let wet = |viscosity_mpa_s: &str| {
+        let sets = [
+            format!("film.viscosity_mpa_s={viscosity_mpa_s}"),
+            "film.viscosity_temperature_1_k=0.035".to_owned(),
+            "film.supply=\"flooded\"".to_owned(),
+        ];
+        let text = template(false).replace("formulation = \"paper\"", "formulation = \"physical\"");
+        CaseFile::parse(&text, "case.toml", &sets)
+            .unwrap()
+            .case()
+            .clone()
+    };
+    let judged = |viscosity_mpa_s: &str, viscosity_percent: f64| {
+        let request = Request {
+            viscosity_percent,
+            ..REQUEST
+        };
+        request.check(&wet(viscosity_mpa_s), "case").map(|_| ())
+    };
+    for (viscosity_mpa_s, most) in [("0.105", "4.7619"), ("9000", "11.1111")] {
+        let error = judged(viscosity_mpa_s, 30.0).unwrap_err().to_string();
+        for fragment in [
+            "viscosity_percent = 30",
+            most,
+            "0.1 to 10000 mPa·s",
+            &format!("has {viscosity_mpa_s} mPa·s (film.viscosity_mpa_s)"),
+        ] {
+            assert!(error.contains(fragment), "{error}: no {fragment}");
+        }
+        assert!(judged(viscosity_mpa_s, 4.7).is_ok());
+    }
+    assert!(judged("5", 90.0).is_ok());
+}
+
 /// Rows and samples in the units of the drawing, every number in its place.
 #[test]
 fn results_are_in_the_units_of_the_drawing() {

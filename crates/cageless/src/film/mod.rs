@@ -30,8 +30,8 @@ mod traction;
 mod traction_at_rest;
 mod unreached_arc;
 
-use crate::error::InputError;
-use crate::limits::{from_to, not_negative, require};
+use crate::error::{Allowed, InputError};
+use crate::limits::{from_to, require};
 
 pub(crate) use contact::LubricatedContact;
 pub(crate) use curve::{RollingCurve, RollingCurveLanes};
@@ -42,7 +42,7 @@ pub(crate) use free_arc::FreeBall;
 pub(crate) use groove_curves::GrooveCurves;
 pub(crate) use groove_traction::GrooveFilms;
 pub(crate) use motion::RollingModel;
-pub use oil::{Oil, OilGrade, TEMPERATURES_C};
+pub use oil::{Oil, OilGrade, TEMPERATURES_C, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K};
 pub use range::RangeExceeded;
 pub use rest::FilmAtRest;
 pub(crate) use rolling_force::Rolling;
@@ -95,6 +95,8 @@ pub struct Film {
 impl Film {
     /// Limit of the friction of a film over its load, unless one is given.
     pub const TRACTION_COEFFICIENT: f64 = 0.05;
+    /// Largest limit of the friction of a film over its load.
+    pub const TRACTION_COEFFICIENT_MAX: f64 = 0.2;
 
     /// Flooded contacts of the usual roughness, 0.1 µm, with a heated inlet.
     pub fn flooded(oil: Oil) -> Self {
@@ -122,7 +124,10 @@ impl Film {
         self.oil.check()?;
         let why = "a share of the rolling force of a flooded contact";
         from_to("supply", self.supply, [0.0, FLOODED], why)?;
-        not_negative("traction_coefficient", self.traction_coefficient)?;
+        let (limit, most) = (self.traction_coefficient, Self::TRACTION_COEFFICIENT_MAX);
+        Allowed::AtLeast(0.0, "").check("traction_coefficient", limit)?;
+        let why = "traction fluids have 0.12; it is no percentage";
+        Allowed::AtMost(most, why).check("traction_coefficient", limit)?;
         let (least, most) = (1e-9, ROUGHNESS_MAX_M);
         let kept = (least..=most).contains(&self.roughness_m);
         require("roughness_m", self.roughness_m, kept, "from 0.001 to 10 µm")

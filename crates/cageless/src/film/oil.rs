@@ -9,6 +9,10 @@ const MPA_S: f64 = 1e-3;
 pub(super) const CONDUCTIVITY_W_M_K: f64 = 0.14;
 /// Temperatures that viscosities are computed for, °C.
 pub const TEMPERATURES_C: [f64; 2] = [-40.0, 250.0];
+/// Least and greatest viscosity of an oil in a bearing, from petrol to the stiffest gear oil in the cold, Pa·s.
+pub const VISCOSITIES_PA_S: [f64; 2] = [1e-4, 10.0];
+/// Largest β_T of an oil, 1/K; mineral oils have 0.02 to 0.06.
+pub const VISCOSITY_TEMPERATURE_MAX_1_K: f64 = 0.2;
 /// Fall of the density with the temperature, kg/(m³·K).
 const DENSITY_SLOPE_KG_M3_K: f64 = 0.64;
 /// Temperature at which densities of oils are stated, °C.
@@ -69,9 +73,9 @@ impl Oil {
     /// An [`InputError`] naming the first field that cannot be.
     pub(super) fn check(&self) -> Result<(), InputError> {
         let why = "from petrol to the stiffest gear oil in the cold";
-        from_to("viscosity_pa_s", self.viscosity_pa_s, [1e-4, 10.0], why)?;
+        from_to("viscosity_pa_s", self.viscosity_pa_s, VISCOSITIES_PA_S, why)?;
         let slope = self.viscosity_temperature_1_k;
-        let kept = (0.0..=0.2).contains(&slope);
+        let kept = (0.0..=VISCOSITY_TEMPERATURE_MAX_1_K).contains(&slope);
         let rule = "from 0 to 0.2: mineral oils have 0.02 to 0.06";
         require("viscosity_temperature_1_k", slope, kept, rule)?;
         let alpha = self.pressure_viscosity_1_pa;

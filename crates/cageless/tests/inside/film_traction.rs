@@ -463,6 +463,8 @@ fn what_has_no_traction_is_refused() {
     let mut negative = case.clone();
     negative.film.as_mut().unwrap().traction_coefficient = -0.1;
     refused(&negative, "traction_coefficient", "at least 0");
+    negative.film.as_mut().unwrap().traction_coefficient = 5.0;
+    refused(&negative, "traction_coefficient", "at most 0.2");
     let drop = Case {
         film: case.film,
         ..rotor_drop()

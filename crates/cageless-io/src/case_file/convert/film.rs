@@ -1,9 +1,12 @@
 //! The film of a case.
 
-use cageless::film::{Film, Oil, TEMPERATURES_C, Traction};
+use cageless::film::{
+    Film, Oil, OilGrade, TEMPERATURES_C, Traction, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K,
+};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
+use crate::case_file::named::Named;
 use crate::case_file::sections::film::{FilmSection, Supply};
 
 /// Keys of the oil, by the ways to give it.
@@ -14,8 +17,6 @@ const VISCOSITY: &str = "film.viscosity_mpa_s";
 const SLOPE: &str = "film.viscosity_temperature_1_k";
 const TEMPERATURE: &str = "film.temperature_c";
 const COEFFICIENT: &str = "film.traction_coefficient";
-/// Viscosity of the stiffest oil that a bearing runs in, Pa·s.
-const STIFFEST_PA_S: f64 = 10.0;
 
 impl Converter<'_> {
     /// The film of `[film]`.
@@ -70,7 +71,7 @@ impl Converter<'_> {
         }
         if let Some(grade) = section.oil {
             let temperature_c = self.temperature_c(section)?;
-            return self.flowing(grade.at(temperature_c), temperature_c);
+            return self.flowing(grade.at(temperature_c), temperature_c, TEMPERATURE);
         }
         if let Some(viscosity_pa_s) = section.viscosity_pa_s {
             let slope = section.viscosity_temperature_1_k;
@@ -84,11 +85,11 @@ impl Converter<'_> {
                     return Err(self.refuse(HOT, &allowed));
                 }
                 let temperature_c = self.temperature_c(section)?;
-                self.flowing(Oil::between([cold, hot], temperature_c), temperature_c)
+                self.flowing(Oil::between([cold, hot], temperature_c), temperature_c, HOT)
             }
             (Some(_), None) => Err(self.missing("film", "viscosity_100_mpa_s")),
             (None, Some(_)) => Err(self.missing("film", "viscosity_40_mpa_s")),
-            (None, None) => Err(self.missing("film", "oil")),
+            (None, None) => Err(self.oil_missing()),
         }
     }
 
@@ -102,15 +103,52 @@ impl Converter<'_> {
         }
     }
 
-    /// Refuses a temperature at which the oil does not flow.
-    fn flowing(&self, oil: Oil, temperature_c: f64) -> Result<Oil, CaseError> {
-        if oil.viscosity_pa_s <= STIFFEST_PA_S {
+    /// The error of a film without oil.
+    fn oil_missing(&self) -> CaseError {
+        let key = match self.document.has(SLOPE) {
+            true => VISCOSITY,
+            false => OIL,
+        };
+        let grades = OilGrade::choices();
+        let message = format!(
+            "{key} is missing in [film]: give {VISCOSITY} and {SLOPE}; or {OIL} ({grades}) and {TEMPERATURE}; or \
+             {COLD}, {HOT} and {TEMPERATURE}. What a plan varies stands in the case or in [set] as well"
+        );
+        self.document.tree.error(key, message)
+    }
+
+    /// Passes an oil that flows at its temperature; `falling` is the key at fault where it thins too fast there.
+    fn flowing(&self, oil: Oil, temperature_c: f64, falling: &str) -> Result<Oil, CaseError> {
+        let [least, most] = VISCOSITIES_PA_S;
+        let viscosity_pa_s = oil.viscosity_pa_s;
+        if !(least..=most).contains(&viscosity_pa_s) {
+            let (way, has, end) = match viscosity_pa_s < least {
+                true => (
+                    "colder",
+                    format!("{:.2e} mPa·s", 1e3 * viscosity_pa_s),
+                    format!("no oil is below {} mPa·s", 1e3 * least),
+                ),
+                false => (
+                    "warmer",
+                    format!("{viscosity_pa_s:.0} Pa·s"),
+                    format!("no bearing starts above {most}"),
+                ),
+            };
+            let allowed = format!("{way}: at {temperature_c} °C this oil has {has}, and {end}");
+            return Err(self.refuse(TEMPERATURE, &allowed));
+        }
+        let slope = oil.viscosity_temperature_1_k;
+        if slope <= VISCOSITY_TEMPERATURE_MAX_1_K {
             return Ok(oil);
         }
+        let way = match falling {
+            HOT => format!("nearer to {COLD}"),
+            _ => "warmer".to_owned(),
+        };
         let allowed = format!(
-            "warmer: at {temperature_c} °C this oil has {:.0} Pa·s, and no bearing starts above {STIFFEST_PA_S}",
-            oil.viscosity_pa_s
+            "{way}: at {temperature_c} °C the viscosity would fall by {slope:.4} of itself per K, and that of no oil by \
+             more than {VISCOSITY_TEMPERATURE_MAX_1_K}"
         );
-        Err(self.refuse(TEMPERATURE, &allowed))
+        Err(self.refuse(falling, &allowed))
     }
 }

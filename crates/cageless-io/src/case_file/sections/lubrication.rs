@@ -9,7 +9,7 @@ section! {
     impl cageless::Lubrication {
         viscosity_mm2_s => viscosity_m2_s: f64 = Derived, SquareMillimetrePerSecond; Above(0.0),
             "ν, kinematic viscosity at the temperature of operation, of a grease that of its base oil; required, but with [film], whose oil gives it",
-            Commented("13.0", "at the temperature of operation");
+            Commented("13.0", "at the temperature of operation; left out with [film]");
         contamination_factor => contamination_factor: f64 = Required, Plain; Within(0.0, 1.0),
             "eC of ISO 281: 1 extreme cleanliness, 0.8 to 0.6 high, 0.6 to 0.5 normal, 0.5 to 0.3 slight and 0.3 to 0.1 typical contamination, 0.1 to 0 severe, below a pitch diameter of 100 mm",
             Commented("0.5", "eC of ISO 281: 1 clean, 0 very severe");

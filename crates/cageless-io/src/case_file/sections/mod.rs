@@ -61,7 +61,7 @@ sections! {
     lubrication: Option<cageless::Lubrication>, "the lubricant, for modified life and minimum load of `static`",
         Heading::Commented("lubricant, for modified life and minimum load of `static`");
     film: Option<film::FilmSection>, "oil film of the rolling contacts, which resists rolling and spaces balls",
-        Heading::Absent;
+        Heading::Commented("oil film, which resists rolling and spaces balls");
     output: output::OutputSection, "what a run writes", Heading::Shown("");
     steady: Option<steady::SteadySection>, "steady operation with real balls, for `compare`",
         Heading::Commented("steady operation with real balls, for `cageless compare`");

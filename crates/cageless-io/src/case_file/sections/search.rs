@@ -40,7 +40,7 @@ section! {
         edge_radius_mm => edge_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "radius of the edges of the slots that shapes = \"all\" tries as well, of a case in space; slots of the case keep their own", Absent;
         critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(STEADY_GAP.limit()), Plain; Inside(0.0, 1.0),
-            "smallest accepted critical gap, as a fraction of the steady-state gap; with [film] 1 to 1.1 are sought whatever is given here",
+            "smallest accepted critical gap, as a fraction of the steady-state gap; left out with [film], where 1 to 1.1 are sought",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");
         axial_load_max_n => axial_load_max_n: f64 = default(0.0), Si("N"); AtLeast(0.0),
             "largest axial load, under which a raceway must keep half of its lag: by rolling at the contact angle of the load, then in space; 0: none; only in \"physical\" and in the plane: a case in space has axial_load_n",

@@ -1,0 +1,86 @@
+//! What `check`, `static` and `run` say of an oil before and beside their numbers.
+
+use crate::common::*;
+
+const OIL: [&str; 3] = [
+    "film.oil=iso-vg-32",
+    "film.temperature_c=70",
+    "film.supply=two-drops",
+];
+
+/// Derived values of the oil, in text and JSON; the viscosity in `static` as well.
+#[test]
+fn the_oil_of_the_film_is_shown() {
+    let case = repository_case("zhao-d.toml");
+    let answer = call_on("check", &case, &OIL, &[]);
+    for fragment in ["oil at the inlet", "η 9.", "β_T 0.02", "W/(m·K)", "kg/m³"] {
+        assert!(
+            answer.stdout.contains(fragment),
+            "{answer:?}: no {fragment}"
+        );
+    }
+    let checked = call_on("check", &case, &OIL, &["--json"]).json();
+    let settled = call_on("static", &case, &OIL, &["--json"]).json();
+    let viscosity = |value: &serde_json::Value| value.as_f64().unwrap();
+    let mpa_s = viscosity(&checked["oil"]["viscosity_mpa_s"]);
+    assert!((9.0..10.0).contains(&mpa_s), "{mpa_s}");
+    assert_eq!(viscosity(&settled["oil_viscosity_mpa_s"]), mpa_s);
+    let dry = call_on("check", &case, &[], &["--json"]).json();
+    assert!(dry.get("oil").is_none());
+}
+
+/// Friction of asperities that is left from a lubricated case is said wherever it is used.
+#[test]
+fn friction_of_asperities_below_that_of_the_film_is_said() {
+    let case = repository_case("zhao-d.toml");
+    let sheared = [&OIL[..], &["film.traction=film"]].concat();
+    let short = [&sheared[..], &["solver.duration_s=1e-3"]].concat();
+    for (command, sets) in [("check", &sheared), ("static", &sheared), ("run", &short)] {
+        let text = said(&call_on(command, &case, sets, &[]));
+        let fragment = "contact.friction_coefficient = 0.007 is that of asperities";
+        assert_eq!(text.matches(fragment).count(), 1, "{command}: {text}");
+        let given = [&sets[..], &["contact.friction_coefficient=0.11"]].concat();
+        let text = said(&call_on(command, &case, &given, &[]));
+        assert!(!text.contains("is that of asperities"), "{command}: {text}");
+    }
+}
+
+/// Oil that is not as warm as the rings is said.
+#[test]
+fn oil_beside_warm_rings_is_said() {
+    let case = repository_case("full-6008.toml");
+    let warmed = [
+        "fit.shaft=k5",
+        "fit.housing=H7",
+        "fit.inner_ring_temperature_c=120",
+        "fit.outer_ring_temperature_c=115",
+    ];
+    let sets = [&OIL[..], &warmed].concat();
+    for command in ["check", "static"] {
+        let text = said(&call_on(command, &case, &sets, &[]));
+        assert!(
+            text.contains("film.temperature_c = 70 is 45 K from"),
+            "{text}"
+        );
+    }
+}
+
+/// A step that is too long for the friction law is said before the run.
+#[test]
+fn a_step_too_long_for_the_friction_is_said_by_check() {
+    let case = repository_case("zhao-d.toml");
+    for sets in [
+        &["contact.regularisation=kalker"],
+        &["contact.regularisation_speed_m_s=1e-4"],
+    ] {
+        let text = said(&call_on("check", &case, sets, &[]));
+        assert!(text.contains("too long for this friction law"), "{text}");
+    }
+    let text = said(&call_on("check", &case, &[], &[]));
+    assert!(!text.contains("too long for this friction law"), "{text}");
+}
+
+fn said(answer: &Answer) -> String {
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    format!("{}{}", answer.stdout, answer.stderr)
+}
