@@ -134,7 +134,7 @@ const OPTIONAL_SECTIONS: &str = "\
 # contamination_factor = 0.5
 
 # [film]                                       # oil film, which resists rolling and spaces balls
-# supply = \"flooded\"                         # or \"two-drops\", or 0.1: nearly dry, greased
+# supply = \"flooded\"                           # or \"two-drops\", or 0.1: nearly dry, greased
 # oil = \"iso-vg-32\"
 # temperature_c = 70.0                         # of the inlet: that of the rings
 ";

@@ -74,6 +74,7 @@ pub use source::{
 pub use static_result::{equilibrium_record, equilibrium_record_noted, static_record};
 pub use stopped::Stopped;
 pub use successive_drop::succession_record;
+pub use table::unit::millipascal_seconds;
 pub use table::{
     AXIAL, CLEARANCE_RANGE, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DIMENSION, DROP, FILM,
     FILM_VERDICT, FIT, FRAME, GROOVE, LUBRICATION, MAP, MEASURED, MOTION, PAPER, PASSAGES,

@@ -10,7 +10,7 @@ use cageless_io::arrangement::BearingArrangement;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
 use cageless_results::number_text::significant;
-use cageless_results::slippery_asperities;
+use cageless_results::{millipascal_seconds, slippery_asperities};
 use cageless_study::case_warnings;
 use cageless_study::drop::rests;
 use serde::Serialize;
@@ -37,7 +37,7 @@ struct OilAtInlet {
 impl OilAtInlet {
     fn of(oil: Oil) -> Self {
         Self {
-            viscosity_mpa_s: 1e3 * oil.viscosity_pa_s,
+            viscosity_mpa_s: millipascal_seconds(oil.viscosity_pa_s),
             viscosity_temperature_1_k: oil.viscosity_temperature_1_k,
             pressure_viscosity_1_pa: oil.pressure_viscosity_1_pa,
             thermal_conductivity_w_m_k: oil.thermal_conductivity_w_m_k,
@@ -184,7 +184,7 @@ fn search_refused(file: &CaseFile) -> Option<String> {
 fn oil_text(oil: &Oil) -> String {
     format!(
         "η {} mPa·s, β_T {} 1/K, α {:.2e} 1/Pa, λ {} W/(m·K), {} kg/m³",
-        significant(1e3 * oil.viscosity_pa_s, 4),
+        significant(millipascal_seconds(oil.viscosity_pa_s), 4),
         significant(oil.viscosity_temperature_1_k, 3),
         oil.pressure_viscosity_1_pa,
         significant(oil.thermal_conductivity_w_m_k, 3),

@@ -6,6 +6,6 @@ pub(crate) fn microseconds(time_s: f64) -> f64 {
 }
 
 /// A viscosity in mPa·s.
-pub(crate) fn millipascal_seconds(viscosity_pa_s: f64) -> f64 {
+pub fn millipascal_seconds(viscosity_pa_s: f64) -> f64 {
     viscosity_pa_s * 1e3
 }

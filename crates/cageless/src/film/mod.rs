@@ -96,7 +96,7 @@ impl Film {
     /// Limit of the friction of a film over its load, unless one is given.
     pub const TRACTION_COEFFICIENT: f64 = 0.05;
     /// Largest limit of the friction of a film over its load.
-    pub const TRACTION_COEFFICIENT_MAX: f64 = 0.2;
+    const TRACTION_COEFFICIENT_MAX: f64 = 0.2;
 
     /// Flooded contacts of the usual roughness, 0.1 µm, with a heated inlet.
     pub fn flooded(oil: Oil) -> Self {

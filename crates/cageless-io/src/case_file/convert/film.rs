@@ -8,6 +8,7 @@ use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
 use crate::case_file::named::Named;
 use crate::case_file::sections::film::{FilmSection, Supply};
+use crate::case_file::unit::Unit;
 
 /// Keys of the oil, by the ways to give it.
 const OIL: &str = "film.oil";
@@ -125,8 +126,14 @@ impl Converter<'_> {
             let (way, has, end) = match viscosity_pa_s < least {
                 true => (
                     "colder",
-                    format!("{:.2e} mPa·s", 1e3 * viscosity_pa_s),
-                    format!("no oil is below {} mPa·s", 1e3 * least),
+                    format!(
+                        "{:.2e} mPa·s",
+                        Unit::MillipascalSecond.of_si(viscosity_pa_s)
+                    ),
+                    format!(
+                        "no oil is below {} mPa·s",
+                        Unit::MillipascalSecond.of_si(least)
+                    ),
                 ),
                 false => (
                     "warmer",
