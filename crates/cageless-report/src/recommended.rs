@@ -18,7 +18,7 @@ pub struct ShownRaceway {
     pub passes: Option<bool>,
     /// Whether it works, with the reason and the margin.
     pub headline: String,
-    /// The same without oil: whether it passes, and a line; `None` of a dry case.
+    /// Verdict without oil: whether the raceway passes, and its line; `None` of a dry case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dry: Option<(Option<bool>, String)>,
     /// Key numbers.

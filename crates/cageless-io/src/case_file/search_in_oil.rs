@@ -7,13 +7,15 @@ use super::CaseFile;
 use super::error::CaseError;
 use super::value::CaseValue;
 
-/// Keys of operating points, of which a search in oil has one.
-const POINTS: [&str; 4] = [
-    "search.inner_speed_rpm",
-    "search.radial_load_n",
-    "search.axial_load_n",
-    "search.map_speed_rpm",
+/// Keys of operating points, each with what a search in oil takes of it and how many values that is.
+const POINTS: [(&str, &str, usize); 4] = [
+    ("search.inner_speed_rpm", ONE, 1),
+    ("search.radial_load_n", ONE, 1),
+    ("search.axial_load_n", ONE, 1),
+    ("search.map_speed_rpm", NONE, 0),
 ];
+const ONE: &str = "one number or left out";
+const NONE: &str = "left out";
 const LEAST_GAP: &str = "search.critical_gap_min_fraction";
 
 impl CaseFile {
@@ -25,21 +27,15 @@ impl CaseFile {
         if self.case.film.is_none() {
             return Ok(self.search());
         }
-        for key in POINTS {
-            let several = match self.value(key) {
-                Some(CaseValue::Numbers(values)) => {
-                    key.ends_with("map_speed_rpm") || values.len() > 1
-                }
-                _ => false,
-            };
-            if several {
-                let allowed = "one number or left out: a search with [film] has one speed and one load, as the lag \
-                               in oil differs with each";
-                let allowed = match key.ends_with("map_speed_rpm") {
-                    true => allowed.trim_start_matches("one number or "),
-                    false => allowed,
-                };
-                return Err(self.refuse(key, allowed));
+        for (key, taken, most) in POINTS {
+            let beyond = |values: &[f64]| most == 0 || values.len() > most;
+            let beyond =
+                matches!(self.value(key), Some(CaseValue::Numbers(values)) if beyond(&values));
+            if beyond {
+                let allowed = format!(
+                    "{taken}: a search with [film] has one speed and one load, as the lag in oil differs with each"
+                );
+                return Err(self.refuse(key, &allowed));
             }
         }
         let usual = STEADY_GAP.limit();

@@ -311,8 +311,8 @@ fn in_oil(sets: &[&str]) -> (Record, String) {
     (record, notes)
 }
 
-/// The same two limits of queueing stand in every note, and the words fit them; from d = 5 % on a raceway for dry balls
-/// is outweighed.
+/// Every note names one pair of limits of queueing, and its words fit them; above d = 5 % the film outweighs a raceway
+/// for dry balls.
 #[test]
 fn notes_on_queueing_do_not_contradict_each_other() {
     let limits = "balls queue from some 9.2 % on, never below 7.8 %";

@@ -115,7 +115,7 @@ struct Bearing<'a> {
     result: &'a DropResult,
 }
 
-/// The same drop with conventional outer rings.
+/// Drop of the rotor onto conventional outer rings.
 #[derive(Serialize)]
 struct Conventional<'a> {
     bearings: Vec<&'a DropResult>,
