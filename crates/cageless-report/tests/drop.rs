@@ -145,7 +145,7 @@ fn a_seal_that_the_rotor_meets_leads_the_page() {
     let file = BearingArrangement::parse(&text, "rotor.toml", Path::new("."), &changes).unwrap();
     let study = studied(&file, DropRequest::default());
     let page = drop_page(&file, &study);
-    let rotor = study.record.rotor.as_ref().unwrap();
+    let rotor = &study.record.rotor;
     let most_um = 1e6 * rotor.planes[0].displacement_max_m;
     assert!(most_um > 150.0);
     let head = &page[page.find("class=\"facts\"").unwrap()..page.find("</dl>").unwrap()];

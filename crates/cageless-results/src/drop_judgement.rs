@@ -180,9 +180,9 @@ impl DropJudgement {
         self
     }
 
-    /// Verdict on a drop by the verdicts on its bearings, and on the planes and the energy balance of a
-    /// linear rotor.
-    pub fn of_bearings(bearings: &[&Self], rotor: Option<&RotorOutcome>) -> Self {
+    /// Verdict on a drop by the verdicts on its bearings, and on the planes and the energy balance of the
+    /// rotor.
+    pub fn of_bearings(bearings: &[&Self], rotor: &RotorOutcome) -> Self {
         let mut all = Self {
             touched: bearings.iter().any(|bearing| bearing.touched),
             ..Self::default()
@@ -198,11 +198,8 @@ impl DropJudgement {
         all.with_rotor(rotor)
     }
 
-    /// The verdict with that on the planes and the energy balance of a linear rotor.
-    pub(crate) fn with_rotor(mut self, rotor: Option<&RotorOutcome>) -> Self {
-        let Some(rotor) = rotor else {
-            return self;
-        };
+    /// The verdict with that on the planes and the energy balance of the rotor.
+    pub(crate) fn with_rotor(mut self, rotor: &RotorOutcome) -> Self {
         for plane in &rotor.planes {
             let (clearance, most_m) = (&plane.clearance, plane.displacement_max_m);
             let lists = [&mut self.kept, &mut self.failed];

@@ -12,8 +12,8 @@ use crate::{Across, Cell, DropJudgement, DropResult, Particulars, Quantity, Reco
 pub struct DropRun {
     /// Results of each bearing.
     pub bearings: Vec<DropResult>,
-    /// Outcome of a linear rotor.
-    pub rotor: Option<RotorOutcome>,
+    /// Outcome of the rotor.
+    pub rotor: RotorOutcome,
     /// Reason why the drop stopped early, if it did, with the bearing of several.
     pub stopped: Option<String>,
 }
@@ -56,13 +56,12 @@ impl DropRun {
     /// The verdict on all bearings and the planes of the rotor.
     pub fn judgement(&self) -> DropJudgement {
         let bearings: Vec<_> = self.bearings.iter().map(|b| &b.judgement).collect();
-        DropJudgement::of_bearings(&bearings, self.rotor.as_ref())
+        DropJudgement::of_bearings(&bearings, &self.rotor)
     }
 
     /// Value of a quantity for the drop as a whole.
     pub fn value(&self, quantity: &Quantity) -> Cell {
-        let rotor = self.rotor.as_ref();
-        if let Some(own) = rotor.and_then(|rotor| quantity.of(Subject::RotorDrop(rotor))) {
+        if let Some(own) = quantity.of(Subject::RotorDrop(&self.rotor)) {
             return own;
         }
         let found = |bearing: &DropResult| {

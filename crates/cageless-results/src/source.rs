@@ -154,8 +154,8 @@ pub struct SuccessiveDrop<'a> {
     pub spin_down_s: Option<f64>,
     /// Heat of this bearing in that time, J.
     pub spin_down_heat_j: Option<f64>,
-    /// A linear rotor with its planes.
-    pub rotor: Option<&'a RotorOutcome>,
+    /// The rotor with its planes.
+    pub rotor: &'a RotorOutcome,
     /// Temperatures of inner ring, balls and outer ring after that, °C; `None` without heat capacities.
     pub standstill_c: Option<[f64; PARTS]>,
     /// Verdict on it.
@@ -345,5 +345,5 @@ sources! {
     Si(f64, f64) "A value in SI.",
     Plane(PlaneDisplacement, PlaneDisplacement) "A plane of a rotor with a clearance to the stator.",
     Succession(SuccessiveDrop<'_>, SuccessiveDrop<'a>) "One of several drops one after the other.",
-    RotorDrop(RotorOutcome, RotorOutcome) "The linear rotor of a drop.",
+    RotorDrop(RotorOutcome, RotorOutcome) "The rotor of a drop.",
 }

@@ -115,7 +115,7 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
         );
         assert_eq!(
             value(row, "drop_rotor_energy_residual_relative"),
-            &Cell::Number(alone.record.rotor.unwrap().energy_residual_relative)
+            &Cell::Number(alone.record.rotor.energy_residual_relative)
         );
         // Neither ring has reached its speed.
         assert_eq!(value(row, "drop_spin_up_ms"), &Cell::Null);

@@ -113,7 +113,7 @@ fn verdict(judgement: &DropJudgement) -> String {
 
 /// Numbers of a linear rotor and its planes.
 fn rotor_text(study: &DropStudy) -> String {
-    let (Some(rotor), Some(outcome)) = (study.drop.rotor(), &study.record.rotor) else {
+    let Some(rotor) = study.drop.rotor() else {
         return String::new();
     };
     let mut lines = vec![("rotor", format!("{} kg", significant(rotor.mass_kg(), 4)))];
@@ -126,11 +126,14 @@ fn rotor_text(study: &DropStudy) -> String {
     }
     lines.push((
         "energy balance error of the rotor (relative)",
-        format!("{:.1e}", outcome.energy_residual_relative),
+        format!("{:.1e}", study.record.rotor.energy_residual_relative),
     ));
     let mut text = pairs(&lines);
-    if !outcome.planes.is_empty() {
-        text += &format!("\n{}", columns(&table_of(&plane_records(&outcome.planes))));
+    if !study.record.rotor.planes.is_empty() {
+        text += &format!(
+            "\n{}",
+            columns(&table_of(&plane_records(&study.record.rotor.planes)))
+        );
     }
     text + "\n"
 }

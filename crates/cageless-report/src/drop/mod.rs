@@ -39,8 +39,7 @@ pub fn drop_page(file: &BearingArrangement, study: &DropStudy) -> String {
         (title, _) => title,
     };
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
-    let planes = study.record.rotor.as_ref().map(|rotor| &rotor.planes[..]);
-    let planes = planes.unwrap_or_default();
+    let planes = &study.record.rotor.planes[..];
     let facts = facts(&bearings, planes);
     page.head(&head(study, facts));
     // Without any clearance the place of the journal is that of the first figure all the same.

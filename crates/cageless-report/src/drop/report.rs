@@ -163,7 +163,7 @@ impl Requirement {
 /// Requirements on the drop with what was found, those that it fails first.
 pub(super) fn requirements(page: &mut Page, study: &DropStudy, bearings: &[Bearing<'_>]) {
     let mut all: Vec<Requirement> = bearings.iter().flat_map(of_bearing).collect();
-    let planes = study.record.rotor.iter().flat_map(|rotor| &rotor.planes);
+    let planes = study.record.rotor.planes.iter();
     all.extend(planes.map(of_plane));
     all.sort_by_key(|requirement| requirement.kept != Some(false));
     let head = ["Requirement", "Limit", "Found", "Verdict"].map(str::to_owned);

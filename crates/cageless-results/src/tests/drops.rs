@@ -318,10 +318,10 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
     };
     let run = DropRun {
         bearings: bearings.to_vec(),
-        rotor: Some(RotorOutcome {
+        rotor: RotorOutcome {
             energy_residual_relative: 0.0123,
             planes: vec![plane(5e-4, 1e-4), plane(4e-4, 2.5e-4)],
-        }),
+        },
         stopped: None,
     };
     let sums = [
@@ -430,7 +430,7 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
             heat_j: 271.0,
             spin_down_s: Some(17.0),
             spin_down_heat_j: Some(333.0),
-            rotor: None,
+            rotor: &balanced(),
             standstill_c: Some([61.0, ball_c, 43.0]),
             judgement: DropJudgement::default(),
         };
@@ -500,7 +500,7 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
             heat_j: 1.0,
             spin_down_s: None,
             spin_down_heat_j: None,
-            rotor: Some(&rotor),
+            rotor: &rotor,
             standstill_c: None,
             judgement: DropJudgement::default(),
         };
@@ -571,5 +571,13 @@ fn a_limit_on_a_result_without_a_value_does_not_pass() {
         assert_eq!(found.results.text("verdict"), verdict, "{name} {value}");
         let headline = found.results.text("headline");
         assert!(headline.contains(said), "{headline}");
+    }
+}
+
+/// A rotor without planes whose energy balances.
+pub(super) fn balanced() -> RotorOutcome {
+    RotorOutcome {
+        energy_residual_relative: 0.0,
+        planes: vec![],
     }
 }

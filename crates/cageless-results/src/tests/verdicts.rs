@@ -6,7 +6,7 @@ use cageless::simulation::{
 };
 use cageless::touchdown::{DropSummary, EndState, EndWhirl};
 
-use super::drops::{Ended, drop};
+use super::drops::{Ended, balanced, drop};
 use super::*;
 
 /// How a drop went.
@@ -206,7 +206,10 @@ fn verdicts_of_bearings_combine() {
     };
     let still = rotor(0.0, 2.9e-4);
     for (a, of_a) in WAYS {
-        assert_eq!(DropJudgement::of_bearings(&[&verdict(a)], None), verdict(a));
+        assert_eq!(
+            DropJudgement::of_bearings(&[&verdict(a)], &balanced()),
+            verdict(a)
+        );
         for (b, of_b) in WAYS {
             let both = [verdict(a), verdict(b)];
             let both = [&both[0], &both[1]];
@@ -217,8 +220,7 @@ fn verdicts_of_bearings_combine() {
                 _ if a == Went::InTheAir && b == Went::InTheAir => None,
                 _ => Some(true),
             };
-            let passes =
-                |rotor: &RotorOutcome| DropJudgement::of_bearings(&both, Some(rotor)).passes();
+            let passes = |rotor: &RotorOutcome| DropJudgement::of_bearings(&both, rotor).passes();
             assert_eq!(passes(&still), expected, "{a:?} {b:?}");
             assert_eq!(passes(&rotor(0.0, 3.1e-4)), Some(false), "{a:?} {b:?}");
             let leaks = 1.001 * RESIDUAL_FRACTION;
@@ -228,7 +230,7 @@ fn verdicts_of_bearings_combine() {
         }
     }
     let all = [verdict(Went::Well), verdict(Went::Overloaded)];
-    let all = DropJudgement::of_bearings(&[&all[0], &all[1]], Some(&still));
+    let all = DropJudgement::of_bearings(&[&all[0], &all[1]], &still);
     let reasons = all.reasons();
     assert!(
         reasons.len() == 1 && reasons[0].starts_with("bearing 2: contact pressure at the outer"),

@@ -63,8 +63,8 @@ pub struct DropRow {
     pub x_um: Option<f64>,
     /// Mass centre at the start, µm; `None` if it is not drawn.
     pub y_um: Option<f64>,
-    /// Energy balance error of a linear rotor alone, relative.
-    pub rotor_energy_residual_relative: Option<f64>,
+    /// Energy balance error of the rotor alone, relative.
+    pub rotor_energy_residual_relative: f64,
     /// Reason why the drop stopped early, if it did, with the bearing of several.
     pub stopped: Option<String>,
     /// The bearings.
@@ -123,25 +123,24 @@ fn together(
     let rows = indices.iter().zip(&drawn).zip(runs);
     rows.map(|((index, drawn), run)| {
         let run = run.map_err(|error| StudyError::Input(error.to_string()))?;
-        Ok(DropRow::new(*index + 1, drawn, run))
+        Ok(DropRow::new(*index + 1, drawn, run, drop.rotor().is_some()))
     })
     .collect()
 }
 
 impl DropRow {
-    fn new(number: u64, drawn: &Drawn, run: DropRun) -> Self {
+    fn new(number: u64, drawn: &Drawn, run: DropRun, is_linear: bool) -> Self {
         let unbalance_deg = drawn.unbalance_rad.map(f64::to_degrees);
         let centre_um = drawn.centre_m.map(|centre| centre.map(|m| 1e6 * m));
         let bearings = drawn.bearings.iter().zip(run.bearings);
         let bearings = bearings.map(|(drawn, result)| BearingRow::new(drawn, result));
-        let linear = run.rotor.as_ref();
         Self {
             drop: number,
-            eccentricity_phase_deg: unbalance_deg.filter(|_| linear.is_none()),
-            unbalance_turn_deg: unbalance_deg.filter(|_| linear.is_some()),
+            eccentricity_phase_deg: unbalance_deg.filter(|_| !is_linear),
+            unbalance_turn_deg: unbalance_deg.filter(|_| is_linear),
             x_um: centre_um.map(|[x, _]| x),
             y_um: centre_um.map(|[_, y]| y),
-            rotor_energy_residual_relative: linear.map(|rotor| rotor.energy_residual_relative),
+            rotor_energy_residual_relative: run.rotor.energy_residual_relative,
             stopped: run.stopped,
             bearings: bearings.collect(),
         }
@@ -223,7 +222,7 @@ pub(super) mod tests {
             unbalance_turn_deg: None,
             x_um: None,
             y_um: None,
-            rotor_energy_residual_relative: None,
+            rotor_energy_residual_relative: 0.0,
             stopped: stopped.map(str::to_owned),
             bearings,
         }

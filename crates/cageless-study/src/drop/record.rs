@@ -19,7 +19,7 @@ pub struct DropRecord {
     /// What each bearing went through.
     pub bearings: Vec<BearingRecord>,
     /// Outcome of a linear rotor.
-    pub rotor: Option<RotorOutcome>,
+    pub rotor: RotorOutcome,
 }
 
 /// What one bearing went through in a drop.
@@ -130,7 +130,7 @@ impl DropRecord {
     /// The verdict on all bearings and the planes of the rotor.
     pub fn judgement(&self) -> DropJudgement {
         let bearings: Vec<_> = self.bearings.iter().map(|b| &b.result.judgement).collect();
-        DropJudgement::of_bearings(&bearings, self.rotor.as_ref())
+        DropJudgement::of_bearings(&bearings, &self.rotor)
     }
 
     /// Index of the bearing at which the drop ended: the one that stopped, or else the first.

@@ -62,10 +62,7 @@ pub(crate) fn run_drops<'c>(
     let mut of_case = run_together(&cases, |_| DropRecorder::new(), &control)?.into_iter();
     let run = |filed: &FiledDrop<'_>| match filed.drop.rotor() {
         None => Some(of_case.next()?.map(|(recorder, outcome)| {
-            let outcome = RotorDropOutcome {
-                bearings: vec![outcome],
-                rotor: None,
-            };
+            let outcome = RotorDropOutcome::from(outcome);
             DropRun::new(&filed.drop, filed.particulars(), vec![recorder], &outcome)
         })),
         Some(_) => run_alone(filed, &mut *control(1)),

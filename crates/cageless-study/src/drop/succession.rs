@@ -133,7 +133,7 @@ impl Succession {
             .flat_map(|standstill| &standstill.warnings);
         self.doubts
             .extend(doubts.map(|text| format!("drop {number}: {text}")));
-        let rotor = record.rotor.as_ref();
+        let rotor = &record.rotor;
         let results = record.bearings.iter_mut().map(|b| &mut b.result);
         let cases = drop
             .cases()

@@ -24,7 +24,6 @@ impl DropStudy {
                 defaults: file.defaults(),
                 result: &record.result,
             });
-        let outcome = self.record.rotor.as_ref();
         let judgement = &self.judgement;
         let summary = Summary {
             schema: SCHEMA,
@@ -37,7 +36,7 @@ impl DropStudy {
             passes: judgement.passes(),
             headline: judgement.headline(),
             reasons: judgement.reasons(),
-            clearances: outcome.map_or(vec![], |outcome| plane_records(&outcome.planes)),
+            clearances: plane_records(&self.record.rotor.planes),
             bearings: bearings.collect(),
             conventional: self.conventional.as_ref().map(Conventional::of),
             ensemble: self.ensemble.as_ref(),
@@ -50,7 +49,6 @@ impl DropStudy {
     }
 
     fn rotor(&self) -> Rotor {
-        let outcome = self.record.rotor.as_ref();
         let linear = self.drop.rotor();
         let of_case = self.drop.cases()[0].rotor.as_ref();
         let of_case = |value: fn(&cageless::Rotor) -> f64| of_case.map_or(0.0, value);
@@ -60,7 +58,7 @@ impl DropStudy {
             polar_inertia_kg_m2: of_case(|rotor| rotor.polar_inertia_kg_m2),
             coordinates: linear.map(|rotor| rotor.coordinates()),
             mass_shares_kg: linear.map_or(vec![mass_kg], |rotor| rotor.mass_shares_kg()),
-            energy_residual_relative: outcome.map(|outcome| outcome.energy_residual_relative),
+            energy_residual_relative: self.record.rotor.energy_residual_relative,
         }
     }
 }
@@ -102,8 +100,7 @@ struct Rotor {
     /// Those of a linear rotor.
     coordinates: Option<usize>,
     mass_shares_kg: Vec<f64>,
-    /// That of a linear rotor alone; that of a case is in the balance of its bearing.
-    energy_residual_relative: Option<f64>,
+    energy_residual_relative: f64,
 }
 
 /// One bearing: its case, below a linear rotor as one plane, what of it took its default, and its results.

@@ -1,6 +1,6 @@
 //! Verification of a drop: which of its results are converged.
 
-use cageless::simulation::RotorDrop;
+use cageless::simulation::{RotorDrop, RotorOutcome};
 use cageless::verification::{LARGE_PERTURBATIONS, Perturbation, Role, judge, z_limit};
 use cageless_results::{
     DropResult, DropRun, Kind, Part, ROTOR_VERIFICATION, Record, Results, Subject, VerifiedDrop,
@@ -51,16 +51,12 @@ pub(super) fn verify(
     Ok(of_rotor.with_part("bearings", Part::Many(bearings)))
 }
 
-/// Results of the rotor alone, of the drop and of one at half the step; the energy of the rotor of a
-/// case is in the balance of its bearing.
+/// Results of the rotor alone, of the drop and of one at half the step.
 fn of_rotor(done: &DropRecord, halved: Option<&DropRun>) -> Results {
-    let Some(rotor) = &done.rotor else {
-        return Results::default();
-    };
-    let halved = halved.and_then(|run| run.rotor.as_ref());
+    let residual = |rotor: &RotorOutcome| rotor.energy_residual_relative;
     let residuals = [
-        rotor.energy_residual_relative,
-        halved.map_or(f64::NAN, |rotor| rotor.energy_residual_relative),
+        residual(&done.rotor),
+        halved.map_or(f64::NAN, |run| residual(&run.rotor)),
     ];
     Results::of(ROTOR_VERIFICATION, Subject::RotorVerified(&residuals))
 }

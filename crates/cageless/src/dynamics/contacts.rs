@@ -7,6 +7,7 @@ use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes, lane_maxima, larger};
 use crate::raceway_contact::RacewayPoint;
 use crate::simd::{BlockResults, InstructionSet, Parameters, Workspace, with_instructions};
+use crate::world::joint::TouchLoads;
 use crate::world::joint::journal::RotorContact;
 use crate::world::joint::rotor_touch::RotorTouch;
 use crate::world::joint::shoulder::FaceContact;
@@ -234,6 +235,17 @@ impl Contacts<'_> {
         under.map(|_| self.work.rotors[self.bearing])
     }
 
+    /// Loads of the inner ring on the rotor, friction included, if there is a rotor.
+    pub(crate) fn loads_on_rotor(&self) -> Option<TouchLoads> {
+        let (under, contact) = (self.under_rotor()?, self.rotor()?);
+        Some(match self.space {
+            Some(space) => space.rotor.loads(&contact),
+            None => under
+                .joint
+                .loads(&contact, contact.contact.force, contact.friction),
+        })
+    }
+
     /// What a rotor in space exchanges with the inner ring, if there is one.
     fn rotor_in_space(&self) -> Option<&RotorTouch> {
         self.under_rotor().and(self.space).map(|space| &space.rotor)
@@ -242,12 +254,6 @@ impl Contacts<'_> {
     /// Contact of a shoulder of the rotor with the inner ring, if there is a rotor in space.
     pub(crate) fn face(&self) -> Option<FaceContact> {
         self.rotor_in_space().map(|rotor| rotor.face)
-    }
-
-    /// Force of the inner ring on the rotor, friction included, N, if there is a rotor in space.
-    pub(crate) fn rotor_force_n(&self) -> Option<[f64; 3]> {
-        let rotor = self.rotor_in_space();
-        rotor.map(|rotor| rotor.loads.fixed_rows::<3>(0).into())
     }
 
     /// Axial force of the balls on the outer ring, friction included, N.

@@ -12,11 +12,11 @@ crate::named_enum! {
     /// integrated with the accuracy of the motion. All in joules since the start.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum EnergyTerm {
-        /// Work of the drive that turns the inner ring at ωi; with a rotor that of its drive.
+        /// Work of the drive that turns the inner ring at ωi; below a rotor that of its journal.
         Drive = "drive",
         /// Work of the radial load.
         Load = "radial_load",
-        /// Work of gravity on balls, inner ring and rotor.
+        /// Work of gravity on balls and inner ring.
         Weight = "weight",
         /// Heat of friction at the inner raceway.
         InnerFriction = "inner_friction",
@@ -63,5 +63,33 @@ impl EnergyTerm {
             self,
             Drive | Load | Weight | Centrifugal | FrictionDirection | RelativeSpin
         )
+    }
+}
+
+/// Balance of an energy ledger.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct EnergyBalance {
+    /// Energy at the start, J.
+    pub start_j: f64,
+    /// Energy now − energy at the start − net work, J.
+    pub residual_j: f64,
+    /// Sum of the absolute terms, the change of energy among them, to which the residual is to be compared, J.
+    pub flows_j: f64,
+}
+
+impl EnergyBalance {
+    /// Balance of an energy with what flowed in, J; what flowed out is negative.
+    pub(crate) fn new(start_j: f64, now_j: f64, flows_j: impl IntoIterator<Item = f64>) -> Self {
+        let change = now_j - start_j;
+        let (mut net, mut sum) = (0.0, change.abs());
+        for flow in flows_j {
+            net += flow;
+            sum += flow.abs();
+        }
+        Self {
+            start_j,
+            residual_j: change - net,
+            flows_j: sum,
+        }
     }
 }

@@ -22,7 +22,9 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES, Lanes};
 use crate::simd::{InstructionSet, with_instructions};
 use crate::world::body::{
     BodyCoordinate, BodyKind, Freedoms, LONGEST, OuterRingCoordinate, RingCoordinate,
-    RotorCoordinate, RotorMotion, SlidingCoordinate, sliding_ring,
+    RotorCoordinate, RotorMotion, SlidingCoordinate,
+    rotor::{self, ROTOR},
+    sliding_ring,
 };
 
 /// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
@@ -31,8 +33,8 @@ use crate::world::body::{
 ///
 /// First the coordinates of the balls ([`BALL`], in space `BALL_IN_SPACE`), an array each, padded to a
 /// multiple of `LANES`, so that whole vectors are computed either way; then those that move of each
-/// body ([`BodyKind::ALL`]) and those of the outer rings that slide, an array each; then the terms of
-/// the energy ledger ([`EnergyTerm`]).
+/// ring ([`BodyKind::RINGS`]) and those of the outer rings that slide, an array each; then the terms of
+/// the energy ledger ([`EnergyTerm`]). A rotor stands behind its bearings, with a ledger of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// N, of all rows.
@@ -43,9 +45,11 @@ pub struct Layout {
     pub stride: usize,
     /// Coordinates of a ball.
     of_ball: &'static [Coordinate],
-    /// Place of each coordinate of each body among those of all; [`HELD`] where it does not move.
-    bodies: [[u8; LONGEST]; BodyKind::ALL.len()],
-    /// Coordinates of the bodies that move.
+    /// Place of each coordinate of each ring among those of both; [`HELD`] where it does not move.
+    bodies: [[u8; LONGEST]; BodyKind::RINGS.len()],
+    /// Places of the rotor at this bearing, of the first of those side by side.
+    rotor: [u32; ROTOR],
+    /// Coordinates of the rings that move.
     moving: usize,
     /// Outer rings that slide.
     sliding: usize,
@@ -134,8 +138,8 @@ impl Layout {
             true => &BALL_IN_SPACE,
             false => &BALL,
         };
-        let (mut bodies, mut moving) = ([[HELD; LONGEST]; BodyKind::ALL.len()], 0);
-        for body in BodyKind::ALL {
+        let (mut bodies, mut moving) = ([[HELD; LONGEST]; BodyKind::RINGS.len()], 0);
+        for body in BodyKind::RINGS {
             let places = bodies[body as usize].iter_mut();
             for (place, row) in places.zip(body.table()) {
                 if row.freedom.moves(freedoms) {
@@ -147,12 +151,13 @@ impl Layout {
         let stride = (balls * width).next_multiple_of(LANES);
         let of_balls = of_ball.len() * stride;
         let of_bodies = (moving + sliding_ring::TABLE.len() * sliding) * width;
-        Self {
+        let layout = Self {
             balls,
             row,
             stride,
             of_ball,
             bodies,
+            rotor: [0; ROTOR],
             moving,
             sliding,
             freedoms,
@@ -160,7 +165,14 @@ impl Layout {
             bearing: 0,
             start: 0,
             parts: [of_balls, of_balls + of_bodies],
-        }
+        };
+        layout.below(std::array::from_fn(|k| layout.end() + k * width))
+    }
+
+    /// Layout below a rotor with these places at the first bearing.
+    pub(crate) fn below(self, rotor: [usize; ROTOR]) -> Self {
+        let rotor = rotor.map(|place| u32::try_from(place).expect("a vector of few numbers"));
+        Self { rotor, ..self }
     }
 
     /// Freedoms of the bodies.
@@ -183,7 +195,7 @@ impl Layout {
         Self { bearing, ..self }
     }
 
-    /// Layout of this vector as a part, from `start` on, of one that holds other bodies as well.
+    /// Layout of these bearings from `start` on in a vector that holds more.
     pub(crate) fn starting_at(self, start: usize) -> Self {
         Self { start, ..self }
     }
@@ -199,10 +211,17 @@ impl Layout {
         self.width
     }
 
-    /// Length of the vector, or of this part of it.
+    /// First place behind these bearings.
+    #[inline]
+    pub(crate) fn end(&self) -> usize {
+        self.start + self.motion_len() + self.energy_terms().len() * self.width
+    }
+
+    /// Length of the vector of these bearings alone, with the motion of a rotor behind them.
     #[allow(clippy::len_without_is_empty)] // never empty
     pub fn len(&self) -> usize {
-        self.motion_len() + self.energy_terms().len() * self.width
+        let rotor = usize::from(self.freedoms.under_rotor) * ROTOR;
+        self.end() - self.start + rotor * self.width
     }
 
     /// Length of the motion of one bearing alone, which precedes its energy ledger.
@@ -265,6 +284,9 @@ impl Layout {
     #[inline]
     pub(crate) fn body(&self, coordinate: impl Into<BodyCoordinate>) -> usize {
         let BodyCoordinate { body, index } = coordinate.into();
+        if body == BodyKind::Rotor {
+            return self.rotor[index] as usize + self.bearing;
+        }
         let place = self.bodies[body as usize][index];
         debug_assert!(place != HELD);
         self.of_bodies(usize::from(place))
@@ -274,7 +296,10 @@ impl Layout {
     #[inline]
     pub(crate) fn moves(&self, coordinate: impl Into<BodyCoordinate>) -> bool {
         let BodyCoordinate { body, index } = coordinate.into();
-        self.bodies[body as usize][index] != HELD
+        match body {
+            BodyKind::Rotor => rotor::TABLE[index].moves(self.freedoms),
+            _ => self.bodies[body as usize][index] != HELD,
+        }
     }
 
     /// Value of a coordinate of a body in a vector; 0 where it is held.
@@ -301,14 +326,14 @@ impl Layout {
         }
     }
 
-    /// Place of a coordinate of the bodies by its number among those that move.
+    /// Place of a coordinate of the rings by its number among those that move.
     #[inline]
     fn of_bodies(&self, index: usize) -> usize {
         self.start + self.parts[0] + index * self.width + self.bearing
     }
 
-    /// Coordinates of the bodies, those of outer rings that slide included.
-    fn body_coordinates(&self) -> usize {
+    /// Coordinates of the rings, those of outer rings that slide included.
+    fn ring_coordinates(&self) -> usize {
         self.moving + sliding_ring::TABLE.len() * self.sliding
     }
 
@@ -410,7 +435,7 @@ impl Layout {
         }
     }
 
-    /// Positions and their rates, for methods of second-order systems; in ascending order of
+    /// Positions and their rates of these bearings, for methods of second-order systems; in ascending order of
     /// the positions.
     pub(crate) fn second_order_blocks(&self) -> Vec<SecondOrderBlock> {
         let block =
@@ -420,7 +445,7 @@ impl Layout {
                 count: count * size,
             };
         let balls = runs(second_order_pairs(self.of_ball)).into_iter();
-        let of_bodies = BodyKind::ALL.into_iter().flat_map(|body| {
+        let of_bodies = BodyKind::RINGS.into_iter().flat_map(|body| {
             let places = self.bodies[body as usize].map(usize::from);
             let rows = body.table().iter().zip(places);
             let moving = rows.filter(|(_, place)| *place != usize::from(HELD));
@@ -452,17 +477,33 @@ impl Layout {
         let sliding = sliding_ring::TABLE
             .iter()
             .flat_map(move |c| std::iter::repeat_n(c, layout.sliding));
-        let bodies = BodyKind::ALL.into_iter().flat_map(move |body| {
+        let rings = BodyKind::RINGS.into_iter().flat_map(move |body| {
             let rows = body.table().iter().zip(layout.bodies[body as usize]);
             let moving = rows.filter(|(_, place)| *place != HELD);
             moving.map(|(row, _)| &row.coordinate)
         });
-        let bodies = bodies.chain(sliding).enumerate();
-        balls.chain(bodies.map(move |(k, c)| (layout.of_bodies(k), c)))
+        let rings = rings.chain(sliding).enumerate();
+        let rotor = rotor::TABLE.iter().zip(layout.rotor_places());
+        let rotor = rotor.filter(move |(row, _)| row.moves(layout.freedoms));
+        balls
+            .chain(rings.map(move |(k, c)| (layout.of_bodies(k), c)))
+            .chain(rotor.map(|(row, place)| (place, &row.coordinate)))
+    }
+
+    /// Places of all coordinates of the rotor at this bearing, if there is one.
+    pub(super) fn rotor_places(&self) -> impl Iterator<Item = usize> + use<> {
+        let (places, bearing) = (self.rotor.into_iter(), self.bearing);
+        let there = self.freedoms.under_rotor;
+        places
+            .filter(move |_| there)
+            .map(move |place| place as usize + bearing)
     }
 
     /// Whether every coordinate of this bearing is finite.
     pub(crate) fn is_finite(&self, values: &[f64]) -> bool {
+        if !self.rotor_places().all(|place| values[place].is_finite()) {
+            return false;
+        }
         // In any array each place of a bearing is `width` behind the last.
         let own = &values[self.start..][..self.motion_len()];
         if self.width == 1 {
@@ -479,12 +520,11 @@ impl Layout {
     /// Root mean square over the coordinates of this bearing of a difference of two vectors in
     /// the error scales of the coordinates.
     pub(crate) fn scaled_rms(&self, difference: &[f64]) -> f64 {
-        let sum: f64 = self
+        let squares = self
             .motion()
-            .map(|(place, c)| (difference[place] / c.error_scale).powi(2))
-            .sum();
-        let count = self.of_ball.len() * self.balls + self.body_coordinates();
-        (sum / count as f64).sqrt()
+            .map(|(place, c)| (difference[place] / c.error_scale).powi(2));
+        let (sum, count) = squares.fold((0.0, 0), |(sum, count), square| (sum + square, count + 1));
+        (sum / f64::from(count)).sqrt()
     }
 
     /// Every place of this bearing with the place of the same quantity in `other`.
@@ -493,8 +533,10 @@ impl Layout {
         let balls = (0..self.of_ball.len()).flat_map(move |c| {
             (0..layout.balls).map(move |k| (layout.of_table(c, k), other.of_table(c, k)))
         });
-        let rest = 0..self.body_coordinates() + self.energy_terms().len();
-        balls.chain(rest.map(move |k| (layout.of_bodies(k), other.of_bodies(k))))
+        let rest = 0..self.ring_coordinates() + self.energy_terms().len();
+        balls
+            .chain(rest.map(move |k| (layout.of_bodies(k), other.of_bodies(k))))
+            .chain(self.rotor_places().zip(other.rotor_places()))
     }
 }
 

@@ -21,11 +21,10 @@ pub(crate) mod layout;
 pub(crate) mod model;
 pub(crate) mod plane_path;
 mod right_hand_side;
-pub(crate) mod rotor_equations;
-pub(crate) mod rotor_on_bearings;
 pub(crate) mod space;
 pub(crate) mod state;
 mod stored_energy;
+pub(crate) mod world;
 
 pub use crate::world::body::{BodyKind, BodyRow, Freedoms};
 pub use coordinates::{BALL, BallCoordinate, Coordinate, RingCoordinate};

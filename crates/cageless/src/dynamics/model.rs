@@ -26,6 +26,7 @@ use crate::time_table::TimeTable;
 use crate::unbalance::UnbalanceForce;
 use crate::world::body::inner_ring::InnerRing;
 use crate::world::body::outer_ring::OuterRing;
+use crate::world::body::rigid_rotor::RigidRotor;
 use crate::world::under_rotor::UnderRotor;
 
 /// A stretch of a discrete raceway as the equations use it.
@@ -64,8 +65,10 @@ pub struct Model {
     pub(crate) outer: OuterRaceway,
     pub(crate) inner: InnerRaceway,
     pub(crate) ring: InnerRing,
-    /// The bodies under a rotor, if one falls.
+    /// The rings under a rotor, if one falls.
     pub(crate) under_rotor: Option<UnderRotor>,
+    /// The rotor, if it has no bearing but this.
+    pub(crate) rotor: Option<RigidRotor>,
     pub(crate) outer_ring: OuterRing,
     /// Whether methods that can treat friction implicitly are to do so.
     pub(crate) implicit_friction: bool,
@@ -121,6 +124,7 @@ impl Model {
         Ok(Self {
             layout: Layout::of_case(case),
             under_rotor: UnderRotor::of_case(case, ring, outer_ring),
+            rotor: (case.rotor.as_ref()).map(|rotor| RigidRotor::of_case(rotor, case)),
             outer_ring,
             formulation: case.formulation,
             law: c.friction_law,
@@ -163,11 +167,16 @@ impl Model {
         [x, y - down]
     }
 
-    /// Bearing of a rotor of this mass that rests on other bearings as well: the motion of the journal
-    /// is given, and friction is implicit.
-    pub(crate) fn guided(self, rotor_mass_kg: f64) -> Self {
+    /// Bearing of a rotor that rests in others as well, whose Z in this one is `seat_z_m` beyond its own: friction is
+    /// implicit, as no rotor of its own limits the step.
+    pub(crate) fn of_common_rotor(self, seat_z_m: f64) -> Self {
+        let seated = |mut under: UnderRotor| {
+            under.joint.seat.z = seat_z_m;
+            under
+        };
         Self {
-            under_rotor: (self.under_rotor).map(|under| under.guided(rotor_mass_kg)),
+            under_rotor: self.under_rotor.map(seated),
+            rotor: None,
             implicit_friction: true,
             ..self
         }

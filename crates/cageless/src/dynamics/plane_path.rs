@@ -1,7 +1,20 @@
 //! Path of a rotor in a plane.
 
+use crate::linear_rotor::Clearance;
+
 /// Points from which on every second one is dropped.
 const POINTS: usize = 4096;
+
+/// Largest displacement of a rotor in a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneDisplacement {
+    /// The plane.
+    pub clearance: Clearance,
+    /// Largest distance of the axis of the rotor from the centre of the stator, m.
+    pub displacement_max_m: f64,
+    /// Path of the axis.
+    pub path: PlanePath,
+}
 
 /// Path of the axis of a rotor in a plane, thinned evenly as it grows, with its farthest point.
 #[derive(Debug, Clone, PartialEq)]

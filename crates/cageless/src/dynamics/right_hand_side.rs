@@ -10,18 +10,14 @@ use super::model::Model;
 use super::space::{self, BallContacts, Drive, SpaceWorkspace};
 use super::state::State;
 use crate::formulation::Formulation;
-use crate::integrator::{
-    Integrator, Method, PlanarVelocities, SecondOrderBlock, System, UnresolvedStep,
-};
+use crate::integrator::{PlanarVelocities, SecondOrderBlock, System};
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 use crate::simd::{self, InstructionSet, Parameters, Workspace, with_instructions};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 use crate::time_table::TimeTable;
-use crate::world::body::rotor::JournalCompliance;
-
-/// Force on a journal along X, Y and Z, N, and its moment about the axis of the journal, N·m.
-pub(super) type JournalLoad = [f64; 4];
+use crate::world::body::rotor::RotorCompliance;
+use crate::world::joint::TouchLoads;
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
@@ -49,7 +45,12 @@ impl RightHandSide {
     /// The equations of `model` with given instructions; wider ones than the processor has are
     /// replaced by its own widest.
     pub fn with_instruction_set(model: &Arc<Model>, isa: InstructionSet) -> Self {
-        Self::build(vec![Arc::clone(model)], model.layout, isa)
+        Self::placed(model, model.layout, isa)
+    }
+
+    /// [`Self::with_instruction_set`] at these places in a vector that holds more.
+    pub(super) fn placed(model: &Arc<Model>, layout: Layout, isa: InstructionSet) -> Self {
+        Self::build(vec![Arc::clone(model)], layout, isa)
     }
 
     /// [`BATCH_WIDTH`] bearings side by side, each in its own lanes of every block, with the same number
@@ -93,13 +94,6 @@ impl RightHandSide {
         for lane in 0..LANES {
             p.inner.surface_speed.0[lane] = inner_speed_rad_s * p.inner.radius.0[lane];
             p.ring.radial_load.0[lane] = radial_load_n;
-        }
-    }
-
-    /// Sets the torque of the drive of the rotor, N·m, from here on.
-    pub(crate) fn set_drive_torque(&mut self, torque_n_m: f64) {
-        for under in &mut self.parameters.drops {
-            under.rotor.drive_torque = torque_n_m;
         }
     }
 
@@ -149,7 +143,14 @@ impl RightHandSide {
         tables.flatten()
     }
 
-    fn evaluate(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64], raceway_friction: bool) {
+    #[inline(always)] // into callers compiled for wider vectors
+    pub(super) fn evaluate(
+        &mut self,
+        time_s: f64,
+        y: &[f64],
+        dydt: &mut [f64],
+        raceway_friction: bool,
+    ) {
         self.evaluations += 1;
         self.time_s = time_s;
         if self.over_time {
@@ -184,53 +185,28 @@ impl RightHandSide {
         );
     }
 
-    /// Sets how the guided journal answers to loads from here on.
-    pub(super) fn set_journal_compliance(&mut self, compliance: JournalCompliance) {
-        for under in &mut self.parameters.drops {
-            under.rotor.guide = Some(compliance);
-        }
+    /// Sets what the rotor at one of the bearings yields to the friction of the next step.
+    pub(super) fn set_rotor_compliance(&mut self, bearing: usize, compliance: RotorCompliance) {
+        self.work.rotor_compliances[bearing] = compliance;
     }
 
-    /// Load of the inner ring on the journal as of the last evaluation: that of normal force and friction.
-    pub(super) fn journal_load(&self) -> JournalLoad {
-        let rotor = &self.work.rotors[0];
+    /// Loads of the inner ring of one of the bearings on the rotor as of the last evaluation.
+    pub(super) fn loads_on_rotor(&self, bearing: usize) -> TouchLoads {
+        self.contacts_of(bearing)
+            .loads_on_rotor()
+            .unwrap_or_default()
+    }
+
+    /// Loads of the friction on the rotor that changed velocities over the last step.
+    pub(super) fn friction_on_rotor(&self, bearing: usize) -> TouchLoads {
+        let contact = &self.work.rotors[bearing];
         match &self.space {
-            Some(s) => s.rotor.loads.fixed_rows::<4>(0).into(),
-            None => self.load_with(rotor.contact.force, rotor.friction),
+            Some(s) => s.rotor.friction(contact),
+            None => {
+                let joint = &self.parameters.drops[bearing].joint;
+                joint.loads(contact, 0.0, self.work.rotor_friction_mean[bearing])
+            }
         }
-    }
-
-    /// Load of friction on the journal that changed velocities over the last step.
-    pub(super) fn friction_load(&self) -> JournalLoad {
-        match &self.space {
-            Some(s) => s.rotor.mean_friction.fixed_rows::<4>(0).into(),
-            None => self.load_with(0.0, self.work.rotor_friction_mean[0]),
-        }
-    }
-
-    fn load_with(&self, normal_n: f64, friction_n: f64) -> JournalLoad {
-        let joint = &self.parameters.drops[0].joint;
-        let loads = joint.loads(&self.work.rotors[0], normal_n, friction_n);
-        let [x, y, z] = loads.force;
-        [x, y, z, loads.moment]
-    }
-
-    /// Lets `integrator` make a step with the instructions of this right-hand side.
-    ///
-    /// # Errors
-    /// Those of the method.
-    pub(crate) fn advance<M: Method>(
-        &mut self,
-        integrator: &mut Integrator<M>,
-        limit_s: f64,
-    ) -> Result<(), UnresolvedStep> {
-        let system = self;
-        with_instructions!(
-            system.isa,
-            [M: Method](integrator: &mut Integrator<M>, system: &mut RightHandSide, limit_s: f64)
-                -> Result<(), UnresolvedStep>,
-            integrator.advance(system, limit_s)
-        )
     }
 
     /// What a rotor in space does along the axis, in a state that was evaluated last.
@@ -240,8 +216,9 @@ impl RightHandSide {
             return RotorSnapshot::default();
         };
         let [housing_z_m, housing_vz_m_s] = layout.outer_ring_along_axis(y);
+        let seat_z_m = self.parameters.drops[0].joint.seat.z;
         RotorSnapshot {
-            z_m: layout.at(y, RotorCoordinate::Z),
+            z_m: seat_z_m + layout.at(y, RotorCoordinate::Z),
             vz_m_s: layout.at(y, RotorCoordinate::Vz),
             housing_z_m,
             housing_vz_m_s,

@@ -45,7 +45,9 @@ impl State {
     /// The state of one bearing in a vector that an integrator has advanced.
     pub(crate) fn from_vector(layout: Layout, values: &[f64]) -> Self {
         if layout.width() == 1 {
-            let mut values = values[layout.start()..][..layout.len()].to_vec();
+            let of_bearing = values[layout.start()..layout.end()].iter();
+            let of_rotor = layout.rotor_places().map(|place| &values[place]);
+            let mut values: Vec<f64> = of_bearing.chain(of_rotor).copied().collect();
             let layout = layout.alone();
             layout.spread_padding(&mut values);
             return Self { layout, values };

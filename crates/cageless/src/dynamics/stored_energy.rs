@@ -1,5 +1,6 @@
 //! Energy stored in the bodies and contacts, and the balance of the ledger.
 
+use super::energy::EnergyBalance;
 use super::model::Model;
 use super::space;
 use super::state::State;
@@ -48,17 +49,12 @@ impl Model {
         under.map_or(0.0, |under| under.energy_j(state.layout(), state.values()))
     }
 
-    /// What the state lacks to balance its ledger: energy now − energy at the start −
-    /// net work, J, and the sum of the absolute terms including the change of
-    /// energy, to which it is to be compared.
-    pub(crate) fn energy_residual_j(&self, start_energy_j: f64, state: &State) -> (f64, f64) {
-        let change = self.energy_j(state) - start_energy_j;
-        let (mut net, mut sum) = (0.0, change.abs());
-        for &term in state.layout().energy_terms() {
+    /// Balance of the ledger of a state.
+    pub(crate) fn energy_balance(&self, start_energy_j: f64, state: &State) -> EnergyBalance {
+        let flows = state.layout().energy_terms().iter().map(|&term| {
             let value = state.energy_term_j(term);
-            net += if term.is_loss() { -value } else { value };
-            sum += value.abs();
-        }
-        (change - net, sum)
+            if term.is_loss() { -value } else { value }
+        });
+        EnergyBalance::new(start_energy_j, self.energy_j(state), flows)
     }
 }

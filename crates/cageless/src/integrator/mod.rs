@@ -10,8 +10,8 @@
 //! use cageless::simulation::Simulation;
 //!
 //! let simulation = Simulation::new(&Structure::D.case())?;
-//! let dimension = simulation.state().values().len();
-//! let mut simulation = simulation.with_method(Abm4::new(dimension, 0.2e-6));
+//! let method = Abm4::new(simulation.dimension(), 0.2e-6);
+//! let mut simulation = simulation.with_method(method);
 //! simulation.advance_to(1e-5)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -35,7 +35,7 @@ pub(crate) fn evaluate(
     dydt: &mut [f64],
     raceway_friction: bool,
 ) {
-    assert!(y.len() == p.layout.len() && dydt.len() == y.len());
+    assert!(y.len() >= p.layout.end() && dydt.len() == y.len());
     assert!(w.blocks.len() * LANES == p.layout.stride);
     w.ring = CentreLanes::inner_ring(p.layout, y);
     if !p.drops.is_empty() {

@@ -194,7 +194,8 @@ fn journal_friction(
     let (joint, contact) = (&under.joint, &mut w.rotors[bearing]);
     let start = under.slip(contact, layout, y0);
     let free = under.slip(contact, layout, change.y);
-    let mobility = change.h_s * joint.slip_mobility((&under.rotor, &under.ring), contact);
+    let rotor = &w.rotor_compliances[bearing];
+    let mobility = change.h_s * joint.slip_mobility(rotor, &under.ring, contact);
     let load = contact.contact.force;
     let before = w.rotor_slips[bearing];
     let extrapolated = JournalSlip::at(contact.contact.slip, &joint.friction, load);

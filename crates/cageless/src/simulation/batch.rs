@@ -12,7 +12,8 @@ use crate::case::Case;
 use crate::contact::{FrictionModel, Regularisation};
 use crate::control::Control;
 use crate::dynamics::state::State;
-use crate::dynamics::{InstructionSet, Model, RightHandSide};
+use crate::dynamics::world::World;
+use crate::dynamics::{InstructionSet, Model};
 use crate::equilibrium::EquilibriumError;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
@@ -163,7 +164,8 @@ fn side_by_side(
         return vec![];
     };
     let models = std::array::from_fn(|lane| Arc::clone(&ready.get(lane).unwrap_or(last).1.model));
-    let rhs = RightHandSide::side_by_side(models, InstructionSet::chosen());
+    let mut world = World::side_by_side(models, InstructionSet::chosen());
+    let start = world.vector(ready.iter().map(|(_, prepared)| &prepared.start));
     let watched = observers
         .iter_mut()
         .zip(prepared)
@@ -175,7 +177,7 @@ fn side_by_side(
         start_angle_rad: &prepared.angles,
     });
     let contexts: Vec<RunContext<'_>> = contexts.collect();
-    let watch = |(bearing, context)| Watch::new(context, rhs.layout().of_bearing(bearing), bearing);
+    let watch = |(bearing, context)| Watch::new(context, world.layout(bearing), bearing);
     let mut watches: Vec<Watch> = contexts.iter().enumerate().map(watch).collect();
     let mut trackers: Vec<RunTracker<'_, '_>> = contexts
         .iter()
@@ -183,7 +185,7 @@ fn side_by_side(
         .zip(watched)
         .map(|((context, watch), (observers, _))| RunTracker::new(*context, watch, observers))
         .collect();
-    drive(rhs, &mut trackers, control);
+    drive(&start, &mut world, &mut trackers, control);
     trackers
         .into_iter()
         .map(RunTracker::whole_outcome)

@@ -10,12 +10,13 @@ use super::run_tracker::RunTracker;
 use super::watch::Watch;
 use crate::case::{Case, InnerRingDrive};
 use crate::control::Control;
+use crate::dynamics::Model;
 use crate::dynamics::state::State;
-use crate::dynamics::{Model, RightHandSide};
+use crate::dynamics::world::World;
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::initial_conditions::initial_state_controlled;
-use crate::integrator::{CaseMethod, Integrator, Method};
+use crate::integrator::{CaseMethod, Integrator, Method, System};
 use crate::limits::require;
 
 /// A bearing in motion with its equations, its method and its guard.
@@ -34,9 +35,9 @@ use crate::limits::require;
 pub struct Simulation<M = CaseMethod> {
     case: Case,
     model: Arc<Model>,
-    rhs: RightHandSide,
+    world: World,
     integrator: Integrator<M>,
-    make_step: MakeStep<RightHandSide, M>,
+    make_step: MakeStep<M>,
     watch: Watch,
     stop: Option<Stop>,
 }
@@ -68,8 +69,8 @@ impl Simulation {
     /// The case is impossible.
     pub fn at(case: &Case, state: &State, angle_rad: &[f64]) -> Result<Self, InputError> {
         let model = Model::new(case)?;
-        let mut rhs = RightHandSide::new(&model);
-        let (solver, dimension) = (&case.solver, rhs.layout().len());
+        let mut world = World::of_bearing(&model);
+        let (solver, dimension) = (&case.solver, world.dimension());
         let method = CaseMethod::new(solver.method, dimension, solver.step_s, solver.tolerance);
         let context = RunContext {
             case,
@@ -77,18 +78,17 @@ impl Simulation {
             start: state,
             start_angle_rad: angle_rad,
         };
-        let watch = Watch::new(&context, rhs.layout(), 0);
-        let mut values = vec![0.0; dimension];
-        rhs.layout().spread_padding(&mut values);
-        state.write_to(rhs.layout(), &mut values);
+        let watch = Watch::new(&context, world.layout(0), 0);
+        let values = world.vector([state]);
         let mut integrator = Integrator::new(method, dimension);
-        integrator.restart(&mut rhs, 0.0, &values);
+        world.begin(&values);
+        integrator.restart(&mut world, 0.0, &values);
         Ok(Self {
             case: case.clone(),
             model,
-            rhs,
+            world,
             integrator,
-            make_step: RightHandSide::advance,
+            make_step: World::advance,
             watch,
             stop: None,
         })
@@ -101,13 +101,13 @@ impl<M: Method> Simulation<M> {
         let step = self.integrator.step();
         let (time_s, values) = (step.t1_s, step.y1.clone());
         let mut integrator = Integrator::new(method, values.len());
-        integrator.restart(&mut self.rhs, time_s, &values);
+        integrator.restart(&mut self.world, time_s, &values);
         Simulation {
             case: self.case,
             model: self.model,
-            rhs: self.rhs,
+            world: self.world,
             integrator,
-            make_step: RightHandSide::advance,
+            make_step: World::advance,
             watch: self.watch,
             stop: self.stop,
         }
@@ -118,6 +118,11 @@ impl<M: Method> Simulation<M> {
         &self.case
     }
 
+    /// Length of the vector that a method advances.
+    pub fn dimension(&self) -> usize {
+        self.world.dimension()
+    }
+
     /// Simulated time, s.
     pub fn time_s(&self) -> f64 {
         self.integrator.step().t1_s
@@ -125,7 +130,8 @@ impl<M: Method> Simulation<M> {
 
     /// Balls, ring, rotor and contacts at the end of the last step.
     pub fn view(&self) -> StepView<'_> {
-        self.watch.view(self.integrator.step(), self.rhs.contacts())
+        self.watch
+            .view(self.integrator.step(), self.world.contacts_of(0))
     }
 
     /// Makes one step.
@@ -145,7 +151,7 @@ impl<M: Method> Simulation<M> {
             self.step_until(time_s)?;
         }
         // The last step was perhaps cut short.
-        self.integrator.restart_here(&mut self.rhs);
+        self.integrator.restart_here(&mut self.world);
         Ok(())
     }
 
@@ -154,10 +160,10 @@ impl<M: Method> Simulation<M> {
             return Err(stop.clone());
         }
         let stop_at = |time_s| Stop::new(&self.case, time_s, Cause::NotResolved);
-        let made = (self.make_step)(&mut self.rhs, &mut self.integrator, limit_s);
+        let made = (self.make_step)(&mut self.world, &mut self.integrator, limit_s);
         let looked = made.map_err(|error| stop_at(error.time_s)).and_then(|()| {
-            let (step, rhs) = (self.integrator.step(), &self.rhs);
-            let contacts_of = |bearing| rhs.contacts_of(bearing);
+            let (step, world) = (self.integrator.step(), &self.world);
+            let contacts_of = |bearing| world.contacts_of(bearing);
             self.watch.look(&self.case, step, &contacts_of, false)
         });
         self.stop = looked.clone().err();
@@ -188,7 +194,7 @@ impl<M: Method> Simulation<M> {
         let alone = std::slice::from_mut(&mut tracker);
         advance(
             &mut self.integrator,
-            &mut self.rhs,
+            &mut self.world,
             self.make_step,
             alone,
             until_s,
@@ -207,12 +213,13 @@ impl<M: Method> Simulation<M> {
     }
 
     /// Outcome of the steps so far.
-    pub fn outcome(&self) -> RunOutcome {
+    pub fn outcome(&mut self) -> RunOutcome {
         let ending = match &self.stop {
             Some(stop) => Ending::Stopped(stop.clone()),
             None => Ending::Interrupted,
         };
-        self.watch.outcome(ending, self.state(), made(&self.rhs))
+        let made = made(&mut self.world, &self.integrator.step().y1, 0);
+        self.watch.outcome(ending, self.state(), made)
     }
 
     /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise.
@@ -259,20 +266,19 @@ impl<M: Method> Simulation<M> {
             return Err(InputError::rule("drive_torque_n_m", torque_n_m, rule));
         };
         rotor.drive_torque_n_m = torque_n_m;
-        self.rhs.set_drive_torque(torque_n_m);
-        self.watch.interpolator().set_drive_torque(torque_n_m);
-        self.integrator.restart_here(&mut self.rhs);
+        self.world.set_drive_torque(torque_n_m);
+        self.integrator.restart_here(&mut self.world);
         Ok(())
     }
 
     fn apply_operation(&mut self) {
         let operation = &self.case.operation;
         let (speed_rad_s, load_n) = (operation.inner_speed_rad_s, operation.radial_load_n);
-        self.rhs.set_operation(speed_rad_s, load_n);
+        self.world.bearing_mut().set_operation(speed_rad_s, load_n);
         self.watch.interpolator().set_operation(speed_rad_s, load_n);
         self.watch.look_as_often_as(&self.case);
         // f has jumped: no history may reach across.
-        self.integrator.restart_here(&mut self.rhs);
+        self.integrator.restart_here(&mut self.world);
     }
 }
 

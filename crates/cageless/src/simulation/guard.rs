@@ -7,6 +7,7 @@ use crate::case::{Case, InnerRingDrive};
 use crate::contact::friction::FrictionFault;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::coordinates::SlidingCoordinate;
+use crate::dynamics::energy::EnergyBalance;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, Model};
@@ -390,7 +391,11 @@ impl Guard {
 
     fn balance(&self, values: &[f64]) -> Result<(), Cause> {
         let state = State::from_vector(self.layout, values);
-        let (residual_j, flows_j) = self.model.energy_residual_j(self.start_energy, &state);
+        let EnergyBalance {
+            residual_j,
+            flows_j,
+            ..
+        } = self.model.energy_balance(self.start_energy, &state);
         if residual_j > RESIDUAL_MAX * flows_j.max(self.energy_scale) {
             return Err(Cause::EnergyFromNowhere {
                 residual_j,

@@ -23,8 +23,7 @@ mod views;
 mod watch;
 
 pub use crate::control::Control;
-pub use crate::dynamics::plane_path::PlanePath;
-pub use crate::dynamics::rotor_on_bearings::PlaneDisplacement;
+pub use crate::dynamics::plane_path::{PlaneDisplacement, PlanePath};
 pub use batch::{batches, run_batch};
 pub use front::{Simulation, run};
 pub use guard::{Cause, Stop};

@@ -39,6 +39,8 @@ pub struct RunOutcome {
     /// Energy now − energy at the start − net work, over the sum of absolute flows, at least
     /// 1e-6 of the energy at the start.
     pub energy_residual_relative: f64,
+    /// Energy balance error of the rotor alone, which all bearings below it have in common; `None` without a rotor.
+    pub rotor_energy_residual_relative: Option<f64>,
     /// Instructions used.
     pub instruction_set: InstructionSet,
 }
@@ -50,11 +52,18 @@ impl RunOutcome {
     /// The outcome of a whole run of the case: one whose energy does not balance at its end stopped there, as its
     /// numbers are no evidence.
     pub(super) fn of_whole_run(mut self, case: &Case) -> Self {
-        let balanced = self.energy_residual_relative.abs() <= RESIDUAL_FRACTION;
+        let (of_bearing, of_rotor) = (
+            self.energy_residual_relative,
+            self.rotor_energy_residual_relative.unwrap_or(0.0),
+        );
+        let residual_fraction = if of_rotor.abs() > of_bearing.abs() {
+            of_rotor
+        } else {
+            of_bearing
+        };
+        let balanced = residual_fraction.abs() <= RESIDUAL_FRACTION;
         if matches!(self.ending, Ending::Complete) && !balanced {
-            let cause = Cause::Unbalanced {
-                residual_fraction: self.energy_residual_relative,
-            };
+            let cause = Cause::Unbalanced { residual_fraction };
             self.ending = Ending::Stopped(Stop::new(case, self.end_s, cause));
         }
         self

@@ -5,21 +5,23 @@ use std::sync::Arc;
 use super::front::run;
 use super::observer::{Observer, RunContext};
 use super::outcome::RunOutcome;
-use super::run::{Bearings, drive_from};
+use super::run::drive;
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
 use crate::case::Case;
 use crate::control::Control;
-use crate::dynamics::rotor_equations::RotorLoads;
-use crate::dynamics::rotor_on_bearings::{PlaneDisplacement, RotorOnBearings};
+use crate::dynamics::Model;
+use crate::dynamics::coordinates::RotorCoordinate;
+use crate::dynamics::plane_path::PlaneDisplacement;
 use crate::dynamics::state::State;
-use crate::dynamics::{Contacts, InstructionSet, Model};
+use crate::dynamics::world::World;
 use crate::equilibrium::EquilibriumError;
 use crate::initial_conditions::initial_state_controlled;
-use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
 use crate::rotor::{Rotor, Shaft};
 use crate::step_limits::StepLimits;
+use crate::world::body::RotorLoads;
+use crate::world::body::linear_rotor::{JournalStart, LinearRotorBody};
 
 /// A rotor above its touchdown bearings, each a case of its own: the rotor in the plane of the only
 /// bearing that a case describes, or a linear rotor.
@@ -36,23 +38,40 @@ pub struct RotorDrop {
 /// Outcome of a drop.
 #[derive(Debug)]
 pub struct RotorDropOutcome {
-    /// Outcome of each bearing. Under a linear rotor the journal's work is the drive of its energy
-    /// ledger.
+    /// Outcome of each bearing; the work of its journal is the drive of its energy ledger.
     pub bearings: Vec<RunOutcome>,
-    /// Outcome of the linear rotor; that of a case is in the ledger of its bearing.
-    pub rotor: Option<RotorOutcome>,
+    /// Outcome of the rotor.
+    pub rotor: RotorOutcome,
 }
 
-/// Outcome of a linear rotor.
+/// Outcome of a rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorOutcome {
     /// Energy balance error of the rotor alone, relative to the sum of the absolute terms.
     pub energy_residual_relative: f64,
-    /// Planes of the rotor with a clearance to the stator.
+    /// Planes of the rotor with a clearance to the stator; none of a rotor of a case.
     pub planes: Vec<PlaneDisplacement>,
 }
 
+/// Outcome of the drop of the rotor of a case, from the run of its bearing.
+impl From<RunOutcome> for RotorDropOutcome {
+    fn from(outcome: RunOutcome) -> Self {
+        Self::new(vec![outcome], vec![])
+    }
+}
+
 impl RotorDropOutcome {
+    /// Outcome of the bearings below a rotor with these planes.
+    pub(crate) fn new(bearings: Vec<RunOutcome>, planes: Vec<PlaneDisplacement>) -> Self {
+        let residuals = (bearings.iter()).filter_map(|b| b.rotor_energy_residual_relative);
+        let rotor = RotorOutcome {
+            // All bearings have that of their common rotor.
+            energy_residual_relative: residuals.last().unwrap_or(0.0),
+            planes,
+        };
+        Self { bearings, rotor }
+    }
+
     /// Index of the bearing that ended the drop of all, if one did: it stopped, or could not be
     /// recorded.
     pub fn stopped_bearing(&self) -> Option<usize> {
@@ -252,27 +271,21 @@ impl RotorDrop {
         }
     }
 
-    /// Vector of bearings in these states and of the linear rotor at the start.
-    fn start<'a>(
-        &self,
-        system: &mut RotorOnBearings<'_>,
-        states: impl Iterator<Item = &'a State>,
-    ) -> Vec<f64> {
-        let mut start = vec![0.0; system.dimension()];
-        for (k, state) in states.enumerate() {
-            system.layout(k).spread_padding(&mut start);
-            state.write_to(system.layout(k), &mut start);
-        }
-        let [mut places, mut velocities] = [vec![], vec![]];
+    /// Motion of the journals at the start, of a rotor at this Z.
+    fn journal_start(&self, z_m: f64) -> JournalStart {
+        let mut start = JournalStart {
+            z_m,
+            speed_rad_s: self.speed_rad_s(),
+            ..JournalStart::default()
+        };
         for journal in self.journals() {
-            places.extend([journal.x_m, journal.y_m]);
-            velocities.extend([journal.vx_m_s, journal.vy_m_s]);
+            start.places_m.extend([journal.x_m, journal.y_m]);
+            start
+                .velocities_m_s
+                .extend([journal.vx_m_s, journal.vy_m_s]);
         }
-        let axial_speed = (self.journals())
-            .map(|own| own.vz_m_s)
-            .find(|speed| *speed != 0.0);
-        let speeds = [self.speed_rad_s(), axial_speed.unwrap_or(0.0)];
-        system.set_rotor(&mut start, &places, &velocities, speeds);
+        let mut axial_speeds = self.journals().map(|own| own.vz_m_s);
+        start.axial_speed_m_s = axial_speeds.find(|speed| *speed != 0.0).unwrap_or(0.0);
         start
     }
 
@@ -296,21 +309,28 @@ impl RotorDrop {
             "observers for each bearing"
         );
         let Some(rotor) = &self.rotor else {
-            return Ok(RotorDropOutcome {
-                bearings: vec![run(&self.cases[0], &mut observers[0], control)?],
-                rotor: None,
-            });
+            let outcome = run(&self.cases[0], &mut observers[0], control)?;
+            return Ok(outcome.into());
         };
         let mut starts: Vec<(State, Vec<f64>)> = vec![];
         let mut models = vec![];
         for case in &self.cases {
             starts.push(initial_state_controlled(case, &mut || control(0.0))?);
-            models.push(Arc::new(Model::of_case(case)?.guided(rotor.mass_kg())));
         }
-        let mut system = RotorOnBearings::new(rotor, self.loads(rotor), &models);
-        let start = self.start(&mut system, starts.iter().map(|(state, _)| state));
+        // Along the axis the place of the rotor is that in the first bearing.
+        let z_m = |k: usize| starts[k].0.at(RotorCoordinate::Z);
+        for (k, case) in self.cases.iter().enumerate() {
+            let seat_z_m = z_m(k) - z_m(0);
+            models.push(Arc::new(Model::of_case(case)?.of_common_rotor(seat_z_m)));
+        }
+        let body = LinearRotorBody::new(rotor, self.loads(rotor));
+        let begin = body.at_start(&self.journal_start(z_m(0)));
+        let mut world = World::below(body, &models);
+        let mut start = world.vector(starts.iter().map(|(state, _)| state));
+        let rotor_start = world.rotor_start();
+        start[rotor_start..].copy_from_slice(&begin);
         let states: Vec<State> = (0..models.len())
-            .map(|k| State::from_vector(system.layout(k), &start))
+            .map(|k| State::from_vector(world.layout(k), &start))
             .collect();
         let contexts = (0..models.len()).map(|k| RunContext {
             case: &self.cases[k],
@@ -319,7 +339,7 @@ impl RotorDrop {
             start_angle_rad: &starts[k].1,
         });
         let contexts: Vec<RunContext<'_>> = contexts.collect();
-        let watch = |(k, context)| Watch::new(context, system.layout(k), k);
+        let watch = |(k, context)| Watch::new(context, world.layout(k), k);
         let mut watches: Vec<Watch> = contexts.iter().enumerate().map(watch).collect();
         let mut trackers: Vec<RunTracker<'_, '_>> = contexts
             .iter()
@@ -327,20 +347,9 @@ impl RotorDrop {
             .zip(observers)
             .map(|((context, watch), observers)| RunTracker::new(*context, watch, observers))
             .collect();
-        system.look_at_planes(&start);
-        let start_energy = system.rotor_energy_j(&start);
-        let end = drive_from(&start, &mut system, &mut trackers, control);
-        let (residual, flows) = system.rotor_residual_j(start_energy, &end);
-        Ok(RotorDropOutcome {
-            bearings: trackers
-                .into_iter()
-                .map(RunTracker::whole_outcome)
-                .collect(),
-            rotor: Some(RotorOutcome {
-                energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
-                planes: system.planes(),
-            }),
-        })
+        drive(&start, &mut world, &mut trackers, control);
+        let bearings = trackers.into_iter().map(RunTracker::whole_outcome);
+        Ok(RotorDropOutcome::new(bearings.collect(), world.planes()))
     }
 }
 
@@ -433,26 +442,4 @@ fn bearable_step_s(
         )));
     }
     Ok(step)
-}
-
-impl Bearings for RotorOnBearings<'_> {
-    fn independent(&self) -> bool {
-        false
-    }
-
-    fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
-        self.bearing(bearing).contacts()
-    }
-
-    fn look(&mut self, y: &[f64]) {
-        self.look_at_planes(y);
-    }
-
-    fn evaluations(&self) -> u64 {
-        self.bearing(0).evaluations()
-    }
-
-    fn instruction_set(&self) -> InstructionSet {
-        self.bearing(0).instruction_set()
-    }
 }

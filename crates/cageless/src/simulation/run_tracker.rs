@@ -40,6 +40,7 @@ impl<'s, 'o> RunTracker<'s, 'o> {
             made: Made {
                 evaluations: 0,
                 instruction_set: InstructionSet::Baseline,
+                rotor_balance: None,
             },
         }
     }

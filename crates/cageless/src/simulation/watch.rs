@@ -8,6 +8,7 @@ use super::observer::{RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
 use crate::case::Case;
 use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::energy::EnergyBalance;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, InstructionSet, Model, RightHandSide};
@@ -148,8 +149,7 @@ impl Watch {
     /// Outcome of a run that ended so.
     pub(super) fn outcome(&self, ending: Ending, last: State, made: Made) -> RunOutcome {
         let start_energy_j = self.guard.start_energy_j();
-        let (residual, flows) = self.model.energy_residual_j(start_energy_j, &last);
-        let least = ENERGY_MIN_J.max(ROUNDING_FRACTION * start_energy_j);
+        let balance = self.model.energy_balance(start_energy_j, &last);
         RunOutcome {
             ending,
             end_s: self.end_s,
@@ -158,17 +158,26 @@ impl Watch {
             end_energy_j: self.model.energy_j(&last),
             state: last,
             start_energy_j,
-            energy_residual_relative: residual / flows.max(least),
+            energy_residual_relative: residual_relative(&balance),
+            rotor_energy_residual_relative: made.rotor_balance.as_ref().map(residual_relative),
             instruction_set: made.instruction_set,
         }
     }
 }
 
-/// Work of a right-hand side.
+/// What a ledger lacks over what flowed.
+fn residual_relative(balance: &EnergyBalance) -> f64 {
+    let least = ENERGY_MIN_J.max(ROUNDING_FRACTION * balance.start_j);
+    balance.residual_j / balance.flows_j.max(least)
+}
+
+/// Work of a world.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Made {
     /// Evaluations.
     pub evaluations: u64,
     /// Instructions in use.
     pub instruction_set: InstructionSet,
+    /// Energy balance of the rotor, if there is one.
+    pub rotor_balance: Option<EnergyBalance>,
 }

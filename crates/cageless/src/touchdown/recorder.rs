@@ -277,8 +277,7 @@ impl Dropped {
             most.rotor_sliding_max_m_s = most.rotor_sliding_max_m_s.max(slip);
         }
         found.in_contact = closed;
-        let [lift_x, lift_y] = contact.force_on_journal(rotor.friction);
-        let lift_n = (view.contacts.rotor_force_n()).unwrap_or([lift_x, lift_y, 0.0]);
+        let lift_n = view.contacts.loads_on_rotor().unwrap_or_default().force;
         // The journal of a vertical rotor runs round the bore only where it touches it, and it is the
         // shoulder that bounces.
         let (lift_n, runs_round, bounces_n) = match self.rotor.shaft {

@@ -14,8 +14,8 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 /// Compares the linear momentum of balls and inner ring with the impulses of the external
 /// forces: the outer ring, the loads, the weights, the drag on the inner ring and, in
 /// the `paper` formulation, the centrifugal force of Zhao 2022, Eq. (15). The forces that balls
-/// and inner ring exert on each other must cancel. With a rotor its momentum and weight count,
-/// too, and with a support that of the outer ring, which the support then pushes.
+/// and inner ring exert on each other must cancel. A rotor pushes the inner ring from outside; with a support the
+/// momentum of the outer ring counts, too, which the support then pushes.
 ///
 /// Impulses are sums by the trapezoidal rule over the steps.
 #[derive(Debug, Clone, Default)]
@@ -40,7 +40,7 @@ impl MomentumBalance {
     }
 }
 
-/// Sum of the momenta of balls, inner ring, rotor and outer ring, N·s.
+/// Sum of the momenta of balls, inner ring and outer ring, N·s.
 fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
     let of = |coordinate: BallCoordinate, ring: RingCoordinate| {
         let balls = model.balls.iter().enumerate();
@@ -52,33 +52,47 @@ fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
         of(BallCoordinate::Vy, RingCoordinate::Vy),
         of(BallCoordinate::Vz, RingCoordinate::Vz),
     ];
-    let under = model.under_rotor.as_ref();
-    let Some((under, rotor)) = under.zip(layout.rotor_motion(values)) else {
-        return [x, y, z];
-    };
     let (outer, mass) = (layout.outer_ring_motion(values), model.outer_ring.mass);
-    let own = under.rotor.mass;
     let [_, outer_vz] = layout.outer_ring_along_axis(values);
     [
-        x + own * rotor.vx + mass * outer.vx,
-        y + own * rotor.vy + mass * outer.vy,
-        z + own * rotor.vz + mass * outer_vz,
+        x + mass * outer.vx,
+        y + mass * outer.vy,
+        z + mass * outer_vz,
     ]
 }
 
-/// Sum of the external forces at a time and state where the outer ring is pressed by `outer`, and
+/// Forces of the bearing on what surrounds it, N.
+struct Pressed {
+    /// On the outer ring.
+    outer: [f64; 3],
+    /// On the rotor.
+    rotor: [f64; 3],
+}
+
+impl Pressed {
+    /// Those of these contacts.
+    fn of(contacts: &Contacts<'_>) -> Self {
+        let [x, y] = contacts.outer_ring_force_n();
+        Self {
+            outer: [x, y, contacts.outer_ring_axial_force_n()],
+            rotor: contacts.loads_on_rotor().unwrap_or_default().force,
+        }
+    }
+}
+
+/// Sum of the external forces at a time and state where the bearing presses what surrounds it, and
 /// the sum of their absolute values, N.
 fn external(
     model: &Model,
     layout: Layout,
     (time_s, values): (f64, &[f64]),
-    outer: [f64; 3],
+    pressed: &Pressed,
 ) -> ([f64; 3], f64) {
+    let Pressed { outer, rotor } = *pressed;
     let motion = layout.ring_motion(values);
     let ring = &model.ring;
     let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
-    let rotor = (model.under_rotor.as_ref()).map_or(0.0, |under| under.rotor.mass);
-    let weight = (ring.mass + balls + rotor) * ring.gravity;
+    let weight = (ring.mass + balls) * ring.gravity;
     let outer = if model.outer_ring.mass > 0.0 {
         let outer_ring = layout.outer_ring_motion(values);
         let support = &model.outer_ring.support;
@@ -89,21 +103,22 @@ fn external(
         outer
     };
     let (axial_load, vz, upward) = match &model.space {
-        Some(space) => {
-            let rotor = model.under_rotor.as_ref();
-            let load = space.axial_load + rotor.map_or(0.0, |under| under.rotor.axial_load);
-            (load, values[layout.ring(RingCoordinate::Vz)], space.upward)
-        }
+        Some(space) => (
+            space.axial_load,
+            values[layout.ring(RingCoordinate::Vz)],
+            space.upward,
+        ),
         None => (0.0, 0.0, 1),
     };
     let [load_x, load_y] = model.load_n(time_s);
     let mut force = [
-        -outer[0] - ring.drag * motion.vx + load_x,
-        -outer[1] - ring.drag * motion.vy + load_y,
-        -outer[2] - ring.drag * vz + axial_load,
+        -outer[0] - rotor[0] - ring.drag * motion.vx + load_x,
+        -outer[1] - rotor[1] - ring.drag * motion.vy + load_y,
+        -outer[2] - rotor[2] - ring.drag * vz + axial_load,
     ];
     force[upward] -= weight;
     let mut absolute = outer[0].hypot(outer[1]).hypot(outer[2])
+        + rotor[0].hypot(rotor[1]).hypot(rotor[2])
         + ring.drag * motion.vx.hypot(motion.vy).hypot(vz)
         + load_x.hypot(load_y)
         + axial_load.abs()
@@ -122,22 +137,17 @@ fn external(
     (force, absolute)
 }
 
-fn outer_force_n(contacts: &Contacts<'_>) -> [f64; 3] {
-    let [x, y] = contacts.outer_ring_force_n();
-    [x, y, contacts.outer_ring_axial_force_n()]
-}
-
 impl Observer for MomentumBalance {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let (layout, values) = (context.start.layout(), context.start.values());
         let mut rhs = RightHandSide::new(context.model);
         rhs.derivative(0.0, values, &mut vec![0.0; values.len()]);
-        let outer = outer_force_n(&rhs.contacts());
+        let pressed = Pressed::of(&rhs.contacts());
         let start = momentum(context.model, layout, values);
         *self = Self {
             start,
             now: start,
-            last: Some(external(context.model, layout, (0.0, values), outer)),
+            last: Some(external(context.model, layout, (0.0, values), &pressed)),
             model: Some(Arc::clone(context.model)),
             ..Self::default()
         };
@@ -149,8 +159,8 @@ impl Observer for MomentumBalance {
             return Ok(Control::Continue(()));
         };
         let (step, layout) = (view.step, view.layout());
-        let outer = outer_force_n(&view.contacts);
-        let (force, absolute) = external(model, layout, (step.t1_s, &step.y1), outer);
+        let pressed = Pressed::of(&view.contacts);
+        let (force, absolute) = external(model, layout, (step.t1_s, &step.y1), &pressed);
         if let Some((force_before, absolute_before)) = self.last {
             let half = 0.5 * step.size_s();
             for k in 0..3 {

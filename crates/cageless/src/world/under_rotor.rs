@@ -1,8 +1,8 @@
-//! The bodies under a falling rotor and their joints, written once for plane and space.
+//! The rings under a falling rotor and their joints with it, written once for plane and space.
 
 use super::body::inner_ring::InnerRing;
 use super::body::outer_ring::OuterRing;
-use super::body::rotor::RotorBody;
+use super::body::rigid_rotor::RigidRotor;
 use super::joint::TouchLoads;
 use super::joint::journal::{JournalJoint, RotorContact, TurningRing};
 use super::joint::shoulder::Shoulder;
@@ -13,10 +13,9 @@ use crate::dynamics::coordinates::{OuterRingCoordinate, RingCoordinate, RotorCoo
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 
-/// Constants of rotor, rings and joints.
+/// Constants of rings and joints.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct UnderRotor {
-    pub rotor: RotorBody,
     pub joint: JournalJoint,
     /// None without shoulders.
     pub shoulder: Option<Shoulder>,
@@ -54,24 +53,15 @@ impl UnderRotor {
             polar_inertia: bore.polar_inertia_kg_m2,
             ..ring
         };
-        let body = RotorBody::of_case(rotor, case);
+        let rigid = RigidRotor::of_case(rotor, case).compliance();
         let joint = JournalJoint::in_bore(rotor, bore);
         let groove_m = case.bearing.dimensions().inner_groove_bottom_radius_m;
         Some(Self {
-            joint: joint.sticking(rotor, (&body, &ring), case.solver.step_s),
+            joint: joint.sticking(rotor, &rigid, &ring, case.solver.step_s),
             shoulder: Shoulder::new(rotor, 0.5 * (bore.radius_m + groove_m)),
-            rotor: body,
             ring,
             outer_ring,
         })
-    }
-
-    /// Those of a rotor of this mass that rests on other bearings as well.
-    pub(crate) fn guided(self, rotor_mass_kg: f64) -> Self {
-        Self {
-            rotor: self.rotor.guided(rotor_mass_kg),
-            ..self
-        }
     }
 
     /// Motion of the inner ring of a state.
@@ -88,7 +78,7 @@ impl UnderRotor {
     pub(crate) fn contact(&self, layout: Layout, y: &[f64]) -> RotorContact {
         let motion = layout.rotor_motion(y).unwrap_or_default();
         let ring = Self::turning_ring(layout, y);
-        self.joint.contact(&self.rotor, &motion, &ring)
+        self.joint.contact(&motion, &ring)
     }
 
     /// Sliding speed of the journal along the directions of a contact in a state, m/s.
@@ -96,12 +86,12 @@ impl UnderRotor {
     pub(crate) fn slip(&self, contact: &RotorContact, layout: Layout, y: &[f64]) -> f64 {
         let motion = layout.rotor_motion(y).unwrap_or_default();
         let ring = Self::turning_ring(layout, y);
-        self.joint.slip(&self.rotor, contact, &motion, &ring)
+        self.joint.slip(contact, &motion, &ring)
     }
 
     /// Z of the rotor from that of the inner ring, m.
     pub(crate) fn axial_distance(&self, layout: Layout, y: &[f64]) -> f64 {
-        layout.at(y, RotorCoordinate::Z) - layout.at(y, RingCoordinate::Z)
+        self.joint.seat.z + layout.at(y, RotorCoordinate::Z) - layout.at(y, RingCoordinate::Z)
     }
 
     /// Contact of the journal of a state in the plane; friction only if asked for.
@@ -120,7 +110,7 @@ impl UnderRotor {
         }
     }
 
-    /// Sets the rates of rotor, outer ring and the turning of the inner ring, and the powers of the
+    /// Sets the rates of the outer ring and of the turning of the inner ring, and the powers of the
     /// ledger; the inner ring has its own already.
     pub(crate) fn set_rates(
         &self,
@@ -150,26 +140,9 @@ impl UnderRotor {
         ] {
             layout.set(dydt, coordinate, rate);
         }
-        let answer = self.rotor.acceleration(&touch.loads);
-        let [ax, ay, az] = answer.linear;
-        for (coordinate, rate) in [
-            (RotorCoordinate::X, motion.vx),
-            (RotorCoordinate::Y, motion.vy),
-            (RotorCoordinate::Z, motion.vz),
-            (RotorCoordinate::Angle, motion.speed),
-            (RotorCoordinate::Vx, ax),
-            (RotorCoordinate::Vy, ay),
-            (RotorCoordinate::Vz, az),
-            (RotorCoordinate::Speed, answer.spin),
-        ] {
-            layout.set(dydt, coordinate, rate);
-        }
         let support = &self.outer_ring.support;
         for (term, power) in [
-            (
-                EnergyTerm::Drive,
-                self.rotor.drive_power(&motion, &touch.loads),
-            ),
+            (EnergyTerm::Drive, -motion.power(&touch.loads)),
             (EnergyTerm::RotorFriction, touch.heat),
             (EnergyTerm::RotorDamping, touch.damping_power),
             (
@@ -179,8 +152,6 @@ impl UnderRotor {
         ] {
             dydt[layout.energy_term(term)] = power;
         }
-        dydt[layout.energy_term(EnergyTerm::Weight)] += self.rotor.weight_power(&motion);
-        dydt[layout.energy_term(EnergyTerm::Load)] += self.rotor.axial_load * motion.vz;
     }
 
     /// Adds what the friction of the balls does to the turning of the inner ring and to the outer ring over
@@ -195,19 +166,13 @@ impl UnderRotor {
         change.add(OuterRingCoordinate::Vz, z * ring.axial_inverse_mass);
     }
 
-    /// Adds what the friction of the rotor does to rotor and inner ring over a step, and its heat.
+    /// Adds what the friction of the rotor does to the inner ring over a step, and its heat.
     pub(crate) fn add_touch_friction(
         &self,
         loads: &TouchLoads,
         heat: f64,
         change: &mut StepChange<'_>,
     ) {
-        let answer = self.rotor.response(loads);
-        let [ax, ay, az] = answer.linear;
-        change.add(RotorCoordinate::Vx, ax);
-        change.add(RotorCoordinate::Vy, ay);
-        change.add(RotorCoordinate::Vz, az);
-        change.add(RotorCoordinate::Speed, answer.spin);
         let turning = loads.ring_torque / self.ring.polar_inertia;
         change.add(RingCoordinate::Speed, turning);
         let [x, y, z] = loads.force.map(|force| -force / self.ring.mass);
@@ -217,17 +182,15 @@ impl UnderRotor {
         change.add_energy(EnergyTerm::RotorFriction, heat);
     }
 
-    /// Energy of rotor, outer ring, the turning of the inner ring and all joints, J.
+    /// Energy of the outer ring, of the turning of the inner ring and of all joints, J.
     pub(crate) fn energy_j(&self, layout: Layout, y: &[f64]) -> f64 {
-        let motion = layout.rotor_motion(y).unwrap_or_default();
         let ring_speed = layout.at(y, RingCoordinate::Speed);
         let journal = &self.joint.journal;
         let depth = self.contact(layout, y).contact.deflection;
         let z = self.axial_distance(layout, y);
         let at_face = (self.shoulder).map_or(0.0, |shoulder| shoulder.energy_j(journal, z));
         let outer = layout.outer_ring_motion(y);
-        self.rotor.energy_j(&motion)
-            + 0.5 * self.ring.polar_inertia * ring_speed * ring_speed
+        0.5 * self.ring.polar_inertia * ring_speed * ring_speed
             + journal_energy_j(journal, depth)
             + at_face
             + (self.outer_ring).energy_j(&outer, layout.outer_ring_along_axis(y))

@@ -221,7 +221,7 @@ fn unbalance_moves_as_an_eccentric_mass_centre() {
     let rotor = rotor.linear().unwrap();
     let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, Some(1e-5)).unwrap();
     let both = dropped(&drop);
-    assert!(both.rotor.unwrap().energy_residual_relative.abs() < 1e-8);
+    assert!(both.rotor.energy_residual_relative.abs() < 1e-8);
     for bearing in &both.bearings {
         let error = difference(bearing, &one);
         println!("eccentric: {error:.1e}");
@@ -263,7 +263,7 @@ fn ledgers_of_rotor_and_bearings_close() {
         let rotor = rotor.linear().unwrap();
         let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, step).unwrap();
         let outcome = dropped(&drop);
-        let residual = outcome.rotor.unwrap().energy_residual_relative;
+        let residual = outcome.rotor.energy_residual_relative;
         println!("{method:?} rotor {residual:.1e}");
         assert!(residual.abs() < most);
         for bearing in &outcome.bearings {
@@ -317,7 +317,7 @@ fn a_flexible_rotor_falls_into_its_bearings() {
         let outcome = drop
             .run(&mut observers, &mut |_| Control::Continue(()))
             .unwrap();
-        assert!(outcome.rotor.unwrap().energy_residual_relative.abs() < 1e-3);
+        assert!(outcome.rotor.energy_residual_relative.abs() < 1e-3);
         assert!(
             outcome
                 .bearings

@@ -43,6 +43,7 @@ mod rating;
 mod rotor_damping;
 mod rotor_planes;
 mod search;
+mod second_disc;
 mod slot;
 mod slot_design;
 mod slot_ring;

@@ -35,7 +35,7 @@ fn planes_of_a_rigid_rotor_lie_on_its_axis() {
         case.solver.duration_s = duration_s;
     }
     let drop = RotorDrop::new(rotor.linear().unwrap(), 0.0, 0.0, cases, None).unwrap();
-    let planes = dropped(&drop).rotor.unwrap().planes;
+    let planes = dropped(&drop).rotor.planes;
     let gravity = drop.cases()[0].operation.gravity_m_s2;
     for (plane, (name, z)) in
         planes
@@ -81,7 +81,7 @@ fn planes_of_a_flexible_rotor_are_at_its_nodes() {
         .unwrap();
     let [_, second] = recorders;
     let journal = second.summary(&outcome.bearings[1].state);
-    let planes = outcome.rotor.unwrap().planes;
+    let planes = outcome.rotor.planes;
     let found = planes[0].displacement_max_m;
     assert!((found / journal.rotor_displacement_max_m - 1.0).abs() < 1e-9);
     assert!(planes[1].displacement_max_m > 1.9e-4);

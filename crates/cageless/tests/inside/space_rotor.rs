@@ -82,7 +82,7 @@ fn ledgers_close_along_the_axis() {
             let layout = pair.layout();
             let moved = pair.values()[layout.body(RotorCoordinate::Z)];
             let bearings = outcome.bearings.iter().map(|b| b.energy_residual_relative);
-            let rotor = outcome.rotor.unwrap().energy_residual_relative;
+            let rotor = outcome.rotor.energy_residual_relative;
             let all: Vec<f64> = bearings.chain([rotor]).map(f64::abs).collect();
             (all, moved)
         };

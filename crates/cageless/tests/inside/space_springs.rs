@@ -7,6 +7,7 @@ use cageless::dynamics::coordinates::{
     SlidingCoordinate,
 };
 use cageless::dynamics::state::State;
+use cageless::dynamics::world::World;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::equilibrium::space::solve;
 use cageless::initial_conditions::initial_state;
@@ -255,8 +256,10 @@ fn axial_momentum_of_a_drop_on_springs_changes_by_the_support() {
     let state = complete(&case).state;
     let model = Model::new(&case).unwrap();
     let layout = state.layout();
-    let mut rate = vec![0.0; layout.len()];
-    RightHandSide::new(&model).derivative(0.0, state.values(), &mut rate);
+    let mut world = World::of_bearing(&model);
+    let y = world.vector([&state]);
+    let mut rate = vec![0.0; y.len()];
+    world.derivative(0.0, &y, &mut rate);
     let balls: f64 = (0..28)
         .map(|k| rate[layout.ball(BallCoordinate::Vz, k)])
         .sum();

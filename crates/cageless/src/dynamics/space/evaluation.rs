@@ -13,7 +13,6 @@ use crate::contact::NormalForce;
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
-use crate::dynamics::model::Model;
 use crate::numerics::lanes::{LANES, Lanes};
 use crate::simd::{Parameters, Workspace};
 use crate::world::under_rotor::BallLoads;
@@ -53,18 +52,18 @@ pub(crate) fn evaluate(
 ) {
     let Bearing {
         parameters: p,
-        model,
         space,
         drive,
+        ..
     } = bearing;
-    let layout = model.layout;
+    let layout = p.layout;
     let ring = RingMotion::new(layout, y, drive.inner_speed);
     s.ring = ring;
     s.outer_ring_velocity = outer_ring_velocity(layout, y);
     if !space.sliding.is_empty() {
         place_rings(bearing, s, y);
     }
-    dydt.fill(0.0);
+    dydt[layout.start()..layout.end()].fill(0.0);
     let mut totals = Totals::default();
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         normal_contacts(bearing, (results, b), &ring, y, block, &mut totals, dydt);
@@ -103,14 +102,15 @@ pub(crate) fn evaluate(
 
 /// Adds accelerations of a ball under a force and a moment.
 #[inline(always)]
-fn accelerate(model: &Model, k: usize, [force, moment]: [Vector; 2], dydt: &mut [f64]) {
-    let linear = force * model.balls[k].inverse_mass;
-    let angular = moment * model.balls[k].inverse_inertia;
+fn accelerate(bearing: Bearing<'_>, k: usize, [force, moment]: [Vector; 2], dydt: &mut [f64]) {
+    let (ball, layout) = (&bearing.model.balls[k], bearing.parameters.layout);
+    let linear = force * ball.inverse_mass;
+    let angular = moment * ball.inverse_inertia;
     let rates = [
         linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
     ];
     for ((coordinate, sign), rate) in VELOCITIES.into_iter().zip(rates) {
-        dydt[model.layout.ball(coordinate, k)] += sign * rate;
+        dydt[layout.ball(coordinate, k)] += sign * rate;
     }
 }
 
@@ -154,7 +154,7 @@ fn ball_pairs(
     dydt: &mut [f64],
 ) -> f64 {
     let model = bearing.model;
-    let layout = model.layout;
+    let layout = bearing.parameters.layout;
     let mut deepest: f64 = 0.0;
     near_pairs(bearing.parameters, layout, w, y);
     for k in 0..layout.balls {
@@ -185,8 +185,8 @@ fn ball_pairs(
         };
         let force = friction - u * normal.force_n;
         let moment = u.cross(&friction);
-        accelerate(model, k, [force, moment * ball.radius], dydt);
-        accelerate(model, next, [-force, moment * ball.next_radius], dydt);
+        accelerate(bearing, k, [force, moment * ball.radius], dydt);
+        accelerate(bearing, next, [-force, moment * ball.next_radius], dydt);
         totals.ball_friction += size * speed;
         totals.damping += normal.damping_power_w;
         let pair = &mut w.blocks[block].pair;
@@ -209,7 +209,7 @@ fn ring_rates(
         drive,
         ..
     } = bearing;
-    let layout = model.layout;
+    let layout = bearing.parameters.layout;
     let (mass, drag) = (model.ring.mass, model.ring.drag);
     let [turning_x, turning_y] = drive.unbalance;
     let load = Vector::new(turning_x, turning_y - drive.radial_load, space.axial_load);

@@ -32,7 +32,6 @@ pub(super) fn add_explicit_friction(
 ) {
     let Bearing {
         parameters: p,
-        model,
         space,
         ..
     } = bearing;
@@ -52,7 +51,7 @@ pub(super) fn add_explicit_friction(
         }
         b.weights = [Lanes::all(1.0); PLACES];
         let force = tractions(space, b, results, totals);
-        accelerate(model.layout, p.balls(block), block, &force, dydt);
+        accelerate(p.layout, p.balls(block), block, &force, dydt);
         powers(space, b, [&b.velocity; 2], results, &mut w.slip_max, totals);
     }
 }
@@ -74,7 +73,7 @@ pub(crate) fn add_implicit_friction(
         space,
         drive,
     } = bearing;
-    let layout = model.layout;
+    let layout = bearing.parameters.layout;
     let start = rings_in(bearing, &s.ring, y0);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
@@ -134,7 +133,7 @@ fn set_law(bearing: Bearing<'_>, polar: &PolarMotionLanes, b: &mut SpaceBlock) {
 /// this motion of the inner ring acts.
 #[inline(always)]
 fn rings_in(bearing: Bearing<'_>, ring: &RingMotion, y: &[f64]) -> (RingMotion, [f64; 3]) {
-    let layout = bearing.model.layout;
+    let layout = bearing.parameters.layout;
     let speed = layout.ring_speed_rad_s(y);
     let moving = RingMotion::new(layout, y, speed.unwrap_or(bearing.drive.inner_speed));
     (
@@ -156,11 +155,10 @@ fn solve_blocks(
 ) {
     let Bearing {
         parameters: p,
-        model,
         space,
         ..
     } = bearing;
-    let layout = model.layout;
+    let layout = p.layout;
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         set_at_rest(b, 0, &ring, outer_ring);
         set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
@@ -223,10 +221,8 @@ fn add_rotor_friction(
         start: y0,
         free: change.y,
     };
-    let contact = &mut w.rotors[0];
-    let (loads, heat) = s
-        .rotor
-        .implicit_friction(under, contact, change.layout, &step);
+    let (contact, rotor) = (&mut w.rotors[0], &w.rotor_compliances[0]);
+    let (loads, heat) = (s.rotor).implicit_friction(under, rotor, contact, change.layout, &step);
     under.add_touch_friction(&loads, heat, change);
 }
 

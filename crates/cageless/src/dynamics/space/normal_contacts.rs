@@ -43,7 +43,7 @@ pub(super) fn normal_contacts(
     dydt: &mut [f64],
 ) {
     let Bearing { model, space, .. } = bearing;
-    let (layout, balls) = (model.layout, bearing.parameters.balls(block));
+    let (layout, balls) = (bearing.parameters.layout, bearing.parameters.balls(block));
     let at = |coordinate| layout.array(coordinate) + block * LANES;
     let moving = moving(layout, (results, b), y, block);
     for (coordinate, rates) in PLACE.into_iter().zip(&moving.velocity) {

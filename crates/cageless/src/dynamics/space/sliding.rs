@@ -65,7 +65,7 @@ pub(super) fn slide_as_evaluated(
     [block, end]: [usize; 2],
     work: &[SlidingWork],
 ) {
-    let layout = bearing.model.layout;
+    let layout = bearing.parameters.layout;
     slide_with(bearing.space, layout, b, [block, end], |k| work[k].speed);
 }
 
@@ -78,8 +78,7 @@ pub(super) fn slide_as_in(
     [block, end]: [usize; 2],
     y: &[f64],
 ) {
-    let Bearing { model, space, .. } = bearing;
-    let layout = model.layout;
+    let (space, layout) = (bearing.space, bearing.parameters.layout);
     let [_, housing] = layout.outer_ring_along_axis(y);
     slide_with(space, layout, b, [block, end], |k| {
         motion(layout, y, k)[1] - housing
@@ -90,8 +89,7 @@ pub(super) fn slide_as_in(
 #[cold]
 #[inline(never)]
 pub(super) fn place_rings(bearing: Bearing<'_>, s: &mut SpaceWorkspace, y: &[f64]) {
-    let Bearing { model, space, .. } = bearing;
-    let layout = model.layout;
+    let (space, layout) = (bearing.space, bearing.parameters.layout);
     let [housing_z, housing_vz] = layout.outer_ring_along_axis(y);
     for (k, work) in s.sliding.iter_mut().enumerate() {
         work.speed = motion(layout, y, k)[1] - housing_vz;
@@ -116,7 +114,7 @@ pub(super) fn sliding_rates(
     dydt: &mut [f64],
 ) {
     let Bearing { model, space, .. } = bearing;
-    let layout = model.layout;
+    let layout = bearing.parameters.layout;
     for (k, ring) in space.sliding.iter().enumerate() {
         let (force_n, speed) = (s.row_force_n(layout, ring.row), s.sliding[k].speed);
         s.sliding[k].force_n = force_n;
@@ -141,7 +139,7 @@ pub(super) fn add_sliding_friction(
     change: &mut StepChange<'_>,
 ) {
     let Bearing { model, space, .. } = bearing;
-    let layout = model.layout;
+    let layout = bearing.parameters.layout;
     for (k, (ring, work)) in space.sliding.iter().zip(&s.sliding).enumerate() {
         let friction = s.row_force_n(layout, ring.row) - work.force_n;
         let place = layout.sliding(SlidingCoordinate::Vz, k);

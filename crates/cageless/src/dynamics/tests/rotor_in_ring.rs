@@ -8,7 +8,8 @@ use crate::contact::journal_energy_j;
 use crate::integrator::System;
 use crate::rotor::{Rotor, Support};
 use crate::world::body::outer_ring::OuterRing;
-use crate::world::body::rotor::{RotorBody, RotorMotion};
+use crate::world::body::rigid_rotor::RigidRotor;
+use crate::world::body::rotor::RotorMotion;
 use crate::world::joint::journal::{JournalJoint, RotorContact, TurningRing};
 
 /// What holds the ring.
@@ -64,7 +65,7 @@ const SCALES: [f64; SIZE] = [
 /// Equations of motion of a rotor in a ring without balls.
 #[derive(Debug, Clone)]
 pub struct RotorInRing {
-    body: RotorBody,
+    body: RigidRotor,
     joint: JournalJoint,
     ring_inertia: f64,
     ring: OuterRing,
@@ -81,7 +82,7 @@ impl RotorInRing {
             RingMount::Supported(support) => (Some(support), false),
         };
         Self {
-            body: RotorBody::new(rotor, 1, gravity_m_s2),
+            body: RigidRotor::new(rotor, 1, gravity_m_s2),
             joint: JournalJoint::in_bore(rotor, bore),
             ring_inertia: bore.polar_inertia_kg_m2,
             ring: OuterRing::new(support, 0.0),
@@ -113,7 +114,7 @@ impl RotorInRing {
     /// Kinetic, elastic and potential energy, J.
     pub fn energy_j(&self, state: &[f64]) -> f64 {
         let (m, ring) = motions(state);
-        let contact = self.joint.contact(&self.body, &m, &ring);
+        let contact = self.joint.contact(&m, &ring);
         let [_, weight, _] = self.body.weight;
         self.body.energy_j(&m) + 0.5 * self.ring_inertia * ring.speed * ring.speed - weight * m.y
             + journal_energy_j(&self.joint.journal, contact.contact.deflection)
@@ -150,7 +151,7 @@ impl System for RotorInRing {
 
     fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
         let (rotor, ring) = motions(y);
-        let mut contact = self.joint.contact(&self.body, &rotor, &ring);
+        let mut contact = self.joint.contact(&rotor, &ring);
         let c = contact.contact;
         [contact.friction, _] = self.joint.friction.force(c.slip, c.force);
         let loads = self.joint.loads(&contact, c.force, contact.friction);

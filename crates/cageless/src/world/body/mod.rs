@@ -11,14 +11,20 @@
 
 mod fastest_rates;
 pub(crate) mod inner_ring;
+pub(crate) mod linear_rotor;
+mod linear_rotor_equations;
 pub(crate) mod outer_ring;
 mod resting_ring;
+pub(crate) mod rigid_rotor;
+pub(crate) mod rigid_rotors;
 pub(crate) mod rotor;
+pub(crate) mod rotor_body;
 mod row;
 pub(crate) mod sliding_ring;
 
 pub(crate) use fastest_rates::{ContactStiffness, FastestRates};
 pub use inner_ring::RingCoordinate;
+pub(crate) use linear_rotor_equations::RotorLoads;
 pub(crate) use outer_ring::OuterRingCoordinate;
 pub(crate) use resting_ring::RestingRing;
 pub(crate) use rotor::RotorCoordinate;
@@ -42,6 +48,8 @@ pub enum BodyKind {
 impl BodyKind {
     /// All, in the order of the state vector.
     pub const ALL: [Self; 3] = [Self::InnerRing, Self::OuterRing, Self::Rotor];
+    /// Those of the bearing itself.
+    pub(crate) const RINGS: [Self; 2] = [Self::InnerRing, Self::OuterRing];
 
     /// Coordinates of the body in space.
     pub const fn table(self) -> &'static [BodyRow] {

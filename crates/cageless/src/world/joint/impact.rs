@@ -5,6 +5,7 @@ use crate::case::Case;
 use crate::rotor::{Rotor, Shaft};
 use crate::world::body::inner_ring::InnerRing;
 use crate::world::body::outer_ring::OuterRing;
+use crate::world::body::rigid_rotor::RigidRotor;
 use crate::world::under_rotor::UnderRotor;
 
 /// Sine of the contact angle under which balls without clearance bear an axial load at least: they are
@@ -99,8 +100,8 @@ impl Impact {
             let stiffness = [springs.contact(force), balls(force)];
             force = springs.peak(weight, energy, stiffness, unbalance);
         }
-        let mobility =
-            (under.joint).slip_mobility((&under.rotor, &under.ring), &RotorContact::default());
+        let rigid = RigidRotor::of_case(rotor, case).compliance();
+        let mobility = (under.joint).slip_mobility(&rigid, &under.ring, &RotorContact::below());
         let law = rotor.friction_law;
         let friction_1_s = if law.sticks() {
             0.0

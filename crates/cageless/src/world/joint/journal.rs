@@ -1,6 +1,7 @@
 //! The joint of the journal of a rotor and the bore of the inner ring: contact and friction.
 
 use super::TouchLoads;
+use super::rotor_seat::RotorSeat;
 use crate::ball::Centre;
 use crate::bearing::InnerRingBore;
 use crate::contact::friction::STICK_FRACTION;
@@ -9,11 +10,13 @@ use crate::contact::{
 };
 use crate::rotor::Rotor;
 use crate::world::body::inner_ring::InnerRing;
-use crate::world::body::rotor::{RotorBody, RotorMotion};
+use crate::world::body::rotor::{RotorCompliance, RotorMotion};
 
 /// Constants of the joint.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct JournalJoint {
+    /// Place of the journal on the rotor.
+    pub seat: RotorSeat,
     /// Contact of journal and bore.
     pub journal: Journal,
     /// Friction of that contact.
@@ -29,6 +32,20 @@ pub(crate) struct RotorContact {
     pub offset: [f64; 2],
     /// Friction on the rotor along −slip, N.
     pub friction: f64,
+}
+
+impl RotorContact {
+    /// A contact at the bottom of the bore that nothing has closed.
+    pub(crate) fn below() -> Self {
+        let contact = JournalContact {
+            ny: -1.0,
+            ..JournalContact::default()
+        };
+        Self {
+            contact,
+            ..Self::default()
+        }
+    }
 }
 
 /// Motion of the inner ring as the journal meets it.
@@ -58,6 +75,7 @@ impl JournalJoint {
     /// The journal of a rotor in a bore. Coulomb's law slides only.
     pub(crate) fn in_bore(rotor: &Rotor, bore: InnerRingBore) -> Self {
         Self {
+            seat: RotorSeat::of(rotor),
             journal: Journal {
                 radius: bore.radius_m - rotor.radial_clearance_m,
                 bore_radius: bore.radius_m,
@@ -70,14 +88,15 @@ impl JournalJoint {
         }
     }
 
-    /// With the stick that explicit methods resolve at a step, between these bodies.
+    /// With the stick that explicit methods resolve at a step, between a rotor of this compliance and the ring.
     pub(crate) fn sticking(
         self,
         rotor: &Rotor,
-        bodies: (&RotorBody, &InnerRing),
+        compliance: &RotorCompliance,
+        ring: &InnerRing,
         step_s: f64,
     ) -> Self {
-        let mobility = self.slip_mobility(bodies, &RotorContact::default());
+        let mobility = self.slip_mobility(compliance, ring, &RotorContact::below());
         let stick_gain = STICK_FRACTION / (mobility * step_s);
         Self {
             friction: Friction::new(rotor.friction_law, &rotor.friction, stick_gain),
@@ -87,14 +106,9 @@ impl JournalJoint {
 
     /// Contact of the rotor with the inner ring, without friction.
     #[inline(always)]
-    pub(crate) fn contact(
-        &self,
-        body: &RotorBody,
-        motion: &RotorMotion,
-        ring: &TurningRing,
-    ) -> RotorContact {
-        let offset = body.offset(motion.angle);
-        let journal = body.journal_motion(motion, offset);
+    pub(crate) fn contact(&self, motion: &RotorMotion, ring: &TurningRing) -> RotorContact {
+        let offset = self.seat.offset(motion.angle);
+        let journal = self.seat.journal_motion(motion, offset);
         RotorContact {
             contact: journal_contact(&self.journal, &journal, &ring.bore()),
             offset,
@@ -106,12 +120,11 @@ impl JournalJoint {
     #[inline(always)]
     pub(crate) fn slip(
         &self,
-        body: &RotorBody,
         contact: &RotorContact,
         motion: &RotorMotion,
         ring: &TurningRing,
     ) -> f64 {
-        let journal = body.journal_motion(motion, contact.offset);
+        let journal = self.seat.journal_motion(motion, contact.offset);
         let normal = [contact.contact.nx, contact.contact.ny];
         journal_slip(&self.journal, normal, &journal, &ring.bore())
     }
@@ -140,15 +153,18 @@ impl JournalJoint {
         }
     }
 
-    /// Change of the sliding speed by a unit of friction, 1/kg: that of the rotor, 1/mi and Rb²/Ji.
+    /// Change of the sliding speed by a unit of friction, 1/kg: that of the rotor at Rj·n − ε·e^(i(θ+φ)) from its mass
+    /// centre, 1/mi and Rb²/Ji.
     #[inline(always)]
     pub(crate) fn slip_mobility(
         &self,
-        (body, ring): (&RotorBody, &InnerRing),
+        rotor: &RotorCompliance,
+        ring: &InnerRing,
         contact: &RotorContact,
     ) -> f64 {
-        let c = &contact.contact;
-        let rotor = body.mobility([c.nx, c.ny], self.journal.radius, contact.offset);
+        let (c, [ex, ey]) = (&contact.contact, contact.offset);
+        let arm = self.journal.radius - (ex * c.nx + ey * c.ny);
+        let rotor = rotor.along([-c.ny, c.nx], arm);
         let bore = self.journal.bore_radius;
         rotor + 1.0 / ring.mass + bore * bore / ring.polar_inertia
     }
@@ -158,19 +174,26 @@ impl JournalJoint {
 mod tests {
     use super::*;
     use crate::contact::friction::Smooth;
+    use crate::world::body::rigid_rotor::RigidRotor;
 
-    /// A rotor whose mass centre is a fifth of its radius off the axis.
-    fn eccentric() -> RotorBody {
-        RotorBody {
-            mass: 20.0,
-            axial_mass: 20.0,
-            polar_inertia: 0.02,
-            eccentricity: 3e-3,
+    /// A seat whose mass centre is a fifth of its radius off the axis, or on it.
+    fn seat(eccentricity: f64) -> RotorSeat {
+        RotorSeat {
+            eccentricity,
             phase: 0.7,
+            z: 0.0,
+        }
+    }
+
+    const ECCENTRICITY: f64 = 3e-3;
+
+    fn rotor() -> RigidRotor {
+        RigidRotor {
+            mass: 20.0,
+            polar_inertia: 0.02,
             weight: [0.0; 3],
             axial_load: 0.0,
             drive_torque: 0.0,
-            guide: None,
         }
     }
 
@@ -184,8 +207,9 @@ mod tests {
         unbalance_y: 0.0,
     };
 
-    fn joint() -> JournalJoint {
+    fn joint(seat: RotorSeat) -> JournalJoint {
         JournalJoint {
+            seat,
             journal: Journal {
                 radius: 14.8e-3,
                 bore_radius: 15e-3,
@@ -199,8 +223,8 @@ mod tests {
     }
 
     /// A deep contact of it while it moves in every way.
-    fn touching(body: &RotorBody) -> (RotorMotion, TurningRing, RotorContact) {
-        let offset = body.offset(0.4);
+    fn touching(joint: &JournalJoint) -> (RotorMotion, TurningRing, RotorContact) {
+        let offset = joint.seat.offset(0.4);
         let motion = RotorMotion {
             x: 1.5e-4 + offset[0],
             y: -1.6e-4 + offset[1],
@@ -220,31 +244,34 @@ mod tests {
             centre,
             speed: -55.0,
         };
-        (motion, ring, joint().contact(body, &motion, &ring))
+        (motion, ring, joint.contact(&motion, &ring))
     }
 
     /// The sliding speed falls by the mobility under a unit of friction over a unit of time,
-    /// wherever the mass centre is, and also where a compliance stands for the rotor.
+    /// wherever the mass centre is and whatever the rotor yields.
     #[test]
     fn mobility_is_what_friction_changes_of_the_slip() {
-        let eccentric = eccentric();
-        let centred = RotorBody {
-            eccentricity: 0.0,
-            ..eccentric.clone()
+        let rigid = rotor().compliance();
+        let bending = RotorCompliance {
+            lateral: [[0.07, 0.01, 0.3], [0.01, 0.04, -0.2], [0.3, -0.2, 60.0]],
+            axial: 0.05,
         };
-        let guided = RotorBody {
-            guide: Some([[0.07, 0.01, 0.3], [0.01, 0.04, -0.2], [0.3, -0.2, 60.0]]),
-            ..centred.clone()
-        };
-        for body in [eccentric.clone(), centred.clone(), guided] {
-            let (motion, ring, contact) = touching(&body);
-            let loads = joint().loads(&contact, 0.0, 1.0);
-            let answer = body.response(&loads);
+        let [eccentric, centred] = [ECCENTRICITY, 0.0].map(|offset| joint(seat(offset)));
+        for (joint, rotor) in [
+            (&eccentric, rigid),
+            (&centred, rigid),
+            (&eccentric, bending),
+        ] {
+            let (motion, ring, contact) = touching(joint);
+            let loads = joint.loads(&contact, 0.0, 1.0);
+            let [x, y, _] = loads.force;
+            let yields = |[a, b, turn]: [f64; 3]| a * x + b * y + turn * loads.moment;
+            let [ax, ay, spin] = rotor.lateral.map(yields);
             let time = 1e-3;
             let after = RotorMotion {
-                vx: motion.vx + time * answer.linear[0],
-                vy: motion.vy + time * answer.linear[1],
-                speed: motion.speed + time * answer.spin,
+                vx: motion.vx + time * ax,
+                vy: motion.vy + time * ay,
+                speed: motion.speed + time * spin,
                 ..motion
             };
             let pushed = TurningRing {
@@ -255,15 +282,15 @@ mod tests {
                 },
                 speed: ring.speed + time * loads.ring_torque / RING.polar_inertia,
             };
-            let change = joint().slip(&body, &contact, &after, &pushed) - contact.contact.slip;
-            let mobility = joint().slip_mobility((&body, &RING), &contact);
+            let change = joint.slip(&contact, &after, &pushed) - contact.contact.slip;
+            let mobility = joint.slip_mobility(&rotor, &RING, &contact);
             assert!(
                 (-change / time / mobility - 1.0).abs() < 1e-9,
                 "{change} {mobility}"
             );
         }
         let shares = [eccentric, centred]
-            .map(|body| joint().slip_mobility((&body, &RING), &touching(&body).2));
+            .map(|joint| joint.slip_mobility(&rigid, &RING, &touching(&joint).2));
         assert!((shares[0] / shares[1] - 1.0).abs() > 1e-4, "{shares:?}");
     }
 
@@ -271,11 +298,11 @@ mod tests {
     /// take and the spring stores, wherever the mass centre is.
     #[test]
     fn powers_of_the_contact_close() {
-        let body = eccentric();
-        let (motion, ring, contact) = touching(&body);
+        let joint = joint(seat(ECCENTRICITY));
+        let (motion, ring, contact) = touching(&joint);
         assert!(contact.contact.force > 0.0);
         let friction = 0.15 * contact.contact.force;
-        let loads = joint().loads(&contact, contact.contact.force, friction);
+        let loads = joint.loads(&contact, contact.contact.force, friction);
         let power = motion.power(&loads)
             - loads.force[0] * ring.centre.vx
             - loads.force[1] * ring.centre.vy

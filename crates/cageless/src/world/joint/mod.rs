@@ -2,6 +2,7 @@
 
 pub(crate) mod impact;
 pub(crate) mod journal;
+pub(crate) mod rotor_seat;
 pub(crate) mod rotor_touch;
 pub(crate) mod shoulder;
 pub(crate) mod support;

@@ -14,6 +14,7 @@ use super::shoulder::{FaceContact, Shoulder, ShoulderMotion};
 use crate::contact::friction_step::{FrictionStep, SlidingPlace, StepEnds};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::layout::Layout;
+use crate::world::body::rotor::RotorCompliance;
 use crate::world::under_rotor::{Touch, UnderRotor};
 
 /// Places of friction round a face.
@@ -53,7 +54,7 @@ pub(crate) struct TouchStep<'y> {
 fn velocities(under: &UnderRotor, layout: Layout, y: &[f64], offset: [f64; 2]) -> Vector5<f64> {
     let motion = layout.rotor_motion(y).unwrap_or_default();
     let (journal, ring) = (
-        under.rotor.journal_motion(&motion, offset),
+        under.joint.seat.journal_motion(&motion, offset),
         layout.ring_motion(y),
     );
     Vector5::new(
@@ -76,6 +77,16 @@ fn touch_loads(loads: &Loads, [ex, ey]: [f64; 2]) -> TouchLoads {
 }
 
 impl RotorTouch {
+    /// Loads as of the last evaluation, with the friction at the end of the last step.
+    pub(crate) fn loads(&self, contact: &RotorContact) -> TouchLoads {
+        touch_loads(&self.loads, contact.offset)
+    }
+
+    /// Loads of the friction that changed velocities over the last step.
+    pub(crate) fn friction(&self, contact: &RotorContact) -> TouchLoads {
+        touch_loads(&self.mean_friction, contact.offset)
+    }
+
     /// Contacts that nothing has closed yet.
     pub(crate) fn new(shoulder: Option<&Shoulder>) -> Self {
         let mut touch = Self::default();
@@ -139,6 +150,7 @@ impl RotorTouch {
     pub(crate) fn implicit_friction(
         &mut self,
         under: &UnderRotor,
+        rotor: &RotorCompliance,
         contact: &mut RotorContact,
         layout: Layout,
         step: &TouchStep<'_>,
@@ -152,7 +164,7 @@ impl RotorTouch {
             [step.start, step.free].map(|y| velocities(under, layout, y, contact.offset));
         let solver = FrictionStep {
             law: &under.joint.friction,
-            compliance: compliance(under, contact.offset),
+            compliance: compliance(under, rotor, contact.offset),
             h_s: step.h_s,
             is_known: step.is_known,
         };
@@ -169,15 +181,15 @@ impl RotorTouch {
 }
 
 /// C of rotor and ring.
-fn compliance(under: &UnderRotor, offset: [f64; 2]) -> Matrix5<f64> {
+fn compliance(under: &UnderRotor, rotor: &RotorCompliance, offset: [f64; 2]) -> Matrix5<f64> {
     let mut compliance = Matrix5::zeros();
-    let of_journal = under.rotor.compliance(offset);
+    let of_journal = rotor.about(offset);
     for (i, row) in [0, 1, 3].into_iter().zip(of_journal) {
         for (j, value) in [0, 1, 3].into_iter().zip(row) {
             compliance[(i, j)] = value;
         }
     }
-    compliance[(2, 2)] = 1.0 / under.rotor.axial_mass;
+    compliance[(2, 2)] = rotor.axial;
     for axis in 0..3 {
         compliance[(axis, axis)] += 1.0 / under.ring.mass;
     }

@@ -2,11 +2,11 @@
 
 use nalgebra::{DVectorView, Vector2};
 
-use super::right_hand_side::JournalLoad;
+use super::rotor::RotorCompliance;
 use crate::linear_rotor::{DMatrix, DVector, LinearRotor};
-use crate::world::body::rotor::JournalCompliance;
+use crate::world::joint::TouchLoads;
 
-/// What acts on the rotor beside the bearings.
+/// Loads on a linear rotor beside those of its bearings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RotorLoads {
     /// g, m/s², along −Y.
@@ -27,13 +27,14 @@ pub(super) struct Motion<'y> {
 }
 
 /// Acceleration of u, of the spin, and along the axis.
-pub(super) type Response<'r> = (&'r [f64], [f64; 2]);
+pub(super) type Response<'r> = (&'r DVector<f64>, [f64; 2]);
 
 /// The equations with what they were evaluated to last:
 /// ü + (b + Ksdt·u)·Ω̇ = f, Ip·Ω̇ + bᵀ·ü = τ and m·z̈ = Fz.
-pub(super) struct RotorEquations<'m> {
-    rotor: &'m LinearRotor,
-    loads: RotorLoads,
+#[derive(Debug, Clone)]
+pub(super) struct LinearRotorEquations {
+    pub rotor: LinearRotor,
+    pub loads: RotorLoads,
     /// b = Σ Uj·i·e^(i(θ+φj)) at the places of the unbalances, over u.
     unbalance: DVector<f64>,
     /// b + Ksdt·u.
@@ -56,10 +57,11 @@ pub(super) fn at(rows: &DMatrix<f64>, u: &[f64]) -> [f64; 2] {
         .unwrap_or_default()
 }
 
-impl<'m> RotorEquations<'m> {
+impl LinearRotorEquations {
     /// The equations of a rotor under loads.
-    pub(super) fn new(rotor: &'m LinearRotor, loads: RotorLoads) -> Self {
-        let zeros = || DVector::zeros(rotor.coordinates());
+    pub(super) fn new(rotor: LinearRotor, loads: RotorLoads) -> Self {
+        let n = rotor.coordinates();
+        let zeros = || DVector::zeros(n);
         Self {
             rotor,
             loads,
@@ -89,7 +91,7 @@ impl<'m> RotorEquations<'m> {
 
     /// Sets forces and torque to those of everything but the bearings.
     pub(super) fn load(&mut self, motion: &Motion<'_>) {
-        let (r, loads, forces) = (self.rotor, &self.loads, &mut self.forces);
+        let (r, loads, forces) = (&self.rotor, &self.loads, &mut self.forces);
         forces.copy_from(&r.lift);
         *forces *= -loads.gravity;
         forces.gemv(-1.0, &r.damping, &motion.rates, 1.0);
@@ -106,11 +108,11 @@ impl<'m> RotorEquations<'m> {
     }
 
     /// Adds a load on journal `k`.
-    pub(super) fn add_load(&mut self, k: usize, [x, y, z, moment]: &JournalLoad) {
-        let force = Vector2::new(*x, *y);
+    pub(super) fn add_load(&mut self, k: usize, loads: &TouchLoads) {
+        let [x, y, z] = loads.force;
         self.forces
-            .gemv_tr(1.0, &self.rotor.journals[k], &force, 1.0);
-        self.torque += moment;
+            .gemv_tr(1.0, &self.rotor.journals[k], &Vector2::new(x, y), 1.0);
+        self.torque += loads.moment;
         self.axial += z;
     }
 
@@ -119,44 +121,46 @@ impl<'m> RotorEquations<'m> {
         let speed = (self.torque - self.unbalance.dot(&self.forces)) / self.inertia;
         self.forces.axpy(-speed, &self.spin_up, 1.0);
         let axial = self.axial / self.rotor.mass_kg();
-        (self.forces.as_slice(), [speed, axial])
+        (&self.forces, [speed, axial])
     }
 
     /// Accelerations under a load on journal `k` alone.
-    pub(super) fn respond_at(&mut self, k: usize, load: &JournalLoad) -> Response<'_> {
+    pub(super) fn respond_at(&mut self, k: usize, load: &TouchLoads) -> Response<'_> {
         self.forces.fill(0.0);
         (self.torque, self.axial) = (0.0, 0.0);
         self.add_load(k, load);
         self.respond()
     }
 
-    /// Response of journal `k` to unit loads across the axis and about it.
-    pub(super) fn compliance(&mut self, k: usize) -> JournalCompliance {
-        let journal = &self.rotor.journals[k];
-        let units = [0, 1, 3].map(|axis| std::array::from_fn(|k| f64::from(u8::from(k == axis))));
-        let columns = units.map(|unit| {
-            let (u, [speed, _]) = self.respond_at(k, &unit);
-            let [x, y] = at(journal, u);
-            [x, y, speed]
-        });
-        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+    /// Response of journal `k` to unit loads across the axis, about it and along it.
+    pub(super) fn compliance(&mut self, k: usize) -> RotorCompliance {
+        let mut loads = [TouchLoads::default(); 3];
+        (loads[0].force[0], loads[1].force[1], loads[2].moment) = (1.0, 1.0, 1.0);
+        let mut lateral = [[0.0; 3]; 3];
+        for (column, load) in loads.iter().enumerate() {
+            let (_, [spin, _]) = self.respond_at(k, load);
+            let [x, y] = at(&self.rotor.journals[k], self.forces.as_slice());
+            for (row, value) in lateral.iter_mut().zip([x, y, spin]) {
+                row[column] = value;
+            }
+        }
+        RotorCompliance {
+            lateral,
+            axial: 1.0 / self.rotor.mass_kg(),
+        }
     }
 
     /// Power of a load on journal `k`, W.
-    pub(super) fn power(
-        &self,
-        k: usize,
-        motion: &Motion<'_>,
-        [x, y, z, moment]: &JournalLoad,
-    ) -> f64 {
+    pub(super) fn power(&self, k: usize, motion: &Motion<'_>, loads: &TouchLoads) -> f64 {
         let rate = at(&self.rotor.journals[k], motion.rates.as_slice());
-        x * rate[0] + y * rate[1] + moment * motion.speed + z * motion.axial_speed
+        let [x, y, z] = loads.force;
+        x * rate[0] + y * rate[1] + loads.moment * motion.speed + z * motion.axial_speed
     }
 
     /// Powers of weight with given load and of the drive, and what damping, cross-coupled stiffness and Ksdt take out, W,
     /// with an acceleration of the spin.
     pub(super) fn powers(&mut self, motion: &Motion<'_>, spin: f64) -> [f64; 3] {
-        let (r, gravity) = (self.rotor, self.loads.gravity);
+        let (r, gravity) = (&self.rotor, self.loads.gravity);
         let mut weight =
             -gravity * r.lift.dot(&motion.rates) + self.loads.axial * motion.axial_speed;
         for unbalance in &r.unbalances {
