@@ -2,11 +2,9 @@
 //! stand in `cases/`.
 //!
 //! ```
-//! use cageless::{FrictionModel, Formulation};
-//! use cageless_paper::structure;
+//! use cageless_paper::{Reading, structure};
 //!
-//! let reading = (Formulation::Physical, FrictionModel::Smooth);
-//! let case = structure(3, reading, &[])?; // structure (d)
+//! let case = structure(3, Reading::CONSISTENT, &[])?; // structure (d)
 //! assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.1e-3);
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
@@ -16,12 +14,40 @@ use cageless_io::case_file::{CaseError, CaseFile, template};
 
 use cageless_study::RacewayLabel;
 
-/// The two sets of equations, each with the friction law that goes with it: as published,
-/// and physically consistent.
-pub(crate) const READINGS: [(Formulation, FrictionModel); 2] = [
-    (Formulation::Paper, FrictionModel::Coulomb),
-    (Formulation::Physical, FrictionModel::Smooth),
-];
+/// Equations of motion with a friction law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// Set of equations.
+    pub formulation: Formulation,
+    /// Friction law of the raceways.
+    pub law: FrictionModel,
+}
+
+impl Reading {
+    /// The equations as published, with their friction law.
+    pub const PUBLISHED: Self = Self::new(Formulation::Paper, FrictionModel::Coulomb);
+    /// The physically consistent equations, with theirs.
+    pub const CONSISTENT: Self = Self::new(Formulation::Physical, FrictionModel::Smooth);
+
+    pub(crate) const fn new(formulation: Formulation, law: FrictionModel) -> Self {
+        Self { formulation, law }
+    }
+
+    /// Both names: `paper, coulomb`.
+    pub(crate) fn names(self) -> String {
+        format!("{}, {}", self.formulation.name(), self.law.name())
+    }
+
+    fn overrides(self) -> [String; 2] {
+        [
+            format!("model.formulation=\"{}\"", self.formulation.name()),
+            format!("contact.friction_law=\"{}\"", self.law.name()),
+        ]
+    }
+}
+
+/// The two readings: as published, and physically consistent.
+pub(crate) const READINGS: [Reading; 2] = [Reading::PUBLISHED, Reading::CONSISTENT];
 
 /// A row of Table 2 with the judgement of Section 4.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,21 +69,23 @@ pub struct Published {
 /// The ten structures: Zhao 2022, Table 2 and Section 4.3.
 #[rustfmt::skip]
 pub const PUBLISHED: [Published; 10] = [
-    row('a', (4.95, 35.0), 1.8153, 1.8131, "double-collision"),
-    row('b', (5.0, 30.5), 1.8176, 1.8281, "double-collision"),
-    row('c', (5.05, 27.5), 1.8185, 1.8323, "double-collision"),
-    row('d', (5.1, 25.2), 1.8171, 1.8190, "smooth"),
-    row('e', (5.15, 23.5), 1.8183, 1.7932, "smooth"),
-    row('f', (5.2, 22.0), 1.8156, 1.7552, "smooth"),
-    row('g', (5.4, 18.167), 1.8161, 1.6589, "slips"),
-    row('h', (5.6, 15.774), 1.8161, 1.6594, "slips"),
-    row('i', (5.8, 14.062), 1.8161, 1.5416, "slips"),
-    row('j', (6.0, 12.717), 1.8160, 1.4538, "slips"),
+    row('a', 4.95, 35.0, 1.8153, 1.8131, "double-collision"),
+    row('b', 5.0, 30.5, 1.8176, 1.8281, "double-collision"),
+    row('c', 5.05, 27.5, 1.8185, 1.8323, "double-collision"),
+    row('d', 5.1, 25.2, 1.8171, 1.8190, "smooth"),
+    row('e', 5.15, 23.5, 1.8183, 1.7932, "smooth"),
+    row('f', 5.2, 22.0, 1.8156, 1.7552, "smooth"),
+    row('g', 5.4, 18.167, 1.8161, 1.6589, "slips"),
+    row('h', 5.6, 15.774, 1.8161, 1.6594, "slips"),
+    row('i', 5.8, 14.062, 1.8161, 1.5416, "slips"),
+    row('j', 6.0, 12.717, 1.8160, 1.4538, "slips"),
 ];
 
+/// A row with its numbers in the order of the table.
 const fn row(
     letter: char,
-    (axial_span_mm, half_angle_deg): (f64, f64),
+    axial_span_mm: f64,
+    half_angle_deg: f64,
     theory_deg: f64,
     simulated_deg: f64,
     verdict: &'static str,
@@ -143,18 +171,14 @@ pub fn experiment() -> Result<[CaseFile; 2], CaseError> {
 ///
 /// # Errors
 /// An override is wrong.
-pub fn structure(
-    k: usize,
-    reading: (Formulation, FrictionModel),
-    overrides: &[String],
-) -> Result<Case, CaseError> {
+pub fn structure(k: usize, reading: Reading, overrides: &[String]) -> Result<Case, CaseError> {
     Ok(structure_file(k, reading, overrides)?.case().clone())
 }
 
 /// The case file of [`structure`].
 pub(crate) fn structure_file(
     k: usize,
-    reading: (Formulation, FrictionModel),
+    reading: Reading,
     overrides: &[String],
 ) -> Result<CaseFile, CaseError> {
     let Published {
@@ -165,20 +189,8 @@ pub(crate) fn structure_file(
     } = PUBLISHED[k];
     let title =
         format!("Zhao 2022, structure ({letter}): lC {axial_span_mm:?} mm, θ {half_angle_deg:?}°");
-    let all = [
-        &raceway_overrides(k)[..],
-        &reading_overrides(reading),
-        overrides,
-    ]
-    .concat();
+    let all = [&raceway_overrides(k)[..], &reading.overrides(), overrides].concat();
     paper_case(false, &title, &all)
-}
-
-fn reading_overrides((formulation, law): (Formulation, FrictionModel)) -> [String; 2] {
-    [
-        format!("model.formulation=\"{}\"", formulation.name()),
-        format!("contact.friction_law=\"{}\"", law.name()),
-    ]
 }
 
 /// Label of structure `k` in reports.
@@ -202,10 +214,9 @@ pub fn structures_of(bearing: &Bearing) -> Result<Vec<RacewayLabel>, CaseError> 
             d.outer_shoulder_radius_m,
         )
     };
-    let reading = (Formulation::Physical, FrictionModel::Smooth);
     let mut here = vec![];
     for k in 0..PUBLISHED.len() {
-        let case = structure(k, reading, &[])?;
+        let case = structure(k, Reading::CONSISTENT, &[])?;
         if geometry(&case.bearing) == geometry(bearing) {
             here.push(label(k, &case));
         }

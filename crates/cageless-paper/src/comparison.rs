@@ -20,7 +20,7 @@ use cageless_study::threads::each;
 use cageless_study::{SAMPLING_HZ, StudyError, Task, Work, provenance};
 use rayon::prelude::*;
 
-use outcome::{Outcome, outcome};
+use outcome::{Outcome, Recorded, outcome};
 
 use crate::cases;
 use crate::error::housing;
@@ -325,15 +325,14 @@ fn side_by_side(
         let Some(orbit_hz) = orbits.orbit_hz() else {
             return crate::error::not_computed();
         };
-        let vertical = [vibration, quiet].map(|recorder| &recorder.measurements()[1]);
-        outcomes.push(outcome(
-            cases[k],
-            &ended,
-            vertical,
+        let recorded = Recorded {
+            ended: &ended,
+            vertical: &vibration.measurements()[1],
+            quiet: &quiet.measurements()[1],
             orbit_hz,
-            &contacts[k],
-            load_zone_rad,
-        )?);
+            contacts: &contacts[k],
+        };
+        outcomes.push(outcome(cases[k], &recorded, load_zone_rad)?);
     }
     Ok(outcomes)
 }

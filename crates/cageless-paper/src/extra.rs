@@ -2,11 +2,10 @@
 
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::{StartingPoint, starting_point};
-use cageless::{Formulation, FrictionModel};
 use cageless_study::threads::both;
 use cageless_study::{StudyError, Work};
 
-use crate::cases::{self, READINGS};
+use crate::cases::{self, READINGS, Reading};
 
 /// Steps, about.
 pub const WORK: f64 = 6.4e5;
@@ -25,7 +24,7 @@ pub struct Extra {
 
 /// Computes them.
 pub fn compute(progress: &Work<'_>) -> Result<Extra, StudyError> {
-    let usable = |reading: (Formulation, FrictionModel)| {
+    let usable = |reading: Reading| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {
             Ok(found) => found,

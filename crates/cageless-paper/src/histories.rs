@@ -4,15 +4,15 @@
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
+use cageless::Case;
 use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::numerics::wrap_angle_rad;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::run;
-use cageless::{Case, Formulation, FrictionModel};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 
-use crate::cases::{self, READINGS, label};
+use crate::cases::{self, READINGS, Reading, label};
 use cageless_study::threads::both;
 use cageless_study::{StudyError, Work, provenance};
 
@@ -68,7 +68,7 @@ pub fn compute(progress: &Work<'_>) -> Result<[History; 2], StudyError> {
     Ok([both.0?, both.1?])
 }
 
-fn one(reading: (Formulation, FrictionModel), progress: &Work<'_>) -> Result<History, StudyError> {
+fn one(reading: Reading, progress: &Work<'_>) -> Result<History, StudyError> {
     // As in the paper: balls in pure rolling, the ring where it was before the load came.
     let overrides = [
         "start.state=\"rolling\"".to_owned(),
@@ -162,26 +162,52 @@ fn load_zone_rad(snapshots: &[Snapshot]) -> f64 {
     angles.get(angles.len() * 99 / 100).copied().unwrap_or(0.0)
 }
 
-fn gap_history(
-    case: &Case,
-    snapshots: &[Snapshot],
-    ball: usize,
-    provenance: Provenance,
-) -> (GapHistory, Stages) {
-    let ahead = (ball + 1) % case.bearing.balls();
-    let theta = case.raceways[0].half_angle_rad();
-    let zone = load_zone_rad(snapshots);
-    let end_s = snapshots.last().map_or(0.0, |s| s.time_s);
-    // The last turn that is whole: stage e is the trailing ball leaving the load zone.
-    let e = passes_s(snapshots, ball, zone, end_s, true).unwrap_or(end_s);
-    let d = passes_s(snapshots, ball, theta, e, true).unwrap_or(e);
-    let c = passes_s(snapshots, ahead, -theta, d, true).unwrap_or(d);
-    let b = passes_s(snapshots, ball, -zone, c, true).unwrap_or(c);
-    let a = passes_s(snapshots, ball, zone, b, true).unwrap_or(b);
-    let turn: Vec<&Snapshot> = snapshots
-        .iter()
-        .filter(|s| s.time_s >= a && s.time_s <= e)
-        .collect();
+/// Ends of the stages of Fig. 6 in one turn of a pair, s.
+struct StageEnds {
+    /// The trailing ball leaves the load zone.
+    a: f64,
+    /// It comes back into the load zone.
+    b: f64,
+    /// The leading ball enters the discrete raceway.
+    c: f64,
+    /// The trailing ball leaves the discrete raceway.
+    d: f64,
+    /// The trailing ball leaves the load zone again.
+    e: f64,
+}
+
+impl StageEnds {
+    /// Those of the last turn that is whole: stage e is the trailing ball leaving the load zone.
+    fn of_last_turn(case: &Case, snapshots: &[Snapshot], ball: usize) -> Self {
+        let ahead = (ball + 1) % case.bearing.balls();
+        let theta = case.raceways[0].half_angle_rad();
+        let zone = load_zone_rad(snapshots);
+        let end_s = snapshots.last().map_or(0.0, |s| s.time_s);
+        let before = |k: usize, angle: f64, near_s: f64| {
+            passes_s(snapshots, k, angle, near_s, true).unwrap_or(near_s)
+        };
+        let e = before(ball, zone, end_s);
+        let d = before(ball, theta, e);
+        let c = before(ahead, -theta, d);
+        let b = before(ball, -zone, c);
+        let a = before(ball, zone, b);
+        Self { a, b, c, d, e }
+    }
+
+    fn events(&self) -> Vec<Event> {
+        vec![
+            Event::new("a", self.a, "the trailing ball leaves the load zone"),
+            Event::new("b", self.b, "it comes back into the load zone"),
+            Event::new("c", self.c, "the leading ball enters the discrete raceway"),
+            Event::new("d", self.d, "the trailing ball leaves the discrete raceway"),
+            Event::new("e", self.e, "the trailing ball leaves the load zone again"),
+        ]
+    }
+}
+
+/// Changes of a gap in the stages of one turn.
+fn stages_of(case: &Case, turn: &[&Snapshot], ends: &StageEnds, ball: usize) -> Stages {
+    let &StageEnds { a, b, c, d, e } = ends;
     let gap = |s: &Snapshot| s.gap_rad[ball].to_degrees();
     let within = |from: f64, to: f64| {
         turn.iter()
@@ -199,7 +225,7 @@ fn gap_history(
         case.operation.inner_speed_rad_s * case.bearing.dimensions().inner_groove_bottom_radius_m;
     let loaded = || within(b, c).chain(within(d, e));
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-    let stages = Stages {
+    Stages {
         unloaded_change_deg: range(a, b),
         raceway_change_deg: range(c, d),
         loaded_change_deg: largest(&mut loaded().map(|s| (gap(s) - beta0).abs())),
@@ -210,7 +236,21 @@ fn gap_history(
                 / inner_m_s
         })),
         ..Stages::default()
-    };
+    }
+}
+
+fn gap_history(
+    case: &Case,
+    snapshots: &[Snapshot],
+    ball: usize,
+    provenance: Provenance,
+) -> (GapHistory, Stages) {
+    let ends = StageEnds::of_last_turn(case, snapshots, ball);
+    let turn: Vec<&Snapshot> = snapshots
+        .iter()
+        .filter(|s| s.time_s >= ends.a && s.time_s <= ends.e)
+        .collect();
+    let gap = |s: &Snapshot| s.gap_rad[ball].to_degrees();
     let history = GapHistory {
         structure: label(0, case),
         ball: ball + 1,
@@ -219,17 +259,50 @@ fn gap_history(
         settled_after_s: SETTLED_AFTER_S,
         turn_time_s: turn.iter().map(|s| s.time_s).collect(),
         turn_gap_deg: turn.iter().map(|s| gap(s)).collect(),
-        stages: vec![
-            Event::new("a", a, "the trailing ball leaves the load zone"),
-            Event::new("b", b, "it comes back into the load zone"),
-            Event::new("c", c, "the leading ball enters the discrete raceway"),
-            Event::new("d", d, "the trailing ball leaves the discrete raceway"),
-            Event::new("e", e, "the trailing ball leaves the load zone again"),
-        ],
-        uniform_gap_deg: beta0,
+        stages: ends.events(),
+        uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
         provenance,
     };
-    (history, stages)
+    (history, stages_of(case, &turn, &ends, ball))
+}
+
+/// A passage of a ball through the discrete raceway.
+#[derive(Clone, Copy)]
+struct BallPassage {
+    ball: usize,
+    /// The ball enters the raceway, s.
+    enter_s: f64,
+    /// It hits the ball ahead, then the ball behind hits it, s; `None` unless both happen.
+    hits_s: Option<[f64; 2]>,
+}
+
+/// Passages in which a ball is hit by both neighbours, from the last one.
+fn double_passages(
+    case: &Case,
+    snapshots: &[Snapshot],
+    collisions: &[Collision],
+) -> Vec<BallPassage> {
+    let theta = case.raceways[0].half_angle_rad();
+    // t2: ball i hits i+1; t4: i−1 hits i, later, while i is still inside.
+    collisions
+        .iter()
+        .rev()
+        .filter(|c| c.start_s > SETTLED_AFTER_S)
+        .filter_map(|c| {
+            let (ball, t4) = (c.next_ball, c.start_s);
+            let enter_s = passes_s(snapshots, ball, -theta, t4, true)?;
+            let left = passes_s(snapshots, ball, theta, enter_s, false)?;
+            let t2 = collisions
+                .iter()
+                .find(|o| o.ball == ball && o.start_s > enter_s && o.start_s < t4)?
+                .start_s;
+            (t4 < left).then_some(BallPassage {
+                ball,
+                enter_s,
+                hits_s: Some([t2, t4]),
+            })
+        })
+        .collect()
 }
 
 /// A ball hit by both neighbours in one passage, the last one in the run; else the last
@@ -244,28 +317,17 @@ fn neighbours(
     let theta = case.raceways[0].half_angle_rad();
     let end_s = snapshots.last().map_or(0.0, |s| s.time_s);
     let enter = |k: usize, near: f64| passes_s(snapshots, k, -theta, near, true);
-    // t2: ball i hits i+1; t4: i−1 hits i, later, while i is still inside.
-    let double: Vec<_> = collisions
-        .iter()
-        .rev()
-        .filter(|c| c.start_s > SETTLED_AFTER_S)
-        .filter_map(|c| {
-            let i = c.next_ball;
-            let (t4, t1) = (c.start_s, enter(i, c.start_s)?);
-            let left = passes_s(snapshots, i, theta, t1, false)?;
-            let t2 = collisions
-                .iter()
-                .find(|o| o.ball == i && o.start_s > t1 && o.start_s < t4)?
-                .start_s;
-            (t4 < left).then_some((i, t1, Some(t2), Some(t4)))
-        })
-        .collect();
-    let passages: HashSet<(usize, u64)> = double.iter().map(|p| (p.0, p.1.to_bits())).collect();
-    let fallback = || {
-        let t1 = enter(1, end_s - 0.01).unwrap_or(0.0);
-        (1, t1, None, None)
+    let double = double_passages(case, snapshots, collisions);
+    let passages: HashSet<(usize, u64)> =
+        (double.iter().map(|p| (p.ball, p.enter_s.to_bits()))).collect();
+    let fallback = || BallPassage {
+        ball: 1,
+        enter_s: enter(1, end_s - 0.01).unwrap_or(0.0),
+        hits_s: None,
     };
-    let (i, t1, t2, t4) = double.first().copied().unwrap_or_else(fallback);
+    let shown = double.first().copied().unwrap_or_else(fallback);
+    let (i, t1) = (shown.ball, shown.enter_s);
+    let [t2, t4] = shown.hits_s.map_or([None; 2], |hits| hits.map(Some));
     let (behind, ahead) = ((i + n - 1) % n, (i + 1) % n);
     let t0 = enter(ahead, t1).unwrap_or(t1);
     let t3 = passes_s(snapshots, behind, -theta, t1, false).unwrap_or(t1);

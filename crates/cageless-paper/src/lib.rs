@@ -27,7 +27,7 @@ use cageless_study::{Progress, StudyError, Task, Work};
 use cases::READINGS;
 use error::not_computed;
 
-pub use cases::{ODD_ROW, PUBLISHED, Published, experiment, structure, structures_of};
+pub use cases::{ODD_ROW, PUBLISHED, Published, Reading, experiment, structure, structures_of};
 
 /// Computes every table and figure, in parallel on the threads of the caller's rayon pool.
 ///

@@ -11,11 +11,11 @@ use cageless::numerics::Moments;
 use cageless::numerics::wrap_angle_rad;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::recorder::{Recorder, keeping};
-use cageless::{Case, Formulation, FrictionModel, RacewayForm};
+use cageless::{Case, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
-use crate::cases::{self, PUBLISHED, Published, READINGS, label};
+use crate::cases::{self, PUBLISHED, Published, READINGS, Reading, label};
 use crate::printed::PRINTED;
 use cageless_study::threads::each;
 use cageless_study::{StudyError, Work, provenance};
@@ -205,12 +205,7 @@ pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], StudyError> {
     Ok([gather(found, READINGS[0])?, gather(physical, READINGS[1])?])
 }
 
-fn one(
-    reading: (Formulation, FrictionModel),
-    k: usize,
-    progress: &Work<'_>,
-    share: f64,
-) -> Result<One, StudyError> {
+fn one(reading: Reading, k: usize, progress: &Work<'_>, share: f64) -> Result<One, StudyError> {
     let case = cases::structure(k, reading, &[])?;
     let steady = steady_case(&case);
     let end_s = steady.solver.duration_s;
@@ -280,7 +275,7 @@ fn last_passage(snapshots: &[Snapshot]) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-fn gather(ones: Vec<One>, reading: (Formulation, FrictionModel)) -> Result<Ten, StudyError> {
+fn gather(ones: Vec<One>, reading: Reading) -> Result<Ten, StudyError> {
     let provenance = shared_provenance(&cases::structure(0, reading, &[])?);
     let (found, portraits, passages) = ones.into_iter().collect();
     Ok(Ten {

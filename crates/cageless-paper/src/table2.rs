@@ -9,32 +9,47 @@ use cageless::{Case, FlankModel, Formulation, FrictionModel};
 use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 
-use crate::cases::{self, ODD_ROW, PUBLISHED, label};
+use crate::cases::{self, ODD_ROW, PUBLISHED, Reading, label};
 use cageless_study::threads::each;
 use cageless_study::{StudyError, Work};
 
+/// A column: one reading of the paper on flanks of one kind.
+#[derive(Clone, Copy)]
+struct Column {
+    reading: Reading,
+    flanks: FlankModel,
+}
+
+impl Column {
+    const fn rigid(formulation: Formulation, law: FrictionModel) -> Self {
+        Self {
+            reading: Reading::new(formulation, law),
+            flanks: FlankModel::Rigid,
+        }
+    }
+
+    /// Its head.
+    fn variant(&self) -> Variant {
+        Variant {
+            formulation: match self.flanks {
+                FlankModel::Rigid => self.reading.formulation.name().to_owned(),
+                FlankModel::Elastic => Variant::ELASTIC.to_owned(),
+            },
+            friction_law: self.reading.law.name().to_owned(),
+        }
+    }
+}
+
 /// Columns: what the paper can be read as, and the flanks of metal.
-const VARIANTS: [((Formulation, FrictionModel), FlankModel); 5] = [
-    (
-        (Formulation::Paper, FrictionModel::Coulomb),
-        FlankModel::Rigid,
-    ),
-    (
-        (Formulation::Paper, FrictionModel::Smooth),
-        FlankModel::Rigid,
-    ),
-    (
-        (Formulation::Physical, FrictionModel::Coulomb),
-        FlankModel::Rigid,
-    ),
-    (
-        (Formulation::Physical, FrictionModel::Smooth),
-        FlankModel::Rigid,
-    ),
-    (
-        (Formulation::Physical, FrictionModel::Smooth),
-        FlankModel::Elastic,
-    ),
+const COLUMNS: [Column; 5] = [
+    Column::rigid(Formulation::Paper, FrictionModel::Coulomb),
+    Column::rigid(Formulation::Paper, FrictionModel::Smooth),
+    Column::rigid(Formulation::Physical, FrictionModel::Coulomb),
+    Column::rigid(Formulation::Physical, FrictionModel::Smooth),
+    Column {
+        reading: Reading::CONSISTENT,
+        flanks: FlankModel::Elastic,
+    },
 ];
 /// Columns whose spread is shown.
 const SPREAD_OF: [usize; 2] = [0, 3];
@@ -145,124 +160,148 @@ fn gap_deg(case: &Case, test: &PairTest, progress: &Work<'_>) -> Result<Option<f
     }
 }
 
-fn step_override(step_us: f64) -> String {
-    format!("solver.step_us={step_us}")
+/// One gap that is computed.
+struct Task<'a> {
+    column: usize,
+    row: usize,
+    change: &'a Change,
+}
+
+impl Task<'_> {
+    /// Its gap, degrees; `None` where there is none, or the user ended the work.
+    fn gap_deg(&self, progress: &Work<'_>) -> Result<Option<f64>, StudyError> {
+        let Column { reading, flanks } = COLUMNS[self.column];
+        let mut overrides = vec![format!("solver.step_us={}", self.change.step_us)];
+        if flanks == FlankModel::Elastic {
+            overrides.push("model.flanks=elastic".to_owned());
+        }
+        overrides.extend(self.change.overrides.iter().map(|&o| o.to_owned()));
+        let case = cases::structure(self.row, reading, &overrides)?;
+        gap_deg(&case, &self.change.test, progress)
+    }
+}
+
+/// The gaps of the table and of the spreads, with what they were computed for.
+struct Gaps<'a> {
+    tasks: Vec<Task<'a>>,
+    /// Gap of each task, degrees.
+    deg: Vec<Option<f64>>,
+}
+
+impl<'a> Gaps<'a> {
+    /// Computes them: those of the table itself, then for the columns whose spread is shown the
+    /// base of the spreads and every change.
+    fn compute(
+        fine: &'a Change,
+        base: &'a Change,
+        changes: &'a [Change],
+        progress: &Work<'_>,
+    ) -> Result<Self, StudyError> {
+        let of_rows = |column, change| {
+            (0..PUBLISHED.len()).map(move |row| Task {
+                column,
+                row,
+                change,
+            })
+        };
+        // One task for every gap, the longest first.
+        let mut tasks: Vec<_> = (0..COLUMNS.len()).flat_map(|c| of_rows(c, fine)).collect();
+        for column in SPREAD_OF {
+            // What differs from the table in nothing is computed once.
+            let others = std::iter::once(base).chain(changes).filter(|c| !c.is(fine));
+            tasks.extend(others.flat_map(|change| of_rows(column, change)));
+        }
+        let share = WORK / tasks.len() as f64;
+        let gap = |task: &Task<'_>| {
+            if progress.interrupted() {
+                return Ok(None);
+            }
+            let gap_deg = task.gap_deg(progress);
+            let _ = progress.add(share);
+            gap_deg
+        };
+        let found: Result<_, StudyError> = each(&tasks).with_max_len(1).map(gap).collect();
+        Ok(Self { deg: found?, tasks })
+    }
+
+    /// Gap of a column and a row under a change, degrees.
+    fn deg(&self, column: usize, row: usize, change: &Change) -> Option<f64> {
+        let is = |t: &Task<'_>| (t.column, t.row) == (column, row) && t.change.is(change);
+        self.tasks.iter().position(is).and_then(|k| self.deg[k])
+    }
 }
 
 /// Computes all gaps.
 pub fn compute(progress: &Work<'_>) -> Result<Computed, StudyError> {
     let changes = changes();
-    // One task for every gap, the longest first: those of the table itself, then for the
-    // columns whose spread is shown the base of the spreads and every change.
     let base = base();
     let fine = Change {
         step_us: STEP_US,
         ..base
     };
-    let mut tasks: Vec<(usize, usize, &Change)> = vec![];
-    for column in 0..VARIANTS.len() {
-        tasks.extend((0..10).map(|row| (column, row, &fine)));
-    }
-    for column in SPREAD_OF {
-        for change in std::iter::once(&base).chain(&changes) {
-            // What differs from the table in nothing is computed once.
-            if !change.is(&fine) {
-                tasks.extend((0..10).map(|row| (column, row, change)));
-            }
-        }
-    }
-    let share = WORK / tasks.len() as f64;
-    let gaps: Vec<Option<f64>> = each(&tasks)
-        .with_max_len(1)
-        .map(|&(column, row, change)| {
-            if progress.interrupted() {
-                return Ok(None);
-            }
-            let (reading, flanks) = VARIANTS[column];
-            let mut overrides = vec![step_override(change.step_us)];
-            if flanks == FlankModel::Elastic {
-                overrides.push("model.flanks=elastic".to_owned());
-            }
-            overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
-            let case = cases::structure(row, reading, &overrides)?;
-            let gap = gap_deg(&case, &change.test, progress);
-            let _ = progress.add(share);
-            gap
-        })
-        .collect::<Result<_, StudyError>>()?;
-    let find = |column: usize, row: usize, change: &Change| {
-        tasks
-            .iter()
-            .position(|t| (t.0, t.1) == (column, row) && t.2.is(change))
-            .and_then(|k| gaps[k])
+    let gaps = Gaps::compute(&fine, &base, &changes, progress)?;
+    let rows = (0..PUBLISHED.len()).map(|k| {
+        let computed = (0..COLUMNS.len()).map(|column| gaps.deg(column, k, &fine));
+        row(k, computed.collect())
+    });
+    let spread = |column: usize, change: &Change| Spread {
+        cause: change.cause.to_owned(),
+        variant: COLUMNS[column].reading.names(),
+        change_deg: (0..PUBLISHED.len())
+            .map(|row| {
+                let before = gaps.deg(column, row, &base)?;
+                gaps.deg(column, row, change).map(|gap| gap - before)
+            })
+            .collect(),
     };
-
-    let mut rows = vec![];
-    for (k, published) in PUBLISHED.iter().enumerate() {
-        let case = cases::structure(k, VARIANTS[0].0, &[])?;
-        let theory =
-            |meaning| theoretical_gap_rad(&case.bearing, &case.raceways[0], meaning).to_degrees();
-        rows.push(Table2Row {
-            structure: label(k, &case),
-            theory_deg: theory(Eq11::Published),
-            theory_polar_deg: Some(theory(Eq11::Polar)),
-            paper_theory_deg: published.theory_deg,
-            paper_simulated_deg: published.simulated_deg,
-            critical_gap_deg: (0..VARIANTS.len()).map(|c| find(c, k, &fine)).collect(),
-            remark: if k == ODD_ROW {
-                "repeats the value of 5.40 mm".to_owned()
-            } else {
-                String::new()
-            },
-        });
-    }
-    let mut spreads = vec![];
-    for column in SPREAD_OF {
-        let ((formulation, law), _) = VARIANTS[column];
-        for change in &changes {
-            spreads.push(Spread {
-                cause: change.cause.to_owned(),
-                variant: format!("{}, {}", formulation.name(), law.name()),
-                change_deg: (0..10)
-                    .map(|row| {
-                        let before = find(column, row, &base)?;
-                        find(column, row, change).map(|gap| gap - before)
-                    })
-                    .collect(),
-            });
-        }
-    }
-    let case = cases::structure(0, VARIANTS[0].0, &[])?;
+    let spreads = SPREAD_OF.iter().flat_map(|&column| {
+        let spread = &spread;
+        changes.iter().map(move |change| spread(column, change))
+    });
     Ok(Computed {
         table: Table2 {
-            variants: VARIANTS
-                .iter()
-                .map(|&((formulation, law), flanks)| Variant {
-                    formulation: match flanks {
-                        FlankModel::Rigid => formulation.name().to_owned(),
-                        FlankModel::Elastic => Variant::ELASTIC.to_owned(),
-                    },
-                    friction_law: law.name().to_owned(),
-                })
-                .collect(),
-            rows,
-            spreads,
-            provenance: Provenance {
-                case: format!(
-                    "Zhao 2022, Table 1, {:.0} N, structures (a) to (j), one pair rolling into the \
-                     raceway",
-                    case.operation.radial_load_n
-                ),
-                formulation: Some("as in the column heads".to_owned()),
-                friction_law: Some("as in the column heads".to_owned()),
-                film: None,
-                method: Some("ABM4".to_owned()),
-                step_us: Some(STEP_US),
-                discarded: "nothing; the pair starts rolling at ψ = −90°, the ring in static \
-                            equilibrium"
-                    .to_owned(),
-            },
+            variants: COLUMNS.iter().map(Column::variant).collect(),
+            rows: rows.collect::<Result<_, StudyError>>()?,
+            spreads: spreads.collect(),
+            provenance: provenance()?,
         },
+    })
+}
+
+/// A row with its computed gaps, degrees.
+fn row(k: usize, critical_gap_deg: Vec<Option<f64>>) -> Result<Table2Row, StudyError> {
+    let case = cases::structure(k, COLUMNS[0].reading, &[])?;
+    let theory =
+        |meaning| theoretical_gap_rad(&case.bearing, &case.raceways[0], meaning).to_degrees();
+    Ok(Table2Row {
+        structure: label(k, &case),
+        theory_deg: theory(Eq11::Published),
+        theory_polar_deg: Some(theory(Eq11::Polar)),
+        paper_theory_deg: PUBLISHED[k].theory_deg,
+        paper_simulated_deg: PUBLISHED[k].simulated_deg,
+        critical_gap_deg,
+        remark: if k == ODD_ROW {
+            "repeats the value of 5.40 mm".to_owned()
+        } else {
+            String::new()
+        },
+    })
+}
+
+fn provenance() -> Result<Provenance, StudyError> {
+    let case = cases::structure(0, COLUMNS[0].reading, &[])?;
+    Ok(Provenance {
+        case: format!(
+            "Zhao 2022, Table 1, {:.0} N, structures (a) to (j), one pair rolling into the raceway",
+            case.operation.radial_load_n
+        ),
+        formulation: Some("as in the column heads".to_owned()),
+        friction_law: Some("as in the column heads".to_owned()),
+        film: None,
+        method: Some("ABM4".to_owned()),
+        step_us: Some(STEP_US),
+        discarded: "nothing; the pair starts rolling at ψ = −90°, the ring in static equilibrium"
+            .to_owned(),
     })
 }
 
@@ -287,8 +326,7 @@ impl Computed {
 
     /// Largest |change| of a spread over the rows, degrees; NaN if one has no critical gap.
     pub fn spread_deg(&self, cause: &str, column: usize) -> f64 {
-        let ((formulation, law), _) = VARIANTS[column];
-        let variant = format!("{}, {}", formulation.name(), law.name());
+        let variant = COLUMNS[column].reading.names();
         self.table
             .spreads
             .iter()

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use cageless::{Case, Formulation, FrictionModel};
+use cageless::Case;
 use cageless_io::case_file::CaseFile;
-use cageless_paper::{experiment, structure, structures_of};
+use cageless_paper::{Reading, experiment, structure, structures_of};
 
 /// Compares a case with that of a file, the outside of the ring apart: no equation of the paper has it.
 fn assert_is_of_file(mut case: Case, name: &str) {
@@ -17,9 +17,8 @@ fn assert_is_of_file(mut case: Case, name: &str) {
 
 #[test]
 fn structures_are_those_of_the_case_files() {
-    let reading = (Formulation::Physical, FrictionModel::Smooth);
     for (k, letter) in ('a'..='j').enumerate() {
-        let case = structure(k, reading, &[]).unwrap();
+        let case = structure(k, Reading::CONSISTENT, &[]).unwrap();
         assert_is_of_file(case, &format!("zhao-{letter}"));
     }
 }
@@ -36,11 +35,10 @@ fn the_experiment_is_that_of_the_case_files() {
 
 #[test]
 fn the_structures_of_the_paper_are_those_of_its_bearing() {
-    let reading = (Formulation::Physical, FrictionModel::Smooth);
-    let case = structure(3, reading, &[]).unwrap();
+    let case = structure(3, Reading::CONSISTENT, &[]).unwrap();
     let own = structures_of(&case.bearing).unwrap();
     assert_eq!(own.len(), 10);
     assert_eq!((own[3].letter.as_str(), own[3].half_angle_deg), ("d", 25.2));
-    let other = structure(3, reading, &["bearing.balls=13".to_owned()]).unwrap();
+    let other = structure(3, Reading::CONSISTENT, &["bearing.balls=13".to_owned()]).unwrap();
     assert!(structures_of(&other.bearing).unwrap().is_empty());
 }

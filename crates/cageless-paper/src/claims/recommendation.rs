@@ -57,24 +57,7 @@ fn classes(e: &Evidence) -> Claim {
         )
     };
     let predicted = |b: &&Between| b.judgement.verdict == prediction(b);
-    let between: Vec<String> = e
-        .between
-        .iter()
-        .map(|b| {
-            let Judgement { verdict, .. } = b.judgement;
-            let other = if predicted(&b) {
-                String::new()
-            } else {
-                format!(" (2θ predicts {})", prediction(b).label())
-            };
-            format!(
-                "lC {:.2} mm, 2θ {:.1}°: {}{other}",
-                b.axial_span_mm,
-                2.0 * b.half_angle_deg,
-                verdict.label()
-            )
-        })
-        .collect();
+    let between: Vec<String> = e.between.iter().map(|b| midway(b, prediction(b))).collect();
     Claim::of_the_model(
         "Section 4.3",
         "(a)–(c) have double collisions, (d)–(f) are reasonable, (g)–(j) slide: by 2θ from 2(ε + β0) on, \
@@ -110,6 +93,22 @@ fn classes(e: &Evidence) -> Claim {
         paper.len(),
         letters(physical)
     ))
+}
+
+/// Verdict on a structure midway between two of the ten, with the prediction where that is another.
+fn midway(b: &Between, prediction: RacewayVerdict) -> String {
+    let Judgement { verdict, .. } = b.judgement;
+    let other = if verdict == prediction {
+        String::new()
+    } else {
+        format!(" (2θ predicts {})", prediction.label())
+    };
+    format!(
+        "lC {:.2} mm, 2θ {:.1}°: {}{other}",
+        b.axial_span_mm,
+        2.0 * b.half_angle_deg,
+        verdict.label()
+    )
 }
 
 fn three_balls(e: &Evidence) -> Claim {

@@ -228,49 +228,60 @@ fn superiority(e: &Evidence) -> Claim {
     ))
 }
 
+/// What is asked of one result in steady operation.
+struct SteadyRequirement {
+    /// Name of the result.
+    result: &'static str,
+    quantity: &'static str,
+    /// Said where it is met.
+    met: &'static str,
+    /// Said where it is missed.
+    missed: &'static str,
+}
+
+const IN_STEADY_OPERATION: [SteadyRequirement; 6] = [
+    SteadyRequirement {
+        result: "contact_rate_hz",
+        quantity: "contacts",
+        met: "Once the transient has died out, contacts are fewer.",
+        missed: "Once the transient has died out, contacts are not fewer.",
+    },
+    SteadyRequirement {
+        result: "gap_deviation_deg",
+        quantity: "scatter of the gaps",
+        met: "Balls are spread more evenly.",
+        missed: "Balls are not spread more evenly.",
+    },
+    SteadyRequirement {
+        result: "outer_ring_force_deviation_n",
+        quantity: "variation of the force",
+        met: "The force on the outer ring varies less.",
+        missed: "The force on the outer ring varies no less.",
+    },
+    SteadyRequirement {
+        result: "vibration_rms_m_s2",
+        quantity: "vibration of the housing",
+        met: "The housing vibrates less.",
+        missed: "The housing vibrates no less.",
+    },
+    SteadyRequirement {
+        result: "ball_pressure_max_mpa",
+        quantity: "largest pressure between balls",
+        met: "Contacts are softer.",
+        missed: "Contacts are harder.",
+    },
+    SteadyRequirement {
+        result: "power_loss_w",
+        quantity: "losses",
+        met: "The bearing loses less.",
+        missed: "The bearing loses more.",
+    },
+];
+
 /// Superiority in steady operation: draws of real balls, the transient left out.
 fn in_steady_operation(e: &Evidence) -> Claim {
-    // Name of a result, its requirement and what is said of it.
-    let asked = [
-        (
-            "contact_rate_hz",
-            "contacts",
-            "Once the transient has died out, contacts are fewer.",
-            "Once the transient has died out, contacts are not fewer.",
-        ),
-        (
-            "gap_deviation_deg",
-            "scatter of the gaps",
-            "Balls are spread more evenly.",
-            "Balls are not spread more evenly.",
-        ),
-        (
-            "outer_ring_force_deviation_n",
-            "variation of the force",
-            "The force on the outer ring varies less.",
-            "The force on the outer ring varies no less.",
-        ),
-        (
-            "vibration_rms_m_s2",
-            "vibration of the housing",
-            "The housing vibrates less.",
-            "The housing vibrates no less.",
-        ),
-        (
-            "ball_pressure_max_mpa",
-            "largest pressure between balls",
-            "Contacts are softer.",
-            "Contacts are harder.",
-        ),
-        (
-            "power_loss_w",
-            "losses",
-            "The bearing loses less.",
-            "The bearing loses more.",
-        ),
-    ];
-    let requirement = |(name, quantity, met, missed): (&str, &str, &str, &str)| {
-        let found = (e.steady.results.iter()).find(|result| result.quantity.name == name);
+    let requirement = |asked: SteadyRequirement| {
+        let found = (e.steady.results.iter()).find(|result| result.quantity.name == asked.result);
         let pair = found.and_then(|result| result.values[0].zip(result.values[1]));
         let [ratio, error] = pair.map_or([f64::NAN; 2], |(plain, discrete)| {
             let ratio = plain.mean / discrete.mean;
@@ -278,14 +289,14 @@ fn in_steady_operation(e: &Evidence) -> Claim {
             let limit = two_sided_limit(SIGNIFICANCE, discrete.starts.max(2) - 1);
             [ratio, limit * ratio * relative[0].hypot(relative[1])]
         });
-        let quantity = format!("{quantity}, conventional over structure (d)");
-        Requirement::above(&quantity, ratio, error, 1.0).says(met, missed)
+        let quantity = format!("{}, conventional over structure (d)", asked.quantity);
+        Requirement::above(&quantity, ratio, error, 1.0).says(asked.met, asked.missed)
     };
     Claim::of_the_model(
         "Section 6",
         "In steady operation, the discrete raceway reduces the collisions between the balls and is superior to \
          conventional bearings.",
-        asked.map(requirement).into(),
+        IN_STEADY_OPERATION.map(requirement).into(),
     )
     .remark("The runs of half a second above hold the transient from the start.")
     .numbers(&e.steady.statement)

@@ -25,21 +25,33 @@ pub fn claims(e: &Evidence) -> Vec<Claim> {
     ]
 }
 
+/// Root mean squares of the residuals of two models against the printed gaps, degrees.
+struct Residuals {
+    model: f64,
+    /// Of the gap of evenly spaced balls.
+    constant: f64,
+}
+
+impl Residuals {
+    fn ratio(&self) -> f64 {
+        self.model / self.constant
+    }
+}
+
 fn simulated(e: &Evidence) -> Claim {
     let t = &e.table2;
-    // Residuals of the model and of the constant gap of evenly spaced balls.
     let residuals = |rows: std::ops::Range<usize>| {
         let rows = || rows.clone().filter(|k| *k != ODD_ROW);
         let printed = |k: usize| t.table.rows[k].paper_simulated_deg;
-        [
-            rms(rows().map(|k| t.gap_deg(0, k) - printed(k))),
-            rms(rows().map(|k| e.printed.nominal_gap_deg - printed(k))),
-        ]
+        Residuals {
+            model: rms(rows().map(|k| t.gap_deg(0, k) - printed(k))),
+            constant: rms(rows().map(|k| e.printed.nominal_gap_deg - printed(k))),
+        }
     };
     let [short, long] = [residuals(4..10), residuals(0..4)];
-    let ratio = |name: &str, [model, constant]: [f64; 2], limit: f64| {
+    let ratio = |name: &str, of: &Residuals, limit: f64| {
         let quantity = format!("{name}: RMS residual over that of the constant β0");
-        Requirement::at_most(&quantity, model / constant, limit, "")
+        Requirement::at_most(&quantity, of.ratio(), limit, "")
     };
     Claim::of_the_model(
         "Table 2, simulated values",
@@ -55,11 +67,11 @@ fn simulated(e: &Evidence) -> Claim {
                 "The model as published with sign(ΔV) gives nine of the ten.",
                 "The model as published with sign(ΔV) does not give nine of the ten.",
             ),
-            ratio("(e) to (j)", short, 0.2).says(
+            ratio("(e) to (j)", &short, 0.2).says(
                 "(e) to (j) tell it from a constant gap.",
                 "(e) to (j) do not tell it from a constant gap.",
             ),
-            ratio("(a) to (d)", long, 0.5).says(
+            ratio("(a) to (d)", &long, 0.5).says(
                 "(a) to (d) do, too.",
                 "(a) to (d) do not tell it from a constant gap: they confirm nothing.",
             ),
@@ -74,10 +86,10 @@ fn simulated(e: &Evidence) -> Claim {
          to (j) {:.3}° and {:.3}°; the step moves the rows by up to {:.3}°, the start by {:.3}°, \
          reading touch as δb > 0 by {:.3}°, wider neighbours by {:.3}°",
         e.printed.nominal_gap_deg,
-        long[0],
-        long[1],
-        short[0],
-        short[1],
+        long.model,
+        long.constant,
+        short.model,
+        short.constant,
         t.spread_deg("step", 0),
         t.spread_deg("start", 0),
         t.spread_deg("touch", 0),

@@ -123,7 +123,8 @@ fn speed(e: &Evidence) -> Claim {
     let neglected = e.printed.neglected_deg;
     let gaps = &e.extra.at_speeds_deg;
     let polar_deg = e.table2.table.rows[3].theory_polar_deg;
-    let changed = |name: &str, [slow, fast]: [f64; 2]| {
+    let changed = |name: &str, at_speeds_deg: [f64; 2]| {
+        let [slow, fast] = at_speeds_deg;
         let quantity = format!("{name}: change of the critical gap from 3000 to 12 000 rpm");
         Requirement::at_most(&quantity, (fast - slow).abs(), neglected, "°").says(
             format!("The gap of {name} does not depend on it."),

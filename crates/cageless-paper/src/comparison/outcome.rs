@@ -25,15 +25,30 @@ pub struct Outcome {
     pub transition_shares: [[f64; 2]; 3],
 }
 
+/// A run that has ended, with what was recorded of it.
+pub struct Recorded<'a> {
+    pub ended: &'a RunOutcome,
+    /// Vertical vibration of the housing.
+    pub vertical: &'a Measurement,
+    /// The same without the contacts between balls.
+    pub quiet: &'a Measurement,
+    pub orbit_hz: f64,
+    pub contacts: &'a [Collision],
+}
+
 /// Numbers of a run that has ended, whose load zone ends at ±`load_zone_rad`.
 pub fn outcome(
     case: &Case,
-    ended: &RunOutcome,
-    [vertical, quiet]: [&Measurement; 2],
-    orbit_hz: f64,
-    contacts: &[Collision],
+    recorded: &Recorded<'_>,
     load_zone_rad: f64,
 ) -> Result<Outcome, StudyError> {
+    let &Recorded {
+        ended,
+        vertical,
+        quiet,
+        orbit_hz,
+        contacts,
+    } = recorded;
     let after_s = case.solver.duration_s / 2.0;
     let of = |trace: &[[f64; 2]]| -> Vec<f64> {
         let settled = trace.iter().filter(|[time_s, _]| *time_s >= after_s);
