@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::designation::BoundaryDimensions;
+use crate::designation::{BoundaryDimensions, InternalGeometry};
 
 const STEEL_KG_M3: f64 = 7850.0;
 const GRAVITY_M_S2: f64 = 9.81;
@@ -16,39 +16,58 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
+/// An inner ring, or a pair of them, as a steel cylinder from the bore to a tenth of the ball diameter above the groove.
+struct AssumedRing {
+    mass_kg: f64,
+    polar_inertia_kg_m2: f64,
+    /// Its description.
+    of: &'static str,
+}
+
+impl AssumedRing {
+    fn new(bearing: &BoundaryDimensions, geometry: &InternalGeometry) -> Self {
+        let ball_m = 1e-3 * geometry.ball_diameter_mm;
+        let outer_m = (1e-3 * geometry.pitch_diameter_mm - ball_m) / 2.0 + 0.1 * ball_m;
+        let bore_radius_m = 1e-3 * bearing.bore_mm / 2.0;
+        let area_m2 = PI * (outer_m.powi(2) - bore_radius_m.powi(2));
+        // Angular contact bearings come in pairs.
+        let (rings, of) = match bearing.contact_angle_deg > 0.0 {
+            true => (2.0, "steel rings"),
+            false => (1.0, "steel ring"),
+        };
+        let mass_kg = rings * STEEL_KG_M3 * area_m2 * 1e-3 * bearing.width_mm;
+        Self {
+            mass_kg,
+            polar_inertia_kg_m2: 0.5 * mass_kg * (outer_m.powi(2) + bore_radius_m.powi(2)),
+            of,
+        }
+    }
+}
+
 /// The case file `text` of a bearing with a rotor that drops onto it, in place of its operation.
 pub fn touchdown_case(bearing: &BoundaryDimensions, full_complement: bool, text: &str) -> String {
     let geometry = bearing.internal_geometry(full_complement);
-    let (ball_m, bore_m) = (1e-3 * geometry.ball_diameter_mm, 1e-3 * bearing.bore_mm);
-    // A steel cylinder from the bore to a tenth of the ball diameter above the groove.
-    let outer_m = (1e-3 * geometry.pitch_diameter_mm - ball_m) / 2.0 + 0.1 * ball_m;
-    let bore_radius_m = bore_m / 2.0;
-    let area_m2 = PI * (outer_m.powi(2) - bore_radius_m.powi(2));
-    // Angular contact bearings come in pairs.
-    let (rings, of_steel) = match bearing.contact_angle_deg > 0.0 {
-        true => (2.0, "steel rings"),
-        false => (1.0, "steel ring"),
-    };
-    let ring_kg = rings * STEEL_KG_M3 * area_m2 * 1e-3 * bearing.width_mm;
-    let ring_inertia = 0.5 * ring_kg * (outer_m.powi(2) + bore_radius_m.powi(2));
+    let bore_m = 1e-3 * bearing.bore_mm;
+    let inner_ring = AssumedRing::new(bearing, &geometry);
     let static_n = 12.0 * geometry.balls as f64 * geometry.ball_diameter_mm.powi(2);
     let rotor_kg = rounded(LOAD_SHARE * static_n / GRAVITY_M_S2);
     let rotor_inertia = rounded(rotor_kg * bore_m * bore_m);
     let speed_rpm = rounded(SPEED_BORE / bearing.bore_mm);
     let support_n_m = 2e7;
-    let support_kg = rounded(2.5 * ring_kg);
+    let support_kg = rounded(2.5 * inner_ring.mass_kg);
     // A fifth of 2·√(k·m).
     let damping = rounded(0.4 * (support_n_m * rotor_kg).sqrt());
-    let [speed_rpm, rotor_kg, ring_kg] = [speed_rpm, rotor_kg, rounded(ring_kg)];
-    let ring_inertia = rounded(ring_inertia);
+    let ring_kg = rounded(inner_ring.mass_kg);
+    let ring_inertia = rounded(inner_ring.polar_inertia_kg_m2);
     let drop_m_s = (2.0 * GRAVITY_M_S2 * 200e-6).sqrt();
-    let surface_m_s = speed_rpm * TAU / 60.0 * bore_radius_m;
+    let surface_m_s = speed_rpm * TAU / 60.0 * bore_m / 2.0;
     let ring = format!(
         "\
 [bearing]
-inner_ring_mass_kg = {ring_kg:<25} # (assumed) {of_steel} of width B
+inner_ring_mass_kg = {ring_kg:<25} # (assumed) {of} of width B
 inner_ring_polar_inertia_kg_m2 = {ring_inertia:<13e} # (assumed) of that ring; it decides the spin-up
-"
+",
+        of = inner_ring.of
     );
     let head = text.split("[operation]").next().unwrap_or(text);
     let head = head.replacen("[bearing]\n", &ring, 1);

@@ -37,19 +37,7 @@ pub(crate) fn geometry(
         Ok(settled) => settled.map_err(|error| error.to_string()),
         Err(refused) => Err(refused),
     };
-    let estimate = settled.as_ref().ok().map(|(_, estimate)| {
-        let terms: Vec<Value> = estimate
-            .terms()
-            .iter()
-            .map(|t| {
-                json!({
-                    "name": t.name, "value": t.value, "limit": t.limit,
-                    "margin": t.margin(), "at_least": t.at_least, "meaning": t.meaning,
-                })
-            })
-            .collect();
-        json!({ "passes": estimate.passes(), "terms": terms })
-    });
+    let estimate = settled.as_ref().ok().map(|(_, of)| shown(of));
     let design = Results::of(DESIGN, Subject::Design(case));
     let mut rows = json!({ "design": rows(&design), "static": [] });
     let statics = match &settled {
@@ -85,6 +73,17 @@ pub(crate) fn geometry(
         "rotor": rotor(case),
         "space": space(case),
     }))
+}
+
+/// The terms of an estimate, and whether all are kept.
+fn shown(estimate: &Estimate) -> Value {
+    let terms = estimate.terms().iter().map(|t| {
+        json!({
+            "name": t.name, "value": t.value, "limit": t.limit,
+            "margin": t.margin(), "at_least": t.at_least, "meaning": t.meaning,
+        })
+    });
+    json!({ "passes": estimate.passes(), "terms": terms.collect::<Vec<Value>>() })
 }
 
 /// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.

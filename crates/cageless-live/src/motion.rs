@@ -53,49 +53,79 @@ fn unhex(text: &str, count: usize) -> Result<Vec<f64>, Refusal> {
         .ok_or_else(|| Refusal::new("resume is not what the last stretch returned"))
 }
 
+impl Stretch {
+    /// Time from one frame to the next, s.
+    fn interval_s(&self, case: &Case) -> Result<f64, Refusal> {
+        let duration_s = self.duration_s;
+        if !(duration_s > 0.0 && duration_s / case.solver.step_s <= STEPS_MAX) {
+            return Err(Refusal::new(format!(
+                "duration_s = {duration_s} is not possible: more than 0 and at most {:e} s, which is \
+                 {STEPS_MAX:e} steps",
+                STEPS_MAX * case.solver.step_s
+            )));
+        }
+        if !(1..=FRAMES_MAX).contains(&self.frames) {
+            let message = format!("frames = {}: 1 to {FRAMES_MAX} are allowed", self.frames);
+            return Err(Refusal::new(message));
+        }
+        let interval_s = duration_s / self.frames as f64;
+        const LEAST_S: f64 = Particulars::INTERVAL_MIN_S;
+        if !(interval_s >= LEAST_S) {
+            return Err(Refusal::new(format!(
+                "duration_s = {duration_s:e} in {} frames is not possible: at least {LEAST_S:e} s \
+                 from one to the next",
+                self.frames
+            )));
+        }
+        Ok(interval_s)
+    }
+}
+
+/// Where a stretch begins.
+struct Start {
+    time_s: f64,
+    state: State,
+    /// ψ of the balls.
+    angles_rad: Vec<f64>,
+}
+
+impl Start {
+    fn of(
+        case: &Case,
+        stretch: &Stretch,
+        control: &mut dyn FnMut(f64) -> Control,
+    ) -> Result<Self, Refusal> {
+        let Some(resume) = &stretch.resume else {
+            let (state, angles_rad) = initial_state_controlled(case, &mut || control(0.0))?;
+            return Ok(Self {
+                time_s: 0.0,
+                state,
+                angles_rad,
+            });
+        };
+        // Time, state, ψ of the balls.
+        let mut state = State::zero(Layout::of_case(case));
+        let length = state.values().len();
+        let values = unhex(resume, 1 + length + case.balls())?;
+        let (own, angles_rad) = values[1..].split_at(length);
+        state.values_mut().copy_from_slice(own);
+        Ok(Self {
+            time_s: values[0],
+            state,
+            angles_rad: angles_rad.to_vec(),
+        })
+    }
+}
+
 /// Runs a stretch and returns its frames, its collisions so far and what the next needs.
 pub(crate) fn motion(
     case: &Case,
     stretch: &Stretch,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Value, Refusal> {
-    let duration_s = stretch.duration_s;
-    if !(duration_s > 0.0 && duration_s / case.solver.step_s <= STEPS_MAX) {
-        return Err(Refusal::new(format!(
-            "duration_s = {duration_s} is not possible: more than 0 and at most {:e} s, which is \
-             {STEPS_MAX:e} steps",
-            STEPS_MAX * case.solver.step_s
-        )));
-    }
-    if !(1..=FRAMES_MAX).contains(&stretch.frames) {
-        let message = format!("frames = {}: 1 to {FRAMES_MAX} are allowed", stretch.frames);
-        return Err(Refusal::new(message));
-    }
-    let interval_s = duration_s / stretch.frames as f64;
-    const LEAST_S: f64 = Particulars::INTERVAL_MIN_S;
-    if !(interval_s >= LEAST_S) {
-        return Err(Refusal::new(format!(
-            "duration_s = {duration_s:e} in {} frames is not possible: at least {LEAST_S:e} s \
-             from one to the next",
-            stretch.frames
-        )));
-    }
-    let balls = case.balls();
-    let (from_s, state, angles) = match &stretch.resume {
-        None => {
-            let (state, angles) = initial_state_controlled(case, &mut || control(0.0))?;
-            (0.0, state, angles)
-        }
-        Some(resume) => {
-            // Time, state, ψ of the balls.
-            let mut state = State::zero(Layout::of_case(case));
-            let length = state.values().len();
-            let values = unhex(resume, 1 + length + balls)?;
-            let (own, angles) = values[1..].split_at(length);
-            state.values_mut().copy_from_slice(own);
-            (values[0], state, angles.to_vec())
-        }
-    };
+    let (duration_s, interval_s) = (stretch.duration_s, stretch.interval_s(case)?);
+    let start = Start::of(case, stretch, control)?;
+    let from_s = start.time_s;
     let mut part = case.clone();
     part.solver.duration_s = duration_s;
     part.operation = case.operation.from_time(from_s);
@@ -109,7 +139,7 @@ pub(crate) fn motion(
             frames.push(snapshot);
             Ok(())
         });
-        let mut simulation = Simulation::at(&part, &state, &angles)?;
+        let mut simulation = Simulation::at(&part, &start.state, &start.angles_rad)?;
         simulation.run_controlled(duration_s, &mut [&mut recorder], &mut |time_s| {
             control(time_s / duration_s)
         })

@@ -83,6 +83,49 @@ fn watch_installed_targets(libraries: &Path) {
     }
 }
 
+/// Whether the libraries of the target are there; `None` where the compiler does not say.
+fn target_is_installed() -> Option<bool> {
+    let rustc = env::var_os("RUSTC")?;
+    let libraries = Command::new(rustc)
+        .args(["--print", "target-libdir", "--target", TARGET])
+        .output()
+        .ok()?;
+    let libraries = String::from_utf8_lossy(&libraries.stdout).trim().to_owned();
+    watch_installed_targets(Path::new(&libraries));
+    Some(!libraries.is_empty() && Path::new(&libraries).is_dir())
+}
+
+/// The command that builds the engine into the folder `target`.
+fn build(manifest: &Path, target: &Path) -> Option<Command> {
+    let mut cargo = Command::new(env::var_os("CARGO")?);
+    cargo
+        .args([
+            "build",
+            "--release",
+            "--locked",
+            "--target",
+            TARGET,
+            "--manifest-path",
+        ])
+        .arg(manifest)
+        .arg("--target-dir")
+        .arg(target)
+        .args(SMALL.iter().flat_map(|setting| ["--config", setting]))
+        .env("RUSTFLAGS", "-C target-feature=+simd128")
+        .env("CARGO_PROFILE_RELEASE_DEBUG", "false")
+        .env("CARGO_PROFILE_RELEASE_STRIP", "true");
+    // Settings for the host and of wrappers such as clippy.
+    for name in [
+        "CARGO_ENCODED_RUSTFLAGS",
+        "RUSTC_WORKSPACE_WRAPPER",
+        "CARGO_TARGET_DIR",
+        "CARGO_BUILD_TARGET",
+    ] {
+        cargo.env_remove(name);
+    }
+    Some(cargo)
+}
+
 /// The engine; `None`, with a warning, where it cannot be compiled.
 fn compiled(out: &Path) -> Option<Vec<u8>> {
     // Engines that are not optimised are too slow to watch, and tests do not need them.
@@ -105,47 +148,14 @@ fn compiled(out: &Path) -> Option<Vec<u8>> {
             crates.join(name).join("Cargo.toml").display()
         );
     }
-    let rustc = env::var_os("RUSTC")?;
-    let libraries = Command::new(rustc)
-        .args(["--print", "target-libdir", "--target", TARGET])
-        .output()
-        .ok()?;
-    let libraries = String::from_utf8_lossy(&libraries.stdout).trim().to_owned();
-    watch_installed_targets(Path::new(&libraries));
-    if libraries.is_empty() || !Path::new(&libraries).is_dir() {
+    if !target_is_installed()? {
         println!(
             "cargo:warning=pages get no engine of their own: `rustup target add {TARGET}` and build again to add it"
         );
         return None;
     }
     let target = out.join("engine");
-    let mut cargo = Command::new(env::var_os("CARGO")?);
-    cargo
-        .args([
-            "build",
-            "--release",
-            "--locked",
-            "--target",
-            TARGET,
-            "--manifest-path",
-        ])
-        .arg(&manifest)
-        .arg("--target-dir")
-        .arg(&target)
-        .args(SMALL.iter().flat_map(|setting| ["--config", setting]))
-        .env("RUSTFLAGS", "-C target-feature=+simd128")
-        .env("CARGO_PROFILE_RELEASE_DEBUG", "false")
-        .env("CARGO_PROFILE_RELEASE_STRIP", "true");
-    // Settings for the host and of wrappers such as clippy.
-    for name in [
-        "CARGO_ENCODED_RUSTFLAGS",
-        "RUSTC_WORKSPACE_WRAPPER",
-        "CARGO_TARGET_DIR",
-        "CARGO_BUILD_TARGET",
-    ] {
-        cargo.env_remove(name);
-    }
-    let made = cargo.output();
+    let made = build(&manifest, &target)?.output();
     let log = match &made {
         Ok(made) if made.status.success() => None,
         Ok(made) => Some(String::from_utf8_lossy(&made.stderr).into_owned()),

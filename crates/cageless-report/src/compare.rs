@@ -25,27 +25,7 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         .map(|(run, film)| format!("{}{film}: {}", shown(run), run.data.lead))
         .collect();
     let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
-    let judged = comparison.benefits.iter().flatten();
-    let judged = judged.map(|benefit| (benefit.benefit.helps(), benefit.headline.clone()));
-    let works = comparison.runs.iter().zip(&comparison.verdicts);
-    let works = works.map(|(name, verdict)| match verdict.headline.as_str() {
-        "" => (verdict.passes, String::new()),
-        headline => (verdict.passes, format!("{name}: {headline}")),
-    });
-    let unjudged = comparison.draws.grade.is_none();
-    let all = judged.chain(works.filter(|_| unjudged));
-    let head = all.fold(Head::default(), |head, (passes, text)| {
-        head.verdict(passes, &text)
-    });
-    let of_ring = comparison.runs.iter().zip(&comparison.limits);
-    let head = of_ring.fold(head, |head, (name, limits)| {
-        let named = limits.verdicts().into_iter();
-        let named: Vec<_> = named
-            .map(|(kept, text)| (kept, format!("{name}: {text}")))
-            .collect();
-        head.limits(&named)
-    });
-    page.head(&head);
+    page.head(&head(comparison));
     if comparison.draws.seed.is_some() {
         page.open_with(figures::benefit(comparison, &provenance(runs)));
     } else {
@@ -59,7 +39,7 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     }
     page.section("Differences");
     // What is judged stands in the head.
-    if unjudged {
+    if comparison.draws.grade.is_none() {
         page.paragraph(&comparison.statement);
     }
     let subject = comparison.subject_over_time();
@@ -84,6 +64,29 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     section(&mut page, "Inner ring and loads");
     page.figures(figures::ring(runs).into_iter().chain(figures::loads(runs)));
     page.html()
+}
+
+/// Verdicts on the remedies, or on each run where none is judged, and the limits of each.
+fn head(comparison: &RingComparison) -> Head {
+    let judged = comparison.benefits.iter().flatten();
+    let judged = judged.map(|benefit| (benefit.benefit.helps(), benefit.headline.clone()));
+    let works = comparison.runs.iter().zip(&comparison.verdicts);
+    let works = works.map(|(name, verdict)| match verdict.headline.as_str() {
+        "" => (verdict.passes, String::new()),
+        headline => (verdict.passes, format!("{name}: {headline}")),
+    });
+    let all = judged.chain(works.filter(|_| comparison.draws.grade.is_none()));
+    let head = all.fold(Head::default(), |head, (passes, text)| {
+        head.verdict(passes, &text)
+    });
+    let of_ring = comparison.runs.iter().zip(&comparison.limits);
+    of_ring.fold(head, |head, (name, limits)| {
+        let named = limits.verdicts().into_iter();
+        let named: Vec<_> = named
+            .map(|(kept, text)| (kept, format!("{name}: {text}")))
+            .collect();
+        head.limits(&named)
+    })
 }
 
 /// Section with benefit, cost and what a remedy changes.

@@ -106,6 +106,15 @@ impl RacewaySurface {
         Self::in_row(Some(raceway), bearing, 1.0, structure)
     }
 
+    /// Adds a row of points with their deviations.
+    fn push(&mut self, points_mm: Vec<[f64; 3]>, deviations_um: Vec<f64>) {
+        let of = |k: usize| points_mm.iter().map(|point| point[k]).collect();
+        self.x_mm.push(of(0));
+        self.y_mm.push(of(1));
+        self.z_mm.push(of(2));
+        self.deviation_um.push(deviations_um);
+    }
+
     /// [`Self::sample`] of a row of this contact sign, without a raceway of the plain groove.
     pub fn in_row(
         raceway: Option<&Raceway>,
@@ -130,16 +139,11 @@ impl RacewaySurface {
             let (rho, local) = (x.hypot(y), x.atan2(-y) - centre);
             [rho * local.sin(), -rho * local.cos(), z].map(|v| v * 1e3)
         };
+        let deviation_um =
+            |[x, y, z]: &[f64; 3]| ((x.hypot(*y) - plain).hypot(z - plain_z) - re) * 1e6;
         let mut row = |points: Vec<[f64; 3]>| {
-            let deviation =
-                |[x, y, z]: &[f64; 3]| ((x.hypot(*y) - plain).hypot(z - plain_z) - re) * 1e6;
-            let deviations = points.iter().map(deviation).collect();
-            let drawn: Vec<[f64; 3]> = points.into_iter().map(turned).collect();
-            let of = |k: usize| drawn.iter().map(|point| point[k]).collect();
-            surface.x_mm.push(of(0));
-            surface.y_mm.push(of(1));
-            surface.z_mm.push(of(2));
-            surface.deviation_um.push(deviations);
+            let deviations_um = points.iter().map(deviation_um).collect();
+            surface.push(points.into_iter().map(turned).collect(), deviations_um);
         };
         let mut places: Vec<f64> = (0..ALONG).map(|k| half * fraction(k, ALONG)).collect();
         if let Some(recess) = groove.recess() {

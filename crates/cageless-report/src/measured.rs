@@ -74,17 +74,41 @@ fn dimensions(page: &mut Page, raceway: &Record, nth: Option<usize>) {
     );
 }
 
+/// Least and largest of the values of points.
+fn ends(points: &[PointOff], of: &dyn Fn(&PointOff) -> f64) -> [f64; 2] {
+    let values = points.iter().map(of);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+        [a.min(v), b.max(v)]
+    })
+}
+
+/// Cells of equal width along an axis.
+struct Cells {
+    from: f64,
+    to: f64,
+    count: usize,
+}
+
+impl Cells {
+    /// The cell of a value.
+    fn of(&self, value: f64) -> usize {
+        let Self { from, to, count } = *self;
+        (((value - from) / (to - from) * count as f64) as usize).min(count - 1)
+    }
+
+    fn middles(&self) -> Vec<f64> {
+        let width = (self.to - self.from) / self.count as f64;
+        (0..self.count)
+            .map(|k| self.from + (k as f64 + 0.5) * width)
+            .collect()
+    }
+}
+
 /// Means of the deviations over angle and axial position; `None` without points.
 pub fn deviation_map(points: &[PointOff], source: &Provenance) -> Option<Figure> {
-    let ends = |of: &dyn Fn(&PointOff) -> f64| {
-        let values = points.iter().map(of);
-        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-            [a.min(v), b.max(v)]
-        })
-    };
     let along = |p: &PointOff| p.angle_rad.to_degrees();
     let across = |p: &PointOff| mm(p.axial_m);
-    let (angles, heights) = (ends(&along), ends(&across));
+    let (angles, heights) = (ends(points, &along), ends(points, &across));
     if points.is_empty() || !(angles[1] > angles[0] && heights[1] > heights[0]) {
         return None;
     }
@@ -93,14 +117,16 @@ pub fn deviation_map(points: &[PointOff], source: &Provenance) -> Option<Figure>
     let share = (points.len() as f64 / (POINTS_PER_CELL * most * high))
         .sqrt()
         .min(1.0);
-    let counts = CELLS.map(|cells| (cells * share).ceil().max(2.0) as usize);
-    let cell = |value: f64, [from, to]: [f64; 2], count: usize| {
-        (((value - from) / (to - from) * count as f64) as usize).min(count - 1)
+    let cells = |ends: [f64; 2], most: f64| Cells {
+        from: ends[0],
+        to: ends[1],
+        count: (most * share).ceil().max(2.0) as usize,
     };
-    let mut sums = vec![vec![(0.0, 0.0); counts[0]]; counts[1]];
+    let (angles, heights) = (cells(angles, most), cells(heights, high));
+    let mut sums = vec![vec![(0.0, 0.0); angles.count]; heights.count];
     for point in points {
-        let column = cell(along(point), angles, counts[0]);
-        let (sum, count) = &mut sums[cell(across(point), heights, counts[1])][column];
+        let (row, column) = (heights.of(across(point)), angles.of(along(point)));
+        let (sum, count) = &mut sums[row][column];
         *sum += um(point.deviation_m);
         *count += 1.0;
     }
@@ -120,19 +146,13 @@ pub fn deviation_map(points: &[PointOff], source: &Provenance) -> Option<Figure>
         cells.collect()
     };
     let z: Value = sums.iter().map(row).collect();
-    let middles = |[from, to]: [f64; 2], count: usize| -> Vec<f64> {
-        let width = (to - from) / count as f64;
-        (0..count)
-            .map(|k| from + (k as f64 + 0.5) * width)
-            .collect()
-    };
     let plot = Plot::new(420)
         .margin([72, 24, 24, 58])
         .x("Angle ψ (°)", json!({}))
         .y("Axial position z (mm)", json!({}))
         .trace(json!({
-            "type": "heatmap", "x": numbers(&middles(angles, counts[0])),
-            "y": numbers(&middles(heights, counts[1])), "z": z, "name": "deviation",
+            "type": "heatmap", "x": numbers(&angles.middles()),
+            "y": numbers(&heights.middles()), "z": z, "name": "deviation",
             "zmin": number(-largest), "zmax": number(largest), "colorscale": "RdBu",
             "colorbar": { "title": { "text": "Deviation (µm)", "side": "right" }, "thickness": 14 },
             "hovertemplate": "ψ %{x:.1f}°<br>z %{y:.2f} mm<br>%{z:.2f} µm<extra></extra>",

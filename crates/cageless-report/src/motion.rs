@@ -220,29 +220,8 @@ fn bearing(motion: &Motion, half: f64) -> String {
         Some(rotor) => out.push_str(&ring_and_rotor(rotor, inner)),
     }
     for (k, angles) in motion.angle_deg.iter().enumerate() {
-        let angle = angles
-            .first()
-            .copied()
-            .filter(|a| a.is_finite())
-            .unwrap_or_default()
-            .to_radians();
-        let (x, y) = (
-            o.pitch_radius_mm * angle.sin(),
-            o.pitch_radius_mm * angle.cos(),
-        );
-        let (fill, text) = match k {
-            0 => ("#0072b2", "#ffffff"),
-            1 => ("#56b4e9", "#10242e"),
-            _ => ("#f4f5f6", INK),
-        };
-        let _ = writeln!(
-            out,
-            "<g data-ball transform=\"translate({x:.4},{y:.4})\"><circle r=\"{:.4}\" fill=\"{fill}\" \
-             stroke=\"#555555\" stroke-width=\"0.2\"/><text y=\"1.1\" font-size=\"3\" \
-             text-anchor=\"middle\" fill=\"{text}\">{}</text></g>",
-            o.ball_radius_mm - 0.1,
-            motion.balls_before + k + 1
-        );
+        let angle_deg = angles.first().copied().filter(|a| a.is_finite());
+        out.push_str(&ball(motion, k, angle_deg.unwrap_or_default().to_radians()));
     }
     for _ in &motion.angle_deg {
         let _ = writeln!(
@@ -258,6 +237,27 @@ fn bearing(motion: &Motion, half: f64) -> String {
         );
     }
     out
+}
+
+/// Ball `k` at ψ.
+fn ball(motion: &Motion, k: usize, angle: f64) -> String {
+    let o = &motion.outline;
+    let (x, y) = (
+        o.pitch_radius_mm * angle.sin(),
+        o.pitch_radius_mm * angle.cos(),
+    );
+    let (fill, text) = match k {
+        0 => ("#0072b2", "#ffffff"),
+        1 => ("#56b4e9", "#10242e"),
+        _ => ("#f4f5f6", INK),
+    };
+    format!(
+        "<g data-ball transform=\"translate({x:.4},{y:.4})\"><circle r=\"{:.4}\" fill=\"{fill}\" \
+         stroke=\"#555555\" stroke-width=\"0.2\"/><text y=\"1.1\" font-size=\"3\" \
+         text-anchor=\"middle\" fill=\"{text}\">{}</text></g>\n",
+        o.ball_radius_mm - 0.1,
+        motion.balls_before + k + 1
+    )
 }
 
 /// Inner ring with its bore and the rotor in it, each with a mark that turns.

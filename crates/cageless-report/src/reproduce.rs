@@ -2,6 +2,7 @@
 
 use cageless::vibration::AFTER_CONTACT_S;
 
+use crate::comparison::RingComparison;
 use crate::figures::{comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
@@ -53,35 +54,40 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     let vibrations = data.vibrations.iter();
     page.figures(vibrations.map(|v| vibration::vibration("Figure 12", v).with_formulation()));
     if let Some(rings) = &data.ring_comparison {
-        page.section("Rings compared with equal and unequal balls");
-        page.paragraph(&format!(
-            "{} At passing: the part of the power spectrum at the multiples of the balls' mean \
-             orbital frequency, where everything lies that recurs with each orbit, contacts \
-             included if they do; between: the rest. The squares of the two add up to that of the \
-             RMS, start by start. Contacts cut out: the housing under the same force, but with a \
-             straight line from each touch of two balls to {} ms after they part; contacts alone: \
-             the housing under what was cut out. These two add up as signals; their squares do \
-             not where they are correlated, as they are where balls stay in contact for much of a \
-             passage: the line then takes out force of the passage as well, and the rest may \
-             exceed the whole. Contacts: from touch to parting, in the part of the \
-             run that is not discarded.",
-            rings.starts,
-            AFTER_CONTACT_S * 1e3
-        ));
-        page.paragraph(&format!(
-            "Left out by the model: {}.",
-            rings.left_out.join(", ")
-        ));
-        page.paragraph(&format!(
-            "To repeat the comparison: {}. The raceways found by search: {}.",
-            rings.command,
-            rings.search_commands.join(", ")
-        ));
-        page.figure(&comparison::comparison(rings));
-        rings.tables().iter().for_each(|t| page.table(t));
+        rings_compared(&mut page, rings);
     }
     studio_section(&mut page, &data.case_toml, STUDIO);
     page.html()
+}
+
+/// Section on rings with equal and unequal balls.
+fn rings_compared(page: &mut Page, rings: &RingComparison) {
+    page.section("Rings compared with equal and unequal balls");
+    page.paragraph(&format!(
+        "{} At passing: the part of the power spectrum at the multiples of the balls' mean \
+         orbital frequency, where everything lies that recurs with each orbit, contacts \
+         included if they do; between: the rest. The squares of the two add up to that of the \
+         RMS, start by start. Contacts cut out: the housing under the same force, but with a \
+         straight line from each touch of two balls to {} ms after they part; contacts alone: \
+         the housing under what was cut out. These two add up as signals; their squares do \
+         not where they are correlated, as they are where balls stay in contact for much of a \
+         passage: the line then takes out force of the passage as well, and the rest may \
+         exceed the whole. Contacts: from touch to parting, in the part of the \
+         run that is not discarded.",
+        rings.starts,
+        AFTER_CONTACT_S * 1e3
+    ));
+    page.paragraph(&format!(
+        "Left out by the model: {}.",
+        rings.left_out.join(", ")
+    ));
+    page.paragraph(&format!(
+        "To repeat the comparison: {}. The raceways found by search: {}.",
+        rings.command,
+        rings.search_commands.join(", ")
+    ));
+    page.figure(&comparison::comparison(rings));
+    rings.tables().iter().for_each(|t| page.table(t));
 }
 
 /// What a reader wants to see: Table 2, the phase portraits, the balls.

@@ -8,6 +8,7 @@ use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
 use cageless_results::Record;
+use cageless_study::ring_path::RingPosition;
 use cageless_study::run::RunRecord;
 use cageless_study::{RunHistories, RunSummary, SAMPLING_HZ, lines, parameters, provenance};
 
@@ -84,34 +85,8 @@ pub fn filter_note(case: &Case) -> String {
     )
 }
 
-/// Data of the page of one run.
-pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
-    let RunRecord {
-        outcome,
-        summary,
-        histories,
-        ring_path,
-        ..
-    } = record;
-    let vibration = record.vibration();
-    let (case, title) = (file.case(), file.particulars().title.as_str());
-    let settled = summary.results.number("settled_after_s");
-    let bearing = &case.bearing;
-    let orbit = case.rolling_orbit_speed_rad_s();
-    let discarded = if settled.is_finite() {
-        format!("t < {settled:.4} s")
-    } else {
-        "nothing".to_owned()
-    };
-    let provenance = provenance(title, case, discarded.clone());
-    let RunHistories {
-        snapshots,
-        stretch_s,
-        recent,
-        collisions,
-        collisions_total,
-    } = histories.clone().finish();
-    let decimated = stretch_s.is_some();
+/// Limits exceeded, warnings, and why a run stopped.
+fn warnings(summary: &RunSummary) -> Vec<String> {
     let limits = summary.limits.limits_exceeded.iter();
     let mut warnings: Vec<String> = limits
         .map(|limit| format!("limit exceeded: {limit}"))
@@ -123,11 +98,62 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
             stopped.time_s, stopped.cause, stopped.advice
         ));
     }
-    let profile = {
-        let from = recent.partition_point(|s| s.time_s < settled);
-        let after = if from < recent.len() { from } else { 0 };
-        LoadProfile::new(case, &recent[after..])
+    warnings
+}
+
+/// Loads of the balls over ψ after the transient, or of all where nothing is after it.
+fn load_profile(case: &Case, recent: &[Snapshot], settled_after_s: f64) -> Option<LoadProfile> {
+    let from = recent.partition_point(|s| s.time_s < settled_after_s);
+    let after = if from < recent.len() { from } else { 0 };
+    LoadProfile::new(case, &recent[after..])
+}
+
+fn ring_history(path: &[RingPosition]) -> RingHistory {
+    RingHistory {
+        time_s: path.iter().map(|p| p.time_s).collect(),
+        x_um: path.iter().map(|p| p.x_m * 1e6).collect(),
+        y_um: path.iter().map(|p| p.y_m * 1e6).collect(),
+    }
+}
+
+/// Vibration of the outer ring of a run.
+fn vibration(case: &Case, measured: &Measurement, of_run: &Provenance) -> Vibration {
+    Vibration {
+        signals: vec![vibration_signal("outer ring", measured)],
+        marks: vec![ball_pass_mark(case)],
+        provenance: Provenance {
+            discarded: format!("{}; {}", of_run.discarded, filter_note(case)),
+            ..of_run.clone()
+        },
+    }
+}
+
+/// Data of the page of one run.
+pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
+    let RunRecord {
+        outcome,
+        summary,
+        histories,
+        ring_path,
+        ..
+    } = record;
+    let (case, title) = (file.case(), file.particulars().title.as_str());
+    let settled = summary.results.number("settled_after_s");
+    let bearing = &case.bearing;
+    let orbit = case.rolling_orbit_speed_rad_s();
+    let discarded = match settled.is_finite() {
+        true => format!("t < {settled:.4} s"),
+        false => "nothing".to_owned(),
     };
+    let provenance = provenance(title, case, discarded);
+    let RunHistories {
+        snapshots,
+        stretch_s,
+        recent,
+        collisions,
+        collisions_total,
+    } = histories.clone().finish();
+    let decimated = stretch_s.is_some();
     let shown = last_orbits(&recent, orbit, ORBITS_PLAYED);
     let Recent { time_s, balls } = histories_of(&snapshots, case.balls());
     RunData {
@@ -139,7 +165,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         },
         software: format!("Cageless {VERSION}, {}", outcome.instruction_set.name()),
         lead: lead(case, outcome),
-        warnings,
+        warnings: warnings(summary),
         parameters: parameters(file),
         passes: summary.passes(),
         headline: summary.headline().to_owned(),
@@ -155,12 +181,8 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         recent: decimated.then(|| histories_of(&recent, case.balls())),
         view_s: view(&recent, orbit),
         facts: facts(summary),
-        ring: RingHistory {
-            time_s: ring_path.iter().map(|p| p.time_s).collect(),
-            x_um: ring_path.iter().map(|p| p.x_m * 1e6).collect(),
-            y_um: ring_path.iter().map(|p| p.y_m * 1e6).collect(),
-        },
-        load_profile: profile,
+        ring: ring_history(ring_path),
+        load_profile: load_profile(case, &recent, settled),
         passages: passage_stretches(&record.passages.recent, shown),
         collisions,
         collisions_total,
@@ -170,14 +192,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
             VerificationTable::new(verification, numbers.flat_map(Record::members))
         }),
         energy_residual_relative: Some(outcome.energy_residual_relative),
-        vibration: vibration.map(|measured| Vibration {
-            signals: vec![vibration_signal("outer ring", measured)],
-            marks: vec![ball_pass_mark(case)],
-            provenance: Provenance {
-                discarded: format!("{discarded}; {}", filter_note(case)),
-                ..provenance.clone()
-            },
-        }),
+        vibration: (record.vibration()).map(|measured| vibration(case, measured, &provenance)),
         motion: (recent.len() > 1).then(|| motion(case, "", shown, provenance.clone())),
         provenance,
     }

@@ -2,9 +2,25 @@
 
 use std::ops::Range;
 
+/// Points of a line.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Points {
+    /// First coordinate of each.
+    pub x: Vec<f64>,
+    /// Second coordinate of each.
+    pub y: Vec<f64>,
+}
+
+impl FromIterator<(f64, f64)> for Points {
+    fn from_iter<I: IntoIterator<Item = (f64, f64)>>(points: I) -> Self {
+        let (x, y) = points.into_iter().unzip();
+        Self { x, y }
+    }
+}
+
 /// Decimates a history to about `points` points: in each of `points`/2 segments the
 /// lowest and the highest. A stretch with a gap (NaN) keeps it.
-pub fn history(x: &[f64], y: &[f64], points: usize) -> (Vec<f64>, Vec<f64>) {
+pub fn history(x: &[f64], y: &[f64], points: usize) -> Points {
     thinned(x, y, points, |stretch| {
         let finite = || stretch.clone().filter(|&i| y[i].is_finite());
         let low = finite().min_by(|&a, &b| y[a].total_cmp(&y[b]));
@@ -18,7 +34,7 @@ pub fn history(x: &[f64], y: &[f64], points: usize) -> (Vec<f64>, Vec<f64>) {
 
 /// At most about `points` points of a curve in the plane: of each of `points`/2
 /// stretches the first point and the one farthest from the stretch's chord.
-pub fn curve(x: &[f64], y: &[f64], points: usize) -> (Vec<f64>, Vec<f64>) {
+pub fn curve(x: &[f64], y: &[f64], points: usize) -> Points {
     let n = x.len().min(y.len());
     let (sx, sy) = (extent(&x[..n]), extent(&y[..n]));
     thinned(x, y, points, |stretch| {
@@ -37,10 +53,13 @@ fn thinned(
     y: &[f64],
     points: usize,
     of_stretch: impl Fn(Range<usize>) -> Vec<usize>,
-) -> (Vec<f64>, Vec<f64>) {
+) -> Points {
     let n = x.len().min(y.len());
     if n <= points || points < 4 {
-        return (x[..n].to_vec(), y[..n].to_vec());
+        return Points {
+            x: x[..n].to_vec(),
+            y: y[..n].to_vec(),
+        };
     }
     let stretches = points / 2;
     let mut kept = vec![0];
@@ -50,7 +69,7 @@ fn thinned(
     kept.push(n - 1);
     kept.dedup();
     let of = |values: &[f64]| kept.iter().map(|&i| values[i]).collect();
-    (of(x), of(y))
+    Points { x: of(x), y: of(y) }
 }
 
 /// Largest less smallest; 1 if that is nothing.
@@ -70,8 +89,8 @@ pub fn range(values: &[f64]) -> (f64, f64) {
 
 /// Angles in (−180, 180], with a NaN row wherever the angle jumps back, so that
 /// a line against them breaks there.
-pub fn wrapped(angle_deg: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let (mut x, mut y): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+pub fn wrapped(angle_deg: &[f64], values: &[f64]) -> Points {
+    let (mut x, mut y) = (vec![], vec![]);
     for (&angle, &value) in angle_deg.iter().zip(values) {
         let local = angle - 360.0 * ((angle + 180.0) / 360.0).ceil() + 360.0;
         if x.last()
@@ -83,7 +102,7 @@ pub fn wrapped(angle_deg: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
         x.push(local);
         y.push(value);
     }
-    (x, y)
+    Points { x, y }
 }
 
 #[cfg(test)]
@@ -97,7 +116,7 @@ mod tests {
         let mut y: Vec<f64> = x.iter().map(|t| (t * 1e-3).sin()).collect();
         y[54_321] = 9.0;
         y[77_777] = f64::NAN;
-        let (tx, ty) = history(&x, &y, 4000);
+        let Points { x: tx, y: ty } = history(&x, &y, 4000);
         assert!(tx.len() <= 4003 && tx.len() == ty.len());
         assert_eq!((tx[0], tx[tx.len() - 1]), (0.0, f64::from(n - 1)));
         assert!(ty.contains(&9.0) && ty.iter().any(|v| v.is_nan()));
@@ -111,13 +130,13 @@ mod tests {
         let mut x: Vec<f64> = (0..n).map(|k| angle(k).cos()).collect();
         let y: Vec<f64> = (0..n).map(|k| angle(k).sin()).collect();
         x[12_345] = 1.7;
-        let (tx, ty) = curve(&x, &y, 1000);
+        let Points { x: tx, y: ty } = curve(&x, &y, 1000);
         assert!(tx.contains(&1.7) && tx.len() == ty.len() && tx.len() <= 1001);
     }
 
     #[test]
     fn angles_wrap_with_a_break() {
-        let (x, y) = wrapped(&[170.0, 180.0, 190.0, 550.0], &[1.0, 2.0, 3.0, 4.0]);
+        let Points { x, y } = wrapped(&[170.0, 180.0, 190.0, 550.0], &[1.0, 2.0, 3.0, 4.0]);
         assert_eq!(&x[..2], &[170.0, 180.0]);
         assert!(x[2].is_nan() && y[2].is_nan());
         assert_eq!(x[3], -170.0);

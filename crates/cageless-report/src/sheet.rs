@@ -58,16 +58,9 @@ impl SheetFiles {
     }
 }
 
-/// The sheet; `drawing` of the outer ring, or why there is none.
-fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &str>) -> String {
-    let case = file.case();
+/// Verdicts, limits and the first facts.
+fn head(result: &SheetResult) -> Head {
     let record = &result.equilibrium;
-    let title = match file.particulars().title.as_str() {
-        "" => "Bearing sheet",
-        title => title,
-    };
-    let lead = lead::bearing(case);
-    let mut page = Page::new(title, &lead, &software()).sheet();
     let judged = result.tolerance.as_ref();
     let benefit = judged.and_then(|judged| judged.benefit.as_ref());
     let mut head = Head::default();
@@ -86,7 +79,22 @@ fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &st
         }
     }
     let facts = FACTS.iter().filter_map(|name| record.row(name));
-    page.head(&head.limits(&record.limits().verdicts()).facts(lines(facts)));
+    head.limits(&record.limits().verdicts()).facts(lines(facts))
+}
+
+/// The sheet; `drawing` of the outer ring, or why there is none.
+fn sheet_page(file: &CaseFile, result: &SheetResult, drawing: Result<&Paper, &str>) -> String {
+    let case = file.case();
+    let record = &result.equilibrium;
+    let title = match file.particulars().title.as_str() {
+        "" => "Bearing sheet",
+        title => title,
+    };
+    let lead = lead::bearing(case);
+    let mut page = Page::new(title, &lead, &software()).sheet();
+    let judged = result.tolerance.as_ref();
+    let benefit = judged.and_then(|judged| judged.benefit.as_ref());
+    page.head(&head(result));
     page.notes(Note::Warning, record.sentences("warnings"));
     if let Some(judged) = judged {
         page.notes(Note::Warning, judged.record.sentences("warnings"));

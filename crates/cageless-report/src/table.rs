@@ -103,6 +103,17 @@ impl Table {
             captioned(&self.label, &self.caption, source),
             escape(&self.label)
         );
+        self.head_html(&mut out);
+        out.push_str("</tr></thead><tbody>\n");
+        for row in &self.rows {
+            self.row_html(row, &mut out);
+        }
+        out.push_str("</tbody></table></div></figure>\n");
+        out
+    }
+
+    /// Adds the groups of columns and the heads of the columns.
+    fn head_html(&self, out: &mut String) {
         if !self.groups.is_empty() {
             out.push_str("<tr class=\"groups\">");
             for (text, span) in &self.groups {
@@ -129,39 +140,37 @@ impl Table {
                 out.push_str(&format!("<th scope=\"col\"{class}>{}</th>", rich(text)));
             }
         }
-        out.push_str("</tr></thead><tbody>\n");
-        for row in &self.rows {
-            let class = match (row.marked, row.summary) {
-                (true, _) => " class=\"marked\"",
-                (_, Some(_)) => " class=\"summary\"",
-                _ => "",
+    }
+
+    fn row_html(&self, row: &Row, out: &mut String) {
+        let class = match (row.marked, row.summary) {
+            (true, _) => " class=\"marked\"",
+            (_, Some(_)) => " class=\"summary\"",
+            _ => "",
+        };
+        out.push_str(&format!("<tr{class}>"));
+        let skipped = row.summary.map_or(0, |columns| columns - 1);
+        let columns = self.columns.iter().skip(skipped);
+        for (k, (text, (_, kind))) in row.cells.iter().zip(columns).enumerate() {
+            let class = match (row.summary, kind) {
+                (Some(columns), _) if k == 0 => &format!(" colspan=\"{columns}\""),
+                (_, Column::Text) => "",
+                // A list of numbers breaks.
+                (_, Column::Number) if text.len() > LONG => " class=\"list\"",
+                (None, Column::Dim) => " class=\"num dim\"",
+                _ => " class=\"num\"",
             };
-            out.push_str(&format!("<tr{class}>"));
-            let skipped = row.summary.map_or(0, |columns| columns - 1);
-            let columns = self.columns.iter().skip(skipped);
-            for (k, (text, (_, kind))) in row.cells.iter().zip(columns).enumerate() {
-                let class = match (row.summary, kind) {
-                    (Some(columns), _) if k == 0 => &format!(" colspan=\"{columns}\""),
-                    (_, Column::Text) => "",
-                    // A list of numbers breaks.
-                    (_, Column::Number) if text.len() > LONG => " class=\"list\"",
-                    (None, Column::Dim) => " class=\"num dim\"",
-                    _ => " class=\"num\"",
-                };
-                let indent = if text.starts_with("  ") {
-                    "\u{2003}"
-                } else {
-                    ""
-                };
-                out.push_str(&format!(
-                    "<td{class}>{indent}{}</td>",
-                    rich(text.trim_start())
-                ));
-            }
-            out.push_str("</tr>\n");
+            let indent = if text.starts_with("  ") {
+                "\u{2003}"
+            } else {
+                ""
+            };
+            out.push_str(&format!(
+                "<td{class}>{indent}{}</td>",
+                rich(text.trim_start())
+            ));
         }
-        out.push_str("</tbody></table></div></figure>\n");
-        out
+        out.push_str("</tr>\n");
     }
 
     /// Anchor that the label asks for.

@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::sampling::Points;
+
 /// What is drawn of one series of values, and on which axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace(pub(crate) Value);
@@ -21,8 +23,8 @@ pub fn line(name: &str, x: &[f64], y: &[f64], colour: &str) -> Trace {
 }
 
 /// [`line()`] through thinned points.
-pub fn line_of(name: &str, (x, y): (Vec<f64>, Vec<f64>), colour: &str) -> Trace {
-    line(name, &x, &y, colour)
+pub fn line_of(name: &str, points: Points, colour: &str) -> Trace {
+    line(name, &points.x, &points.y, colour)
 }
 
 /// A line through points in space, without labels on hover.

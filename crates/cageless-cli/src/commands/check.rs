@@ -46,6 +46,38 @@ impl OilAtInlet {
     }
 }
 
+/// `check.json` of a case.
+#[derive(Serialize)]
+struct Checked<'a> {
+    valid: bool,
+    case: CaseDocument,
+    defaults: &'a [String],
+    assumptions: &'a [Assumption],
+    scope: [&'static str; SCOPE.len()],
+    motion: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    oil: Option<OilAtInlet>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    blend_not_simulated: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_expansion_left_out: Option<String>,
+    warnings: &'a [String],
+}
+
+/// `check.json` of a rotor file.
+#[derive(Serialize)]
+struct CheckedRotor {
+    valid: bool,
+    cases: Vec<CaseDocument>,
+    mass_kg: f64,
+    mass_shares_kg: Vec<f64>,
+    step_us: f64,
+    natural_frequencies_hz: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed_expansion_left_out: Option<String>,
+    warnings: Vec<String>,
+}
+
 /// Checks a case, or the file of a rotor above several bearings.
 pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let (all, args) = (args.all, &args.case);
@@ -57,7 +89,62 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
         return check_rotor(args, &arrangement, drop, rotor);
     }
     let file = &arrangement.cases()[0];
-    let bearing = &file.case().bearing;
+    let mut lines = vec![("case", format!("{} is valid", args.case.display()))];
+    lines.extend(bearing_lines(file.case()));
+    lines.push(("motion", motion_text(file.case()).to_owned()));
+    if file.case().mixes_friction() {
+        let friction = file.case().describe_friction();
+        lines.push(("friction at the raceways", friction));
+    }
+    let oil = file.case().film.as_ref().map(|film| film.oil);
+    lines.extend(oil.map(|oil| ("oil at the inlet", oil_text(&oil))));
+    let blend_not_simulated = blend_not_simulated(file.case());
+    if let Some(sentence) = &blend_not_simulated {
+        lines.push(("blend of the exported ring", sentence.clone()));
+    }
+    let speed_expansion_left_out = expansion_left_out([file]);
+    lines.extend(expansion_line(&speed_expansion_left_out));
+    lines.push(("steps of a run", steps_text(file.case())));
+    let notes = notes(file);
+    let assumptions = file.assumptions();
+    for assumption in &assumptions {
+        let (value, basis) = (assumption.value, assumption.basis);
+        lines.push(("assumed", format!("{} = {value} ({basis})", assumption.key)));
+    }
+    if all && !file.defaults().is_empty() {
+        let defaults = file.defaults().iter().map(|key| match file.value(key) {
+            Some(value) => format!("{key} = {}", value.written()),
+            None => key.clone(),
+        });
+        let defaults: Vec<_> = defaults.collect();
+        lines.push(("defaults taken", defaults.join(", ")));
+    }
+    let scope = SCOPE.into_iter().filter(|_| all);
+    for (k, statement) in scope.enumerate() {
+        lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
+    }
+    let result = Checked {
+        valid: true,
+        case: file.document_as_run(),
+        defaults: file.defaults(),
+        assumptions: &assumptions,
+        scope: SCOPE,
+        motion: match file.case().moves_in_space() {
+            true => "space",
+            false => "plane",
+        },
+        oil: oil.map(OilAtInlet::of),
+        blend_not_simulated,
+        speed_expansion_left_out,
+        warnings: &notes,
+    };
+    let text = pairs(&lines) + &warnings(&notes);
+    (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&result)?, text))
+}
+
+/// The bearing in lines.
+fn bearing_lines(case: &Case) -> Vec<(&'static str, String)> {
+    let bearing = &case.bearing;
     let d = bearing.dimensions();
     let mm = |pair: [f64; 2]| {
         let [one, other] = pair.map(|m| format!("{:.4} mm", m * 1e3));
@@ -80,8 +167,7 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let inner_conformity = conformity(d.inner_groove_curvature_radius_m);
     let outer_conformity = conformity(d.outer_groove_curvature_radius_m);
     let clearance = fixed(1e6 * bearing.radial_internal_clearance_m(), 3);
-    let mut lines = vec![
-        ("case", format!("{} is valid", args.case.display())),
+    vec![
         ("balls", format!("{}", bearing.balls())),
         ("ball diameter Dw, pitch diameter Dpw", mm(diameters)),
         ("groove bottom radii Ri, Ro", mm(bottoms)),
@@ -91,7 +177,7 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
         ),
         (
             "radial internal clearance Gr",
-            format!("{clearance} µm (ISO 5753-1)") + &preload_text(file.case()),
+            format!("{clearance} µm (ISO 5753-1)") + &preload_text(case),
         ),
         ("balls of", material(&bearing.materials().ball)),
         ("rings of", material(&bearing.materials().ring)),
@@ -100,78 +186,18 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
             degrees(bearing.ball_angle_rad()),
         ),
         ("nominal gap 360°/N − ε", degrees(bearing.nominal_gap_rad())),
-        ("motion", motion_text(file.case()).to_owned()),
-    ];
-    if file.case().mixes_friction() {
-        let friction = file.case().describe_friction();
-        lines.push(("friction at the raceways", friction));
-    }
-    let oil = file.case().film.as_ref().map(|film| film.oil);
-    lines.extend(oil.map(|oil| ("oil at the inlet", oil_text(&oil))));
-    let blend_not_simulated = blend_not_simulated(file.case());
-    if let Some(sentence) = &blend_not_simulated {
-        lines.push(("blend of the exported ring", sentence.clone()));
-    }
-    let speed_expansion_left_out = expansion_left_out([file]);
-    lines.extend(expansion_line(&speed_expansion_left_out));
-    lines.push(("steps of a run", steps_text(file.case())));
+    ]
+}
+
+/// Warnings about a case.
+fn notes(file: &CaseFile) -> Vec<String> {
     let mut notes = check_warnings([file.case()]);
     notes.extend(case_warnings(file.case()));
     notes.extend(dry_motion(file));
     notes.extend(file.oil_temperature_warning());
     notes.extend(search_refused(file));
     notes.extend(slippery_asperities(file.case()));
-    let assumptions = file.assumptions();
-    for assumption in &assumptions {
-        let (value, basis) = (assumption.value, assumption.basis);
-        lines.push(("assumed", format!("{} = {value} ({basis})", assumption.key)));
-    }
-    if all && !file.defaults().is_empty() {
-        let defaults = file.defaults().iter().map(|key| match file.value(key) {
-            Some(value) => format!("{key} = {}", value.written()),
-            None => key.clone(),
-        });
-        let defaults: Vec<_> = defaults.collect();
-        lines.push(("defaults taken", defaults.join(", ")));
-    }
-    let scope = SCOPE.into_iter().filter(|_| all);
-    for (k, statement) in scope.enumerate() {
-        lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
-    }
-    /// `check.json`.
-    #[derive(Serialize)]
-    struct Checked<'a> {
-        valid: bool,
-        case: cageless_io::case_file::CaseDocument,
-        defaults: &'a [String],
-        assumptions: &'a [Assumption],
-        scope: [&'static str; SCOPE.len()],
-        motion: &'static str,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        oil: Option<OilAtInlet>,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        blend_not_simulated: Option<String>,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        speed_expansion_left_out: Option<String>,
-        warnings: &'a [String],
-    }
-    let result = Checked {
-        valid: true,
-        case: file.document_as_run(),
-        defaults: file.defaults(),
-        assumptions: &assumptions,
-        scope: SCOPE,
-        motion: match file.case().moves_in_space() {
-            true => "space",
-            false => "plane",
-        },
-        oil: oil.map(OilAtInlet::of),
-        blend_not_simulated,
-        speed_expansion_left_out,
-        warnings: &notes,
-    };
-    let text = pairs(&lines) + &warnings(&notes);
-    (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&result)?, text))
+    notes
 }
 
 /// Warning about a `[search]` that `design --search` refuses.
@@ -221,27 +247,13 @@ fn motion_text(case: &Case) -> &'static str {
     }
 }
 
-/// Checks a rotor file.
-fn check_rotor(
+/// Lowest natural frequencies of a rotor at its speed without contact.
+fn natural_frequencies_hz(
     args: &CaseArgs,
     arrangement: &BearingArrangement,
     drop: &RotorDrop,
     rotor: &LinearRotor,
-) -> Result<(), Failure> {
-    /// `check.json`.
-    #[derive(Serialize)]
-    struct Checked {
-        valid: bool,
-        cases: Vec<CaseDocument>,
-        mass_kg: f64,
-        mass_shares_kg: Vec<f64>,
-        step_us: f64,
-        natural_frequencies_hz: Vec<f64>,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        speed_expansion_left_out: Option<String>,
-        warnings: Vec<String>,
-    }
-    let cases = drop.cases();
+) -> Result<Vec<f64>, Failure> {
     let at_speed = rotor.eigenvalues(drop.speed_rad_s());
     let at_speed = at_speed.ok_or_else(|| {
         let path = args.case.display();
@@ -257,6 +269,18 @@ fn check_rotor(
         .collect();
     frequencies.sort_by(f64::total_cmp);
     frequencies.truncate(FREQUENCIES);
+    Ok(frequencies)
+}
+
+/// Checks a rotor file.
+fn check_rotor(
+    args: &CaseArgs,
+    arrangement: &BearingArrangement,
+    drop: &RotorDrop,
+    rotor: &LinearRotor,
+) -> Result<(), Failure> {
+    let cases = drop.cases();
+    let frequencies = natural_frequencies_hz(args, arrangement, drop, rotor)?;
     let shares = rotor.mass_shares_kg();
     let step_us = 1e6 * cases[0].solver.step_s;
     let speed_expansion_left_out = expansion_left_out(arrangement.cases());
@@ -280,7 +304,7 @@ fn check_rotor(
     lines.extend(expansion_line(&speed_expansion_left_out));
     let mut notes = check_warnings(cases);
     notes.extend(rests(drop));
-    let checked = Checked {
+    let checked = CheckedRotor {
         valid: true,
         cases: arrangement
             .cases()

@@ -4,7 +4,8 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use cageless_io::cad::{
-    Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
+    Counts, ExportError, ExportNumbers, ExportOptions, Format, SlotNumbers, export as ring,
+    names_file,
 };
 use cageless_io::results::ResultFolder;
 
@@ -133,6 +134,9 @@ impl From<ExportError> for Failure {
     }
 }
 
+/// A label and its text.
+type Line = (&'static str, String);
+
 /// Text for the terminal.
 fn text(r: &ExportNumbers) -> String {
     let mut lines = vec![
@@ -150,7 +154,48 @@ fn text(r: &ExportNumbers) -> String {
             format!("{:.6} µm", r.deviation_um),
         ),
     ];
-    lines.push(match r.counts {
+    lines.push(counts_line(&r.counts));
+    if r.raceways > 0 {
+        lines.push(("discrete raceways", r.raceways.to_string()));
+    }
+    if r.raceways > r.slots.len() {
+        lines.extend(raceway_ends(r));
+    }
+    lines.extend(r.slots.iter().map(|slot| ("slot", slot_text(slot))));
+    if r.raceways > 0 {
+        lines.push((
+            "deviation from the plain groove",
+            format!(
+                "max. material above plain groove {:.3} µm, below {:.3} µm",
+                r.above_plain_um, r.below_plain_um
+            ),
+        ));
+    }
+    if let Some(sentence) = &r.blend_not_simulated {
+        lines.push(("blend", sentence.clone()));
+    }
+    if r.contact_angle_deg.or(r.groove_centre_z_mm).is_some() {
+        let numbers = [r.contact_angle_deg, r.groove_centre_z_mm].map(Option::unwrap_or_default);
+        let [angle, height] = numbers;
+        lines.extend([
+            (
+                "contact angle",
+                format!(
+                    "{angle:.4}°; centre of the groove at z = {height:.6} mm from the middle of the ring"
+                ),
+            ),
+            (
+                "shoulders",
+                "both full: the case has no dimension of a counterbored one".to_owned(),
+            ),
+        ]);
+    }
+    pairs(&lines)
+}
+
+/// What the file holds, in a line.
+fn counts_line(counts: &Counts) -> Line {
+    match *counts {
         Counts::Step {
             tolerance_um,
             faces,
@@ -188,73 +233,40 @@ fn text(r: &ExportNumbers) -> String {
                  {row_distance_mm:.4} mm apart, spacing at most {spacing_mm} mm"
             ),
         ),
-    });
-    if r.raceways > 0 {
-        lines.push(("discrete raceways", r.raceways.to_string()));
     }
-    if r.raceways > r.slots.len() {
-        let kink = format!(
-            "{:.4}° at 45° groove angle, {:.4}° at the shoulder",
-            r.design_slope_discontinuity_45_deg, r.design_slope_discontinuity_shoulder_deg
-        );
-        lines.extend([
-            (
-                "slope discontinuity at raceway ends",
-                if r.blend_mm > 0.0 {
-                    format!(
-                        "blended over {} mm (was {kink}); max. deviation from nominal {:.4} µm",
-                        (r.blend_mm * 1e6).round() / 1e6,
-                        r.blend_deviation_um
-                    )
-                } else {
-                    format!("not blended: {kink}")
-                },
-            ),
-            (
-                "angle of the apex between the contact points",
-                format!("{:.4}°", r.apex_angle_deg),
-            ),
-        ]);
-    }
-    lines.extend(r.slots.iter().map(|slot| {
-        let dimensions = format!(
-            "{:.6} mm wide, floor {:.6} mm below the plain groove, edges of radius {:.4} mm; from ψ = \
-             {:.4}° to {:.4}°",
-            slot.width_mm,
-            slot.depth_mm,
-            slot.edge_radius_mm,
-            slot.centre_angle_deg - slot.half_angle_deg,
-            slot.centre_angle_deg + slot.half_angle_deg,
-        );
-        ("slot", dimensions)
-    }));
-    if r.raceways > 0 {
-        lines.push((
-            "deviation from the plain groove",
-            format!(
-                "max. material above plain groove {:.3} µm, below {:.3} µm",
-                r.above_plain_um, r.below_plain_um
-            ),
-        ));
-    }
-    if let Some(sentence) = &r.blend_not_simulated {
-        lines.push(("blend", sentence.clone()));
-    }
-    if r.contact_angle_deg.or(r.groove_centre_z_mm).is_some() {
-        let numbers = [r.contact_angle_deg, r.groove_centre_z_mm].map(Option::unwrap_or_default);
-        let [angle, height] = numbers;
-        lines.extend([
-            (
-                "contact angle",
-                format!(
-                    "{angle:.4}°; centre of the groove at z = {height:.6} mm from the middle of the ring"
-                ),
-            ),
-            (
-                "shoulders",
-                "both full: the case has no dimension of a counterbored one".to_owned(),
-            ),
-        ]);
-    }
-    pairs(&lines)
+}
+
+/// Lines on the ends of raceways that have a kink by their design.
+fn raceway_ends(r: &ExportNumbers) -> [Line; 2] {
+    let kink = format!(
+        "{:.4}° at 45° groove angle, {:.4}° at the shoulder",
+        r.design_slope_discontinuity_45_deg, r.design_slope_discontinuity_shoulder_deg
+    );
+    let blend = match r.blend_mm > 0.0 {
+        true => format!(
+            "blended over {} mm (was {kink}); max. deviation from nominal {:.4} µm",
+            (r.blend_mm * 1e6).round() / 1e6,
+            r.blend_deviation_um
+        ),
+        false => format!("not blended: {kink}"),
+    };
+    [
+        ("slope discontinuity at raceway ends", blend),
+        (
+            "angle of the apex between the contact points",
+            format!("{:.4}°", r.apex_angle_deg),
+        ),
+    ]
+}
+
+fn slot_text(slot: &SlotNumbers) -> String {
+    format!(
+        "{:.6} mm wide, floor {:.6} mm below the plain groove, edges of radius {:.4} mm; from ψ = \
+         {:.4}° to {:.4}°",
+        slot.width_mm,
+        slot.depth_mm,
+        slot.edge_radius_mm,
+        slot.centre_angle_deg - slot.half_angle_deg,
+        slot.centre_angle_deg + slot.half_angle_deg,
+    )
 }

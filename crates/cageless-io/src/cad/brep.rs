@@ -100,6 +100,13 @@ struct Station {
     arc: [usize; 2],
 }
 
+/// Stations between which a sector lies.
+#[derive(Clone, Copy)]
+struct Ends<'a> {
+    from: &'a Station,
+    to: &'a Station,
+}
+
 /// Edges along ψ of a sector.
 struct Span {
     rim: [usize; 2],
@@ -118,7 +125,10 @@ impl Solid {
             .collect();
         let mut rims = Vec::new();
         for (k, sector) in sectors.iter().enumerate() {
-            let ends = [&stations[k], &stations[(k + 1) % sectors.len()]];
+            let ends = Ends {
+                from: &stations[k],
+                to: &stations[(k + 1) % sectors.len()],
+            };
             let whole = solid.whole_groove(ring, sector, tolerance_m)?;
             let halves = match &whole {
                 Some(_) => None,
@@ -200,7 +210,7 @@ impl Solid {
         &mut self,
         ring: &OuterRing,
         sector: &RingSector,
-        [from, to]: [&Station; 2],
+        ends: Ends<'_>,
         patches: Option<&[Patch; 2]>,
     ) -> Span {
         let half = ring.dimensions().outer_ring_width_m / 2.0;
@@ -208,16 +218,16 @@ impl Solid {
         let ros = ring.shoulder_radius_m();
         let rim = [0, 1].map(|k| {
             let z = [half, -half][k];
-            self.edge(circle(ros, z), from.rim[k], to.rim[k])
+            self.edge(circle(ros, z), ends.from.rim[k], ends.to.rim[k])
         });
         let shoulder = [0, 1].map(|k| {
             let curve = match patches {
                 Some(patches) => row(&patches[k], patches[k].across.len() + 1),
                 None => circle(ros, groove[k]),
             };
-            self.edge(curve, from.shoulder[k], to.shoulder[k])
+            self.edge(curve, ends.from.shoulder[k], ends.to.shoulder[k])
         });
-        let ridge = patches.map(|p| self.edge(row(&p[0], 0), from.bottom, to.bottom));
+        let ridge = patches.map(|p| self.edge(row(&p[0], 0), ends.from.bottom, ends.to.bottom));
         Span {
             rim,
             shoulder,
@@ -253,19 +263,13 @@ impl Solid {
 
     /// The groove's outward normal points to the axis, where k, t, −k, −t go around
     /// counter-clockwise.
-    fn groove(
-        &mut self,
-        surface: Surface,
-        [from, to]: [&Station; 2],
-        span: &Span,
-        hole: Option<Vec<Use>>,
-    ) {
+    fn groove(&mut self, surface: Surface, ends: Ends<'_>, span: &Span, hole: Option<Vec<Use>>) {
         let around = [
-            back(from.arc[1]),
-            back(from.arc[0]),
+            back(ends.from.arc[1]),
+            back(ends.from.arc[0]),
             along(span.shoulder[0]),
-            along(to.arc[0]),
-            along(to.arc[1]),
+            along(ends.to.arc[0]),
+            along(ends.to.arc[1]),
             back(span.shoulder[1]),
         ];
         let mut loops: Vec<&[Use]> = vec![&around];
@@ -275,23 +279,17 @@ impl Solid {
     }
 
     /// The two sides of a discrete raceway.
-    fn flanks(
-        &mut self,
-        [upper, lower]: [Patch; 2],
-        [from, to]: [&Station; 2],
-        span: &Span,
-        ridge: usize,
-    ) {
+    fn flanks(&mut self, [upper, lower]: [Patch; 2], ends: Ends<'_>, span: &Span, ridge: usize) {
         let above = [
-            back(from.arc[0]),
+            back(ends.from.arc[0]),
             along(span.shoulder[0]),
-            along(to.arc[0]),
+            along(ends.to.arc[0]),
             back(ridge),
         ];
         let below = [
-            back(from.arc[1]),
+            back(ends.from.arc[1]),
             along(ridge),
-            along(to.arc[1]),
+            along(ends.to.arc[1]),
             back(span.shoulder[1]),
         ];
         // t × (−k) points out of it.
@@ -299,27 +297,21 @@ impl Solid {
         self.face(Surface::Spline(lower), true, &[&below]);
     }
 
-    fn shoulders(
-        &mut self,
-        ring: &OuterRing,
-        sector: &RingSector,
-        [from, to]: [&Station; 2],
-        span: &Span,
-    ) {
+    fn shoulders(&mut self, ring: &OuterRing, sector: &RingSector, ends: Ends<'_>, span: &Span) {
         let cylinder = || Surface::Cylinder {
             radius_m: ring.shoulder_radius_m(),
             reference: radial(sector.middle_rad() + PI),
         };
         let above = [
-            along(from.wall[0]),
+            along(ends.from.wall[0]),
             along(span.rim[0]),
-            back(to.wall[0]),
+            back(ends.to.wall[0]),
             back(span.shoulder[0]),
         ];
         let below = [
-            along(from.wall[1]),
+            along(ends.from.wall[1]),
             along(span.shoulder[1]),
-            back(to.wall[1]),
+            back(ends.to.wall[1]),
             back(span.rim[1]),
         ];
         self.face(cylinder(), false, &[&above]);

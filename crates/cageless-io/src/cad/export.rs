@@ -1,6 +1,7 @@
 //! The outer ring of a case as a file.
 
 use std::io::{self, BufWriter, Write};
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use super::format::Format;
@@ -16,10 +17,10 @@ use cageless::{Case, Ends, Formulation, InputError, Raceway};
 
 const TOLERANCE_UM: f64 = 0.01;
 /// Finer is below the rounding of coordinates, coarser no longer a STEP of precision.
-const TOLERANCE_RANGE_UM: [f64; 2] = [1e-4, 1.0];
+const TOLERANCE_RANGE_UM: RangeInclusive<f64> = 1e-4..=1.0;
 const CHORD_UM: f64 = 5.0;
 const SPACING_MM: f64 = 0.5;
-const SPACING_RANGE_MM: [f64; 2] = [0.01, 100.0];
+const SPACING_RANGE_MM: RangeInclusive<f64> = 0.01..=100.0;
 
 /// Whether a path that is to be written names a file: it has an ending, is no folder that is
 /// there and is not marked as one by a separator at its end.
@@ -331,12 +332,13 @@ fn blend_where_needed(case: &Case) -> Result<(), OptionError> {
 fn within(
     option: &'static str,
     value: f64,
-    [least, most]: [f64; 2],
+    allowed: RangeInclusive<f64>,
     unit: &str,
 ) -> Result<(), OptionError> {
-    if (least..=most).contains(&value) {
+    if allowed.contains(&value) {
         return Ok(());
     }
+    let (least, most) = allowed.into_inner();
     let allowed = format!("between {least} and {most} {unit}");
     Err(OptionError::not_possible(option, plain(value), &allowed))
 }

@@ -30,8 +30,25 @@ const UNDER_A_ROTOR: [&str; 2] = [
     "inner_ring_bore_radius_mm",
 ];
 
-/// Refuses a file without required keys, and lists them.
-pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
+/// A key that is left out, with those that go with it or stand in its place.
+struct Missing<'a> {
+    section: &'a str,
+    key: &'a str,
+    more: String,
+}
+
+impl<'a> Missing<'a> {
+    fn new(section: &'a str, key: &'a str) -> Self {
+        Self {
+            section,
+            key,
+            more: String::new(),
+        }
+    }
+}
+
+/// Required keys that a file leaves out.
+fn missing(document: &CaseDocument) -> Vec<Missing<'_>> {
     let root = &document.tree.root;
     let rotor = root.contains_key("rotor");
     let has = |section: &str, key: &str| match root.get(section).map(|node| &node.value) {
@@ -40,7 +57,7 @@ pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
         Some(_) => true,
         None => false,
     };
-    let mut missing: Vec<(&str, &str, String)> = vec![];
+    let mut missing = vec![];
     for section in CASE_FILE.sections {
         let name = section.name;
         if !root.contains_key(name) && name != "bearing" {
@@ -50,10 +67,10 @@ pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
             .keys
             .iter()
             .filter(|key| key.is_required() && !has(name, key.name));
-        missing.extend(required.map(|key| (name, key.name, String::new())));
+        missing.extend(required.map(|key| Missing::new(name, key.name)));
         let of_rotor = UNDER_A_ROTOR.iter().filter(|key| !has(name, key));
         if rotor && name == "bearing" {
-            missing.extend(of_rotor.map(|key| (name, *key, String::new())));
+            missing.extend(of_rotor.map(|key| Missing::new(name, key)));
         }
     }
     for (section, keys, others) in ALTERNATIVES {
@@ -71,24 +88,33 @@ pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
             [] => String::new(),
             _ => format!(" (or {})", others.join(" and ")),
         };
-        missing.push((section, keys[0], more.collect::<String>() + &instead));
+        missing.push(Missing {
+            section,
+            key: keys[0],
+            more: more.collect::<String>() + &instead,
+        });
     }
-    let [(section, key, more), rest @ ..] = missing.as_slice() else {
+    missing
+}
+
+/// Refuses a file without required keys, and lists them.
+pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
+    let missing = missing(document);
+    let [first, rest @ ..] = missing.as_slice() else {
         return Ok(());
     };
+    let Missing { section, key, more } = first;
     // One key by itself has a message of its own.
     if rest.is_empty() && more.is_empty() {
         return Ok(());
     }
     let path = join(section, key);
     let meaning = keys::find(section, key).map_or_else(String::new, Key::describe);
-    let place = match root.contains_key(*section) {
+    let place = match document.tree.root.contains_key(*section) {
         true => format!(" in [{section}]"),
         false => format!(", as is its section [{section}]"),
     };
-    let also = rest
-        .iter()
-        .map(|(section, key, more)| format!("{}{more}", join(section, key)));
+    let also = rest.iter().map(|m| join(m.section, m.key) + &m.more);
     let also: Vec<_> = also.collect();
     let also = match also.as_slice() {
         [] => String::new(),

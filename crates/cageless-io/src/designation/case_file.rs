@@ -17,7 +17,99 @@ fn formula_ratings(balls: usize, caged_balls: usize) -> String {
     }
 }
 
+/// Sections of two rows back to back, each of a width, mm.
+fn pair_of_rows(width_mm: f64) -> String {
+    format!(
+        "\
+[[row]]
+axial_position_mm = {:<26} # -B/2
+contact_sign = 1                               # its balls press the outer ring towards +z
+preload_um = 5                                 # (assumed) by displacement of the outer ring
+
+[[row]]
+axial_position_mm = {:<26} # B/2
+contact_sign = -1
+preload_um = 5
+
+",
+        -0.5 * width_mm,
+        0.5 * width_mm
+    )
+}
+
+/// Assembly of more balls than enter between eccentric rings.
+fn filling_slot() -> String {
+    format!(
+        "assembly = {:<35} # more balls than enter between eccentric rings;\n{:47}# \
+         \"without-slot\" for a fractured or split ring\n",
+        format!("\"{}\"", Assembly::FillingSlot.name()),
+        ""
+    )
+}
+
 impl InternalGeometry {
+    /// Source of the number of balls, in a comment.
+    fn number_comment(&self, full_complement: bool) -> String {
+        let as_caged = self.balls == self.caged_balls;
+        match self.source {
+            _ if full_complement => {
+                "(assumed) full complement: as many as the pitch circle holds".into()
+            }
+            BallSource::Maker if as_caged => "(derived) as NSK, from its Cr, C0r and f0".to_owned(),
+            BallSource::AngularContact if as_caged => {
+                "(assumed) as many as a cage leaves room for: 87 % of the pitch circle".to_owned()
+            }
+            BallSource::Formula if as_caged => {
+                "(assumed) as many as enter between eccentric rings (195° filled)".into()
+            }
+            _ => format!(
+                "(assumed) least that holds the inner ring without a cage; with one {}",
+                self.caged_balls
+            ),
+        }
+    }
+
+    /// Source of the diameter of the balls, in a comment.
+    fn diameter_comment(&self) -> &'static str {
+        match self.source {
+            BallSource::Maker => "(derived) Dw as NSK, from its Cr, C0r and f0",
+            BallSource::Formula => "(assumed) Dw, 0.29 (D - d) in steps of 1/64 inch",
+            BallSource::AngularContact => "(assumed) Dw of the deep groove bearing of this size",
+        }
+    }
+
+    /// Source of the balls at the head of a case file.
+    fn head(&self, full_complement: bool) -> String {
+        match self.source {
+            BallSource::Maker if full_complement => {
+                "# No standard fixes the balls. Their diameter, marked (derived), reproduces NSK's ratings of the bearing
+# with a cage (catalogue E1102f, by ISO 281 and ISO 76); other makers differ."
+                    .to_owned()
+            }
+            BallSource::Maker if self.balls == self.caged_balls => {
+                "# No standard fixes the balls. Balls marked (derived) reproduce NSK's ratings (catalogue E1102f, by
+# ISO 281 and ISO 76); other makers differ."
+                    .to_owned()
+            }
+            BallSource::Maker => format!(
+                "# No standard fixes the balls. These are {}
+# (catalogue E1102f). Other makers differ.",
+                self.maker_ratings()
+            ),
+            BallSource::AngularContact => {
+                "# No standard fixes the balls. Boundary dimensions and contact angle are those of the designation; two
+# bearings back to back, as a single one bears no radial load without an axial one: without both [[row]]
+# it needs operation.axial_load_n."
+                    .to_owned()
+            }
+            BallSource::Formula => format!(
+                "# No standard fixes the balls, and the table of bearings has none for this size. Those of a
+# formula: {}.",
+                formula_ratings(self.balls, self.caged_balls)
+            ),
+        }
+    }
+
     /// How far the load ratings of another number of the maker's balls are off its catalogue: Cr ∝ bm Z^(2/3), C0r ∝ Z.
     fn maker_ratings(&self) -> String {
         let [ball_m, pitch_m] =
@@ -89,9 +181,8 @@ impl BoundaryDimensions {
             ball_diameter_mm: ball,
             pitch_diameter_mm: pitch,
             balls,
-            caged_balls,
-            source,
             clearance_um,
+            ..
         } = geometry;
         let (name, d, big, width) = (
             &self.designation,
@@ -99,53 +190,9 @@ impl BoundaryDimensions {
             self.outside_mm,
             self.width_mm,
         );
-        let number = match source {
-            _ if full_complement => {
-                "(assumed) full complement: as many as the pitch circle holds".into()
-            }
-            BallSource::Maker if balls == caged_balls => {
-                "(derived) as NSK, from its Cr, C0r and f0".to_owned()
-            }
-            BallSource::AngularContact if balls == caged_balls => {
-                "(assumed) as many as a cage leaves room for: 87 % of the pitch circle".to_owned()
-            }
-            BallSource::Formula if balls == caged_balls => {
-                "(assumed) as many as enter between eccentric rings (195° filled)".into()
-            }
-            _ => format!(
-                "(assumed) least that holds the inner ring without a cage; with one {caged_balls}"
-            ),
-        };
-        let diameter = match source {
-            BallSource::Maker => "(derived) Dw as NSK, from its Cr, C0r and f0",
-            BallSource::Formula => "(assumed) Dw, 0.29 (D - d) in steps of 1/64 inch",
-            BallSource::AngularContact => "(assumed) Dw of the deep groove bearing of this size",
-        };
-        let head = match source {
-            BallSource::Maker if full_complement => {
-                "# No standard fixes the balls. Their diameter, marked (derived), reproduces NSK's ratings of the bearing
-# with a cage (catalogue E1102f, by ISO 281 and ISO 76); other makers differ."
-            }
-            BallSource::Maker if balls == caged_balls => {
-                "# No standard fixes the balls. Balls marked (derived) reproduce NSK's ratings (catalogue E1102f, by
-# ISO 281 and ISO 76); other makers differ."
-            }
-            BallSource::Maker => &format!(
-                "# No standard fixes the balls. These are {}
-# (catalogue E1102f). Other makers differ.",
-                geometry.maker_ratings()
-            ),
-            BallSource::AngularContact => {
-                "# No standard fixes the balls. Boundary dimensions and contact angle are those of the designation; two
-# bearings back to back, as a single one bears no radial load without an axial one: without both [[row]]
-# it needs operation.axial_load_n."
-            }
-            BallSource::Formula => &format!(
-                "# No standard fixes the balls, and the table of bearings has none for this size. Those of a
-# formula: {}.",
-                formula_ratings(balls, caged_balls)
-            ),
-        };
+        let number = geometry.number_comment(full_complement);
+        let diameter = geometry.diameter_comment();
+        let head = geometry.head(full_complement);
         let kind = if full_complement {
             "full complement"
         } else {
@@ -172,33 +219,12 @@ impl BoundaryDimensions {
             .map(|(suffix, meaning)| format!("# {suffix} ({meaning}) has no effect here.\n"))
             .collect();
         let rows = match angular {
-            true => format!(
-                "\
-[[row]]
-axial_position_mm = {:<26} # -B/2
-contact_sign = 1                               # its balls press the outer ring towards +z
-preload_um = 5                                 # (assumed) by displacement of the outer ring
-
-[[row]]
-axial_position_mm = {:<26} # B/2
-contact_sign = -1
-preload_um = 5
-
-",
-                -0.5 * width,
-                0.5 * width
-            ),
+            true => pair_of_rows(width),
             false => String::new(),
         };
-        let assembly = if full_complement && !angular {
-            format!(
-                "assembly = {:<35} # more balls than enter between eccentric rings;\n{:47}# \
-                 \"without-slot\" for a fractured or split ring\n",
-                format!("\"{}\"", Assembly::FillingSlot.name()),
-                ""
-            )
-        } else {
-            String::new()
+        let assembly = match full_complement && !angular {
+            true => filling_slot(),
+            false => String::new(),
         };
         let ball_set = BallSet {
             balls: balls as u64,

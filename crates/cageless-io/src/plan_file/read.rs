@@ -5,7 +5,7 @@ use std::path::Path;
 use super::conflict;
 use super::key::order;
 use super::keys::{BaseKeys, PLAN, PlanSections};
-use super::{PlanFile, Samples, Scatter, ScatteredKey};
+use super::{Axis, PlanFile, Samples, Scatter, ScatteredKey};
 use cageless_results::Computation;
 
 use crate::arrangement::{ArrangementDocument, BearingArrangement};
@@ -60,24 +60,16 @@ impl PlanFile {
         check_computations(&tree, &head.compute, &base_file)?;
         let grid = reader.entries("grid")?.into_iter();
         let samples = samples.map(|given| {
-            let axes = reader.entries_of("samples", "axes: section.key = { from = …, to = … }")?;
-            let axes = axes.into_iter().map(|entry| reader.axis(entry, false));
             Ok(Samples {
                 method: given.method,
                 count: given.count,
-                axes: axes.collect::<Result<_, _>>()?,
+                axes: reader.sampled_axes()?,
             })
         });
         let scatter = scatter.map(|given| {
-            let keys = "keys: section.key = { normal = … } or { uniform = … }";
-            let keys = reader.entries_of("scatter", keys)?.into_iter();
-            let keys = keys.map(|Entry { key, node }| {
-                let (law, line) = (reader.law(&key, node)?, node.line());
-                Ok(ScatteredKey { key, law, line })
-            });
             Ok(Scatter {
                 repeats: given.repeats,
-                keys: keys.collect::<Result<_, _>>()?,
+                keys: reader.scattered_keys()?,
             })
         });
         let plan = Self {
@@ -96,6 +88,15 @@ impl PlanFile {
         };
         conflict::check(&plan, &case, &changes)?;
         Ok(plan)
+    }
+}
+
+/// Hint for a key without its section, of one bearing or of all.
+fn hint_without_section(bearing: &str, key: &str) -> String {
+    match keys::all().find(|(_, k)| k.name == key) {
+        Some((of, k)) if !of.is_empty() => format!("did you mean {bearing}{of}.{}?", k.name),
+        Some(_) => "it does not vary".to_owned(),
+        None => format!("a key is written {bearing}section.key"),
     }
 }
 
@@ -204,6 +205,22 @@ impl<'a> PlanReader<'a> {
         Ok(entries)
     }
 
+    fn sampled_axes(&self) -> Result<Vec<Axis>, CaseError> {
+        let axes = self.entries_of("samples", "axes: section.key = { from = …, to = … }")?;
+        let axes = axes.into_iter().map(|entry| self.axis(entry, false));
+        axes.collect()
+    }
+
+    fn scattered_keys(&self) -> Result<Vec<ScatteredKey>, CaseError> {
+        let keys = "keys: section.key = { normal = … } or { uniform = … }";
+        let keys = self.entries_of("scatter", keys)?.into_iter();
+        let keys = keys.map(|Entry { key, node }| {
+            let (law, line) = (self.law(&key, node)?, node.line());
+            Ok(ScatteredKey { key, law, line })
+        });
+        keys.collect()
+    }
+
     /// Adds the keys of the base at `path` below the section `name` of the plan. A part of the path
     /// may be a dotted key in quotes, as in Python: "solver.duration_s".
     fn collect(
@@ -220,18 +237,8 @@ impl<'a> PlanReader<'a> {
             Err(self.error(node, path, format!("{what}; {hint}")))
         };
         if !matches!(node.value, Value::Section(_)) && parts.len() == 1 {
-            let hint = match keys::all().find(|(_, k)| k.name == key) {
-                Some((of, k)) if !of.is_empty() => {
-                    format!("did you mean {bearing}{of}.{}?", k.name)
-                }
-                Some(_) => "it does not vary".to_owned(),
-                None => format!("a key is written {bearing}section.key"),
-            };
-            return refused(
-                &path,
-                &format!("{name}.{path} is not a key of a case file"),
-                hint,
-            );
+            let what = format!("{name}.{path} is not a key of a case file");
+            return refused(&path, &what, hint_without_section(bearing, key));
         }
         let of_rotor = self.of_rotor && bearing.is_empty();
         if !(CASE_FILE.has_section(section) || of_rotor && ROTOR_FILE.has_section(section)) {

@@ -57,34 +57,7 @@ pub fn drop_page(file: &BearingArrangement, study: &DropStudy) -> String {
     page.section("Requirements");
     report::requirements(&mut page, study, &bearings);
     page.figures(displacements);
-    page.section("Architecture");
-    report::architecture(&mut page, &bearings);
-    let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, &bearings, sections);
-    keys(
-        &mut page,
-        &[
-            "bearing",
-            "row",
-            "raceway",
-            "material",
-            "ball_material",
-            "ring_material",
-        ],
-    );
-    page.section("Dynamic system");
-    keys(
-        &mut page,
-        &["rotor", "support", "contact", "model", "solver", "output"],
-    );
-    page.section("Environment");
-    report::environment(&mut page, &bearings);
-    keys(
-        &mut page,
-        &["operation", "housing", "thermal", "fit", "lubrication"],
-    );
-    page.section("Event");
-    page.paragraph(&event(file));
-    keys(&mut page, &["start"]);
+    conditions(&mut page, file, &bearings);
     page.section("Failure modes");
     report::failure_modes(&mut page, &bearings);
     page.section("Simulation");
@@ -101,26 +74,63 @@ pub fn drop_page(file: &BearingArrangement, study: &DropStudy) -> String {
     page.figures(bearings.iter().map(loads));
     page.section("Energy");
     page.figures(bearings.iter().map(heat));
-    if let Some(ensemble) = &study.ensemble {
-        scattered(&mut page, &bearings, ensemble);
-        if let Some(benefit) = &study.benefit {
-            page.note(Note::Remark, &format!("{}.", benefit.headline));
-        }
-    }
-    if let Some(verification) = &study.verification {
-        verification_section(&mut page, &bearings, verification);
-    }
-    page.section("Acceptance test");
-    report::acceptance_test(&mut page, &bearings);
-    if !study.succession.records.is_empty() {
-        page.section("Drops in succession");
-        succession(&mut page, &bearings, &study.succession);
-    }
+    judged(&mut page, study, &bearings);
     if let Some(file) = file.case() {
         let toml = file.document().to_toml().unwrap_or_default();
         studio_section(&mut page, &toml, "");
     }
     page.html()
+}
+
+/// Sections on what drops, under what conditions and how.
+fn conditions(page: &mut Page, file: &BearingArrangement, bearings: &[Bearing<'_>]) {
+    page.section("Architecture");
+    report::architecture(page, bearings);
+    let keys = |page: &mut Page, sections: &[&str]| report::keys(page, file, bearings, sections);
+    keys(
+        page,
+        &[
+            "bearing",
+            "row",
+            "raceway",
+            "material",
+            "ball_material",
+            "ring_material",
+        ],
+    );
+    page.section("Dynamic system");
+    keys(
+        page,
+        &["rotor", "support", "contact", "model", "solver", "output"],
+    );
+    page.section("Environment");
+    report::environment(page, bearings);
+    keys(
+        page,
+        &["operation", "housing", "thermal", "fit", "lubrication"],
+    );
+    page.section("Event");
+    page.paragraph(&event(file));
+    keys(page, &["start"]);
+}
+
+/// Sections on the scatter, the verification, the acceptance test and drops in succession.
+fn judged(page: &mut Page, study: &DropStudy, bearings: &[Bearing<'_>]) {
+    if let Some(ensemble) = &study.ensemble {
+        scattered(page, bearings, ensemble);
+        if let Some(benefit) = &study.benefit {
+            page.note(Note::Remark, &format!("{}.", benefit.headline));
+        }
+    }
+    if let Some(verification) = &study.verification {
+        verification_section(page, bearings, verification);
+    }
+    page.section("Acceptance test");
+    report::acceptance_test(page, bearings);
+    if !study.succession.records.is_empty() {
+        page.section("Drops in succession");
+        succession(page, bearings, &study.succession);
+    }
 }
 
 /// What happens at t = 0.

@@ -13,7 +13,7 @@ use crate::figure::Figure;
 use crate::figures::panels::Panel;
 use crate::length::um;
 use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
-use crate::sampling::history;
+use crate::sampling::{Points, history};
 use crate::text::short;
 
 /// Points of a trace over time.
@@ -35,7 +35,7 @@ fn both(
     mut plot: Plot,
     name: &str,
     colour: &str,
-    rows: impl Fn(&BearingRecord) -> (Vec<f64>, Vec<f64>),
+    rows: impl Fn(&BearingRecord) -> Points,
 ) -> Plot {
     if let Some(other) = bearing.conventional {
         let name = format!("{name}, conventional ring");
@@ -46,19 +46,18 @@ fn both(
 
 /// Path of the centre of the journal from the centre of the inner ring, or from that of the stator,
 /// µm.
-fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> (Vec<f64>, Vec<f64>) {
-    let (mut x, mut y) = (Vec::new(), Vec::new());
+fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> Points {
     let rotor = case.rotor.as_ref();
-    for (s, r, rotor) in snapshots.iter().filter_map(|s| Some((s, s.rotor?, rotor?))) {
+    let place = |s: &Snapshot| {
+        let (rotor, r) = (rotor?, s.rotor?);
         let journal = rotor.journal_m([r.x_m, r.y_m], r.angle_rad);
         let centre = match in_ring {
             true => [s.ring.x_m, s.ring.y_m],
             false => [0.0; 2],
         };
-        x.push(um(journal[0] - centre[0]));
-        y.push(um(journal[1] - centre[1]));
-    }
-    (x, y)
+        Some((um(journal[0] - centre[0]), um(journal[1] - centre[1])))
+    };
+    snapshots.iter().filter_map(place).collect()
 }
 
 fn circle(name: &str, radius_um: f64, colour: &str) -> Trace {
@@ -166,7 +165,7 @@ fn orbit(bearing: &Bearing<'_>) -> Figure {
         true,
         clearance,
     );
-    let (x, y) = path_um(bearing.case, &bearing.record.snapshots, true);
+    let Points { x, y } = path_um(bearing.case, &bearing.record.snapshots, true);
     if let (Some(x), Some(y)) = (x.last(), y.last()) {
         plot = plot.trace(markers("end", &[*x], &[*y], PALETTE[1]));
     }
@@ -192,12 +191,9 @@ fn two_over_time(height: u32, above: &str, below: &str, more: Value) -> Plot {
 }
 
 /// Time in ms and a value of the snapshots that have it, thinned.
-fn thinned(
-    record: &BearingRecord,
-    value: impl Fn(&Snapshot) -> Option<f64>,
-) -> (Vec<f64>, Vec<f64>) {
+fn thinned(record: &BearingRecord, value: impl Fn(&Snapshot) -> Option<f64>) -> Points {
     let rows = (record.snapshots.iter()).filter_map(|s| Some((1e3 * s.time_s, value(s)?)));
-    let (x, y): (Vec<f64>, Vec<f64>) = rows.unzip();
+    let Points { x, y } = rows.collect();
     history(&x, &y, POINTS)
 }
 
@@ -293,9 +289,9 @@ fn along_axis(bearing: &Bearing<'_>) -> Figure {
 
 /// Whirl frequency over time.
 fn whirl(bearing: &Bearing<'_>) -> Figure {
-    let over_windows = |record: &BearingRecord, of: fn(&WindowRow) -> f64| {
+    let over_windows = |record: &BearingRecord, of: fn(&WindowRow) -> f64| -> Points {
         let windows = record.result.windows.iter();
-        windows.map(|w| (w.time_ms, of(w))).unzip()
+        windows.map(|w| (w.time_ms, of(w))).collect()
     };
     let contact = over_windows(bearing.record, |w| 100.0 * w.contact_fraction);
     let contact = line_of("contact", contact, PALETTE[2]);

@@ -61,7 +61,7 @@ fn temperatures(bearing: &Bearing<'_>, rows: &[&Record]) -> Option<Figure> {
             [(drop - 1.0, of("start")), (drop, of("standstill"))]
         });
         let points = points.filter_map(|(drop, at)| Some((drop, at?)));
-        let measured = line_of(name, points.unzip(), colour);
+        let measured = line_of(name, points.collect(), colour);
         plot = plot.trace(measured.with(json!({ "mode": "lines+markers" })));
         let limits = bearing.particulars.limits.iter();
         for limit in limits.filter(|limit| limit.result == format!("{part}_standstill_c")) {

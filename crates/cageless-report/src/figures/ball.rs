@@ -7,7 +7,7 @@ use super::panels::shade_sectors;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line_of};
 use crate::run_data::RunData;
-use crate::sampling::{curve, wrapped};
+use crate::sampling::{Points, curve, wrapped};
 
 /// Phase portrait of a ball.
 pub fn phase(run: &RunData) -> Option<Figure> {
@@ -45,7 +45,7 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         (&ball.inner_force_n, "inner raceway Fi", PALETTE[0]),
     ] {
         let values = values.get(from..).unwrap_or_default();
-        let (angle, force) = wrapped(&ball.angle_deg[from..], values);
+        let Points { x: angle, y: force } = wrapped(&ball.angle_deg[from..], values);
         let drawn = curve_with_breaks(&angle, &force);
         plot = plot.trace(line_of(name, drawn, colour).width(1.0));
     }
@@ -62,20 +62,20 @@ pub fn loads(run: &RunData) -> Option<Figure> {
 }
 
 /// Thins each stretch between breaks by itself.
-fn curve_with_breaks(x: &[f64], y: &[f64]) -> (Vec<f64>, Vec<f64>) {
+fn curve_with_breaks(x: &[f64], y: &[f64]) -> Points {
     let total = x.len().max(1);
     let (mut xs, mut ys) = (Vec::new(), Vec::new());
     let mut from = 0;
     for at in (0..=x.len()).filter(|&i| i == x.len() || x[i].is_nan()) {
         let share = (8000 * (at - from) / total).max(8);
-        let (px, py) = curve(&x[from..at], &y[from..at], share);
-        xs.extend(px);
-        ys.extend(py);
+        let kept = curve(&x[from..at], &y[from..at], share);
+        xs.extend(kept.x);
+        ys.extend(kept.y);
         if at < x.len() {
             xs.push(f64::NAN);
             ys.push(f64::NAN);
         }
         from = at + 1;
     }
-    (xs, ys)
+    Points { x: xs, y: ys }
 }

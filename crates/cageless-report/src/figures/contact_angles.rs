@@ -7,9 +7,9 @@ use super::history::figure;
 use super::panels::{Panel, shade_sectors};
 use crate::figure::Figure;
 use crate::groove_contacts::{ContactHistory, GrooveContacts};
-use crate::plot::{GREY, PALETTE, Plot, Trace, line_of};
+use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of};
 use crate::run_data::RunData;
-use crate::sampling::wrapped;
+use crate::sampling::{Points, wrapped};
 use crate::text::fixed;
 
 /// Points of a line of flanks.
@@ -21,34 +21,9 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
     let shoulders_rad = ball.case.bearing.shoulder_angles_rad();
     let shoulders = degrees(&shoulders_rad);
     let panels = Panel::grid(2, 1, [0.0, 0.07]);
-    let mut plot = Plot::new(600).legend().margin([72, 24, 48, 58]);
-    let names = ["outer", "inner"];
-    for ((panel, name), shoulder) in panels.iter().zip(names).zip([shoulders[1], shoulders[0]]) {
-        let [x, y] = panel.axes();
-        let up = format!("Contact angle,<br>{name} raceway (°)");
-        let edge = 1.08 * shoulder;
-        plot = plot
-            .panel(
-                panel,
-                panel.at_edges(["ψ, 0 at the bottom (°)", &up]),
-                [
-                    json!({ "range": [-180, 180], "dtick": 45, "showticklabels": panel.lowest }),
-                    json!({ "range": [-edge, edge] }),
-                ],
-            )
-            .horizontal(x, y, shoulder, "solid")
-            .horizontal(x, y, -shoulder, "solid")
-            .text(
-                "shoulder",
-                (-178.0, shoulder),
-                (x, y),
-                json!({
-                    "xanchor": "left", "yanchor": "top", "font": { "size": 11, "color": "#666" },
-                }),
-            );
-    }
+    let plot = axes(&panels, &shoulders);
     let [outer, inner] = [&panels[0], &panels[1]].map(Panel::axes);
-    plot = shade_sectors(plot, &run.sectors, outer[0], outer[1]);
+    let mut plot = shade_sectors(plot, &run.sectors, outer[0], outer[1]);
     let slots = ball.case.raceways.iter().any(|r| r.slot().is_some());
     let name = if slots { "flanks or edges" } else { "flanks" };
     for (k, flanks) in flanks(&ball, contact_angle_rad).into_iter().enumerate() {
@@ -96,6 +71,37 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
         &caption,
         plot.finding(&finding),
     ))
+}
+
+/// Axes of the outer and the inner raceway over ψ, between the shoulders of each, degrees.
+fn axes(panels: &[Panel], shoulders: &[f64]) -> Plot {
+    let mut plot = Plot::new(600).legend().margin([72, 24, 48, 58]);
+    let names = ["outer", "inner"];
+    for ((panel, name), shoulder) in panels.iter().zip(names).zip([shoulders[1], shoulders[0]]) {
+        let [x, y] = panel.axes();
+        let up = format!("Contact angle,<br>{name} raceway (°)");
+        let edge = 1.08 * shoulder;
+        plot = plot
+            .panel(
+                panel,
+                panel.at_edges(["ψ, 0 at the bottom (°)", &up]),
+                [
+                    json!({ "range": [-180, 180], "dtick": 45, "showticklabels": panel.lowest }),
+                    json!({ "range": [-edge, edge] }),
+                ],
+            )
+            .horizontal(x, y, shoulder, "solid")
+            .horizontal(x, y, -shoulder, "solid")
+            .text(
+                "shoulder",
+                (-178.0, shoulder),
+                (x, y),
+                json!({
+                    "xanchor": "left", "yanchor": "top", "font": { "size": 11, "color": "#666" },
+                }),
+            );
+    }
+    plot
 }
 
 /// On how many flanks the ball rides, and how near its ellipses come to the shoulders.
@@ -152,7 +158,7 @@ fn rim_rad(raceway: &Raceway, local_rad: f64) -> f64 {
 }
 
 /// αg and this angle to both sides over ψ.
-fn flanks(ball: &GrooveContacts, angle_rad: fn(&Raceway, f64) -> f64) -> [(Vec<f64>, Vec<f64>); 2] {
+fn flanks(ball: &GrooveContacts, angle_rad: fn(&Raceway, f64) -> f64) -> [Points; 2] {
     let sign = ball.row().contact_sign;
     [1.0, -1.0].map(|side| {
         let (mut psi, mut angle) = (vec![], vec![]);
@@ -176,7 +182,7 @@ fn degrees(angles_rad: &[f64]) -> Vec<f64> {
 }
 
 /// Angles at a contact over ψ, in degrees.
-fn unrolled(ball: &GrooveContacts, angles_rad: &[f64]) -> (Vec<f64>, Vec<f64>) {
+fn unrolled(ball: &GrooveContacts, angles_rad: &[f64]) -> Points {
     wrapped(&degrees(&ball.angle_rad), &degrees(angles_rad))
 }
 
@@ -184,7 +190,8 @@ fn unrolled(ball: &GrooveContacts, angles_rad: &[f64]) -> (Vec<f64>, Vec<f64>) {
 fn ellipses(ball: &GrooveContacts, contact: &ContactHistory, colour: &str) -> Trace {
     let radius_m = ball.case.bearing.ball_radius_m();
     let end = |sign: f64| unrolled(ball, &contact.ends_rad(sign, radius_m));
-    let ((x, upper), (_, lower)) = (end(1.0), end(-1.0));
+    let Points { x, y: upper } = end(1.0);
+    let lower = end(-1.0).y;
     let (mut xs, mut ys) = (vec![], vec![]);
     let mut from = 0;
     for at in (0..=x.len()).filter(|&k| k == x.len() || upper[k].is_nan()) {
@@ -194,7 +201,7 @@ fn ellipses(ball: &GrooveContacts, contact: &ContactHistory, colour: &str) -> Tr
         ys.push(f64::NAN);
         from = at + 1;
     }
-    line_of("contact ellipse", (xs, ys), GREY).with(json!({
+    line("contact ellipse", &xs, &ys, GREY).with(json!({
         "fill": "toself", "fillcolor": format!("{colour}30"), "hoverinfo": "skip", "showlegend": false,
         "line": { "width": 0 },
     }))

@@ -5,7 +5,9 @@ use serde_json::{Value, json};
 use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, Trace, line, markers, number, plain, with};
-use crate::reproduce_data::{DesignCurve, LimitedQuantity, Table2, Table2Row, Variant};
+use crate::reproduce_data::{
+    DesignCurve, DesignLimit, LimitedQuantity, Table2, Table2Row, Variant,
+};
 use crate::sampling::range;
 
 /// Fig. 5: θ over lC that satisfies Zhao 2022, Eq. (11), with the paper's structures.
@@ -45,33 +47,36 @@ pub fn curve(design: &DesignCurve) -> Figure {
         "mode": "markers+text", "text": letters, "textposition": "top right",
         "hovertemplate": "(%{text}) lC %{x} mm, θ %{y}°<extra></extra>",
     })));
-    for limit in &design.limits {
-        let label = plain(&limit.label);
-        let small = json!({ "font": { "size": 11, "color": "#555" } });
-        plot = match limit.quantity {
-            LimitedQuantity::AxialSpan => plot.vertical("x", "y", limit.value, "dash").text(
-                &label,
-                (limit.value, 0.98),
-                ("x", "y domain"),
-                with(
-                    json!({ "xanchor": "right", "yanchor": "top", "textangle": -90 }),
-                    small,
-                ),
-            ),
-            LimitedQuantity::HalfAngle => plot.horizontal("x", "y", limit.value, "dash").text(
-                &label,
-                (0.985, limit.value),
-                ("x domain", "y"),
-                with(json!({ "xanchor": "right", "yanchor": "bottom" }), small),
-            ),
-        };
-    }
+    plot = design.limits.iter().fold(plot, limited);
     let caption = format!(
         "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
              gap of {:.4}° (Zhao 2022, Eq. (10), (11)){}, and the limits on both.",
         design.uniform_gap_deg, shown,
     );
     Figure::new("Figure 5", &caption, &design.provenance, plot)
+}
+
+/// A plot with the line of a limit.
+fn limited(plot: Plot, limit: &DesignLimit) -> Plot {
+    let label = plain(&limit.label);
+    let small = json!({ "font": { "size": 11, "color": "#555" } });
+    match limit.quantity {
+        LimitedQuantity::AxialSpan => plot.vertical("x", "y", limit.value, "dash").text(
+            &label,
+            (limit.value, 0.98),
+            ("x", "y domain"),
+            with(
+                json!({ "xanchor": "right", "yanchor": "top", "textangle": -90 }),
+                small,
+            ),
+        ),
+        LimitedQuantity::HalfAngle => plot.horizontal("x", "y", limit.value, "dash").text(
+            &label,
+            (0.985, limit.value),
+            ("x domain", "y"),
+            with(json!({ "xanchor": "right", "yanchor": "bottom" }), small),
+        ),
+    }
 }
 
 /// Table 2 at a glance: the paper's simulated gaps of its structures, its theory, and what the published and the
@@ -124,6 +129,14 @@ pub fn table2_overview(table: &Table2) -> Figure {
         &|row| Some(row.paper_simulated_deg),
         crosses,
     ));
+    let plot = remarked(plot, table);
+    let caption = "Critical gaps of the structures (a) to (j): the paper's simulated values, computed with the \
+                   published and with mechanically consistent equations, and the theory of Eq. (11).";
+    Figure::new("Table 2, drawn", caption, &Provenance::default(), plot)
+}
+
+/// A plot of Table 2 with the remarks on its rows.
+fn remarked(mut plot: Plot, table: &Table2) -> Plot {
     let rows = table.rows.iter().enumerate();
     for (k, row) in rows.filter(|(_, row)| !row.remark.is_empty()) {
         let at = (k as f64, row.paper_simulated_deg);
@@ -133,9 +146,7 @@ pub fn table2_overview(table: &Table2) -> Figure {
         });
         plot = plot.text(&plain(&row.remark), at, ("x", "y"), arrow);
     }
-    let caption = "Critical gaps of the structures (a) to (j): the paper's simulated values, computed with the \
-                   published and with mechanically consistent equations, and the theory of Eq. (11).";
-    Figure::new("Table 2, drawn", caption, &Provenance::default(), plot)
+    plot
 }
 
 /// Table 2 drawn: critical gap over θ, per variant, with the paper's columns.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line_of, number};
 use crate::run_data::{BallHistory, RunData};
-use crate::sampling::{history, range};
+use crate::sampling::{Points, history, range};
 use crate::text::short;
 
 /// One history of a ball.
@@ -192,7 +192,7 @@ fn of_balls(run: &RunData, mut plot: Plot, kinds: &[History], shown: usize) -> O
 }
 
 /// History of ball `k`: every row of the stretch that is shown first, few points before it.
-fn run_history(run: &RunData, k: usize, of: History, traces: usize) -> (Vec<f64>, Vec<f64>) {
+fn run_history(run: &RunData, k: usize, of: History, traces: usize) -> Points {
     let all = run.balls.get(k).map_or(&[][..], |ball| of(ball).as_slice());
     let most = if k == 0 {
         4000
@@ -203,7 +203,7 @@ fn run_history(run: &RunData, k: usize, of: History, traces: usize) -> (Vec<f64>
         return history(&run.time_s, all, most);
     };
     let before = run.time_s.partition_point(|t| *t < from).min(all.len());
-    let (mut x, mut y) = history(
+    let Points { mut x, mut y } = history(
         &run.time_s[..before],
         &all[..before],
         most.min(POINTS_BEFORE),
@@ -223,5 +223,5 @@ fn run_history(run: &RunData, k: usize, of: History, traces: usize) -> (Vec<f64>
     let start = time[..count].partition_point(|t| *t < from);
     x.extend(&time[start..count]);
     y.extend(&rows[start..count]);
-    (x, y)
+    Points { x, y }
 }

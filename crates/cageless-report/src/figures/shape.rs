@@ -11,6 +11,58 @@ use crate::plot::{
 use crate::sampling::range;
 use crate::text::fixed;
 
+/// Panels of Fig. 1b.
+struct TrackPanels {
+    /// Meridian section of the ball.
+    section: Panel,
+    /// r over ψ.
+    along_r: Panel,
+    /// z over ψ.
+    along_z: Panel,
+}
+
+impl Default for TrackPanels {
+    fn default() -> Self {
+        let [section, along_r, along_z] = [0, 1, 2].map(Panel::new);
+        Self {
+            section,
+            along_r,
+            along_z,
+        }
+    }
+}
+
+impl TrackPanels {
+    /// The section up to `edge`, beside it r above z.
+    fn axes(&self, edge: f64) -> Plot {
+        let range = json!([number(-edge), number(edge)]);
+        let right = [0.52, 1.0];
+        Plot::new(470)
+        .margin([64, 20, 40, 58])
+        .panel(
+            &self.section,
+            ["Axial position z on the ball (mm)", "Radial position y on the ball (mm)"],
+            [
+                json!({ "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "range": range }),
+                json!({ "constrain": "domain", "range": range }),
+            ],
+        )
+        .panel(
+            &self.along_r,
+            ["", "Contact radius r (mm)"],
+            [
+                json!({ "domain": right, "matches": "x3", "showticklabels": false }),
+                json!({ "domain": [0.55, 1.0] }),
+            ],
+        )
+        .panel(
+            &self.along_z,
+            ["ψ from the middle of the raceway (°)", "Axial position z (mm)"],
+            [json!({ "domain": right }), json!({ "domain": [0.0, 0.45] })],
+        )
+    }
+}
+
 /// Fig. 1b: the contact points on the ball, and r and z against ψ.
 pub fn contact_track(track: &ContactTrack) -> Figure {
     let theta = track.structure.half_angle_deg;
@@ -22,34 +74,10 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
     let below: Vec<f64> = track.effective_radius_mm.iter().map(|r| -r).collect();
     let (least, _) = range(&track.effective_radius_mm);
     let half_span = track.structure.axial_span_mm / 2.0;
-    let edge = json!([number(-1.08 * rw), number(1.08 * rw)]);
-    let section = Panel::new(0);
-    let [along_r, along_z] = [1, 2].map(Panel::new);
-    let right = [0.52, 1.0];
-    let mut plot = Plot::new(470)
-        .margin([64, 20, 40, 58])
-        .panel(
-            &section,
-            ["Axial position z on the ball (mm)", "Radial position y on the ball (mm)"],
-            [
-                json!({ "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "range": edge }),
-                json!({ "constrain": "domain", "range": edge }),
-            ],
-        )
-        .panel(
-            &along_r,
-            ["", "Contact radius r (mm)"],
-            [
-                json!({ "domain": right, "matches": "x3", "showticklabels": false }),
-                json!({ "domain": [0.55, 1.0] }),
-            ],
-        )
-        .panel(
-            &along_z,
-            ["ψ from the middle of the raceway (°)", "Axial position z (mm)"],
-            [json!({ "domain": right }), json!({ "domain": [0.0, 0.45] })],
-        );
-    for [x, y] in [along_r.axes(), along_z.axes()] {
+    let panels = TrackPanels::default();
+    let mut plot = panels.axes(1.08 * rw);
+    let [along_r, along_z] = [panels.along_r.axes(), panels.along_z.axes()];
+    for [x, y] in [along_r, along_z] {
         plot = plot.band(x, y, -theta, theta, SECTOR);
     }
     let (psi, r, z) = (
@@ -69,9 +97,9 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
             ("x", "y"),
             json!({ "yanchor": "bottom" }),
         )
-        .trace(line("r", psi, r, PALETTE[2]).on(along_r.axes()))
-        .trace(line("z > 0", psi, z, PALETTE[0]).on(along_z.axes()))
-        .trace(line("z < 0", psi, &mirrored, PALETTE[1]).on(along_z.axes()));
+        .trace(line("r", psi, r, PALETTE[2]).on(along_r))
+        .trace(line("z > 0", psi, z, PALETTE[0]).on(along_z))
+        .trace(line("z < 0", psi, &mirrored, PALETTE[1]).on(along_z));
     let caption = format!(
         "Contact track on the ball. Left: the meridian section of the ball with the two \
              branches of the track (blue z > 0, orange z < 0), outward being down as at the \

@@ -37,7 +37,13 @@ pub fn gap_history(gap: &GapHistory) -> Figure {
         ("x2 domain", "y2"),
         json!({ "xanchor": "left", "yanchor": "bottom", "font": { "size": 11 } }),
     );
-    let (plot, meanings) = marked(plot, &gap.stages, start, ("x2", "y2", "y2 domain", 1.0));
+    let above = Labels {
+        x: "x2",
+        y: "y2",
+        reference: "y2 domain",
+        height: 1.0,
+    };
+    let (plot, meanings) = marked(plot, &gap.stages, start, &above);
     let caption = format!(
         "Gap between ball {} and the ball ahead, {}. Above: the whole run, the transient \
              shaded grey; below: the turn shaded orange, enlarged.{}",
@@ -72,7 +78,13 @@ pub fn neighbours(three: &Neighbours) -> Figure {
         plot = plot.trace(gap.width(1.8).on(["x", "y2"]));
     }
     plot = plot.horizontal("x", "y2", 0.0, "solid");
-    let (plot, meanings) = marked(plot, &three.events, start, ("x", "paper", "paper", 0.97));
+    let on_paper = Labels {
+        x: "x",
+        y: "paper",
+        reference: "paper",
+        height: 0.97,
+    };
+    let (plot, meanings) = marked(plot, &three.events, start, &on_paper);
     let caption = format!(
         "Three neighbours on their way through the discrete raceway, {}: orbital speeds \
              above, gaps below.{}",
@@ -89,21 +101,25 @@ fn enlarged(time_s: &[f64]) -> (f64, Vec<f64>, String) {
     (start, ms, format!("Time after t = {start:.5} s (ms)"))
 }
 
-/// The plot with a line and a label at each event, and the meanings of the events for its caption. Labels
-/// stand at a height of a reference.
-fn marked(
-    mut plot: Plot,
-    events: &[Event],
-    start_s: f64,
-    (x, y, reference, height): (&str, &str, &str, f64),
-) -> (Plot, String) {
+/// Axes of events, and where their labels stand.
+struct Labels<'a> {
+    x: &'a str,
+    y: &'a str,
+    /// Reference of the height.
+    reference: &'a str,
+    height: f64,
+}
+
+/// The plot with a line and a label at each event, and the meanings of the events for its caption.
+fn marked(mut plot: Plot, events: &[Event], start_s: f64, labels: &Labels<'_>) -> (Plot, String) {
     let mut meanings = vec![];
     for event in events {
         let at = (event.time_s - start_s) * 1e3;
         let label = format!("<b>{}</b>", plain(&event.label));
         let bottom = json!({ "yanchor": "bottom" });
-        plot = plot.vertical(x, y, at, "dash");
-        plot = plot.text(&label, (at, height), (x, reference), bottom);
+        plot = plot.vertical(labels.x, labels.y, at, "dash");
+        let references = (labels.x, labels.reference);
+        plot = plot.text(&label, (at, labels.height), references, bottom);
         if !event.meaning.is_empty() {
             meanings.push(format!(" {}: {}", event.label, event.meaning));
         }

@@ -40,24 +40,7 @@ pub fn shares(data: &SweepData) -> Figure {
     let labels: Value = (outputs.iter())
         .map(|o| plain(&names::name(&o.quantity)))
         .collect();
-    let percent = |output: &SweepOutput, k: usize| {
-        let share = output.shares.get(k).copied().flatten();
-        share.map_or(f64::NAN, |s| 100.0 * s)
-    };
-    let z: Value = outputs
-        .iter()
-        .map(|o| numbers(&order.iter().map(|k| percent(o, *k)).collect::<Vec<_>>()))
-        .collect();
-    let text: Value = outputs
-        .iter()
-        .map(|o| {
-            let shown = |k: &usize| match percent(o, *k) {
-                share if share.is_finite() => format!("{share:.0}"),
-                _ => String::new(),
-            };
-            order.iter().map(shown).collect::<Value>()
-        })
-        .collect();
+    let cells = percents(&outputs, &order);
     let height = 150 + 30 * outputs.len() as u32;
     let mut plot = Plot::new(height.max(240))
         .x(
@@ -66,7 +49,7 @@ pub fn shares(data: &SweepData) -> Figure {
         )
         .y("", json!({ "showgrid": false, "type": "category" }))
         .trace(json!({
-            "type": "heatmap", "x": inputs, "y": labels, "z": z, "text": text,
+            "type": "heatmap", "x": inputs, "y": labels, "z": cells.value, "text": cells.text,
             "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": BLUES,
             "xgap": 1, "ygap": 1,
             "colorbar": { "title": { "text": "%", "side": "right" }, "thickness": 12 },
@@ -94,6 +77,35 @@ pub fn shares(data: &SweepData) -> Figure {
         &data.provenance,
         plot,
     )
+}
+
+/// Rows of a map of shares: its values, percent, and what stands in its cells.
+struct Percents {
+    value: Value,
+    text: Value,
+}
+
+/// Share of each input, in an order, in the variance of each output.
+fn percents(outputs: &[&SweepOutput], order: &[usize]) -> Percents {
+    let percent = |output: &SweepOutput, k: usize| {
+        let share = output.shares.get(k).copied().flatten();
+        share.map_or(f64::NAN, |s| 100.0 * s)
+    };
+    let value = outputs
+        .iter()
+        .map(|o| numbers(&order.iter().map(|k| percent(o, *k)).collect::<Vec<_>>()))
+        .collect();
+    let text = outputs
+        .iter()
+        .map(|o| {
+            let shown = |k: &usize| match percent(o, *k) {
+                share if share.is_finite() => format!("{share:.0}"),
+                _ => String::new(),
+            };
+            order.iter().map(shown).collect::<Value>()
+        })
+        .collect();
+    Percents { value, text }
 }
 
 /// The input that explains most of each of the first outputs, in sentences.

@@ -59,10 +59,28 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
             sizes.push(format!("{}: {} m/s²{peak}", signal.name, short(rms)));
         }
     }
-    let axes = Panel::new(count);
+    let plot = spectra(plot, vibration, spectrum / inner);
+    let caption = format!(
+        "Acceleration of the outer ring over time, on one scale, and below its single-sided \
+             amplitude spectrum up to {HIGHEST_HZ} Hz{}.{}{}{}",
+        resolution(vibration),
+        stretches(vibration),
+        if sizes.is_empty() { "" } else { " " },
+        if sizes.is_empty() {
+            String::new()
+        } else {
+            format!("Root mean square of {}.", sizes.join("; "))
+        }
+    );
+    Figure::new(label, &caption, &vibration.provenance, plot)
+}
+
+/// Spectra of all signals over the lowest part of a plot, up to `height` of it.
+fn spectra(mut plot: Plot, vibration: &Vibration, height: f64) -> Plot {
+    let axes = Panel::new(vibration.signals.len().max(1));
     let [x, y] = axes.axes();
     let up = json!({
-        "domain": [0.0, spectrum / inner], "type": "log", "exponentformat": "power", "dtick": 1,
+        "domain": [0.0, height], "type": "log", "exponentformat": "power", "dtick": 1,
     });
     let more = [json!({ "range": [0, HIGHEST_HZ] }), up];
     plot = plot.panel(&axes, ["Frequency f (Hz)", "Amplitude (m/s²)"], more);
@@ -77,19 +95,7 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
     for mark in &vibration.marks {
         plot = plot.marked([x, y], mark.frequency_hz, &plain(&mark.label), "dot");
     }
-    let caption = format!(
-        "Acceleration of the outer ring over time, on one scale, and below its single-sided \
-             amplitude spectrum up to {HIGHEST_HZ} Hz{}.{}{}{}",
-        resolution(vibration),
-        stretches(vibration),
-        if sizes.is_empty() { "" } else { " " },
-        if sizes.is_empty() {
-            String::new()
-        } else {
-            format!("Root mean square of {}.", sizes.join("; "))
-        }
-    );
-    Figure::new(label, &caption, &vibration.provenance, plot)
+    plot
 }
 
 /// Remark on the resolution of the spectrum.

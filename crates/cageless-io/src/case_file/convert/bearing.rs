@@ -20,6 +20,12 @@ const OUTER_RADII_MAX: f64 = 10.0;
 /// Difference of two diameters that are one, as a fraction.
 const SAME: f64 = 1e-6;
 
+/// Radii of the bottoms of both grooves.
+struct GrooveBottoms {
+    inner_m: f64,
+    outer_m: f64,
+}
+
 impl Converter<'_> {
     /// The bearing, with the clearance in operation, and what fits and temperatures made of it.
     pub(in crate::case_file) fn bearing(
@@ -89,24 +95,7 @@ impl Converter<'_> {
             Some(diameter) => diameter / 2.0,
             None => self.need("ball_radius_mm", b.ball_radius_m)?,
         };
-        let (inner, outer) =
-            if b.pitch_diameter_m.is_some() || b.radial_internal_clearance_m.is_some() {
-                let pitch = self.need("pitch_diameter_mm", b.pitch_diameter_m)?;
-                let clearance = b.radial_internal_clearance_m;
-                let clearance = self.need("radial_internal_clearance_um", clearance)?;
-                // Ri + Ro = Dpw and 2 (Ro - Ri - 2 Rw) = Gr.
-                let half = ball_radius_m + clearance / 4.0;
-                (pitch / 2.0 - half, pitch / 2.0 + half)
-            } else {
-                let (inner, outer) = (
-                    b.inner_groove_bottom_radius_m,
-                    b.outer_groove_bottom_radius_m,
-                );
-                (
-                    self.need("inner_groove_bottom_radius_mm", inner)?,
-                    self.need("outer_groove_bottom_radius_mm", outer)?,
-                )
-            };
+        let bottoms = self.groove_bottoms(ball_radius_m)?;
         let groove = |radius: Option<f64>, key: &str, conformity: Option<f64>| {
             let by_conformity = conformity.unwrap_or(CONFORMITY) * (2.0 * ball_radius_m);
             if !Millimetre.of_si(by_conformity).is_finite() {
@@ -118,24 +107,20 @@ impl Converter<'_> {
             Some(_) => 0.0,
             None => INNER_RING_DAMPING_N_S_M,
         };
-        let (inner_curvature, outer_curvature) = (
-            b.inner_groove_curvature_radius_m,
-            b.outer_groove_curvature_radius_m,
-        );
         let mut dimensions = BearingDimensions {
             balls: b.balls,
             ball_radius_m,
-            inner_groove_bottom_radius_m: inner,
-            outer_groove_bottom_radius_m: outer,
+            inner_groove_bottom_radius_m: bottoms.inner_m,
+            outer_groove_bottom_radius_m: bottoms.outer_m,
             outer_shoulder_radius_m: 0.0,
             inner_shoulder_radius_m: b.inner_shoulder_radius_m,
             inner_groove_curvature_radius_m: groove(
-                inner_curvature,
+                b.inner_groove_curvature_radius_m,
                 "bearing.inner_conformity",
                 b.inner_conformity,
             )?,
             outer_groove_curvature_radius_m: groove(
-                outer_curvature,
+                b.outer_groove_curvature_radius_m,
                 "bearing.outer_conformity",
                 b.outer_conformity,
             )?,
@@ -158,7 +143,36 @@ impl Converter<'_> {
         if let Some(fit) = &fit {
             dimensions.inner_groove_bottom_radius_m -= 0.5 * fit.change_m();
         }
-        let assumptions = assumptions(&self.document.tree, &dimensions);
+        self.complete(&mut dimensions)?;
+        Ok((dimensions, fit))
+    }
+
+    /// The radii of the groove bottoms, given or by pitch diameter and clearance.
+    fn groove_bottoms(&self, ball_radius_m: f64) -> Result<GrooveBottoms, CaseError> {
+        let b = &self.sections.bearing;
+        if b.pitch_diameter_m.is_some() || b.radial_internal_clearance_m.is_some() {
+            let pitch = self.need("pitch_diameter_mm", b.pitch_diameter_m)?;
+            let clearance = b.radial_internal_clearance_m;
+            let clearance = self.need("radial_internal_clearance_um", clearance)?;
+            // Ri + Ro = Dpw and 2 (Ro - Ri - 2 Rw) = Gr.
+            let half = ball_radius_m + clearance / 4.0;
+            return Ok(GrooveBottoms {
+                inner_m: pitch / 2.0 - half,
+                outer_m: pitch / 2.0 + half,
+            });
+        }
+        let inner = b.inner_groove_bottom_radius_m;
+        let outer = b.outer_groove_bottom_radius_m;
+        Ok(GrooveBottoms {
+            inner_m: self.need("inner_groove_bottom_radius_mm", inner)?,
+            outer_m: self.need("outer_groove_bottom_radius_mm", outer)?,
+        })
+    }
+
+    /// Sets the radius of the outer shoulder and the mass of the inner ring, given or assumed from the rest.
+    fn complete(&self, dimensions: &mut BearingDimensions) -> Result<(), CaseError> {
+        let b = &self.sections.bearing;
+        let assumptions = assumptions(&self.document.tree, dimensions);
         let assumed = |name: &str| {
             let key = join("bearing", name);
             let found = assumptions.iter().find(|a| a.key == key);
@@ -172,7 +186,7 @@ impl Converter<'_> {
         let mass = "inner_ring_mass_kg";
         dimensions.inner_ring_mass_kg =
             self.need(mass, b.inner_ring_mass_kg.or_else(|| assumed(mass)))?;
-        Ok((dimensions, fit))
+        Ok(())
     }
 
     /// The fit, with the diameters that the bearing has.
