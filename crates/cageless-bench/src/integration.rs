@@ -149,6 +149,34 @@ struct Measured {
     s_per_s: f64,
 }
 
+/// Prints the fastest setting of each solver below an error.
+fn print_fastest(all: &[Measured], at_error: f64) {
+    println!("\nFastest setting with an error below {:e}:", at_error);
+    let mut best: Vec<&Measured> = vec![];
+    for measured in all
+        .iter()
+        .filter(|m| matches!(m.error, Ok(e) if e < at_error))
+    {
+        match best
+            .iter_mut()
+            .find(|b| b.solver.name() == measured.solver.name())
+        {
+            Some(best) if measured.s_per_s < best.s_per_s => *best = measured,
+            Some(_) => {}
+            None => best.push(measured),
+        }
+    }
+    let least = best.iter().map(|b| b.s_per_s).fold(f64::INFINITY, f64::min);
+    for b in best {
+        let (name, setting) = (b.solver.name(), b.solver.setting(&b.timed));
+        println!(
+            "{name}, {setting}: {:.3} s/s, {:.1} times the least",
+            b.s_per_s,
+            b.s_per_s / least
+        );
+    }
+}
+
 /// Prints error and time of every solver, and the fastest setting of each below the error.
 ///
 /// # Errors
@@ -188,32 +216,6 @@ pub fn measure(problem: &Problem, options: &Options) -> Result<()> {
             Err(reason) => println!("| {name} | {setting} | {reason} | |"),
         }
     }
-    println!(
-        "\nFastest setting with an error below {:e}:",
-        options.at_error
-    );
-    let mut best: Vec<&Measured> = vec![];
-    for measured in all
-        .iter()
-        .filter(|m| matches!(m.error, Ok(e) if e < options.at_error))
-    {
-        match best
-            .iter_mut()
-            .find(|b| b.solver.name() == measured.solver.name())
-        {
-            Some(best) if measured.s_per_s < best.s_per_s => *best = measured,
-            Some(_) => {}
-            None => best.push(measured),
-        }
-    }
-    let least = best.iter().map(|b| b.s_per_s).fold(f64::INFINITY, f64::min);
-    for b in best {
-        let (name, setting) = (b.solver.name(), b.solver.setting(&b.timed));
-        println!(
-            "{name}, {setting}: {:.3} s/s, {:.1} times the least",
-            b.s_per_s,
-            b.s_per_s / least
-        );
-    }
+    print_fastest(&all, options.at_error);
     Ok(())
 }

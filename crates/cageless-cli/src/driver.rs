@@ -24,7 +24,7 @@ pub const PAGE: &str = "report.html";
 pub const PAGE_DATA: &str = "report.json";
 
 /// Files of a folder by name; `None`: one of an earlier call is removed.
-type Files = Vec<(&'static str, Option<Vec<u8>>)>;
+pub type Files = Vec<(&'static str, Option<Vec<u8>>)>;
 
 /// What a command has computed.
 pub struct Answer {

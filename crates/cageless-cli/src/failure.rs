@@ -172,6 +172,16 @@ mod tests {
 
     use super::Failure;
 
+    fn not_finite() -> Stop {
+        Stop {
+            time_s: 0.5,
+            step_s: 1e-6,
+            automatic_step_s: 1e-6,
+            drop: false,
+            cause: Cause::NotFinite,
+        }
+    }
+
     /// Exit code and message of each ending, alone and with more that was interrupted.
     #[test]
     fn each_ending_has_its_exit_code() {
@@ -179,13 +189,6 @@ mod tests {
         let file = CaseFile::parse(&template(false), "case", &short).unwrap();
         let done = || run(file.case(), &mut [], &mut |_| Control::Continue(())).unwrap();
         assert!(matches!(done().ending, Ending::Complete));
-        let stop = Stop {
-            time_s: 0.5,
-            step_s: 1e-6,
-            automatic_step_s: 1e-6,
-            drop: false,
-            cause: Cause::NotFinite,
-        };
         let rest = "interrupted: the drop itself is complete.";
         let folder = Path::new("out/folder");
         let endings: [(&dyn Fn() -> Ending, _, _, _); 4] = [
@@ -202,7 +205,7 @@ mod tests {
                 "interrupted at t = 0.000100 s.",
             ),
             (
-                &|| Ending::Stopped(stop.clone()),
+                &|| Ending::Stopped(not_finite()),
                 Some(3),
                 Some(3),
                 "at t = 0.500000 s a state",

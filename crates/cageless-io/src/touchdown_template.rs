@@ -42,6 +42,20 @@ impl AssumedRing {
             of,
         }
     }
+
+    /// Head of `[bearing]`.
+    fn keys(&self) -> String {
+        let ring_kg = rounded(self.mass_kg);
+        let ring_inertia = rounded(self.polar_inertia_kg_m2);
+        format!(
+            "\
+[bearing]
+inner_ring_mass_kg = {ring_kg:<25} # (assumed) {of} of width B
+inner_ring_polar_inertia_kg_m2 = {ring_inertia:<13e} # (assumed) of that ring; it decides the spin-up
+",
+            of = self.of
+        )
+    }
 }
 
 /// The case file `text` of a bearing with a rotor that drops onto it, in place of its operation.
@@ -57,20 +71,10 @@ pub fn touchdown_case(bearing: &BoundaryDimensions, full_complement: bool, text:
     let support_kg = rounded(2.5 * inner_ring.mass_kg);
     // A fifth of 2·√(k·m).
     let damping = rounded(0.4 * (support_n_m * rotor_kg).sqrt());
-    let ring_kg = rounded(inner_ring.mass_kg);
-    let ring_inertia = rounded(inner_ring.polar_inertia_kg_m2);
     let drop_m_s = (2.0 * GRAVITY_M_S2 * 200e-6).sqrt();
     let surface_m_s = speed_rpm * TAU / 60.0 * bore_m / 2.0;
-    let ring = format!(
-        "\
-[bearing]
-inner_ring_mass_kg = {ring_kg:<25} # (assumed) {of} of width B
-inner_ring_polar_inertia_kg_m2 = {ring_inertia:<13e} # (assumed) of that ring; it decides the spin-up
-",
-        of = inner_ring.of
-    );
     let head = text.split("[operation]").next().unwrap_or(text);
-    let head = head.replacen("[bearing]\n", &ring, 1);
+    let head = head.replacen("[bearing]\n", &inner_ring.keys(), 1);
     format!(
         "\
 {head}[contact]

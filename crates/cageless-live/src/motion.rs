@@ -117,6 +117,20 @@ impl Start {
     }
 }
 
+/// Cause of an early end of a stretch that began at `from_s`; `None` of a whole one.
+fn stopped(ending: &Ending, from_s: f64) -> Result<Option<Value>, Refusal> {
+    Ok(match ending {
+        Ending::Stopped(stop) => Some(json!({
+            "time_s": from_s + stop.time_s,
+            "cause": stop.cause.to_string(),
+            "advice": stop.advice().to_string(),
+        })),
+        Ending::Interrupted => return Err(Refusal::new("cancelled")),
+        Ending::ObserverFailed(error) => return Err(Refusal::new(error.to_string())),
+        Ending::Complete => None,
+    })
+}
+
 /// Runs a stretch and returns its frames, its collisions so far and what the next needs.
 pub(crate) fn motion(
     case: &Case,
@@ -144,16 +158,7 @@ pub(crate) fn motion(
             control(time_s / duration_s)
         })
     };
-    let stopped = match &outcome.ending {
-        Ending::Stopped(stop) => Some(json!({
-            "time_s": from_s + stop.time_s,
-            "cause": stop.cause.to_string(),
-            "advice": stop.advice().to_string(),
-        })),
-        Ending::Interrupted => return Err(Refusal::new("cancelled")),
-        Ending::ObserverFailed(error) => return Err(Refusal::new(error.to_string())),
-        Ending::Complete => None,
-    };
+    let stopped = stopped(&outcome.ending, from_s)?;
     let resume = match (&stopped, frames.last()) {
         (None, Some(last)) => {
             let time_s = [from_s + outcome.end_s];

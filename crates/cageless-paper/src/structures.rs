@@ -309,6 +309,29 @@ fn shared_provenance(case: &Case) -> Provenance {
 mod tests {
     use super::*;
 
+    /// A passage of a pair with this gap before the raceway.
+    fn pair(gap_deg: f64, collisions_behind: u32) -> Passage {
+        Passage {
+            ball: 0,
+            raceway: 0,
+            enter_s: 0.0,
+            leave_s: 0.0,
+            gap_enter_rad: 0.0,
+            gap_behind_rad: gap_deg.to_radians(),
+            gap_min_rad: 0.0,
+            gap_leave_rad: 0.0,
+            collisions_ahead: 0,
+            collisions_behind,
+            sliding_max_m_s: 0.0,
+            unloaded_s: 0.0,
+            orbit_speed_range_rad_s: [0.0; 2],
+            inside_at_largest_s: 0.0,
+            slowest_at_largest_rad_s: 0.0,
+            angle_rad: 0.0,
+            way_here: None,
+        }
+    }
+
     /// Contacts at ψ = 180°, in the middle, and of one ball outside with one inside; five balls of
     /// which two are inside.
     #[test]
@@ -335,25 +358,6 @@ mod tests {
             gap_rad: [1f64, 2.0, 3.0, 5.0, 7.0].map(f64::to_radians).to_vec(),
             orbit_speed_rad_s: vec![500.0; 5],
             ..Snapshot::default()
-        };
-        let pair = |gap_deg: f64, collisions_behind| Passage {
-            ball: 0,
-            raceway: 0,
-            enter_s: 0.0,
-            leave_s: 0.0,
-            gap_enter_rad: 0.0,
-            gap_behind_rad: gap_deg.to_radians(),
-            gap_min_rad: 0.0,
-            gap_leave_rad: 0.0,
-            collisions_ahead: 0,
-            collisions_behind,
-            sliding_max_m_s: 0.0,
-            unloaded_s: 0.0,
-            orbit_speed_range_rad_s: [0.0; 2],
-            inside_at_largest_s: 0.0,
-            slowest_at_largest_rad_s: 0.0,
-            angle_rad: 0.0,
-            way_here: None,
         };
         // By the rule of Section 2.3 with β0 = 1.816°: kept, kept, broken twice; at β0 nothing.
         let passages = [

@@ -292,10 +292,10 @@ impl Computed {
         match (&self.content, self.kind.as_str()) {
             (Content::Run(data), _) => {
                 let mut data = made(py, data)?.clone();
-                if let Some(window) = time_s {
+                if let Some((from, to)) = time_s {
                     let tables = self.tables.bind(py).get_item(0)?;
                     let tables = Tables::of_arrays(tables.cast::<PyDict>().map_err(PyErr::from)?)?;
-                    data = data.within(&tables.snapshots(window)?);
+                    data = data.within(&tables.snapshots(from, to)?);
                 }
                 if let Some(balls) = balls {
                     let balls: Vec<usize> = balls.iter().map(|ball| ball - 1).collect();

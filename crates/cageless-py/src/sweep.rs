@@ -67,7 +67,7 @@ impl Sweep {
     ) -> Found<()> {
         let job = Job {
             result,
-            shard: shard.map(share).transpose()?,
+            shard: shard.map(|(number, of)| share(number, of)).transpose()?,
             threads,
         };
         Background(Some(NonZeroUsize::MIN), progress).run(py, |progress| {
@@ -161,7 +161,7 @@ impl Sweep {
     }
 }
 
-fn share((number, of): (u64, u64)) -> Found<Shard> {
+fn share(number: u64, of: u64) -> Found<Shard> {
     let problem = "is not possible: it must be (I, N) with 1 ≤ I ≤ N";
     let refused = || input(format!("shard = ({number}, {of}) {problem}"));
     Shard::new(number, of).ok_or_else(refused)

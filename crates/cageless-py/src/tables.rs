@@ -169,7 +169,7 @@ impl Tables {
     }
 
     /// Snapshots of the output times from `from` to `to`, s.
-    pub fn snapshots(&self, (from, to): (f64, f64)) -> Found<Vec<Snapshot>> {
+    pub fn snapshots(&self, from: f64, to: f64) -> Found<Vec<Snapshot>> {
         let times = &self.0[1][0];
         let rows = times.partition_point(|t| *t < from)..times.partition_point(|t| *t <= to);
         if rows.len() < 2 || from.is_nan() || to.is_nan() {

@@ -102,9 +102,25 @@ pub struct Requirement {
     sentences: [String; 2],
 }
 
-/// Sides of a limit with their words and signs: kept, missed.
-const AT_MOST: [&str; 3] = ["at most", "≤", ">"];
-const AT_LEAST: [&str; 3] = ["at least", "≥", "<"];
+/// Side of a limit on which a value must be.
+struct LimitSide {
+    words: &'static str,
+    /// Sign between a value and the limit that it keeps.
+    kept: &'static str,
+    /// Sign between a value and the limit that it misses.
+    missed: &'static str,
+}
+
+const AT_MOST: LimitSide = LimitSide {
+    words: "at most",
+    kept: "≤",
+    missed: ">",
+};
+const AT_LEAST: LimitSide = LimitSide {
+    words: "at least",
+    kept: "≥",
+    missed: "<",
+};
 
 impl Requirement {
     fn new(quantity: &str, value: f64, unit: &str, met: bool) -> Self {
@@ -125,31 +141,30 @@ impl Requirement {
     }
 
     /// The requirement with its limit and its value in the unit that follows the numbers.
-    fn limited(mut self, [words, kept, missed]: [&str; 3], limit: f64, unit: &str) -> Self {
+    fn limited(mut self, side: &LimitSide, limit: f64, unit: &str) -> Self {
         // So few digits that the value still lies on its side of the limit.
         let apart =
             |digits: &usize| significant(self.value, *digits) != significant(limit, *digits);
         let digits = (2..4).find(apart).unwrap_or(4);
-        let sign = if self.holds == Holds::Met {
-            kept
-        } else {
-            missed
+        let sign = match self.holds {
+            Holds::Met => side.kept,
+            _ => side.missed,
         };
         let limit = significant(limit, digits.max(3)) + unit;
         self.shown = significant(self.value, digits) + unit;
         self.brief = format!("{} {sign} {limit}", self.shown);
-        self.limit = format!("{words} {limit}");
+        self.limit = format!("{} {limit}", side.words);
         self
     }
 
     /// `value` of `quantity` must be `limit` or less; the unit follows the numbers: `"°"`, `" N"`.
     pub fn at_most(quantity: &str, value: f64, limit: f64, unit: &str) -> Self {
-        Self::new(quantity, value, unit, value <= limit).limited(AT_MOST, limit, unit)
+        Self::new(quantity, value, unit, value <= limit).limited(&AT_MOST, limit, unit)
     }
 
     /// `value` of `quantity` must be `limit` or more.
     pub fn at_least(quantity: &str, value: f64, limit: f64, unit: &str) -> Self {
-        Self::new(quantity, value, unit, value >= limit).limited(AT_LEAST, limit, unit)
+        Self::new(quantity, value, unit, value >= limit).limited(&AT_LEAST, limit, unit)
     }
 
     /// `value` of `quantity`, known to ± `error`, must be more than `limit`; within its error it is undecided.

@@ -128,6 +128,19 @@ fn vibration(case: &Case, measured: &Measurement, of_run: &Provenance) -> Vibrat
     }
 }
 
+/// The discarded part of a run.
+fn transient(settled_after_s: f64) -> String {
+    match settled_after_s.is_finite() {
+        true => format!("t < {settled_after_s:.4} s"),
+        false => "nothing".to_owned(),
+    }
+}
+
+fn verification_table(verification: &Record) -> VerificationTable {
+    let numbers = verification.part("numbers").into_iter();
+    VerificationTable::new(verification, numbers.flat_map(Record::members))
+}
+
 /// Data of the page of one run.
 pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     let RunRecord {
@@ -141,11 +154,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     let settled = summary.results.number("settled_after_s");
     let bearing = &case.bearing;
     let orbit = case.rolling_orbit_speed_rad_s();
-    let discarded = match settled.is_finite() {
-        true => format!("t < {settled:.4} s"),
-        false => "nothing".to_owned(),
-    };
-    let provenance = provenance(title, case, discarded);
+    let provenance = provenance(title, case, transient(settled));
     let RunHistories {
         snapshots,
         stretch_s,
@@ -159,10 +168,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     RunData {
         // A seed beyond the whole numbers of TOML leaves the page without a studio.
         case_toml: file.document().to_toml().unwrap_or_default(),
-        title: match title {
-            "" => "Run".to_owned(),
-            title => title.to_owned(),
-        },
+        title: if title.is_empty() { "Run" } else { title }.to_owned(),
         software: format!("Cageless {VERSION}, {}", outcome.instruction_set.name()),
         lead: lead(case, outcome),
         warnings: warnings(summary),
@@ -187,10 +193,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         collisions,
         collisions_total,
         energy: energy(outcome),
-        verification: summary.verification.as_ref().map(|verification| {
-            let numbers = verification.part("numbers").into_iter();
-            VerificationTable::new(verification, numbers.flat_map(Record::members))
-        }),
+        verification: summary.verification.as_ref().map(verification_table),
         energy_residual_relative: Some(outcome.energy_residual_relative),
         vibration: (record.vibration()).map(|measured| vibration(case, measured, &provenance)),
         motion: (recent.len() > 1).then(|| motion(case, "", shown, provenance.clone())),

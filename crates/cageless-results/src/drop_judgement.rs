@@ -129,7 +129,7 @@ impl DropJudgement {
             .and_then(|rotor| rotor.clearance_limit_m)
         {
             let most_m = summary.rotor_displacement_max_m;
-            displaced("the journal", most_m, limit_m, [&mut kept, &mut failed]);
+            displaced("the journal", most_m, limit_m).add_to(&mut kept, &mut failed);
         }
         failed.extend(not_carried(case, summary.rotor_weight_n));
         failed.extend(whirl_at_the_end(summary, outcome));
@@ -202,8 +202,8 @@ impl DropJudgement {
     pub(crate) fn with_rotor(mut self, rotor: &RotorOutcome) -> Self {
         for plane in &rotor.planes {
             let (clearance, most_m) = (&plane.clearance, plane.displacement_max_m);
-            let lists = [&mut self.kept, &mut self.failed];
-            displaced(&clearance.name, most_m, clearance.radial_m, lists);
+            displaced(&clearance.name, most_m, clearance.radial_m)
+                .add_to(&mut self.kept, &mut self.failed);
         }
         let residual = rotor.energy_residual_relative;
         self.failed.extend(unbalanced(residual));
@@ -259,19 +259,34 @@ fn not_at_speed(summary: &DropSummary) -> Option<String> {
     slides.then(|| format!("inner ring not up to speed yet ({ring:.0} of {rotor:.0} rpm)"))
 }
 
-/// Adds a displacement against its clearance to the limits kept or to those that failed.
-fn displaced(what: &str, most_m: f64, limit_m: f64, [kept, failed]: [&mut Vec<String>; 2]) {
+/// A limit in a sentence.
+enum Limit {
+    Kept(String),
+    Failed(String),
+}
+
+impl Limit {
+    fn add_to(self, kept: &mut Vec<String>, failed: &mut Vec<String>) {
+        match self {
+            Self::Kept(sentence) => kept.push(sentence),
+            Self::Failed(sentence) => failed.push(sentence),
+        }
+    }
+}
+
+/// A displacement against its clearance.
+fn displaced(what: &str, most_m: f64, limit_m: f64) -> Limit {
     let (most, limit) = (1e6 * most_m, 1e6 * limit_m);
-    let (list, verb, of_margin) = match most_m > limit_m {
-        true => (failed, "beyond", "exceeded by"),
-        false => (kept, "within", "margin"),
+    let (is, verb, of_margin): (fn(String) -> Limit, _, _) = match most_m > limit_m {
+        true => (Limit::Failed, "beyond", "exceeded by"),
+        false => (Limit::Kept, "within", "margin"),
     };
-    list.push(format!(
+    is(format!(
         "{what} displaced by {} µm, {verb} its clearance of {} µm ({of_margin} {} µm)",
         short(most),
         short(limit),
         short((limit - most).abs())
-    ));
+    ))
 }
 
 /// Whether the bearing gave way; else its computation failed or was interrupted.

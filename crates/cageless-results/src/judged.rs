@@ -115,7 +115,7 @@ impl VerifiedDrop {
 mod tests {
     use super::*;
 
-    fn reason(verdict: Convergence, unit: &'static str, [mean, change]: [f64; 2]) -> String {
+    fn reason(verdict: Convergence, unit: &'static str, mean: f64, change: f64) -> String {
         let quantity = Named {
             name: "a_result",
             label: "a result",
@@ -149,15 +149,15 @@ mod tests {
     #[test]
     fn reasons_have_the_numbers_and_units_of_readers() {
         assert_eq!(
-            reason(Convergence::Converged, "N m", [0.02, 0.0]),
+            reason(Convergence::Converged, "N m", 0.02, 0.0),
             "changes by 0 N·mm with the step and 0 N·mm with the start, at most 1 N·mm allowed"
         );
         assert_eq!(
-            reason(Convergence::Converged, "deg", [1.0, 2.5e-7]),
+            reason(Convergence::Converged, "deg", 1.0, 2.5e-7),
             "changes by 2.5 × 10⁻⁷° with the step and 0° with the start, at most 0.001° allowed"
         );
         assert_eq!(
-            reason(Convergence::StepBiased, "um", [3.0, -0.125]),
+            reason(Convergence::StepBiased, "um", 3.0, -0.125),
             "half the step changes the mean by −0.12 µm, z = 3.0 beyond ±2.5; 3.00000 ± 0.0001 µm over 5 \
              starts, each ± 0.0002 µm"
         );

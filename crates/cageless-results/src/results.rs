@@ -100,7 +100,7 @@ impl Results {
     /// Quantities for readers that have a value: label, value, unit. A life in revolutions is left out beside that in
     /// hours, and zeros by symmetry are.
     pub fn rows(&self) -> impl Iterator<Item = Shown> {
-        self.shown().filter_map(row)
+        self.shown().filter_map(|(q, cell)| row(q, cell))
     }
 
     fn shown(&self) -> impl Iterator<Item = (&'static Quantity, &Cell)> {
@@ -115,7 +115,7 @@ impl Results {
     pub fn groups(&self) -> Vec<(&'static str, Vec<Shown>)> {
         let rows = self
             .shown()
-            .filter_map(|(q, cell)| Some((q.group, row((q, cell))?)));
+            .filter_map(|(q, cell)| Some((q.group, row(q, cell)?)));
         let mut rows: Vec<_> = rows.collect();
         rows.sort_by_key(|(group, _)| *group);
         let groups = rows.chunk_by(|a, b| a.0 == b.0);
@@ -168,7 +168,8 @@ impl Results {
 
     /// Label, value and unit of one quantity, if it has a value.
     pub fn row(&self, name: &str) -> Option<Shown> {
-        self.iter().find(|(q, _)| q.name == name).and_then(row)
+        let found = self.iter().find(|(q, _)| q.name == name);
+        found.and_then(|(q, cell)| row(q, cell))
     }
 }
 
@@ -187,7 +188,7 @@ pub(crate) fn is_zero(quantity: &Quantity, cell: &Cell) -> bool {
     texts.is_some_and(|text| text.split(", ").all(|value| value == "0"))
 }
 
-fn row((q, cell): (&'static Quantity, &Cell)) -> Option<Shown> {
+fn row(q: &'static Quantity, cell: &Cell) -> Option<Shown> {
     Some((q.label, value_text(q, cell)?, q.printed_unit()))
 }
 

@@ -5,7 +5,7 @@ use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{EquilibriumError, settle};
 use cageless::film::FilmAtRest;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
-use cageless::{Assembly, Case};
+use cageless::{Assembly, Bearing, Case};
 
 use crate::asperities::slippery_asperities;
 use crate::film_notes::film_notes;
@@ -76,19 +76,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
          grooves"
             .to_owned(),
     ];
-    match case.bearing.assembly() {
-        Assembly::FillingSlot => notes.push(
-            "bearing.assembly is \"filling-slot\": Cr has the factor bm = 1.1 of ISO 281 in place of \
-             1.3, which a bearing without slot (fractured or split ring) keeps"
-                .to_owned(),
-        ),
-        Assembly::WithoutSlot if case.bearing.contact_angle_rad() > 0.0 => notes.push(
-            "bearing.assembly is \"without-slot\": the rings of a bearing with a contact angle go together \
-             over a counterbored shoulder, and Cr has the factor bm = 1.3 of ISO 281"
-                .to_owned(),
-        ),
-        Assembly::WithoutSlot => {}
-    }
+    notes.extend(assembly_note(&case.bearing).map(str::to_owned));
     if !case.raceways.is_empty() {
         notes.push(
             "lives and C0r take the outer raceway as a plain groove; in the discrete raceway two \
@@ -104,20 +92,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
             short(force_n)
         ));
     }
-    match solved.rating.materials {
-        RatedMaterials::Steel => {}
-        RatedMaterials::Hybrid => notes.push(
-            "hybrid bearing: Cr and lives are those of the bearing with steel balls, which \
-             ISO 20056-1 keeps; C0r and s0 are those of ISO 76 for steel balls; the ratings of \
-             ISO 20056-2, with another limit of the contact pressure, are not computed"
-                .to_owned(),
-        ),
-        RatedMaterials::Other => notes.push(
-            "ISO 281, ISO 76 and ISO 20056 rate balls of bearing steel or silicon nitride in steel \
-             rings; this case has other materials"
-                .to_owned(),
-        ),
-    }
+    notes.extend(materials_note(solved.rating.materials).map(str::to_owned));
     notes.extend(of_lubricant(solved));
     if let (Some(film), Some(at_rest)) = (&case.film, &solved.film) {
         notes.extend(film_notes(film, at_rest, !case.raceways.is_empty()));
@@ -136,32 +111,65 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if solved
-        .particulars
-        .fit
-        .is_some_and(|fit| fit.range.is_some())
-    {
-        notes.push(format!(
-            "the range of the clearance takes bearings of class Normal (ISO 492) unless fit.tolerance_class is given, \
-             {} µm of smoothing unless fit.smoothing_um is, and fit.clearance_tolerance_um about the clearance of \
-             the file",
-            SMOOTHING_M * 1e6
-        ));
-    }
+    notes.extend(clearance_note(solved));
+    notes.extend(stiffness_note(solved).map(str::to_owned));
+    let view = case.operation.view();
+    notes.extend((!view.is_empty()).then(|| view.to_owned()));
+    notes
+}
+
+/// Tolerances behind the range of the clearance.
+fn clearance_note(solved: &Solved<'_>) -> Option<String> {
+    solved.particulars.fit?.range?;
+    Some(format!(
+        "the range of the clearance takes bearings of class Normal (ISO 492) unless fit.tolerance_class is given, \
+         {} µm of smoothing unless fit.smoothing_um is, and fit.clearance_tolerance_um about the clearance of \
+         the file",
+        SMOOTHING_M * 1e6
+    ))
+}
+
+/// Cause of a stiffness that is not defined.
+fn stiffness_note(solved: &Solved<'_>) -> Option<&'static str> {
     let is_free = match solved.space {
         Some(space) => space.stiffness.is_none(),
         None => solved.equilibrium.stiffness_n_m.is_none(),
     };
-    if is_free {
-        notes.push(
-            "the stiffness is not defined: without load, or within the clearance, nothing holds \
-             the ring in some direction"
-                .to_owned(),
-        );
+    is_free.then_some(
+        "the stiffness is not defined: without load, or within the clearance, nothing holds \
+         the ring in some direction",
+    )
+}
+
+/// Factor bm of the assembly, where it is not the usual one.
+fn assembly_note(bearing: &Bearing) -> Option<&'static str> {
+    match bearing.assembly() {
+        Assembly::FillingSlot => Some(
+            "bearing.assembly is \"filling-slot\": Cr has the factor bm = 1.1 of ISO 281 in place of \
+             1.3, which a bearing without slot (fractured or split ring) keeps",
+        ),
+        Assembly::WithoutSlot if bearing.contact_angle_rad() > 0.0 => Some(
+            "bearing.assembly is \"without-slot\": the rings of a bearing with a contact angle go together \
+             over a counterbored shoulder, and Cr has the factor bm = 1.3 of ISO 281",
+        ),
+        Assembly::WithoutSlot => None,
     }
-    let view = case.operation.view();
-    notes.extend((!view.is_empty()).then(|| view.to_owned()));
-    notes
+}
+
+/// Ratings of balls of other materials than steel.
+fn materials_note(materials: RatedMaterials) -> Option<&'static str> {
+    match materials {
+        RatedMaterials::Steel => None,
+        RatedMaterials::Hybrid => Some(
+            "hybrid bearing: Cr and lives are those of the bearing with steel balls, which \
+             ISO 20056-1 keeps; C0r and s0 are those of ISO 76 for steel balls; the ratings of \
+             ISO 20056-2, with another limit of the contact pressure, are not computed",
+        ),
+        RatedMaterials::Other => Some(
+            "ISO 281, ISO 76 and ISO 20056 rate balls of bearing steel or silicon nitride in steel \
+             rings; this case has other materials",
+        ),
+    }
 }
 
 /// What the ratings with a lubricant leave out.

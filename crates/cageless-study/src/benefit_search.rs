@@ -127,6 +127,90 @@ pub fn tasks(file: &CaseFile, candidates: usize) -> Result<Vec<Task>, StudyError
     Ok(tasks)
 }
 
+/// Candidates that are to be judged.
+struct Chosen {
+    /// Scores of all in short runs, the best first; empty without these.
+    scores: Vec<CandidateScore>,
+    /// Their places in the list of candidates.
+    judged: Vec<usize>,
+}
+
+impl Chosen {
+    /// All that work.
+    fn of_few(
+        candidates: usize,
+        works: &dyn Fn(usize) -> Result<bool, StudyError>,
+    ) -> Result<Self, StudyError> {
+        let mut judged = vec![];
+        for k in 0..candidates {
+            if works(k)? {
+                judged.push(k);
+            }
+        }
+        Ok(Self {
+            scores: vec![],
+            judged,
+        })
+    }
+
+    /// The best by short runs; `rings` has the plain one before those of the candidates.
+    fn of_many(
+        rings: &[(String, CaseFile)],
+        works: &dyn Fn(usize) -> Result<bool, StudyError>,
+        progress: &dyn Progress,
+    ) -> Result<Self, StudyError> {
+        let found = judged_rings(&short(rings)?, SHORT_DRAWS, CHOICE, progress)?;
+        let mut ranked: Vec<(usize, &Benefit)> =
+            found.benefits.iter().flatten().enumerate().collect();
+        ranked.sort_by(|(_, a), (_, b)| a.rank.compare(&b.rank));
+        let scores = ranked.iter().map(|(k, benefit)| CandidateScore {
+            name: rings[k + 1].0.clone(),
+            score: Some(benefit.rank.score).filter(|score| score.is_finite()),
+        });
+        let scores = scores.collect();
+        let (mut judged, mut leader) = (vec![], None::<&Benefit>);
+        for (k, benefit) in ranked {
+            // Where the best is worse than the plain ring, the next changes no answer.
+            let contends =
+                leader.is_none_or(|leader| !leader.loses() && !benefit.is_clearly_worse(leader));
+            if judged.len() < FINALISTS && contends && works(k)? {
+                leader = leader.or(Some(benefit));
+                judged.push(k);
+            }
+        }
+        Ok(Self { scores, judged })
+    }
+}
+
+fn helps(benefit: &Benefit) -> bool {
+    benefit.benefit == BenefitWord::Helps
+}
+
+/// The best raceway beside one ball fewer, in a sentence.
+fn answer(comparison: &RingComparison, raceway: Option<&Benefit>) -> String {
+    let fewer = comparison.benefits[1].as_ref();
+    let said = |benefit: Option<&Benefit>| benefit.map_or(String::new(), |b| b.headline.clone());
+    match raceway.map(|b| b.benefit) {
+        None => format!("There is no raceway to judge. {}.", said(fewer)),
+        Some(BenefitWord::Helps) => {
+            let fewer = fewer.map_or("", |b| b.benefit.label());
+            let one = &comparison.runs[1];
+            format!("{}. {one}: {fewer}.", said(raceway))
+        }
+        Some(_) if fewer.is_some_and(helps) => {
+            format!(
+                "No raceway helps here, one ball fewer does. {}.",
+                said(fewer)
+            )
+        }
+        Some(BenefitWord::NotJudged) => format!("{}.", said(raceway)),
+        Some(_) => {
+            let both = format!("{}. {}", said(raceway), said(fewer));
+            format!("Neither a raceway nor one ball fewer helps here. {both}.")
+        }
+    }
+}
+
 /// Judges raceways in steady operation against the plain ring of a case, and one ball fewer beside them. Of many, short
 /// runs leave the best, and one that is not clearly worse if the best may help. Candidates that do not work otherwise are left out.
 ///
@@ -141,68 +225,21 @@ pub fn search_benefit(
     let mut rings = plain_rings(file)?;
     let named = |c: &Candidate| Ok::<_, CaseError>((c.name.clone(), quick(&c.file)?));
     let all: Vec<_> = candidates.iter().map(named).collect::<Result<_, _>>()?;
-    let (mut scores, mut judged) = (vec![], vec![]);
-    if candidates.len() > FINALISTS {
-        let begun: Vec<_> = [&rings[..1], &all].concat();
-        let found = judged_rings(&short(&begun)?, SHORT_DRAWS, CHOICE, progress)?;
-        let mut ranked: Vec<(usize, &Benefit)> =
-            found.benefits.iter().flatten().enumerate().collect();
-        ranked.sort_by(|(_, a), (_, b)| a.rank.compare(&b.rank));
-        let scored = ranked.iter().map(|(k, benefit)| CandidateScore {
-            name: candidates[*k].name.clone(),
-            score: Some(benefit.rank.score).filter(|score| score.is_finite()),
-        });
-        scores = scored.collect();
-        let mut leader: Option<&Benefit> = None;
-        for (k, benefit) in ranked {
-            // Where the best is worse than the plain ring, the next changes no answer.
-            let contends =
-                leader.is_none_or(|leader| !leader.loses() && !benefit.is_clearly_worse(leader));
-            if judged.len() < FINALISTS && contends && works(k)? {
-                leader = leader.or(Some(benefit));
-                judged.push(k);
-            }
-        }
-    } else {
-        for k in 0..candidates.len() {
-            if works(k)? {
-                judged.push(k);
-            }
-        }
-    }
+    let all_rings = [&rings[..1], &all].concat();
+    let Chosen { scores, judged } = match candidates.len() > FINALISTS {
+        true => Chosen::of_many(&all_rings, works, progress)?,
+        false => Chosen::of_few(candidates.len(), works)?,
+    };
     rings.extend(judged.iter().map(|&k| all[k].clone()));
     let comparison = judged_rings(&rings, DRAWS, JUDGEMENT, progress)?;
     let of_raceways = comparison.benefits[2..].iter().flatten().zip(&judged);
-    let helps = |benefit: &Benefit| benefit.benefit == BenefitWord::Helps;
     let best = of_raceways.min_by(|(a, _), (b, _)| {
         let last = helps(b).cmp(&helps(a));
         last.then(a.rank.compare(&b.rank))
     });
-    let fewer = comparison.benefits[1].as_ref();
-    let (raceway, fewer_helps) = (best.map(|(b, _)| b), fewer.is_some_and(helps));
-    let said = |benefit: Option<&Benefit>| benefit.map_or(String::new(), |b| b.headline.clone());
-    let answer = match raceway.map(|b| b.benefit) {
-        None => format!("There is no raceway to judge. {}.", said(fewer)),
-        Some(BenefitWord::Helps) => {
-            let fewer = fewer.map_or("", |b| b.benefit.label());
-            let one = &comparison.runs[1];
-            format!("{}. {one}: {fewer}.", said(raceway))
-        }
-        Some(_) if fewer_helps => {
-            format!(
-                "No raceway helps here, one ball fewer does. {}.",
-                said(fewer)
-            )
-        }
-        Some(BenefitWord::NotJudged) => format!("{}.", said(raceway)),
-        Some(_) => {
-            let both = format!("{}. {}", said(raceway), said(fewer));
-            format!("Neither a raceway nor one ball fewer helps here. {both}.")
-        }
-    };
     Ok(BenefitSearch {
         benefit: best.map(|(b, _)| b.benefit),
-        answer,
+        answer: answer(&comparison, best.map(|(b, _)| b)),
         benefit_reasons: best.map_or(vec![], |(b, _)| b.benefit_reasons.clone()),
         best: best.filter(|(b, _)| helps(b)).map(|(_, &k)| k),
         recommended: None,

@@ -100,19 +100,12 @@ pub struct Designed {
     pub interrupted: bool,
 }
 
-/// Judges the raceways of a case, finds one near the curve of Eq. (11) that passes, and does what else is
-/// asked.
-///
-/// # Errors
-/// The case is impossible, a run did not converge, or the progress ended the work before the verdict, or in a search,
-/// which resumes.
-pub fn design(
+/// Tasks of what is asked of a case.
+fn tasks(
     file: &CaseFile,
-    asked: Asked<'_>,
+    asked: &Asked<'_>,
     progress: &dyn Progress,
-) -> Result<Designed, StudyError> {
-    file.checked(Case::check_motion)?;
-    file.checked(|case| case.check_balanced("a verdict"))?;
+) -> Result<Vec<Task>, StudyError> {
     let case = file.case();
     let mut tasks = vec![Task::new(TASK).with(case, verdict_steps(case), 1)];
     if asked.search.is_none() {
@@ -132,7 +125,24 @@ pub fn design(
         };
         tasks.extend(benefit_search::tasks(file, count)?);
     }
-    progress.whole(&tasks);
+    Ok(tasks)
+}
+
+/// Judges the raceways of a case, finds one near the curve of Eq. (11) that passes, and does what else is
+/// asked.
+///
+/// # Errors
+/// The case is impossible, a run did not converge, or the progress ended the work before the verdict, or in a search,
+/// which resumes.
+pub fn design(
+    file: &CaseFile,
+    asked: Asked<'_>,
+    progress: &dyn Progress,
+) -> Result<Designed, StudyError> {
+    file.checked(Case::check_motion)?;
+    file.checked(|case| case.check_balanced("a verdict"))?;
+    let case = file.case();
+    progress.whole(&tasks(file, &asked, progress)?);
     let (judgement, snapshots) = judged(file, progress)?;
     // A search finds better, and one recommendation is enough.
     let mut interrupted = false;
@@ -149,15 +159,8 @@ pub fn design(
         axial_unknown: None,
         interrupted,
     };
-    let lags = match asked.axial && !designed.interrupted {
-        true => unless_interrupted(axial::axial_lags(file, progress), &mut designed.interrupted)?,
-        false => None,
-    };
-    if let Some(lags) = lags {
-        let record = axial_record(&lags);
-        let unknown = axial::stops_a_limit(&lags);
-        designed.axial_unknown = unknown.then(|| record.sentences("findings")[0].clone());
-        designed.result.axial = Some(record);
+    if asked.axial && !designed.interrupted {
+        add_axial_lags(file, &mut designed, progress)?;
     }
     if let Some(paper) = asked.search.filter(|_| !designed.interrupted) {
         let (found, record) = search::run(file, asked.folder, paper, progress)?;
@@ -179,6 +182,22 @@ pub fn design(
         designed.result.benefit = unless_interrupted(found, &mut designed.interrupted)?;
     }
     Ok(designed)
+}
+
+/// Adds the axial loads that a case stands.
+fn add_axial_lags(
+    file: &CaseFile,
+    designed: &mut Designed,
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    let lags = unless_interrupted(axial::axial_lags(file, progress), &mut designed.interrupted)?;
+    if let Some(lags) = lags {
+        let record = axial_record(&lags);
+        let unknown = axial::stops_a_limit(&lags);
+        designed.axial_unknown = unknown.then(|| record.sentences("findings")[0].clone());
+        designed.result.axial = Some(record);
+    }
+    Ok(())
 }
 
 /// Chooses the raceway of a search that helps most; without one nothing is recommended.

@@ -195,20 +195,6 @@ pub fn measured(
             MeasuredRaceway::Slot(made) => limits.of_slot(drawn, made),
         })
         .collect();
-    let raceways = ring.raceways.iter().zip(file.case().raceways.iter());
-    let raceways = raceways
-        .zip(&dimensions)
-        .map(|((made, raceway), dimensions)| {
-            let mut results = results(made);
-            let flanks = matches!(made, MeasuredRaceway::Flanks(_));
-            if let Some(profile) = raceway.form().measured.as_ref().filter(|_| flanks) {
-                results = results.and(Results::of(PROFILE, Subject::Profile(profile)));
-            }
-            let rows = dimensions.iter();
-            let rows = rows.map(|d| Record::of(DIMENSION, Subject::Dimension(d)));
-            Record::from(results).with_part("dimensions", Part::Many(rows.collect()))
-        });
-    let raceways = Part::Many(raceways.collect());
     let missing = missing(&ring, case);
     let (passes, headline) = match &missing {
         Some(missing) => (None, missing.clone()),
@@ -228,7 +214,7 @@ pub fn measured(
     let record = Record::of(MEASURED, Subject::Ring(&fitted))
         .with_sentences("warnings", warnings(&fitted))
         .with_part("frame", Part::Many(frame.collect()))
-        .with_part("raceways", raceways);
+        .with_part("raceways", raceway_records(&ring, &file, &dimensions));
     Ok(Measured {
         file,
         document,
@@ -236,6 +222,24 @@ pub fn measured(
         deviations: ring.deviations,
         missing,
     })
+}
+
+/// Records of the raceways of a ring, which the case of `file` has as measured.
+fn raceway_records(ring: &MeasuredRing, file: &CaseFile, dimensions: &[Vec<Dimension>]) -> Part {
+    let raceways = ring.raceways.iter().zip(file.case().raceways.iter());
+    let raceways = raceways
+        .zip(dimensions)
+        .map(|((made, raceway), dimensions)| {
+            let mut results = results(made);
+            let flanks = matches!(made, MeasuredRaceway::Flanks(_));
+            if let Some(profile) = raceway.form().measured.as_ref().filter(|_| flanks) {
+                results = results.and(Results::of(PROFILE, Subject::Profile(profile)));
+            }
+            let rows = dimensions.iter();
+            let rows = rows.map(|d| Record::of(DIMENSION, Subject::Dimension(d)));
+            Record::from(results).with_part("dimensions", Part::Many(rows.collect()))
+        });
+    Part::Many(raceways.collect())
 }
 
 /// A dimension of the drawing without the rounding of its unit.

@@ -4,12 +4,12 @@ use std::cell::RefCell;
 use std::time::Instant;
 
 use crate::StudyError;
-use cageless::Snapshot;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Observer, ObserverError, RunOutcome, run as simulate};
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::{Measurement, VibrationRecorder};
+use cageless::{Case, Snapshot};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::RunWriter;
 
@@ -99,8 +99,40 @@ impl RunRecord {
     }
 }
 
+/// Rows and histories of a run.
+struct Kept<'r> {
+    rows: Option<&'r mut (dyn Rows + Send)>,
+    histories: Histories,
+}
+
+impl Kept<'_> {
+    fn snapshot(&mut self, snapshot: &Snapshot) -> Result<(), ObserverError> {
+        if let Some(rows) = &mut self.rows {
+            rows.snapshot(snapshot)?;
+        }
+        self.histories.push(snapshot);
+        Ok(())
+    }
+
+    fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError> {
+        if let Some(rows) = &mut self.rows {
+            rows.collision(collision)?;
+        }
+        self.histories.collide(collision);
+        Ok(())
+    }
+}
+
 /// Name of the task of a run.
 const TASK: &str = "run";
+
+/// Announces a run with its verification, if there is one.
+fn announce(case: &Case, verification: Option<&VerificationRuns>, progress: &dyn Progress) {
+    if let Some(verification) = verification {
+        let own = Task::new(TASK).with(case, case.solver.steps(), 1);
+        progress.whole(&[own, verification.task(case)]);
+    }
+}
 
 /// Runs a case and records it on the calling thread.
 ///
@@ -113,7 +145,6 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<RunRecord, StudyError> {
     let (case, particulars) = (file.case(), file.particulars());
-    let settled_s = transient_s(case);
     let recorded = options.rows.is_some();
     let mut summary = SummaryRecorder::new();
     let mut ring_path = RingPathRecorder::new();
@@ -122,31 +153,20 @@ pub fn run(
         .verify
         .then(|| VerificationRuns::new(case, particulars.seed));
     let mut vibration = (case.housing.as_ref())
-        .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
-    let kept = RefCell::new((options.rows, Histories::new(case, particulars.interval_s)));
+        .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, transient_s(case)));
+    let kept = RefCell::new(Kept {
+        rows: options.rows,
+        histories: Histories::new(case, particulars.interval_s),
+    });
     let started = Instant::now();
     let outcome = {
         let mut recorder = Recorder::new(particulars.interval_s, |snapshot| {
-            let (rows, histories) = &mut *kept.borrow_mut();
-            if let Some(rows) = rows {
-                rows.snapshot(&snapshot)?;
-            }
-            histories.push(&snapshot);
-            Ok(())
+            kept.borrow_mut().snapshot(&snapshot)
         });
-        let mut collisions = CollisionDetector::new(|collision| {
-            let (rows, histories) = &mut *kept.borrow_mut();
-            if let Some(rows) = rows {
-                rows.collision(&collision)?;
-            }
-            histories.collide(&collision);
-            Ok(())
-        });
+        let mut collisions =
+            CollisionDetector::new(|collision| kept.borrow_mut().collision(&collision));
         let mut passing = passages.recorder(case);
-        if let Some(verification) = &verification {
-            let own = Task::new(TASK).with(case, case.solver.steps(), 1);
-            progress.whole(&[own, verification.task(case)]);
-        }
+        announce(case, verification.as_ref(), progress);
         let work = progress.begin(TASK, case.solver.steps());
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
         if !case.raceways.is_empty() {
@@ -168,7 +188,6 @@ pub fn run(
         outcome
     };
     let wall_s = started.elapsed().as_secs_f64();
-    let (_, histories) = kept.into_inner();
     let statistics = summary.summary();
     let run = Finished {
         case,
@@ -181,7 +200,7 @@ pub fn run(
     Ok(RunRecord {
         summary: RunSummary::new(file, &run),
         outcome,
-        histories,
+        histories: kept.into_inner().histories,
         passages,
         ring_path: ring_path.into_path(),
         vibration,

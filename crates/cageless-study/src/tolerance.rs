@@ -195,8 +195,36 @@ impl Request {
             let allowed = format!("at most {SAMPLES_MAX}");
             return Err(OptionError::not_possible("samples", self.samples, &allowed).into());
         }
-        let in_space = case.moves_in_space();
-        if !in_space && ![0.0, Self::default().contact_angle_deg].contains(&self.contact_angle_deg)
+        self.check_applies(case)?;
+        self.check_limits(case)?;
+        let grade = ball_grade(self.ball_grade);
+        if grade.is_none() && self.ball_grade != 0 {
+            let allowed = format!("a grade of ISO 3290-1 ({}), or 0", ball_grades_text());
+            let given = self.ball_grade;
+            return Err(OptionError::not_possible("ball_grade", given, &allowed).into());
+        }
+        Ok(Tolerances {
+            groove_depth_m: self.groove_depth_um * 1e-6,
+            axial_span_m: self.axial_span_um * 1e-6,
+            half_angle_rad: self.half_angle_deg.to_radians(),
+            section_angle_rad: match case.moves_in_space() {
+                true => self.contact_angle_deg.to_radians(),
+                false => 0.0,
+            },
+            ball_grade: grade,
+            friction: self.friction,
+            clearance_m: self.clearance_um * 1e-6,
+            speed_fraction: self.speed_percent / 100.0,
+            load_fraction: self.load_percent / 100.0,
+            viscosity_fraction: self.viscosity_percent / 100.0,
+            supply_factor: self.supply_factor,
+        })
+    }
+
+    /// Refuses deviations of what a case does not have.
+    fn check_applies(&self, case: &Case) -> Result<(), StudyError> {
+        if !case.moves_in_space()
+            && ![0.0, Self::default().contact_angle_deg].contains(&self.contact_angle_deg)
         {
             let allowed = "0 in the plane: model.motion = \"space\" has contact angles";
             let given = self.contact_angle_deg;
@@ -221,6 +249,11 @@ impl Request {
             let given = self.supply_factor;
             return Err(OptionError::not_possible("supply_factor", given, &allowed).into());
         }
+        Ok(())
+    }
+
+    /// Refuses deviations that are too large.
+    fn check_limits(&self, case: &Case) -> Result<(), StudyError> {
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
                 let unit = match option.rsplit('_').next() {
@@ -238,28 +271,7 @@ impl Request {
                 return Err(OptionError::not_possible(option, value, &allowed).into());
             }
         }
-        let grade = ball_grade(self.ball_grade);
-        if grade.is_none() && self.ball_grade != 0 {
-            let allowed = format!("a grade of ISO 3290-1 ({}), or 0", ball_grades_text());
-            let given = self.ball_grade;
-            return Err(OptionError::not_possible("ball_grade", given, &allowed).into());
-        }
-        Ok(Tolerances {
-            groove_depth_m: self.groove_depth_um * 1e-6,
-            axial_span_m: self.axial_span_um * 1e-6,
-            half_angle_rad: self.half_angle_deg.to_radians(),
-            section_angle_rad: match in_space {
-                true => self.contact_angle_deg.to_radians(),
-                false => 0.0,
-            },
-            ball_grade: grade,
-            friction: self.friction,
-            clearance_m: self.clearance_um * 1e-6,
-            speed_fraction: self.speed_percent / 100.0,
-            load_fraction: self.load_percent / 100.0,
-            viscosity_fraction: self.viscosity_percent / 100.0,
-            supply_factor: self.supply_factor,
-        })
+        Ok(())
     }
 
     /// Name, value and largest possible value of each deviation.

@@ -388,7 +388,8 @@ impl Fit {
             self.shaft.is_some()
                 || interferes(self.shaft_interference_m)
                 || self.shaft_temperature_c.is_some(),
-            [0.0, inner_m],
+            0.0,
+            inner_m,
         )?;
         within_wall(
             "outside_diameter_m",
@@ -396,7 +397,8 @@ impl Fit {
             self.housing.is_some()
                 || interferes(self.housing_interference_m)
                 || self.housing_temperature_c.is_some(),
-            [outer_m, f64::INFINITY],
+            outer_m,
+            f64::INFINITY,
         )?;
         for (field, value) in [
             ("shaft_interference_m", self.shaft_interference_m),
@@ -472,7 +474,8 @@ fn within_wall(
     field: &'static str,
     value: Option<f64>,
     needed: bool,
-    [least, most]: [f64; 2],
+    least: f64,
+    most: f64,
 ) -> Result<Option<f64>, InputError> {
     let allowed = if most.is_finite() {
         Allowed::Between(least, most, "the bottom of the inner groove")

@@ -111,17 +111,14 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
         let (value, basis) = (assumption.value, assumption.basis);
         lines.push(("assumed", format!("{} = {value} ({basis})", assumption.key)));
     }
-    if all && !file.defaults().is_empty() {
-        let defaults = file.defaults().iter().map(|key| match file.value(key) {
-            Some(value) => format!("{key} = {}", value.written()),
-            None => key.clone(),
-        });
-        let defaults: Vec<_> = defaults.collect();
-        lines.push(("defaults taken", defaults.join(", ")));
-    }
-    let scope = SCOPE.into_iter().filter(|_| all);
-    for (k, statement) in scope.enumerate() {
-        lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
+    if all {
+        lines.extend(defaults_line(file));
+        lines.extend(
+            SCOPE
+                .into_iter()
+                .enumerate()
+                .map(|(k, statement)| (if k == 0 { "scope" } else { "" }, statement.to_owned())),
+        );
     }
     let result = Checked {
         valid: true,
@@ -187,6 +184,16 @@ fn bearing_lines(case: &Case) -> Vec<(&'static str, String)> {
         ),
         ("nominal gap 360°/N − ε", degrees(bearing.nominal_gap_rad())),
     ]
+}
+
+/// Defaults that a case takes; `None` if it takes none.
+fn defaults_line(file: &CaseFile) -> Option<(&'static str, String)> {
+    let defaults = file.defaults().iter().map(|key| match file.value(key) {
+        Some(value) => format!("{key} = {}", value.written()),
+        None => key.clone(),
+    });
+    let defaults: Vec<_> = defaults.collect();
+    (!defaults.is_empty()).then(|| ("defaults taken", defaults.join(", ")))
 }
 
 /// Warnings about a case.

@@ -1,5 +1,7 @@
 //! `cageless compare`.
 
+use std::path::Path;
+
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::SUMMARY;
 use cageless_report::compare::compare_page;
@@ -104,8 +106,8 @@ enum Side {
     Run(Box<FinishedRun>),
 }
 
-/// What is compared, the ring that the others are compared with first.
-fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
+/// Refuses options that do not go with what is compared.
+fn check(args: &CompareArgs) -> Result<(), Failure> {
     let for_cases = [
         ("--set", !args.set.is_empty()),
         ("--draws", args.draws.is_some()),
@@ -129,6 +131,28 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
     if args.cases.len() > 1 && args.remedies {
         return Err(Failure::Input("--remedies: give one case".to_owned()));
     }
+    Ok(())
+}
+
+/// The case of a side, at a path, with the conventional ring.
+fn conventional(side: &Side, path: &Path) -> Result<CaseFile, Failure> {
+    let a = match side {
+        Side::Case(file) => CaseFile::clone(file),
+        Side::Run(_) => CaseFile::read(&path.join(SUMMARY), &[])?,
+    };
+    if a.case().raceways.is_empty() {
+        return Err(Failure::Input(format!(
+            "--with-conventional: the outer ring of {} is conventional itself; leave the option out, or \
+             give a case with a [raceway]",
+            path.display()
+        )));
+    }
+    Ok(a.with_conventional_ring()?)
+}
+
+/// What is compared, the ring that the others are compared with first.
+fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
+    check(args)?;
     let mut sides = vec![];
     for (k, path) in args.cases.iter().enumerate() {
         let side = if path.is_dir() {
@@ -148,18 +172,7 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
         return Ok(remedies(file)?.into_iter().map(of).collect());
     }
     if args.with_conventional {
-        let a = match &sides[0].1 {
-            Side::Case(file) => CaseFile::clone(file),
-            Side::Run(_) => CaseFile::read(&args.cases[0].join(SUMMARY), &[])?,
-        };
-        if a.case().raceways.is_empty() {
-            return Err(Failure::Input(format!(
-                "--with-conventional: the outer ring of {} is conventional itself; leave the option out, or \
-                 give a case with a [raceway]",
-                args.cases[0].display()
-            )));
-        }
-        let conventional = a.with_conventional_ring()?;
+        let conventional = conventional(&sides[0].1, &args.cases[0])?;
         sides.insert(
             0,
             (

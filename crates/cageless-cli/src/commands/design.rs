@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use cageless::Snapshot;
+use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_paper::structures_of;
 use cageless_report::design_report::design_data;
 use cageless_report::recommended::recommended_document;
@@ -11,7 +13,7 @@ use cageless_study::design::{Asked, DesignResult, Designed, design as study};
 use cageless_study::{StudyError, search};
 
 use crate::args::DesignArgs;
-use crate::driver::{Answer, PAGE, PAGE_DATA, pretty};
+use crate::driver::{Answer, Files, PAGE, PAGE_DATA, pretty};
 use crate::failure::Failure;
 use crate::format::{compared, judged, pairs, values, warnings};
 
@@ -58,20 +60,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
             let path = dir.join(RECOMMENDED).display().to_string();
             text += &pairs(&[("case with the raceway", path)]);
         }
-        let files = output.files(|| {
-            let data = design_data(&file, &result, &snapshots);
-            let recommended = recommended.map(|case| file.edited(&case));
-            let mut files = vec![
-                (PAGE, Some(design_page(&data).into())),
-                (PAGE_DATA, Some(to_json(&data)?.into())),
-                (RECOMMENDED, recommended.transpose()?.map(Into::into)),
-            ];
-            if args.search {
-                // With the case the folder is a result that can be read back.
-                files.push((CASE, Some(file.document().to_toml()?.into())));
-            }
-            Ok(files)
-        })?;
+        let files = output.files(|| files(args.search, &file, &result, &snapshots, recommended))?;
         let ending = match (none_found, stopped) {
             _ if interrupted => Err(Failure::Interrupted(INTERRUPTED.to_owned())),
             (Some(message), _) => {
@@ -92,6 +81,28 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
             ..Answer::new(NUMBERS, pretty(&result)?, text)
         })
     })
+}
+
+/// Page, its data and the recommended case; of a search also the case itself.
+fn files(
+    search: bool,
+    file: &CaseFile,
+    result: &DesignResult,
+    snapshots: &[Snapshot],
+    recommended: Option<CaseDocument>,
+) -> Result<Files, Failure> {
+    let data = design_data(file, result, snapshots);
+    let recommended = recommended.map(|case| file.edited(&case));
+    let mut files = vec![
+        (PAGE, Some(design_page(&data).into())),
+        (PAGE_DATA, Some(to_json(&data)?.into())),
+        (RECOMMENDED, recommended.transpose()?.map(Into::into)),
+    ];
+    if search {
+        // With the case the folder is a result that can be read back.
+        files.push((CASE, Some(file.document().to_toml()?.into())));
+    }
+    Ok(files)
 }
 
 /// Failure of a search that was interrupted.

@@ -174,6 +174,50 @@ impl BoundaryDimensions {
         }
     }
 
+    /// Contact angle of an angular contact bearing.
+    fn contact_angle_line(&self) -> String {
+        match self.contact_angle_deg > 0.0 {
+            true => format!(
+                "contact_angle_deg = {:<26} # that of the suffix, without load\n",
+                self.contact_angle_deg
+            ),
+            false => String::new(),
+        }
+    }
+
+    /// Source of the clearance, in a comment.
+    fn clearance_comment(&self) -> String {
+        match self.contact_angle_deg > 0.0 {
+            true => "0: the contact angle is that without load".to_owned(),
+            false => format!(
+                "(assumed) Gr, middle of group {} of ISO 5753-1",
+                self.suffixes.clearance_group.name()
+            ),
+        }
+    }
+
+    /// Suffixes that change nothing, each in a comment.
+    fn suffixes_without_effect(&self) -> String {
+        let suffixes = self.suffixes.without_effect.iter();
+        suffixes
+            .map(|(suffix, meaning)| format!("# {suffix} ({meaning}) has no effect here.\n"))
+            .collect()
+    }
+
+    /// Rows of an angular contact bearing, and what follows `[bearing]` in every case file.
+    fn sections(&self, geometry: &InternalGeometry) -> String {
+        let rows = match self.contact_angle_deg > 0.0 {
+            true => pair_of_rows(self.width_mm),
+            false => String::new(),
+        };
+        let ball_set = BallSet {
+            balls: geometry.balls as u64,
+            ball_diameter_mm: geometry.ball_diameter_mm,
+            pitch_diameter_mm: geometry.pitch_diameter_mm,
+        };
+        ball_set.sections(self.suffixes.hybrid, &rows)
+    }
+
     /// A case file with the source of every number in a comment.
     pub fn case_file(&self, full_complement: bool) -> String {
         let geometry = self.internal_geometry(full_complement);
@@ -193,45 +237,20 @@ impl BoundaryDimensions {
         let number = geometry.number_comment(full_complement);
         let diameter = geometry.diameter_comment();
         let head = geometry.head(full_complement);
-        let kind = if full_complement {
-            "full complement"
-        } else {
-            "cageless"
+        let kind = match full_complement {
+            true => "full complement",
+            false => "cageless",
         };
         let angular = self.contact_angle_deg > 0.0;
         let pair = if angular { " back to back" } else { "" };
-        let contact_angle = match angular {
-            true => format!(
-                "contact_angle_deg = {:<26} # that of the suffix, without load\n",
-                self.contact_angle_deg
-            ),
-            false => String::new(),
-        };
-        let clearance = match angular {
-            true => "0: the contact angle is that without load",
-            false => &format!(
-                "(assumed) Gr, middle of group {} of ISO 5753-1",
-                self.suffixes.clearance_group.name()
-            ),
-        };
-        let without_effect = self.suffixes.without_effect.iter();
-        let without_effect: String = without_effect
-            .map(|(suffix, meaning)| format!("# {suffix} ({meaning}) has no effect here.\n"))
-            .collect();
-        let rows = match angular {
-            true => pair_of_rows(width),
-            false => String::new(),
-        };
+        let contact_angle = self.contact_angle_line();
+        let clearance = self.clearance_comment();
+        let without_effect = self.suffixes_without_effect();
         let assembly = match full_complement && !angular {
             true => filling_slot(),
             false => String::new(),
         };
-        let ball_set = BallSet {
-            balls: balls as u64,
-            ball_diameter_mm: ball,
-            pitch_diameter_mm: pitch,
-        };
-        let sections = ball_set.sections(self.suffixes.hybrid, &rows);
+        let sections = self.sections(&geometry);
         format!(
             "\
 # {name}, {kind}: boundary dimensions d {d} mm, D {big} mm, B {width} mm (ISO 15).

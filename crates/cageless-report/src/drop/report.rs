@@ -250,8 +250,10 @@ pub(super) fn failure_modes(page: &mut Page, bearings: &[Bearing<'_>]) {
     let caption = "What can go wrong in a touch-down bearing, with the results that show it. The inner \
                    ring slides on the journal until it has come up to speed. Temperatures are those at \
                    standstill with all heat kept, of drops in succession (--drops).";
-    let titles = ["Failure modes", caption, "Failure mode"];
-    listed(page, bearings, titles, &FAILURE_MODES);
+    let mut rows = head(bearings, &["Failure mode", "Result"]);
+    rows.extend(listed(bearings, &FAILURE_MODES));
+    let source = bearings[0].source.clone();
+    page.table(&Table::of("Failure modes", caption, rows, Some(source)));
 }
 
 /// What an acceptance test measures.
@@ -259,18 +261,15 @@ pub(super) fn acceptance_test(page: &mut Page, bearings: &[Bearing<'_>]) {
     let caption = "What to measure in a drop at the conditions of this one, and what this simulation \
                    predicts for it. One drop is one sample: --samples gives the distribution to compare \
                    with.";
-    let titles = ["Acceptance test", caption, "Measured by"];
-    listed(page, bearings, titles, &MEASUREMENTS);
+    let mut rows = head(bearings, &["Measured by", "Result"]);
+    rows.extend(listed(bearings, &MEASUREMENTS));
+    let source = bearings[0].source.clone();
+    page.table(&Table::of("Acceptance test", caption, rows, Some(source)));
 }
 
-/// A table of groups of results by its name, caption and first heading.
-fn listed(
-    page: &mut Page,
-    bearings: &[Bearing<'_>],
-    [name, caption, first]: [&str; 3],
-    groups: &[(&str, &[&str])],
-) {
-    let mut rows = head(bearings, &[first, "Result"]);
+/// Rows of groups of results.
+fn listed(bearings: &[Bearing<'_>], groups: &[(&str, &[&str])]) -> Vec<Vec<String>> {
+    let mut rows = vec![];
     // Results of drops in succession only where there are such drops.
     let computed = |quantity: &&Quantity| {
         let of_drop = DROP.iter().any(|q| q.name == quantity.name);
@@ -288,8 +287,7 @@ fn listed(
             rows.push(first.into_iter().chain(values).collect());
         }
     }
-    let source = bearings[0].source.clone();
-    page.table(&Table::of(name, caption, rows, Some(source)));
+    rows
 }
 
 /// The head of a table with a column for each bearing.

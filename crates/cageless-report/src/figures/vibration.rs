@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::panels::Panel;
-use crate::data::Vibration;
+use crate::data::{Vibration, VibrationSignal};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line_of, number, plain};
 use crate::sampling::{history, range};
@@ -52,12 +52,7 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
                 (&format!("{x} domain"), &format!("{y} domain")),
                 json!({ "xanchor": "left", "yanchor": "bottom" }),
             );
-        if let Some(rms) = signal.rms_m_s2 {
-            let peak = signal.peak_m_s2.map_or(String::new(), |peak| {
-                format!(" (largest {} m/s²)", short(peak))
-            });
-            sizes.push(format!("{}: {} m/s²{peak}", signal.name, short(rms)));
-        }
+        sizes.extend(size(signal));
     }
     let plot = spectra(plot, vibration, spectrum / inner);
     let caption = format!(
@@ -73,6 +68,15 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
         }
     );
     Figure::new(label, &caption, &vibration.provenance, plot)
+}
+
+/// Root mean square of a signal, with its largest value.
+fn size(signal: &VibrationSignal) -> Option<String> {
+    let rms = signal.rms_m_s2?;
+    let peak = signal.peak_m_s2.map_or(String::new(), |peak| {
+        format!(" (largest {} m/s²)", short(peak))
+    });
+    Some(format!("{}: {} m/s²{peak}", signal.name, short(rms)))
 }
 
 /// Spectra of all signals over the lowest part of a plot, up to `height` of it.

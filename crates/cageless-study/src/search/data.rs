@@ -37,12 +37,6 @@ pub fn search_record(
         found,
         curve: curve.collect(),
     };
-    // The structures of the paper have its shape.
-    let of_the_paper = |_: &&RacewayLabel| form == RacewayForm::default();
-    let paper = paper.iter().filter(of_the_paper).map(|label| {
-        let size = [label.axial_span_mm, label.half_angle_deg];
-        Record::of(PAPER, Subject::Paper(&(label.letter.clone(), size)))
-    });
     let own_usual = confirmed(Role::Own).map(|c| structure(&c.evaluation, None));
     let usual = found.recommended.map(|k| &found.evaluations[k]);
     let rejections = found.rejections();
@@ -75,10 +69,19 @@ pub fn search_record(
         .with_part("rejections", many(rejections))
         .with_part("placements", placements(found))
         .with_part("maps", many(found.maps.iter().map(map)))
-        .with_part("paper", many(paper))
+        .with_part("paper", of_paper(paper, form))
         .with_provenance(provenance(title, &point, discarded.to_owned()));
     let findings = narrative::narrative(found, &record);
     record.with_sentences("findings", findings)
+}
+
+/// Structures of the paper, where their shape is that of the case.
+fn of_paper(paper: &[RacewayLabel], form: RacewayForm) -> Part {
+    let paper = paper.iter().filter(|_| form == RacewayForm::default());
+    many(paper.map(|label| {
+        let size = [label.axial_span_mm, label.half_angle_deg];
+        Record::of(PAPER, Subject::Paper(&(label.letter.clone(), size)))
+    }))
 }
 
 fn many(records: impl Iterator<Item = Record>) -> Part {

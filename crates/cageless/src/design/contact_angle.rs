@@ -128,7 +128,12 @@ pub(crate) fn kinematic_lag_rad(
     pressed_in_m: f64,
 ) -> f64 {
     let (whole, reach) = (raceway.half_angle_rad(), reach_m(bearing, pressed_in_m));
-    lag_within_rad(bearing, raceway, [angle_rad, pressed_in_m], reach, whole)
+    let pressed = Pressed {
+        angle_rad,
+        pressed_in_m,
+        reach_m: reach,
+    };
+    lag_within_rad(bearing, raceway, pressed, whole)
 }
 
 /// β0 in space: [`kinematic_lag_rad`] over the middle ε of the raceway, by which a pair that rolls
@@ -141,8 +146,12 @@ pub(crate) fn kinematic_gap_rad(
     pressed_in_m: f64,
 ) -> f64 {
     let middle = 0.5 * bearing.ball_angle_rad();
-    let pressed = [angle_rad, pressed_in_m];
-    lag_within_rad(bearing, raceway, pressed, f64::INFINITY, middle)
+    let pressed = Pressed {
+        angle_rad,
+        pressed_in_m,
+        reach_m: f64::INFINITY,
+    };
+    lag_within_rad(bearing, raceway, pressed, middle)
 }
 
 /// How far the inner ring follows a ball under a radial load that presses it in by `pressed_in_m` on the plain
@@ -161,13 +170,30 @@ fn reach_m(bearing: &Bearing, pressed_in_m: f64) -> f64 {
     pressed_in_m * (1.0 + ratio.powf(2.0 / 3.0)) * (1.0 + 1.0 / others).powf(2.0 / 3.0)
 }
 
+/// A ball that the inner ring presses into the raceway.
+#[derive(Clone, Copy)]
+struct Pressed {
+    /// Contact angle.
+    angle_rad: f64,
+    /// Approach of both contacts.
+    pressed_in_m: f64,
+    /// Depth to which the inner ring follows.
+    reach_m: f64,
+}
+
+impl Pressed {
+    /// Approach that is left where the raceway is so deep.
+    fn approach_m(&self, depth_m: f64) -> f64 {
+        self.pressed_in_m * (1.0 - depth_m / self.reach_m)
+    }
+}
+
 /// ∫ (Ω0/Ω − 1) dψ up to ±`half_width_rad` from the middle of the raceway, or to its ends, with an inner ring that
 /// follows a ball as deep as its reach.
 fn lag_within_rad(
     bearing: &Bearing,
     raceway: &Raceway,
-    [angle_rad, pressed_in_m]: [f64; 2],
-    reach: f64,
+    pressed: Pressed,
     half_width_rad: f64,
 ) -> f64 {
     let d = bearing.dimensions();
@@ -175,7 +201,7 @@ fn lag_within_rad(
     let gamma = d.ball_radius_m / bearing.pitch_radius_m();
     let room = d.groove_distance_m();
     let turned = raceway.section_angle_rad();
-    let beside = angle_rad - turned;
+    let beside = pressed.angle_rad - turned;
     // On the other side of the section all is mirrored but the distance from the axis.
     let from_radius = |angle: f64| turned + angle * 1f64.copysign(beside);
     let (sin, cos) = beside.abs().sin_cos();
@@ -194,7 +220,7 @@ fn lag_within_rad(
         let curvature = slot.map_or(1.0 / gap, |edge| edge.centre_curvature_per_m[0]);
         (sin + curvature * y).atan2(cos + curvature * x)
     };
-    let flank = |psi: f64| towards(psi, [pressed_in_m * (1.0 - depth(psi) / reach), 0.0]);
+    let flank = |psi: f64| towards(psi, [pressed.approach_m(depth(psi)), 0.0]);
     let along = |angle: f64| 1.0 - gamma * from_radius(angle).cos();
     let outside = 0.5 * along(beside.abs());
     let farther = |psi: f64| 1.0 + depth(psi) * turned.cos() / bearing.pitch_radius_m();
@@ -209,7 +235,7 @@ fn lag_within_rad(
         true => root::brent(excess, 0.0, end, 0.0).unwrap_or(end),
         false => 0.0,
     };
-    let alone = until(&|psi| depth(psi) - reach);
+    let alone = until(&|psi| depth(psi) - pressed.reach_m);
     let leaves = until(&|psi| flank(psi) - seated).max(alone);
     let mut half = match flank(alone) >= seated {
         true => alone * on_both(alone),

@@ -191,6 +191,33 @@ enum Beside {
     Dry(Option<f64>),
 }
 
+impl Beside {
+    /// Evidence of the film in a case whose balls lag by this over the half orbit away from the load, rad.
+    fn film_evidence(self, case: &Case, lag_rad: Option<f64>) -> Option<FilmEvidence> {
+        match self {
+            Self::Dry(dry) => {
+                let lags_rad = [lag_rad, dry];
+                Some(FilmEvidence::new(&case.bearing, lags_rad))
+            }
+            Self::Nothing | Self::Wet => None,
+        }
+    }
+}
+
+/// Gap of the balls in steady flow behind the raceways, rad; `None` where no ball has passed them.
+fn measured_steady_gap_rad(
+    case: &Case,
+    run: &SteadyRun,
+    film: Option<FilmEvidence>,
+) -> Option<f64> {
+    let delay_rad = match case.has_elastic_flanks() {
+        false => Some(raceway_delay_rad(&case.bearing, &case.raceways)),
+        true => measured_delay_rad(&run.statistics),
+    };
+    let film_delay_rad = film.map_or(0.0, |film| film.lag_rad);
+    delay_rad.map(|delay_rad| gap_of_delay_rad(&case.bearing, delay_rad + film_delay_rad))
+}
+
 /// Judgement of a case with raceways; beside another also the lag of the balls over the half orbit away from the load.
 fn judge_one(
     case: &Case,
@@ -214,20 +241,8 @@ fn judge_one(
     let run = steady_passages(case, beside, watchers, &mut |time_s| {
         control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
     })?;
-    let film = match beside {
-        Beside::Dry(dry) => {
-            let lags_rad = [run.half_turn_lag_rad, dry];
-            Some(FilmEvidence::new(&case.bearing, lags_rad))
-        }
-        Beside::Nothing | Beside::Wet => None,
-    };
-    let delay_rad = match case.has_elastic_flanks() {
-        false => Some(raceway_delay_rad(&case.bearing, &case.raceways)),
-        true => measured_delay_rad(&run.statistics),
-    };
-    let film_delay_rad = film.map_or(0.0, |film| film.lag_rad);
-    let steady_gap_rad =
-        delay_rad.map(|delay_rad| gap_of_delay_rad(&case.bearing, delay_rad + film_delay_rad));
+    let film = beside.film_evidence(case, run.half_turn_lag_rad);
+    let steady_gap_rad = measured_steady_gap_rad(case, &run, film);
     let any_passed = run.statistics.iter().any(Option::is_some);
     let pressure = match any_passed {
         true => Some(pressure_at_rest_controlled_pa(case, &mut || control(1.0))?),

@@ -1,5 +1,7 @@
 //! Constants of the rolling force of a contact that changes, as polynomials.
 
+use std::ops::RangeInclusive;
+
 use super::curve::RollingCurve;
 use crate::numerics::chebyshev::Polynomial;
 
@@ -22,12 +24,13 @@ impl CurvePolynomial {
         }
     }
 
-    /// Polynomials of a degree between two places.
+    /// Polynomials of a degree over a range of places.
     pub(super) fn new(
         at: impl Fn(f64) -> RollingCurve,
-        [from, to]: [f64; 2],
+        range: RangeInclusive<f64>,
         degree: usize,
     ) -> Self {
+        let (from, to) = range.into_inner();
         let fit = |of: fn(&RollingCurve) -> f64| {
             Polynomial::of_degree(|place| of(&at(place)), from, to, degree)
         };

@@ -36,14 +36,14 @@ impl GrooveCurves {
         let d = bearing.dimensions();
         let fit = |groove: fn(&Bearing, f64) -> LubricatedContact, radius_m: f64| {
             let at = |curvature: f64| RollingCurve::new(&groove(bearing, curvature), film);
-            CurvePolynomial::new(at, [0.0, MARGIN / radius_m], DEGREE)
+            CurvePolynomial::new(at, 0.0..=MARGIN / radius_m, DEGREE)
         };
         let edges = |slot: &Slot| {
             let at = |merged: f64| {
                 let ring = slot.merged_curvatures_per_m(merged);
                 RollingCurve::new(&LubricatedContact::of_ring(bearing, ring), film)
             };
-            CurvePolynomial::new(at, [0.0, 1.0], EDGE_DEGREE)
+            CurvePolynomial::new(at, 0.0..=1.0, EDGE_DEGREE)
         };
         Self {
             // None at all without slots: a step then asks nothing of it.
@@ -73,10 +73,10 @@ fn traction(bearing: &Bearing, film: &Film, raceways: &[Raceway]) -> [GrooveFilm
                      edges: &[Option<ContactRange<'_>>]| {
         let groove = ContactRange {
             at,
-            range: [0.0, MARGIN / radius_m],
+            range: 0.0..=MARGIN / radius_m,
             degree: DEGREE,
         };
-        GrooveFilms::new((bearing, film), &groove, edges)
+        GrooveFilms::new(bearing, film, &groove, edges)
     };
     let at_edges: Vec<_> = (raceways.iter())
         .map(|raceway| {
@@ -90,7 +90,7 @@ fn traction(bearing: &Bearing, film: &Film, raceways: &[Raceway]) -> [GrooveFilm
         .map(|at| {
             at.as_ref().map(|at| ContactRange {
                 at,
-                range: [0.0, 1.0],
+                range: 0.0..=1.0,
                 degree: EDGE_DEGREE,
             })
         })

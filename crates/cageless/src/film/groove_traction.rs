@@ -1,5 +1,7 @@
 //! Traction of films in contacts with grooves that a ball touches under any angle, or at the edges of slots.
 
+use std::ops::RangeInclusive;
+
 use super::Film;
 use super::contact::LubricatedContact;
 use super::rolling_force::Rolling;
@@ -18,8 +20,9 @@ pub(crate) struct ShapePolynomial {
 }
 
 impl ShapePolynomial {
-    /// Polynomials of a degree between two places.
-    fn new(at: impl Fn(f64) -> ContactShape, [from, to]: [f64; 2], degree: usize) -> Self {
+    /// Polynomials of a degree over a range of places.
+    fn new(at: impl Fn(f64) -> ContactShape, range: &RangeInclusive<f64>, degree: usize) -> Self {
+        let (from, to) = (*range.start(), *range.end());
         let fit = |of: fn(&ContactShape) -> f64| {
             Polynomial::of_degree(|place| of(&at(place)), from, to, degree)
         };
@@ -58,7 +61,7 @@ pub(super) struct ContactRange<'a> {
     /// The contact at a place.
     pub at: &'a dyn Fn(f64) -> LubricatedContact,
     /// First and last place.
-    pub range: [f64; 2],
+    pub range: RangeInclusive<f64>,
     /// Degree of polynomials over it.
     pub degree: usize,
 }
@@ -66,14 +69,15 @@ pub(super) struct ContactRange<'a> {
 impl GrooveFilms {
     /// Films of the contacts with a groove of a bearing, that with most curvature as reference.
     pub(super) fn new(
-        (bearing, film): (&Bearing, &Film),
+        bearing: &Bearing,
+        film: &Film,
         groove: &ContactRange<'_>,
         edges: &[Option<ContactRange<'_>>],
     ) -> Self {
-        let reference = (groove.at)(groove.range[1]);
+        let reference = (groove.at)(*groove.range.end());
         let shapes = |of: &ContactRange<'_>| {
-            let at = |place: f64| shape((bearing, film), [&reference, &(of.at)(place)]);
-            ShapePolynomial::new(at, of.range, of.degree)
+            let at = |place: f64| shape(bearing, film, &reference, &(of.at)(place));
+            ShapePolynomial::new(at, &of.range, of.degree)
         };
         Self {
             curve: curve(bearing, film, reference),
@@ -111,10 +115,12 @@ pub(super) fn curve(bearing: &Bearing, film: &Film, contact: LubricatedContact) 
     TractionCurve::new(film, &of)
 }
 
-/// Shape of the second of two contacts against the first.
+/// Shape of a contact against a reference.
 fn shape(
-    (bearing, film): (&Bearing, &Film),
-    [reference, contact]: [&LubricatedContact; 2],
+    bearing: &Bearing,
+    film: &Film,
+    reference: &LubricatedContact,
+    contact: &LubricatedContact,
 ) -> ContactShape {
     let one = Rolling {
         load_n: 1.0,

@@ -39,7 +39,7 @@ impl RollingModel {
             inner: RollingCurve::new(&LubricatedContact::inner(bearing), film),
             outer: match least {
                 None => CurvePolynomial::constant(at(1.0)),
-                Some(least) => CurvePolynomial::new(at, [least - MARGIN, 1.0], DEGREE),
+                Some(least) => CurvePolynomial::new(at, least - MARGIN..=1.0, DEGREE),
             },
             hysteresis: film.hysteresis.then(|| Hysteresis::new(bearing)),
             traction: (film.traction == Traction::Film)

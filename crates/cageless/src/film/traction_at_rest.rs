@@ -61,16 +61,14 @@ impl<'a> MixedFriction<'a> {
     /// Friction of a contact with the outer raceway, N.
     pub(crate) fn outer_n(&self, contact: &LubricatedContact, rolling: Rolling) -> f64 {
         let factor = self.case.contact.outer_friction_factor;
-        self.friction_n(
-            contact,
-            rolling,
-            (factor, self.creep.map(|creep| creep.outer)),
-        )
+        let creep = self.creep.map(|creep| creep.outer);
+        self.friction_n(contact, rolling, factor, creep)
     }
 
     /// Friction of a contact with the inner raceway, N.
     pub(crate) fn inner_n(&self, contact: &LubricatedContact, rolling: Rolling) -> f64 {
-        self.friction_n(contact, rolling, (1.0, self.creep.map(|creep| creep.inner)))
+        let creep = self.creep.map(|creep| creep.inner);
+        self.friction_n(contact, rolling, 1.0, creep)
     }
 
     /// Friction where that of asperities is so many times that of the law.
@@ -78,7 +76,8 @@ impl<'a> MixedFriction<'a> {
         &self,
         contact: &LubricatedContact,
         rolling: Rolling,
-        (factor, creep): (f64, Option<f64>),
+        factor: f64,
+        creep: Option<f64>,
     ) -> f64 {
         let Rolling { load_n, speed_m_s } = rolling;
         if !(load_n > 0.0) {

@@ -69,8 +69,15 @@ impl Mounting<'_> {
             + bore * (warmth.shaft_per_k * warmth.shaft_k - warmth.ring_per_k * warmth.inner_k)
             + self.shaft_growth_m(bore)
             - self.ring_growth_m(bore);
-        let diameters = [self.shaft_bore_m, bore, self.inner_m];
-        let pressure_pa = pressure_pa(interference_m, diameters, [self.shaft, self.ring]);
+        let shaft = Cylinder {
+            free_m: self.shaft_bore_m,
+            solid: self.shaft,
+        };
+        let ring = Cylinder {
+            free_m: self.inner_m,
+            solid: self.ring,
+        };
+        let pressure_pa = pressure_pa(interference_m, bore, &shaft, &ring);
         Seat {
             interference_m,
             pressure_pa,
@@ -87,8 +94,15 @@ impl Mounting<'_> {
         let expansion =
             warmth.ring_per_k * warmth.outer_k - warmth.housing_per_k * warmth.housing_k;
         let interference_m = mounted_m + outside * expansion;
-        let diameters = [self.outer_m, outside, self.housing_outside_m];
-        let pressure_pa = pressure_pa(interference_m, diameters, [self.ring, self.housing]);
+        let ring = Cylinder {
+            free_m: self.outer_m,
+            solid: self.ring,
+        };
+        let housing = Cylinder {
+            free_m: self.housing_outside_m,
+            solid: self.housing,
+        };
+        let pressure_pa = pressure_pa(interference_m, outside, &ring, &housing);
         let modulus_pa = self.ring.youngs_modulus_pa;
         Seat {
             interference_m,
@@ -98,20 +112,29 @@ impl Mounting<'_> {
     }
 }
 
-/// Pressure between two cylinders of diameters `[inside, fit, outside]`, pushed together with an
-/// interference on the diameter:
+/// A part of a fit.
+struct Cylinder {
+    /// Diameter of its other side, m.
+    free_m: f64,
+    solid: Solid,
+}
+
+/// Pressure between two cylinders that meet at the diameter d2, pushed together with an interference on the
+/// diameter:
 ///
 ///   p = δ/d2 / ([(d1² + d2²)/(d1² − d2²) + ν1]/E1 + [(d2² + d3²)/(d2² − d3²) − ν2]/E2)
 ///
 /// (Lamé; NTN 2203/E, table 8.6), 1 outside, 2 inside. 0 without interference: the two do not touch.
-fn pressure_pa(interference_m: f64, [d3, d2, d1]: [f64; 3], [inside, outside]: [Solid; 2]) -> f64 {
+fn pressure_pa(interference_m: f64, d2: f64, inside: &Cylinder, outside: &Cylinder) -> f64 {
     // (1 + q²)/(1 − q²) with q of the smaller over the larger diameter; 1 of a solid shaft or a thick housing.
     let wall = |small: f64, large: f64| {
         let q = (small / large).powi(2);
         (1.0 + q) / (1.0 - q)
     };
-    let outer = (wall(d2, d1) + outside.poisson_ratio) / outside.youngs_modulus_pa;
-    let inner = (wall(d3, d2) - inside.poisson_ratio) / inside.youngs_modulus_pa;
+    let outer =
+        (wall(d2, outside.free_m) + outside.solid.poisson_ratio) / outside.solid.youngs_modulus_pa;
+    let inner =
+        (wall(inside.free_m, d2) - inside.solid.poisson_ratio) / inside.solid.youngs_modulus_pa;
     (interference_m / d2).max(0.0) / (outer + inner)
 }
 

@@ -117,9 +117,9 @@ mod tests {
         for (row, expected) in inverse.iter().zip([[5.0 / 6.0, -0.5], [-0.5, 0.5]]) {
             row.iter().zip(expected).for_each(|(f, e)| close(*f, e));
         }
-        let (mean, inverse) = equations.solve(&[false, true]).unwrap();
-        close(mean[0], 3.0);
-        close(mean[1], 0.0);
+        let (held, inverse) = equations.solve(&[false, true]).unwrap();
+        close(held[0], 3.0);
+        close(held[1], 0.0);
         close(inverse[0][0], 1.0 / 3.0);
         assert!(NormalEquations::new(1).solve(&[false]).is_none());
     }

@@ -36,49 +36,34 @@ pub(crate) fn try_brent<E>(
     b: f64,
     tolerance: f64,
 ) -> Result<Option<f64>, E> {
-    let (mut a, mut b) = (a, b);
-    let (mut fa, mut fb) = (f(a)?, f(b)?);
+    let mut at = |x: f64| Ok(Sample { x, value: f(x)? });
+    let (mut a, mut b) = (at(a)?, at(b)?);
     // NaN fails all comparisons.
-    if !((fa <= 0.0 && fb >= 0.0) || (fa >= 0.0 && fb <= 0.0)) {
+    if !((a.value <= 0.0 && b.value >= 0.0) || (a.value >= 0.0 && b.value <= 0.0)) {
         return Ok(None);
     }
-    let (mut c, mut fc) = (a, fa);
-    let mut d = b - a;
+    let mut c = a;
+    let mut d = b.x - a.x;
     let mut e = d;
     for _ in 0..200 {
-        if fb * fc > 0.0 {
-            (c, fc) = (a, fa);
-            d = b - a;
+        if b.value * c.value > 0.0 {
+            c = a;
+            d = b.x - a.x;
             e = d;
         }
-        if fc.abs() < fb.abs() {
-            (a, fa) = (b, fb);
-            (b, fb) = (c, fc);
-            (c, fc) = (a, fa);
+        if c.value.abs() < b.value.abs() {
+            (a, b, c) = (b, c, b);
         }
-        let tol = 2.0 * f64::EPSILON * b.abs() + 0.5 * tolerance;
-        let m = 0.5 * (c - b);
-        if m.abs() <= tol || fb == 0.0 {
-            return Ok(Some(b));
+        let tol = 2.0 * f64::EPSILON * b.x.abs() + 0.5 * tolerance;
+        let m = 0.5 * (c.x - b.x);
+        if m.abs() <= tol || b.value == 0.0 {
+            return Ok(Some(b.x));
         }
-        if e.abs() < tol || fa.abs() <= fb.abs() {
+        if e.abs() < tol || a.value.abs() <= b.value.abs() {
             d = m;
             e = m;
         } else {
-            let s = fb / fa;
-            let (mut p, mut q) = if a == c {
-                (2.0 * m * s, 1.0 - s)
-            } else {
-                let (q, r) = (fa / fc, fb / fc);
-                (
-                    s * (2.0 * m * q * (q - r) - (b - a) * (r - 1.0)),
-                    (q - 1.0) * (r - 1.0) * (s - 1.0),
-                )
-            };
-            if p > 0.0 {
-                q = -q;
-            }
-            p = p.abs();
+            let (p, q) = interpolated(a, b, c);
             if 2.0 * p < (3.0 * m * q - (tol * q).abs()).min((e * q).abs()) {
                 e = d;
                 d = p / q;
@@ -87,11 +72,34 @@ pub(crate) fn try_brent<E>(
                 e = m;
             }
         }
-        (a, fa) = (b, fb);
-        b += if d.abs() > tol { d } else { tol.copysign(m) };
-        fb = f(b)?;
+        a = b;
+        b = at(b.x + if d.abs() > tol { d } else { tol.copysign(m) })?;
     }
-    Ok(Some(b))
+    Ok(Some(b.x))
+}
+
+/// A place and the value of a function there.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    x: f64,
+    value: f64,
+}
+
+/// Step p/q from `b` to the root of the line through `a` and `b`, or of the inverse parabola through all three; p is 0
+/// or more.
+fn interpolated(a: Sample, b: Sample, c: Sample) -> (f64, f64) {
+    let m = 0.5 * (c.x - b.x);
+    let s = b.value / a.value;
+    let (p, q) = if a.x == c.x {
+        (2.0 * m * s, 1.0 - s)
+    } else {
+        let (q, r) = (a.value / c.value, b.value / c.value);
+        (
+            s * (2.0 * m * q * (q - r) - (b.x - a.x) * (r - 1.0)),
+            (q - 1.0) * (r - 1.0) * (s - 1.0),
+        )
+    };
+    (p.abs(), if p > 0.0 { -q } else { q })
 }
 
 /// Root of a rising function.

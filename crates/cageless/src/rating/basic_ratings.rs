@@ -1,7 +1,7 @@
 //! Basic dynamic radial load rating (ISO 281) and basic static radial load rating (ISO 76) of
 //! a single-row deep groove ball bearing.
 
-use super::ratios::{conformities, gamma, raceway_ratio};
+use super::ratios::{Conformities, gamma, raceway_ratio};
 use crate::bearing::Bearing;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::material::Material;
@@ -55,7 +55,7 @@ impl BasicRatings {
         let across = rows as f64 * bearing.contact_angle_rad().cos();
         let z = bearing.balls() as f64;
         let diameter_mm = 2e3 * bearing.ball_radius_m();
-        let (gamma, grooves) = (gamma(bearing), conformities(bearing));
+        let (gamma, grooves) = (gamma(bearing), Conformities::of(bearing));
         let size = if diameter_mm <= SMALL_BALL_MM {
             diameter_mm.powf(1.8)
         } else {
@@ -93,14 +93,15 @@ impl BasicRatings {
     }
 }
 
-/// fc of ISO 281 at γ = Dw/Dpw for grooves of radius `[inner, outer]` × Dw:
+/// fc of ISO 281 at γ = Dw/Dpw for grooves of radius `inner` and `outer` × Dw:
 ///
 ///   fc = 0.41 A1 λ (1 + a^(10/3))^(−3/10) γ^0.3 (1 − γ)^1.39/(1 + γ)^(1/3) (2ri/(2ri − Dw))^0.41,
 ///   a = 1.04 ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41
 ///
 /// (ISO/TR 1281-1). The table of ISO 281 is this at 0.52 for both.
-pub(crate) fn dynamic_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
-    let ratio = raceway_ratio(1.04, gamma, [inner, outer]);
+pub(crate) fn dynamic_factor(gamma: f64, grooves: Conformities) -> f64 {
+    let ratio = raceway_ratio(1.04, gamma, grooves);
+    let inner = grooves.inner;
     MATERIAL_CONSTANT
         * REDUCTION
         * (1.0 + ratio.powf(10.0 / 3.0)).powf(-0.3)
@@ -110,16 +111,16 @@ pub(crate) fn dynamic_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
         * (2.0 * inner / (2.0 * inner - 1.0)).powf(0.41)
 }
 
-/// f0 of ISO 76 at γ = Dw/Dpw for grooves of radius `[inner, outer]` × Dw, N/mm²: Q/(5 Dw²)
+/// f0 of ISO 76 at γ = Dw/Dpw for grooves of radius `inner` and `outer` × Dw, N/mm²: Q/(5 Dw²)
 /// with the load Q under which the peak pressure at the more stressed raceway is 4200 MPa, by
 /// Hertz with the steel of the standard (207 GPa, ν = 0.3). The table of ISO 76 is this at
 /// 0.52 inside and 0.53 outside.
-pub(crate) fn static_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
+pub(crate) fn static_factor(gamma: f64, grooves: Conformities) -> f64 {
     // Dw = 1: the ball has the curvature 2, the rings ±2γ/(1 ∓ γ) in the plane of rolling.
     let ball = [2.0; 2];
     let raceways = [
-        [2.0 * gamma / (1.0 - gamma), -1.0 / inner],
-        [-2.0 * gamma / (1.0 + gamma), -1.0 / outer],
+        [2.0 * gamma / (1.0 - gamma), -1.0 / grooves.inner],
+        [-2.0 * gamma / (1.0 + gamma), -1.0 / grooves.outer],
     ];
     raceways
         .map(|ring| {

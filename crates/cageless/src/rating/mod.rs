@@ -60,6 +60,8 @@ pub(crate) use lubrication::reference_viscosity_m2_s;
 pub use lubrication::{LubricatedRating, VISCOSITY_RATIO_MIN};
 pub use passing_frequencies::PassingFrequencies;
 pub(crate) use passing_frequencies::loaded_contact_angle_rad;
+#[cfg(test)]
+pub(crate) use ratios::Conformities;
 pub(crate) use reference_life::ReferenceLife;
 pub use skf_friction::SkfFriction;
 #[cfg(test)]

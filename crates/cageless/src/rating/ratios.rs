@@ -12,20 +12,29 @@ pub(super) fn gamma_at(bearing: &Bearing, contact_angle_rad: f64) -> f64 {
     bearing.ball_radius_m() / bearing.pitch_radius_m() * contact_angle_rad.cos()
 }
 
-/// Radii of curvature of inner and outer groove over the ball diameter.
-pub(super) fn conformities(bearing: &Bearing) -> [f64; 2] {
-    let d = bearing.dimensions();
-    [
-        d.inner_groove_curvature_radius_m,
-        d.outer_groove_curvature_radius_m,
-    ]
-    .map(|radius| radius / (2.0 * d.ball_radius_m))
+/// Radii of curvature of both grooves over the ball diameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Conformities {
+    pub inner: f64,
+    pub outer: f64,
+}
+
+impl Conformities {
+    pub(super) fn of(bearing: &Bearing) -> Self {
+        let d = bearing.dimensions();
+        let over_diameter = |radius_m: f64| radius_m / (2.0 * d.ball_radius_m);
+        Self {
+            inner: over_diameter(d.inner_groove_curvature_radius_m),
+            outer: over_diameter(d.outer_groove_curvature_radius_m),
+        }
+    }
 }
 
 /// Ratio of the load ratings of a ball contact at the inner and the outer raceway without
 /// its leading factor `c`: c ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41
 /// (ISO/TR 1281-1).
-pub(super) fn raceway_ratio(c: f64, gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
+pub(super) fn raceway_ratio(c: f64, gamma: f64, grooves: Conformities) -> f64 {
+    let Conformities { inner, outer } = grooves;
     let osculation = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0);
     c * ((1.0 - gamma) / (1.0 + gamma)).powf(1.72) * osculation.powf(0.41)
 }

@@ -1,7 +1,7 @@
 //! Basic reference rating life from the load of every ball (ISO/TS 16281).
 
 use super::basic_ratings::BasicRatings;
-use super::ratios::{conformities, gamma, raceway_ratio};
+use super::ratios::{Conformities, gamma, raceway_ratio};
 use crate::bearing::Bearing;
 
 /// 0.407 = Jr/J1: radial load integral of a half-loaded bearing over the mean effective load
@@ -29,7 +29,7 @@ impl ReferenceLife {
     pub(crate) fn new(bearing: &Bearing) -> Self {
         let across = bearing.contact_angle_rad().cos().powf(0.7);
         let per_ball = BasicRatings::new(bearing).dynamic_n / bearing.balls() as f64 / across;
-        let ratio = raceway_ratio(1.044, gamma(bearing), conformities(bearing));
+        let ratio = raceway_ratio(1.044, gamma(bearing), Conformities::of(bearing));
         let rating = |integral: f64, exponent: f64| {
             per_ball / integral * (1.0 + ratio.powf(exponent)).powf(0.3)
         };

@@ -47,8 +47,56 @@ struct Falling {
 /// Newton steps until the abscissa stands still; three or four are usual.
 const NEWTON_MAX: u32 = 20;
 
-/// Force on the first of two bodies along x and y, and the friction on it.
-type Contact = (f64, f64, f64);
+/// Force on the first of two bodies along x and y, and the friction in it.
+struct Contact {
+    force: [f64; 2],
+    friction: f64,
+}
+
+/// Force and torque on the inner ring, and force on the outer ring.
+#[derive(Default)]
+struct RingLoads {
+    inner: [f64; 2],
+    inner_torque: f64,
+    outer: [f64; 2],
+}
+
+/// Forces and torques on the balls.
+struct BallLoads<'a> {
+    fx: &'a mut [f64],
+    fy: &'a mut [f64],
+    torque: &'a mut [f64],
+}
+
+impl BallLoads<'_> {
+    fn add(&mut self, j: usize, force: [f64; 2], torque: f64) {
+        self.fx[j] += force[0];
+        self.fy[j] += force[1];
+        self.torque[j] += torque;
+    }
+}
+
+/// Places, velocities and spins of the balls, of the inner ring and of the outer one.
+struct Bodies<'a> {
+    x: &'a [f64],
+    y: &'a [f64],
+    vx: &'a [f64],
+    vy: &'a [f64],
+    spin: &'a [f64],
+    ring: &'a [f64],
+    ring_speed: f64,
+    outer: &'a [f64],
+}
+
+impl Bodies<'_> {
+    /// Place and velocity of a ball from the centre of a ring.
+    fn from(&self, centre: &[f64], j: usize) -> [[f64; 2]; 2] {
+        [
+            [self.x[j] - centre[0], self.y[j] - centre[1]],
+            [self.vx[j] - centre[2], self.vy[j] - centre[3]],
+        ]
+    }
+}
 
 impl Textbook {
     /// The system of a case in the `physical` formulation with the smooth law of friction.
@@ -139,12 +187,11 @@ impl Textbook {
         let r = self.effective_radius(x, y);
         let slip = vy * ex - vx * ey - spin * r;
         let friction = self.friction(slip, force * self.ball_radius / r);
-        let along = (
-            -force * ex + friction * ey,
-            -force * ey - friction * ex,
+        let contact = Contact {
+            force: [-force * ex + friction * ey, -force * ey - friction * ex],
             friction,
-        );
-        Some((along, r * friction))
+        };
+        Some((contact, r * friction))
     }
 
     /// Inner raceway, Eq. (16), (20): place and velocity from the ring's centre, its speed.
@@ -168,11 +215,10 @@ impl Textbook {
         let tangential = vy * ex - vx * ey;
         let slip = ring_speed * self.inner_radius - (tangential + spin * self.ball_radius);
         let friction = self.friction(slip, force);
-        Some((
-            force * ex - friction * ey,
-            force * ey + friction * ex,
+        Some(Contact {
+            force: [force * ex - friction * ey, force * ey + friction * ex],
             friction,
-        ))
+        })
     }
 
     /// A ball and the next, Eq. (17), (21): place of the next and velocity of the first, each
@@ -191,22 +237,72 @@ impl Textbook {
             .max(0.0);
         let slip = vy * ex - vx * ey - spins * self.ball_radius;
         let friction = self.friction(slip, force);
-        Some((
-            -force * ex + friction * ey,
-            -force * ey - friction * ex,
+        Some(Contact {
+            force: [-force * ex + friction * ey, -force * ey - friction * ex],
             friction,
-        ))
+        })
+    }
+
+    /// Loads between balls and raceways, with gravity.
+    fn at_raceways(&self, bodies: &Bodies<'_>, balls: &mut BallLoads<'_>) -> RingLoads {
+        let mut rings = RingLoads::default();
+        for j in 0..self.balls {
+            (balls.fx[j], balls.fy[j], balls.torque[j]) =
+                (0.0, -self.ball_mass * self.gravity, 0.0);
+            let [place, velocity] = bodies.from(bodies.outer, j);
+            if let Some((contact, moment)) = self.outer(place, velocity, bodies.spin[j]) {
+                balls.add(j, contact.force, moment);
+                rings.outer[0] -= contact.force[0];
+                rings.outer[1] -= contact.force[1];
+            }
+            let [place, velocity] = bodies.from(bodies.ring, j);
+            let contact = self.inner(place, velocity, bodies.spin[j], bodies.ring_speed);
+            if let Some(Contact { force, friction }) = contact {
+                balls.add(j, force, self.ball_radius * friction);
+                rings.inner[0] -= force[0];
+                rings.inner[1] -= force[1];
+                rings.inner_torque -= self.inner_radius * friction;
+            }
+        }
+        rings
+    }
+
+    /// Adds the loads of the balls on each other.
+    fn between_balls(&self, bodies: &Bodies<'_>, balls: &mut BallLoads<'_>) {
+        let Bodies {
+            x, y, vx, vy, spin, ..
+        } = bodies;
+        for j in 0..self.balls {
+            let k = (j + 1) % self.balls;
+            let (place, velocity) = ([x[k] - x[j], y[k] - y[j]], [vx[j] - vx[k], vy[j] - vy[k]]);
+            let contact = self.neighbours(place, velocity, spin[j] + spin[k]);
+            if let Some(Contact { force, friction }) = contact {
+                let torque = self.ball_radius * friction;
+                balls.add(j, force, torque);
+                balls.add(k, force.map(|f| -f), torque);
+            }
+        }
     }
 
     /// f(y) in SI units: x of every ball, y, vx, vy, spin, then the bodies.
     pub fn derivative(&self, state: &[f64], rate: &mut [f64]) {
         let n = self.balls;
         let [x, y, vx, vy, spin] = std::array::from_fn(|group| &state[group * n..][..n]);
-        let bodies = &state[5 * n..];
-        let (ring, resting) = (&bodies[..4], [0.0; 4]);
+        let coordinates = &state[5 * n..];
+        let (ring, resting) = (&coordinates[..4], [0.0; 4]);
         let (ring_speed, outer) = match self.falling {
-            Some(_) => (bodies[4], &bodies[5..9]),
+            Some(_) => (coordinates[4], &coordinates[5..9]),
             None => (self.inner_speed, &resting[..]),
+        };
+        let bodies = Bodies {
+            x,
+            y,
+            vx,
+            vy,
+            spin,
+            ring,
+            ring_speed,
+            outer,
         };
         let (velocities, rest) = rate.split_at_mut(2 * n);
         velocities[..n].copy_from_slice(vx);
@@ -214,82 +310,71 @@ impl Textbook {
         let (fx, rest) = rest.split_at_mut(n);
         let (fy, rest) = rest.split_at_mut(n);
         let (torque, body_rate) = rest.split_at_mut(n);
-        let (mut ring_force, mut outer_force, mut ring_torque) = ([0.0; 2], [0.0; 2], 0.0);
+        let mut balls = BallLoads { fx, fy, torque };
+        let rings = self.at_raceways(&bodies, &mut balls);
+        self.between_balls(&bodies, &mut balls);
         for j in 0..n {
-            (fx[j], fy[j], torque[j]) = (0.0, -self.ball_mass * self.gravity, 0.0);
-            let from = |centre: &[f64]| {
-                (
-                    [x[j] - centre[0], y[j] - centre[1]],
-                    [vx[j] - centre[2], vy[j] - centre[3]],
-                )
-            };
-            let (place, velocity) = from(outer);
-            if let Some(((px, py, _), moment)) = self.outer(place, velocity, spin[j]) {
-                fx[j] += px;
-                fy[j] += py;
-                torque[j] += moment;
-                outer_force[0] -= px;
-                outer_force[1] -= py;
-            }
-            let (place, velocity) = from(ring);
-            if let Some((px, py, friction)) = self.inner(place, velocity, spin[j], ring_speed) {
-                fx[j] += px;
-                fy[j] += py;
-                torque[j] += self.ball_radius * friction;
-                ring_force[0] -= px;
-                ring_force[1] -= py;
-                ring_torque -= self.inner_radius * friction;
-            }
-        }
-        for j in 0..n {
-            let k = (j + 1) % n;
-            let (place, velocity) = ([x[k] - x[j], y[k] - y[j]], [vx[j] - vx[k], vy[j] - vy[k]]);
-            if let Some((px, py, friction)) = self.neighbours(place, velocity, spin[j] + spin[k]) {
-                fx[j] += px;
-                fy[j] += py;
-                fx[k] -= px;
-                fy[k] -= py;
-                torque[j] += self.ball_radius * friction;
-                torque[k] += self.ball_radius * friction;
-            }
-        }
-        for j in 0..n {
-            fx[j] /= self.ball_mass;
-            fy[j] /= self.ball_mass;
-            torque[j] /= self.ball_inertia;
+            balls.fx[j] /= self.ball_mass;
+            balls.fy[j] /= self.ball_mass;
+            balls.torque[j] /= self.ball_inertia;
         }
         body_rate[..2].copy_from_slice(&ring[2..]);
-        let Some(falling) = &self.falling else {
-            body_rate[2] = (ring_force[0] - self.ring_drag * ring[2]) / self.ring_mass;
-            body_rate[3] = (ring_force[1] - self.ring_drag * ring[3] - self.radial_load)
-                / self.ring_mass
-                - self.gravity;
-            return;
-        };
-        let (rotor, support, motion) = (&falling.rotor, &falling.support, &bodies[9..]);
-        let ([px, py], moment, ring_moment) = falling.journal(ring, ring_speed, motion);
+        match &self.falling {
+            Some(falling) => {
+                body_rate[2..].copy_from_slice(&self.falling_rates(falling, &rings, coordinates));
+            }
+            None => {
+                body_rate[2] = (rings.inner[0] - self.ring_drag * ring[2]) / self.ring_mass;
+                body_rate[3] = (rings.inner[1] - self.ring_drag * ring[3] - self.radial_load)
+                    / self.ring_mass
+                    - self.gravity;
+            }
+        }
+    }
+
+    /// Rates of rings and rotor of a drop, after the velocity of the inner ring.
+    fn falling_rates(
+        &self,
+        falling: &Falling,
+        rings: &RingLoads,
+        coordinates: &[f64],
+    ) -> [f64; 13] {
+        let (ring, ring_speed, outer) = (&coordinates[..4], coordinates[4], &coordinates[5..9]);
+        let (rotor, support, motion) = (&falling.rotor, &falling.support, &coordinates[9..]);
+        let journal = falling.journal(ring, ring_speed, motion);
+        let [px, py] = journal.force;
         let (stiffness, damping) = (support.stiffness_n_m, support.damping_n_s_m);
-        body_rate[2..].copy_from_slice(&[
-            (ring_force[0] - px) / self.ring_mass,
-            (ring_force[1] - py) / self.ring_mass - self.gravity,
-            (ring_torque + ring_moment) / falling.ring_inertia,
+        [
+            (rings.inner[0] - px) / self.ring_mass,
+            (rings.inner[1] - py) / self.ring_mass - self.gravity,
+            (rings.inner_torque + journal.ring_torque) / falling.ring_inertia,
             outer[2],
             outer[3],
-            (outer_force[0] - stiffness * outer[0] - damping * outer[2]) / support.mass_kg,
-            (outer_force[1] - stiffness * outer[1] - damping * outer[3]) / support.mass_kg,
+            (rings.outer[0] - stiffness * outer[0] - damping * outer[2]) / support.mass_kg,
+            (rings.outer[1] - stiffness * outer[1] - damping * outer[3]) / support.mass_kg,
             motion[3],
             motion[4],
             motion[5],
             px / rotor.mass_kg,
             py / rotor.mass_kg - self.gravity,
-            (moment + rotor.drive_torque_n_m) / rotor.polar_inertia_kg_m2,
-        ]);
+            (journal.moment + rotor.drive_torque_n_m) / rotor.polar_inertia_kg_m2,
+        ]
     }
 }
 
+/// Loads between the journal of a rotor and the bore of the inner ring.
+#[derive(Default)]
+struct JournalLoads {
+    /// On the rotor.
+    force: [f64; 2],
+    /// About the mass centre of the rotor.
+    moment: f64,
+    /// On the inner ring.
+    ring_torque: f64,
+}
+
 impl Falling {
-    /// Force on the rotor, its moment about the mass centre, and the torque on the inner ring.
-    fn journal(&self, ring: &[f64], ring_speed: f64, motion: &[f64]) -> ([f64; 2], f64, f64) {
+    fn journal(&self, ring: &[f64], ring_speed: f64, motion: &[f64]) -> JournalLoads {
         let &[x, y, angle, vx, vy, speed] = motion else {
             unreachable!("a rotor has six coordinates");
         };
@@ -300,7 +385,7 @@ impl Falling {
         let distance = (dx * dx + dy * dy).sqrt();
         let depth = distance - r.radial_clearance_m;
         if depth <= 0.0 {
-            return ([0.0; 2], 0.0, 0.0);
+            return JournalLoads::default();
         }
         let (nx, ny) = (dx / distance, dy / distance);
         let (ux, uy) = (vx + speed * ey - ring[2], vy - speed * ex - ring[3]);
@@ -315,7 +400,10 @@ impl Falling {
             r.friction.coefficient * (slip / r.friction.regularisation_speed_m_s).tanh() * normal;
         let force = [-normal * nx + friction * ny, -normal * ny - friction * nx];
         let (ax, ay) = (journal * nx - ex, journal * ny - ey);
-        let moment = ax * force[1] - ay * force[0];
-        (force, moment, friction * self.bore_radius)
+        JournalLoads {
+            force,
+            moment: ax * force[1] - ay * force[0],
+            ring_torque: friction * self.bore_radius,
+        }
     }
 }

@@ -28,7 +28,8 @@ impl SteadySummary {
         let rate = |of: &dyn Fn(&SteadyBlock) -> f64| blocks.iter().map(of).sum::<f64>() / time_s;
         let amplitude = |of: &dyn Fn(&SteadyBlock) -> [Moments; 2]| {
             let mean = |k: usize| rate(&|block| block.time_s * of(block)[k].mean());
-            mean(0).hypot(mean(1))
+            let [cosine, sine] = [0, 1].map(mean);
+            cosine.hypot(sine)
         };
         Self {
             contact_rates_hz: [

@@ -66,6 +66,18 @@ impl Seen {
     }
 }
 
+/// Rule that points of no groove break, with how far off the nearest fit is.
+fn misfit(nearest: Option<&MeasuredGroove>, frame: &SectionFrame) -> String {
+    let nearest = nearest.map_or_else(String::new, |found| {
+        let percent = 100.0 * found.deviation.mean_m / frame.offset_m;
+        format!(", which the nearest misses by {percent:.0} % of Re − Rw in the mean")
+    });
+    format!(
+        "of the groove of this ring, in its frame, with flanks whose angle falls steadily from the \
+         middle to 0 at the ends{nearest}"
+    )
+}
+
 impl MeasuredGroove {
     /// Fit to the points within ±θ of a raceway of the case. In each section the flank is an arc of
     /// radius Re, larger by the depth error, whose centre is Re − Rw behind that of the ball, at the angle αc(ψ); the
@@ -94,27 +106,7 @@ impl MeasuredGroove {
         if count < POINTS_MIN {
             return refuse("50 or more within the half angle of the raceway, or nothing is fitted");
         }
-        let fitted = |depth_error_m: f64| {
-            let observed = |flanks: &PowerAngle| -> Linearised {
-                let row = |point: &Seen| {
-                    let [angle, _] = flanks.at(point.local_rad);
-                    let [error, slope] = point.error(&frame, angle, depth_error_m);
-                    [point.local_rad, slope, slope * angle - error]
-                };
-                seen.iter().map(row).collect()
-            };
-            let (flanks, [mean_m, largest_m]) = fit_flanks(theta, &observed)?;
-            let deviation = PointDeviation {
-                points: count,
-                mean_m,
-                largest_m,
-            };
-            Some(Self {
-                flanks,
-                depth_error_m,
-                deviation,
-            })
-        };
+        let fitted = |depth_error_m: f64| Self::with_depth(&seen, &frame, theta, depth_error_m);
         let square = |depth_error_m: f64| Some(fitted(depth_error_m)?.deviation.mean_m.powi(2));
         let guesses = GUESSES.map(|part| part * unit_m).into_iter();
         let guesses = guesses.filter_map(|guess_m| Some((square(guess_m)?, guess_m)));
@@ -139,17 +131,36 @@ impl MeasuredGroove {
         };
         match best_m.and_then(fitted).filter(significant).or(none) {
             Some(found) if found.deviation.mean_m <= DEVIATION_MAX * frame.offset_m => Ok(found),
-            other => {
-                let nearest = other.map_or_else(String::new, |found| {
-                    let percent = 100.0 * found.deviation.mean_m / frame.offset_m;
-                    format!(", which the nearest misses by {percent:.0} % of Re − Rw in the mean")
-                });
-                refuse(&format!(
-                    "of the groove of this ring, in its frame, with flanks whose angle falls steadily \
-                     from the middle to 0 at the ends{nearest}"
-                ))
-            }
+            other => refuse(&misfit(other.as_ref(), &frame)),
         }
+    }
+
+    /// Flanks with a depth error that fit points best; `None` where none do.
+    fn with_depth(
+        seen: &[Seen],
+        frame: &SectionFrame,
+        theta: f64,
+        depth_error_m: f64,
+    ) -> Option<Self> {
+        let observed = |flanks: &PowerAngle| -> Linearised {
+            let row = |point: &Seen| {
+                let [angle, _] = flanks.at(point.local_rad);
+                let [error, slope] = point.error(frame, angle, depth_error_m);
+                [point.local_rad, slope, slope * angle - error]
+            };
+            seen.iter().map(row).collect()
+        };
+        let (flanks, [mean_m, largest_m]) = fit_flanks(theta, &observed)?;
+        let deviation = PointDeviation {
+            points: seen.len(),
+            mean_m,
+            largest_m,
+        };
+        Some(Self {
+            flanks,
+            depth_error_m,
+            deviation,
+        })
     }
 
     /// Distances of points of the raceway from the fitted flanks, m.

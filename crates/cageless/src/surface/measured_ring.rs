@@ -179,16 +179,11 @@ impl MeasuredRing {
     ) -> Result<Self, PointsError> {
         let ring = &fit.ring;
         let of_groove = indices(ring, points_m);
-        let seen: Vec<(usize, f64, Option<usize>)> = (of_groove.iter())
-            .map(|k| {
-                let (error_m, raceway) = ring.distance_m(points_m[*k]);
-                (*k, error_m, raceway)
-            })
-            .collect();
-        let beyond =
-            |(_, error_m, _): &&(usize, f64, Option<usize>)| error_m.abs() > fit.gate_m(None);
-        let plain = seen.iter().filter(|(.., raceway)| raceway.is_none());
-        let mut outliers: Vec<usize> = plain.filter(beyond).map(|(k, ..)| *k).collect();
+        let seen = of_groove.iter().map(|k| PointSeen::of(ring, points_m, *k));
+        let seen: Vec<PointSeen> = seen.collect();
+        let plain = seen.iter().filter(|point| point.raceway.is_none());
+        let beyond = plain.filter(|point| point.error_m.abs() > fit.gate_m(None));
+        let mut outliers: Vec<usize> = beyond.map(|point| point.index).collect();
         let mut raceways = vec![];
         for (index, none) in none.iter().enumerate() {
             raceways.push(match none {
@@ -196,14 +191,14 @@ impl MeasuredRing {
                     axial_span_m: none.axial_span_m,
                 },
                 None => {
-                    let own = seen.iter().filter(|(.., raceway)| *raceway == Some(index));
-                    let own: Vec<_> = own.map(|(k, error_m, _)| (*k, *error_m)).collect();
-                    measured_raceway(case, fit, index, points_m, &own, &mut outliers).map_err(
-                        |error| PointsError {
-                            raceway: Some(index),
-                            error,
-                        },
-                    )?
+                    let own = seen.iter().filter(|point| point.raceway == Some(index));
+                    let own: Vec<_> = own.map(|point| (point.index, point.error_m)).collect();
+                    let refused = |error| PointsError {
+                        raceway: Some(index),
+                        error,
+                    };
+                    measured_raceway(case, fit, index, points_m, &own, &mut outliers)
+                        .map_err(refused)?
                 }
             });
         }
@@ -214,23 +209,11 @@ impl MeasuredRing {
             return Err(error.into());
         }
         let turn_rad = turn_rad(case, &raceways);
-        let drawn = MadeRing {
-            pose: ring.pose,
-            ..ring.as_drawn(case, turn_rad.map_or(0.0, |turn| turn.value))
-        };
-        let turn = turn_rad.map_or(0.0, |turn| turn.value);
-        let off = |k: &usize| {
-            let [x, y, z] = ring.pose.in_ring_m(points_m[*k]);
-            PointOff {
-                angle_rad: wrap_angle_rad(x.atan2(-y) - turn),
-                axial_m: z,
-                deviation_m: -drawn.distance_m(points_m[*k]).0,
-            }
-        };
         let kept = of_groove
             .iter()
             .filter(|k| outliers.binary_search(k).is_err());
-        let deviations = kept.map(off).collect();
+        let kept: Vec<Vec3> = kept.map(|k| points_m[*k]).collect();
+        let turn = turn_rad.map_or(0.0, |turn| turn.value);
         let [bottom_radius_error_m, curvature_radius_error_m] = fit.sizes_m();
         Ok(Self {
             shift_m: fit.shift_m(),
@@ -243,9 +226,45 @@ impl MeasuredRing {
             used,
             elsewhere: points_m.len() - of_groove.len(),
             outliers,
-            deviations,
+            deviations: points_off(case, ring, turn, &kept),
         })
     }
+}
+
+/// A point of the groove against a fit.
+struct PointSeen {
+    index: usize,
+    error_m: f64,
+    /// Raceway on which it lies.
+    raceway: Option<usize>,
+}
+
+impl PointSeen {
+    fn of(ring: &MadeRing, points_m: &[Vec3], index: usize) -> Self {
+        let (error_m, raceway) = ring.distance_m(points_m[index]);
+        Self {
+            index,
+            error_m,
+            raceway,
+        }
+    }
+}
+
+/// Deviations of points from the drawing, turned about the axis as it was made.
+fn points_off(case: &Case, ring: &MadeRing, turn_rad: f64, points_m: &[Vec3]) -> Vec<PointOff> {
+    let drawn = MadeRing {
+        pose: ring.pose,
+        ..ring.as_drawn(case, turn_rad)
+    };
+    let off = |point: &Vec3| {
+        let [x, y, z] = ring.pose.in_ring_m(*point);
+        PointOff {
+            angle_rad: wrap_angle_rad(x.atan2(-y) - turn_rad),
+            axial_m: z,
+            deviation_m: -drawn.distance_m(*point).0,
+        }
+    };
+    points_m.iter().map(off).collect()
 }
 
 /// Raceway `index` by its `own` points with their distances from the fit, to which outliers are added.

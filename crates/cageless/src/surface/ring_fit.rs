@@ -59,19 +59,18 @@ impl RingFit {
         let first: Vec<Vec3> = points_m.iter().step_by(stride).copied().collect();
         let mut ring = guess;
         for _ in 0..ROUNDS {
-            let (next, _, _, size) = round(case, &ring, &first, Loss::Huber)?;
-            ring = next;
-            if size < CONVERGED {
+            let round = Round::of(case, &ring, &first, Loss::Huber)?;
+            ring = round.ring;
+            if round.size < CONVERGED {
                 break;
             }
         }
         let mut last = None;
         for _ in 0..OUTLIER_ROUNDS {
-            let (next, uncertainties, deviations_m, size) =
-                round(case, &ring, points_m, Loss::Outliers)?;
-            ring = next;
-            last = Some((uncertainties, deviations_m));
-            if size < CONVERGED {
+            let round = Round::of(case, &ring, points_m, Loss::Outliers)?;
+            ring = round.ring;
+            last = Some((round.uncertainties, round.deviations_m));
+            if round.size < CONVERGED {
                 break;
             }
         }
@@ -140,74 +139,117 @@ pub(super) fn robust_deviation_m(errors_m: impl Iterator<Item = f64>) -> f64 {
     }
 }
 
-/// The ring after a step of Gauss and Newton, uncertainties, robust deviations, and size of the step.
-fn round(
-    case: &Case,
-    ring: &MadeRing,
-    points_m: &[Vec3],
+/// Part of the ring on which a point lies: 0 the plain groove, else its raceway, from 1.
+fn part(point: &Observed) -> usize {
+    point.raceway.map_or(0, |k| k + 1)
+}
+
+/// Points of a ring in one round, by their parts.
+struct Seen {
+    points: Vec<Observed>,
     loss: Loss,
-) -> Option<(MadeRing, Vec<f64>, Vec<f64>, f64)> {
-    let neighbours = ring.neighbours(case).ok()?;
-    let observe = |point: &Vec3| ring.observed(&neighbours, *point);
-    let seen: Vec<Observed> = points_m.iter().map(observe).collect();
-    let parts = ring.raceways.len() + 1;
-    let part = |point: &Observed| point.raceway.map_or(0, |k| k + 1);
-    let deviations_m: Vec<f64> = (0..parts)
-        .map(|k| {
-            let errors = seen.iter().filter(|point| part(point) == k);
+    /// Robust standard deviation of each part, m.
+    deviations_m: Vec<f64>,
+}
+
+impl Seen {
+    fn new(points: Vec<Observed>, parts: usize, loss: Loss) -> Self {
+        let deviations_m = (0..parts).map(|k| {
+            let errors = points.iter().filter(|point| part(point) == k);
             robust_deviation_m(errors.map(|point| point.error_m))
-        })
-        .collect();
-    let used = |point: &Observed| {
-        loss == Loss::Huber || point.error_m.abs() <= gate_m(deviations_m[part(point)])
-    };
-    // Scatter of each part, of which its own unknowns take some.
-    let scatter_m: Vec<f64> = (0..parts)
-        .map(|k| {
-            let own = seen.iter().filter(|point| part(point) == k && used(point));
-            let errors = own.map(|point| point.error_m.powi(2));
-            let (count, squares) = errors.fold((0.0, 0.0), |(n, sum), e| (n + 1.0, sum + e));
-            let unknowns = if k == 0 { GROOVE } else { RACEWAY };
-            let free = (count - unknowns as f64).max(1.0);
-            let scatter = match loss {
-                Loss::Huber => deviations_m[k],
-                Loss::Outliers => f64::sqrt(squares / free),
-            };
-            scatter.max(ROUNDING_M)
-        })
-        .collect();
-    let unknowns = GROOVE + RACEWAY * ring.raceways.len();
-    let mut equations = NormalEquations::new(unknowns);
-    for point in seen.iter().filter(|point| used(point)) {
-        let scatter = scatter_m[part(point)];
-        let robust = match loss {
-            Loss::Huber => (HUBER * scatter / point.error_m.abs()).min(1.0),
-            Loss::Outliers => 1.0,
-        };
-        let weight = robust / (scatter * scatter);
-        let groove = point.groove.iter().copied().enumerate();
-        let first = point.raceway.map(|k| GROOVE + RACEWAY * k);
-        let own = point.dimensions.iter().copied().enumerate();
-        let own = own.filter_map(move |(k, slope)| Some((first? + k, slope)));
-        equations.add(groove.chain(own), point.error_m, weight);
-    }
-    let held: Vec<bool> = (0..unknowns)
-        .map(|k| k >= GROOVE && ring.raceways[(k - GROOVE) / RACEWAY].is_none())
-        .collect();
-    let (mut step, inverse) = equations.solve(&held)?;
-    let share = allowed_share(ring, &step);
-    step.iter_mut().for_each(|s| *s *= share);
-    let size = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
-    let mut next = ring.moved(case, &step);
-    // A shape may refuse what is halfway to what it takes.
-    for _ in 0..6 {
-        if next.is_err() {
-            step.iter_mut().for_each(|s| *s *= 0.5);
-            next = ring.moved(case, &step);
+        });
+        Self {
+            deviations_m: deviations_m.collect(),
+            points,
+            loss,
         }
     }
-    let uncertainties = (0..unknowns).map(|k| inverse[k][k].sqrt()).collect();
-    Some((next.ok()?, uncertainties, deviations_m, size))
+
+    /// Points that are no outliers.
+    fn used(&self) -> impl Iterator<Item = &Observed> {
+        self.points.iter().filter(|point| {
+            self.loss == Loss::Huber
+                || point.error_m.abs() <= gate_m(self.deviations_m[part(point)])
+        })
+    }
+
+    /// Scatter of a part, of which its own unknowns take some.
+    fn scatter_m(&self, k: usize) -> f64 {
+        let own = self.used().filter(|point| part(point) == k);
+        let errors = own.map(|point| point.error_m.powi(2));
+        let (count, squares) = errors.fold((0.0, 0.0), |(n, sum), e| (n + 1.0, sum + e));
+        let unknowns = if k == 0 { GROOVE } else { RACEWAY };
+        let free = (count - unknowns as f64).max(1.0);
+        let scatter = match self.loss {
+            Loss::Huber => self.deviations_m[k],
+            Loss::Outliers => f64::sqrt(squares / free),
+        };
+        scatter.max(ROUNDING_M)
+    }
+
+    /// Normal equations of the unknowns of all parts.
+    fn equations(&self) -> NormalEquations {
+        let parts = self.deviations_m.len();
+        let scatter_m: Vec<f64> = (0..parts).map(|k| self.scatter_m(k)).collect();
+        let mut equations = NormalEquations::new(GROOVE + RACEWAY * (parts - 1));
+        for point in self.used() {
+            let scatter = scatter_m[part(point)];
+            let robust = match self.loss {
+                Loss::Huber => (HUBER * scatter / point.error_m.abs()).min(1.0),
+                Loss::Outliers => 1.0,
+            };
+            let weight = robust / (scatter * scatter);
+            let groove = point.groove.iter().copied().enumerate();
+            let first = point.raceway.map(|k| GROOVE + RACEWAY * k);
+            let own = point.dimensions.iter().copied().enumerate();
+            let own = own.filter_map(move |(k, slope)| Some((first? + k, slope)));
+            equations.add(groove.chain(own), point.error_m, weight);
+        }
+        equations
+    }
+}
+
+/// A step of Gauss and Newton.
+struct Round {
+    /// The ring after it.
+    ring: MadeRing,
+    /// Standard uncertainty of each unknown.
+    uncertainties: Vec<f64>,
+    /// Robust standard deviation of each part before it, m.
+    deviations_m: Vec<f64>,
+    /// Largest change of an unknown.
+    size: f64,
+}
+
+impl Round {
+    fn of(case: &Case, ring: &MadeRing, points_m: &[Vec3], loss: Loss) -> Option<Self> {
+        let neighbours = ring.neighbours(case).ok()?;
+        let observe = |point: &Vec3| ring.observed(&neighbours, *point);
+        let points = points_m.iter().map(observe).collect();
+        let seen = Seen::new(points, ring.raceways.len() + 1, loss);
+        let unknowns = GROOVE + RACEWAY * ring.raceways.len();
+        let held: Vec<bool> = (0..unknowns)
+            .map(|k| k >= GROOVE && ring.raceways[(k - GROOVE) / RACEWAY].is_none())
+            .collect();
+        let (mut step, inverse) = seen.equations().solve(&held)?;
+        let share = allowed_share(ring, &step);
+        step.iter_mut().for_each(|s| *s *= share);
+        let size = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+        let mut next = ring.moved(case, &step);
+        // A shape may refuse what is halfway to what it takes.
+        for _ in 0..6 {
+            if next.is_err() {
+                step.iter_mut().for_each(|s| *s *= 0.5);
+                next = ring.moved(case, &step);
+            }
+        }
+        Some(Self {
+            ring: next.ok()?,
+            uncertainties: (0..unknowns).map(|k| inverse[k][k].sqrt()).collect(),
+            deviations_m: seen.deviations_m,
+            size,
+        })
+    }
 }
 
 /// Part of a step that is not too long.

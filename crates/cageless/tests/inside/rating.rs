@@ -7,7 +7,7 @@ use crate::common::{conventional, dimensions, steel, structure};
 use cageless::equilibrium::solve;
 use cageless::equilibrium::space::solve as solve_in_space;
 use cageless::rating::{
-    BasicRatings, EquivalentLoad, PassingFrequencies, Rating, ReferenceLife,
+    BasicRatings, Conformities, EquivalentLoad, PassingFrequencies, Rating, ReferenceLife,
     SPEED_PARAMETER_MAX_MM_RPM, dynamic_factor, skf_friction_torque_n_m, static_factor,
 };
 use cageless::recorder::Recorder;
@@ -96,20 +96,24 @@ fn turned(mut case: Case, angle_rad: f64) -> Case {
     case
 }
 
+fn grooves(inner: f64, outer: f64) -> Conformities {
+    Conformities { inner, outer }
+}
+
 #[test]
 fn dynamic_factor_is_the_table_of_iso_281() {
     for (gamma, table) in FC {
-        let fc = dynamic_factor(gamma, [0.52, 0.52]);
+        let fc = dynamic_factor(gamma, grooves(0.52, 0.52));
         assert!((fc - table).abs() < 0.1, "{gamma}: {fc} against {table}");
     }
     // An outer groove wider than the inner one lowers the rating.
-    assert!(dynamic_factor(0.2, [0.52, 0.53]) < dynamic_factor(0.2, [0.52, 0.52]));
+    assert!(dynamic_factor(0.2, grooves(0.52, 0.53)) < dynamic_factor(0.2, grooves(0.52, 0.52)));
 }
 
 #[test]
 fn static_factor_is_the_table_of_iso_76() {
     for (gamma, table) in F0 {
-        let f0 = static_factor(gamma, [0.52, 0.53]);
+        let f0 = static_factor(gamma, grooves(0.52, 0.53));
         assert!((f0 - table).abs() < 0.06, "{gamma}: {f0} against {table}");
     }
 }
@@ -161,7 +165,7 @@ fn an_angular_contact_bearing_has_no_filling_slot() {
         assert_eq!(bearing.assembly().rating_factor(), bm);
         // Cr/bm = fc (cos α0)^0.7 Z^(2/3) Dw^1.8 with fc at Dw cos α0/Dpw.
         let cosine = bearing.contact_angle_rad().cos();
-        let fc = dynamic_factor(9.525 * cosine / 46.0, [0.52; 2]);
+        let fc = dynamic_factor(9.525 * cosine / 46.0, grooves(0.52, 0.52));
         let across = cosine.powf(0.7);
         let rest = fc * across * 14f64.powf(2.0 / 3.0) * 9.525f64.powf(1.8);
         let found = BasicRatings::new(bearing).dynamic_n;

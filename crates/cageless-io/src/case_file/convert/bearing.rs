@@ -96,16 +96,15 @@ impl Converter<'_> {
             None => self.need("ball_radius_mm", b.ball_radius_m)?,
         };
         let bottoms = self.groove_bottoms(ball_radius_m)?;
-        let groove = |radius: Option<f64>, key: &str, conformity: Option<f64>| {
-            let by_conformity = conformity.unwrap_or(CONFORMITY) * (2.0 * ball_radius_m);
-            if !Millimetre.of_si(by_conformity).is_finite() {
-                return Err(self.refuse(key, "at most 1"));
-            }
-            Ok(radius.unwrap_or(by_conformity))
+        let groove = |radius_m: Option<f64>, key: &str, conformity: Option<f64>| {
+            let by_conformity_m = self.by_conformity_m(key, conformity, ball_radius_m)?;
+            Ok::<_, CaseError>(radius_m.unwrap_or(by_conformity_m))
         };
-        let usual_damping = match self.sections.rotor {
-            Some(_) => 0.0,
-            None => INNER_RING_DAMPING_N_S_M,
+        let under_rotor = self.sections.rotor.is_some();
+        let usual_damping = if under_rotor {
+            0.0
+        } else {
+            INNER_RING_DAMPING_N_S_M
         };
         let mut dimensions = BearingDimensions {
             balls: b.balls,
@@ -132,9 +131,9 @@ impl Converter<'_> {
             dimensions.open_to(angle, 0.0);
         }
         // The inner ring of a drop is at rest when the rotor meets it.
-        let speed_rad_s = match (&fit, &self.sections.rotor) {
-            (Some(_), None) => self.operation()?.largest_inner_speed_rad_s(),
-            _ => 0.0,
+        let speed_rad_s = match fit.is_some() && !under_rotor {
+            true => self.operation()?.largest_inner_speed_rad_s(),
+            false => 0.0,
         };
         let fit = fit
             .map(|fit| fit.operating_clearance(&dimensions, materials, speed_rad_s))
@@ -145,6 +144,20 @@ impl Converter<'_> {
         }
         self.complete(&mut dimensions)?;
         Ok((dimensions, fit))
+    }
+
+    /// The radius of curvature of a groove by its conformity, or the usual one.
+    fn by_conformity_m(
+        &self,
+        key: &str,
+        conformity: Option<f64>,
+        ball_radius_m: f64,
+    ) -> Result<f64, CaseError> {
+        let radius_m = conformity.unwrap_or(CONFORMITY) * (2.0 * ball_radius_m);
+        match Millimetre.of_si(radius_m).is_finite() {
+            true => Ok(radius_m),
+            false => Err(self.refuse(key, "at most 1")),
+        }
     }
 
     /// The radii of the groove bottoms, given or by pitch diameter and clearance.

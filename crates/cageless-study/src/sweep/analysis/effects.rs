@@ -110,13 +110,62 @@ fn value(row: &Row, output: &Output, column: usize) -> Option<Option<f64>> {
     }
 }
 
+/// Kinds of drawing whose points several variants share.
+const SHARED: [Drawn; 2] = [Drawn::Sample, Drawn::Draw];
+
+/// Moments of one output.
+struct Gathered<'a> {
+    /// At each level of each input.
+    levels: &'a [Vec<Moments>],
+    all: &'a Moments,
+    /// At each point of each kind of [`SHARED`].
+    points: &'a [Vec<Moments>; 2],
+}
+
+impl Gathered<'_> {
+    /// The output with the shares and effects of all inputs.
+    fn output(&self, quantities: &Quantities, output: &Output) -> SweepOutput {
+        let &Self {
+            levels,
+            all,
+            points,
+        } = self;
+        let inputs = &quantities.inputs;
+        let share = |(input, levels): (&Input, &Vec<Moments>)| match input.drawn {
+            _ if all.missing > 0.0 => None,
+            None => share(levels, all),
+            Some(drawn) => {
+                let shared = SHARED.iter().position(|d| *d == drawn);
+                let points = shared.map_or(&[][..], |at| &points[at]);
+                share_of_drawn(levels, all, Points::of(points, all))
+            }
+        };
+        let shares: Vec<_> = inputs.iter().zip(levels).map(share).collect();
+        // Without shares any input may matter.
+        let least = |k: &usize| all.missing > 0.0 || shares[*k].unwrap_or(0.0) >= SHARE_MIN;
+        let effects = most(&shares, DRAWN)
+            .into_iter()
+            .filter(least)
+            .map(|k| effect(quantities, output, k, &levels[k]))
+            .collect();
+        SweepOutput {
+            quantity: output.quantity.clone(),
+            count: all.count as u64,
+            mean: all.mean() + output.origin,
+            missing: all.missing as u64,
+            shares,
+            effects,
+            map: None,
+        }
+    }
+}
+
 /// The outputs with the shares and effects of all inputs.
 pub(super) fn gather(
     table: &Table,
     quantities: &Quantities,
     sampling: &Sampling,
 ) -> Result<Vec<SweepOutput>, StudyError> {
-    const SHARED: [Drawn; 2] = [Drawn::Sample, Drawn::Draw];
     let (inputs, outputs) = (&quantities.inputs, &quantities.outputs);
     let empty = || inputs.iter().map(|i| vec![Moments::NONE; i.count()]);
     let mut levels: Levels = outputs.iter().map(|_| empty().collect()).collect();
@@ -149,33 +198,12 @@ pub(super) fn gather(
         }
     })?;
     let of_output = |(k, output): (usize, &Output)| {
-        let (levels, all) = (&levels[k], &all[k]);
-        let share = |(input, levels): (&Input, &Vec<Moments>)| match input.drawn {
-            _ if all.missing > 0.0 => None,
-            None => share(levels, all),
-            Some(drawn) => {
-                let shared = SHARED.iter().position(|d| *d == drawn);
-                let points = shared.map_or(&[][..], |at| &points[k][at]);
-                share_of_drawn(levels, all, Points::of(points, all))
-            }
+        let values = Gathered {
+            levels: &levels[k],
+            all: &all[k],
+            points: &points[k],
         };
-        let shares: Vec<_> = inputs.iter().zip(levels).map(share).collect();
-        // Without shares any input may matter.
-        let least = |k: &usize| all.missing > 0.0 || shares[*k].unwrap_or(0.0) >= SHARE_MIN;
-        let effects = most(&shares, DRAWN)
-            .into_iter()
-            .filter(least)
-            .map(|k| effect(quantities, output, k, &levels[k]))
-            .collect();
-        SweepOutput {
-            quantity: output.quantity.clone(),
-            count: all.count as u64,
-            mean: all.mean() + output.origin,
-            missing: all.missing as u64,
-            shares,
-            effects,
-            map: None,
-        }
+        values.output(quantities, output)
     };
     Ok(outputs.iter().enumerate().map(of_output).collect())
 }
@@ -381,13 +409,14 @@ mod tests {
             let linear = |p: &[f64; 3], _: usize| 3.0 * p[0] + p[1];
             let shares = (0..runs).map(|seed| of_function(&random(count, seed), 1, linear));
             let shares: Vec<_> = shares.map(|s| s.map(Option::unwrap)).collect();
-            let mean = |d: usize| shares.iter().map(|s| s[d]).sum::<f64>() / runs as f64;
+            let mean = |of: fn(&[f64; 3]) -> f64| shares.iter().map(of).sum::<f64>() / runs as f64;
+            let [linear, without_effect] = [mean(|[first, ..]| *first), mean(|[.., last]| *last)];
             let stretches = count.isqrt() as f64;
             let expected = 0.9 * (1.0 - stretches.powi(-2));
-            assert!((mean(0) - expected).abs() < 0.06, "{count}: {}", mean(0));
+            assert!((linear - expected).abs() < 0.06, "{count}: {linear}");
             let wrong = shares.iter().filter(|s| s[2] > 0.0).count();
             assert!(
-                wrong < runs as usize / 10 && mean(2) < 0.03,
+                wrong < runs as usize / 10 && without_effect < 0.03,
                 "{count}: {wrong}"
             );
         }

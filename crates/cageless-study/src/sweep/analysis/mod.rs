@@ -10,7 +10,7 @@ mod result;
 mod sampling;
 mod table;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub use best::Goal;
 use cageless_io::plan_file::{shortened, text_of};
@@ -54,6 +54,21 @@ fn other_result(path: &Path) -> Option<(&Path, &'static str)> {
     Some((folder, made.1))
 }
 
+/// Table of the result of a sweep, of which `path` is the file or the folder.
+fn table_of_result(path: &Path) -> Result<PathBuf, StudyError> {
+    if let Some((folder, command)) = other_result(path) {
+        return Err(StudyError::Input(format!(
+            "{} is the result of `cageless {command}`, not of a sweep: its page is report.html in \
+             that folder; `cageless report` takes the folder of `cageless sweep`",
+            folder.display()
+        )));
+    }
+    Ok(match path.is_dir() {
+        true => path.join(RESULT),
+        false => path.to_owned(),
+    })
+}
+
 /// Reads the result of a sweep, its file or the folder of it, and works out what its report
 /// shows. Without `goals`,
 /// the best variants are sought by every output of which it can be said what is better.
@@ -62,15 +77,7 @@ fn other_result(path: &Path) -> Option<(&Path, &'static str)> {
 /// If the file is not the complete result of a sweep, cannot be read, or a goal is not
 /// one of its numbers.
 pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
-    if let Some((folder, command)) = other_result(path) {
-        return Err(StudyError::Input(format!(
-            "{} is the result of `cageless {command}`, not of a sweep: its page is report.html in \
-             that folder; `cageless report` takes the folder of `cageless sweep`",
-            folder.display()
-        )));
-    }
-    let inside = path.join(RESULT);
-    let path = if path.is_dir() { &inside } else { path };
+    let path = &table_of_result(path)?;
     let reader = TableReader::open(path)?;
     let identity = Identity::read(&reader).ok_or_else(|| {
         StudyError::Input(format!("{} is not the result of a sweep", path.display()))
@@ -92,8 +99,6 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
     let (outputs, chosen) = ordered(outputs, &goals);
     let failures = failed::groups(&table)?;
     let failed = failures.iter().map(|group| group.count).sum();
-    let setting = |key: &str| text_of(&identity.plan, key);
-    let title = setting("title").filter(|title| !title.is_empty());
     let rows = table.reader.rows();
     let inputs: Vec<_> = quantities
         .inputs
@@ -101,7 +106,7 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
         .map(|i| i.quantity.clone())
         .collect();
     Ok(SweepData {
-        title: title.clone().unwrap_or_else(|| "A sweep".to_owned()),
+        title: title(&identity).unwrap_or_else(|| "A sweep".to_owned()),
         software: format!(
             "Cageless {}, {isa}, seed {}",
             identity.version, identity.seed
@@ -125,21 +130,32 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
         best: best::find(&table, &quantities, &goals)?,
         failures,
         plan: parameters(&identity.plan),
-        provenance: Provenance {
-            case: title.unwrap_or_else(|| path.display().to_string()),
-            formulation: Some(match table.column("model_formulation") {
-                Some(_) => "varies".to_owned(),
-                None => (setting("case.model.formulation"))
-                    .or_else(|| setting("case.bearing.1.case.model.formulation"))
-                    .unwrap_or_default(),
-            }),
-            discarded: match table.column("run_settled_after_s") {
-                Some(_) => "the transient of each run".to_owned(),
-                None => String::new(),
-            },
-            ..Provenance::default()
-        },
+        provenance: provenance(&table, &identity, path),
     })
+}
+
+/// Title of a plan, if it has one.
+fn title(identity: &Identity) -> Option<String> {
+    text_of(&identity.plan, "title").filter(|title| !title.is_empty())
+}
+
+/// Where the numbers of a result come from.
+fn provenance(table: &Table, identity: &Identity, path: &Path) -> Provenance {
+    let setting = |key: &str| text_of(&identity.plan, key);
+    Provenance {
+        case: title(identity).unwrap_or_else(|| path.display().to_string()),
+        formulation: Some(match table.column("model_formulation") {
+            Some(_) => "varies".to_owned(),
+            None => (setting("case.model.formulation"))
+                .or_else(|| setting("case.bearing.1.case.model.formulation"))
+                .unwrap_or_default(),
+        }),
+        discarded: match table.column("run_settled_after_s") {
+            Some(_) => "the transient of each run".to_owned(),
+            None => String::new(),
+        },
+        ..Provenance::default()
+    }
 }
 
 /// Output that says whether the raceways pass: 1 or 0.

@@ -1,5 +1,7 @@
 //! Structures with all that is known of them, and the batches of work that find it out.
 
+use std::ops::RangeInclusive;
+
 use super::axial::AxialSeparation;
 use super::job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task};
 use super::measured_separation::MeasuredSeparation;
@@ -137,7 +139,7 @@ impl Evaluation {
             Ok(raceways) => {
                 axial = AxialSeparation::by_rolling(batch.bearing, &raceways[0], &batch.seats);
                 let forms = batch.closed_forms(&raceways);
-                let cause = Cause::of_closed_forms(&forms, batch.gap_range()[0]);
+                let cause = Cause::of_closed_forms(&forms, *batch.gap_range().start());
                 (Some(forms), cause)
             }
             Err(error) => (None, Some(Cause::of_geometry(structure.form.shape, &error))),
@@ -234,7 +236,7 @@ impl Batch<'_, '_> {
     }
 
     /// Critical gap over the steady gap that is asked for: with a film that of the least scatter.
-    pub(super) fn gap_range(&self) -> [f64; 2] {
+    pub(super) fn gap_range(&self) -> RangeInclusive<f64> {
         self.request.gap_range(self.film_lag_rad > 0.0)
     }
 
@@ -300,7 +302,7 @@ impl Batch<'_, '_> {
         for e in evaluations {
             e.reject(|e, p| {
                 let (forms, spacing) = (e.forms?, e.spacing[p]?);
-                Cause::of_spacing(&forms, &spacing, gap_range, elastic)
+                Cause::of_spacing(&forms, &spacing, &gap_range, elastic)
             });
         }
         Ok(())
@@ -573,13 +575,13 @@ mod tests {
         ) = (0.05, 0.2);
         let spacings = vec![spacing(0.038, 0.01, 1e9), spacing(0.034, 0.03, 1e9)];
         let e = evaluation(spacings, double.to_vec());
-        let found = e.slack([0.8, 1.0], false);
+        let found = e.slack(&(0.8..=1.0), false);
         for (found, expected) in found.into_iter().zip([0.02, 0.05, 0.05, 0.05]) {
             assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         }
         let beyond = evaluation(vec![spacing(0.044, 0.07, 1e9); 2], double.to_vec());
         for (found, expected) in beyond
-            .slack([0.8, 1.0], false)
+            .slack(&(0.8..=1.0), false)
             .into_iter()
             .zip([-0.02, -0.1, 0.3, 0.05])
         {
@@ -587,11 +589,11 @@ mod tests {
         }
         let mut unknown = e.clone();
         unknown.spacing[1] = None;
-        assert!(unknown.slack([0.8, 1.0], false).iter().all(|s| *s < 0.0));
+        assert!(unknown.slack(&(0.8..=1.0), false).iter().all(|s| *s < 0.0));
         unknown.forms = None;
-        assert!(unknown.slack([0.8, 1.0], false).iter().all(|s| *s < 0.0));
+        assert!(unknown.slack(&(0.8..=1.0), false).iter().all(|s| *s < 0.0));
         let mut not_run = e;
         not_run.motion = vec![None; 2];
-        assert_eq!(not_run.slack([0.8, 1.0], false)[3], 0.0);
+        assert_eq!(not_run.slack(&(0.8..=1.0), false)[3], 0.0);
     }
 }

@@ -138,7 +138,7 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
             let (forms, cause) = match structure.raceways(batch.bearing) {
                 Ok(raceways) => {
                     let forms = batch.closed_forms(&raceways);
-                    let least = batch.gap_range()[0];
+                    let least = *batch.gap_range().start();
                     // With rigid flanks all critical gaps are drawn; with elastic ones they take long.
                     let excluded = batch
                         .elastic()
@@ -175,7 +175,8 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
     Ok(maps)
 }
 
-fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrupted> {
+/// Fills in the separation of a pair in each cell that closed forms leave.
+fn separate(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrupted> {
     let mut jobs = vec![];
     for map in maps.iter() {
         for cell in map.cells.iter().filter(|c| c.cause.is_none()) {
@@ -195,13 +196,19 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         cell.cause = match (outcomes.next(), &cell.forms) {
             (Some(Ok(Numbers::PairSeparation(spacing))), Some(forms)) => {
                 cell.spacing = Some(spacing);
-                let of_spacing = || Cause::of_spacing(forms, &spacing, gap_range, batch.elastic());
-                Cause::of_closed_forms(forms, gap_range[0]).or_else(of_spacing)
+                let of_spacing = || Cause::of_spacing(forms, &spacing, &gap_range, batch.elastic());
+                Cause::of_closed_forms(forms, *gap_range.start()).or_else(of_spacing)
             }
             (Some(Err(reason)), _) => Some(Cause::Failed(reason)),
             _ => unreachable!("one spacing per job"),
         };
     }
+    Ok(())
+}
+
+/// Fills in what each cell comes to.
+fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrupted> {
+    separate(batch, maps)?;
     // What critical gap and stress leave over has to stand the motion of all balls.
     let left = |maps: &[SpeedMap]| -> Vec<(usize, usize)> {
         let open = |m: &SpeedMap| {
@@ -375,7 +382,7 @@ fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evalu
         })
         .collect();
     // A hair inside, or rounding to micrometres would throw out the first.
-    let [least, most] = batch.gap_range();
+    let (least, most) = batch.gap_range().into_inner();
     let fractions = [
         1.005 * least,
         match batch.measured {

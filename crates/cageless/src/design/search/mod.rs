@@ -66,6 +66,8 @@ pub use rejection::{Cause, Rejection};
 pub(crate) use request::Execute;
 pub use request::{BUDGET, CONFIRMING_STARTS, Request, SEED, Stage};
 
+use std::ops::RangeInclusive;
+
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::design::{AXIAL_LAG, BOTH_NEIGHBOURS, CauseKind, LAG, SEPARATION, pressure_at_rest_pa};
@@ -365,7 +367,7 @@ fn optimise_from(
     let elastic = batch.elastic();
     let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
-        constraints: e.slack(gap_range, elastic),
+        constraints: e.slack(&gap_range, elastic),
     };
     let start = value(from);
     let found = local_optimisation::minimise(2.0, tries, start, &mut |[x, y]| {
@@ -496,7 +498,7 @@ pub(super) const REQUIREMENTS: usize = 4;
 
 impl Evaluation {
     /// Slip, on elastic flanks lag, room in steady flow, spread, double collisions; the worst point of each.
-    fn slack(&self, [least, most]: [f64; 2], elastic: bool) -> [f64; REQUIREMENTS] {
+    fn slack(&self, gap_range: &RangeInclusive<f64>, elastic: bool) -> [f64; REQUIREMENTS] {
         let Some(forms) = self.forms else {
             return [-1.0; REQUIREMENTS];
         };
@@ -509,8 +511,8 @@ impl Evaluation {
             if !elastic {
                 slack[0] = slack[0].min(SEPARATION.of(s.shortfall).margin());
             }
-            slack[1] = slack[1].min(most - fraction);
-            slack[2] = slack[2].min(fraction - least);
+            slack[1] = slack[1].min(gap_range.end() - fraction);
+            slack[2] = slack[2].min(fraction - gap_range.start());
         }
         for axial in &self.axial {
             slack[2] = slack[2].min(AXIAL_LAG.of(axial.rolling_fraction).margin());

@@ -1,5 +1,7 @@
 //! Search for a raceway in a given oil.
 
+use std::ops::RangeInclusive;
+
 use super::raceway_layout::OperatingPoint;
 use super::request::Request;
 use crate::case::Case;
@@ -34,10 +36,10 @@ pub(super) fn film_lag_rad(case: &Case, point: &OperatingPoint) -> f64 {
 
 impl Request {
     /// Critical gap over the steady gap that is asked for: with a film that of the least scatter.
-    pub(super) fn gap_range(&self, in_oil: bool) -> [f64; 2] {
+    pub(super) fn gap_range(&self, in_oil: bool) -> RangeInclusive<f64> {
         match in_oil {
-            true => IN_OIL,
-            false => [self.critical_gap_min_fraction, STEADY_GAP_MAX],
+            true => IN_OIL[0]..=IN_OIL[1],
+            false => self.critical_gap_min_fraction..=STEADY_GAP_MAX,
         }
     }
 }
@@ -65,8 +67,8 @@ mod tests {
             let checked = check_film(&wet, request);
             assert_eq!(checked.is_ok(), allowed, "{checked:?}");
         }
-        assert_eq!(own.gap_range(false), [0.8, 1.0]);
-        assert_eq!(own.gap_range(true), [1.0, 1.1]);
+        assert_eq!(own.gap_range(false), 0.8..=1.0);
+        assert_eq!(own.gap_range(true), 1.0..=1.1);
         assert_eq!(film_lag_rad(&dry, &point), 0.0);
         let lag_deg = film_lag_rad(&wet, &point).to_degrees();
         assert!((lag_deg - 1.878).abs() < 0.01, "{lag_deg}");

@@ -65,7 +65,7 @@ impl Job {
         };
         let forms = self.closed_forms(case).ok()?;
         let gap_range = request.gap_range(case.film.is_some());
-        let cause = Cause::of_spacing(&forms, spacing, gap_range, case.has_elastic_flanks());
+        let cause = Cause::of_spacing(&forms, spacing, &gap_range, case.has_elastic_flanks());
         Some(cause.is_none())
     }
 

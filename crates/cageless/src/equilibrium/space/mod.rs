@@ -377,92 +377,201 @@ fn push_ball(
     place: [f64; 2],
     ring: Ring,
 ) -> Option<BeyondGroove> {
-    let bearing = &case.bearing;
-    let (inner_force, inner_angle) = ball.inner_contact(place, ring).unwrap_or((0.0, f64::NAN));
-    let contacts = ball.outer.contacts(place);
-    let force = ball.outer_force_n(place);
-    let [along, across, sum] = resultant(&contacts);
-    let outer_angle = if sum > 0.0 {
-        across.atan2(along)
-    } else {
-        f64::NAN
-    };
-    let (arms, rolling_angle) = arms_m(case, ball, place, ring);
-    let speed = case.operation.inner_speed_rad_s;
+    let seated = SeatedBall::new(case, ball, place, ring);
     let number = solved.row.len();
-    let heavier = contacts.iter().max_by(|a, b| a.share.total_cmp(&b.share));
-    let at_outer = |angle: f64, force_n: f64| outer_contact(case, ball.angle_rad, angle, force_n);
-    let at_inner = |angle: f64, force_n: f64| {
-        inner_contact(case, if angle.is_nan() { 0.0 } else { angle }, force_n)
-    };
+    let outer_contact = seated.outer_contact();
     let rest = &mut solved.rest;
     rest.ball_angle_rad.push(ball.angle_rad);
     rest.ball_distance_m.push(ball.distance_m(place));
-    rest.effective_radius_m.push(arms[0]);
-    rest.inner_force_n.push(inner_force);
-    let resultant_n = force * along.hypot(across);
-    rest.outer_force_n.push(resultant_n);
-    rest.inner_contact.push(at_inner(inner_angle, inner_force));
-    rest.outer_contact.push(match heavier {
-        // A rigid flank has the angle of the ball on it.
-        _ if ball.planar => {
-            let point = RacewayPoint::of_outer(arms[0] / ball.radius_m, resultant_n);
-            RacewayContact::outer(bearing, point)
-        }
-        Some(one) => at_outer(one.angle_rad, force * one.share),
-        None => at_outer(0.0, 0.0),
-    });
-    let mut flanks = contacts.iter().map(|c| (force * c.share, c.angle_rad));
-    let mut flank = || flanks.next().unwrap_or((0.0, f64::NAN));
-    let leans_back = contacts.len() == 1 && outer_angle < 0.0 && ball.outer.flanks.is_some();
-    let (plus, minus) = match ball.planar {
-        true => planar_flanks(arms[0] / ball.radius_m, resultant_n),
-        false if leans_back => ((0.0, f64::NAN), flank()),
-        false => (flank(), flank()),
-    };
-    solved.flank_force_n.push([plus.0, minus.0]);
-    solved.flank_angle_rad.push([plus.1, minus.1]);
+    rest.effective_radius_m.push(seated.arms_m[0]);
+    rest.inner_force_n.push(seated.inner_force_n);
+    rest.outer_force_n.push(seated.resultant_n);
+    rest.inner_contact.push(seated.inner_contact());
+    rest.outer_contact.push(outer_contact);
+    let flanks = seated.flanks();
+    (solved.flank_force_n).push(flanks.map(|flank| flank.force_n));
+    (solved.flank_angle_rad).push(flanks.map(|flank| flank.angle_rad));
     solved.row.push(ball.row);
-    solved.inner_contact_angle_rad.push(inner_angle);
-    solved.outer_contact_angle_rad.push(outer_angle);
-    let orbit = orbit_speed_in_space_rad_s(bearing, speed, arms, rolling_angle);
-    solved.orbit_speed_rad_s.push(orbit);
-    let outer: Vec<(usize, f64, RacewayContact)> = match ball.planar {
-        // One of two points, at the angle of the ball on its flanks.
-        true => {
-            let angle_rad = (arms[0] / ball.radius_m).min(1.0).acos();
-            let contact = solved.rest.outer_contact.last().copied();
-            let loaded = contact.filter(|_| resultant_n > 0.0);
-            loaded.map(|c| (1, angle_rad, c)).into_iter().collect()
-        }
-        false => contacts
-            .iter()
-            .map(|c| (1, c.angle_rad, at_outer(c.angle_rad, force * c.share)))
-            .collect(),
-    };
-    let inner = (inner_force > 0.0).then(|| (0, inner_angle, at_inner(inner_angle, inner_force)));
-    let beyond = outer
-        .into_iter()
-        .chain(inner)
-        .fold(None, |beyond, (ring, angle_rad, contact)| {
-            let edge = &mut solved.ellipse_edge_max_rad[ring];
-            *edge = edge.max(angle_rad.abs() + contact.semi_axes_m[1] / ball.radius_m);
-            beyond.or(bearing.beyond_groove(number, ring, angle_rad))
-        });
+    (solved.inner_contact_angle_rad).push(seated.inner_angle_rad);
+    (solved.outer_contact_angle_rad).push(seated.outer_angle_rad);
+    solved.orbit_speed_rad_s.push(seated.orbit_speed_rad_s());
+    let loaded = seated.on_grooves(outer_contact);
+    let beyond = loaded.into_iter().fold(None, |beyond, at| {
+        let edge = &mut solved.ellipse_edge_max_rad[at.ring];
+        *edge = edge.max(at.angle_rad.abs() + at.contact.semi_axes_m[1] / ball.radius_m);
+        beyond.or(case.bearing.beyond_groove(number, at.ring, at.angle_rad))
+    });
     // In the plane nothing presses a ball over a shoulder.
     beyond.filter(|_| !ball.planar)
 }
 
-/// Forces and angles at both flanks of a ball in the plane, r over its radius `cosine`; at the plain raceway the first
-/// alone.
-fn planar_flanks(cosine: f64, resultant_n: f64) -> ((f64, f64), (f64, f64)) {
-    let (point, angle_rad) = (
-        RacewayPoint::of_outer(cosine, resultant_n),
-        cosine.min(1.0).acos(),
-    );
+/// Contact of a ball with the groove of a ring, 0 the inner one.
+struct OnGroove {
+    ring: usize,
+    angle_rad: f64,
+    contact: RacewayContact,
+}
+
+/// A ball at rest in its grooves.
+struct SeatedBall<'a> {
+    case: &'a Case,
+    ball: &'a SpatialBall,
+    inner_force_n: f64,
+    inner_angle_rad: f64,
+    outer: Vec<SectionContact>,
+    /// K δe^(3/2) at the outer raceway.
+    outer_force_n: f64,
+    /// Force at the outer raceway and its angle.
+    resultant_n: f64,
+    outer_angle_rad: f64,
+    /// Arms of the contacts with the outer and the inner raceway.
+    arms_m: [f64; 2],
+    /// Angle of the axis of rolling.
+    rolling_angle_rad: f64,
+}
+
+impl<'a> SeatedBall<'a> {
+    fn new(case: &'a Case, ball: &'a SpatialBall, place: [f64; 2], ring: Ring) -> Self {
+        let (inner_force_n, inner_angle_rad) =
+            ball.inner_contact(place, ring).unwrap_or((0.0, f64::NAN));
+        let outer = ball.outer.contacts(place);
+        let outer_force_n = ball.outer_force_n(place);
+        let [along, across, sum] = resultant(&outer);
+        let (arms_m, rolling_angle_rad) = arms_m(case, ball, place, ring);
+        Self {
+            case,
+            ball,
+            inner_force_n,
+            inner_angle_rad,
+            outer,
+            outer_force_n,
+            resultant_n: outer_force_n * along.hypot(across),
+            outer_angle_rad: match sum > 0.0 {
+                true => across.atan2(along),
+                false => f64::NAN,
+            },
+            arms_m,
+            rolling_angle_rad,
+        }
+    }
+
+    /// r over the radius of the ball.
+    fn cosine(&self) -> f64 {
+        self.arms_m[0] / self.ball.radius_m
+    }
+
+    fn orbit_speed_rad_s(&self) -> f64 {
+        let speed = self.case.operation.inner_speed_rad_s;
+        orbit_speed_in_space_rad_s(
+            &self.case.bearing,
+            speed,
+            self.arms_m,
+            self.rolling_angle_rad,
+        )
+    }
+
+    fn inner_contact(&self) -> RacewayContact {
+        let angle_rad = match self.inner_angle_rad.is_nan() {
+            true => 0.0,
+            false => self.inner_angle_rad,
+        };
+        inner_contact(self.case, angle_rad, self.inner_force_n)
+    }
+
+    fn outer_contact_at(&self, contact: &SectionContact) -> RacewayContact {
+        let force_n = self.outer_force_n * contact.share;
+        outer_contact(self.case, self.ball.angle_rad, contact.angle_rad, force_n)
+    }
+
+    /// Contact with the outer raceway that bears most.
+    fn outer_contact(&self) -> RacewayContact {
+        if self.ball.planar {
+            // A rigid flank has the angle of the ball on it.
+            let point = RacewayPoint::of_outer(self.cosine(), self.resultant_n);
+            return RacewayContact::outer(&self.case.bearing, point);
+        }
+        let heavier = (self.outer.iter()).max_by(|a, b| a.share.total_cmp(&b.share));
+        match heavier {
+            Some(one) => self.outer_contact_at(one),
+            None => outer_contact(self.case, self.ball.angle_rad, 0.0, 0.0),
+        }
+    }
+
+    /// Loads of the flanks towards +z and −z.
+    fn flanks(&self) -> [FlankLoad; 2] {
+        match self.ball.planar {
+            true => planar_flanks(self.cosine(), self.resultant_n),
+            false => flanks_in_space(self.ball, &self.outer, self.outer_force_n),
+        }
+    }
+
+    /// Contacts under load; `outer_contact` that which bears most.
+    fn on_grooves(&self, outer_contact: RacewayContact) -> Vec<OnGroove> {
+        let on = |ring: usize, angle_rad: f64, contact: RacewayContact| OnGroove {
+            ring,
+            angle_rad,
+            contact,
+        };
+        let mut all = match self.ball.planar {
+            // One of two points, at the angle of the ball on its flanks.
+            true if self.resultant_n > 0.0 => {
+                vec![on(1, self.cosine().min(1.0).acos(), outer_contact)]
+            }
+            true => vec![],
+            false => (self.outer.iter())
+                .map(|c| on(1, c.angle_rad, self.outer_contact_at(c)))
+                .collect(),
+        };
+        if self.inner_force_n > 0.0 {
+            all.push(on(0, self.inner_angle_rad, self.inner_contact()));
+        }
+        all
+    }
+}
+
+/// Load of a flank under a ball.
+#[derive(Clone, Copy)]
+struct FlankLoad {
+    force_n: f64,
+    angle_rad: f64,
+}
+
+impl FlankLoad {
+    const NONE: Self = Self {
+        force_n: 0.0,
+        angle_rad: f64::NAN,
+    };
+}
+
+/// Loads of the flanks towards +z and −z under a ball in the plane, r over its radius `cosine`; at the plain raceway
+/// the first alone.
+fn planar_flanks(cosine: f64, resultant_n: f64) -> [FlankLoad; 2] {
+    let force_n = RacewayPoint::of_outer(cosine, resultant_n).force_n;
+    let at = |angle_rad: f64| FlankLoad { force_n, angle_rad };
+    let angle_rad = cosine.min(1.0).acos();
     match cosine < 1.0 {
-        true => ((point.force_n, angle_rad), (point.force_n, -angle_rad)),
-        false => ((point.force_n, 0.0), (0.0, f64::NAN)),
+        true => [at(angle_rad), at(-angle_rad)],
+        false => [at(0.0), FlankLoad::NONE],
+    }
+}
+
+/// Loads of the flanks towards +z and −z under a ball in space.
+fn flanks_in_space(
+    ball: &SpatialBall,
+    contacts: &[SectionContact],
+    force_n: f64,
+) -> [FlankLoad; 2] {
+    let flank = |contact: &SectionContact| FlankLoad {
+        force_n: force_n * contact.share,
+        angle_rad: contact.angle_rad,
+    };
+    match contacts {
+        [] => [FlankLoad::NONE; 2],
+        [one] if one.angle_rad < 0.0 && ball.outer.flanks.is_some() => {
+            [FlankLoad::NONE, flank(one)]
+        }
+        [one] => [flank(one), FlankLoad::NONE],
+        [one, other, ..] => [one, other].map(flank),
     }
 }
 
