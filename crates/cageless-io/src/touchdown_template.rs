@@ -16,7 +16,8 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
-/// An inner ring, or a pair of them, as a steel cylinder from the bore to a tenth of the ball diameter above the groove.
+/// An inner ring, or a pair of them, as a steel cylinder from the bore to a tenth of the ball diameter above the
+/// groove.
 struct AssumedRing {
     mass_kg: f64,
     polar_inertia_kg_m2: f64,
@@ -25,10 +26,10 @@ struct AssumedRing {
 }
 
 impl AssumedRing {
-    fn new(bearing: &BoundaryDimensions, geometry: &InternalGeometry) -> Self {
+    fn new(bearing: &BoundaryDimensions, geometry: &InternalGeometry, bore_m: f64) -> Self {
         let ball_m = 1e-3 * geometry.ball_diameter_mm;
         let outer_m = (1e-3 * geometry.pitch_diameter_mm - ball_m) / 2.0 + 0.1 * ball_m;
-        let bore_radius_m = 1e-3 * bearing.bore_mm / 2.0;
+        let bore_radius_m = bore_m / 2.0;
         let area_m2 = PI * (outer_m.powi(2) - bore_radius_m.powi(2));
         // Angular contact bearings come in pairs.
         let (rings, of) = match bearing.contact_angle_deg > 0.0 {
@@ -62,7 +63,7 @@ inner_ring_polar_inertia_kg_m2 = {ring_inertia:<13e} # (assumed) of that ring; i
 pub fn touchdown_case(bearing: &BoundaryDimensions, full_complement: bool, text: &str) -> String {
     let geometry = bearing.internal_geometry(full_complement);
     let bore_m = 1e-3 * bearing.bore_mm;
-    let inner_ring = AssumedRing::new(bearing, &geometry);
+    let inner_ring = AssumedRing::new(bearing, &geometry, bore_m);
     let static_n = 12.0 * geometry.balls as f64 * geometry.ball_diameter_mm.powi(2);
     let rotor_kg = rounded(LOAD_SHARE * static_n / GRAVITY_M_S2);
     let rotor_inertia = rounded(rotor_kg * bore_m * bore_m);
