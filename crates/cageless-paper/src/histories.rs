@@ -177,7 +177,7 @@ struct StageEnds {
 }
 
 impl StageEnds {
-    /// Those of the last turn that is whole: stage e is the trailing ball leaving the load zone.
+    /// Ends in the last turn that is whole: stage e is the trailing ball leaving the load zone.
     fn of_last_turn(case: &Case, snapshots: &[Snapshot], ball: usize) -> Self {
         let ahead = (ball + 1) % case.bearing.balls();
         let theta = case.raceways[0].half_angle_rad();

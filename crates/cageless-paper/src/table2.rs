@@ -28,7 +28,7 @@ impl Column {
         }
     }
 
-    /// Its head.
+    /// Head of the column.
     fn variant(&self) -> Variant {
         Variant {
             formulation: match self.flanks {
@@ -168,7 +168,7 @@ struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Its gap, degrees; `None` where there is none, or the user ended the work.
+    /// Gap in degrees; `None` where there is none, or the user ended the work.
     fn gap_deg(&self, progress: &Work<'_>) -> Result<Option<f64>, StudyError> {
         let Column { reading, flanks } = COLUMNS[self.column];
         let mut overrides = vec![format!("solver.step_us={}", self.change.step_us)];

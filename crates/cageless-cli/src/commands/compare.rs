@@ -150,7 +150,7 @@ fn conventional(side: &Side, path: &Path) -> Result<CaseFile, Failure> {
     Ok(a.with_conventional_ring()?)
 }
 
-/// What is compared, the ring that the others are compared with first.
+/// Sides of a comparison, first the ring with which the others are compared.
 fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
     check(args)?;
     let mut sides = vec![];

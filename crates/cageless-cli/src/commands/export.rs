@@ -193,7 +193,7 @@ fn text(r: &ExportNumbers) -> String {
     pairs(&lines)
 }
 
-/// What the file holds, in a line.
+/// Content of the file, in a line.
 fn counts_line(counts: &Counts) -> Line {
     match *counts {
         Counts::Step {

@@ -228,7 +228,7 @@ fn superiority(e: &Evidence) -> Claim {
     ))
 }
 
-/// What is asked of one result in steady operation.
+/// Requirement on one result in steady operation.
 struct SteadyRequirement {
     /// Name of the result.
     result: &'static str,

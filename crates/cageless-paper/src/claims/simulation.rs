@@ -28,7 +28,7 @@ pub fn claims(e: &Evidence) -> Vec<Claim> {
 /// Root mean squares of the residuals of two models against the printed gaps, degrees.
 struct Residuals {
     model: f64,
-    /// Of the gap of evenly spaced balls.
+    /// Root mean square of the gap of evenly spaced balls.
     constant: f64,
 }
 

@@ -30,7 +30,7 @@ pub struct Recorded<'a> {
     pub ended: &'a RunOutcome,
     /// Vertical vibration of the housing.
     pub vertical: &'a Measurement,
-    /// The same without the contacts between balls.
+    /// Vertical vibration without the contacts between balls.
     pub quiet: &'a Measurement,
     pub orbit_hz: f64,
     pub contacts: &'a [Collision],
