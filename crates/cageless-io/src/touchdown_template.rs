@@ -21,7 +21,7 @@ fn rounded(value: f64) -> f64 {
 struct AssumedRing {
     mass_kg: f64,
     polar_inertia_kg_m2: f64,
-    /// Its description.
+    /// Description in a comment.
     of: &'static str,
 }
 

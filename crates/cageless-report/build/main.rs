@@ -83,7 +83,7 @@ fn watch_installed_targets(libraries: &Path) {
     }
 }
 
-/// Whether the libraries of the target are there; `None` where the compiler does not say.
+/// Presence of the libraries of the target; `None` where the compiler does not say.
 fn target_is_installed() -> Option<bool> {
     let rustc = env::var_os("RUSTC")?;
     let libraries = Command::new(rustc)
