@@ -29,6 +29,25 @@ fn the_oil_of_the_film_is_shown() {
     assert!(dry.get("oil").is_none());
 }
 
+/// A film at the inlet stands beside the supply that follows from it; below S = 2 each command says so.
+#[test]
+fn a_thin_film_at_the_inlet_is_said() {
+    let case = repository_case("zhao-d.toml");
+    let [thin, thick] =
+        ["film.inlet_film_um=0.1", "film.inlet_film_um=5"].map(|inlet| [OIL[0], OIL[1], inlet]);
+    let short = [&thin[..], &["solver.duration_s=1e-3"]].concat();
+    for (command, sets) in [("check", &thin[..]), ("static", &thin), ("run", &short)] {
+        let text = said(&call_on(command, &case, sets, &[]));
+        let fragment = "times the least flooded film, below 2";
+        assert_eq!(text.matches(fragment).count(), 1, "{command}: {text}");
+    }
+    for command in ["check", "static"] {
+        let text = said(&call_on(command, &case, &thick, &[]));
+        assert!(!text.contains("below 2"), "{command}: {text}");
+        assert!(text.contains("film.inlet_film_um"), "{command}: {text}");
+    }
+}
+
 /// Friction of asperities that is left from a lubricated case is said wherever it is used.
 #[test]
 fn friction_of_asperities_below_that_of_the_film_is_said() {

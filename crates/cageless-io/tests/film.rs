@@ -1,6 +1,7 @@
 //! `[film]`: the ways to give an oil, and what is refused.
 
-use cageless::film::{Film, OilGrade, TWO_DROPS, Traction};
+use cageless::equilibrium::settle;
+use cageless::film::{Film, FilmAtRest, OilGrade, TWO_DROPS, Traction};
 use cageless_io::case_file::{CaseFile, template};
 
 fn parse(film: &[&str], more: &[&str]) -> Result<CaseFile, String> {
@@ -74,7 +75,7 @@ fn the_supply_has_to_be_given() {
         &[OIL, WARM],
         &[],
         &[
-            "film.supply is missing",
+            "film.supply (or inlet_film_um) is missing in [film]",
             "\"flooded\" is 1",
             "\"two-drops\" is 0.65",
             "0.1 is nearly dry",
@@ -100,6 +101,52 @@ fn the_supply_has_to_be_given() {
         );
     }
     assert_eq!(film(&[OIL, WARM, "supply=0"]).supply, 0.0);
+}
+
+/// S over the least flooded film at rest gives the supply of a starved inlet, here that of S = 10.
+#[test]
+fn a_film_at_the_inlet_gives_the_supply() {
+    let flooded = parse(&[OIL, WARM, FLOODED], &[]).unwrap();
+    let at_rest = settle(flooded.case()).unwrap();
+    let at_rest = FilmAtRest::new(flooded.case(), &at_rest).unwrap();
+    let inlet = format!("inlet_film_um={}", 10.0 * 1e6 * at_rest.thickness_min_m());
+    let file = parse(&[OIL, WARM, &inlet], &[]).unwrap();
+    let starved = file.case().film.unwrap();
+    assert!((starved.supply - 0.525547).abs() < 1e-6, "{starved:?}");
+    assert!((starved.inlet_ratio.unwrap() - 10.0).abs() < 1e-9);
+    assert_eq!(starved.oil, flooded.case().film.unwrap().oil);
+    let slower = parse(&[OIL, WARM, &inlet], &["operation.inner_speed_rpm=3000"]).unwrap();
+    assert!(slower.case().film.unwrap().supply > 0.7);
+    let written = file.document().to_toml().unwrap();
+    let again = CaseFile::parse(&written, "case.toml", &[]).unwrap();
+    assert_eq!(again.case(), file.case(), "{written}");
+}
+
+/// Two supplies, no thickness, and a bearing in which no film forms are refused by name.
+#[test]
+fn a_film_at_the_inlet_that_gives_no_supply_is_refused() {
+    let thin = "inlet_film_um=0.2";
+    refused(
+        &[OIL, WARM, FLOODED, thin],
+        &[],
+        &["film.inlet_film_um = 0.2", "left out with film.supply"],
+    );
+    for wrong in ["inlet_film_um=0", "inlet_film_um=-1", "inlet_film_um=1e9"] {
+        refused(
+            &[OIL, WARM, wrong],
+            &[],
+            &["film.inlet_film_um = ", "between 0.001 and 1000 µm"],
+        );
+    }
+    refused(
+        &[OIL, WARM, thin],
+        &["operation.inner_speed_rpm=[[0, 0], [0.1, 3000]]"],
+        &[
+            "film.inlet_film_um = 0.2",
+            "film.supply in its place",
+            "over time",
+        ],
+    );
 }
 
 #[test]

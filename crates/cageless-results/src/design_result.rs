@@ -11,6 +11,7 @@ use cageless::simulation::Control;
 
 use crate::number_text::significant;
 use crate::table::{CURVE, RECOMMENDATION};
+use crate::thin_inlet::thin_inlet;
 use crate::{
     AXIAL, CONTACT_ANGLE, DESIGN, FILM_VERDICT, Judged, JudgedRaceway, PASSAGES, PROFILE, Part,
     Particulars, RACEWAY, Record, Results, Subject, VERDICT,
@@ -77,6 +78,7 @@ fn warnings(case: &Case) -> Vec<String> {
     };
     let film = FilmAtRest::new(case, &at_rest).into_iter();
     let of_film = film.flat_map(|film| film.warnings());
+    let of_film = of_film.chain(thin_inlet(case));
     at_rest.warnings(case).into_iter().chain(of_film).collect()
 }
 

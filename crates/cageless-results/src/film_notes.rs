@@ -12,13 +12,14 @@ const OUTWEIGHS: f64 = 0.05;
 /// What the film does to the balls, on a plain ring or one with raceways, and what it leaves out.
 pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, has_raceway: bool) -> Vec<String> {
     let starved = (film.supply < 1.0).then(|| {
-        "film thickness and Λ are those of flooded contacts: film.supply lowers the rolling force alone".to_owned()
+        let supply = supply(film);
+        format!("film thickness and Λ are those of flooded contacts: {supply} lowers the rolling force alone")
     });
     let notes = [
         effect(at_rest, has_raceway),
         overcome(at_rest.overcome_balls),
         starved,
-        Some(left_out(film.supply)),
+        Some(left_out(film)),
     ];
     notes.into_iter().flatten().collect()
 }
@@ -85,12 +86,27 @@ fn overcome(balls: usize) -> Option<String> {
     ))
 }
 
+/// Supply by the key that gives it.
+fn supply(film: &Film) -> String {
+    film.inlet_ratio.map_or("film.supply".to_owned(), |ratio| {
+        format!(
+            "film.inlet_film_um, {} times the least flooded film, gives a supply of {}, which",
+            short(ratio),
+            short(film.supply)
+        )
+    })
+}
+
 /// What it leaves out, and other supplies to try.
-fn left_out(supply: f64) -> String {
-    let others = match supply {
+fn left_out(film: &Film) -> String {
+    let others = match film.supply {
         0.1 => "\"flooded\"",
         1.0 => "0.1",
         _ => "0.1 and \"flooded\"",
+    };
+    let others = match film.inlet_ratio {
+        Some(_) => format!("{others} in place of film.inlet_film_um"),
+        None => others.to_owned(),
     };
     format!(
         "the film leaves out drag and churning of oil, and what the ball before leaves on the track; the supply of a \
@@ -100,7 +116,19 @@ fn left_out(supply: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use cageless::film::Oil;
+
     use super::*;
+
+    /// S and the supply that follows from it stand where the key of the supply does.
+    #[test]
+    fn a_film_at_the_inlet_is_named_as_the_supply() {
+        let film = Film::flooded(Oil::mineral(5e-3, 0.035)).starved(10.0);
+        let text = supply(&film);
+        assert!(text.contains("film.inlet_film_um, 10 times"), "{text}");
+        assert!(text.contains("a supply of 0.526"), "{text}");
+        assert!(left_out(&film).ends_with("in place of film.inlet_film_um"));
+    }
 
     #[test]
     fn one_ball_is_no_plural() {
@@ -119,7 +147,11 @@ mod tests {
             (1.0, "= 0.1"),
             (0.65, "= 0.1 and \"flooded\""),
         ] {
-            assert!(left_out(supply).ends_with(others), "{supply}");
+            let film = Film {
+                supply,
+                ..Film::flooded(Oil::mineral(5e-3, 0.035))
+            };
+            assert!(left_out(&film).ends_with(others), "{supply}");
         }
     }
 }

@@ -39,6 +39,7 @@ mod successive_drop;
 mod table;
 #[cfg(test)]
 mod tests;
+mod thin_inlet;
 mod tolerance_result;
 mod unit;
 mod verification_result;
@@ -82,6 +83,7 @@ pub use table::{
     SLOT, SPACE, STATIC, STEADY, STRUCTURE, STRUCTURE_AT, SUCCESSION, VERDICT, of_column, of_kind,
     quantities,
 };
+pub use thin_inlet::thin_inlet;
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use unit::{unit_text, with_unit};
 pub use verification_result::{step_warning, verification_record};

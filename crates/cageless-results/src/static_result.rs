@@ -10,6 +10,7 @@ use cageless::{Assembly, Bearing, Case};
 use crate::asperities::slippery_asperities;
 use crate::film_notes::film_notes;
 use crate::number_text::short;
+use crate::thin_inlet::thin_inlet;
 use crate::{
     CLEARANCE_RANGE, DEFECTS, FILM, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
     Solved, Subject,
@@ -25,7 +26,10 @@ pub fn static_record(
     let warnings = settled.warnings(case).into_iter();
     let film = solved.film.as_ref().and_then(FilmAtRest::range_warning);
     let warnings = warnings.chain(solved.rating.warnings()).chain(film);
-    let warnings = warnings.chain(slippery_asperities(case)).collect();
+    let of_friction = slippery_asperities(case).into_iter();
+    let warnings = warnings
+        .chain(of_friction.chain(thin_inlet(case)))
+        .collect();
     let mut groups = vec![STATIC, DEFECTS];
     groups.extend(particulars.fit.map(|_| FIT));
     let range = particulars.fit.and_then(|fit| fit.range);

@@ -12,7 +12,7 @@ use cageless::summary::ContactPeak;
 use cageless::{Bearing, Case, IntegrationMethod, OrbitMeans, Raceway, Regularisation};
 
 use cageless_results::number_text::short;
-use cageless_results::{DropResult, Finished, slippery_asperities};
+use cageless_results::{DropResult, Finished, slippery_asperities, thin_inlet};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
@@ -22,6 +22,7 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);
     warnings.extend(of_film(run.case));
     warnings.extend(slippery_asperities(run.case));
+    warnings.extend(thin_inlet(run.case));
     warnings.extend(beyond_bearings(run));
     match run.summary.map(|summary| summary.means) {
         None => warnings.push("the run ended within its transient: no statistics".to_owned()),

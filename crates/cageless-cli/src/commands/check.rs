@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use cageless::film::Oil;
+use cageless::film::{Film, Oil};
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::RotorDrop;
 use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
@@ -10,7 +10,7 @@ use cageless_io::arrangement::BearingArrangement;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
 use cageless_results::number_text::significant;
-use cageless_results::{millipascal_seconds, slippery_asperities};
+use cageless_results::{millipascal_seconds, slippery_asperities, thin_inlet};
 use cageless_study::case_warnings;
 use cageless_study::drop::rests;
 use serde::Serialize;
@@ -98,6 +98,8 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     }
     let oil = file.case().film.as_ref().map(|film| film.oil);
     lines.extend(oil.map(|oil| ("oil at the inlet", oil_text(&oil))));
+    let supply = file.case().film.as_ref().and_then(supply_text);
+    lines.extend(supply.map(|supply| ("supply of the contacts", supply)));
     let blend_not_simulated = blend_not_simulated(file.case());
     if let Some(sentence) = &blend_not_simulated {
         lines.push(("blend of the exported ring", sentence.clone()));
@@ -204,6 +206,7 @@ fn notes(file: &CaseFile) -> Vec<String> {
     notes.extend(file.oil_temperature_warning());
     notes.extend(search_refused(file));
     notes.extend(slippery_asperities(file.case()));
+    notes.extend(thin_inlet(file.case()));
     notes
 }
 
@@ -223,6 +226,15 @@ fn oil_text(oil: &Oil) -> String {
         significant(oil.thermal_conductivity_w_m_k, 3),
         significant(oil.density_kg_m3, 4)
     )
+}
+
+/// Supply that a film at the inlet gives, in a line.
+fn supply_text(film: &Film) -> Option<String> {
+    let ratio = significant(film.inlet_ratio?, 3);
+    let share = significant(film.supply, 3);
+    Some(format!(
+        "{share} of flooded: film.inlet_film_um is {ratio} times the least flooded film"
+    ))
 }
 
 /// Warning about a lubricated case whose motion is computed dry.

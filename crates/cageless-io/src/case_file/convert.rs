@@ -177,6 +177,9 @@ impl Converter<'_> {
             }
             _ => self.refused_case(&e, &case),
         })?;
+        if let Some(film) = self.starved(&case)? {
+            case.film = Some(film);
+        }
         Ok(case)
     }
 

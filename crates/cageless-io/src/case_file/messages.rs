@@ -106,6 +106,9 @@ pub(super) fn origin_of(
             "bearing.outer_shoulder_radius_mm",
             "estimated, as the key is left out",
         ),
+        "film.supply" if document.has("film.inlet_film_um") => {
+            ("film.inlet_film_um", "from inlet_film_um")
+        }
         "bearing.inner_ring_mass_kg" => (
             "bearing.inner_ring_mass_kg",
             "estimated, as the key is left out",

@@ -7,8 +7,8 @@ use super::keys;
 use super::sections::CASE_FILE;
 use super::spanned_toml::{Value, join};
 
-/// What `[bearing]`, `[operation]` and a `[raceway]` need by one key, or by those in its place.
-const ALTERNATIVES: [(&str, &[&str], &[&str]); 6] = [
+/// What `[bearing]`, `[operation]`, `[film]` and a `[raceway]` need by one key, or by those in its place.
+const ALTERNATIVES: [(&str, &[&str], &[&str]); 7] = [
     ("raceway", &["axial_span_mm"], &["profile"]),
     ("raceway", &["half_angle_deg"], &["profile"]),
     ("bearing", &["ball_radius_mm"], &["ball_diameter_mm"]),
@@ -22,6 +22,7 @@ const ALTERNATIVES: [(&str, &[&str], &[&str]); 6] = [
     ),
     ("operation", &["inner_speed_rpm"], &[]),
     ("operation", &["radial_load_n"], &[]),
+    ("film", &["supply"], &["inlet_film_um"]),
 ];
 
 /// Keys that a bearing needs under a rotor.
@@ -77,7 +78,7 @@ fn missing(document: &CaseDocument) -> Vec<Missing<'_>> {
         let given = |list: &[&str]| list.iter().any(|key| has(section, key));
         let left_out = match section {
             "operation" => rotor,
-            "raceway" => !root.contains_key(section),
+            "raceway" | "film" => !root.contains_key(section),
             _ => false,
         };
         if given(keys) || given(others) || left_out {

@@ -288,7 +288,8 @@ class Lubrication(Section):
 class Film(Section):
     """`[film]`: oil film of the rolling contacts, which resists rolling and spaces balls."""
 
-    supply: Annotated[Literal["flooded", "two-drops"] | float, "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give 0 or a number from 0.001 to 1, and try the others"]
+    supply: Annotated[Literal["flooded", "two-drops"] | float | None, "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give 0 or a number from 0.001 to 1, and try the others; needed unless inlet_film_um is given"] = None
+    inlet_film_um: Annotated[float | None, "thickness of the oil on the track before a contact, in place of supply, which follows from S, that thickness over the least flooded film of all contacts at the speed and load of the case; S from 2 on is computed, below is said"] = None
     oil: Annotated[Literal["iso-vg-10", "iso-vg-22", "iso-vg-32", "iso-vg-68", "fva-3", "mil-l-23699"] | None, "oil by name, with temperature_c; or the viscosities"] = None
     viscosity_40_mpa_s: Annotated[float | None, "dynamic viscosity at 40 °C, with viscosity_100_mpa_s and temperature_c"] = None
     viscosity_100_mpa_s: Annotated[float | None, "dynamic viscosity at 100 °C"] = None

@@ -3,6 +3,7 @@
 use cageless_io::OptionError;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::estimate::SIGNIFICANCE;
+use cageless_results::number_text::short;
 use serde::Serialize;
 
 /// Draws of each ring unless asked for otherwise: as many as run side by side.
@@ -140,6 +141,7 @@ impl Draws {
     /// What a judgement in oil leaves open.
     fn in_oil(&self) -> String {
         self.film_supply.map_or_else(String::new, |supply| {
+            let supply = short(supply);
             format!(
                 " The balls run in oil (film.supply = {supply}); a raceway for oil may be wrong without: judge it dry as \
                  well, with film.supply = 0."

@@ -47,6 +47,7 @@ pub use range::RangeExceeded;
 pub use rest::FilmAtRest;
 pub(crate) use rolling_force::Rolling;
 pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
+pub use starvation::INLET_RATIO_MIN;
 #[cfg(test)]
 pub(crate) use starvation::starved_share;
 #[cfg(test)]
@@ -80,6 +81,8 @@ pub struct Film {
     pub oil: Oil,
     /// Share of the rolling force of a flooded contact, 0 to 1.
     pub supply: f64,
+    /// S that the supply follows from, film at the inlet over the least flooded one; `None` of a supply by itself.
+    pub inlet_ratio: Option<f64>,
     /// R_q, composite roughness of ball and raceway, m.
     pub roughness_m: f64,
     /// Whether shear heats the inlet.
@@ -103,6 +106,7 @@ impl Film {
         Self {
             oil,
             supply: FLOODED,
+            inlet_ratio: None,
             roughness_m: 1e-7,
             inlet_heat: true,
             hysteresis: false,

@@ -1,7 +1,10 @@
 //! The film of a case.
 
+use cageless::Case;
+use cageless::equilibrium::settle;
 use cageless::film::{
-    Film, Oil, OilGrade, TEMPERATURES_C, Traction, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K,
+    Film, FilmAtRest, Oil, OilGrade, TEMPERATURES_C, Traction, VISCOSITIES_PA_S,
+    VISCOSITY_TEMPERATURE_MAX_1_K,
 };
 
 use crate::case_file::converter::Converter;
@@ -10,7 +13,9 @@ use crate::case_file::named::Named;
 use crate::case_file::sections::film::{FilmSection, Supply};
 use crate::case_file::unit::Unit;
 
-/// Keys of the oil, by the ways to give it.
+/// Keys of supply and oil, by the ways to give them.
+const SUPPLY: &str = "film.supply";
+const INLET_FILM: &str = "film.inlet_film_um";
 const OIL: &str = "film.oil";
 const COLD: &str = "film.viscosity_40_mpa_s";
 const HOT: &str = "film.viscosity_100_mpa_s";
@@ -25,7 +30,7 @@ impl Converter<'_> {
         let Some(section) = &self.sections.film else {
             return Ok(None);
         };
-        let Supply(supply) = section.supply;
+        let supply = self.supply(section)?;
         let oil = self.oil(section)?;
         let film = Film {
             oil: Oil {
@@ -39,6 +44,7 @@ impl Converter<'_> {
                 ..oil
             },
             supply,
+            inlet_ratio: None,
             roughness_m: section.roughness_m,
             inlet_heat: true,
             hysteresis: section.hysteresis,
@@ -52,6 +58,40 @@ impl Converter<'_> {
         }
         film.check().map_err(|error| self.refused(&error, None))?;
         Ok(Some(film))
+    }
+
+    /// The supply as it is given; of contacts that flood where a film at the inlet gives it.
+    fn supply(&self, section: &FilmSection) -> Result<f64, CaseError> {
+        match (section.supply, section.inlet_film_m) {
+            (Some(_), Some(_)) => {
+                let allowed = format!("left out with {SUPPLY}, which gives the supply already");
+                Err(self.refuse(INLET_FILM, &allowed))
+            }
+            (Some(Supply(supply)), None) => Ok(supply),
+            (None, Some(_)) => Ok(1.0),
+            (None, None) => Err(self.missing("film", "supply")),
+        }
+    }
+
+    /// The film of a case that a film at the inlet starves; `None` where the supply is given.
+    pub(in crate::case_file) fn starved(&self, case: &Case) -> Result<Option<Film>, CaseError> {
+        let section = self.sections.film.as_ref();
+        let inlet_film_m = section.and_then(|section| section.inlet_film_m);
+        let (Some(inlet_film_m), Some(film)) = (inlet_film_m, case.film) else {
+            return Ok(None);
+        };
+        let in_place =
+            |why: &str| self.refuse(INLET_FILM, &format!("{SUPPLY} in its place: {why}"));
+        if case.check_constant_operation("S").is_err() {
+            return Err(in_place(
+                "S is that of one speed and load, and here they vary over time",
+            ));
+        }
+        let at_rest = settle(case).ok();
+        let at_rest = at_rest.and_then(|settled| FilmAtRest::new(case, &settled));
+        let at_rest =
+            at_rest.ok_or_else(|| in_place("this case has no film at rest in its load"))?;
+        Ok(Some(film.starved(inlet_film_m / at_rest.thickness_min_m())))
     }
 
     /// The oil by its name, by two viscosities, or by one at the inlet.

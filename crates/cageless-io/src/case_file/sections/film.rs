@@ -7,9 +7,11 @@ use crate::case_file::declaration::prelude::*;
 section! {
     /// `[film]`: oil film of the contacts of balls with raceways, which resists rolling.
     struct FilmSection {
-        supply => supply: Supply = Required, Plain,
-            "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give 0 or a number from 0.001 to 1, and try the others",
+        supply => supply: Option<Supply> = Optional, Plain,
+            "share of the rolling force of a flooded contact, for which there is no safe assumption: \"flooded\" is 1, an oil bath or jet at low speed; \"two-drops\" is 0.65, balls measured with two drops of oil; 0.1 is nearly dry or greased, of which no measurement is known; give 0 or a number from 0.001 to 1, and try the others; needed unless inlet_film_um is given",
             Commented("\"flooded\"", "a bath or jet; or \"two-drops\", or 0.1: nearly dry, greased");
+        inlet_film_um => inlet_film_m: Option<f64> = Optional, Micrometre; Within(0.001, 1000.0),
+            "thickness of the oil on the track before a contact, in place of supply, which follows from S, that thickness over the least flooded film of all contacts at the speed and load of the case; S from 2 on is computed, below is said", Absent;
         oil => oil: Option<OilGrade> = Optional, Plain,
             "oil by name, with temperature_c; or the viscosities",
             Commented("\"iso-vg-32\"", "or its viscosities");
