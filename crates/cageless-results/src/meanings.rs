@@ -22,6 +22,7 @@ pub(crate) const LAG_FRACTION: &str = "lag per pass over that of rolling on rigi
 pub(crate) const HERTZ_PRESSURE: &str = "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa";
 pub(crate) const MARGIN: &str = "distance of the value of the deciding criterion from its limit, 0.01 for each percentage point, of a contact pressure as a fraction of the limit; negative beyond the limit";
 pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure and sliding speed at one instant";
+pub(crate) const REGULARISATION_SPEED: &str = "of all contacts under load with the raceways, of two contact points the more loaded one, in rolling; with `contact.regularisation = \"kalker\"`";
 pub(crate) const SIMULATED: &str = "time at which the simulation ended";
 pub(crate) const UNLOADED: &str = "the inner ring does not drive a ball then; 0 where it drives all of them all the time";
 pub(crate) const STIFFNESS: &str = "K in F = K δ^1.5";

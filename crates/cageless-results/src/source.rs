@@ -45,6 +45,8 @@ pub struct Solved<'a> {
     pub advance: Option<BallAdvance>,
     /// Films of its contacts.
     pub film: Option<FilmAtRest>,
+    /// Mean of the regularisation speeds of its contacts, m/s, where creep gives them.
+    pub regularisation_speed_mean_m_s: Option<f64>,
     /// L10r at the least and the largest clearance in operation, in million revolutions, where it has a range and
     /// a bearing with such a clearance a life.
     pub l10r_of_range_mrev: [Option<f64>; 2],
@@ -72,6 +74,7 @@ impl<'a> Solved<'a> {
             space,
             advance: BallAdvance::new(case, settled),
             film: FilmAtRest::new(case, settled),
+            regularisation_speed_mean_m_s: case.regularisation_speed_mean_m_s(settled),
             l10r_of_range_mrev: match particulars.fit.and_then(|fit| fit.range) {
                 Some(range) => range.probable_m.map(|m| l10r_at_clearance_mrev(case, m)),
                 None => [None; 2],

@@ -556,6 +556,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         *field = next(&mut k);
     }
     let lag_rad = *s.half_turn_lag_rad.insert(next(&mut k));
+    let creep_m_s = *s.regularisation_speed_mean_m_s.insert(next(&mut k));
     let space = s.space.insert(SpatialSummary {
         ring_z_mean_m: next(&mut k),
         tilt_mean_rad: [next(&mut k), next(&mut k)],
@@ -613,6 +614,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             "rolling_resistance_power_w",
             m.power_w(EnergyTerm::RollingResistance),
         ),
+        ("regularisation_speed_mean_m_s", creep_m_s),
         (
             "rolling_resistance_torque_n_m",
             m.power_w(EnergyTerm::RollingResistance) / (2.0 * PI * turns),

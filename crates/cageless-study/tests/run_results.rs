@@ -83,6 +83,7 @@ fn summary_and_tables_are_views_of_one_table() {
         "ellipse_edge",
         "rolling_resistance",
         "half_turn",
+        "regularisation_speed_mean",
         "film_",
     ];
     let of_runs = of_runs.filter(|q| !elsewhere.iter().any(|part| q.name.contains(part)));

@@ -119,6 +119,7 @@ pub mod contact;
 mod contact_peaks;
 mod contact_tracker;
 mod control;
+mod creep_mean;
 pub mod critical_gap;
 pub mod design;
 pub mod dynamics;

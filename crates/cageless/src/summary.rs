@@ -17,6 +17,7 @@
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{ContactCounter, ContactCounts};
+use crate::creep_mean::CreepMean;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
 use crate::gap_scatter::GapScatter;
@@ -59,6 +60,8 @@ pub struct Summary {
     pub means: Option<OrbitMeans>,
     /// Lag of the balls against rolling over the half of their orbit away from the load, with a film.
     pub half_turn_lag_rad: Option<f64>,
+    /// Mean of the regularisation speeds of the contacts under load, over time; `None` where the speed is given.
+    pub regularisation_speed_mean_m_s: Option<f64>,
     /// Numbers of a run in space.
     pub space: Option<SpatialSummary>,
 }
@@ -105,6 +108,7 @@ pub struct SummaryRecorder {
     peaks: Option<ContactPeakTracker>,
     means: OrbitMeansTracker,
     half_turn: Option<HalfTurnTracker>,
+    creep: Option<CreepMean>,
     space: Option<SpatialSummaryTracker>,
     /// σ of the row of every ball.
     contact_signs: Vec<f64>,
@@ -136,6 +140,7 @@ impl SummaryRecorder {
             peaks: peaks.peaks(case),
             means: self.means.means(case),
             half_turn_lag_rad: self.half_turn.as_ref().and_then(HalfTurnTracker::lag_rad),
+            regularisation_speed_mean_m_s: self.creep.as_ref().and_then(CreepMean::mean_m_s),
             space: (self.space.as_ref())
                 .and_then(|space| space.summary(peaks.ellipse_edge_max_rad())),
         })
@@ -153,6 +158,7 @@ impl Observer for SummaryRecorder {
         self.peaks = Some(ContactPeakTracker::new(case));
         self.space = SpatialSummaryTracker::new(case, context.start);
         self.half_turn = HalfTurnTracker::new(case);
+        self.creep = CreepMean::new(case);
         let rows = case.all_rows();
         self.contact_signs = (0..case.balls())
             .map(|k| rows[k / case.bearing.balls()].contact_sign)
@@ -222,7 +228,11 @@ impl SummaryRecorder {
             moments.add(force_n, since_s);
         }
         if let (Some(peaks), Some(case)) = (&mut self.peaks, &self.case) {
-            peaks.look(contacts, view.inner_speed_ratio(case));
+            let speed_ratio = view.inner_speed_ratio(case);
+            peaks.look(contacts, speed_ratio);
+            if let Some(creep) = &mut self.creep {
+                creep.look(contacts, speed_ratio, since_s);
+            }
         }
     }
 

@@ -39,6 +39,7 @@ class RunAttributes:
     power_loss_rotor_damping_w: float  # damping between rotor and inner ring, W
     power_loss_support_damping_w: float  # damping of the support, W
     power_loss_stored_w: float  # stored, less work of loads, W
+    regularisation_speed_mean_m_s: float  # regularisation speed of the friction, mean, m/s
     rolling_resistance_torque_n_m: float  # torque of rolling resistance, N m
     half_turn_lag_deg: float  # lag of the balls over the half orbit away from the load, deg
     half_turn_deficit_fraction: float  # share of its speed that a ball loses over that half orbit
@@ -221,6 +222,7 @@ class StaticAttributes:
     bpfi_hz: float  # BPFI in pure rolling, Hz
     bsf_hz: float  # BSF in pure rolling, Hz
     raceway_ftf_hz: float  # FTF in pure rolling through the discrete raceways, Hz
+    regularisation_speed_mean_m_s: float  # regularisation speed of the friction, mean, m/s
     speed_factor_mm_rpm: float  # speed factor n·Dpw, mm/min
     orbit_speed_difference_rpm: float  # largest difference of the orbital speed around the bearing, rpm
     ball_advance_deg: float  # circumferential ball advance, deg

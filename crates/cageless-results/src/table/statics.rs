@@ -57,6 +57,7 @@ pub const STATIC: &[Quantity] = &[
     group(Group::Frequencies, means(BPFI, quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Static(|s| some(s.rating.passing.bpfi_hz))))),
     group(Group::Frequencies, means(BSF, quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz))))),
     group(Group::Frequencies, quantity("raceway_ftf_hz", "Hz", "FTF in pure rolling through the discrete raceways", Static(|s| some(s.rating.passing.raceway_ftf_hz)))),
+    group(Group::Friction, means(REGULARISATION_SPEED, part(quantity("regularisation_speed_mean_m_s", "m/s", "regularisation speed of the friction, mean", Static(|s| s.regularisation_speed_mean_m_s.into()))))),
     group(Group::Friction, quantity("speed_factor_mm_rpm", "mm/min", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm)))),
     group(Group::BallAdvance, means("of the balls in pure rolling, between two places of an orbit", quantity("orbit_speed_difference_rpm", "rpm", "largest difference of the orbital speed around the bearing", Static(|s| varying(s, |a| rpm(a.speed_difference_rad_s)))))),
     group(Group::BallAdvance, means("from the least to the largest angle that a ball is ahead of one of constant orbital speed, in an orbit", quantity("ball_advance_deg", "deg", "circumferential ball advance", Static(|s| varying(s, |a| a.advance_rad.to_degrees()))))),

@@ -104,6 +104,7 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         space: Some(&space),
         advance: Some(advance.clone()),
         film: None,
+        regularisation_speed_mean_m_s: Some(0.00125),
         l10r_of_range_mrev: [None; 2],
     };
     let results = [STATIC, SPACE, DEFECTS].map(|rows| Results::of(rows, Subject::Static(&solved)));
@@ -148,6 +149,7 @@ fn results_in_space_are_the_fields_of_the_equilibrium() {
         ("bpfi_hz", passing.bpfi_hz),
         ("bsf_hz", passing.bsf_hz),
         ("raceway_ftf_hz", passing.raceway_ftf_hz),
+        ("regularisation_speed_mean_m_s", 0.00125),
         ("speed_factor_mm_rpm", rating.speed_factor_mm_rpm),
         ("orbit_speed_difference_rpm", 6.25 / REVOLUTION_PER_MINUTE),
         ("ball_advance_deg", 0.0106 / DEGREE),

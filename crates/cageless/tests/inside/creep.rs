@@ -1,11 +1,13 @@
 //! Friction with the creep of rolling contacts in place of a given regularisation speed.
 
+use super::film_motion::summary;
 use crate::common::*;
 use cageless::contact::Friction;
 use cageless::contact::creep::creep_coefficient;
 use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::{Model, RightHandSide};
+use cageless::equilibrium::settle;
 use cageless::integrator::System;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::prelude::*;
@@ -61,6 +63,50 @@ fn regularisation_speeds() {
         let stiffness = outer * creep.outer + inner * creep.inner;
         let found = 13.74 * f64::cbrt(load_n) / stiffness;
         assert!((found / expected - 1.0).abs() < 1e-3, "{load_n}: {found}");
+    }
+}
+
+/// The mean over contacts at rest is that of the formula, and over a run close to it; none where the speed is given.
+#[test]
+fn regularisation_speeds_in_the_mean() {
+    for raceways in [true, false] {
+        let mut case = with_creep(Structure::D.case());
+        if !raceways {
+            case = case.conventional();
+        }
+        case.solver.duration_s = 0.01;
+        let settled = settle(&case).unwrap();
+        let creep = case.creep().unwrap();
+        let d = case.bearing.dimensions();
+        let orbit = case.rolling_orbit_speed_rad_s();
+        let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
+        let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;
+        let most = |flanks: &[f64; 2]| flanks[0].max(flanks[1]);
+        let outer = settled
+            .flank_force_n
+            .iter()
+            .map(|n| (most(n), outer_m_s / creep.outer));
+        let inner = settled
+            .rest
+            .inner_force_n
+            .iter()
+            .map(|n| (*n, inner_m_s / creep.inner));
+        let loaded: Vec<_> = outer.chain(inner).filter(|(n, _)| *n > 0.0).collect();
+        let sum: f64 = loaded.iter().map(|(n, slope)| n.cbrt() * slope).sum();
+        let expected = sum / loaded.len() as f64;
+        let at_rest = case.regularisation_speed_mean_m_s(&settled).unwrap();
+        assert!(
+            (at_rest / expected - 1.0).abs() < 1e-6,
+            "{at_rest} {expected}"
+        );
+        let run = summary(&case).regularisation_speed_mean_m_s.unwrap();
+        assert!((run / at_rest - 1.0).abs() < 0.03, "{run} {at_rest}");
+        let mut smooth = case.clone();
+        smooth.contact.friction.coefficient = 0.0;
+        assert_eq!(smooth.regularisation_speed_mean_m_s(&settled), None);
+        case.contact.regularisation = Regularisation::Speed;
+        assert_eq!(case.regularisation_speed_mean_m_s(&settled), None);
+        assert_eq!(summary(&case).regularisation_speed_mean_m_s, None);
     }
 }
 
