@@ -13,6 +13,9 @@ use crate::table::{Column, Row, Table};
 /// Rows of the front that are printed.
 const FRONT_ROWS: usize = 24;
 
+/// Text of a result without a value.
+const NOTHING: &str = "–";
+
 /// Results of a structure at an operating point that tables have.
 fn quantities() -> impl Iterator<Item = &'static Quantity> {
     let all = STRUCTURE.iter().chain(STRUCTURE_AT).chain(MOTION);
@@ -38,7 +41,7 @@ fn shown(structure: &Record, point: &Record, q: &Quantity) -> String {
         false => Some(&structure.results),
     };
     let text = own.and_then(|results| value_text(q, results.get(q.name)?));
-    text.unwrap_or("–".to_owned())
+    text.unwrap_or(NOTHING.to_owned())
 }
 
 fn in_motion(quantity: &Quantity) -> bool {
@@ -66,13 +69,15 @@ pub fn comparison(search: &Record) -> Table {
         "shape",
         "centre_angles_deg",
     ];
-    let rows = quantities().filter(|q| !size.contains(&q.name)).map(|q| {
+    let rows = quantities().filter(|q| !size.contains(&q.name));
+    let rows = rows.filter_map(|q| {
         let mut cells = vec![heading(q)];
         for (_, structure) in &structures {
             let at = structure.parts("points").iter();
             cells.extend(at.map(|point| shown(structure, point, q)));
         }
-        Row::from(cells)
+        let has_value = cells[1..].iter().any(|cell| cell != NOTHING);
+        has_value.then(|| Row::from(cells))
     });
     Table {
         label: "Comparison".to_owned(),

@@ -13,7 +13,7 @@ fn searched(k: usize, status: &str) -> Value {
         "shape": "quartic", "contact_angle_deg": 0.0, "centre_angles_deg": if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
         "status": status, "passes": status == "accepted", "reason": null,
         "why": if status == "rejected" { "slip <takes> 9 %" } else { "" },
-        "on_front": k.is_multiple_of(2), "beta0_deg": 1.8, "steady_gap_deg": 1.97,
+        "on_front": k.is_multiple_of(2), "beta0_deg": 1.8, "film_lag_per_turn_deg": null, "steady_gap_deg": 1.97,
         "points": [{
             "axial_lag_rolling_fraction": null, "axial_lag_fraction": null, "axial_lag_deg": null,
             "critical_gap_deg": 1.7 + 0.05 * x, "margin_deg": 0.27 - 0.05 * x,
@@ -22,7 +22,7 @@ fn searched(k: usize, status: &str) -> Value {
                 "collisions": 0.3, "collisions_late": 0.0, "double_collision_fraction": 0.0,
                 "impulse_mn_s": 0.0, "spacing_scatter": 0.2 - 0.02 * x, "gap_min_deg": 0.0,
                 "sliding_m_s": 0.0, "speed_drop_fraction": 0.0, "lag_fraction": 0.0, "force_deviation_n": 0.0,
-                "friction_w": 0.8 + 0.1 * x,
+                "friction_w": 0.8 + 0.1 * x, "rolling_resistance_w": null,
             },
             "errors": null,
         }],

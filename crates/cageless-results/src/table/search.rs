@@ -79,6 +79,7 @@ pub const MOTION: &[Quantity] = &[
     part(means(LAG_FRACTION, high(quantity("lag_fraction", "", "lag of the row and raceway with the least, share of rolling", Motion(|(m, _)| some(m.lag_fraction)))))),
     part(means("standard deviation of the force of the balls on the outer ring", low(quantity("force_deviation_n", "N", "vibration", Motion(|(m, _)| some(m.force_deviation_n)))))),
     part(low(quantity("friction_w", "W", "power of sliding friction, whole run", Motion(|(m, _)| some(m.friction_w))))),
+    part(low(means("of the oil film, with `film.hysteresis` also of the steel; with `[film]`", quantity("rolling_resistance_w", "W", "power of rolling resistance, whole run", Motion(|(m, _)| (m.rolling_resistance_w != 0.0).then_some(m.rolling_resistance_w).into()))))),
 ];
 
 /// Structures that a requirement excludes.
@@ -119,7 +120,7 @@ pub const PAPER: &[Quantity] = &[
     part(quantity("half_angle_deg", "deg", "half angle θ", Paper(|p| some(p.1[1])))),
 ];
 
-fn status(evaluation: &cageless::design::search::Evaluation) -> &'static str {
+fn status(evaluation: &Evaluation) -> &'static str {
     match (&evaluation.rejection, &evaluation.objectives) {
         (Some(_), _) => "rejected",
         (None, Some(_)) => "accepted",
@@ -140,7 +141,7 @@ fn angles(angles_rad: &[f64]) -> Cell {
     )
 }
 
-fn at(at: &AtPoint<'_>, of: fn(&cageless::design::search::PairSeparation, f64) -> f64) -> Cell {
+fn at(at: &AtPoint<'_>, of: fn(&PairSeparation, f64) -> f64) -> Cell {
     let steady = at.evaluation.forms.map_or(f64::NAN, |f| f.steady_gap_rad);
     at.evaluation.spacing[at.point]
         .map(|s| of(&s, steady))

@@ -201,7 +201,7 @@ fn confirmation(found: &Found, best: &Record) -> String {
 /// Fewer, more or as many collisions, and so on: differences from the same starts, run by run.
 fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> String {
     type Of = fn(&Motion) -> f64;
-    let statistical: [(&str, Of, usize); 4] = [
+    let statistical: [(&str, Of, usize); 5] = [
         ("collisions per ball and orbit", |n| n.collisions, 3),
         ("of these in steady state", |n| n.collisions_late, 3),
         (
@@ -210,12 +210,15 @@ fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> Strin
             3,
         ),
         ("loss by sliding friction in W", |n| n.friction_w, 2),
+        ("loss by the film in W", |n| n.rolling_resistance_w, 2),
     ];
     let of = |role| found.of_role(role).next()?.statistics.get(point);
     let mut parts = vec![];
     if let (Some(a), Some(b)) = (of(Role::Recommended), of(Role::Own)) {
         let difference = a.less(b);
-        for (name, of, digits) in statistical {
+        let is_dry = [a, b].iter().all(|of| of.mean.rolling_resistance_w == 0.0);
+        let shown = statistical.len() - usize::from(is_dry);
+        for (name, of, digits) in statistical.into_iter().take(shown) {
             let (change, error) = (of(&difference.mean), of(&difference.error));
             let word = if change.abs() <= SIGNIFICANT * error {
                 "no different within the scatter"

@@ -8,7 +8,7 @@ use crate::common::*;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
     PairSeparation, RacewayLayout, Request, Role, SearchError, SpeedMap, Stage, Task, UnevenStart,
-    perturbed_runs, run_jobs, search, uneven_gaps_rad,
+    VALUES, perturbed_runs, run_jobs, search, uneven_gaps_rad,
 };
 use cageless::design::{
     BOTH_NEIGHBOURS, Eq11, RacewayVerdict, axial_lag, judge, steady_gap_rad, theoretical_gap_rad,
@@ -414,7 +414,7 @@ fn acceptable(case: &Case, job: &Job) -> Outcome {
             })
         }
         Task::Motion(_) => {
-            let mut motion = Motion::from_values([1.0; 12]);
+            let mut motion = Motion::from_values([1.0; VALUES]);
             motion.double_collision_fraction = 0.0;
             motion.sliding_m_s = job.structure.axial_span_m;
             Numbers::Motion(motion)

@@ -31,6 +31,7 @@ fn evaluation(number: f64, objectives: Option<f64>) -> Evaluation {
         forms: Some(ClosedForms {
             theoretical_gap_rad: 0.03 + 1e-3 * number,
             steady_gap_rad: 0.04 + 1e-3 * number,
+            film_lag_rad: 0.02 + 1e-3 * number,
         }),
         spacing: vec![Some(spacing(0.001 * number)), Some(spacing(0.002 * number))],
         motion: vec![Some(motion(number)), Some(motion(10.0 * number))],
@@ -115,6 +116,7 @@ fn assert_motion(found: &Record, m: &Motion, steady_rad: f64) {
         ("lag_fraction", m.lag_fraction),
         ("force_deviation_n", m.force_deviation_n),
         ("friction_w", m.friction_w),
+        ("rolling_resistance_w", m.rolling_resistance_w),
     ];
     for (name, expected) in expected {
         close(found.number(name), expected);
@@ -129,6 +131,10 @@ fn assert_structure(found: &Record, number: f64) {
     close(found.number("half_angle_deg"), 20.0 + number);
     let angles = [0.0, 30.0].map(Cell::Number);
     assert_eq!(found.items("centre_angles_deg"), angles);
+    close(
+        found.number("film_lag_per_turn_deg"),
+        degrees(0.02 + 1e-3 * number),
+    );
     close(found.number("beta0_deg"), degrees(0.03 + 1e-3 * number));
     close(
         found.number("steady_gap_deg"),

@@ -474,6 +474,7 @@ mod tests {
             forms: Some(ClosedForms {
                 theoretical_gap_rad: 0.03,
                 steady_gap_rad: 0.04,
+                film_lag_rad: 0.0,
             }),
             spacing: spacing.into_iter().map(Some).collect(),
             motion: motion.into_iter().map(Some).collect(),
@@ -509,6 +510,7 @@ mod tests {
             m.lag_fraction,
             m.force_deviation_n,
             m.friction_w,
+            m.rolling_resistance_w,
         ];
         assert_eq!(named, std::array::from_fn(|k| (k + 1) as f64));
         assert_eq!(m.values(), named);

@@ -8,6 +8,7 @@ use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact_tracker::ContactTracker;
 use crate::design::raceway_tallies::RacewayTallies;
 use crate::design::raceway_tallies::speed_drop_fraction;
+use crate::dynamics::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;
 use crate::numerics::random::{GOLDEN_GAMMA, mix};
@@ -78,6 +79,8 @@ motion! {
     force_deviation_n,
     /// Power lost to friction, W.
     friction_w,
+    /// Power lost to the rolling resistance of a film, W; 0 without.
+    rolling_resistance_w,
 }
 
 impl Motion {
@@ -282,6 +285,8 @@ fn motion(
         lag_fraction: least(&|k| tallies.lag_fraction(case, k)),
         force_deviation_n: contacts.force_deviation_n(),
         friction_w: outcome.state.friction_j() / case.solver.duration_s,
+        rolling_resistance_w: outcome.state.energy_term_j(EnergyTerm::RollingResistance)
+            / case.solver.duration_s,
     })
 }
 

@@ -150,6 +150,8 @@ pub struct ClosedForms {
     pub theoretical_gap_rad: f64,
     /// Gap outside the raceways in steady flow, [`steady_gap_rad`].
     pub steady_gap_rad: f64,
+    /// Lag of a ball by the film per orbit, part of that gap; 0 without a film.
+    pub film_lag_rad: f64,
 }
 
 impl ClosedForms {
@@ -160,6 +162,7 @@ impl ClosedForms {
                 theoretical_gap_rad(bearing, raceway, Eq11::Published)
             }),
             steady_gap_rad: steady_gap_rad(bearing, raceways),
+            film_lag_rad: 0.0,
         }
     }
 
@@ -189,13 +192,15 @@ impl ClosedForms {
         Self {
             theoretical_gap_rad: least(&gap),
             steady_gap_rad: gap_of_delay_rad(bearing, least(&delay)),
+            film_lag_rad: 0.0,
         }
     }
 
-    /// With balls that lag by this an orbit beside what the raceways make them.
+    /// With balls that lag by this an orbit by a film beside what the raceways make them.
     pub(super) fn lagging(self, bearing: &Bearing, lag_rad: f64) -> Self {
         Self {
             steady_gap_rad: self.steady_gap_rad + lag_rad / bearing.balls() as f64,
+            film_lag_rad: lag_rad,
             ..self
         }
     }

@@ -221,6 +221,7 @@ mod tests {
     const FORMS: ClosedForms = ClosedForms {
         theoretical_gap_rad: 0.036,
         steady_gap_rad: STEADY,
+        film_lag_rad: 0.0,
     };
 
     fn spacing(critical_gap_rad: f64, shortfall: f64, stress_pa: f64) -> PairSeparation {
