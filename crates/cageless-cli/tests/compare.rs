@@ -285,6 +285,39 @@ fn cases_with_other_films_say_which() {
     }
 }
 
+/// Every key in which cases differ stands in terminal, page and file; of many the last ones by name.
+#[test]
+fn cases_say_in_which_keys_they_differ() {
+    let dir = tempfile::tempdir().unwrap();
+    let one = repository_case("zhao-d.toml");
+    let other = dir.path().join("other.toml");
+    let oil = "\n[film]\noil = \"iso-vg-32\"\ntemperature_c = 70\nsupply = \"two-drops\"\n";
+    let text = std::fs::read_to_string(&one).unwrap().replace("5.1", "5.2") + oil;
+    std::fs::write(&other, text).unwrap();
+    let sets = [&SHORT[..], &["solver.duration_s=0.005"]].concat();
+    let out = ["--draws", "2", "--out", dir.path().to_str().unwrap()];
+    let args = [&[other.to_str().unwrap()], &out[..]].concat();
+    let done = call_on("compare", &one, &sets, &args);
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let lines: Vec<Vec<&str>> = (done.stdout.lines())
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    for line in [
+        "Keys that differ: A | B",
+        "film.oil – | iso-vg-32",
+        "film.supply – | two-drops",
+        "film.temperature_c – | 70",
+        "raceway.axial_span_mm 5.1 | 5.2",
+    ] {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        assert!(lines.contains(&words), "{line}: {}", done.stdout);
+    }
+    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
+    assert!(page.contains("two-drops") && page.contains("Keys that differ"));
+    let json = std::fs::read_to_string(dir.path().join("compare.json")).unwrap();
+    assert!(json.contains("\"differing_keys\""), "{json}");
+}
+
 /// A case beside its remedies: all with the same balls, fewer of them where fewer fit.
 #[test]
 fn a_case_is_compared_with_its_remedies() {

@@ -38,6 +38,7 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         }
     }
     page.section("Differences");
+    differing(&mut page, comparison);
     // What is judged stands in the head.
     if comparison.draws.grade.is_none() {
         page.paragraph(&comparison.statement);
@@ -87,6 +88,33 @@ fn head(comparison: &RingComparison) -> Head {
             .collect();
         head.limits(&named)
     })
+}
+
+/// Keys that are shown at once.
+const UNFOLDED: usize = 8;
+
+/// Keys in which the cases differ, folded away if they are many.
+fn differing(page: &mut Page, comparison: &RingComparison) {
+    let keys = &comparison.differing_keys;
+    if keys.is_empty() {
+        return;
+    }
+    let mut rows = vec![vec!["key".to_owned()]];
+    rows[0].extend(comparison.runs.iter().cloned());
+    rows.extend(keys.iter().map(|key| {
+        let values = key.values.iter().cloned();
+        let values = values.map(|value| value.unwrap_or("–".to_owned()));
+        std::iter::once(key.key.clone()).chain(values).collect()
+    }));
+    let caption = "Keys of the cases that differ; a dash where one is left out.";
+    let table = Table::of("Keys that differ", caption, rows, None);
+    match keys.len() > UNFOLDED {
+        true => {
+            let summary = format!("{} keys of the cases differ", keys.len());
+            page.fold(&summary, |page| page.table(&table));
+        }
+        false => page.table(&table),
+    }
 }
 
 /// Section with benefit, cost and what a remedy changes.

@@ -58,6 +58,7 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
         .map(|(name, verdict)| (name, judged(verdict.passes, &verdict.headline)))
         .collect();
     let mut text = format!("{}\n", pairs(&titles));
+    text += &differing(comparison);
     let subject: Vec<_> = match comparison.draws.grade {
         // Whether single balls are slowed as intended is a step on the way.
         Some(_) => {
@@ -79,6 +80,30 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
     text + "\n" + &rings(comparison, subject.into_iter()) + &warnings(&of_runs(runs))
 }
 
+/// Keys in which the cases differ, in lines; of many the last ones by name alone.
+fn differing(comparison: &RingComparison) -> String {
+    let keys = &comparison.differing_keys;
+    if keys.is_empty() {
+        return String::new();
+    }
+    let shown = keys.len().min(KEYS_SHOWN);
+    let lines: Vec<_> = keys[..shown]
+        .iter()
+        .map(|key| {
+            let values = key.values.iter();
+            let values = values.map(|value| value.as_deref().unwrap_or("–"));
+            (key.key.as_str(), values.collect::<Vec<_>>().join(" | "))
+        })
+        .collect();
+    let more: Vec<_> = keys[shown..].iter().map(|key| key.key.as_str()).collect();
+    let more = match more.is_empty() {
+        true => String::new(),
+        false => format!("and {} more: {}\n", more.len(), more.join(", ")),
+    };
+    let runs = comparison.runs.join(" | ");
+    format!("Keys that differ: {runs}\n{}{more}\n", pairs(&lines))
+}
+
 /// Warnings of the runs, each with the names of its runs unless it is that of all.
 fn of_runs(runs: &[ComparedRun]) -> Vec<String> {
     let mut found: Vec<(&String, Vec<&str>)> = vec![];
@@ -98,6 +123,9 @@ fn of_runs(runs: &[ComparedRun]) -> Vec<String> {
         });
     named.collect()
 }
+
+/// Differing keys that are shown with their values.
+const KEYS_SHOWN: usize = 12;
 
 /// A side of a comparison: a case, to be run beside a finished run once and beside others from the same
 /// uneven starts, or a finished run.
@@ -197,16 +225,18 @@ fn finished(
     sides: Vec<(String, Side)>,
     bars: &dyn Progress,
 ) -> Result<(Vec<ComparedRun>, RingComparison), Failure> {
-    let (mut runs, mut results) = (vec![], vec![]);
+    let (mut runs, mut results, mut documents) = (vec![], vec![], vec![]);
     for (name, side) in sides {
         let FinishedRun { data, summary } = match side {
             Side::Run(run) => *run,
             Side::Case(file) => once(&file, bars)?,
         };
         results.push(RingResults::of_summary(&name, &summary));
+        documents.push(summary.get("case").cloned().unwrap_or_default());
         runs.push(ComparedRun { name, data });
     }
-    Ok((runs, RingComparison::new(&results, Draws::finished())))
+    let comparison = RingComparison::new(&results, Draws::finished());
+    Ok((runs, comparison.of_cases(&documents)))
 }
 
 fn once(file: &CaseFile, bars: &dyn Progress) -> Result<FinishedRun, Failure> {

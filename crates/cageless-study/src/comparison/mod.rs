@@ -3,6 +3,7 @@
 //! at one speed and keep their gaps with any ring, so that they compare nothing.
 
 mod benefit;
+mod differing_keys;
 mod remedies;
 mod result;
 mod ring_results;
@@ -18,9 +19,11 @@ use cageless::summary::transient_s;
 use cageless::vibration::VibrationRecorder;
 use cageless_io::case_file::{CaseError, CaseFile};
 use rayon::prelude::*;
+use serde_json::{Value, to_value};
 
 pub use benefit::{Benefit, BenefitCriterion, BenefitRank, BenefitWord};
 pub(crate) use benefit::{TRIFLE, ratio};
+pub use differing_keys::DifferingKey;
 pub use remedies::remedies;
 pub(crate) use remedies::{plain_ring, with_fewer_balls};
 pub use result::{ComparedResult, RingComparison};
@@ -70,7 +73,10 @@ pub fn compare(
         .collect::<Result<_, _>>()?;
     let results: Vec<RingResults> = compared.iter().map(|ring| ring.results.clone()).collect();
     let draws = Draws::of(&rings[0].1, sampling);
-    Ok((compared, RingComparison::new(&results, draws)))
+    let document = |file: &CaseFile| to_value(file.document()).unwrap_or_default();
+    let documents: Vec<Value> = rings.iter().map(|(_, file)| document(file)).collect();
+    let comparison = RingComparison::new(&results, draws).of_cases(&documents);
+    Ok((compared, comparison))
 }
 
 /// Name of the task of a comparison.

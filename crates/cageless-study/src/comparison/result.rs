@@ -3,10 +3,12 @@
 use cageless_io::estimate::{Change, Estimate};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+use serde_json::Value;
 
 use cageless_results::{Aim, LimitJudgement, Quantity};
 
 use super::benefit::is_asked;
+use super::differing_keys::{DifferingKey, differing_keys};
 use super::ring_results::{RingResults, compared};
 use super::{Benefit, Draws, RingVerdict};
 
@@ -87,6 +89,9 @@ pub struct RingComparison {
     /// Limits of the case of each ring on its means.
     #[serde(skip_serializing_if = "has_none")]
     pub limits: Vec<LimitJudgement>,
+    /// Keys in which the cases differ; none where all were made from one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub differing_keys: Vec<DifferingKey>,
     /// What changes, in sentences.
     pub statement: String,
     /// Scalar results.
@@ -146,9 +151,18 @@ impl RingComparison {
                 None => draws.text(),
             },
             benefits,
+            differing_keys: vec![],
             draws,
             verdicts: rings.iter().map(|ring| ring.verdict.clone()).collect(),
             results: results.collect(),
+        }
+    }
+
+    /// The comparison with the keys in which the cases of its rings differ, by their documents as JSON.
+    pub fn of_cases(self, documents: &[Value]) -> Self {
+        Self {
+            differing_keys: differing_keys(documents),
+            ..self
         }
     }
 
