@@ -53,8 +53,8 @@ impl Solver {
 
     fn name(self) -> &'static str {
         match self {
-            Self::Step(method, _) => method.properties().name,
-            Self::Adaptive(_) => IntegrationMethod::Adaptive.properties().name,
+            Self::Step(method, _) => method.name(),
+            Self::Adaptive(_) => IntegrationMethod::Adaptive.name(),
             Self::Dopri5(_) => "Dopri5 of ode_solvers",
         }
     }

@@ -51,7 +51,7 @@ pub fn measure(options: &Options) -> Result<()> {
                 }
             }
             let ratio = fastest_s[1] / fastest_s[0];
-            println!("| {name} | {} | {ratio:.2} |", method.properties().label);
+            println!("| {name} | {} | {ratio:.2} |", method.label());
         }
     }
     Ok(())

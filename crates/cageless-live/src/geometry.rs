@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use cageless::Case;
-use cageless::design::{Estimate, seats};
+use cageless::design::{Estimate, EstimateTerm, seats};
 use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::raceway::Raceway;
 use cageless::simulation::Control;
@@ -77,13 +77,15 @@ pub(crate) fn geometry(
 
 /// The terms of an estimate, and whether all are kept.
 fn shown(estimate: &Estimate) -> Value {
-    let terms = estimate.terms().iter().map(|t| {
-        json!({
-            "name": t.name, "value": t.value, "limit": t.limit,
-            "margin": t.margin(), "at_least": t.at_least, "meaning": t.meaning,
-        })
-    });
-    json!({ "passes": estimate.passes(), "terms": terms.collect::<Vec<Value>>() })
+    let terms: Vec<Value> = estimate.terms().iter().map(term).collect();
+    json!({ "passes": estimate.passes(), "terms": terms })
+}
+
+fn term(term: &EstimateTerm) -> Value {
+    json!({
+        "name": term.name, "value": term.value, "limit": term.limit,
+        "margin": term.margin(), "at_least": term.at_least, "meaning": term.meaning,
+    })
 }
 
 /// The static equilibrium of a case and the estimate of its verdict, in space where it moves there.

@@ -4,7 +4,7 @@ use cageless::Case;
 use cageless::Snapshot;
 use cageless::passage::Passage;
 use cageless::simulation::RunOutcome;
-use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
+use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement, Spectrum};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
 use cageless_results::Record;
@@ -42,6 +42,11 @@ pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Prov
     }
 }
 
+/// Distance of the frequencies of a spectrum, Hz; `None` without one.
+fn resolution_hz(spectrum: &Spectrum) -> Option<f64> {
+    (spectrum.stretch_s > 0.0).then(|| 1.0 / spectrum.stretch_s)
+}
+
 /// A vibration signal as it is shown.
 pub fn vibration_signal(name: &str, measured: &Measurement) -> VibrationSignal {
     let trace = measured.trace();
@@ -53,7 +58,7 @@ pub fn vibration_signal(name: &str, measured: &Measurement) -> VibrationSignal {
         stretch_s: measured.trace_stretch_s(),
         rms_m_s2: (measured.samples() > 0).then(|| measured.rms()),
         peak_m_s2: (measured.samples() > 0).then(|| measured.peak()),
-        resolution_hz: (spectrum.stretch_s > 0.0).then(|| 1.0 / spectrum.stretch_s),
+        resolution_hz: resolution_hz(&spectrum),
         averages: spectrum.stretches,
         frequency_hz: spectrum.frequency_hz,
         amplitude_m_s2: spectrum.amplitude,

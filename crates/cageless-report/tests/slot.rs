@@ -1,6 +1,6 @@
 //! The drawing of a slot against the ring that is exported.
 
-use cageless::surface::{Grid, OuterRing, OuterRingDimensions, PointKind};
+use cageless::surface::{Grid, OuterRing, OuterRingDimensions};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_report::{RacewayLabel, RacewaySurface};
 
@@ -43,7 +43,7 @@ fn the_drawn_edges_are_those_of_the_ring() {
     let mut lines = [vec![], vec![]];
     for row in grid.rows.iter().filter(|row| row.passes_slot()) {
         let points = grid.points(row);
-        for half in points.split(|point| point.kind != PointKind::Edge) {
+        for half in points.split(|point| point.kind_name() != "edge") {
             if let ([first, .., last], up) = (half, half.first().map(|p| p.side.sign())) {
                 let ends = if up == Some(-1.0) {
                     [first, last]

@@ -27,7 +27,7 @@ pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, has_raceway: bool) -
 /// What it does to the spacing of the balls; `None` where it takes nothing from them.
 fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
     let percent = |share: f64| format!("{:.1} %", 100.0 * share);
-    let lost = at_rest.arc.speed_deficit;
+    let lost = at_rest.speed_deficit;
     let lambda = at_rest.film_parameter_mean();
     let taken = format!(
         "the oil takes {} of the speed of a free ball",

@@ -78,7 +78,7 @@ pub fn provenance(title: &str, case: &Case, discarded: String) -> Provenance {
         formulation: Some(case.formulation.name().to_owned()),
         friction_law: Some(case.describe_friction()),
         film: case.film.as_ref().map(film),
-        method: Some(case.solver.method.properties().label.to_owned()),
+        method: Some(case.solver.method.label().to_owned()),
         step_us: Some(microseconds(case.solver.step_s)),
         discarded,
     }

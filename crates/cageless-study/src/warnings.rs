@@ -8,7 +8,7 @@ use cageless::equilibrium;
 use cageless::film::FilmAtRest;
 use cageless::rating::speed_warning;
 use cageless::step_limits::StepLimits;
-use cageless::summary::ContactPeak;
+use cageless::summary::{ContactPeak, ContactPeaks};
 use cageless::{Bearing, Case, IntegrationMethod, OrbitMeans, Raceway, Regularisation};
 
 use cageless_results::number_text::short;
@@ -165,17 +165,7 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
     let Some(summary) = run.summary else {
         return warnings;
     };
-    let peaks = &summary.peaks;
-    let contacts = [
-        ("at the inner raceway", &peaks.inner),
-        ("at the outer raceway", &peaks.outer),
-        ("between balls", &peaks.balls),
-    ];
-    warnings.extend(
-        contacts
-            .iter()
-            .filter_map(|(place, p)| over_pressure(place, p.pressure_pa)),
-    );
+    warnings.extend(over_pressures(&summary.peaks));
     let edges_rad = match &summary.space {
         Some(space) => Some(space.ellipse_edge_max_rad),
         None => equilibrium::ellipse_edge_max_rad(run.case),
@@ -185,14 +175,26 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
             .into_iter()
             .flat_map(|edges_rad| bearing.truncation_warnings(edges_rad)),
     );
-    warnings.extend(
-        contacts
-            .iter()
-            .filter_map(|(place, peak)| flash_warning(place, peak)),
-    );
+    let hot = of_places(&summary.peaks).into_iter();
+    warnings.extend(hot.filter_map(|(place, peak)| flash_warning(place, peak)));
     let means = summary.means.as_ref().filter(|_| continuous);
     warnings.extend(means.and_then(|means| heat_warning(bearing, means)));
     warnings
+}
+
+/// Kinds of contacts by their places, with their peaks.
+fn of_places(peaks: &ContactPeaks) -> [(&'static str, &ContactPeak); 3] {
+    [
+        ("at the inner raceway", &peaks.inner),
+        ("at the outer raceway", &peaks.outer),
+        ("between balls", &peaks.balls),
+    ]
+}
+
+/// Contact pressures that leave an indentation.
+fn over_pressures(peaks: &ContactPeaks) -> impl Iterator<Item = String> {
+    let places = of_places(peaks).into_iter();
+    places.filter_map(|(place, peak)| over_pressure(place, peak.pressure_pa))
 }
 
 /// Largest regularisation speed of the friction over the speed by which a raceway slows a ball at

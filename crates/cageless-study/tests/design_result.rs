@@ -1,7 +1,7 @@
 //! The numbers of a design in the units in which they are shown.
 
 use cageless::design::{
-    DECELERATION, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
+    Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation, STEADY_GAP,
     StartingPoint, steady_gap_rad,
 };
 use cageless::raceway::RacewayDimensions;
@@ -36,7 +36,7 @@ fn judgement(verdict: RacewayVerdict, number: f64) -> Judgement {
     Judgement {
         verdict,
         reasons: vec![format!("reason {number}")],
-        deciding: Some(DECELERATION.of(0.6)),
+        deciding: Some(STEADY_GAP.of(0.6)),
         critical_gap_rad: Some(0.5 * number * DEGREE),
         pressure_at_rest_pa: Some(1e8 * number),
         steady_gap_rad: None,
@@ -118,7 +118,7 @@ fn every_number_is_in_its_unit() {
     close(found.number("slope_discontinuity_deg"), kink, 1e-12);
     close(found.number("critical_gap_deg"), 2.5, 1e-12);
     assert_eq!(verdict(found), ("slips", Some(false)));
-    assert_eq!(found.text("criterion"), "deceleration");
+    assert_eq!(found.text("criterion"), "steady-gap");
     close(found.number("margin"), -0.2, 1e-12);
     assert_eq!(record.sentences("reasons"), ["reason 5"]);
     assert!(

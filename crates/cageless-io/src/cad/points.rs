@@ -12,7 +12,7 @@
 
 use std::io::{self, Write};
 
-use cageless::surface::{Grid, GridPoint, GridRow, OuterRing, Side};
+use cageless::surface::{Grid, GridPoint, GridRow, OuterRing, Side, SurfacePoint};
 
 use super::numbers::Counts;
 
@@ -58,6 +58,12 @@ pub(super) fn write(
     Ok((table.deviation_m, counts))
 }
 
+/// Distance along the normal of a place from a point of the surface, m.
+fn off_m(point: &SurfacePoint, place_m: [f64; 3]) -> f64 {
+    let along = |k: usize| (place_m[k] - point.position_m[k]) * point.normal[k];
+    along(0) + along(1) + along(2)
+}
+
 struct Table<'a> {
     ring: &'a OuterRing,
     out: &'a mut dyn Write,
@@ -71,19 +77,17 @@ impl Table<'_> {
         // Picometres; the last digit of an f64 is 4e-15 mm here.
         let position = point.position_m.map(|c| format!("{:.9}", c * 1e3));
         let read = [0, 1, 2].map(|k| position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3);
-        let off = if row.passes_slot() {
-            let along = |k: usize| (read[k] - point.position_m[k]) * point.normal[k];
-            along(0) + along(1) + along(2)
-        } else {
-            self.ring.distance_m(read)
+        let off_m = match row.passes_slot() {
+            true => off_m(&point, read),
+            false => self.ring.distance_m(read),
         };
-        self.deviation_m = self.deviation_m.max(off.abs());
+        self.deviation_m = self.deviation_m.max(off_m.abs());
         let [x, y, z] = position;
         let [nx, ny, nz] = point.normal;
         writeln!(
             self.out,
             "{},{},{:.9},{:.9},{x},{y},{z},{nx:.12},{ny:.12},{nz:.12}",
-            of.kind.name(),
+            of.kind_name(),
             of.side.sign(),
             of.angle_rad.to_degrees(),
             of.meridian_rad.to_degrees(),

@@ -32,14 +32,6 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
         }
     }
 
-    /// The name of a value.
-    fn name(self) -> &'static str {
-        Self::NAMES
-            .iter()
-            .find(|(_, value)| *value == self)
-            .map_or("", |&(name, _)| name)
-    }
-
     /// `"one" or "other"`, for messages.
     fn choices() -> String {
         let names: Vec<_> = Self::NAMES.iter().map(|(name, _)| *name).collect();

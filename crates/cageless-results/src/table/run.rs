@@ -9,7 +9,7 @@ use cageless::design::Criterion;
 use cageless::dynamics::EnergyTerm;
 use cageless::passage::PassageTally;
 use cageless::rating::{PassingFrequencies, skf_friction_torque_n_m};
-use cageless::summary::Summary;
+use cageless::summary::{ContactPeak, Summary};
 
 use crate::Finished;
 use crate::cell::Cell;
@@ -45,15 +45,15 @@ pub const RUN: &[Quantity] = &[
     group(Group::Film, means("`rolling_resistance_power_w` over the speed of the inner ring; part of `friction_torque_n_m`", part(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Run(|r| of_film(r, |m| m.power_w(EnergyTerm::RollingResistance) / m.inner_speed_rad_s))))))),
     group(Group::Film, means("orbital speed of rolling times the time from ψ = 90° to 270°, less 180°, mean over the balls; with `[film]`", part(quantity("half_turn_lag_deg", "deg", "lag of the balls over the half orbit away from the load", Run(|r| half_turn(r, |lag| lag.to_degrees())))))),
     group(Group::Film, means("2/π times that lag: by film, weight, contact angles and contacts of the balls together; none where that is all of it; `design` has the part of the film", part(quantity("half_turn_deficit_fraction", "", "share of its speed that a ball loses over that half orbit", Run(|r| half_turn(r, deficit)))))),
-    group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_pa * 1e-6)))))),
-    group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_pa * 1e-6)))))),
-    group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_pa * 1e-6)))))),
+    group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Run(|r| of_summary(r, |s| pressure_mpa(&s.peaks.inner))))))),
+    group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Run(|r| of_summary(r, |s| pressure_mpa(&s.peaks.outer))))))),
+    group(Group::Pressure, means(HERTZ_PRESSURE, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Run(|r| of_summary(r, |s| pressure_mpa(&s.peaks.balls))))))),
     group(Group::Pressure, quantity("inner_force_max_n", "N", "largest force at the inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.force_n)))),
     group(Group::Pressure, quantity("outer_force_max_n", "N", "largest force at the outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.force_n)))),
     group(Group::Pressure, quantity("ball_force_max_n", "N", "largest force between balls", Run(|r| of_summary(r, |s| s.peaks.balls.force_n)))),
-    group(Group::Pressure, means(PRESSURE_VELOCITY, quantity("inner_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_velocity_pa_m_s * 1e-6))))),
-    group(Group::Pressure, means(PRESSURE_VELOCITY, quantity("outer_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_velocity_pa_m_s * 1e-6))))),
-    group(Group::Pressure, means(PRESSURE_VELOCITY, quantity("ball_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_velocity_pa_m_s * 1e-6))))),
+    group(Group::Pressure, means(PRESSURE_VELOCITY, quantity("inner_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, inner raceway", Run(|r| of_summary(r, |s| pressure_velocity_mpa_m_s(&s.peaks.inner)))))),
+    group(Group::Pressure, means(PRESSURE_VELOCITY, quantity("outer_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, outer raceway", Run(|r| of_summary(r, |s| pressure_velocity_mpa_m_s(&s.peaks.outer)))))),
+    group(Group::Pressure, means(PRESSURE_VELOCITY, quantity("ball_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, ball on ball", Run(|r| of_summary(r, |s| pressure_velocity_mpa_m_s(&s.peaks.balls)))))),
     group(Group::Displacement, unless_zero(quantity("ring_x_mean_um", "um", "mean displacement of the inner ring, x", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))))),
     group(Group::Displacement, quantity("ring_y_mean_um", "um", "mean displacement of the inner ring, y", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6)))),
     group(Group::Displacement, quantity("ring_z_mean_um", "um", "mean displacement of the inner ring, z", Run(|r| of_space(r, |s| s.ring_z_mean_m * 1e6)))),
@@ -161,6 +161,14 @@ fn of_space(run: &Finished<'_>, value: fn(&SpatialSummary) -> f64) -> Cell {
 fn of_rows(run: &Finished<'_>, values: fn(&SpatialSummary) -> Vec<f64>) -> Cell {
     let values = run.summary.and_then(|s| s.space.as_ref()).map(values);
     values.map_or(Cell::Null, Cell::Numbers)
+}
+
+fn pressure_mpa(peak: &ContactPeak) -> f64 {
+    peak.pressure_pa * 1e-6
+}
+
+fn pressure_velocity_mpa_m_s(peak: &ContactPeak) -> f64 {
+    peak.pressure_velocity_pa_m_s * 1e-6
 }
 
 fn of_summary(run: &Finished<'_>, value: fn(&Summary) -> f64) -> Cell {

@@ -1,6 +1,8 @@
 //! Results of a search for a raceway.
 
-use cageless::design::search::{Cause, MapCell, SpeedMap};
+use cageless::design::search::{
+    AxialSeparation, Cause, ClosedForms, Evaluation, MapCell, PairSeparation, SpeedMap,
+};
 
 use crate::cell::Cell;
 use crate::declare::*;
@@ -49,8 +51,9 @@ pub const STRUCTURE: &[Quantity] = &[
         _ => String::new(),
     })))),
     part(flag("on_front", "on the Pareto front", Structure(|e| flagged(Some(e.on_front))))),
-    part(means(BETA0_SEARCHED, quantity("beta0_deg", "deg", "β0, Eq. (11)", Structure(|e| e.forms.map(|f| f.theoretical_gap_rad.to_degrees()).into())))),
-    part(quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Structure(|e| e.forms.map(|f| f.steady_gap_rad.to_degrees()).into()))),
+    part(means(BETA0_SEARCHED, quantity("beta0_deg", "deg", "β0, Eq. (11)", Structure(|e| closed_deg(e, |f| f.theoretical_gap_rad))))),
+    part(means("of a free ball on a plain ring at rest; part of the steady-state gap; with `[film]`", quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit", Structure(|e| e.forms.map(|f| f.film_lag_rad.to_degrees()).filter(|lag| *lag != 0.0).into())))),
+    part(quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Structure(|e| closed_deg(e, |f| f.steady_gap_rad)))),
 ];
 
 /// A structure at an operating point.
@@ -60,9 +63,9 @@ pub const STRUCTURE_AT: &[Quantity] = &[
     part(means("steady-state gap less critical gap", high(quantity("margin_deg", "deg", "gap reserve", StructureAt(|a| at(a, |s, steady| (steady - s.critical_gap_rad).to_degrees())))))),
     part(low(quantity("slip_shortfall", "", "sliding lowers the critical gap, fraction of β0", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.shortfall).into())))),
     part(low(quantity("pressure_mpa", "MPa", "peak contact pressure at rest, outer raceway", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.stress_pa * 1e-6).into())))),
-    part(means("by rolling at the contact angle of the load", high(quantity("axial_lag_rolling_fraction", "", "lag left under the largest axial load, by rolling", StructureAt(|a| a.evaluation.axial.get(a.point).map(|s| s.rolling_fraction).into()))))),
-    part(means("of the structures on the front, in space", high(quantity("axial_lag_fraction", "", "lag left under the largest axial load", StructureAt(|a| a.evaluation.axial.get(a.point).and_then(|s| s.fraction()).into()))))),
-    part(means("in space", high(quantity("axial_lag_deg", "deg", "lag per pass under the largest axial load", StructureAt(|a| a.evaluation.axial.get(a.point).and_then(|s| s.lags_rad).map(|[_, under]| under.to_degrees()).into()))))),
+    part(means("by rolling at the contact angle of the load", high(quantity("axial_lag_rolling_fraction", "", "lag left under the largest axial load, by rolling", StructureAt(|a| axial(a, |s| Some(s.rolling_fraction))))))),
+    part(means("of the structures on the front, in space", high(quantity("axial_lag_fraction", "", "lag left under the largest axial load", StructureAt(|a| axial(a, AxialSeparation::fraction)))))),
+    part(means("in space", high(quantity("axial_lag_deg", "deg", "lag per pass under the largest axial load", StructureAt(|a| axial(a, |s| s.lags_rad.map(|[_, under]| under.to_degrees()))))))),
 ];
 
 /// Runs of all balls from uneven initial states.
@@ -146,6 +149,18 @@ fn at(at: &AtPoint<'_>, of: fn(&PairSeparation, f64) -> f64) -> Cell {
     at.evaluation.spacing[at.point]
         .map(|s| of(&s, steady))
         .into()
+}
+
+/// An angle of the closed forms of a structure.
+fn closed_deg(evaluation: &Evaluation, angle_rad: fn(&ClosedForms) -> f64) -> Cell {
+    let forms = evaluation.forms.as_ref();
+    forms.map(|forms| angle_rad(forms).to_degrees()).into()
+}
+
+/// What the largest axial load leaves, where there is one.
+fn axial(at: &AtPoint<'_>, left: fn(&AxialSeparation) -> Option<f64>) -> Cell {
+    let separation = at.evaluation.axial.get(at.point);
+    separation.and_then(left).into()
 }
 
 fn grid(map: &SpeedMap, of: fn(&MapCell) -> Cell) -> Cell {

@@ -7,7 +7,7 @@ use cageless::RacewayContact;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::film::FilmAtRest;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
-use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
+use cageless::rating::{EquivalentLoad, LubricatedRating, PassingFrequencies, Rating, SkfFriction};
 use cageless::{ClearanceRange, OperatingClearance};
 
 use crate::Solved;
@@ -37,8 +37,8 @@ pub const STATIC: &[Quantity] = &[
     group(Group::Pressure, quantity("outer_force_max_n", "N", "largest force at the outer raceway", Static(|s| some(largest(&s.equilibrium.outer_force_n))))),
     group(Group::Pressure, integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count())))),
 
-    group(Group::Life, means("P of the external radial and axial load, with X, Y and e of the standard", low(quantity("equivalent_load_n", "N", "equivalent dynamic radial load P (ISO 281)", Static(|s| s.rating.equivalent.map(|load| load.dynamic_n).into()))))),
-    group(Group::Safety, means("P0 of the external radial and axial load, with X0 and Y0 of the standard", low(quantity("equivalent_static_load_n", "N", "equivalent static radial load P0 (ISO 76)", Static(|s| s.rating.equivalent.map(|load| load.static_n).into()))))),
+    group(Group::Life, means("P of the external radial and axial load, with X, Y and e of the standard", low(quantity("equivalent_load_n", "N", "equivalent dynamic radial load P (ISO 281)", Static(|s| equivalent(s, |load| load.dynamic_n)))))),
+    group(Group::Safety, means("P0 of the external radial and axial load, with X0 and Y0 of the standard", low(quantity("equivalent_static_load_n", "N", "equivalent static radial load P0 (ISO 76)", Static(|s| equivalent(s, |load| load.static_n)))))),
     group(Group::Safety, high(quantity("static_safety_factor", "", "static safety factor s0 = C0r/P0 (ISO 76)", Static(|s| s.rating.static_safety_factor.into())))),
     group(Group::Safety, high(quantity("pressure_safety", "", "load factor until 4200 MPa", Static(|s| s.rating.pressure_safety.into())))),
     file_only(text("assembly", "way of assembly", Static(|s| Cell::Text(s.case.bearing.assembly().name().to_owned())))),
@@ -129,9 +129,9 @@ pub const LUBRICATION: &[Quantity] = &[
     group(Group::Life, means("aISO L10r, with aISO at the load of the basic reference rating life", part(high(quantity("l10mr_mrev", "Mrev", "modified reference rating life L10mr (ISO 16281)", Static(|s| lubricated(s, |l| l.l10mr_mrev))))))),
     group(Group::Life, part(high(quantity("l10mr_h", "h", "modified reference rating life L10mr at the speed of the case", Static(|s| hours(s, s.lubricated.and_then(|l| l.l10mr_mrev))))))),
     group(Group::Safety, means("below which balls may slide, by SKF's rule for deep groove ball bearings with a cage", part(quantity("minimum_radial_load_n", "N", "minimum radial load (SKF)", Static(|s| lubricated(s, |l| l.minimum_radial_load_n)))))),
-    group(Group::Friction, means("φish φrs Mrr of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_rolling_torque_n_m", "N m", "rolling friction torque (SKF)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.rolling_n_m)))))))),
-    group(Group::Friction, means("Msl of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_sliding_torque_n_m", "N m", "sliding friction torque (SKF)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.sliding_n_m)))))))),
-    group(Group::Friction, means("of SKF's model, without seals and drag; next to the friction of the motion and no part of it", part(low(quantity("skf_model_torque_n_m", "N m", "friction torque (SKF model)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.torque_n_m())))))))),
+    group(Group::Friction, means("φish φrs Mrr of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_rolling_torque_n_m", "N m", "rolling friction torque (SKF)", Static(|s| skf(s, |f| f.rolling_n_m))))))),
+    group(Group::Friction, means("Msl of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_sliding_torque_n_m", "N m", "sliding friction torque (SKF)", Static(|s| skf(s, |f| f.sliding_n_m))))))),
+    group(Group::Friction, means("of SKF's model, without seals and drag; next to the friction of the motion and no part of it", part(low(quantity("skf_model_torque_n_m", "N m", "friction torque (SKF model)", Static(|s| skf(s, SkfFriction::torque_n_m))))))),
     group(Group::Friction, part(low(quantity("skf_model_power_w", "W", "power loss (SKF model)", Static(|s| s.lubricated.and_then(|l| l.skf_friction).map(|f| f.torque_n_m() * s.case.operation.inner_speed_rad_s.abs()).into()))))),
 ];
 
@@ -149,11 +149,11 @@ pub const FILM: &[Quantity] = &[
     group(Group::Film, means("elastic hysteresis of the steel, part of `rolling_resistance_torque_n_m`; with `film.hysteresis`", part(low(quantity("hysteresis_torque_n_m", "N m", "  part of hysteresis", Static(|s| s.film.as_ref().and_then(|f| f.hysteresis_torque_n_m).into())))))),
     group(Group::Film, means("that torque times the speed of the inner ring", part(low(quantity("rolling_resistance_power_w", "W", "power of rolling resistance", Static(|s| film(s, |f| f.power_w))))))),
     group(Group::Film, means("over which the outer raceway alone carries a ball, from the place of the ring", part(quantity("free_arc_deg", "deg", "angle without inner contact", Static(|s| film(s, |f| f.free_arc_rad.to_degrees())))))),
-    group(Group::Film, means("against rolling, over the angle without inner contact", part(quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit", Static(|s| film(s, |f| f.arc.lag_rad.to_degrees())))))),
-    group(Group::Film, means("by the film alone, of a ball that the outer raceway alone carries; balls queue from some 1.3 times `free_share` on, never below 1.1", part(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses by the film", Static(|s| film(s, |f| f.arc.speed_deficit)))))),
+    group(Group::Film, means("against rolling, over the angle without inner contact", part(quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit", Static(|s| film(s, |f| f.lag_rad.to_degrees())))))),
+    group(Group::Film, means("by the film alone, of a ball that the outer raceway alone carries; balls queue from some 1.3 times `free_share` on, never below 1.1", part(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses by the film", Static(|s| film(s, |f| f.speed_deficit)))))),
     group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone; none without one, and of a ball that stops", part(quantity("film_opening_gap_deg", "deg", "gap that the film opens", Static(|s| film(s, |f| f.opening_gap_rad.to_degrees())))))),
     group(Group::Film, means("of the pitch circle, 1 − N ε/360°", part(quantity("free_share", "", "share that balls leave free", Static(|s| film(s, |f| f.free_share)))))),
-    means("of the fit of the rolling force, with the factor, of the contact furthest outside; none within", part(text("film_range_exceeded", "range exceeded", Static(|s| s.film.as_ref().and_then(FilmAtRest::exceeded).map_or(Cell::Null, |beyond| Cell::Text(beyond.to_string())))))),
+    means("of the fit of the rolling force, with the factor, of the contact furthest outside; none within", part(text("film_range_exceeded", "range exceeded", Static(|s| s.film.as_ref().and_then(FilmAtRest::range_exceeded).map_or(Cell::Null, Cell::Text))))),
     column("Λi", part(list("inner_film_parameter", "", "film parameter Λ, inner raceway", Static(|s| films(s, FilmAtRest::inner_film_parameters))))),
     column("Λo", part(list("outer_film_parameter", "", "film parameter Λ, outer raceway (the lesser of two contact points on a discrete raceway)", Static(|s| films(s, FilmAtRest::outer_film_parameters))))),
 ];
@@ -240,6 +240,17 @@ fn end_um(solved: &Solved<'_>, value: fn(&ClearanceRange) -> f64) -> Cell {
 
 fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {
     s.lubricated.as_ref().and_then(value).into()
+}
+
+/// A torque of SKF's model, where it has one.
+fn skf(s: &Solved<'_>, torque_n_m: fn(&SkfFriction) -> f64) -> Cell {
+    let friction = s.lubricated.as_ref().and_then(|l| l.skf_friction.as_ref());
+    friction.map(torque_n_m).into()
+}
+
+/// An equivalent load of the external ones, where there is one.
+fn equivalent(s: &Solved<'_>, load_n: fn(&EquivalentLoad) -> f64) -> Cell {
+    s.rating.equivalent.as_ref().map(load_n).into()
 }
 
 fn film(s: &Solved<'_>, value: impl Fn(&FilmAtRest) -> f64) -> Cell {

@@ -40,10 +40,10 @@ pub use axial::{
 };
 pub use contact_angle::{ContactAngleEstimate, seats};
 pub(crate) use contact_angle::{kinematic_gap_rad, kinematic_lag_rad, rolling_lag_fraction};
-pub(crate) use criterion::{AXIAL_LAG, LAG, PRESSURE_AT_REST};
-pub use criterion::{
-    BOTH_NEIGHBOURS, CauseKind, Criterion, DECELERATION, Requirement, SEPARATION, STEADY_GAP,
-};
+#[cfg(test)]
+pub(crate) use criterion::DECELERATION;
+pub(crate) use criterion::{AXIAL_LAG, BOTH_NEIGHBOURS, LAG, PRESSURE_AT_REST, SEPARATION};
+pub use criterion::{CauseKind, Criterion, Requirement, STEADY_GAP};
 use criterion::{IN_OIL, OF_SEARCH, RETAINED_GAP, STEADY_GAP_MAX, THEORETICAL_GAP};
 pub use estimate::{Estimate, EstimateTerm};
 pub use film_evidence::FilmEvidence;

@@ -30,7 +30,7 @@ pub(crate) struct FreeBall {
 
 /// Motion of a free ball over an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FreeArc {
+pub(crate) struct FreeArc {
     /// Angle by which it falls behind one that keeps its speed.
     pub lag_rad: f64,
     /// Share of its speed that it loses; 1 of a ball that stops.

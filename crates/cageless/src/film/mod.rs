@@ -36,14 +36,12 @@ use crate::limits::{from_to, require};
 pub(crate) use contact::LubricatedContact;
 pub(crate) use curve::{RollingCurve, RollingCurveLanes};
 pub(crate) use curve_polynomial::CurvePolynomial;
-pub use free_arc::FreeArc;
 #[cfg(test)]
 pub(crate) use free_arc::FreeBall;
 pub(crate) use groove_curves::GrooveCurves;
 pub(crate) use groove_traction::GrooveFilms;
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K};
-pub use range::RangeExceeded;
 pub use rest::FilmAtRest;
 pub(crate) use rolling_force::Rolling;
 pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};

@@ -17,7 +17,7 @@ const THICKNESS: f64 = 1e-3;
 
 /// Parameter outside the range of the fit of the rolling force (Biboulet & Houpert).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RangeExceeded {
+pub(crate) struct RangeExceeded {
     /// U, κW, κ or h_c/R_x.
     pub parameter: &'static str,
     /// Value over the limit that it exceeds: above 1 beyond the upper, below 1 beyond the lower one.

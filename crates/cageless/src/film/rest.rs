@@ -2,7 +2,7 @@
 
 use super::Film;
 use super::contact::LubricatedContact;
-use super::free_arc::{FreeArc, FreeBall};
+use super::free_arc::FreeBall;
 use super::hysteresis::{Hysteresis, moment_n_m};
 use super::range::RangeExceeded;
 use super::rolling_ball::{RollingBall, RollingFlank};
@@ -69,8 +69,10 @@ pub struct FilmAtRest {
     pub overcome_balls: usize,
     /// Angle over which the outer raceway alone carries a ball, rad, of the row where it is largest.
     pub free_arc_rad: f64,
-    /// What the film takes from a ball there.
-    pub arc: FreeArc,
+    /// Angle by which a ball falls behind there by the film, rad; infinite where it stops.
+    pub lag_rad: f64,
+    /// d, share of its speed that it loses there; 1 of a ball that stops.
+    pub speed_deficit: f64,
     /// g_f, gap that opens behind a ball that enters the load zone, rad; NaN of a ball that stops, and without a load
     /// zone.
     pub opening_gap_rad: f64,
@@ -128,7 +130,8 @@ impl FilmAtRest {
             overcome_balls,
             free_arc_rad,
             opening_gap_rad,
-            arc,
+            lag_rad: arc.lag_rad,
+            speed_deficit: arc.speed_deficit,
             free_share: free_share(bearing),
             roughness_m: film.roughness_m,
         })
@@ -194,8 +197,14 @@ impl FilmAtRest {
         shares.fold(0.0, f64::max)
     }
 
+    /// Parameter of the contact furthest outside the range of the fit with its factor, such as `U × 2.600`; `None`
+    /// within.
+    pub fn range_exceeded(&self) -> Option<String> {
+        self.exceeded().map(|exceeded| exceeded.to_string())
+    }
+
     /// Parameter of any contact furthest outside the range of the fit.
-    pub fn exceeded(&self) -> Option<RangeExceeded> {
+    pub(crate) fn exceeded(&self) -> Option<RangeExceeded> {
         let all = self.loaded().filter_map(|film| film.exceeded);
         all.max_by(|a, b| a.distance().total_cmp(&b.distance()))
     }
@@ -214,8 +223,8 @@ impl FilmAtRest {
 
     /// Warnings: a contact outside the range of the fit, and balls that queue.
     pub fn warnings(&self) -> Vec<String> {
-        let [lost, free] = [self.arc.speed_deficit, self.free_share].map(|share| 100.0 * share);
-        let queue = (self.arc.speed_deficit > self.queue_deficits()[0]).then(|| {
+        let [lost, free] = [self.speed_deficit, self.free_share].map(|share| 100.0 * share);
+        let queue = (self.speed_deficit > self.queue_deficits()[0]).then(|| {
             format!(
                 "film: balls may queue, as the oil takes {lost:.1} % of the speed of a free ball and they leave {free:.1} % \
                  of the pitch circle free; slowed balls then hit each other all the time"

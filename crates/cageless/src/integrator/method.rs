@@ -6,7 +6,7 @@ use super::system::System;
 
 /// Names, order, stability and automatic step of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Properties {
+pub(crate) struct Properties {
     /// Name in files.
     pub name: &'static str,
     /// Name below figures.

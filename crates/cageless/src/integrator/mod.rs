@@ -1,7 +1,7 @@
 //! Integration of ordinary differential equations. Nothing here knows of bearings.
 //!
 //! A method is one file: a struct that implements [`Method::perform_step`] on a [`StepState`]. One
-//! that a case can name has a row of [`Properties`] (`NamedMethod`) and a line in the list at the
+//! that a case can name has a row of `Properties` (`NamedMethod`) and a line in the list at the
 //! end of this file. The example `own_integrator` has a method of a user's own.
 //!
 //! ```
@@ -23,7 +23,8 @@ mod step_state;
 mod system;
 pub(crate) mod tableau;
 
-pub use method::{Method, Properties};
+pub use method::Method;
+pub(crate) use method::Properties;
 
 pub(crate) use method::NamedMethod;
 pub use runge_kutta::UnresolvedStep;
@@ -98,8 +99,18 @@ macro_rules! named_methods {
             pub const NAMES: &'static [(&'static str, Self)] =
                 &[$((<$method as NamedMethod>::PROPERTIES.name, Self::$method)),*];
 
+            /// Name in files.
+            pub fn name(self) -> &'static str {
+                self.properties().name
+            }
+
+            /// Name below figures.
+            pub fn label(self) -> &'static str {
+                self.properties().label
+            }
+
             /// Names, order, stability and automatic step.
-            pub fn properties(self) -> Properties {
+            pub(crate) fn properties(self) -> Properties {
                 match self { $(Self::$method => <$method as NamedMethod>::PROPERTIES,)* }
             }
         }

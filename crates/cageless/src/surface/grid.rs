@@ -27,28 +27,26 @@ pub struct GridRow {
     slot: Option<(Recess, [Edge; 2])>,
 }
 
-crate::named_enum! {
-    /// What a point of a row is.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum PointKind {
-        /// Where a ball that rests in the groove touches.
-        Contact = "contact",
-        /// The groove.
-        Surface = "surface",
-        /// The rounded edge of a slot.
-        Edge = "edge",
-        /// Its wall.
-        Wall = "wall",
-        /// Its floor.
-        Floor = "floor",
-    }
+/// What a point of a row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PointKind {
+    /// Where a ball that rests in the groove touches.
+    Contact,
+    /// The groove.
+    Surface,
+    /// The rounded edge of a slot.
+    Edge,
+    /// Its wall.
+    Wall,
+    /// Its floor.
+    Floor,
 }
 
 /// A point of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GridPoint {
     /// What it is.
-    pub kind: PointKind,
+    pub(crate) kind: PointKind,
     /// Side of the ridge or of the middle of the slot.
     pub side: Side,
     /// η, angle of the normal in the section from the inward radius, towards −z: at the centre of an arc of
@@ -58,6 +56,19 @@ pub struct GridPoint {
     pub angle_rad: f64,
     /// Place and normal.
     pub point: SurfacePoint,
+}
+
+impl GridPoint {
+    /// Part of the surface that it lies on, by name: `contact`, `surface`, `edge`, `wall` or `floor`.
+    pub fn kind_name(&self) -> &'static str {
+        match self.kind {
+            PointKind::Contact => "contact",
+            PointKind::Surface => "surface",
+            PointKind::Edge => "edge",
+            PointKind::Wall => "wall",
+            PointKind::Floor => "floor",
+        }
+    }
 }
 
 impl Grid {

@@ -72,7 +72,9 @@ pub use measured_raceway::{MeasuredFlank, MeasuredRaceway};
 
 pub use conformity::Conformity;
 pub use drawn_groove::DrawnGroove;
-pub use grid::{Grid, GridPoint, GridRow, PointKind};
+#[cfg(test)]
+pub(crate) use grid::PointKind;
+pub use grid::{Grid, GridPoint, GridRow};
 pub use measured_groove::MeasuredGroove;
 pub use measured_ring::{MeasuredRing, PointOff};
 pub use measured_value::MeasuredValue;

@@ -40,7 +40,7 @@ fn at_rest_as_in_the_plane() {
             (torques_n_m[0], torques_n_m[1]),
             (plane.power_w, space.power_w),
             (plane.free_arc_rad, space.free_arc_rad),
-            (plane.arc.lag_rad, space.arc.lag_rad),
+            (plane.lag_rad, space.lag_rad),
             (plane.thickness_mean_m(), space.thickness_mean_m()),
         ] {
             assert!((a / b - 1.0).abs() < 2e-3, "{a} {b}");
@@ -57,7 +57,7 @@ fn power_under_axial_load() {
     case.operation.gravity_m_s2 = 0.0;
     let film = at_rest(&case);
     assert_eq!(film.free_arc_rad, 0.0);
-    assert_eq!(film.arc.speed_deficit, 0.0);
+    assert_eq!(film.speed_deficit, 0.0);
     let settled = equilibrium::settle(&case).unwrap();
     let (bearing, d) = (&case.bearing, case.bearing.dimensions());
     let [inner_rad, outer_rad] = [

@@ -1,8 +1,8 @@
+use cageless::design::STEADY_GAP;
 use cageless::design::search::{
     Cause, ClosedForms, MapCell, Motion, PairSeparation, RacewayLayout, Rejection, Request, Role,
     Statistics,
 };
-use cageless::design::{BOTH_NEIGHBOURS, SEPARATION};
 use cageless_io::case_file::template;
 use cageless_results::Cell;
 
@@ -55,7 +55,7 @@ fn found() -> (CaseFile, Found) {
     let mut rejected = evaluation(3.0, None);
     rejected.placement = 1;
     rejected.rejection = Some(Rejection {
-        cause: Cause::Missed(SEPARATION.of(0.09)),
+        cause: Cause::Missed(STEADY_GAP.of(0.72)),
         point: Some(1),
         bunched: false,
     });
@@ -179,9 +179,9 @@ fn structures_have_every_number_in_its_unit() {
     assert_eq!(status(0), ("accepted", Some(true)));
     assert_eq!(status(2), ("rejected", Some(false)));
     assert_eq!(status(3), ("left out", None));
-    assert_eq!(band[2].text("reason"), "slips");
+    assert_eq!(band[2].text("reason"), "insufficient-separation");
     assert!(
-        band[2].text("why").contains("9.0 %"),
+        band[2].text("why").contains("72.0 %"),
         "{}",
         band[2].text("why")
     );
@@ -240,7 +240,7 @@ fn maps_and_places_are_those_of_their_cells_and_structures() {
     let excluded: Vec<(&str, f64)> = excluded
         .map(|r| (r.text("reason"), r.number("count")))
         .collect();
-    assert_eq!(excluded, [("eq-8", 2.0), ("slips", 1.0)]);
+    assert_eq!(excluded, [("eq-8", 2.0), ("insufficient-separation", 1.0)]);
 
     let [one, two] = data.parts("placements") else {
         panic!("{:?}", data.parts("placements"))
@@ -309,7 +309,7 @@ fn candidates_that_are_not_confirmed_are_named() {
     let mut failed = found.confirmed[0].clone();
     failed.role = Role::Unconfirmed;
     failed.evaluation.rejection = Some(Rejection {
-        cause: Cause::Missed(BOTH_NEIGHBOURS.of(0.338)),
+        cause: Cause::Missed(STEADY_GAP.of(1.338)),
         point: Some(1),
         bunched: true,
     });
@@ -319,9 +319,9 @@ fn candidates_that_are_not_confirmed_are_named() {
     let unconfirmed = &data.parts("unconfirmed")[0];
     assert_structure(unconfirmed, 6.0);
     let judged = ["status", "reason"].map(|name| unconfirmed.text(name));
-    assert_eq!(judged, ["rejected", "double-collision"]);
-    let named = "lC 5.060 mm, θ 26.00° at ψ = 0°, 30°, 33.8 % of the passages have a double collision (limit \
-                 25 %, missed by 8.8 percentage points) from a bunched start at 9549 rpm, 70 N";
+    assert_eq!(judged, ["rejected", "excessive-separation"]);
+    let named = "lC 5.060 mm, θ 26.00° at ψ = 0°, 30°, the critical gap is 133.8 % of the steady-state gap (80 to \
+                 100 % needed, missed by 33.8 percentage points) from a bunched start at 9549 rpm, 70 N";
     let sentence = &data.sentences("findings")[2];
     assert!(
         sentence.starts_with("Better rated, but rejected by the same starts: lC"),
@@ -336,8 +336,8 @@ fn candidates_that_are_not_confirmed_are_named() {
     let starts = "12 random starts and a bunched one";
     let said = format!(
         "no raceway is recommended: 3 raceways meet every requirement from 3 random starts, but \
-         the best fails from {starts}: {named}. The initial design is acceptable. To change: a lower speed, or balls \
-         with more room (bearing.balls); or more starts for each raceway (search.initial_states)."
+         the best fails from {starts}: {named}. The initial design is acceptable. To change: a lower speed or a \
+         higher load, with which shallower raceways space the balls; or more starts for each raceway (search.initial_states)."
     );
     assert_eq!(sentence, &said);
 }
@@ -366,7 +366,7 @@ fn findings_are_plain() {
         "2 raceways meet every requirement from 3 random starts; the recommended"
     ));
     let reasons = "Reasons against other raceways, with their number: wider than the groove (Zhao 2022, Eq. (8)) (2); \
-                   balls slide too much to leave at the full distance (1).";
+                   too shallow: balls leave too close together (1).";
     assert!(has(&all, reasons), "{all:?}");
     assert!(!has(&all, "a run stopped") && !has(&all, "leave 4 raceways"));
     // Without any reason there is no sentence for them, and narrow ranges are named.

@@ -6,7 +6,7 @@ use super::requirement::{Bound, CauseKind, Requirement};
 /// Fraction of the passages in which both neighbours hit. In the `paper` formulation those of the paper's ten
 /// structures with two collisions lie well above the limit, the others well below; in `physical`, (c) falls
 /// below.
-pub static BOTH_NEIGHBOURS: Requirement = Requirement {
+pub(crate) static BOTH_NEIGHBOURS: Requirement = Requirement {
     name: "both-neighbours",
     most: Some(Bound {
         limit: 0.25,

@@ -5,7 +5,7 @@ use super::requirement::{Bound, CauseKind, Requirement};
 
 /// Fraction of the theoretical drop of orbital speed that balls reach: with less they slide over the raceway, and
 /// its critical gap means nothing.
-pub static DECELERATION: Requirement = Requirement {
+pub(crate) static DECELERATION: Requirement = Requirement {
     name: "deceleration",
     least: Some(Bound {
         limit: 0.8,

@@ -13,13 +13,13 @@ mod steady_gap;
 use super::raceway_verdict::RacewayVerdict;
 use requirement::Bound;
 
-pub use both_neighbours::BOTH_NEIGHBOURS;
-pub use deceleration::DECELERATION;
+pub(crate) use both_neighbours::BOTH_NEIGHBOURS;
+pub(crate) use deceleration::DECELERATION;
 pub(crate) use film::{FILM_OUTWEIGHS, FILM_QUEUE};
 pub(crate) use lag::{AXIAL_LAG, LAG};
 pub(crate) use pressure::{PEAK_PRESSURE, PRESSURE_AT_REST};
 pub use requirement::{CauseKind, Requirement};
-pub use separation::SEPARATION;
+pub(crate) use separation::SEPARATION;
 pub use steady_gap::STEADY_GAP;
 
 pub(super) use retained_gap::RETAINED_GAP;
@@ -42,13 +42,13 @@ pub(super) static OF_SEARCH: [&Requirement; 9] = [
 /// margins are fractions of 1, pressures those of the 4200 MPa of ISO 76.
 ///
 /// ```
-/// use cageless::design::DECELERATION;
+/// use cageless::design::STEADY_GAP;
 ///
-/// let reached = DECELERATION.of(0.76);
-/// assert!(!reached.is_met());
+/// let gap = STEADY_GAP.of(0.76);
+/// assert!(!gap.is_met());
 /// assert_eq!(
-///     reached.to_string(),
-///     "balls reach 76.0 % of the kinematic deceleration (80 % needed, missed by 4.0 percentage points)"
+///     gap.to_string(),
+///     "the critical gap is 76.0 % of the steady-state gap (80 to 100 % needed, missed by 4.0 percentage points)"
 /// );
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@ use super::requirement::{Bound, CauseKind, Requirement};
 /// Fraction of β0 (Zhao 2022, Eq. (11)) by which a critical gap falls short of it. In the `paper` formulation
 /// those of the paper's ten structures that it calls slipping lose 9 % and more, the others 3 % at most; the
 /// `physical` formulation, where balls slip earlier, adds (f).
-pub static SEPARATION: Requirement = Requirement {
+pub(crate) static SEPARATION: Requirement = Requirement {
     name: "separation",
     most: Some(Bound {
         limit: 0.05,

@@ -31,7 +31,7 @@ pub(super) fn film_lag_rad(case: &Case, point: &OperatingPoint) -> f64 {
     let film = settle(&plain)
         .ok()
         .and_then(|rest| FilmAtRest::new(&plain, &rest));
-    film.map_or(f64::NAN, |film| film.arc.lag_rad)
+    film.map_or(f64::NAN, |film| film.lag_rad)
 }
 
 impl Request {
