@@ -13,6 +13,7 @@ use cageless_results::{DESIGN, Record, Results, Subject, static_record};
 use serde_json::{Value, json};
 
 use crate::motion::{DEGREES, rounded};
+use crate::plain_film::plain_film;
 use crate::refusal::Refusal;
 
 /// Points along a raceway, from end to end and a fifth of θ beyond.
@@ -98,6 +99,10 @@ fn settled(
     let estimate = match case.has_elastic_flanks() {
         true => Estimate::elastic(case, &seats(case, &mut ask)?, Some(&solved.rest)),
         false => Estimate::new(case, &solved.rest),
+    };
+    let estimate = match plain_film(case, &mut ask)? {
+        Some(film) => estimate.in_oil(case, &film),
+        None => estimate,
     };
     Ok((static_record(case, file.particulars(), &solved), estimate))
 }

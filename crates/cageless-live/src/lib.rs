@@ -18,6 +18,7 @@ mod geometry;
 mod keys;
 mod map;
 mod motion;
+mod plain_film;
 mod ranges;
 mod refusal;
 mod request;

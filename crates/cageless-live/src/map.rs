@@ -3,11 +3,13 @@
 use cageless::Case;
 use cageless::design::{Eq11, Estimate, seats, theoretical_gap_rad};
 use cageless::equilibrium::{EquilibriumError, settle_controlled};
+use cageless::film::FilmAtRest;
 use cageless::simulation::Control;
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, Change};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
+use crate::plain_film::plain_film;
 use crate::ranges::{Span, possible};
 use crate::refusal::{Refusal, read};
 
@@ -51,6 +53,7 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
     let mut estimates = Estimates {
         common: of_raceway.then(|| base.case()),
         rests: None,
+        film: None,
     };
     let case = CaseDocument::parse(case, "case")?;
     let span = Span::of_key(&across.key, low, high)?;
@@ -100,14 +103,38 @@ struct Estimates<'a> {
     common: Option<&'a Case>,
     /// Where its balls rest, if anywhere; `None` before the first point.
     rests: Option<Option<Vec<[f64; 2]>>>,
+    /// Film on it, if it has one; `None` before the first point.
+    film: Option<Option<FilmAtRest>>,
 }
 
 impl Estimates<'_> {
-    /// The estimate of a point; `None` without equilibrium.
+    /// The estimate of a point, in oil where the case has a film; `None` without equilibrium.
     ///
     /// # Errors
     /// `control` ended the search.
     fn of(
+        &mut self,
+        case: &Case,
+        control: &mut dyn FnMut() -> Control,
+    ) -> Result<Option<Estimate>, EquilibriumError> {
+        let Some(estimate) = self.dry(case, control)? else {
+            return Ok(None);
+        };
+        if self.common.is_none() || self.film.is_none() {
+            self.film = Some(plain_film(case, control)?);
+        }
+        let film = self.film.as_ref().and_then(Option::as_ref);
+        Ok(Some(match film {
+            Some(film) => estimate.in_oil(case, film),
+            None => estimate,
+        }))
+    }
+
+    /// The estimate of a point without the lag of a film; `None` without equilibrium.
+    ///
+    /// # Errors
+    /// `control` ended the search.
+    fn dry(
         &mut self,
         case: &Case,
         control: &mut dyn FnMut() -> Control,

@@ -583,7 +583,13 @@ fn a_map_has_any_two_keys() {
 fn a_map_has_the_estimates_of_its_points() {
     let (spans, angles) = ([3.0, 5.1, 9.0], [20.0, 25.2, 89.5]);
     let conventional = template(true);
-    for case in [structure(5.1, 25.2), conventional] {
+    let oil = "\n[film]\nviscosity_mpa_s = 20\nviscosity_temperature_1_k = 0.035\nsupply = 1\n";
+    for (case, film) in [
+        (structure(5.1, 25.2), ""),
+        (conventional, ""),
+        (structure(5.1, 25.2), oil),
+    ] {
+        let (case, structure) = (case + film, |mm, deg| structure(mm, deg) + film);
         let map = good(&over_structures(&case, &spans, &angles));
         for (j, angle) in angles.into_iter().enumerate() {
             for (k, span) in spans.into_iter().enumerate() {
@@ -600,6 +606,11 @@ fn a_map_has_the_estimates_of_its_points() {
                 }
             }
         }
+        let outweighs = map["margins"]["film-outweighs"][1][1].as_f64();
+        assert_eq!(
+            outweighs.is_some_and(|margin| margin < 0.1),
+            !film.is_empty()
+        );
         assert!(map["beta0_deg"][1][2].is_null(), "9 mm is beyond Eq. (8)");
         let limit = map["possible"][1][0][1].as_f64().unwrap();
         assert!((7.39..7.4018).contains(&limit), "{limit}");

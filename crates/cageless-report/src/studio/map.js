@@ -11,6 +11,8 @@ const MAP_REGIONS = [
   ["lag", "the contact angle takes the lag", [0, 114, 178, 110]],
   ["both-neighbours", "too long: double collisions", [204, 121, 167, 120]],
   ["stress", "contact pressure too high", [213, 94, 0, 130]],
+  ["film-queue", "in oil: slowed balls queue", [0, 75, 60, 130]],
+  ["film-outweighs", "in oil: the film spaces the balls more", [120, 85, 40, 120]],
   ["unjudged", "no static equilibrium", [128, 128, 128, 60]],
   ["impossible", "impossible (hatched)", [128, 128, 128, 170]],
 ];

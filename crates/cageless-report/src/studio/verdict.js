@@ -8,10 +8,12 @@ const SIMULATED = {
   separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
   "both-neighbours": "passages with double collision", lag: "lag per pass, of that of rolling on rigid flanks",
   pressure: "contact pressure at rest, of 4200 MPa (ISO 76)", "steady-gap": "critical gap, of the gap outside the raceway (80 to 100 %)",
+  "film-queue": "speed lost to the film, of the free share", "film-outweighs": "gap that the film opens, of the critical gap",
 };
 const ESTIMATED = {
   separation: "β0 over the gap outside the raceway", depth: "the same, beyond which evenly spaced balls collide", sliding: "friction demand over that available",
   "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4200 MPa (ISO 76)", lag: "lag of rolling over that on rigid flanks",
+  "film-queue": "speed lost to the film over the free share", "film-outweighs": "gap that the film opens over β0",
 };
 
 class Verdict {

@@ -1,12 +1,13 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
+use super::criterion::{FILM_OUTWEIGHS, FILM_QUEUE, IN_OIL};
 use super::{
     Eq11, LAG, SEPARATION, STEADY_GAP, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad,
 };
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
-use crate::film::{LubricatedContact, MixedFriction, Rolling};
+use crate::film::{FilmAtRest, LubricatedContact, MixedFriction, Rolling};
 use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_rotation_rad_s};
 use crate::raceway::Raceway;
 
@@ -131,6 +132,49 @@ impl Estimate {
             at_least: false,
         }));
         Self { terms }
+    }
+
+    /// The estimate in oil, by its film on the plain ring at rest: the gap outside the raceways has the lag of a free
+    /// ball in it, and may be smaller than β0 by what it may be in a verdict with a film, which has limits of its own.
+    pub fn in_oil(mut self, case: &Case, film: &FilmAtRest) -> Self {
+        let steady = steady_gap_rad(&case.bearing, &case.raceways);
+        let in_oil = steady + film.lag_rad / case.bearing.balls() as f64;
+        let of_gaps = ["separation", "depth"];
+        let gaps = (self.terms.iter_mut()).filter(|term| of_gaps.contains(&term.name));
+        let mut beta0_rad = 0.0;
+        for term in gaps {
+            beta0_rad = term.value * steady;
+            term.value = beta0_rad / in_oil;
+            if !term.at_least {
+                term.limit *= IN_OIL[1];
+            }
+        }
+        if beta0_rad > 0.0 {
+            let mut most = |name, meaning, value, limit| {
+                self.terms.push(EstimateTerm {
+                    name,
+                    meaning,
+                    value,
+                    limit,
+                    at_least: false,
+                });
+            };
+            most(
+                "film-queue",
+                "speed that free balls lose to the film over the free share of the pitch circle",
+                film.speed_deficit / film.free_share,
+                FILM_QUEUE.limit(),
+            );
+            // Nothing opens where the film stops a ball, nor without a load zone.
+            let opening_gap_rad = Some(film.opening_gap_rad).filter(|gap| gap.is_finite());
+            most(
+                "film-outweighs",
+                "gap that the film opens over β0",
+                opening_gap_rad.unwrap_or(0.0) / beta0_rad,
+                FILM_OUTWEIGHS.limit(),
+            );
+        }
+        self
     }
 
     /// The terms.
@@ -296,6 +340,48 @@ mod tests {
             .find(|t| t.name == name)
             .unwrap()
             .value
+    }
+
+    /// The lag of a flooded film lowers β0 over the gap outside, as that of the verdict; thick oil outweighs the
+    /// raceway, and thicker makes balls queue.
+    #[test]
+    fn films_lag_in_the_estimate() {
+        let dry = structure(5.1, 25.2);
+        let rest = equilibrium::solve(&dry).unwrap();
+        let wet = |mpa_s: f64| {
+            let film = Some(Film::flooded(Oil::mineral(1e-3 * mpa_s, 0.035)));
+            let plain = Case {
+                film,
+                ..dry.conventional()
+            };
+            let film = FilmAtRest::new(&plain, &equilibrium::settle(&plain).unwrap()).unwrap();
+            (Estimate::new(&dry, &rest).in_oil(&dry, &film), film)
+        };
+        let of = |estimate: &Estimate, name: &str| {
+            *estimate.terms.iter().find(|t| t.name == name).unwrap()
+        };
+        let (estimate, film) = wet(5.0);
+        let steady = steady_gap_rad(&dry.bearing, &dry.raceways);
+        let wider = steady + film.lag_rad / 14.0;
+        for name in ["separation", "depth"] {
+            let [before, after] = [&Estimate::new(&dry, &rest), &estimate].map(|e| of(e, name));
+            assert!((before.value * steady - after.value * wider).abs() < 1e-12);
+            assert_eq!(
+                after.limit,
+                before.limit * if name == "depth" { 1.1 } else { 1.0 }
+            );
+        }
+        let missed = |mpa_s: f64| {
+            let estimate = wet(mpa_s).0;
+            let missed = estimate.terms.iter().filter(|term| term.margin() < 0.0);
+            missed.map(|term| term.name).collect::<Vec<_>>()
+        };
+        assert_eq!(missed(5.0), Vec::<&str>::new());
+        for (mpa_s, outweighs, queues) in [(30.0, true, false), (100.0, true, true)] {
+            let missed = missed(mpa_s);
+            let of = ["film-outweighs", "film-queue"].map(|name| missed.contains(&name));
+            assert_eq!(of, [outweighs, queues], "{mpa_s}: {missed:?}");
+        }
     }
 
     /// A film too thin to part the surfaces demands what asperities alone do; a full one leaves μ of the law out, and the
