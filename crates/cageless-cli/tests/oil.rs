@@ -99,6 +99,34 @@ fn a_step_too_long_for_the_friction_is_said_by_check() {
     assert!(!text.contains("too long for this friction law"), "{text}");
 }
 
+/// A step with which no run would close its energy balance is refused before anything is computed, with the value that
+/// is allowed; implicit friction takes it.
+#[test]
+fn a_step_too_long_for_rolling_contacts_is_refused() {
+    let case = repository_case("zhao-d.toml");
+    let sheared = [&OIL[..], &["film.traction=film", "solver.step_us=2"]].concat();
+    for sets in [&["contact.regularisation=kalker"][..], &sheared] {
+        for (command, more) in [
+            ("run", &[][..]),
+            ("compare", &["--with-conventional"]),
+            ("design", &["--search"]),
+            ("tolerance", &[]),
+        ] {
+            let answer = call_on(command, &case, sets, more);
+            assert_eq!(answer.code, Some(2), "{command}: {answer:?}");
+            for fragment in [
+                "solver.step_us = ",
+                "is not possible: it must be at most 0.",
+                "\"verlet\" treats it implicitly",
+            ] {
+                assert!(answer.stderr.contains(fragment), "{command}: {answer:?}");
+            }
+        }
+        let implicit = ["solver.method=verlet", "solver.duration_s=1e-3"];
+        said(&call_on("run", &case, &[sets, &implicit].concat(), &[]));
+    }
+}
+
 fn said(answer: &Answer) -> String {
     assert_eq!(answer.code, Some(0), "{answer:?}");
     format!("{}{}", answer.stdout, answer.stderr)

@@ -14,6 +14,7 @@ pub(crate) fn verdict(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Value, Refusal> {
     file.checked(|case| case.check_constant_operation("a verdict"))?;
+    file.checked(cageless::Case::check_run)?;
     let case = file.case();
     let judgement = judge(case, control)?;
     let worst = judgement

@@ -139,7 +139,7 @@ pub fn design(
     asked: Asked<'_>,
     progress: &dyn Progress,
 ) -> Result<Designed, StudyError> {
-    file.checked(Case::check_motion)?;
+    file.checked(Case::check_run)?;
     file.checked(|case| case.check_balanced("a verdict"))?;
     let case = file.case();
     progress.whole(&tasks(file, &asked, progress)?);

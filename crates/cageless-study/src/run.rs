@@ -144,6 +144,7 @@ pub fn run(
     options: Options<'_>,
     progress: &dyn Progress,
 ) -> Result<RunRecord, StudyError> {
+    file.checked(Case::check_run)?;
     let (case, particulars) = (file.case(), file.particulars());
     let recorded = options.rows.is_some();
     let mut summary = SummaryRecorder::new();

@@ -57,7 +57,7 @@ impl<'a> Sheet<'a> {
             ..Request::default()
         });
         if let Some(request) = &request {
-            file.checked(Case::check_motion)?;
+            file.checked(Case::check_run)?;
             request.check(case, name)?;
         }
         Ok(Self {

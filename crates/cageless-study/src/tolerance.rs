@@ -107,8 +107,8 @@ pub fn tolerance(
     progress: &dyn Progress,
 ) -> Result<ToleranceResult, StudyError> {
     file.checked(|case| case.check_balanced("`tolerance`"))?;
+    file.checked(Case::check_run)?;
     let case = file.case();
-    case.check_motion()?;
     let tolerances = request.check(case, name)?;
     let rings = request
         .benefit

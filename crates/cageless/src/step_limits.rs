@@ -30,6 +30,25 @@ impl Case {
         self.solver.method = method;
         self.solver.step_s = StepLimits::new(self).automatic_s(method);
     }
+
+    /// Passes a case whose motion can be computed with its own method and step: creep of rolling contacts and films
+    /// leave an explicit method no energy balance at longer steps than it resolves their friction with.
+    ///
+    /// # Errors
+    /// An [`InputError`] of [`Case::check_motion`], or naming the step.
+    pub fn check_run(&self) -> Result<(), InputError> {
+        self.check_motion()?;
+        let is_stiff =
+            self.contact.regularisation == Regularisation::Kalker || self.mixes_friction();
+        // From standstill, and in a drop, the limit is that of an instant.
+        if !is_stiff || self.rotor.is_some() || !self.has_constant_operation() {
+            return Ok(());
+        }
+        let resolved_s = StepLimits::new(self).friction_resolved_to_s(self.solver.method);
+        let why = "beyond it an explicit method does not follow the friction of rolling contacts; \"verlet\" treats it \
+                   implicitly, at any step";
+        Allowed::AtMost(resolved_s, why).check("step_s", self.solver.step_s)
+    }
 }
 
 /// Checks a case, and its step against the stability of the method.

@@ -187,7 +187,7 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
             Side::Run(Box::new(FinishedRun::read(path)?))
         } else {
             let file = read_case(path, &args.set)?;
-            file.checked(cageless::Case::check_motion)?;
+            file.checked(cageless::Case::check_run)?;
             Side::Case(Box::new(file))
         };
         sides.push((lettered(k), side));

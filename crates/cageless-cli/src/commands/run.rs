@@ -19,7 +19,7 @@ use crate::format::{columns, grouped, judged, pairs, values, warnings};
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let (verify, output) = (args.verify, &args.case.output);
-    let file = args.case.read(cageless::Case::check_motion)?;
+    let file = args.case.read(cageless::Case::check_run)?;
     // A case that cannot start must not touch the folder.
     initial_state(file.case())?;
     output.drive_into(&[SUMMARY, PAGE, PAGE_DATA], |folder, bars| {

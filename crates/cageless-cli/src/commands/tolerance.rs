@@ -16,7 +16,7 @@ const NUMBERS: &str = "tolerance.json";
 
 /// Judges the bearing within its tolerances.
 pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
-    let file = args.case.read(cageless::Case::check_motion)?;
+    let file = args.case.read(cageless::Case::check_run)?;
     let name = args.case.case.display().to_string();
     let request = Request {
         samples: args.samples,

@@ -157,10 +157,10 @@ impl BearingArrangement {
     /// Passes a file whose motion can be computed.
     ///
     /// # Errors
-    /// A [`CaseError`] that names what motion in space does not have.
+    /// A [`CaseError`] that names what motion in space does not have, or a step that does not resolve it.
     pub fn check_motion(&self) -> Result<(), CaseError> {
         let mut cases = self.bearings.iter();
-        cases.try_for_each(|file| file.checked(Case::check_motion))
+        cases.try_for_each(|file| file.checked(Case::check_run))
     }
 
     /// Free text.

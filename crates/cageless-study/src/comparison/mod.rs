@@ -63,6 +63,9 @@ pub fn compare(
     progress: &dyn Progress,
 ) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
     sampling.check()?;
+    for (_, file) in rings {
+        file.checked(Case::check_run)?;
+    }
     let seed = rings.first().map_or(0, |(_, file)| file.particulars().seed);
     let task = task(rings, sampling)?;
     progress.whole(std::slice::from_ref(&task));
