@@ -122,7 +122,21 @@ fn structures<'r>(
         }
         rows.push(row);
     }
-    rows
+    without_empty_columns(rows)
+}
+
+/// Rows below a head without the columns in which none of them has a value.
+fn without_empty_columns(rows: Vec<Vec<String>>) -> Vec<Vec<String>> {
+    let has_value = |row: &Vec<String>, k: usize| row.get(k).is_some_and(|cell| cell != NOTHING);
+    let kept: Vec<bool> = (0..rows[0].len())
+        .map(|k| rows.len() == 1 || rows[1..].iter().any(|row| has_value(row, k)))
+        .collect();
+    let kept_of = |row: Vec<String>| {
+        let cells = row.into_iter().zip(&kept);
+        let cells = cells.filter_map(|(cell, kept)| kept.then_some(cell));
+        cells.collect()
+    };
+    rows.into_iter().map(kept_of).collect()
 }
 
 /// Places and shapes of the raceways.

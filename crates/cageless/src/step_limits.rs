@@ -31,17 +31,16 @@ impl Case {
         self.solver.step_s = StepLimits::new(self).automatic_s(method);
     }
 
-    /// Passes a case whose motion can be computed with its own method and step: creep of rolling contacts and films
-    /// leave an explicit method no energy balance at longer steps than it resolves their friction with.
+    /// Passes a case whose motion can be computed with its own method and step: creep of rolling contacts leaves an
+    /// explicit method no energy balance at longer steps than it resolves their friction with.
     ///
     /// # Errors
     /// An [`InputError`] of [`Case::check_motion`], or naming the step.
     pub fn check_run(&self) -> Result<(), InputError> {
         self.check_motion()?;
-        let is_stiff =
-            self.contact.regularisation == Regularisation::Kalker || self.mixes_friction();
+        let creeps = self.contact.regularisation == Regularisation::Kalker;
         // From standstill, and in a drop, the limit is that of an instant.
-        if !is_stiff || self.rotor.is_some() || !self.has_constant_operation() {
+        if !creeps || self.rotor.is_some() || !self.has_constant_operation() {
             return Ok(());
         }
         let resolved_s = StepLimits::new(self).friction_resolved_to_s(self.solver.method);

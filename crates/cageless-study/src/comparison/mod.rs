@@ -76,7 +76,7 @@ pub fn compare(
         .collect::<Result<_, _>>()?;
     let results: Vec<RingResults> = compared.iter().map(|ring| ring.results.clone()).collect();
     let draws = Draws::of(&rings[0].1, sampling);
-    let document = |file: &CaseFile| to_value(file.document()).unwrap_or_default();
+    let document = |file: &CaseFile| to_value(file.document_as_run()).unwrap_or_default();
     let documents: Vec<Value> = rings.iter().map(|(_, file)| document(file)).collect();
     let comparison = RingComparison::new(&results, draws).of_cases(&documents);
     Ok((compared, comparison))

@@ -15,7 +15,7 @@ use crate::simulation::Control;
 /// its middle. Critical gaps bound it; the motion of all balls is not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartingPoint {
-    /// Smallest θ, below which slip takes more than [`SEPARATION`] allows of the separation, on elastic flanks all
+    /// Smallest θ, below which slip takes more than `SEPARATION` allows of the separation, on elastic flanks all
     /// that lowers it leaves less than `LAG` needs.
     pub half_angle_min_rad: f64,
     /// Largest θ = ε + nominal gap, above which three evenly spaced balls are inside at once.

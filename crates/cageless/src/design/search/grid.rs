@@ -311,7 +311,7 @@ impl Family {
 }
 
 /// Candidates of all placements, forms and section angles. Without slip the critical gap is β0, with slip it may
-/// fall short of it by what [`SEPARATION`] allows; so β0 over the steady gap must lie between
+/// fall short of it by what `SEPARATION` allows; so β0 over the steady gap must lie between
 /// [`Request::critical_gap_min_fraction`] and 1/(1 − that). In space the maps show by how much it falls short.
 pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
