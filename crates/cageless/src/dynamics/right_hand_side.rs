@@ -191,10 +191,9 @@ impl RightHandSide {
     }
 
     /// Loads of the inner ring of one of the bearings on the rotor as of the last evaluation.
+    #[inline]
     pub(super) fn loads_on_rotor(&self, bearing: usize) -> TouchLoads {
-        self.contacts_of(bearing)
-            .loads_on_rotor()
-            .unwrap_or_default()
+        self.work.rotor_loads[bearing]
     }
 
     /// Loads of the friction on the rotor that changed velocities over the last step.

@@ -183,7 +183,7 @@ fn set_rates_of_bodies(
             let [x, y_force, _] = touch.loads.force;
             ring_and_ledger(p, bearing, &ring, &w.sums, [x, y_force], dydt);
             set_rates_under_rotor(p, bearing, &w.sums, &touch, y, dydt);
-            w.rotors[bearing] = touch.contact;
+            (w.rotors[bearing], w.rotor_loads[bearing]) = (touch.contact, touch.loads);
         } else {
             ring_and_ledger(p, bearing, &ring, &w.sums, [0.0; 2], dydt);
         }

@@ -15,6 +15,7 @@ use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 use crate::world::body::rotor::RotorCompliance;
+use crate::world::joint::TouchLoads;
 use crate::world::joint::journal::RotorContact;
 
 /// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
@@ -119,6 +120,8 @@ pub(crate) struct Workspace {
     pub(super) outer_ring: CentreLanes,
     /// The contact of each bearing's rotor.
     pub rotors: [RotorContact; BATCH_WIDTH],
+    /// Loads of each inner ring on its rotor as of the last evaluation.
+    pub rotor_loads: [TouchLoads; BATCH_WIDTH],
     /// What the rotor of each bearing yields to friction over a step; set before it.
     pub rotor_compliances: [RotorCompliance; BATCH_WIDTH],
     /// Sliding of each rotor at the end of the last step with implicit friction.
@@ -162,6 +165,7 @@ impl Workspace {
             ring: CentreLanes::ZERO,
             outer_ring: CentreLanes::ZERO,
             rotors: [RotorContact::default(); BATCH_WIDTH],
+            rotor_loads: [TouchLoads::default(); BATCH_WIDTH],
             rotor_compliances: [RotorCompliance::default(); BATCH_WIDTH],
             rotor_slips: [JournalSlip::default(); BATCH_WIDTH],
             rotor_friction_mean: [0.0; BATCH_WIDTH],

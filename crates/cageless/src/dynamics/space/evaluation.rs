@@ -92,7 +92,7 @@ pub(crate) fn evaluate(
             ring_torque: totals.torque_on(&ring),
             outer_ring: s.outer_ring_force_n(),
         };
-        w.rotors[0] = touch.contact;
+        (w.rotors[0], w.rotor_loads[0]) = (touch.contact, touch.loads);
         under.set_rates(layout, (&balls, &touch), y, dydt);
     }
     if !space.sliding.is_empty() {
