@@ -413,8 +413,11 @@ impl Layout {
     /// Motion of the rotor in a vector, if there is one.
     #[inline(always)] // into callers compiled for wider vectors
     pub(crate) fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
-        let at = |coordinate: RotorCoordinate| self.at(values, coordinate);
-        (self.moves(RotorCoordinate::X)).then(|| RotorMotion::new(at))
+        // Those that are held in the plane stand there as 0.
+        let at = |coordinate: RotorCoordinate| {
+            values[self.rotor[coordinate as usize] as usize + self.bearing]
+        };
+        (self.freedoms.under_rotor).then(|| RotorMotion::new(at))
     }
 
     /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.

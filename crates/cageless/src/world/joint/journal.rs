@@ -190,7 +190,9 @@ mod tests {
     fn rotor() -> RigidRotor {
         RigidRotor {
             mass: 20.0,
+            inverse_mass: 0.05,
             polar_inertia: 0.02,
+            inverse_inertia: 50.0,
             weight: [0.0; 3],
             axial_load: 0.0,
             drive_torque: 0.0,
