@@ -1,8 +1,8 @@
 //! Tolerance table and probability of passing from judged trials.
 
 use super::deviation::{Influence, Trial};
+use super::sample_count::SampleCount;
 use crate::design::{Judgement, PassageStatistics, RacewayVerdict};
-use crate::numerics::proportion::wilson_interval;
 use crate::numerics::quantile::quantile;
 
 /// Result of one trial.
@@ -143,23 +143,19 @@ pub struct Samples {
     pub outcomes: Vec<Outcome>,
 }
 
-/// Fraction of the bearings that have to pass for the tolerances to pass.
-pub(super) const PASS_FRACTION: f64 = 0.95;
-
 impl Samples {
-    /// Whether 95 % of all bearings pass; `None` where the interval leaves it open.
-    pub(crate) fn passes(&self) -> Option<bool> {
-        match self.pass_probability_interval {
-            [low, _] if low >= PASS_FRACTION => Some(true),
-            [_, high] if high < PASS_FRACTION => Some(false),
-            _ => None,
+    /// How many of them pass.
+    fn count(&self) -> SampleCount {
+        SampleCount {
+            passed: self.passed,
+            count: self.count,
+            open: self.open,
         }
     }
 
-    /// Fewest bearings with which [`Samples::passes`], if all do.
-    pub(crate) fn least() -> usize {
-        let enough = |count: &usize| wilson_interval(*count, *count)[0] >= PASS_FRACTION;
-        (1..).find(enough).unwrap_or(usize::MAX)
+    /// Whether 95 % of all bearings pass; `None` where the interval leaves it open.
+    pub(crate) fn passes(&self) -> Option<bool> {
+        self.count().passes()
     }
 }
 
@@ -218,30 +214,10 @@ impl Assessment {
 
     /// How many of the samples pass, and what keeps them from being judged.
     fn of_samples(&self, samples: &Samples) -> String {
-        let [low, high] = samples.pass_probability_interval.map(|p| 100.0 * p);
-        let needed = 100.0 * PASS_FRACTION;
-        let open = match samples.passes() {
-            None if self.nominal.passes() != Some(true) || self.is_interrupted() => String::new(),
-            None if samples.count < Samples::least() => format!(
-                "; at least {} bearings are needed to show {needed:.0} %",
-                Samples::least()
-            ),
-            None if samples.open > 0 => String::new(),
-            None => format!("; the interval includes {needed:.0} %, more bearings narrow it"),
-            Some(_) => String::new(),
-        };
-        let probability = samples.pass_probability;
-        let probability = probability.map_or(String::new(), |p| format!(" {:.1} %", 100.0 * p));
-        let unjudged = match samples.open {
-            0 => String::new(),
-            1 => ", 1 is not judged".to_owned(),
-            count => format!(", {count} are not judged"),
-        };
-        format!(
-            "{} of {} bearings pass{unjudged}, probability of passing{probability} (95 % interval {low:.1} to \
-             {high:.1} %, {needed:.0} % needed){open}",
-            samples.passed, samples.count,
-        )
+        let count = samples.count();
+        let decides = self.nominal.passes() == Some(true) && !self.is_interrupted();
+        let open = count.why_open("bearings").filter(|_| decides);
+        count.text("bearings") + &open.map_or(String::new(), |why| format!("; {why}"))
     }
 
     /// Number of bearings whose run stopped, and the reason of the first; `None` without any.
@@ -321,14 +297,18 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
         gaps.sort_by(f64::total_cmp);
         [0.05, 0.5, 0.95].map(|p| quantile(&gaps, p))
     });
-    let [least, most] = [passed, passed + open].map(|passed| wilson_interval(passed, count));
+    let sample = SampleCount {
+        passed,
+        count,
+        open,
+    };
     Samples {
         count,
         passed,
         open,
         verdicts: RacewayVerdict::ALL.map(|verdict| (verdict, number(verdict))),
-        pass_probability: (open == 0).then(|| passed as f64 / count as f64),
-        pass_probability_interval: [least[0], most[1]],
+        pass_probability: sample.probability(),
+        pass_probability_interval: sample.interval(),
         critical_gap_quantiles_rad: quantiles,
         outcomes,
     }

@@ -11,7 +11,9 @@
 mod assessment;
 mod deviation;
 mod grade;
+mod sample_count;
 
 pub use assessment::{Assessment, InfluenceResult, Interval, Outcome, Samples, assess};
 pub use deviation::{Deviation, Influence, Tolerances, Trial, ball_lot_m, trials};
 pub use grade::{BallGrade, ball_grade, ball_grades_text};
+pub use sample_count::SampleCount;
