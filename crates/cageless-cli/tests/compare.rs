@@ -318,6 +318,23 @@ fn cases_say_in_which_keys_they_differ() {
     assert!(json.contains("\"differing_keys\""), "{json}");
 }
 
+/// Steady operation under a falling rotor is refused before anything is computed, with the command for a drop.
+#[test]
+fn a_case_with_a_rotor_is_compared_by_its_drop() {
+    let case = repository_case("touchdown-d.toml");
+    for options in [
+        &["--remedies"][..],
+        &["--with-conventional", "--starts", "2"],
+    ] {
+        let done = call_on("compare", &case, &[], options);
+        assert_eq!((done.code, done.stdout.as_str()), (Some(2), ""));
+        let said = "[rotor] must be left out: rings are compared in steady operation. `cageless drop --compare \
+                    conventional --samples N` judges a raceway in a drop";
+        assert!(done.stderr.contains(said), "{}", done.stderr);
+        assert!(!done.stderr.contains("takes about"), "{}", done.stderr);
+    }
+}
+
 /// A case beside its remedies: all with the same balls, fewer of them where fewer fit.
 #[test]
 fn a_case_is_compared_with_its_remedies() {

@@ -188,6 +188,9 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
         } else {
             let file = read_case(path, &args.set)?;
             file.checked(cageless::Case::check_run)?;
+            if folder.is_none() && file.case().rotor.is_some() {
+                return Err(Failure::Input(of_a_drop(path)));
+            }
             Side::Case(Box::new(file))
         };
         sides.push((lettered(k), side));
@@ -210,6 +213,15 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
         );
     }
     Ok(sides)
+}
+
+/// Why steady operation under the falling rotor of a case is not compared.
+fn of_a_drop(path: &Path) -> String {
+    format!(
+        "{}: [rotor] must be left out: rings are compared in steady operation. `cageless drop --compare conventional \
+         --samples N` judges a raceway in a drop",
+        path.display()
+    )
 }
 
 /// Name of ring `k` from 0: A to Z, then numbers.
