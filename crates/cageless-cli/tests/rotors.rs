@@ -77,6 +77,30 @@ fn a_rotor_is_checked_and_dropped() {
     assert!(out.join("report.html").is_file());
 }
 
+/// A plane that meets the stator before the rotor rests in its bearings is warned of, also a journal.
+#[test]
+fn a_check_says_what_the_rotor_meets_before_its_bearings() {
+    let dir = tempfile::tempdir().unwrap();
+    let check = |radial_um: f64, sets: &[&str]| {
+        let plane = format!(
+            "\n[[clearance]]\nname = \"impeller\"\naxial_mm = 250.0\nradial_um = {radial_um:?}\n"
+        );
+        let path = written(dir.path(), &format!("{RIGID}{plane}"));
+        call_on("check", &path, sets, &[]).stdout
+    };
+    let said = "the rotor meets the stator at impeller before it rests in its bearings";
+    assert!(check(150.0, &[]).contains(said), "{}", check(150.0, &[]));
+    assert!(!check(250.0, &[]).contains(said));
+    let sets = ["bearing.1.rotor.clearance_limit_um=150"];
+    let journal =
+        "bearing 1: the rotor meets the stator before its bearing: rotor.clearance_limit_um = 150";
+    assert!(
+        check(250.0, &sets).contains(journal),
+        "{}",
+        check(250.0, &sets)
+    );
+}
+
 #[test]
 fn other_commands_name_those_that_take_it() {
     let dir = tempfile::tempdir().unwrap();

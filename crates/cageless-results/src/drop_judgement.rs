@@ -3,8 +3,8 @@
 use cageless::contact::STRESS_LIMIT_PA;
 use cageless::rating::BasicRatings;
 use cageless::simulation::{Ending, RESIDUAL_FRACTION, RotorOutcome, RunOutcome};
-use cageless::touchdown::{DropSummary, EndState};
-use cageless::{Case, Support};
+use cageless::touchdown::{DropSummary, EndState, JUDGED_AFTER_S, Whirl};
+use cageless::{Case, Shaft, Support};
 
 use crate::Stopped;
 use crate::bearing_number::on_bearing;
@@ -18,6 +18,8 @@ use crate::unit::rpm;
 pub struct DropJudgement {
     /// Whether the rotor has touched the inner ring.
     touched: bool,
+    /// Whether the rotor will rest on the bearing.
+    carries: bool,
     /// Every limit that is exceeded.
     failed: Vec<String>,
     /// What leaves the drop without a verdict unless a limit is exceeded: a limit on a result without a
@@ -51,8 +53,7 @@ impl DropJudgement {
         if !self.failed.is_empty() {
             return self.failed.clone();
         }
-        let untouched =
-            (!self.touched).then(|| "the rotor has not touched the inner ring".to_owned());
+        let untouched = (!self.touched).then(untouched);
         let unjudged = self.unjudged.iter().map(|(_, text)| text.clone());
         untouched.into_iter().chain(unjudged).collect()
     }
@@ -132,10 +133,17 @@ impl DropJudgement {
             displaced("the journal", most_m, limit_m).add_to(&mut kept, &mut failed);
         }
         failed.extend(not_carried(case, summary.rotor_weight_n));
-        failed.extend(whirl_at_the_end(summary, outcome));
+        failed.extend(whirl(summary, outcome));
+        unjudged.extend(too_short(summary, outcome));
         kept.extend(not_at_speed(summary));
+        let rotor = case.rotor.as_ref();
+        let lies = rotor.is_some_and(|rotor| rotor.shaft == Shaft::Horizontal);
         Self {
             touched: summary.end_state != EndState::Falling,
+            carries: lies
+                && summary
+                    .rotor_weight_n
+                    .is_some_and(|weight_n| weight_n > 0.0),
             failed,
             kept,
             unjudged,
@@ -185,12 +193,16 @@ impl DropJudgement {
     pub fn of_bearings(bearings: &[&Self], rotor: &RotorOutcome) -> Self {
         let mut all = Self {
             touched: bearings.iter().any(|bearing| bearing.touched),
+            carries: true,
             ..Self::default()
         };
+        let awaits = |bearing: &Self| all.touched && bearing.carries && !bearing.touched;
+        let awaited: Vec<bool> = bearings.iter().map(|bearing| awaits(bearing)).collect();
         for (k, bearing) in bearings.iter().enumerate() {
             let number = |text: &String| on_bearing(k, bearings.len(), text);
             all.failed.extend(bearing.failed.iter().map(number));
-            let unjudged = bearing.unjudged.iter();
+            let awaited = awaited[k].then(|| (String::new(), untouched()));
+            let unjudged = awaited.iter().chain(&bearing.unjudged);
             all.unjudged
                 .extend(unjudged.map(|(name, text)| (name.clone(), number(text))));
             all.kept.extend(bearing.kept.iter().map(number));
@@ -211,6 +223,20 @@ impl DropJudgement {
         self
     }
 
+    /// Verdict on a drop with that on scattered ones like it, whether they pass and in words.
+    pub fn with_samples(mut self, passes: Option<bool>, text: &str) -> Self {
+        let text = match (self.passes(), passes) {
+            (Some(true), None | Some(false)) => format!("{text}; nominal drop {}", self.headline()),
+            _ => text.to_owned(),
+        };
+        match passes {
+            Some(true) => self.kept.insert(0, text),
+            Some(false) => self.failed.push(text),
+            None => self.unjudged.push((String::new(), text)),
+        }
+        self
+    }
+
     /// The verdict with limits that are exceeded besides.
     pub fn failed(mut self, reasons: impl IntoIterator<Item = String>) -> Self {
         self.failed.extend(reasons);
@@ -218,38 +244,69 @@ impl DropJudgement {
     }
 }
 
-/// What the whirl at the end is, of a backward one or of one whose force still grows.
-fn whirl_at_the_end(summary: &DropSummary, outcome: &RunOutcome) -> Option<String> {
-    let hz = |frequency_hz: f64| short(frequency_hz.abs());
-    let Some(whirl) = &summary.end_whirl else {
-        let whirls = summary.end_state == EndState::BackwardWhirl;
-        return whirls.then(|| {
-            let frequency = hz(summary.end_whirl_hz);
-            format!("backward whirl at the end ({frequency} Hz)")
-        });
+/// Reason why a bearing that the rotor has not reached is not judged.
+fn untouched() -> String {
+    format!("the rotor has not touched the inner ring: {LONGER}")
+}
+
+/// Backward whirl at any time, or else a forward one up to the end whose force still grows.
+fn whirl(summary: &DropSummary, outcome: &RunOutcome) -> Option<String> {
+    let forward = |whirl: &&Whirl| whirl.frequency_hz * summary.rotor_speed_rad_s > 0.0;
+    let growing = || {
+        summary
+            .end_whirl
+            .as_ref()
+            .filter(forward)
+            .filter(|w| w.grows())
     };
-    let (sense, fails) = match whirl.frequency_hz * summary.rotor_speed_rad_s < 0.0 {
-        true => ("backward", true),
-        false => ("forward", whirl.grows()),
+    let (sense, whirl, grows) = match (&summary.backward_whirl, growing()) {
+        (Some(backward), _) => ("backward", backward, ""),
+        (None, growing) => ("forward", growing?, ", and growing"),
+    };
+    let ms = |time_s: f64| format!("{} ms", short(1e3 * time_s));
+    let until = match whirl.to_s < outcome.end_s - 1e-9 {
+        true => ms(whirl.to_s),
+        false => format!("the end at {}", ms(outcome.end_s)),
     };
     let weight_n = summary.rotor_weight_n.filter(|weight_n| *weight_n > 0.0);
     let weights = weight_n.map_or(String::new(), |weight_n| {
-        format!(", {} times its weight", short(whirl.force_n / weight_n))
+        format!(", {} times its weight", short(whirl.force_max_n / weight_n))
     });
-    let grows = match whirl.grows() {
-        true => ", and growing",
-        false => "",
-    };
-    fails.then(|| {
-        format!(
-            "{sense} whirl from {} ms to the end at {} ms ({} Hz), with {} N on the rotor{weights}{grows}",
-            short(1e3 * whirl.from_s),
-            short(1e3 * outcome.end_s),
-            hz(whirl.frequency_hz),
-            short(whirl.force_n)
+    Some(format!(
+        "{sense} whirl from {} to {until} ({} Hz), with up to {} N on the rotor{weights}{grows}",
+        ms(whirl.from_s),
+        short(whirl.frequency_hz.abs()),
+        short(whirl.force_max_n)
+    ))
+}
+
+/// Reason why a drop onto a bearing ended too early for a verdict: two of a short time after the first contact, a ring
+/// that slides and a rotor that sinks or rebounds.
+fn too_short(summary: &DropSummary, outcome: &RunOutcome) -> Option<(String, String)> {
+    let touched_s = summary.first_contact_s?;
+    let after_s = outcome.end_s - touched_s;
+    let open = [
+        (after_s < JUDGED_AFTER_S)
+            .then(|| format!("{} ms after the first contact", short(1e3 * after_s))),
+        not_at_speed(summary),
+        (summary.end_state == EndState::Settling).then(|| summary.end_state.text().to_owned()),
+    ];
+    let open: Vec<String> = open.into_iter().flatten().collect();
+    (open.len() > 1).then(|| {
+        let least_s = touched_s + JUDGED_AFTER_S;
+        let advice = match outcome.end_s < least_s {
+            true => format!("{LONGER}, {} s at least", short(least_s)),
+            false => LONGER.to_owned(),
+        };
+        (
+            String::new(),
+            format!("it ends too early ({}): {advice}", open.join(", ")),
         )
     })
 }
+
+/// Advice where a drop ends too early.
+const LONGER: &str = "simulate longer (solver.duration_s)";
 
 /// The speeds of inner ring and rotor where the ring still slides at the end.
 fn not_at_speed(summary: &DropSummary) -> Option<String> {

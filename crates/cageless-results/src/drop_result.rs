@@ -2,7 +2,7 @@
 
 use cageless::Case;
 use cageless::simulation::RunOutcome;
-use cageless::touchdown::{DropSummary, EndState, Limit, WhirlWindow};
+use cageless::touchdown::{DropSummary, EndPower, EndState, Limit, WhirlWindow};
 use serde::{Serialize, Serializer};
 
 use crate::group::Group;
@@ -28,6 +28,9 @@ pub struct DropResult {
     pub judgement: DropJudgement,
     /// Why it ended early, if it did.
     pub stopped: Option<Stopped>,
+    /// Heating by the bearing at the end; `None` before the first contact.
+    #[serde(skip)]
+    pub end_power: Option<EndPower>,
     /// Temperatures of parts that no heat warms, which tables leave out.
     #[serde(skip)]
     pub unheated: Vec<&'static str>,
@@ -112,6 +115,7 @@ impl DropResult {
         }
         let results = Results::of(DROP, Subject::Drop(&finished));
         Self {
+            end_power: summary.end_power,
             unheated: unheated(particulars, &results),
             results,
             judgement: finished.judgement,

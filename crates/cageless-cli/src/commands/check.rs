@@ -9,10 +9,11 @@ use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
+use cageless_io::rotor_file::RotorPlace;
 use cageless_results::number_text::significant;
 use cageless_results::{millipascal_seconds, slippery_asperities, thin_inlet};
 use cageless_study::case_warnings;
-use cageless_study::drop::rests;
+use cageless_study::drop::foreseen;
 use serde::Serialize;
 
 use super::drop::listed;
@@ -203,6 +204,7 @@ fn notes(file: &CaseFile) -> Vec<String> {
     let mut notes = check_warnings([file.case()]);
     notes.extend(case_warnings(file.case()));
     notes.extend(dry_motion(file));
+    notes.extend(arrangement.drop().into_iter().flat_map(foreseen));
     notes.extend(file.oil_temperature_warning());
     notes.extend(search_refused(file));
     notes.extend(slippery_asperities(file.case()));
@@ -322,7 +324,8 @@ fn check_rotor(
     ];
     lines.extend(expansion_line(&speed_expansion_left_out));
     let mut notes = check_warnings(cases);
-    notes.extend(rests(drop));
+    notes.extend(foreseen(drop));
+    notes.extend(plane_meets_the_stator(arrangement));
     let checked = CheckedRotor {
         valid: true,
         cases: arrangement
@@ -339,6 +342,50 @@ fn check_rotor(
     };
     let text = pairs(&lines) + &warnings(&checked.warnings);
     (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&checked)?, text))
+}
+
+/// Warnings of planes of a rigid horizontal rotor that meet the stator before it rests in two bearings.
+fn plane_meets_the_stator(arrangement: &BearingArrangement) -> Vec<String> {
+    let (Some(file), Some(drop)) = (arrangement.rotor_file(), arrangement.drop()) else {
+        return vec![];
+    };
+    let journals = file.rotor.bearings.iter().zip(drop.cases());
+    let journals: Option<Vec<[f64; 2]>> = journals
+        .map(|(place, case)| {
+            Some([
+                axial_mm(*place)?,
+                1e6 * case.rotor.as_ref()?.radial_clearance_m,
+            ])
+        })
+        .collect();
+    let Some([[z_1, sag_1], [z_2, sag_2]]) = journals.as_deref().filter(|_| !drop.is_vertical())
+    else {
+        return vec![];
+    };
+    let clearances = file.rotor.clearances.iter();
+    let first = clearances.filter_map(|plane| {
+        let z = axial_mm(plane.place)?;
+        let sag_um = sag_1 + (sag_2 - sag_1) * (z - z_1) / (z_2 - z_1);
+        let meets = sag_um.abs() >= plane.radial_um;
+        meets.then(|| {
+            format!(
+                "the rotor meets the stator at {} before it rests in its bearings: there it is displaced by {} µm, of \
+                 a clearance of {} µm",
+                plane.name,
+                significant(sag_um.abs(), 3),
+                significant(plane.radial_um, 3)
+            )
+        })
+    });
+    first.collect()
+}
+
+/// Distance of a place from the mass centre of a rigid rotor, mm.
+fn axial_mm(place: RotorPlace) -> Option<f64> {
+    match place {
+        RotorPlace::AxialMm(axial_mm) => Some(axial_mm),
+        RotorPlace::Node(_) => None,
+    }
 }
 
 /// Expansion of the inner raceway by its speed that a clearance may leave out unsaid, m.

@@ -165,7 +165,7 @@ class DropAttributes:
     ball_friction_j: float  # friction between balls, J
     contact_damping_j: float  # damping of the balls' contacts, J
     support_damping_j: float  # damping of the support, J
-    braking_torque_n_m: float  # torque of the losses that brakes the rotor, at the end, N m
+    braking_torque_n_m: float  # torque of the bearing that brakes the rotor, at the end, N m
     braking_torque_change_fraction: float  # change of the torque that brakes the rotor
     end_power_w: float  # heat of all interfaces per second, at the end, W
     inner_ring_power_w: float  # into the inner ring, W

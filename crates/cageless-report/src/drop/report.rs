@@ -190,9 +190,9 @@ fn of_bearing(bearing: &Bearing<'_>) -> Vec<Requirement> {
             kept: found.map(|mpa| mpa <= pressure_limit_mpa()),
         });
     }
-    let whirl = results.value("backward_whirl_end_hz");
+    let whirl = results.value("backward_whirl_hz");
     all.push(Requirement {
-        on: bearing.label("backward whirl at the end"),
+        on: bearing.label("backward whirl at any time"),
         limit: "none".to_owned(),
         found: whirl.map_or("none".to_owned(), |hz| format!("{} Hz", short(hz))),
         kept: results.value("first_contact_ms").map(|_| whirl.is_none()),

@@ -1,6 +1,7 @@
 //! Results of a drop.
 
 use cageless::Case;
+use cageless::rating::rolling_torque_n_m;
 use cageless::touchdown::{EndPower, EndState};
 use cageless::unloaded_equilibrium;
 
@@ -41,8 +42,8 @@ pub const DROP: &[Quantity] = &[
     group(Group::Rotor, not_in_tables(quantity("ring_speed_rpm", "rpm", "inner ring at the end", Drop(|d| some(rpm(d.summary.ring_speed_rad_s)))))),
     group(Group::Rotor, across(Same, quantity("rotor_speed_rpm", "rpm", "rotor at the end", Drop(|d| some(rpm(d.summary.rotor_speed_rad_s)))))),
     group(Group::Rotor, not_in_tables(across(Largest, low(quantity("backward_whirl_max_hz", "Hz", "largest backward speed of the journal (whirl or swing)", Drop(|d| some(d.summary.backward_whirl_max_hz))))))),
-    group(Group::Rotor, means("largest mean over 5 ms, of a journal that runs round the bore in contact", occurs(across(Largest, low(quantity("backward_whirl_hz", "Hz", "backward whirl round the bore, largest", Drop(|d| d.summary.backward_whirl_hz.into()))))))),
-    group(Group::Rotor, means("mean over the last fifth of the time after the first contact, of a rotor that ends in backward whirl", occurs(across(Largest, low(quantity("backward_whirl_end_hz", "Hz", "backward whirl at the end", Drop(backward_whirl_end))))))),
+    group(Group::Rotor, means("largest mean over 5 ms of a backward whirl at any time, which fails the drop: the journal runs round the bore against the rotation, once at least in lasting contact (95 % of each 5 ms), or all through the last fifth of the time after the first contact", occurs(across(Largest, low(quantity("backward_whirl_hz", "Hz", "backward whirl round the bore, largest", Drop(|d| d.summary.backward_whirl.map(|whirl| whirl.frequency_max_hz).into()))))))),
+    group(Group::Rotor, means("mean over the last fifth of the time after the first contact, or since the whirl began in it, of a rotor that ends in backward whirl", occurs(across(Largest, low(quantity("backward_whirl_end_hz", "Hz", "backward whirl at the end", Drop(backward_whirl_end))))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, across(Largest, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-6 * d.summary.inner_pressure_max_pa))))))),
     group(Group::Pressure, means(HERTZ_PRESSURE, across(Largest, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-6 * d.summary.outer_pressure_max_pa))))))),
     group(Group::Pressure, unless_zero(means(HERTZ_PRESSURE, across(Largest, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-6 * d.summary.ball_pressure_max_pa)))))))),
@@ -67,8 +68,8 @@ pub const DROP: &[Quantity] = &[
     group(Group::Heat, unless_zero(across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j)))))),
     group(Group::Heat, unless_zero(across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j)))))),
     group(Group::Heat, unless_zero(across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j)))))),
-    group(Group::Heat, means("power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact; while an inner ring still comes up to speed, the torque that accelerates it brakes the rotor as well; none of a slow rotor, whose rotational energy is less than a hundred times its largest other kinetic energy", across(Sum, quantity("braking_torque_n_m", "N m", "torque of the losses that brakes the rotor, at the end", Drop(|d| d.summary.end_power.as_ref().and_then(|p| p.torque_n_m).into()))))),
-    file_only(across(Largest, means("from the first to the second half of the last fifth of the time after the first contact", quantity("braking_torque_change_fraction", "", "change of the torque that brakes the rotor", Drop(|d| d.summary.end_power.as_ref().and_then(|p| p.torque_change).into()))))),
+    group(Group::Heat, means("with which a spin-down begins: power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact, and ½ μ P d of SKF at least (μ = 0.0015, P the weight that the bearing carries), as balls that roll lose little in the model; while an inner ring still comes up to speed, the torque that accelerates it brakes the rotor as well; none of a slow rotor, whose rotational energy is less than a hundred times its largest other kinetic energy", across(Sum, quantity("braking_torque_n_m", "N m", "torque of the bearing that brakes the rotor, at the end", Drop(braking_torque))))),
+    file_only(across(Largest, means("of the losses alone, from the first to the second half of the last fifth of the time after the first contact", quantity("braking_torque_change_fraction", "", "change of the torque that brakes the rotor", Drop(|d| d.summary.end_power.as_ref().and_then(|p| p.torque_change).into()))))),
     group(Group::Heat, means("mean over the last fifth of the time after the first contact", across(Sum, quantity("end_power_w", "W", "heat of all interfaces per second, at the end", Drop(|d| end(d, |p| p.total_w)))))),
     group(Group::Heat, not_in_tables(means(INTO_PART, across(Sum, quantity("inner_ring_power_w", "W", "  into the inner ring", Drop(|d| end(d, |p| p.parts_w[0]))))))),
     group(Group::Heat, not_in_tables(means(INTO_PART, across(Sum, quantity("ball_power_w", "W", "  into the balls", Drop(|d| end(d, |p| p.parts_w[1]))))))),
@@ -111,7 +112,7 @@ pub const SUCCESSION: &[Quantity] = &[
     file_only(means("of the balls of each row on its outer ring, along z, at the start of the drop, before anything loads the bearing: the preload, of which that of held rings changes with the expansion and that of a spring does not; in space", few("row_axial_force_n", "N", "axial force of the rows", Succession(|s| preload_n(s.case))))),
     part(means("at the start of the drop, radial, with the expansion of the inner ring", quantity("touchdown_clearance_um", "um", "touch-down clearance", Succession(|s| s.case.rotor.as_ref().map(|r| 1e6 * r.radial_clearance_m).into())))),
     part(low(quantity("dissipated_j", "J", "heat of all interfaces", Succession(|s| some(s.heat_j))))),
-    part(means("time to standstill from the end of the simulated time, braked by `rotor.drive_torque_n_m` and by each bearing as at that end, but by ½ μ P d of SKF at least (μ = 0.0015), once every inner ring has come up to speed; 0 of a slow rotor, with the heat of all its rotational energy", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down_s.into())))),
+    part(means("time to standstill from the end of the simulated time, braked by `rotor.drive_torque_n_m` and by each bearing with its `braking_torque_n_m`, once every inner ring has come up to speed; 0 of a slow rotor, with the heat of all its rotational energy", quantity("spin_down_s", "s", "spin-down", Succession(|s| s.spin_down_s.into())))),
     part(means("of this bearing", low(quantity("spin_down_heat_j", "J", "heat of the spin-down", Succession(|s| s.spin_down_heat_j.into()))))),
     part(means(STANDSTILL, low(quantity("inner_ring_standstill_c", "C", "inner ring at standstill", Succession(|s| s.standstill_c.map(|c| c[0]).into()))))),
     part(means(STANDSTILL, low(quantity("ball_standstill_c", "C", "balls at standstill", Succession(|s| s.standstill_c.map(|c| c[1]).into()))))),
@@ -140,6 +141,16 @@ fn backward_whirl_end(drop: &FinishedDrop<'_>) -> Cell {
     let s = drop.summary;
     let whirls = s.end_state == EndState::BackwardWhirl;
     whirls.then_some(s.end_whirl_hz.abs()).into()
+}
+
+/// Torque with which the bearing brakes a rotor that spins down.
+fn braking_torque(drop: &FinishedDrop<'_>) -> Cell {
+    let rolling_n_m = || {
+        let carried_n = drop.summary.rotor_weight_n.unwrap_or(0.0);
+        rolling_torque_n_m(&drop.case.bearing, carried_n)
+    };
+    let own_n_m = drop.summary.end_power.as_ref().and_then(|p| p.torque_n_m);
+    own_n_m.map(|own_n_m| own_n_m.max(rolling_n_m())).into()
 }
 
 fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
 use cageless::simulation::{PlaneDisplacement, PlanePath, RotorOutcome, RunOutcome};
-use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit};
+use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit, Whirl};
 
 use super::*;
 use crate::number_text::short;
@@ -50,7 +50,6 @@ pub(super) fn drop(counter: &mut f64) -> Ended {
         &mut s.housing_force_max_n,
         &mut s.spin_up_s,
         &mut s.end_collision_rate_hz,
-        &mut s.backward_whirl_hz,
         &mut s.shoulder_force_max_n,
         &mut s.rotor_axial_displacement_max_m,
     ]
@@ -92,6 +91,14 @@ pub(super) fn drop(counter: &mut f64) -> Ended {
         torque_change: Some(next(counter)),
     });
     s.end_state = EndState::BackwardWhirl;
+    s.backward_whirl = Some(Whirl {
+        from_s: next(counter),
+        to_s: next(counter),
+        frequency_hz: next(counter),
+        frequency_max_hz: next(counter),
+        force_max_n: next(counter),
+        growth: next(counter),
+    });
     s.ellipse_edge_max_rad = Some([next(counter), next(counter)]);
     s.impacts = 11;
     (s.collisions.all, s.collisions.above) = (101, [53, 29, 17]);
@@ -165,7 +172,10 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
             s.rotor_speed_rad_s / REVOLUTION_PER_MINUTE,
         ),
         ("backward_whirl_max_hz", s.backward_whirl_max_hz),
-        ("backward_whirl_hz", s.backward_whirl_hz.unwrap()),
+        (
+            "backward_whirl_hz",
+            s.backward_whirl.unwrap().frequency_max_hz,
+        ),
         ("backward_whirl_end_hz", s.end_whirl_hz),
         ("inner_pressure_max_mpa", s.inner_pressure_max_pa / MPA),
         ("outer_pressure_max_mpa", s.outer_pressure_max_pa / MPA),
@@ -213,9 +223,12 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         outcome: &outcome,
         judgement: DropJudgement::of_drop(&case, &s, &outcome),
     };
-    let whirl = format!("backward whirl at the end ({} Hz)", short(s.end_whirl_hz));
-    let reasons = finished.judgement.reasons();
-    assert!(reasons.contains(&whirl), "{reasons:?}");
+    let reasons = finished.judgement.reasons().join("; ");
+    let frequency = short(s.backward_whirl.unwrap().frequency_hz);
+    assert!(
+        reasons.contains("backward whirl from ") && reasons.contains(&format!("({frequency} Hz)")),
+        "{reasons}"
+    );
     let results = Results::of(DROP, Subject::Drop(&finished));
     compare(&results, &expected, &[], 1e-12);
     for (name, count) in [
@@ -249,7 +262,7 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     ended.s.heat.outer_friction_j = 1e4;
     let full = ended.result();
     let s = &mut ended.s;
-    (s.backward_whirl_hz, s.collisions.above[2]) = (None, 0);
+    (s.backward_whirl, s.collisions.above[2]) = (None, 0);
     let less = ended.result();
     let groups = DropResult::groups(&[&less]);
     let headings: Vec<&str> = groups.iter().map(|(heading, _)| *heading).collect();
@@ -289,7 +302,7 @@ fn results_of_drops_stand_in_groups_without_what_none_of_them_has() {
     );
     let torque = row_of(
         &groups,
-        "torque of the losses that brakes the rotor, at the end",
+        "torque of the bearing that brakes the rotor, at the end",
     );
     assert_eq!(torque.unwrap().2, "N·mm");
 }
@@ -387,6 +400,7 @@ fn limits_of_a_user_judge_a_drop_and_its_succession() {
     let s = &mut ended.s;
     s.rotor_force_max_n = 4000.0;
     s.end_state = EndState::AtRest;
+    s.backward_whirl = None;
     s.rotor_displacement_max_m = 100e-6;
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
@@ -468,6 +482,7 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
     let mut ended = drop(&mut 0.2);
     ended.outcome.energy_residual_relative = 0.0;
     let s = &mut ended.s;
+    s.backward_whirl = None;
     (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
@@ -527,8 +542,8 @@ fn a_limit_on_a_result_without_a_value_does_not_pass() {
     (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (1e9, 1e9);
-    s.spin_up_s = None;
-    s.backward_whirl_hz = None;
+    (s.first_contact_s, s.spin_up_s) = (Some(0.01), None);
+    s.backward_whirl = None;
     ended.outcome.end_s = 0.1;
     if let Some(rotor) = &mut ended.case.rotor {
         rotor.clearance_limit_m = None;

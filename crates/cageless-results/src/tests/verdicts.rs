@@ -4,7 +4,7 @@ use cageless::linear_rotor::Clearance;
 use cageless::simulation::{
     Ending, PlaneDisplacement, PlanePath, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
 };
-use cageless::touchdown::{DropSummary, EndState, EndWhirl};
+use cageless::touchdown::{DropSummary, EndState, Whirl};
 
 use super::drops::{Ended, balanced, drop};
 use super::*;
@@ -46,6 +46,7 @@ fn good() -> (Case, DropSummary, RunOutcome) {
     } = drop(&mut 0.2);
     outcome.energy_residual_relative = 0.0;
     (s.end_state, s.rotor_displacement_max_m) = (EndState::AtRest, 100e-6);
+    s.backward_whirl = None;
     (s.rotor_weight_n, s.inner_pressure_max_pa) = (Some(200.0), 1e9);
     (s.outer_pressure_max_pa, s.ball_pressure_max_pa) = (2e9, 3e9);
     (case, s, outcome)
@@ -112,25 +113,30 @@ fn each_ending_of_a_drop_has_its_verdict_and_says_why() {
     }
 }
 
-/// A backward whirl fails whatever its force does, a forward one where its force still grows; the sentence has its
-/// time, force and growth.
+/// A backward whirl fails whenever it was and whatever its force does, a forward one where it lasts to the end and its
+/// force still grows; the sentence has its times and force.
 #[test]
-fn a_whirl_at_the_end_says_since_when_and_how_hard() {
-    for (frequency_hz, growth, expected) in [
-        (-234.0, 1.0, Some("backward")),
-        (-234.0, 1.3, Some("backward")),
-        (234.0, 1.0, None),
-        (234.0, 1.3, Some("forward")),
+fn a_whirl_says_from_when_to_when_and_how_hard() {
+    for (frequency_hz, growth, to_s, expected) in [
+        (-234.0, 1.0, 0.3, Some("backward")),
+        (-234.0, 1.3, 0.3, Some("backward")),
+        (-234.0, 0.2, 0.0714, Some("backward")),
+        (234.0, 1.0, 0.3, None),
+        (234.0, 1.3, 0.3, Some("forward")),
     ] {
         let (case, mut s, mut outcome) = good();
-        outcome.end_s = 0.3;
+        (s.first_contact_s, outcome.end_s) = (Some(0.01), 0.3);
         (s.rotor_speed_rad_s, s.spin_up_s) = (3000.0, None);
-        s.end_whirl = Some(EndWhirl {
+        let whirl = Whirl {
             from_s: 0.0514,
+            to_s,
             frequency_hz,
-            force_n: 13_700.0,
+            frequency_max_hz: 300.0,
+            force_max_n: 13_700.0,
             growth,
-        });
+        };
+        s.end_whirl = (to_s == 0.3).then_some(whirl);
+        s.backward_whirl = (frequency_hz < 0.0).then_some(whirl);
         let found = DropJudgement::of_drop(&case, &s, &outcome);
         assert_eq!(found.passes(), Some(expected.is_none()));
         let Some(sense) = expected else {
@@ -142,10 +148,19 @@ fn a_whirl_at_the_end_says_since_when_and_how_hard() {
             assert!(found.headline().contains(&slides), "{}", found.headline());
             continue;
         };
-        let growing = if growth > 1.1 { ", and growing" } else { "" };
+        let growing = if sense == "forward" {
+            ", and growing"
+        } else {
+            ""
+        };
+        let until = if to_s == 0.3 {
+            "the end at 300"
+        } else {
+            "71.4"
+        };
         let text = format!(
-            "FAIL: {sense} whirl from 51.4 ms to the end at 300 ms (234 Hz), with 13700 N on the rotor, 68.5 times \
-             its weight{growing}"
+            "FAIL: {sense} whirl from 51.4 ms to {until} ms (234 Hz), with up to 13700 N on the rotor, 68.5 times its \
+             weight{growing}"
         );
         assert_eq!(found.headline(), text);
     }
@@ -183,14 +198,88 @@ fn each_limit_of_a_drop_fails_beyond_it() {
             );
         }
     }
-    let (case, mut s, outcome) = good();
-    s.end_state = EndState::BackwardWhirl;
-    let found = DropJudgement::of_drop(&case, &s, &outcome);
-    assert_eq!(found.passes(), Some(false), "{}", found.headline());
 }
 
-/// Of bearings one that fails decides, else one that could not be judged; a rotor that touched one of them has
-/// touched.
+/// Two of a short time after the first contact, a sliding ring and a sinking rotor leave a drop without a verdict.
+#[test]
+fn a_drop_that_ends_too_early_is_not_judged() {
+    for (after_s, slides, sinks, passes) in [
+        (0.049, true, false, None),
+        (0.049, false, true, None),
+        (0.3, true, true, None),
+        (0.049, false, false, Some(true)),
+        (0.051, true, false, Some(true)),
+        (0.3, false, true, Some(true)),
+    ] {
+        let (case, mut s, mut outcome) = good();
+        (s.first_contact_s, outcome.end_s) = (Some(0.01), 0.01 + after_s);
+        s.spin_up_s = (!slides).then_some(0.02);
+        if sinks {
+            s.end_state = EndState::Settling;
+        }
+        let found = DropJudgement::of_drop(&case, &s, &outcome);
+        assert_eq!(found.passes(), passes, "{after_s} {slides} {sinks}");
+        let advice = match after_s < 0.05 {
+            true => "simulate longer (solver.duration_s), 0.06 s at least",
+            false => "simulate longer (solver.duration_s)",
+        };
+        assert_eq!(
+            found.reasons().iter().any(|r| r.ends_with(advice)),
+            passes.is_none(),
+            "{found:?}"
+        );
+        // What fails has failed.
+        s.outer_pressure_max_pa = 4.3e9;
+        let failed = DropJudgement::of_drop(&case, &s, &outcome);
+        assert_eq!(failed.passes(), Some(false));
+    }
+}
+
+/// The verdict with scattered drops is that on them where the nominal drop passes.
+#[test]
+fn the_verdict_follows_the_scattered_drops() {
+    for (went, of_drop) in WAYS {
+        for samples in [Some(true), Some(false), None] {
+            let expected = match (of_drop, samples) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            };
+            let found = verdict(went).with_samples(samples, "8 of 12 scattered drops pass");
+            assert_eq!(found.passes(), expected, "{went:?} {samples:?}");
+        }
+    }
+    let found = verdict(Went::Well).with_samples(Some(false), "8 of 12 scattered drops pass");
+    let begins = "FAIL: 8 of 12 scattered drops pass; nominal drop PASS: largest contact pressure";
+    assert!(found.headline().starts_with(begins), "{}", found.headline());
+}
+
+/// A bearing that carries nothing of the rotor, or whose rotor stands on another, need not be touched.
+#[test]
+fn a_free_bearing_need_not_be_touched() {
+    let (case, mut s, outcome) = good();
+    s.end_state = EndState::Falling;
+    let with = |case: &Case, s: &DropSummary| {
+        let well = verdict(Went::Well);
+        let other = DropJudgement::of_drop(case, s, &outcome);
+        DropJudgement::of_bearings(&[&well, &other], &balanced())
+    };
+    let waits = with(&case, &s);
+    assert_eq!(waits.passes(), None);
+    assert_eq!(
+        waits.reasons(),
+        [
+            "bearing 2: the rotor has not touched the inner ring: simulate longer (solver.duration_s)"
+        ]
+    );
+    let mut vertical = case.clone();
+    vertical.rotor.as_mut().unwrap().shaft = cageless::Shaft::Vertical;
+    assert_eq!(with(&vertical, &s).passes(), Some(true));
+    s.rotor_weight_n = None;
+    assert_eq!(with(&case, &s).passes(), Some(true));
+}
+
+/// Of bearings one that fails decides, else one that could not be judged or has not been touched.
 #[test]
 fn verdicts_of_bearings_combine() {
     let rotor = |energy_residual_relative: f64, displacement_max_m: f64| RotorOutcome {
@@ -213,11 +302,10 @@ fn verdicts_of_bearings_combine() {
         for (b, of_b) in WAYS {
             let both = [verdict(a), verdict(b)];
             let both = [&both[0], &both[1]];
-            let open = |went| [Went::Unknown, Went::Interrupted].contains(&went);
+            let open = |went| [Went::Unknown, Went::Interrupted, Went::InTheAir].contains(&went);
             let expected = match (of_a, of_b) {
                 (Some(false), _) | (_, Some(false)) => Some(false),
                 _ if open(a) || open(b) => None,
-                _ if a == Went::InTheAir && b == Went::InTheAir => None,
                 _ => Some(true),
             };
             let passes = |rotor: &RotorOutcome| DropJudgement::of_bearings(&both, rotor).passes();

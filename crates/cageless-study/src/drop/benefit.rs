@@ -106,12 +106,7 @@ impl DropBenefit {
             });
         }
         let [gains, losses] = said;
-        let fail = both.map(|of| {
-            of.drops
-                .iter()
-                .filter(|d| d.passes() == Some(false))
-                .count()
-        });
+        let fail = both.map(|of| of.drops.iter().filter(|d| d.passes == Some(false)).count());
         let broken = (fail[0] > 0 && fail[1] == 0).then(|| {
             format!(
                 "limit broken in {} of {count} drops, with the plain ring in none",

@@ -1,14 +1,16 @@
 //! Distributions over drops whose conditions scatter.
 
 use cageless::FrictionParameters;
-use cageless::numerics::quantile;
 use cageless::numerics::wilson_interval;
+use cageless::tolerance::SampleCount;
 use cageless::touchdown::{DrawnBearing, EndState};
 use cageless_io::OptionError;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::StudyError;
-use cageless_results::{DROP, DropResult, Kind, Quantity, ROTOR_DROP, end_state_text};
+use cageless_results::{DROP, DropResult, Kind, ROTOR_DROP, end_state_text};
+
+use super::Quantiles;
 
 /// Most drops of an ensemble.
 pub const DROPS_MAX: u64 = 1_000_000;
@@ -18,14 +20,14 @@ pub const DROPS_MAX: u64 = 1_000_000;
 pub struct Distribution {
     /// How often each state came out at the end.
     pub end_states: Vec<EndStateCount>,
-    /// Probability that the rotor ends in backward whirl in this bearing.
+    /// Probability of backward whirl in this bearing, at any time.
     #[serde(flatten)]
     pub backward_whirl: WhirlProbability,
     /// Distributions of the scalar results; empty if a drop stopped.
     pub quantiles: Vec<Quantiles>,
 }
 
-/// Probability that a drop ends in backward whirl.
+/// Probability that a drop fails by backward whirl, at any time.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct WhirlProbability {
     /// Fraction of the drops; `None` if one stopped, or without any.
@@ -36,7 +38,7 @@ pub struct WhirlProbability {
     pub interval: Option<[f64; 2]>,
 }
 
-/// Probability that a drop passes its verdict in every bearing.
+/// Probability that a drop passes its verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PassProbability {
     /// Fraction of the drops; `None` if one was not judged.
@@ -45,6 +47,9 @@ pub struct PassProbability {
     /// 95 % interval (Wilson 1927), however the drops that were not judged would end.
     #[serde(rename = "pass_interval")]
     pub interval: Option<[f64; 2]>,
+    /// How many pass.
+    #[serde(skip)]
+    pub count: SampleCount,
 }
 
 /// How often a state came out.
@@ -56,22 +61,6 @@ pub struct EndStateCount {
     pub count: usize,
 }
 
-/// Distribution of one result.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Quantiles {
-    /// The result; its name in files.
-    #[serde(rename = "name", serialize_with = "name")]
-    pub quantity: &'static Quantity,
-    /// Least.
-    pub least: f64,
-    /// Median.
-    pub median: f64,
-    /// 95 % quantile.
-    pub high: f64,
-    /// Largest.
-    pub most: f64,
-}
-
 impl Distribution {
     /// Distributions of the results as a table for readers, empty without any; the first row is the head.
     pub fn rows(&self) -> Vec<Vec<String>> {
@@ -81,18 +70,9 @@ impl Distribution {
         let head = ["result", "least", "median", "95 %", "most", "unit"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
         let shown = self.quantiles.iter().filter(|q| q.quantity.in_tables);
-        rows.extend(shown.map(|q| {
-            let mut row = vec![q.quantity.label.to_owned()];
-            row.extend([q.least, q.median, q.high, q.most].map(|v| q.quantity.number_text(v)));
-            row.push(q.quantity.printed_unit());
-            row
-        }));
+        rows.extend(shown.map(Quantiles::row));
         rows
     }
-}
-
-fn name<S: Serializer>(quantity: &&Quantity, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(quantity.name)
 }
 
 /// One bearing in one drop of an ensemble.
@@ -187,7 +167,7 @@ fn percent(fraction: Option<f64>, interval: Option<[f64; 2]>) -> Option<String> 
 }
 
 impl WhirlProbability {
-    /// The probability where `whirls` of `completed` drops end so and `stopped` others might.
+    /// The probability where `whirls` of `completed` drops do and `stopped` others might.
     pub(super) fn new(whirls: usize, completed: usize, stopped: usize) -> Self {
         let (fraction, interval) = proportion(whirls, completed, stopped);
         Self { fraction, interval }
@@ -211,7 +191,23 @@ impl PassProbability {
             }
         }
         let (fraction, interval) = proportion(passes, passes + fails, open);
-        Self { fraction, interval }
+        let count = SampleCount {
+            passed: passes,
+            count: passes + fails + open,
+            open,
+        };
+        Self {
+            fraction,
+            interval,
+            count,
+        }
+    }
+
+    /// How many of the drops pass, and what keeps them from deciding.
+    pub fn text(&self) -> String {
+        const WHAT: &str = "scattered drops";
+        let open = self.count.why_open(WHAT);
+        self.count.text(WHAT) + &open.map_or(String::new(), |why| format!("; {why}"))
     }
 
     /// Percentages; `None` where no drop was judged.
@@ -220,22 +216,9 @@ impl PassProbability {
     }
 }
 
-/// Whether all bearings pass; `None` if one was not judged and none fails.
-pub(super) fn all_pass(verdicts: impl Iterator<Item = Option<bool>>) -> Option<bool> {
-    let mut all = Some(true);
-    for verdict in verdicts {
-        match verdict {
-            Some(true) => {}
-            Some(false) => return Some(false),
-            None => all = None,
-        }
-    }
-    all
-}
-
-/// Whether a drop ends in backward whirl.
+/// Whether a drop fails by backward whirl.
 pub(super) fn whirls_backward(drop: &DropResult) -> bool {
-    drop.end_state() == EndState::BackwardWhirl.name()
+    drop.results.value("backward_whirl_hz").is_some()
 }
 
 impl Distribution {
@@ -254,7 +237,7 @@ impl Distribution {
                 .filter(|entry| entry.count > 0)
                 .collect(),
             backward_whirl: WhirlProbability::new(
-                count(EndState::BackwardWhirl),
+                complete.iter().filter(|drop| whirls_backward(drop)).count(),
                 complete.len(),
                 stopped,
             ),
@@ -277,19 +260,7 @@ impl Distribution {
 fn quantiles(complete: &[&DropResult]) -> Vec<Quantiles> {
     let numbers =
         (DROP.iter().chain(ROTOR_DROP)).filter(|q| matches!(q.kind, Kind::Number | Kind::Integer));
-    let of = |quantity: &'static Quantity| {
-        let mut values: Vec<f64> = (complete.iter())
-            .filter_map(|result| result.results.value(quantity.name))
-            .collect();
-        values.sort_by(f64::total_cmp);
-        let most = *values.last()?;
-        Some(Quantiles {
-            quantity,
-            least: values[0],
-            median: quantile(&values, 0.5),
-            high: quantile(&values, 0.95),
-            most,
-        })
-    };
-    numbers.filter_map(of).collect()
+    numbers
+        .filter_map(|quantity| Quantiles::new(quantity, complete))
+        .collect()
 }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use cageless_results::{DropResult, DropRun};
 
-use super::distribution::{all_pass, whirls_backward};
+use super::distribution::whirls_backward;
 use super::record::steps;
 use super::side_by_side::{drop_task, run_drops, worth_together};
 use super::{BearingRow, Distribution, FiledDrop, PassProbability, WhirlProbability, check_drops};
@@ -28,7 +28,7 @@ pub struct Ensemble {
     /// Probability that a drop passes its verdict.
     #[serde(flatten)]
     pub passing: PassProbability,
-    /// Probability that the rotor ends in backward whirl in any of its bearings.
+    /// Probability of backward whirl in any bearing, at any time.
     #[serde(flatten)]
     pub in_any_bearing: WhirlProbability,
     /// What each bearing went through in the completed drops.
@@ -67,6 +67,9 @@ pub struct DropRow {
     pub rotor_energy_residual_relative: f64,
     /// Reason why the drop stopped early, if it did, with the bearing of several.
     pub stopped: Option<String>,
+    /// Whether the drop passes its verdict; `None` if it was not judged.
+    #[serde(skip)]
+    pub passes: Option<bool>,
     /// The bearings.
     pub bearings: Vec<BearingRow>,
 }
@@ -131,6 +134,7 @@ fn together(
 impl DropRow {
     fn new(number: u64, drawn: &Drawn, run: DropRun, is_linear: bool) -> Self {
         let unbalance_deg = drawn.unbalance_rad.map(f64::to_degrees);
+        let passes = run.judgement().passes();
         let centre_um = drawn.centre_m.map(|centre| centre.map(|m| 1e6 * m));
         let bearings = drawn.bearings.iter().zip(run.bearings);
         let bearings = bearings.map(|(drawn, result)| BearingRow::new(drawn, result));
@@ -142,17 +146,12 @@ impl DropRow {
             y_um: centre_um.map(|[_, y]| y),
             rotor_energy_residual_relative: run.rotor.energy_residual_relative,
             stopped: run.stopped,
+            passes,
             bearings: bearings.collect(),
         }
     }
 
-    /// Whether the drop passes in every bearing; `None` if one was not judged and none fails.
-    pub(super) fn passes(&self) -> Option<bool> {
-        let bearings = self.bearings.iter();
-        all_pass(bearings.map(|bearing| bearing.result.judgement.passes()))
-    }
-
-    /// Whether the rotor ends in backward whirl in any of its bearings.
+    /// Whether the drop fails by backward whirl in any of its bearings.
     fn whirls_backward(&self) -> bool {
         let mut results = self.bearings.iter().map(|bearing| &bearing.result);
         results.any(whirls_backward)
@@ -172,7 +171,7 @@ pub(super) fn evaluate(bearings: usize, seed: u64, drops: Vec<DropRow>) -> Ensem
         seed,
         completed: complete.len(),
         stopped: drops.iter().filter_map(|d| d.stopped.clone()).collect(),
-        passing: PassProbability::new(drops.iter().map(DropRow::passes)),
+        passing: PassProbability::new(drops.iter().map(|drop| drop.passes)),
         in_any_bearing: WhirlProbability::new(whirls, complete.len(), stopped),
         bearings: (0..bearings).map(of_bearing).collect(),
         drops,
@@ -201,17 +200,20 @@ pub(super) mod tests {
                 results: Results::only(DROP, results),
                 judgement: DropJudgement::default(),
                 stopped: None,
+                end_power: None,
                 unheated: vec![],
                 windows: vec![],
             },
         }
     }
 
-    fn bearing(state: &str, force: f64) -> BearingRow {
-        let results = [
-            ("end_state", Cell::Text(state.to_owned())),
+    /// A bearing in which the rotor bounces, after a whirl or not.
+    fn bearing(whirls: bool, force: f64) -> BearingRow {
+        let mut results = vec![
+            ("end_state", Cell::Text("bouncing".to_owned())),
             ("rotor_force_max_n", Cell::Number(force)),
         ];
+        results.extend(whirls.then_some(("backward_whirl_hz", Cell::Number(80.0))));
         bearing_with(&results)
     }
 
@@ -224,13 +226,14 @@ pub(super) mod tests {
             y_um: None,
             rotor_energy_residual_relative: 0.0,
             stopped: stopped.map(str::to_owned),
+            passes: None,
             bearings,
         }
     }
 
     #[test]
     fn a_whirl_in_any_bearing_counts_once_and_a_drop_that_stopped_leaves_it_open() {
-        let (whirl, bounce) = ("backward-whirl", "bouncing");
+        let (whirl, bounce) = (true, false);
         let drops = vec![
             row(vec![bearing(whirl, 1.0), bearing(whirl, 5.0)], None),
             row(vec![bearing(bounce, 3.0), bearing(whirl, 4.0)], None),
@@ -268,31 +271,36 @@ pub(super) mod tests {
         let fractions = [0, 1].map(|k: usize| many.bearings[k].backward_whirl.fraction);
         assert_eq!(fractions, [Some(0.25), Some(0.5)]);
         let most = |k: usize| many.bearings[k].quantiles[0].most;
-        assert_eq!([most(0), most(1)], [3.0, 7.0]);
+        assert_eq!([most(0), most(1)], [Some(3.0), Some(7.0)]);
         // Wilson 1927: 2 of 4.
         let [low, high] = many.in_any_bearing.interval.unwrap();
         assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
     }
 
-    /// Of 21 drops with 0, 1, …, 20: the middle one is the median, a twentieth lies above 19. A result that some drops
-    /// lack has the quantiles of the others.
+    /// Of 21 drops with 0, 1, …, 20: the middle one is the median, a twentieth lies above 19. An event that some drops
+    /// have not seen lies beyond their time; another result that some lack has the quantiles of the others.
     #[test]
     fn quantiles_are_those_of_the_result_that_they_name() {
         let drops = (0..21u32).map(|k| {
             // In any order.
             let rank = f64::from(k * 8 % 21);
-            let mut one = bearing("bouncing", 1000.0 + 10.0 * rank);
+            let mut one = bearing(false, 1000.0 + 10.0 * rank);
             let mut values = vec![
                 ("end_state", Cell::Text("bouncing".to_owned())),
                 ("rotor_force_max_n", Cell::Number(1000.0 + 10.0 * rank)),
                 ("inner_pressure_max_mpa", Cell::Number(rank * rank)),
                 ("impacts", Cell::Integer(21 - rank as i64)),
             ];
-            if rank < 3.0 {
+            values.push(("simulated_s", Cell::Number(0.5)));
+            // An event that a third has not seen, and what two thirds do not have.
+            if rank < 14.0 {
                 values.push(("spin_up_ms", Cell::Number(4.0 * rank)));
             }
+            if rank < 7.0 {
+                values.push(("backward_whirl_hz", Cell::Number(80.0 + rank)));
+            }
             one.result.results = Results::only(DROP, &values);
-            row(vec![one, bearing("bouncing", 7.0)], None)
+            row(vec![one, bearing(false, 7.0)], None)
         });
         let many = evaluate(2, 0, drops.collect());
         let found = &many.bearings[0].quantiles;
@@ -300,17 +308,50 @@ pub(super) mod tests {
             ("rotor_force_max_n", [1000.0, 1100.0, 1190.0, 1200.0]),
             ("inner_pressure_max_mpa", [0.0, 100.0, 361.0, 400.0]),
             ("impacts", [1.0, 11.0, 20.0, 21.0]),
-            ("spin_up_ms", [0.0, 4.0, 7.6, 8.0]),
+            ("spin_up_ms", [0.0, 40.0, f64::INFINITY, f64::INFINITY]),
+            ("backward_whirl_hz", [80.0, 83.0, 85.7, 86.0]),
         ] {
             let q = found.iter().find(|q| q.quantity.name == name).unwrap();
             for (found, expected) in [q.least, q.median, q.high, q.most].iter().zip(expected) {
                 assert!(
-                    (found - expected).abs() < 1e-9,
-                    "{name}: {found} {expected}"
+                    found.map_or(expected.is_infinite(), |found| (found - expected).abs()
+                        < 1e-9),
+                    "{name}: {found:?} {expected}"
                 );
             }
         }
-        assert_eq!(found.len(), 4);
+        assert_eq!(found.len(), 7);
+        let row = |label: &str| {
+            let rows = many.bearings[0].rows();
+            rows.into_iter()
+                .find(|row| row[0].starts_with(label))
+                .unwrap()
+        };
+        assert_eq!(
+            row("spin-up"),
+            [
+                "spin-up of the inner ring (14 of 21)",
+                "0",
+                "40",
+                "> 500",
+                "> 500",
+                "ms"
+            ]
+        );
+        assert_eq!(
+            row("backward whirl")[0],
+            "backward whirl round the bore, largest (7 of 21)"
+        );
+        let json = serde_json::to_value(&many.bearings[0].quantiles).unwrap();
+        let spin_up = json
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|q| q["name"] == "spin_up_ms")
+            .unwrap();
+        let expected = serde_json::json!({"name": "spin_up_ms", "count": 14, "of": 21, "not_within": 500.0,
+            "least": 0.0, "median": 40.0, "high": null, "most": null});
+        assert_eq!(*spin_up, expected);
         let rows = many.bearings[0].rows();
         let pressure = found
             .iter()
@@ -320,34 +361,36 @@ pub(super) mod tests {
         let other = &many.bearings[1].quantiles[0];
         assert_eq!(
             [other.least, other.median, other.high, other.most],
-            [7.0; 4]
+            [Some(7.0); 4]
         );
     }
 
-    /// A drop passes where every bearing does; one that was not judged leaves the probability open.
+    /// A drop that was not judged leaves the probability open; the verdict takes 95 % of all drops.
     #[test]
-    fn a_drop_passes_where_every_bearing_does() {
-        let of = |drops: &[[Option<bool>; 2]]| {
-            PassProbability::new(
-                drops
-                    .iter()
-                    .map(|bearings| all_pass(bearings.iter().copied())),
-            )
-        };
+    fn the_probability_of_passing_is_that_of_the_verdicts() {
         let [yes, no, open] = [Some(true), Some(false), None];
-        let found = of(&[[yes, yes], [yes, no], [open, no], [yes, yes]]);
+        let of = |verdicts: &[Option<bool>]| PassProbability::new(verdicts.iter().copied());
+        let found = of(&[yes, no, no, yes]);
         // Wilson 1927: 2 of 4.
         let [low, high] = found.interval.unwrap();
-        assert_eq!(found.fraction, Some(0.5));
+        assert_eq!(
+            (found.fraction, found.count.passes()),
+            (Some(0.5), Some(false))
+        );
         assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
         // From 1 of 4 to 2 of 4.
-        let found = of(&[[yes, yes], [yes, open], [open, no], [no, no]]);
+        let found = of(&[yes, open, no, no]);
         let [low, high] = found.interval.unwrap();
         assert_eq!(found.fraction, None);
         assert!(
             (low - 0.046).abs() < 1e-3 && (high - 0.850).abs() < 1e-3,
             "{low} {high}"
         );
-        assert_eq!(of(&[[open, yes]]).percent(), None);
+        assert_eq!(of(&[open]).percent(), None);
+        assert_eq!(of(&[open]).count.passes(), None);
+        let text = "12 of 12 scattered drops pass, probability of passing 100.0 % (95 % interval 75.8 to 100.0 %, \
+                    95 % needed); at least 73 scattered drops are needed to show 95 %";
+        assert_eq!(of(&[yes; 12]).text(), text);
+        assert_eq!(of(&[yes; 73]).count.passes(), Some(true));
     }
 }

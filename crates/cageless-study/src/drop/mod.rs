@@ -5,6 +5,7 @@ mod benefit;
 mod distribution;
 mod ensemble;
 mod filed_drop;
+mod quantiles;
 mod record;
 mod side_by_side;
 mod standstill;
@@ -15,13 +16,14 @@ mod verification;
 
 pub use benefit::{DropBenefit, DropCriterion};
 pub use distribution::{
-    BearingRow, DROPS_MAX, Distribution, EndStateCount, PassProbability, Quantiles,
-    WhirlProbability, check_drops,
+    BearingRow, DROPS_MAX, Distribution, EndStateCount, PassProbability, WhirlProbability,
+    check_drops,
 };
 pub use ensemble::{DropRow, Ensemble, ensemble};
 pub use filed_drop::FiledDrop;
+pub use quantiles::Quantiles;
 pub(crate) use record::steps;
 pub use record::{BearingRecord, DropRecord};
 pub(crate) use side_by_side::{drop_task, run_drops, worth_together};
-pub use study::{DropRequest, DropStudy, rests, study};
+pub use study::{DropRequest, DropStudy, foreseen, study};
 pub use succession::Succession;

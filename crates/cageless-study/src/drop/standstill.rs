@@ -27,8 +27,6 @@ pub(super) struct SpinDownHeat {
     pub shares: [f64; PARTS],
 }
 
-/// Powers that warm the parts at the end of a drop.
-const POWERS: [&str; PARTS] = ["inner_ring_power_w", "ball_power_w", "outer_ring_power_w"];
 /// Change of the braking torque within the last fifth, relative, from which it is not steady.
 const UNSTEADY: f64 = 0.2;
 /// Deviation of the speed of an inner ring from that of rolling, relative, beyond which it slides.
@@ -41,7 +39,7 @@ impl Standstill {
     /// A reason why there is no estimate: the rotor does not come to rest, or an inner ring still slides on
     /// it at the end of the drop.
     pub fn after(drop: &RotorDrop, record: &DropRecord) -> Result<Self, String> {
-        let ends = record.bearings.iter().map(|b| end_power(&b.result));
+        let ends = record.bearings.iter().map(|b| b.result.end_power);
         let ends: Option<Vec<EndPower>> = ends.collect();
         let speed_rad_s = record.bearings[0].outcome.state.rotor_speed_rad_s();
         let rotor = drop.cases()[0].rotor.as_ref();
@@ -105,20 +103,6 @@ impl Standstill {
             warnings: vec![],
         }
     }
-}
-
-fn end_power(result: &DropResult) -> Option<EndPower> {
-    let value = |name: &str| result.results.value(name);
-    let mut parts_w = [0.0; PARTS];
-    for (part_w, name) in parts_w.iter_mut().zip(POWERS) {
-        *part_w = value(name)?;
-    }
-    Some(EndPower {
-        total_w: value("end_power_w")?,
-        parts_w,
-        torque_n_m: value("braking_torque_n_m"),
-        torque_change: value("braking_torque_change_fraction"),
-    })
 }
 
 /// What is said of a bearing whose own torque brakes the rotor and still changes at the end of a drop.

@@ -77,7 +77,15 @@ impl DropRequest {
         if let Some(drops) = self.drops {
             check_heat(file, name, drops)?
         }
-        Ok(drop)
+        let refused = (self.compare && !self.judges(&drop)).then(|| {
+            "--compare conventional: the outer rings are conventional themselves; leave the option out, or give a \
+             case with a [raceway]"
+                .to_owned()
+        });
+        match refused.or_else(|| turned_back(&drop)) {
+            Some(reason) => Err(StudyError::Input(format!("{name}: {reason}"))),
+            None => Ok(drop),
+        }
     }
 }
 
@@ -171,6 +179,9 @@ pub fn study<'r>(
         let done = ensemble(&filed, count, &Scatter::default(), progress);
         study.ensemble = study.keep("the scattered drops", done);
         if let Some(ensemble) = &study.ensemble {
+            let passing = &ensemble.passing;
+            let judgement = std::mem::take(&mut study.judgement);
+            study.judgement = judgement.with_samples(passing.count.passes(), &passing.text());
             let warnings = scattered_warnings(&study.drop, ensemble);
             study.warnings.extend(warnings);
         }
@@ -192,7 +203,7 @@ pub fn study<'r>(
 impl DropStudy {
     /// A drop with nothing beside it.
     fn new(drop: RotorDrop, record: DropRecord) -> Self {
-        let mut warnings = rests(&drop);
+        let mut warnings = foreseen(&drop);
         for (k, (case, bearing)) in drop.cases().iter().zip(&record.bearings).enumerate() {
             let own = of_drop(case, &bearing.result).into_iter();
             warnings.extend(own.map(|text| on_bearing(k, record.bearings.len(), &text)));
@@ -278,11 +289,55 @@ fn scattered_warnings(drop: &RotorDrop, ensemble: &Ensemble) -> Vec<String> {
         .collect()
 }
 
-/// Warnings of a linear rotor that rests in its bearings in another way than a drop has it.
-pub fn rests(drop: &RotorDrop) -> Vec<String> {
+/// Warnings of a drop before it is computed: a rotor that rests in its bearings in another way than a drop has it, a
+/// journal that meets the stator first, a drive that turns the rotor backwards.
+pub fn foreseen(drop: &RotorDrop) -> Vec<String> {
     let mut warnings = unloaded(drop);
     warnings.extend(held(drop));
+    warnings.extend(meets_the_stator(drop));
+    warnings.extend(turned_back(drop));
     warnings
+}
+
+/// Warnings of journals whose clearance to the stator is not above that to the bearing.
+fn meets_the_stator(drop: &RotorDrop) -> Vec<String> {
+    let um = |m: f64| short(1e6 * m);
+    let cases = drop.cases().iter().enumerate();
+    cases
+        .filter_map(|(k, case)| {
+            let rotor = case.rotor.as_ref()?;
+            let limit_m = rotor.clearance_limit_m?;
+            let text = format!(
+                "the rotor meets the stator before its bearing: rotor.clearance_limit_um = {} is not above the \
+                 touch-down clearance rotor.radial_clearance_um = {}",
+                um(limit_m),
+                um(rotor.radial_clearance_m)
+            );
+            let first = limit_m <= rotor.radial_clearance_m;
+            first.then(|| on_bearing(k, drop.cases().len(), &text))
+        })
+        .collect()
+}
+
+/// What is wrong with a drive that brakes the rotor beyond standstill, alone, within the simulated time.
+fn turned_back(drop: &RotorDrop) -> Option<String> {
+    let rotor = drop.cases()[0].rotor.as_ref()?;
+    let (torque_n_m, speed_rad_s) = (rotor.drive_torque_n_m, rotor.speed_rad_s);
+    let duration_s = drop.cases()[0].solver.duration_s;
+    let momentum = rotor.polar_inertia_kg_m2 * speed_rad_s;
+    let most_s = -momentum / torque_n_m;
+    let brakes = torque_n_m * speed_rad_s < 0.0;
+    (brakes && most_s < duration_s).then(|| {
+        format!(
+            "rotor.drive_torque_n_m = {} brings the rotor to rest after {} s and then turns it backwards: {} N·m at {} \
+             within solver.duration_s = {}, or a shorter duration",
+            short(torque_n_m),
+            short(most_s),
+            short(-momentum / duration_s),
+            if torque_n_m < 0.0 { "least" } else { "most" },
+            short(duration_s)
+        )
+    })
 }
 
 /// Warning of springs of a horizontal linear rotor to the ground that carry it within all clearances.

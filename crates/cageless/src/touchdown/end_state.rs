@@ -54,6 +54,14 @@ impl EndState {
         Self::ALL.into_iter().find(|state| state.name() == name)
     }
 
+    /// State of a rotor that whirls in the sense of `turned` while it turns in that of `rotation`.
+    pub(super) fn of_whirl(turned: f64, rotation: f64) -> Self {
+        match turned * rotation < 0.0 {
+            true => Self::BackwardWhirl,
+            false => Self::ForwardWhirl,
+        }
+    }
+
     /// State over the last windows of a drop of a rotor that has touched the inner ring.
     /// `weight_n` is the weight that the bearing carries, if it carries any.
     pub(super) fn classify(
@@ -68,11 +76,7 @@ impl EndState {
         let in_contact = sum(|w| w.contact_fraction * (w.end_s - w.start_s));
         let turns = net.abs() / std::f64::consts::TAU;
         if turns >= WHIRL_TURNS && net.abs() >= ONE_WAY * path {
-            return if net * rotation < 0.0 {
-                Self::BackwardWhirl
-            } else {
-                Self::ForwardWhirl
-            };
+            return Self::of_whirl(net, rotation);
         }
         if in_contact < CONTACT * time {
             return Self::Bouncing;

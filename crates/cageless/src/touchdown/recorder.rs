@@ -2,10 +2,7 @@
 
 use super::end_state::EndState;
 use super::heat::{EndPower, HeatHistory, InterfaceHeat};
-use super::whirl::{
-    EndWhirl, WhirlTracker, WhirlWindow, backward_whirl_hz, backward_whirl_max_hz,
-    mean_frequency_hz,
-};
+use super::whirl::{Whirl, WhirlTracker, WhirlWindow, backward_whirl_max_hz, mean_frequency_hz};
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
@@ -20,11 +17,11 @@ use crate::world::joint::support::SupportJoint;
 pub struct DropSummary {
     /// What the rotor does at the end.
     pub end_state: EndState,
-    /// Mean whirl frequency over the last fifth of the time after the first contact, Hz,
-    /// counter-clockwise positive; 0 before that.
+    /// Mean whirl frequency over the last fifth of the time after the first contact, or since
+    /// [`Self::end_whirl`] began in it, Hz, counter-clockwise positive; 0 before that.
     pub end_whirl_hz: f64,
     /// Whirl in lasting contact up to the end.
-    pub end_whirl: Option<EndWhirl>,
+    pub end_whirl: Option<Whirl>,
     /// First contact of the rotor with the inner ring, s.
     pub first_contact_s: Option<f64>,
     /// Contacts of the rotor, its journal or a shoulder, with the inner ring that began.
@@ -83,9 +80,9 @@ pub struct DropSummary {
     /// Largest mean frequency of the journal against the direction of rotation over a window, Hz,
     /// of a whirl or of a swing at the bottom.
     pub backward_whirl_max_hz: f64,
-    /// Largest frequency of backward whirl over a window, Hz: of a journal that runs round the bore in
-    /// contact; `None` if it never does.
-    pub backward_whirl_hz: Option<f64>,
+    /// Backward whirl at any time: the journal runs round the bore against the rotation in lasting contact, once at
+    /// least, or all through the last fifth of the time after the first contact; `None` if it never does.
+    pub backward_whirl: Option<Whirl>,
     /// Heat of each interface.
     pub heat: InterfaceHeat,
     /// Heating by the bearing at the end, over the last fifth of the time after the first contact;
@@ -99,6 +96,8 @@ pub struct DropSummary {
 const WINDOW_S: f64 = 5e-3;
 /// Part of the time after the first contact over which the state at the end is judged.
 pub const LAST: f64 = 0.2;
+/// Shortest time after the first contact on which a drop is judged, s: of two windows the state at the end is made.
+pub const JUDGED_AFTER_S: f64 = 2.0 * WINDOW_S / LAST;
 /// Sliding at which the ring has come up to speed, as a fraction of that at the first contact.
 const SPUN_UP: f64 = 0.01;
 
@@ -188,9 +187,7 @@ impl DropRecorder {
         };
         let weight_n = found.summary.rotor_weight_n;
         let carried_n = weight_n.map(|weight_n| (weight_n - lifted_n).abs());
-        let end_state = last.map_or(EndState::Falling, |last| {
-            EndState::classify(last, rotation, carried_n, rotor.shaft)
-        });
+        let motion = JournalMotion::new(&whirl, last.unwrap_or_default(), rotor, carried_n);
         let rate_hz = |count: &dyn Fn(&ContactCounts) -> u64| {
             last.map(|last| {
                 let collisions: u64 = last.iter().map(|w| count(&w.collisions)).sum();
@@ -199,9 +196,9 @@ impl DropRecorder {
         };
         let in_space = state.layout().moves(RotorCoordinate::Z);
         DropSummary {
-            end_state,
-            end_whirl_hz: last.map_or(0.0, mean_frequency_hz),
-            end_whirl: EndWhirl::of(&whirl),
+            end_state: motion.end_state,
+            end_whirl_hz: motion.end_whirl_hz,
+            end_whirl: motion.end_whirl,
             contact_fraction: if contact_time > 0.0 {
                 (found.contact_s / contact_time).min(1.0)
             } else {
@@ -224,12 +221,53 @@ impl DropRecorder {
             }),
             ball_force_max_n: peaks.balls.force_n,
             backward_whirl_max_hz: backward_whirl_max_hz(&whirl, rotation),
-            backward_whirl_hz: backward_whirl_hz(&whirl, rotation),
+            backward_whirl: motion.backward_whirl,
             heat: InterfaceHeat::of(|term| state.energy_term_j(term)),
             end_power: last_from_s
                 .and_then(|from_s| self.heat.since(from_s, rotor.polar_inertia_kg_m2)),
             whirl,
             ..found.summary
+        }
+    }
+}
+
+/// Motion of the journal in the bore, in the words of a summary.
+struct JournalMotion {
+    end_state: EndState,
+    end_whirl_hz: f64,
+    end_whirl: Option<Whirl>,
+    backward_whirl: Option<Whirl>,
+}
+
+impl JournalMotion {
+    /// Motion over `windows`, of which `last` are those of the end, empty before the first contact.
+    fn new(
+        windows: &[WhirlWindow],
+        last: &[WhirlWindow],
+        rotor: &Rotor,
+        carried_n: Option<f64>,
+    ) -> Self {
+        let rotation = rotor.speed_rad_s;
+        let end_whirl = Whirl::at_the_end(windows);
+        let end_state = match &end_whirl {
+            _ if last.is_empty() => EndState::Falling,
+            Some(whirl) => EndState::of_whirl(whirl.frequency_hz, rotation),
+            None => EndState::classify(last, rotation, carried_n, rotor.shaft),
+        };
+        let from_s = end_whirl.map_or(0.0, |whirl| whirl.from_s);
+        let whirling = &last[last.partition_point(|w| w.start_s < from_s)..];
+        let at_the_end = || {
+            let whirls = end_state == EndState::BackwardWhirl;
+            Whirl::over(last).filter(|_| whirls)
+        };
+        Self {
+            end_state,
+            end_whirl_hz: match whirling.is_empty() {
+                true => 0.0,
+                false => mean_frequency_hz(whirling),
+            },
+            end_whirl,
+            backward_whirl: Whirl::backward(windows, rotation).or_else(at_the_end),
         }
     }
 }

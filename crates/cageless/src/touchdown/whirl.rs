@@ -45,56 +45,76 @@ pub(super) const ONE_WAY: f64 = 0.8;
 /// Contact in a window from which the journal runs round the bore rather than bounces across it.
 const ROUND_CONTACT: f64 = 0.95;
 
-/// Largest whirl frequency against `rotation` while the journal runs round the bore at least once
-/// in contact, Hz; `None` if it never does.
-pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Option<f64> {
-    let backward = |w: &WhirlWindow| {
-        let turned = -w.turned_rad * rotation.signum();
-        w.contact_fraction >= ROUND_CONTACT && turned > 0.0 && turned >= ONE_WAY * w.path_rad
-    };
-    let rounds = windows.split(|w| !backward(w)).filter(|run| {
-        let turned = run.iter().map(|w| w.turned_rad.abs()).sum::<f64>();
-        turned >= WHIRL_TURNS * TAU
-    });
-    rounds
-        .flatten()
-        .map(|w| w.frequency_hz().abs())
-        .reduce(f64::max)
+/// Whether the journal runs round the bore in a window, in lasting contact and in this sense.
+fn runs_round(window: &WhirlWindow, sense: f64) -> bool {
+    let turned = sense * window.turned_rad;
+    let one_way = turned > 0.0 && turned >= ONE_WAY * window.path_rad;
+    one_way && window.contact_fraction >= ROUND_CONTACT
 }
 
-/// Whirl in lasting contact up to the end of a drop.
+/// Whirl in lasting contact, once round the bore at least.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EndWhirl {
-    /// From here on the journal runs round the bore, s.
+pub struct Whirl {
+    /// Time from which on the journal runs round the bore, s.
     pub from_s: f64,
-    /// Mean frequency since then, Hz, counter-clockwise positive.
+    /// Time up to which it does, s.
+    pub to_s: f64,
+    /// Mean frequency, Hz, counter-clockwise positive.
     pub frequency_hz: f64,
-    /// Mean contact force in its last window, N.
-    pub force_n: f64,
-    /// That force in the one in its middle.
+    /// Largest magnitude of the frequency over a window, Hz.
+    pub frequency_max_hz: f64,
+    /// Largest mean contact force over a window, N.
+    pub force_max_n: f64,
+    /// Mean contact force of its last quarter over the largest of a quarter before; 1 of a single window.
     pub growth: f64,
 }
 
-/// Growth of the force in the second half of a whirl from which on it has not settled.
+/// Growth of the force over all quarters before, from which on it has not settled.
 const GROWS: f64 = 1.1;
 
-impl EndWhirl {
-    /// Whirl in the last windows, once round the bore at least; `None` without one.
-    pub(super) fn of(windows: &[WhirlWindow]) -> Option<Self> {
+impl Whirl {
+    /// Whirl in the last windows; `None` without one.
+    pub(super) fn at_the_end(windows: &[WhirlWindow]) -> Option<Self> {
         let sense = windows.last()?.turned_rad.signum();
-        let whirls = |w: &&WhirlWindow| {
-            let turned = sense * w.turned_rad;
-            w.contact_fraction >= ROUND_CONTACT && turned > 0.0 && turned >= ONE_WAY * w.path_rad
-        };
+        let whirls = |w: &&WhirlWindow| runs_round(w, sense);
         let count = windows.iter().rev().take_while(whirls).count();
-        let last = &windows[windows.len() - count..];
-        let turned: f64 = last.iter().map(|w| w.turned_rad.abs()).sum();
-        let (first, middle, end) = (last.first()?, last.get(count / 2)?, last.last()?);
-        (turned >= WHIRL_TURNS * TAU).then(|| Self {
-            from_s: first.start_s,
-            frequency_hz: mean_frequency_hz(last),
-            force_n: end.force_mean_n,
-            growth: end.force_mean_n / middle.force_mean_n,
+        Self::once_round(&windows[windows.len() - count..])
+    }
+
+    /// Longest whirl against `rotation`, with the largest frequency and force of all; `None` if the journal never
+    /// whirls so.
+    pub(super) fn backward(windows: &[WhirlWindow], rotation: f64) -> Option<Self> {
+        let sense = -rotation.signum();
+        let found = windows.split(|w| !runs_round(w, sense) || rotation == 0.0);
+        let found: Vec<Self> = found.filter_map(Self::once_round).collect();
+        let most = |of: fn(&Self) -> f64| found.iter().map(of).fold(0.0, f64::max);
+        let longest = found.iter().max_by(|a, b| {
+            let length_s = |whirl: &Self| whirl.to_s - whirl.from_s;
+            length_s(a).total_cmp(&length_s(b))
+        });
+        longest.map(|longest| Self {
+            frequency_max_hz: most(|whirl| whirl.frequency_max_hz),
+            force_max_n: most(|whirl| whirl.force_max_n),
+            ..*longest
+        })
+    }
+
+    /// Whirl over all of these windows; `None` of less than once round the bore.
+    fn once_round(windows: &[WhirlWindow]) -> Option<Self> {
+        let turned: f64 = windows.iter().map(|w| w.turned_rad).sum();
+        (turned.abs() >= WHIRL_TURNS * TAU).then(|| Self::over(windows))?
+    }
+
+    /// Motion over all of these windows; `None` without any.
+    pub(super) fn over(windows: &[WhirlWindow]) -> Option<Self> {
+        let most = |of: fn(&WhirlWindow) -> f64| windows.iter().map(of).fold(0.0, f64::max);
+        Some(Self {
+            from_s: windows.first()?.start_s,
+            to_s: windows.last()?.end_s,
+            frequency_hz: mean_frequency_hz(windows),
+            frequency_max_hz: most(|w| w.frequency_hz().abs()),
+            force_max_n: most(|w| w.force_mean_n),
+            growth: growth(windows),
         })
     }
 
@@ -102,6 +122,19 @@ impl EndWhirl {
     pub fn grows(&self) -> bool {
         self.growth > GROWS
     }
+}
+
+/// Mean force of the last quarter of the windows over the largest of a quarter before: a force that swings grows beyond
+/// what it was at no time.
+fn growth(windows: &[WhirlWindow]) -> f64 {
+    let quarters = windows.rchunks(windows.len().div_ceil(4).max(1));
+    let mut forces_n = quarters.map(|quarter| {
+        let sum: f64 = quarter.iter().map(|w| w.force_mean_n).sum();
+        sum / quarter.len() as f64
+    });
+    let last_n = forces_n.next().unwrap_or_default();
+    let before_n = forces_n.reduce(f64::max);
+    before_n.map_or(1.0, |before_n| last_n / before_n)
 }
 
 /// Contact in a window from which its motion is one in contact.
@@ -232,12 +265,18 @@ mod tests {
             ..WhirlTracker::empty(0.0, 0.0)
         };
         let round = window(-0.4 * TAU, 0.4 * TAU, 1.0);
-        let of = |windows: &[WhirlWindow], rotation| backward_whirl_hz(windows, rotation);
+        let of = |windows: &[WhirlWindow], rotation| {
+            Whirl::backward(windows, rotation).map(|whirl| whirl.frequency_max_hz)
+        };
         let close = |found: Option<f64>| (found.unwrap() - 40.0).abs() < 1e-9;
         assert!(close(of(&[round; 3], 100.0)));
         let mirrored = window(0.4 * TAU, 0.4 * TAU, 1.0);
         assert!(close(of(&[mirrored; 3], -100.0)));
         assert_eq!(of(&[round; 3], -100.0), None);
+        assert_eq!(of(&[round; 3], 0.0), None);
+        // One that has died away has been one.
+        let rest = window(0.0, 0.0, 1.0);
+        assert!(close(of(&[round, round, round, rest, rest], 100.0)));
         // Less than one round; a swing; a bounce; two halves with a swing between them.
         assert_eq!(of(&[round; 2], 100.0), None);
         assert_eq!(of(&[window(-0.4 * TAU, TAU, 1.0); 3], 100.0), None);
@@ -262,18 +301,24 @@ mod tests {
         let of = |forces: [f64; 4]| {
             let whirl = (2..).zip(forces).map(|(k, force)| window(k, -0.5, force));
             let windows: Vec<_> = swing.into_iter().chain(whirl).collect();
-            EndWhirl::of(&windows)
+            Whirl::at_the_end(&windows)
         };
         let whirl = of([2.0, 3.0, 5.0, 8.0]).unwrap();
-        assert_eq!((whirl.from_s, whirl.force_n), (0.01, 8.0));
+        assert_eq!((whirl.from_s, whirl.to_s), (0.01, 0.03));
+        assert_eq!(whirl.force_max_n, 8.0);
         assert!((whirl.frequency_hz + 100.0).abs() < 1e-9);
         assert!(whirl.grows() && !of([2.0, 6.0, 8.0, 8.5]).unwrap().grows());
+        // One that dies away and swings does not, whatever its last windows do.
+        let forces = [9.0, 8.0, 9.0, 7.0, 5.0, 7.0, 3.0, 5.0];
+        let decays = (0..).zip(forces).map(|(k, force)| window(k, -0.5, force));
+        let decays: Vec<_> = decays.collect();
+        assert!(!Whirl::at_the_end(&decays).unwrap().grows());
         // Not once round; out of contact.
-        assert_eq!(EndWhirl::of(&swing), None);
+        assert_eq!(Whirl::at_the_end(&swing), None);
         let mut last = window(2, -3.0, 1.0);
         last.contact_fraction = 0.9;
-        assert_eq!(EndWhirl::of(&[last]), None);
-        assert_eq!(EndWhirl::of(&[]), None);
+        assert_eq!(Whirl::at_the_end(&[last]), None);
+        assert_eq!(Whirl::at_the_end(&[]), None);
     }
 
     /// The largest backward turn of a window in contact: neither that of a journal in free flight, which passes the
