@@ -349,13 +349,11 @@ fn plane_meets_the_stator(arrangement: &BearingArrangement) -> Vec<String> {
     let (Some(file), Some(drop)) = (arrangement.rotor_file(), arrangement.drop()) else {
         return vec![];
     };
-    let journals = file.rotor.bearings.iter().zip(drop.cases());
+    let journals = file.rotor.bearings.iter().zip(arrangement.cases());
     let journals: Option<Vec<[f64; 2]>> = journals
         .map(|(place, case)| {
-            Some([
-                axial_mm(*place)?,
-                1e6 * case.rotor.as_ref()?.radial_clearance_m,
-            ])
+            let clearance_um = case.document().number("rotor.radial_clearance_um")?;
+            Some([axial_mm(*place)?, clearance_um])
         })
         .collect();
     let Some([[z_1, sag_1], [z_2, sag_2]]) = journals.as_deref().filter(|_| !drop.is_vertical())

@@ -248,6 +248,29 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
     }
 }
 
+/// The rotor is braked by SKF's ½ μ P d at least; a slow one, which nothing brakes, has no torque.
+#[test]
+fn the_braking_torque_is_that_of_the_spin_down() {
+    let mut ended = drop(&mut 0.2);
+    ended.s.rotor_weight_n = Some(200.0);
+    let bore_m = 2.0 * ended.case.bearing.inner_ring_bore().unwrap().radius_m;
+    let rolling_n_m = 0.5 * 0.0015 * 200.0 * bore_m;
+    let torque = |ended: &Ended| ended.result().results.value("braking_torque_n_m");
+    for (own, expected) in [
+        (Some(1e-3 * rolling_n_m), Some(rolling_n_m)),
+        (Some(2.0 * rolling_n_m), Some(2.0 * rolling_n_m)),
+        (None, None),
+    ] {
+        if let Some(end) = &mut ended.s.end_power {
+            end.torque_n_m = own;
+        }
+        let found = torque(&ended);
+        assert_eq!(found.is_some(), expected.is_some());
+        let [found, expected] = [found, expected].map(Option::unwrap_or_default);
+        assert!((found - expected).abs() <= 1e-12, "{found} {expected}");
+    }
+}
+
 /// Groups of drops side by side: heading and rows of each.
 type Groups = Vec<(&'static str, Vec<crate::ShownBeside>)>;
 

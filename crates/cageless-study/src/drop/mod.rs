@@ -5,6 +5,7 @@ mod benefit;
 mod distribution;
 mod ensemble;
 mod filed_drop;
+mod length;
 mod quantiles;
 mod record;
 mod side_by_side;

@@ -14,9 +14,11 @@ pub struct Quantiles {
     /// Drops that have it.
     pub count: usize,
     /// Drops in all.
+    #[serde(skip)]
     pub of: usize,
     /// Time within which the event has not come in the other drops, in the unit of the result; `None` if it has in
     /// all, and of a result that is no such time.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub not_within: Option<f64>,
     /// Least; `None` beyond that time.
     pub least: Option<f64>,

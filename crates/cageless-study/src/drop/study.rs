@@ -8,6 +8,7 @@ use cageless_io::case_file::missing_rotor;
 use cageless_results::number_text::short;
 use cageless_results::{DropJudgement, DropResult, Record, bearing_number, on_bearing};
 
+use super::length::um;
 use super::record::{TASK, steps};
 use super::side_by_side::drop_task;
 use super::verification::verify;
@@ -301,7 +302,6 @@ pub fn foreseen(drop: &RotorDrop) -> Vec<String> {
 
 /// Warnings of journals whose clearance to the stator is not above that to the bearing.
 fn meets_the_stator(drop: &RotorDrop) -> Vec<String> {
-    let um = |m: f64| short(1e6 * m);
     let cases = drop.cases().iter().enumerate();
     cases
         .filter_map(|(k, case)| {
@@ -347,8 +347,8 @@ fn held(drop: &RotorDrop) -> Option<String> {
     let sags_m = rotor.own_sags_m()?.into_iter().zip(drop.cases());
     let sags = sags_m.map(|(sag_m, case)| {
         let clearance_m = case.rotor.as_ref()?.radial_clearance_m;
-        let (sag_m, um) = (gravity_m_s2 * sag_m, 1e6);
-        let text = format!("{} of {} µm", short(um * sag_m), short(um * clearance_m));
+        let sag_m = gravity_m_s2 * sag_m;
+        let text = format!("{} of {} µm", um(sag_m), um(clearance_m));
         (sag_m < clearance_m && gravity_m_s2 > 0.0).then_some(text)
     });
     let sags = sags.collect::<Option<Vec<_>>>()?.join(", ");

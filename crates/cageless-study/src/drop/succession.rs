@@ -9,6 +9,7 @@ use cageless_results::{
     DropJudgement, Quantity, Record, SuccessiveDrop, succession_record, table_of,
 };
 
+use super::length::um;
 use super::standstill::{Standstill, spun_up};
 use super::{DropRecord, FiledDrop};
 use crate::StudyError;
@@ -249,7 +250,7 @@ fn slowed(first: &DropRecord, drop: &RotorDrop, record: &mut DropRecord) {
                  within {} ms with Gr {} µm; largest force on the rotor {} N",
                 short(cold.result.results.number("spin_up_ms")),
                 short(1e3 * warm.result.results.number("simulated_s")),
-                short(1e6 * case.bearing.radial_internal_clearance_m()),
+                um(case.bearing.radial_internal_clearance_m()),
                 short(warm.result.results.number("rotor_force_max_n"))
             );
             warm.result
