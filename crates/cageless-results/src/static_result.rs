@@ -81,6 +81,13 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
             .to_owned(),
     ];
     notes.extend(assembly_note(&case.bearing).map(str::to_owned));
+    if solved.rating.has_close_grooves {
+        notes.push(
+            "a groove is closer to the balls than 0.52 Dw: Cr and lives are those of 0.52, as a smaller groove radius \
+             does not necessarily raise what a bearing carries (ISO 281, 5.1)"
+                .to_owned(),
+        );
+    }
     if !case.raceways.is_empty() {
         notes.push(
             "lives and C0r take the outer raceway as a plain groove; in the discrete raceway two \

@@ -40,7 +40,7 @@ pub const STATIC: &[Quantity] = &[
     group(Group::Life, means("P of the external radial and axial load, with X, Y and e of the standard", low(quantity("equivalent_load_n", "N", "equivalent dynamic radial load P (ISO 281)", Static(|s| equivalent(s, |load| load.dynamic_n)))))),
     group(Group::Safety, means("P0 of the external radial and axial load, with X0 and Y0 of the standard", low(quantity("equivalent_static_load_n", "N", "equivalent static radial load P0 (ISO 76)", Static(|s| equivalent(s, |load| load.static_n)))))),
     group(Group::Safety, high(quantity("static_safety_factor", "", "static safety factor s0 = C0r/P0 (ISO 76)", Static(|s| s.rating.static_safety_factor.into())))),
-    group(Group::Safety, high(quantity("pressure_safety", "", "load factor until 4200 MPa", Static(|s| s.rating.pressure_safety.into())))),
+    group(Group::Safety, means("on radial load, axial load and moments together, until the largest contact pressure in equilibrium reaches 4200 MPa; preload, weights and speed stay; none without load, and where a contact leaves its groove before", high(quantity("pressure_safety", "", "load factor until 4200 MPa", Static(|s| s.rating.pressure_safety.into()))))),
     file_only(text("assembly", "way of assembly", Static(|s| Cell::Text(s.case.bearing.assembly().name().to_owned())))),
     not_in_tables(quantity("rating_factor", "", "rating factor bm of ISO 281 for it", Static(|s| some(s.case.bearing.assembly().rating_factor())))),
     group(Group::Life, high(quantity("basic_dynamic_rating_n", "N", "basic dynamic radial load rating Cr (ISO 281)", Static(|s| some(s.rating.basic.dynamic_n))))),

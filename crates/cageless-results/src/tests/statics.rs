@@ -298,6 +298,23 @@ fn limits_on_a_static_equilibrium_are_judged() {
     assert_eq!(judged.limits_not_judged.len(), 2, "{judged:?}");
 }
 
+/// A closer groove than the table of ISO 281 has keeps its rating, which a note says.
+#[test]
+fn a_note_says_that_closer_grooves_raise_no_rating() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/full-6008.toml");
+    let of = |conformity: f64| {
+        let sets = [format!("bearing.inner_conformity={conformity}")];
+        let file = CaseFile::read(Path::new(path), &sets).unwrap();
+        let settled = settle(file.case()).unwrap();
+        let record = static_record(file.case(), &particulars(&file), &settled);
+        let notes = record.sentences("notes").join("\n");
+        let rating_n = record.results.number("basic_dynamic_rating_n");
+        (rating_n, notes.contains("closer to the balls than 0.52 Dw"))
+    };
+    assert_eq!(of(0.52).1, false);
+    assert_eq!(of(0.505), (of(0.52).0, true));
+}
+
 /// The static record of structure (d) with this film, and its notes on the film.
 fn in_oil(sets: &[&str]) -> (Record, String) {
     let oil = [

@@ -63,7 +63,7 @@ impl BasicRatings {
         };
         Self {
             dynamic_n: bearing.assembly().rating_factor()
-                * dynamic_factor(gamma, grooves)
+                * dynamic_factor(gamma, Conformities::rated(bearing))
                 * z.powf(2.0 / 3.0)
                 * size
                 * across.powf(0.7),
@@ -98,7 +98,8 @@ impl BasicRatings {
 ///   fc = 0.41 A1 λ (1 + a^(10/3))^(−3/10) γ^0.3 (1 − γ)^1.39/(1 + γ)^(1/3) (2ri/(2ri − Dw))^0.41,
 ///   a = 1.04 ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41
 ///
-/// (ISO/TR 1281-1). The table of ISO 281 is this at 0.52 for both.
+/// (ISO/TR 1281-1). The table of ISO 281 is this at 0.52 for both; ratings take no less
+/// ([`Conformities::rated`]).
 pub(crate) fn dynamic_factor(gamma: f64, grooves: Conformities) -> f64 {
     let ratio = raceway_ratio(1.04, gamma, grooves);
     let inner = grooves.inner;

@@ -22,6 +22,7 @@ mod basic_ratings;
 mod equivalent_load;
 mod friction_torque;
 mod load_distribution;
+mod load_factor;
 mod lubrication;
 mod passing_frequencies;
 mod ratios;
@@ -33,7 +34,6 @@ use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
 use crate::case::Case;
-use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
 use crate::equilibrium::space::{SpatialEquilibrium, forces_at_rest};
 use crate::material::{Material, Materials};
@@ -51,6 +51,7 @@ pub(crate) use equivalent_load::LoadFactors;
 pub(crate) use equivalent_load::RowArrangement;
 pub use friction_torque::{rolling_torque_n_m, skf_friction_torque_n_m};
 pub(crate) use load_distribution::rigid_ring_forces_n;
+use load_factor::load_factor;
 #[cfg(test)]
 pub(crate) use lubrication::life_modification_factor;
 #[cfg(test)]
@@ -88,8 +89,9 @@ pub struct Rating {
     pub l10r_at_speed_mrev: Option<f64>,
     /// s0 = C0r/P0 of ISO 76; `None` without P0.
     pub static_safety_factor: Option<f64>,
-    /// (4200 MPa/p)³ with the largest contact pressure p in equilibrium; `None` if no ball is
-    /// loaded. The load that this pressure leaves to the limit, as a factor.
+    /// Factor on radial load, axial load and moments together at which the largest contact pressure in equilibrium
+    /// reaches 4200 MPa, preload, weights and speed unchanged; `None` without load, and where a contact leaves its
+    /// groove before.
     pub pressure_safety: Option<f64>,
     /// Passing frequencies.
     pub passing: PassingFrequencies,
@@ -99,6 +101,8 @@ pub struct Rating {
     pub speed_factor_mm_rpm: f64,
     /// Materials, of which the standards rate the first two.
     pub materials: RatedMaterials,
+    /// Whether a groove is closer to the balls than ISO 281 rates: the dynamic rating is that of 0.52 Dw.
+    pub has_close_grooves: bool,
 }
 
 /// Materials of a bearing as the standards of load ratings tell them apart.
@@ -131,7 +135,7 @@ impl Rating {
         let (inner_n, outer_n) = (&equilibrium.inner_force_n, &equilibrium.outer_force_n);
         Self {
             l10r_at_speed_mrev: reference.l10r_mrev(inner_n, outer_n),
-            ..Self::with_reference_life(case, equilibrium, at_rest)
+            ..Self::with_reference_life(case, at_rest)
         }
     }
 
@@ -151,30 +155,28 @@ impl Rating {
         Self {
             loaded_contact_angle_rad: loaded_contact_angle_rad(space),
             l10r_at_speed_mrev: life(space),
-            ..Self::with_reference_life(case, &space.rest, at_rest)
+            ..Self::with_reference_life(case, at_rest)
         }
     }
 
     /// Ratings with this L10r, that at speed left out.
-    fn with_reference_life(case: &Case, equilibrium: &Equilibrium, l10r_mrev: Option<f64>) -> Self {
+    fn with_reference_life(case: &Case, l10r_mrev: Option<f64>) -> Self {
         let bearing = &case.bearing;
         let basic = BasicRatings::of_rows(bearing, case.rows.len().max(1));
         let equivalent = EquivalentLoad::new(case);
         let l10_mrev = equivalent.map(|load| basic.l10_mrev(load.dynamic_n));
-        let peak_pa = equilibrium
-            .inner_pressure_max_pa
-            .max(equilibrium.outer_pressure_max_pa);
         Self {
             equivalent,
             l10_mrev,
             l10r_mrev,
             l10r_at_speed_mrev: None,
             static_safety_factor: equivalent.map(|load| basic.static_safety_factor(load.static_n)),
-            pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
+            pressure_safety: load_factor(case),
             passing: PassingFrequencies::new(case),
             loaded_contact_angle_rad: None,
             speed_factor_mm_rpm: speed_factor_mm_rpm(case),
             materials: RatedMaterials::of(bearing),
+            has_close_grooves: ratios::Conformities::of(bearing).are_closer_than_rated(),
             basic,
         }
     }
@@ -198,8 +200,26 @@ impl Rating {
         });
         unsafe_load
             .into_iter()
+            .chain(self.short_life())
             .chain(speed_warning(self.speed_factor_mm_rpm))
             .collect()
+    }
+}
+
+/// L10r over L10 below which the second says little.
+const SHORT: f64 = 0.5;
+
+impl Rating {
+    /// Warning that L10 and s0 know nothing of what makes the life of this bearing short.
+    fn short_life(&self) -> Option<String> {
+        let [l10, l10r] = [self.l10_mrev?, self.l10r_mrev?];
+        (l10r < SHORT * l10).then(|| {
+            format!(
+                "L10 is {:.1} times L10r: ISO 281 and ISO 76 know neither clearance nor preload, which shorten the life \
+                 of this bearing; L10r (ISO 16281) has the load of every ball",
+                l10 / l10r
+            )
+        })
     }
 }
 

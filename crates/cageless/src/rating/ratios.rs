@@ -28,7 +28,25 @@ impl Conformities {
             outer: over_diameter(d.outer_groove_curvature_radius_m),
         }
     }
+
+    /// Those with which dynamic ratings are computed, [`STANDARD_CONFORMITY`] or more: a smaller groove radius does
+    /// not necessarily raise what a bearing carries, a larger one lowers it (ISO 281:2007, 5.1).
+    pub(super) fn rated(bearing: &Bearing) -> Self {
+        let own = Self::of(bearing);
+        Self {
+            inner: own.inner.max(STANDARD_CONFORMITY),
+            outer: own.outer.max(STANDARD_CONFORMITY),
+        }
+    }
+
+    /// Whether a groove is closer to the balls than the table of ISO 281 rates, beyond rounding.
+    pub(super) fn are_closer_than_rated(&self) -> bool {
+        self.inner.min(self.outer) < STANDARD_CONFORMITY * (1.0 - 1e-6)
+    }
 }
+
+/// Groove radius over Dw of the table of ISO 281.
+const STANDARD_CONFORMITY: f64 = 0.52;
 
 /// Ratio of the load ratings of a ball contact at the inner and the outer raceway without
 /// its leading factor `c`: c ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41

@@ -29,7 +29,7 @@ impl ReferenceLife {
     pub(crate) fn new(bearing: &Bearing) -> Self {
         let across = bearing.contact_angle_rad().cos().powf(0.7);
         let per_ball = BasicRatings::new(bearing).dynamic_n / bearing.balls() as f64 / across;
-        let ratio = raceway_ratio(1.044, gamma(bearing), Conformities::of(bearing));
+        let ratio = raceway_ratio(1.044, gamma(bearing), Conformities::rated(bearing));
         let rating = |integral: f64, exponent: f64| {
             per_ball / integral * (1.0 + ratio.powf(exponent)).powf(0.3)
         };
