@@ -56,8 +56,8 @@ pub struct PairTest {
     pub ring_y_m: Option<f64>,
     /// Error of the starting gap.
     pub tolerance_rad: f64,
-    /// Gaps above this are not tried: one that closes counts as [`CriticalGapError::AlwaysCloses`].
-    /// `None` for all that the bearing has room for.
+    /// Gap at the entrance above which nothing is tried: one that closes counts as
+    /// [`CriticalGapError::AlwaysCloses`]. `None` for all that the bearing has room for.
     pub gap_max_rad: Option<f64>,
     /// Largest step under Coulomb friction, whose results are of order one in the step; a
     /// larger one of the case gives way to it.
@@ -306,6 +306,9 @@ fn pass(
     }
 }
 
+/// Largest starting gap over the last one where a pair reaches the raceway with less than is to be tried.
+const FURTHER: f64 = 1.5;
+
 /// Passages that a critical gap takes as a rule.
 const PASSAGES: f64 = 4.0;
 
@@ -338,22 +341,35 @@ pub fn critical_gap_rad(
     let most = test.gap_max_rad.map_or(room, |gap| gap.min(room));
     let mut entrance = f64::NAN;
     let mut passages = 0.0;
-    let found = root::try_rise(
-        |gap| {
-            let mut fraction = |part: f64| control(((passages + part) / PASSAGES).min(1.0));
-            let passed = pass(case, test, ring_y, gap, &mut fraction)?;
-            passages += 1.0;
-            entrance = passed.entrance;
-            Ok::<_, CriticalGapError>(passed.smallest)
-        },
-        // A little above, where pairs pass freely and the smallest gap is a smooth function.
-        1.03 * bearing.nominal_gap_rad(),
-        [0.0, most],
-        test.tolerance_rad,
-    )?;
-    match found {
-        Rise::At(_) => Ok(entrance),
-        Rise::Below => Err(CriticalGapError::NeverCloses),
-        Rise::Above => Err(CriticalGapError::AlwaysCloses),
+    // A little above, where pairs pass freely and the smallest gap is a smooth function.
+    let mut guess = 1.03 * bearing.nominal_gap_rad();
+    let mut range = [0.0, most];
+    loop {
+        let found = root::try_rise(
+            |gap| {
+                let mut fraction = |part: f64| control(((passages + part) / PASSAGES).min(1.0));
+                let passed = pass(case, test, ring_y, gap, &mut fraction)?;
+                passages += 1.0;
+                entrance = passed.entrance;
+                Ok::<_, CriticalGapError>(passed.smallest)
+            },
+            guess,
+            range,
+            test.tolerance_rad,
+        )?;
+        let [_, high] = range;
+        let is_reached = test.gap_max_rad.is_none_or(|gap| entrance >= gap);
+        match found {
+            Rise::At(_) => return Ok(entrance),
+            Rise::Below => return Err(CriticalGapError::NeverCloses),
+            Rise::Above if is_reached || high >= room => {
+                return Err(CriticalGapError::AlwaysCloses);
+            }
+            // A pair that draws together on its way reaches the raceway with less than it starts with.
+            Rise::Above => {
+                guess = (FURTHER * high).min(room);
+                range = [high, guess];
+            }
+        }
     }
 }

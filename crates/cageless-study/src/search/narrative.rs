@@ -266,6 +266,21 @@ fn at_point(found: &Found, rejection: &Rejection) -> String {
     format!("{rejection}{place}")
 }
 
+/// Whether the structure of the case is acceptable to a search that recommends nothing.
+fn of_own(found: &Found, own: &Confirmed) -> String {
+    let Some(rejection) = &own.evaluation.rejection else {
+        return "The initial design is acceptable.".to_owned();
+    };
+    let evenly = match rejection.cause.name() {
+        "gap-not-retained" => "; `cageless design` judges evenly spaced balls alone",
+        _ => "",
+    };
+    format!(
+        "The initial design fails as well: {}{evenly}.",
+        at_point(found, rejection)
+    )
+}
+
 /// Why nothing is recommended, and what to change.
 pub fn why_none(found: &Found) -> String {
     let first = found.of_role(Role::Unconfirmed).next();
@@ -298,8 +313,12 @@ pub fn why_none(found: &Found) -> String {
             sentences.extend(closest.map(|e: &Evaluation| {
                 let why = (e.rejection.as_ref()).map_or(String::new(), |r| at_point(found, r));
                 let size = Results::of(STRUCTURE, Subject::Structure(e)).into();
+                let untried = match e.has_moved() {
+                    true => "",
+                    false => "; its motion was not tried",
+                };
                 format!(
-                    "The nearest to it, {}, fails: {why}.",
+                    "The nearest to it, {}, fails: {why}{untried}.",
                     structure_label(&size)
                 )
             }));
@@ -313,9 +332,7 @@ pub fn why_none(found: &Found) -> String {
         }
     };
     let own = found.of_role(Role::Own).next();
-    if own.is_some_and(|c| c.evaluation.rejection.is_none()) {
-        sentences.push("The initial design is acceptable.".to_owned());
-    }
+    sentences.extend(own.map(|own| of_own(found, own)));
     sentences.push(format!("To change: {remedy}."));
     sentences.join(" ")
 }

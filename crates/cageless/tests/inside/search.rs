@@ -1,14 +1,14 @@
 //! The search for a raceway: what its numbers mean, and that it finds the same again.
 
 use std::collections::HashMap;
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_4, TAU};
 
 use super::outer_ring::SIZE;
 use crate::common::*;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
-    PairSeparation, RacewayLayout, Request, Role, SearchError, SpeedMap, Stage, Task, UnevenStart,
-    VALUES, perturbed_runs, run_jobs, search, uneven_gaps_rad,
+    PairSeparation, RacewayLayout, Rejection, Request, Role, SearchError, SpeedMap, Stage, Task,
+    UnevenStart, VALUES, perturbed_runs, run_jobs, search, uneven_gaps_rad,
 };
 use cageless::design::{
     BOTH_NEIGHBOURS, Eq11, RacewayVerdict, axial_lag, judge, steady_gap_rad, theoretical_gap_rad,
@@ -16,7 +16,9 @@ use cageless::design::{
 use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
 use cageless::surface::OuterRing;
-use cageless::{Case, Ends, Gaps, Raceway, RacewayForm, RacewayShape};
+use cageless::{
+    BearingDimensions, Case, Ends, FlankModel, Gaps, Raceway, RacewayForm, RacewayShape,
+};
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())
@@ -104,6 +106,40 @@ fn a_search_keeps_the_shape_of_its_case() {
     let far = Raceway::new(far, &case.bearing).unwrap();
     let two = case.with_raceways(vec![steady.raceways[0].clone(), far]);
     assert_eq!(RacewayLayout::from_case(&two), None);
+}
+
+/// In a full complement a pair draws together on its way to the raceway, so that it starts with far more than its critical
+/// gap: the search has that of the design, at any speed, and finds a shallow raceway neither too deep nor alike all others.
+#[test]
+fn a_search_has_the_critical_gap_of_the_design() {
+    let mut dimensions = BearingDimensions::estimated(15, 4.7625e-3, 23e-3);
+    dimensions.outer_groove_bottom_radius_m += 12.5e-6;
+    let mut case = conventional(dimensions);
+    case.flanks = FlankModel::Elastic;
+    case.operation.radial_load_n = 820.0;
+    case.operation.inner_speed_rad_s = 3000.0 / 60.0 * TAU;
+    let form = RacewayForm {
+        ends: FlankModel::Elastic.usual_ends(),
+        ..RacewayForm::default()
+    };
+    let gaps = [1.4, 1.643].map(|span_mm| {
+        let dimensions = RacewayDimensions {
+            axial_span_m: span_mm * 1e-3,
+            half_angle_rad: 12.36f64.to_radians(),
+            centre_angle_rad: 0.0,
+        };
+        let raceway = Raceway::formed(dimensions, form, &case.bearing).unwrap();
+        let case = case.with_raceways(vec![raceway]);
+        let searched = spacing(&case, RacewayLayout::from_case(&case).unwrap()).critical_gap_rad;
+        let designed = judge(&case, &mut go_on).unwrap().critical_gap_rad.unwrap();
+        let steady = steady_gap_rad(&case.bearing, &case.raceways);
+        assert!(
+            (searched / designed - 1.0).abs() < 0.1 && searched < 1.05 * steady,
+            "{searched} {designed} {steady}"
+        );
+        searched
+    });
+    assert!(gaps[0] < 0.9 * gaps[1], "{gaps:?}");
 }
 
 /// Where no load presses balls against the raceway they slide over it, however well the gap of
@@ -382,6 +418,37 @@ fn a_region_without_a_raceway_says_what_excludes_it() {
             .map(|r| r.cause.name()),
         Some("insufficient-separation" | "eq-9")
     ));
+}
+
+/// The nearest to what is asked for is one that was moved before one of which critical gaps alone are known.
+#[test]
+fn the_nearest_is_one_of_which_most_is_known() {
+    let case = structure(5.1, 25.2);
+    let request = Request {
+        axial_span_range_m: Some([1e-3, 1e-3]),
+        ..small(&case)
+    };
+    let mut found = run(&case, &request, &mut |_, jobs| Ok(all(&case, jobs)));
+    let missed = |fraction: f64| {
+        Some(Rejection {
+            cause: Cause::Missed(BOTH_NEIGHBOURS.of(fraction)),
+            point: Some(0),
+            bunched: false,
+        })
+    };
+    let one = found.evaluations[0].clone();
+    found.evaluations = vec![one; 3];
+    let fractions = [0.5, 0.26, 0.4];
+    for (e, fraction) in found.evaluations.iter_mut().zip(fractions) {
+        e.rejection = missed(fraction);
+        e.motion = vec![None];
+    }
+    let closest = |found: &Found| found.closest().and_then(|e| e.rejection.clone());
+    assert_eq!(closest(&found), missed(0.26));
+    found.evaluations[0].motion = vec![Some(Motion::default())];
+    assert_eq!(closest(&found), missed(0.5));
+    found.evaluations[2].motion = vec![Some(Motion::default())];
+    assert_eq!(closest(&found), missed(0.4));
 }
 
 #[test]

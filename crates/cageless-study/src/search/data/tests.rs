@@ -340,6 +340,17 @@ fn candidates_that_are_not_confirmed_are_named() {
          higher load, with which shallower raceways space the balls; or more starts for each raceway (search.initial_states)."
     );
     assert_eq!(sentence, &said);
+    // That of the case fails by itself.
+    let own = found.confirmed.iter_mut().find(|c| c.role == Role::Own);
+    own.unwrap().evaluation.rejection = Some(Rejection {
+        cause: Cause::Missed(BOTH_NEIGHBOURS.of(0.4)),
+        point: None,
+        bunched: false,
+    });
+    let data = search_record(&file, &found, vec![], &[]);
+    let sentence = &data.sentences("findings")[0];
+    let fails = "The initial design fails as well: 40.0 % of the passages have a double collision";
+    assert!(sentence.contains(fails), "{sentence}");
 }
 
 /// A recommendation says how far balls leave apart, and from which starts it is confirmed; reasons are there or

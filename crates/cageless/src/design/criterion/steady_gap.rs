@@ -28,7 +28,7 @@ pub static STEADY_GAP: Requirement = Requirement {
         cause: CauseKind {
             name: "excessive-separation",
             meaning: "too deep: balls are spaced too far, so that three meet",
-            remedy: "a lower speed or a higher load, with which shallower raceways space the balls",
+            remedy: "shallower raceways (smaller search.axial_span_mm); where these slide too much, a higher load",
         },
     }),
     sentence: |_| "the critical gap is {} of the steady-state gap",

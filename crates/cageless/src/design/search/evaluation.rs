@@ -177,6 +177,11 @@ impl Evaluation {
         });
     }
 
+    /// Whether the motion of all balls is known at some operating point.
+    pub fn has_moved(&self) -> bool {
+        self.motion.iter().any(Option::is_some)
+    }
+
     /// Rejected for this reason, it is on no front.
     pub(super) fn reject_with(&mut self, rejection: &Rejection) {
         self.rejection = Some(rejection.clone());

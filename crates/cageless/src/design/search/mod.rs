@@ -172,7 +172,8 @@ impl Found {
         })
     }
 
-    /// The rejected candidates that misses by least at some operating point.
+    /// The rejected candidate that misses by least at some operating point, of those of which most is known: where some
+    /// were moved, of these.
     pub fn closest(&self) -> Option<&Evaluation> {
         let excess = |e: &Evaluation| {
             // What the closed forms exclude lies at the edge of the candidate range by construction.
@@ -184,7 +185,11 @@ impl Found {
         self.evaluations
             .iter()
             .filter(|e| excess(e).is_finite())
-            .min_by(|a, b| excess(a).total_cmp(&excess(b)))
+            .min_by(|a, b| {
+                let unmoved = [a, b].map(|e| !e.has_moved());
+                let known = unmoved[0].cmp(&unmoved[1]);
+                known.then(excess(a).total_cmp(&excess(b)))
+            })
     }
 }
 
