@@ -194,8 +194,11 @@ pub fn compare(
 ) -> Found<Computed> {
     let case: &CaseFile = file.case();
     let own = ("case".to_owned(), case.clone());
+    let remedies = remedies
+        .then(|| comparison::Remedies::new(case))
+        .transpose()?;
     let rings = match reference {
-        _ if remedies => comparison::remedies(case)?,
+        _ if remedies.is_some() => vec![],
         Some(other) => vec![("reference".to_owned(), other.case().clone()), own],
         None => vec![
             ("conventional".to_owned(), case.with_conventional_ring()?),
@@ -203,7 +206,11 @@ pub fn compare(
         ],
     };
     let work = |progress: &dyn Progress| {
-        comparison::compare(&rings, comparison::Sampling::Draws(draws), progress)
+        let sampling = comparison::Sampling::Draws(draws);
+        match &remedies {
+            Some(remedies) => comparison::compare_remedies(remedies, sampling, progress),
+            None => comparison::compare(&rings, sampling, progress),
+        }
     };
     let (compared, comparison) = background.run(py, work)??;
     with_seed(py, "comparison", pretty(&comparison)?, vec![], move || {

@@ -32,6 +32,10 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
         page.open_with(figures::spacing(runs));
     }
     page.open_with_motion(motion(runs, comparison));
+    for left_out in &comparison.left_out {
+        let text = format!("{}: left out, {}", left_out.name, left_out.why);
+        page.note(Note::Warning, &text);
+    }
     for run in runs {
         for warning in &run.data.warnings {
             page.note(Note::Warning, &format!("{}: {warning}", shown(run)));

@@ -70,7 +70,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 48] = [
     (INFLUENCE, "Tolerance analysis: one influence at a time", "Under `influences`, with the list `verdicts`; ranges include the nominal bearing."),
     (SAMPLES, "Tolerance analysis: everything at once", "Under `samples`."),
     (STEADY, "Steady operation", "Of `compare`: means over the draws of balls with their standard errors."),
-    (COMPARED, "Comparison of outer rings", "Of `compare`, with the results of a run and of steady operation: means over the draws with their standard errors,\ndifferences and what is better. `benefits` has `benefit`, `benefit_reasons`, score and criteria of each ring against the\nfirst, `verdicts` whether single balls are slowed as intended."),
+    (COMPARED, "Comparison of outer rings", "Of `compare`, with the results of a run and of steady operation: means over the draws with their standard errors,\ndifferences and what is better. `benefits` has `benefit`, `benefit_reasons`, score and criteria of each ring against the\nfirst, `verdicts` whether single balls are slowed as intended, `left_out` remedies that cannot run."),
     (VERIFICATION, "Verification of a run", "Of `run --verify`, under `verification`."),
     (VERIFIED, "Verification of a run: results that are judged", "Under `verification.numbers`."),
     (DROP_VERIFICATION, "Verification of a drop", "Of `drop --verify`, under `verification.bearings`."),

@@ -9,7 +9,8 @@ use cageless_report::compared_run::{ComparedRun, compared_runs, films};
 use cageless_report::run_report::run_data;
 use cageless_study::Progress;
 use cageless_study::comparison::{
-    DRAWS, Draws, RingComparison, RingResults, Sampling, compare as study, remedies,
+    DRAWS, Draws, Remedies, RingComparison, RingResults, Sampling, compare as study,
+    compare_remedies,
 };
 use cageless_study::run::{Options, run};
 
@@ -30,6 +31,9 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
         Side::Run(_) => None,
     });
     let cases: Option<Vec<_>> = cases.collect();
+    let own = cases.as_deref().and_then(<[_]>::first);
+    let remedies = own.filter(|_| args.remedies);
+    let remedies = remedies.map(|(_, file)| Remedies::new(file)).transpose()?;
     args.output.drive(&[NUMBERS, PAGE], |bars| {
         let (runs, comparison) = match cases {
             Some(cases) => {
@@ -37,7 +41,10 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
                     Some(starts) => Sampling::UnevenStarts(starts),
                     None => Sampling::Draws(args.draws.unwrap_or(DRAWS)),
                 };
-                let (rings, comparison) = study(&cases, sampling, bars)?;
+                let (rings, comparison) = match &remedies {
+                    Some(remedies) => compare_remedies(remedies, sampling, bars)?,
+                    None => study(&cases, sampling, bars)?,
+                };
                 (compared_runs(&rings, &comparison), comparison)
             }
             None => finished(sides, bars)?,
@@ -71,6 +78,9 @@ fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
             comparison.results.iter().collect()
         }
     };
+    for left_out in &comparison.left_out {
+        text += &format!("{}: left out, {}\n", left_out.name, left_out.why);
+    }
     for (name, limits) in comparison.runs.iter().zip(&comparison.limits) {
         let lines = limits.lines().into_iter();
         text += &lines
@@ -194,13 +204,6 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
             Side::Case(Box::new(file))
         };
         sides.push((lettered(k), side));
-    }
-    if args.remedies {
-        let Side::Case(file) = &sides[0].1 else {
-            unreachable!("a folder was refused")
-        };
-        let of = |(name, file)| (name, Side::Case(Box::new(file)));
-        return Ok(remedies(file)?.into_iter().map(of).collect());
     }
     if args.with_conventional {
         let conventional = conventional(&sides[0].1, &args.cases[0])?;

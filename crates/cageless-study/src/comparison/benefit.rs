@@ -18,6 +18,9 @@ struct Asked {
     weight: fn(&BenefitWeights) -> f64,
 }
 
+/// Scatter of the gaps.
+const SCATTER: &str = "gap_deviation_deg";
+
 /// Fewer contacts, even spacing, steady force.
 const ASKED: [Asked; 3] = [
     Asked {
@@ -27,7 +30,7 @@ const ASKED: [Asked; 3] = [
         weight: |weights| weights.contacts,
     },
     Asked {
-        name: "gap_deviation_deg",
+        name: SCATTER,
         said: "scatter of the gaps",
         settling: Settling::Spacing,
         weight: |weights| weights.spacing,
@@ -227,7 +230,10 @@ impl Benefit {
         // Each kind with the word before it in a sentence, and in the list.
         let kinds = [
             (broken.clone(), "", ""),
-            (gains, "", ""),
+            match word {
+                BenefitWord::Helps => (gains, "", ""),
+                _ => (gains, "better ", "better: "),
+            },
             (losses, "worse ", "worse: "),
             (costs, "at the cost of ", "cost: "),
         ];
@@ -237,7 +243,8 @@ impl Benefit {
                 vec!["a result that is asked for is missing".to_owned()]
             }
             BenefitWord::NotJudged => {
-                let more = "steady.measured_orbits or steady.transient_orbits larger";
+                let more = "steady.measured_orbits or steady.transient_orbits larger, or more draws, which narrow \
+                            the error";
                 missing.into_iter().chain([more.to_owned()]).collect()
             }
             _ => {
@@ -306,7 +313,7 @@ fn in_short(reasons: &[String]) -> String {
 fn change_limit(of: Settling, ring: &RingResults, reference: &RingResults) -> f64 {
     let asked = ASKED.iter().find(|asked| asked.settling == of);
     let name = asked.map_or("", |asked| asked.name);
-    let means = [ring, reference].map(|r| Estimate::new(r.of(name)));
+    let means = [ring, reference].map(|r| Estimate::new(&beside(r, reference, name)));
     match means {
         [Some(value), Some(from)] if ring.is_long && reference.is_long => {
             let difference = ratio(value.mean, from.mean).ln().abs();
@@ -328,7 +335,7 @@ fn scores(ring: &RingResults, reference: &RingResults) -> Vec<f64> {
     let count = draws.min().unwrap_or(0);
     let all: f64 = asked(reference).map(|(_, weight)| weight).sum();
     let of_draw = |k: usize| {
-        let ln = |name: &str| ratio(ring.of(name)[k], reference.of(name)[k]).ln();
+        let ln = |name: &str| ratio(beside(ring, reference, name)[k], reference.of(name)[k]).ln();
         asked(reference)
             .map(|(name, weight)| weight * ln(name))
             .sum::<f64>()
@@ -355,6 +362,25 @@ pub(crate) fn ratio(value: f64, reference: f64) -> f64 {
     }
 }
 
+/// Factor that takes the scatter of the gaps of a ring to the mean gap of the reference: with fewer balls there is more
+/// room, in which gaps scatter by more without being less even.
+fn room(ring: &RingResults, reference: &RingResults) -> f64 {
+    let factor = reference.mean_gap_rad / ring.mean_gap_rad;
+    match factor.is_finite() && factor > 0.0 {
+        true => factor,
+        false => 1.0,
+    }
+}
+
+/// Values of a result beside those of the reference: the scatter of the gaps at its mean gap.
+fn beside(ring: &RingResults, reference: &RingResults, name: &str) -> Vec<f64> {
+    let factor = match name == SCATTER {
+        true => room(ring, reference),
+        false => 1.0,
+    };
+    ring.of(name).iter().map(|value| factor * value).collect()
+}
+
 fn criterion(
     ring: &RingResults,
     reference: &RingResults,
@@ -362,9 +388,9 @@ fn criterion(
     weight: f64,
 ) -> Option<BenefitCriterion> {
     let quantity = compared_named(name)?;
-    let [value, from] = [ring, reference].map(|r| Estimate::new(r.of(name)));
-    let (value, from) = (value?, from?);
-    let difference = Estimate::of_differences(ring.of(name), reference.of(name))?;
+    let values = beside(ring, reference, name);
+    let (value, from) = (Estimate::new(&values)?, Estimate::new(reference.of(name))?);
+    let difference = Estimate::of_differences(&values, reference.of(name))?;
     Some(BenefitCriterion {
         name: quantity.name,
         ratio: (from.mean != 0.0).then(|| value.mean / from.mean),
@@ -389,6 +415,17 @@ fn changed(ring: &RingResults, reference: &RingResults, name: &str) -> Option<St
     let mut all = asked.chain(COSTS.iter().map(|cost| (cost.name, cost.said)));
     let (_, said) = all.find(|(known, _)| *known == name)?;
     let label = said?;
+    if name == SCATTER && room(ring, reference) != 1.0 {
+        let of = |r: &RingResults| {
+            let gap_deg = r.mean_gap_rad.to_degrees();
+            Some(Estimate::new(r.of(name))?.times(1.0 / gap_deg).text())
+        };
+        return Some(format!(
+            "{label} {} instead of {} mean gaps",
+            of(ring)?,
+            of(reference)?
+        ));
+    }
     Some(format!(
         "{label} {value} instead of {}",
         with_unit(&from, &unit)
@@ -482,6 +519,43 @@ mod tests {
         let others = ASKED.len() - 1;
         assert_eq!(benefit.benefit_reasons.len(), others + 2);
         assert_eq!(benefit.why, format!("{first}, and {others} more; {advice}"));
+        assert!(advice.contains("more draws"), "{advice}");
+    }
+
+    /// A ball fewer leaves more room: gaps that scatter by as much of their mean are as even, and are given in mean gaps.
+    #[test]
+    fn scatter_is_compared_in_mean_gaps() {
+        let plain = ring("plain", "title=x", PLAIN, 900.0);
+        let fewer = |scatter: f64| {
+            ring(
+                "13 balls",
+                "bearing.balls=13",
+                [500.0, scatter, 20.0],
+                900.0,
+            )
+        };
+        let room = fewer(6.0).mean_gap_rad / plain.mean_gap_rad;
+        assert!(room > 1.5, "{room}");
+        let benefit = |scatter: f64| Benefit::of(&fewer(scatter), &plain);
+        let even = benefit(6.0 * room);
+        assert_eq!(even.benefit, BenefitWord::NoMeasurableBenefit);
+        let twice = benefit(12.0 * room);
+        assert_eq!(twice.benefit, BenefitWord::Harms);
+        assert!((twice.score.unwrap().mean - 2f64.ln() / 3.0).abs() < 1e-9);
+        let of = |benefit: &Benefit| {
+            let all = &benefit.criteria;
+            all.iter()
+                .find(|c| c.name == SCATTER)
+                .map(|c| (c.ratio, c.better))
+                .unwrap()
+        };
+        assert!((of(&twice).0.unwrap() - 2.0).abs() < 1e-9 && of(&twice).1 == Some(false));
+        assert!(twice.why.contains("mean gaps"), "{}", twice.why);
+        // What is better stands as such in what harms.
+        let plain = ring("plain", "title=x", PLAIN, 900.0);
+        let mixed = Benefit::of(&ring("A", "title=x", [50.0, 60.0, 400.0], 900.0), &plain);
+        assert_eq!(mixed.benefit, BenefitWord::Harms);
+        assert!(mixed.why.starts_with("better contacts"), "{}", mixed.why);
     }
 
     /// ln ½ + ln ½ + ln 4 = 0, with equal weights; with others their mean.

@@ -4,6 +4,7 @@
 
 mod benefit;
 mod differing_keys;
+mod left_out;
 mod remedies;
 mod result;
 mod ring_results;
@@ -24,7 +25,8 @@ use serde_json::{Value, to_value};
 pub use benefit::{Benefit, BenefitCriterion, BenefitRank, BenefitWord};
 pub(crate) use benefit::{TRIFLE, ratio};
 pub use differing_keys::DifferingKey;
-pub use remedies::remedies;
+pub use left_out::LeftOut;
+pub use remedies::Remedies;
 pub(crate) use remedies::{plain_ring, with_fewer_balls};
 pub use result::{ComparedResult, RingComparison};
 pub use ring_results::RingResults;
@@ -62,6 +64,16 @@ pub fn compare(
     sampling: Sampling,
     progress: &dyn Progress,
 ) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
+    compare_all(rings, sampling, progress, &|_, error| Err(error))
+}
+
+/// [`compare`] of rings of which `leaves_out` says whether one goes without a comparison, but the first.
+fn compare_all(
+    rings: &[(String, CaseFile)],
+    sampling: Sampling,
+    progress: &dyn Progress,
+    leaves_out: &(dyn Fn(&str, StudyError) -> Result<LeftOut, StudyError> + Sync),
+) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
     sampling.check()?;
     for (_, file) in rings {
         file.checked(Case::check_run)?;
@@ -71,15 +83,49 @@ pub fn compare(
     progress.whole(std::slice::from_ref(&task));
     let work = progress.begin(TASK, task.steps());
     let work = &work;
-    let compared: Vec<ComparedRing> = each(rings)
-        .map(|(name, file)| ring(name, file, sampling, seed, work))
+    let found: Vec<Result<ComparedRing, LeftOut>> = each(rings)
+        .enumerate()
+        .map(
+            |(k, (name, file))| match ring(name, file, sampling, seed, work) {
+                Ok(ring) => Ok(Ok(ring)),
+                Err(error) if k == 0 => Err(error),
+                Err(error) => leaves_out(name, error).map(Err),
+            },
+        )
         .collect::<Result<_, _>>()?;
+    let (mut compared, mut left_out) = (vec![], vec![]);
+    for one in found {
+        match one {
+            Ok(ring) => compared.push(ring),
+            Err(one) => left_out.push(one),
+        }
+    }
     let results: Vec<RingResults> = compared.iter().map(|ring| ring.results.clone()).collect();
     let draws = Draws::of(&rings[0].1, sampling);
+    let is_compared = |name: &str| compared.iter().any(|ring| ring.results.name == *name);
+    let of_compared = rings.iter().filter(|(name, _)| is_compared(name));
     let document = |file: &CaseFile| to_value(file.document_as_run()).unwrap_or_default();
-    let documents: Vec<Value> = rings.iter().map(|(_, file)| document(file)).collect();
-    let comparison = RingComparison::new(&results, draws).of_cases(&documents);
+    let documents: Vec<Value> = of_compared.map(|(_, file)| document(file)).collect();
+    let comparison = RingComparison {
+        left_out,
+        ..RingComparison::new(&results, draws).of_cases(&documents)
+    };
     Ok((compared, comparison))
+}
+
+/// Compares remedies ([`compare`]); one that does not run is left out with its reason, but the first.
+///
+/// # Errors
+/// Errors of [`compare`], of the first alone where a run left the physical range.
+pub fn compare_remedies(
+    remedies: &Remedies,
+    sampling: Sampling,
+    progress: &dyn Progress,
+) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
+    let (rings, mut comparison) = compare_all(&remedies.rings, sampling, progress, &LeftOut::of)?;
+    let earlier = remedies.left_out.iter().cloned();
+    comparison.left_out.splice(0..0, earlier);
+    Ok((rings, comparison))
 }
 
 /// Name of the task of a comparison.
@@ -383,4 +429,49 @@ fn outcomes(
         })
     });
     Ok(outcomes.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless_io::case_file::template;
+
+    use super::*;
+    use crate::progress::Silent;
+
+    /// Between six balls in a queue the ring falls: that remedy is named with its reason, the others are compared. The
+    /// first, with which they are compared, is indispensable.
+    #[test]
+    fn a_remedy_that_cannot_run_is_left_out() {
+        let sets = ["steady.transient_orbits=2", "steady.measured_orbits=2"].map(str::to_owned);
+        let plain = CaseFile::parse(&template(true), "case", &sets).unwrap();
+        let ring = |balls: usize| {
+            let name = format!("plain, {balls} balls");
+            (name, plain.with_balls(balls).unwrap())
+        };
+        let earlier = LeftOut {
+            name: "plain, 2 balls".to_owned(),
+            why: "too few".to_owned(),
+        };
+        let remedies = Remedies {
+            rings: vec![ring(14), ring(6), ring(13)],
+            left_out: vec![earlier.clone()],
+        };
+        let (rings, found) = compare_remedies(&remedies, Sampling::Draws(2), &Silent).unwrap();
+        assert_eq!(found.runs, ["plain, 14 balls", "plain, 13 balls"]);
+        assert_eq!(rings.len(), 2);
+        let [first, six] = &found.left_out[..] else {
+            panic!("{:?}", found.left_out)
+        };
+        assert_eq!((first, six.name.as_str()), (&earlier, "plain, 6 balls"));
+        assert!(
+            six.why.contains("the inner ring fell between the balls"),
+            "{six:?}"
+        );
+        assert!(!six.why.contains("To change"), "{six:?}");
+        let remedies = Remedies {
+            rings: vec![ring(6), ring(14)],
+            left_out: vec![],
+        };
+        assert!(compare_remedies(&remedies, Sampling::Draws(2), &Silent).is_err());
+    }
 }

@@ -9,6 +9,7 @@ use cageless_results::{Aim, LimitJudgement, Quantity};
 
 use super::benefit::is_asked;
 use super::differing_keys::{DifferingKey, differing_keys};
+use super::left_out::LeftOut;
 use super::ring_results::{RingResults, compared};
 use super::{Benefit, Draws, RingVerdict};
 
@@ -94,6 +95,9 @@ pub struct RingComparison {
     pub differing_keys: Vec<DifferingKey>,
     /// What changes, in sentences.
     pub statement: String,
+    /// Rings that could not be compared.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOut>,
     /// Scalar results.
     pub results: Vec<ComparedResult>,
 }
@@ -150,6 +154,7 @@ impl RingComparison {
                 Some(_) => statement(&benefits),
                 None => draws.text(),
             },
+            left_out: vec![],
             benefits,
             differing_keys: vec![],
             draws,

@@ -40,6 +40,8 @@ pub struct RingResults {
     pub(super) apart_from_remedies: Option<CaseDocument>,
     pub(super) verdict: RingVerdict,
     values: BTreeMap<String, Vec<f64>>,
+    /// Mean gap of the bearing, rad; not a number of a finished run.
+    pub(super) mean_gap_rad: f64,
     /// Limits of the case.
     limits: Vec<Limit>,
     /// Weights of what is asked of a remedy.
@@ -75,6 +77,7 @@ impl RingResults {
             apart_from_remedies: Some(file.apart_from_remedies()),
             verdict,
             values,
+            mean_gap_rad: file.case().bearing.mean_gap_rad(),
             limits: file.particulars().limits.clone(),
             weights: steady.weights,
             is_long: steady.transient_orbits >= TRANSIENT_ORBITS
@@ -119,6 +122,7 @@ impl RingResults {
             apart_from_remedies: None,
             verdict: RingVerdict::of_summary(summary),
             values: numbers.collect(),
+            mean_gap_rad: f64::NAN,
             limits: vec![],
             weights: BenefitWeights::default(),
             is_long: false,

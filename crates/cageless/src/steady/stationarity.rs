@@ -112,7 +112,7 @@ impl Stationarity {
     pub fn reason(&self, limit: f64) -> Option<String> {
         (!self.is_within(limit)).then(|| {
             format!(
-                "{} changes by {:+.0} ± {:.0} % from the first to the second half of the measured time ({:.0} % at most)",
+                "{} changes by {:+.0} ± {:.0} % from the first to the second half of the measured time ({:.0} % at most, with the error)",
                 self.of.label(),
                 100.0 * self.change,
                 100.0 * self.error,
