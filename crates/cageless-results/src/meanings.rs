@@ -9,7 +9,7 @@ pub(crate) const BPFI: &str = "ball pass frequency of the inner ring";
 pub(crate) const BPFO: &str = "ball pass frequency of the outer ring";
 pub(crate) const BSF: &str = "ball spin frequency: rotations of a ball about its axis per second";
 pub(crate) const COLLISIONS: &str = "contacts between two balls, from its start to its end";
-pub(crate) const CRITERION: &str = "the criterion with the least margin, or the one that is missed by most";
+pub(crate) const CRITERION: &str = "the criterion with the least margin, or of those that are missed the first in the order of the reasons; the headline also names the one that is missed by most";
 pub(crate) const CRITICAL_GAP: &str = "largest gap at the entrance of the raceway that closes inside, from the motion of two balls";
 pub(crate) const DOUBLE_COLLISIONS: &str = "passages in which a ball touches the ball ahead and the ball behind, over all passages";
 pub(crate) const ENERGY_RESIDUAL: &str = "error of the energy balance over the sum of the absolute terms";
@@ -20,6 +20,7 @@ pub(crate) const KEEPS: &str = "at no tilt, by linear interpolation between the 
 pub(crate) const LAG: &str = "what a ball loses in one discrete raceway against its mean orbital speed outside, with a film against that of rolling: that speed times the time of the passage, less the angle of the raceway";
 pub(crate) const LAG_FRACTION: &str = "lag per pass over that of rolling on rigid flanks without a contact angle";
 pub(crate) const HERTZ_PRESSURE: &str = "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa";
+pub(crate) const JUDGED_GAP: &str = "over which the critical gap is judged: on elastic flanks and in space with the lag of the motion in the place of that of rolling, with an oil film also with its lag";
 pub(crate) const MARGIN: &str = "distance of the value of the deciding criterion from its limit, 0.01 for each percentage point, of a contact pressure as a fraction of the limit; negative beyond the limit";
 pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure and sliding speed at one instant";
 pub(crate) const REGULARISATION_SPEED: &str = "of all contacts under load with the raceways, of two contact points the more loaded one, in rolling; with `contact.regularisation = \"kalker\"`";

@@ -258,7 +258,7 @@ fn results_of_a_verdict_are_its_fields() {
         deciding: None,
         critical_gap_rad: Some(0.033),
         pressure_at_rest_pa: Some(2.3e9),
-        steady_gap_rad: Some(0.037),
+        steady_gap_rad: Some(0.0375),
         passages: Some(passages),
         raceways: vec![],
         film: None,
@@ -268,7 +268,8 @@ fn results_of_a_verdict_are_its_fields() {
     let case = case();
     let expected = [
         ("critical_gap_deg", 0.033 / DEGREE),
-        ("gap_reserve_deg", (0.037 - 0.033) / DEGREE),
+        ("judged_steady_gap_deg", 0.0375 / DEGREE),
+        ("gap_reserve_deg", (0.0375 - 0.033) / DEGREE),
         ("pressure_at_rest_mpa", 2300.0),
         ("collisions_mean", 0.31),
         ("double_collision_fraction", 0.47),

@@ -347,6 +347,7 @@ class DesignAttributes:
     criterion: str | None  # criterion that decides
     margin: float  # margin to the nearest limit
     critical_gap_deg: float  # critical gap, deg
+    judged_steady_gap_deg: float  # steady-state gap of the verdict, deg
     pressure_at_rest_mpa: float  # peak contact pressure at rest, MPa
     gap_reserve_deg: float  # gap reserve, deg
     plot_curve: Callable[..., go.Figure]  # θ over lC by Eq. (11), with the raceway and the limits
@@ -383,6 +384,7 @@ class ToleranceAttributes:
     dry_headline: str  # verdict with its reason on the nominal bearing without oil
     nominal_verdict: str  # verdict on the nominal bearing
     nominal_critical_gap_deg: float  # critical gap, nominal, deg
+    nominal_judged_steady_gap_deg: float  # steady-state gap of the verdict, nominal, deg
     nominal_lag_fraction: float  # lag of the row and raceway with the least, share of rolling, nominal
     nominal_double_collision_fraction: float  # passages with a double collision, nominal
     nominal_sliding_m_s: float  # largest sliding speed in a passage, mean, nominal, m/s

@@ -99,6 +99,7 @@ pub const VERDICT: &[Quantity] = &[
     means(CRITERION, text("criterion", "criterion that decides", Verdict(|j| j.judgement.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
     means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Verdict(|j| j.judgement.deciding.map(Criterion::margin).into())))),
     means(CRITICAL_GAP, quantity("critical_gap_deg", "deg", "critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
+    means(JUDGED_GAP, quantity("judged_steady_gap_deg", "deg", "steady-state gap of the verdict", Verdict(|j| j.judgement.steady_gap_rad.map(f64::to_degrees).into()))),
     means("largest Hertz pressure at both raceways in static equilibrium, over eight places of the balls within their spacing; ISO 76 allows 4200 MPa", low(quantity("pressure_at_rest_mpa", "MPa", "peak contact pressure at rest", Verdict(|j| j.judgement.pressure_at_rest_pa.map(|pa| pa * 1e-6).into())))),
     means("steady-state gap less critical gap; on elastic flanks and in space the steady-state gap has the lag of the motion in the place of that of rolling", high(quantity("gap_reserve_deg", "deg", "gap reserve", Verdict(|j| j.judgement.steady_gap_rad.zip(j.judgement.critical_gap_rad).map(|(steady, gap)| (steady - gap).to_degrees()).into())))),
 ];

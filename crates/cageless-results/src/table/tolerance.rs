@@ -24,6 +24,7 @@ pub const TOLERANCE: &[Quantity] = &[
     part(means("none of a case without `[film]`", text("dry_headline", "verdict with its reason on the nominal bearing without oil", Tolerance(|t| t.assessment.nominal.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.headline.clone())))))),
     part(in_tables(means(VERDICT_NAMES, text("nominal_verdict", "verdict on the nominal bearing", Tolerance(|t| Cell::Text(t.assessment.nominal.verdict.name().to_owned())))))),
     part(means(CRITICAL_GAP, quantity("nominal_critical_gap_deg", "deg", "critical gap, nominal", Tolerance(|t| t.assessment.nominal.critical_gap_rad.map(f64::to_degrees).into())))),
+    part(means(JUDGED_GAP, quantity("nominal_judged_steady_gap_deg", "deg", "steady-state gap of the verdict, nominal", Tolerance(|t| t.assessment.nominal.steady_gap_rad.map(f64::to_degrees).into())))),
     part(high(means(LAG_FRACTION, quantity("nominal_lag_fraction", "", "lag of the row and raceway with the least, share of rolling, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.lag_fraction).into()))))),
     part(low(means(DOUBLE_COLLISIONS, quantity("nominal_double_collision_fraction", "", "passages with a double collision, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.double_collision_fraction).into()))))),
     part(low(quantity("nominal_sliding_m_s", "m/s", "largest sliding speed in a passage, mean, nominal", Tolerance(|t| t.assessment.nominal.passages.map(|p| p.sliding_mean_m_s).into())))),

@@ -256,6 +256,7 @@ fn verdicts(
                     ("criterion", Cell::Null),
                     ("margin", Cell::Null),
                     ("critical_gap_deg", Cell::Null),
+                    ("judged_steady_gap_deg", Cell::Null),
                     ("gap_reserve_deg", Cell::Null),
                 ];
                 return Ok(Results::only(VERDICT, &values).into());

@@ -170,6 +170,7 @@ fn results_are_in_the_units_of_the_drawing() {
     let outcome = |number: f64, verdict| Outcome {
         verdict,
         critical_gap_rad: Some(1e-3 * number),
+        steady_gap_rad: None,
         passages: Some(PassageStatistics {
             lag_fraction: 1e-4 * number,
             double_collision_fraction: 1e-2 * number,

@@ -136,8 +136,9 @@ impl RunVerdict {
                     let points = percentage_points(error);
                     format!(", standard error {points} percentage points")
                 });
+                let most = Criterion::missed_by_most(&criteria, criterion);
                 format!(
-                    "{word} in {over}: {}; {nearest}{criterion}{error}; for the \
+                    "{word} in {over}: {}; {nearest}{criterion}{error}{most}; for the \
                      critical gap run `cageless design`",
                     verdict.label()
                 )

@@ -448,7 +448,19 @@ impl Judgement {
             Some(true) => {
                 format!("{word} from evenly spaced balls: {name}; nearest to its limit: {reason}")
             }
-            Some(false) => format!("{word} from evenly spaced balls: {name}; {reason}"),
+            Some(false) => {
+                let most = self.missed_by_most();
+                format!("{word} from evenly spaced balls: {name}; {reason}{most}")
+            }
+        }
+    }
+
+    /// The criterion that is missed by most on the first raceway with the worst verdict, where another decides.
+    fn missed_by_most(&self) -> String {
+        let worst = self.raceways.iter().find(|r| r.verdict == self.verdict);
+        match (self.deciding, worst) {
+            (Some(deciding), Some(worst)) => Criterion::missed_by_most(&worst.criteria, deciding),
+            _ => String::new(),
         }
     }
 

@@ -12,6 +12,8 @@ pub struct Outcome {
     pub verdict: RacewayVerdict,
     /// Critical gap, if there is one.
     pub critical_gap_rad: Option<f64>,
+    /// Steady-state gap that it is judged over.
+    pub steady_gap_rad: Option<f64>,
     /// Passages of the most critical raceway; `None` without any.
     pub passages: Option<PassageStatistics>,
     /// Reason if infeasible or not judged.
@@ -43,6 +45,7 @@ impl Outcome {
             return Self {
                 verdict: RacewayVerdict::NotJudged,
                 critical_gap_rad: None,
+                steady_gap_rad: None,
                 passages: None,
                 headline: format!("not judged: {reason}"),
                 reason: Some(reason),
@@ -52,6 +55,7 @@ impl Outcome {
         Self {
             verdict: judgement.verdict,
             critical_gap_rad: judgement.critical_gap_rad,
+            steady_gap_rad: judgement.steady_gap_rad,
             passages: judgement.passages,
             reason: matches!(
                 judgement.verdict,
@@ -68,6 +72,7 @@ impl Outcome {
         Self {
             verdict: RacewayVerdict::Infeasible,
             critical_gap_rad: None,
+            steady_gap_rad: None,
             passages: None,
             headline: format!(
                 "{}: {}; {reason}",
@@ -207,6 +212,12 @@ impl Assessment {
         });
         let reasons: Vec<String> = interrupted.into_iter().chain(samples).collect();
         match reasons.as_slice() {
+            // Nothing says what deviations together do.
+            [] if self.passes() == Some(true) => {
+                format!(
+                    "{word} as drawn, all tolerances together are not judged; nominal design {nominal}"
+                )
+            }
             [] => format!("{word}; nominal design {nominal}"),
             reasons => format!("{word}: {}; nominal design {nominal}", reasons.join("; ")),
         }

@@ -175,6 +175,7 @@ fn outcome(verdict: RacewayVerdict, number: f64) -> Outcome {
     Outcome {
         verdict,
         critical_gap_rad: Some(number),
+        steady_gap_rad: None,
         passages: Some(PassageStatistics {
             lag_fraction: 5.0 * number,
             double_collision_fraction: 10.0 * number,
@@ -322,7 +323,11 @@ fn tolerances_are_judged_by_the_interval_of_the_probability() {
     }
     let none = sampled(0, 0, Smooth);
     assert!(none.passes() == Some(true) && none.samples.is_none());
-    assert_eq!(none.headline(), "works; nominal design headline 2");
+    // The nominal bearing alone is judged.
+    assert_eq!(
+        none.headline(),
+        "works as drawn, all tolerances together are not judged; nominal design headline 2"
+    );
 }
 
 /// A bearing whose run stopped neither passes nor fails: the interval holds whichever it would do, and nothing is
@@ -334,6 +339,7 @@ fn a_run_that_stopped_is_neither_a_pass_nor_a_failure() {
     let rows = all.iter().filter(|t| t.influence.is_some()).count();
     let stopped = Outcome {
         critical_gap_rad: None,
+        steady_gap_rad: None,
         passages: None,
         reason: Some("the run stopped at t = 0.1 s".to_owned()),
         ..outcome(NotJudged, 1.0)

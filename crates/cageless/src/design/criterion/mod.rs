@@ -196,6 +196,16 @@ impl Criterion {
         deciding.copied()
     }
 
+    /// The criterion that is missed by most of all, in words behind the one that decides; empty where that is it.
+    pub(super) fn missed_by_most(all: &[Self], deciding: Self) -> String {
+        let failed = all.iter().filter(|c| c.is_known() && !c.is_met());
+        let most = failed.min_by(|a, b| a.margin().total_cmp(&b.margin()));
+        match most {
+            Some(most) if most.margin() < deciding.margin() => format!("; missed by most: {most}"),
+            _ => String::new(),
+        }
+    }
+
     /// The verdict of all criteria of a raceway.
     pub(super) fn verdict_of(all: &[Self]) -> RacewayVerdict {
         Self::deciding(all).map_or(RacewayVerdict::NotJudged, Self::verdict)

@@ -26,6 +26,11 @@ fn the_first_failure_decides_and_else_the_smallest_margin() {
         BOTH_NEIGHBOURS.of(0.9),
     ];
     assert_eq!(Criterion::deciding(&bad), Some(bad[1]));
+    // The second is missed by 30 points, the third by 65.
+    let most = Criterion::missed_by_most(&bad, bad[1]);
+    assert_eq!(most, format!("; missed by most: {}", bad[2]));
+    assert_eq!(Criterion::missed_by_most(&bad, bad[2]), "");
+    assert_eq!(Criterion::missed_by_most(&good, good[2]), "");
     // What is not known is neither kept nor missed, unless another is missed.
     let unknown = DECELERATION.of(f64::NAN);
     assert!(!unknown.is_met());

@@ -230,6 +230,12 @@ fn the_worst_raceway_decides() {
     let deciding = all.deciding.unwrap();
     assert_eq!(deciding.name(), "separation");
     assert!((deciding.value() - 0.06).abs() < 1e-9);
+    // Missed by 1 percentage point, double collisions by 45.
+    let headline = all.headline();
+    assert!(
+        headline.contains("; missed by most: 70.0 % of the passages"),
+        "{headline}"
+    );
     assert_eq!(all.passages.map(|p| p.passages), Some(101));
     assert_eq!(all.passes(), Some(false));
     judged.remove(1);
