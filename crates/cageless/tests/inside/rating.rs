@@ -528,18 +528,19 @@ fn pressure_at(case: &Case, factor: f64) -> f64 {
     })
 }
 
+/// The plain bearing of the paper under a radial load at a multiple of its speed.
+fn loaded(load_n: f64, speed: f64) -> Case {
+    let mut case = conventional(dimensions());
+    case.operation.radial_load_n = load_n;
+    case.operation.inner_speed_rad_s *= speed;
+    case.solver.step_s = 1e-7;
+    case
+}
+
 /// The factor on the loads by bisection of the pressure in equilibrium; in the plane, thrown out by the speed, beyond
 /// the limit, and in space with a preload and with a moment. s0 = C0r/Fr.
 #[test]
 fn safeties_are_those_of_load_and_pressure() {
-    let plain = conventional(dimensions());
-    let loaded = |load_n: f64, speed: f64| {
-        let mut case = plain.clone();
-        case.operation.radial_load_n = load_n;
-        case.operation.inner_speed_rad_s *= speed;
-        case.solver.step_s = 1e-7;
-        case
-    };
     let mut moment = loaded(600.0, 1.0);
     moment.operation.space.axial_load_n = 200.0;
     moment.operation.space.tilt = Tilt::Free {
@@ -585,14 +586,18 @@ fn safeties_are_those_of_load_and_pressure() {
             assert!((s0 * load_n / rating.basic.static_n - 1.0).abs() < 1e-12);
         }
     }
-    // A ball takes less than its part of what is added: more of them carry.
+}
+
+/// A ball takes less than its part of what is added, as more of them carry; no load has no factor, and what leaves its
+/// groove before the limit neither.
+#[test]
+fn a_load_factor_is_not_that_of_one_ball() {
     let case = loaded(500.0, 1.0);
     let of_ball = pressure_at(&case, 1.0).powi(-3);
     let found = Rating::new(&case, &solve(&case).unwrap())
         .pressure_safety
         .unwrap();
     assert!((found / of_ball - 1.0).abs() > 0.01, "{found} {of_ball}");
-    // No load has no factor; what leaves its groove before the limit neither.
     let none = loaded(0.0, 1.0);
     assert_eq!(
         Rating::new(&none, &solve(&none).unwrap()).pressure_safety,
