@@ -108,7 +108,7 @@ pub fn check(args: &CheckArgs) -> Result<(), Failure> {
     let speed_expansion_left_out = expansion_left_out([file]);
     lines.extend(expansion_line(&speed_expansion_left_out));
     lines.push(("steps of a run", steps_text(file.case())));
-    let notes = notes(file);
+    let notes = notes(file, arrangement.drop());
     let assumptions = file.assumptions();
     for assumption in &assumptions {
         let (value, basis) = (assumption.value, assumption.basis);
@@ -200,11 +200,11 @@ fn defaults_line(file: &CaseFile) -> Option<(&'static str, String)> {
 }
 
 /// Warnings about a case.
-fn notes(file: &CaseFile) -> Vec<String> {
+fn notes(file: &CaseFile, drop: Option<&RotorDrop>) -> Vec<String> {
     let mut notes = check_warnings([file.case()]);
     notes.extend(case_warnings(file.case()));
     notes.extend(dry_motion(file));
-    notes.extend(arrangement.drop().into_iter().flat_map(foreseen));
+    notes.extend(drop.into_iter().flat_map(foreseen));
     notes.extend(file.oil_temperature_warning());
     notes.extend(search_refused(file));
     notes.extend(slippery_asperities(file.case()));

@@ -191,6 +191,7 @@ fn conventional(side: &Side, path: &Path) -> Result<CaseFile, Failure> {
 /// Sides of a comparison, first the ring with which the others are compared.
 fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
     check(args)?;
+    let has_run = args.cases.iter().any(|path| path.is_dir());
     let mut sides = vec![];
     for (k, path) in args.cases.iter().enumerate() {
         let side = if path.is_dir() {
@@ -198,7 +199,7 @@ fn sides(args: &CompareArgs) -> Result<Vec<(String, Side)>, Failure> {
         } else {
             let file = read_case(path, &args.set)?;
             file.checked(cageless::Case::check_run)?;
-            if folder.is_none() && file.case().rotor.is_some() {
+            if !has_run && file.case().rotor.is_some() {
                 return Err(Failure::Input(of_a_drop(path)));
             }
             Side::Case(Box::new(file))

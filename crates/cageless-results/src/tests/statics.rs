@@ -311,7 +311,7 @@ fn a_note_says_that_closer_grooves_raise_no_rating() {
         let rating_n = record.results.number("basic_dynamic_rating_n");
         (rating_n, notes.contains("closer to the balls than 0.52 Dw"))
     };
-    assert_eq!(of(0.52).1, false);
+    assert!(!of(0.52).1);
     assert_eq!(of(0.505), (of(0.52).0, true));
 }
 

@@ -11,6 +11,7 @@ use crate::StudyError;
 use cageless_results::{DROP, DropResult, Kind, ROTOR_DROP, end_state_text};
 
 use super::Quantiles;
+use super::length::micrometres;
 
 /// Most drops of an ensemble.
 pub const DROPS_MAX: u64 = 1_000_000;
@@ -121,7 +122,7 @@ impl BearingRow {
             ball_friction: balls.coefficient,
             ball_static_friction: balls.static_coefficient,
             ball_friction_table: points(balls),
-            radial_clearance_um: 1e6 * drawn.radial_clearance_m,
+            radial_clearance_um: micrometres(drawn.radial_clearance_m),
             support_damping_n_s_m: drawn.support_damping_n_s_m,
             lead_ball_angle_deg: arrangement.map(|(_, lead_rad)| lead_rad.to_degrees()),
             gaps_deg: arrangement

@@ -8,6 +8,7 @@ use serde::Serialize;
 use cageless_results::{DropResult, DropRun};
 
 use super::distribution::whirls_backward;
+use super::length::micrometres;
 use super::record::steps;
 use super::side_by_side::{drop_task, run_drops, worth_together};
 use super::{BearingRow, Distribution, FiledDrop, PassProbability, WhirlProbability, check_drops};
@@ -135,7 +136,7 @@ impl DropRow {
     fn new(number: u64, drawn: &Drawn, run: DropRun, is_linear: bool) -> Self {
         let unbalance_deg = drawn.unbalance_rad.map(f64::to_degrees);
         let passes = run.judgement().passes();
-        let centre_um = drawn.centre_m.map(|centre| centre.map(|m| 1e6 * m));
+        let centre_um = drawn.centre_m.map(|centre| centre.map(micrometres));
         let bearings = drawn.bearings.iter().zip(run.bearings);
         let bearings = bearings.map(|(drawn, result)| BearingRow::new(drawn, result));
         Self {

@@ -63,10 +63,10 @@ impl From<RunOutcome> for RotorDropOutcome {
 impl RotorDropOutcome {
     /// Outcome of the bearings below a rotor with these planes.
     pub(crate) fn new(bearings: Vec<RunOutcome>, planes: Vec<PlaneDisplacement>) -> Self {
-        let residuals = (bearings.iter()).filter_map(|b| b.rotor_energy_residual_relative);
+        let mut residuals = (bearings.iter()).filter_map(|b| b.rotor_energy_residual_relative);
         let rotor = RotorOutcome {
             // All bearings have that of their common rotor.
-            energy_residual_relative: residuals.last().unwrap_or(0.0),
+            energy_residual_relative: residuals.next().unwrap_or(0.0),
             planes,
         };
         Self { bearings, rotor }

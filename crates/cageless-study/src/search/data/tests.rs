@@ -343,13 +343,14 @@ fn candidates_that_are_not_confirmed_are_named() {
     // That of the case fails by itself.
     let own = found.confirmed.iter_mut().find(|c| c.role == Role::Own);
     own.unwrap().evaluation.rejection = Some(Rejection {
-        cause: Cause::Missed(BOTH_NEIGHBOURS.of(0.4)),
+        cause: Cause::Missed(STEADY_GAP.of(1.42)),
         point: None,
         bunched: false,
     });
     let data = search_record(&file, &found, vec![], &[]);
     let sentence = &data.sentences("findings")[0];
-    let fails = "The initial design fails as well: 40.0 % of the passages have a double collision";
+    let fails =
+        "The initial design fails as well: the critical gap is 142.0 % of the steady-state gap";
     assert!(sentence.contains(fails), "{sentence}");
 }
 
