@@ -169,7 +169,7 @@ fn a_rotor_in_two_bearings_heats_both() {
     let brakes = brakes.map(|(share_kg, bearing)| {
         let own = bearing.result.results.number("braking_torque_n_m");
         let rolling = ROLLING_N_M * share_kg / 20.0;
-        assert!(own < rolling, "{own} {rolling}");
+        assert!((own / rolling - 1.0).abs() < 1e-9, "{own} {rolling}");
         (own, rolling)
     });
     let brakes: Vec<(f64, f64)> = brakes.collect();
@@ -177,7 +177,7 @@ fn a_rotor_in_two_bearings_heats_both() {
     let results = |k: usize| &done.record.bearings[k].result.results;
     let speed = results(0).number("rotor_speed_rpm") * std::f64::consts::PI / 30.0;
     let energy_j = 0.5 * done.drop.rotor().unwrap().polar_inertia_kg_m2() * speed * speed;
-    for (k, (own, rolling)) in brakes.into_iter().enumerate() {
+    for (k, (_, rolling)) in brakes.into_iter().enumerate() {
         let (case, results) = (&done.drop.cases()[k], results(k));
         let thermal = &rotor.cases()[k].particulars().thermal;
         let capacities = thermal.capacities_j_k(&case.bearing, 1).unwrap();
@@ -197,9 +197,14 @@ fn a_rotor_in_two_bearings_heats_both() {
         }
         let heat_j = energy_j * rolling / (contacts + 2.0);
         close(number(&rows[k], "spin_down_heat_j"), heat_j, "its own heat");
-        // What rotor and supports take is no heat of the bearings.
+        // What rotor and supports take is no heat of the bearings; SKF's is beyond their measured torque.
+        let own = results.number("end_power_w") / speed;
         let kept = own / rolling * power_w / results.number("end_power_w") + 1.0 - own / rolling;
-        close(warmed_j, heat_j * kept, "heat of the bearing");
+        // The speed is that at the end, the power a mean.
+        assert!(
+            (warmed_j / (heat_j * kept) - 1.0).abs() < 1e-4,
+            "{warmed_j}"
+        );
     }
 }
 

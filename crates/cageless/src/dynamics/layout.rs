@@ -33,7 +33,7 @@ use crate::world::body::{
 ///
 /// First the coordinates of the balls ([`BALL`], in space `BALL_IN_SPACE`), an array each, padded to a
 /// multiple of `LANES`, so that whole vectors are computed either way; then those that move of each
-/// ring ([`BodyKind::RINGS`]) and those of the outer rings that slide, an array each; then the terms of
+/// ring and those of the outer rings that slide, an array each; then the terms of
 /// the energy ledger ([`EnergyTerm`]). A rotor stands behind its bearings, with a ledger of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {

@@ -143,7 +143,6 @@ impl RightHandSide {
         tables.flatten()
     }
 
-    #[inline(always)] // into callers compiled for wider vectors
     pub(super) fn evaluate(
         &mut self,
         time_s: f64,
@@ -406,7 +405,9 @@ impl System for RightHandSide {
         self.evaluate(time_s, y, dydt, false);
     }
 
-    #[inline(always)] // into callers compiled for wider vectors
+    // Into callers compiled for wider vectors; where there are none, once is enough.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {

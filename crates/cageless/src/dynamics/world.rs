@@ -241,7 +241,6 @@ impl World {
         )
     }
 
-    #[inline(always)]
     fn evaluate(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64], stiff_too: bool) {
         for bearing in &mut self.bearings {
             bearing.evaluate(time_s, y, dydt, stiff_too);

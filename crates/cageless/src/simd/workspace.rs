@@ -166,7 +166,7 @@ impl Workspace {
             outer_ring: CentreLanes::ZERO,
             rotors: [RotorContact::default(); BATCH_WIDTH],
             rotor_loads: [TouchLoads::default(); BATCH_WIDTH],
-            rotor_compliances: [RotorCompliance::default(); BATCH_WIDTH],
+            rotor_compliances: [RotorCompliance::HELD; BATCH_WIDTH],
             rotor_slips: [JournalSlip::default(); BATCH_WIDTH],
             rotor_friction_mean: [0.0; BATCH_WIDTH],
             friction: vec![ImplicitFriction::ZERO; blocks],

@@ -124,9 +124,9 @@ impl RotorBody for TwoDiscs {
     }
 
     fn compliance(&mut self, _y: &[f64], _k: usize) -> RotorCompliance {
-        RotorCompliance {
+        RotorCompliance::Bending {
+            lateral: self.rotor.compliance().about([0.0; 2]),
             axial: 1.0 / self.mass_kg(),
-            ..self.rotor.compliance()
         }
     }
 

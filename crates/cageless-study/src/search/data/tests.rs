@@ -336,8 +336,9 @@ fn candidates_that_are_not_confirmed_are_named() {
     let starts = "12 random starts and a bunched one";
     let said = format!(
         "no raceway is recommended: 3 raceways meet every requirement from 3 random starts, but \
-         the best fails from {starts}: {named}. The initial design is acceptable. To change: a lower speed or a \
-         higher load, with which shallower raceways space the balls; or more starts for each raceway (search.initial_states)."
+         the best fails from {starts}: {named}. The initial design is acceptable. To change: shallower raceways \
+         (smaller search.axial_span_mm); where these slide too much, a higher load; or more starts for each raceway \
+         (search.initial_states)."
     );
     assert_eq!(sentence, &said);
     // That of the case fails by itself.

@@ -144,7 +144,7 @@ impl LinearRotorEquations {
                 row[column] = value;
             }
         }
-        RotorCompliance {
+        RotorCompliance::Bending {
             lateral,
             axial: 1.0 / self.rotor.mass_kg(),
         }

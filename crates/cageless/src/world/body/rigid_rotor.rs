@@ -10,12 +10,8 @@ use crate::world::joint::TouchLoads;
 pub(crate) struct RigidRotor {
     /// m, kg.
     pub mass: f64,
-    /// 1/m, 1/kg.
-    pub inverse_mass: f64,
     /// Ip, kg·m².
     pub polar_inertia: f64,
-    /// 1/Ip, 1/(kg·m²).
-    pub inverse_inertia: f64,
     /// Weight, N.
     pub weight: [f64; 3],
     /// Force along +Z, N.
@@ -49,9 +45,7 @@ impl RigidRotor {
         weight[upward] = -rotor.mass_kg * gravity_m_s2;
         Self {
             mass: rotor.mass_kg,
-            inverse_mass: 1.0 / rotor.mass_kg,
             polar_inertia: rotor.polar_inertia_kg_m2,
-            inverse_inertia: 1.0 / rotor.polar_inertia_kg_m2,
             weight,
             axial_load: rotor.axial_load_n,
             drive_torque: rotor.drive_torque_n_m,
@@ -65,11 +59,11 @@ impl RigidRotor {
         let ([x, y, z], [wx, wy, wz]) = (loads.force, self.weight);
         RotorAcceleration {
             linear: [
-                (x + wx) * self.inverse_mass,
-                (y + wy) * self.inverse_mass,
-                (z + (wz + self.axial_load)) * self.inverse_mass,
+                (x + wx) / self.mass,
+                (y + wy) / self.mass,
+                (z + (wz + self.axial_load)) / self.mass,
             ],
-            spin: (loads.moment + self.drive_torque) * self.inverse_inertia,
+            spin: (loads.moment + self.drive_torque) / self.polar_inertia,
         }
     }
 
@@ -77,21 +71,16 @@ impl RigidRotor {
     #[inline(always)]
     pub(crate) fn response(&self, loads: &TouchLoads) -> RotorAcceleration {
         RotorAcceleration {
-            linear: loads.force.map(|force| force * self.inverse_mass),
-            spin: loads.moment * self.inverse_inertia,
+            linear: loads.force.map(|force| force / self.mass),
+            spin: loads.moment / self.polar_inertia,
         }
     }
 
     /// Accelerations of the mass centre and of the rotation under a unit of each load.
     pub(crate) fn compliance(&self) -> RotorCompliance {
-        let mut lateral = [[0.0; 3]; 3];
-        let inverses = [self.inverse_mass, self.inverse_mass, self.inverse_inertia];
-        for (k, inverse) in inverses.into_iter().enumerate() {
-            lateral[k][k] = inverse;
-        }
-        RotorCompliance {
-            lateral,
-            axial: self.inverse_mass,
+        RotorCompliance::Rigid {
+            mass: self.mass,
+            polar_inertia: self.polar_inertia,
         }
     }
 

@@ -145,31 +145,80 @@ pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> Fastest
     }
 }
 
-/// Accelerations under a unit of each load on a rotor at a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct RotorCompliance {
-    /// ẍ, ÿ and Ω̇, rows, under a force along X, one along Y and a moment about the axis: 1/kg, 1/(kg·m) and 1/(kg·m²).
-    pub lateral: [[f64; 3]; 3],
-    /// z̈ under a force along Z, 1/kg.
-    pub axial: f64,
+/// Accelerations of a rotor at a bearing under loads there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum RotorCompliance {
+    /// Those of a rigid rotor.
+    Rigid {
+        /// m, kg.
+        mass: f64,
+        /// Ip, kg·m².
+        polar_inertia: f64,
+    },
+    /// Those under a unit of each load.
+    Bending {
+        /// ẍ, ÿ and Ω̇, rows, under a force along X, one along Y and a moment about the axis: 1/kg, 1/(kg·m) and
+        /// 1/(kg·m²).
+        lateral: [[f64; 3]; 3],
+        /// z̈ under a force along Z, 1/kg.
+        axial: f64,
+    },
 }
 
 impl RotorCompliance {
-    /// pᵀ·G·p with p = (tx, ty, a): the change of the velocity of a surface along t by a unit of force there that turns
-    /// by the arm a, 1/kg.
+    /// Compliance of a rotor that nothing moves.
+    pub(crate) const HELD: Self = Self::Bending {
+        lateral: [[0.0; 3]; 3],
+        axial: 0.0,
+    };
+
+    /// pᵀ·G·p with p = (tx, ty, a): the change of the velocity of a surface along the unit vector t by a unit of force
+    /// there that turns by the arm a, 1/kg; of a rigid rotor 1/m + a²/Ip.
     #[inline(always)]
     pub(crate) fn along(&self, [x, y]: [f64; 2], arm: f64) -> f64 {
-        let along = [x, y, arm];
-        let row = |[a, b, turn]: [f64; 3]| a * along[0] + b * along[1] + turn * along[2];
-        row(self.lateral.map(row))
+        match self {
+            Self::Rigid {
+                mass,
+                polar_inertia,
+            } => 1.0 / mass + arm * arm / polar_inertia,
+            Self::Bending { lateral, .. } => {
+                let along = [x, y, arm];
+                let row = |[a, b, turn]: [f64; 3]| a * along[0] + b * along[1] + turn * along[2];
+                row(lateral.map(row))
+            }
+        }
     }
 
-    /// Compliance about a point from which the mass centre is at `offset`, m.
+    /// z̈ under a unit force along Z, 1/kg.
+    pub(crate) fn axial(&self) -> f64 {
+        match self {
+            Self::Rigid { mass, .. } => 1.0 / mass,
+            Self::Bending { axial, .. } => *axial,
+        }
+    }
+
+    /// Accelerations ẍ, ÿ and Ω̇, rows, under a unit of each load across the axis and about it, at a point from which the
+    /// mass centre is at `offset`, m: with w = (εy, −εx, 1), diag(1/m, 1/m, 0) + w wᵀ/Ip of a rigid rotor.
     pub(crate) fn about(&self, [ex, ey]: [f64; 2]) -> [[f64; 3]; 3] {
-        // (vx + Ω·ey, vy − Ω·ex, Ω), and the loads likewise.
-        let shift = |[x, y, turn]: [f64; 3]| [x + ey * turn, y - ex * turn, turn];
-        let [x, y, turn] = self.lateral.map(shift);
-        let sum = |a: [f64; 3], by: f64| [0, 1, 2].map(|k| a[k] + by * turn[k]);
-        [sum(x, ey), sum(y, -ex), turn]
+        match self {
+            Self::Rigid {
+                mass,
+                polar_inertia,
+            } => {
+                let w = [ey, -ex, 1.0];
+                let mut rows = w.map(|a| w.map(|b| a * b / polar_inertia));
+                for (axis, row) in rows.iter_mut().enumerate().take(2) {
+                    row[axis] += 1.0 / mass;
+                }
+                rows
+            }
+            Self::Bending { lateral, .. } => {
+                // (vx + Ω·ey, vy − Ω·ex, Ω), and the loads likewise.
+                let shift = |[x, y, turn]: [f64; 3]| [x + ey * turn, y - ex * turn, turn];
+                let [x, y, turn] = lateral.map(shift);
+                let sum = |a: [f64; 3], by: f64| [0, 1, 2].map(|k| a[k] + by * turn[k]);
+                [sum(x, ey), sum(y, -ex), turn]
+            }
+        }
     }
 }

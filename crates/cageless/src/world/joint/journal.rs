@@ -190,9 +190,7 @@ mod tests {
     fn rotor() -> RigidRotor {
         RigidRotor {
             mass: 20.0,
-            inverse_mass: 0.05,
             polar_inertia: 0.02,
-            inverse_inertia: 50.0,
             weight: [0.0; 3],
             axial_load: 0.0,
             drive_torque: 0.0,
@@ -254,7 +252,7 @@ mod tests {
     #[test]
     fn mobility_is_what_friction_changes_of_the_slip() {
         let rigid = rotor().compliance();
-        let bending = RotorCompliance {
+        let bending = RotorCompliance::Bending {
             lateral: [[0.07, 0.01, 0.3], [0.01, 0.04, -0.2], [0.3, -0.2, 60.0]],
             axial: 0.05,
         };
@@ -268,7 +266,7 @@ mod tests {
             let loads = joint.loads(&contact, 0.0, 1.0);
             let [x, y, _] = loads.force;
             let yields = |[a, b, turn]: [f64; 3]| a * x + b * y + turn * loads.moment;
-            let [ax, ay, spin] = rotor.lateral.map(yields);
+            let [ax, ay, spin] = rotor.about([0.0; 2]).map(yields);
             let time = 1e-3;
             let after = RotorMotion {
                 vx: motion.vx + time * ax,

@@ -189,7 +189,7 @@ fn compliance(under: &UnderRotor, rotor: &RotorCompliance, offset: [f64; 2]) -> 
             compliance[(i, j)] = value;
         }
     }
-    compliance[(2, 2)] = rotor.axial;
+    compliance[(2, 2)] = rotor.axial();
     for axis in 0..3 {
         compliance[(axis, axis)] += 1.0 / under.ring.mass;
     }
