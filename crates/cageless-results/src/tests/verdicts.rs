@@ -279,7 +279,7 @@ fn a_free_bearing_need_not_be_touched() {
     assert_eq!(with(&case, &s).passes(), Some(true));
 }
 
-/// Of bearings one that fails decides, else one that could not be judged or has not been touched.
+/// A bearing that fails decides on a rotor, else one that was not judged or not touched.
 #[test]
 fn verdicts_of_bearings_combine() {
     let rotor = |energy_residual_relative: f64, displacement_max_m: f64| RotorOutcome {

@@ -86,7 +86,7 @@ mod tests {
 
     use super::*;
 
-    /// Of four balls two fewer are too few, which keeps none of the others.
+    /// A bearing of four balls has the remedy of one ball fewer, not that of two.
     #[test]
     fn too_few_balls_are_left_out() {
         let plain = CaseFile::parse(&template(true), "case", &[]).unwrap();

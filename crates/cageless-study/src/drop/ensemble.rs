@@ -278,7 +278,7 @@ pub(super) mod tests {
         assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
     }
 
-    /// Of 21 drops with 0, 1, …, 20: the middle one is the median, a twentieth lies above 19. An event that some drops
+    /// Results 0, 1, …, 20 of 21 drops have the median 10, and a twentieth of them lies above 19. An event that some drops
     /// have not seen lies beyond their time; another result that some lack has the quantiles of the others.
     #[test]
     fn quantiles_are_those_of_the_result_that_they_name() {

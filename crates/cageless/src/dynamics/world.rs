@@ -76,7 +76,7 @@ impl World {
         let mut second_order_blocks: Vec<_> = (bearings.iter())
             .flat_map(|bearing| bearing.layout().second_order_blocks())
             .collect();
-        let count = bearings.len().max(last.layout().width());
+        let count = count(&bearings);
         let rotor = rotor.map(|body| {
             let own = body.second_order_block();
             second_order_blocks.push(SecondOrderBlock {
@@ -100,7 +100,7 @@ impl World {
 
     /// Number of bearings.
     pub(crate) fn count(&self) -> usize {
-        self.bearings.len().max(self.bearings[0].layout().width())
+        count(&self.bearings)
     }
 
     /// Equations that hold bearing `k`, and its number in them.
@@ -208,8 +208,8 @@ impl World {
     }
 
     /// Balance of the rotor in bearing `k`, which all bearings below it have in common, in a state.
-    pub(crate) fn rotor_balance(&mut self, y: &[f64], k: usize) -> Option<EnergyBalance> {
-        let rotor = self.rotor.as_mut()?;
+    pub(crate) fn rotor_balance(&self, y: &[f64], k: usize) -> Option<EnergyBalance> {
+        let rotor = self.rotor.as_ref()?;
         let own = &y[rotor.start..];
         let flows = RotorEnergyTerm::ALL.map(|term| {
             let value = own[rotor.body.energy_term(term, k)];
@@ -249,6 +249,11 @@ impl World {
             rotor.set_rates(&self.bearings, y, dydt);
         }
     }
+}
+
+/// Number of bearings that these equations hold: one each, or one set of them side by side.
+fn count(equations: &[RightHandSide]) -> usize {
+    equations.iter().map(|own| own.layout().width()).sum()
 }
 
 impl RotorPart {

@@ -213,12 +213,12 @@ impl<M: Method> Simulation<M> {
     }
 
     /// Outcome of the steps so far.
-    pub fn outcome(&mut self) -> RunOutcome {
+    pub fn outcome(&self) -> RunOutcome {
         let ending = match &self.stop {
             Some(stop) => Ending::Stopped(stop.clone()),
             None => Ending::Interrupted,
         };
-        let made = made(&mut self.world, &self.integrator.step().y1, 0);
+        let made = made(&self.world, &self.integrator.step().y1, 0);
         self.watch.outcome(ending, self.state(), made)
     }
 

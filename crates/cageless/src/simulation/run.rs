@@ -49,7 +49,7 @@ pub(super) fn drive(
 }
 
 /// Work of the equations so far, and the balance of the rotor in bearing `k` in a state.
-pub(super) fn made(world: &mut World, y: &[f64], k: usize) -> Made {
+pub(super) fn made(world: &World, y: &[f64], k: usize) -> Made {
     Made {
         evaluations: world.evaluations(),
         instruction_set: world.instruction_set(),

@@ -147,7 +147,7 @@ impl RotorBody for TwoDiscs {
         }
     }
 
-    fn energy_j(&mut self, y: &[f64], _k: usize) -> f64 {
+    fn energy_j(&self, y: &[f64], _k: usize) -> f64 {
         let (motion, stretch) = (Self::motion(y), Self::stretch(y));
         let square = |values: [f64; 2]| values.iter().map(|v| v * v).sum::<f64>();
         let disc = [0, 1].map(|k| y[2 * POSITIONS - 2 + k]);

@@ -203,9 +203,11 @@ impl RotorBody for LinearRotorBody {
         }
     }
 
-    fn energy_j(&mut self, y: &[f64], _k: usize) -> f64 {
-        self.normal(y);
-        self.equations.energy_j(&motion(&self.u, &self.rates, y))
+    fn energy_j(&self, y: &[f64], _k: usize) -> f64 {
+        let (n, rates) = (self.coordinates(), self.rates_start());
+        let normal = |from: usize| &self.to_normal * DVectorView::from_slice(&y[from..from + n], n);
+        self.equations
+            .energy_j(&motion(&normal(0), &normal(rates), y))
     }
 
     fn set_drive_torque(&mut self, torque_n_m: f64) {

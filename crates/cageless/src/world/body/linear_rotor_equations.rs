@@ -183,11 +183,15 @@ impl LinearRotorEquations {
     }
 
     /// Kinetic and elastic energy, J.
-    pub(super) fn energy_j(&mut self, motion: &Motion<'_>) -> f64 {
-        self.couple(motion);
-        let coupling = self.unbalance.dot(&motion.rates);
+    pub(super) fn energy_j(&self, motion: &Motion<'_>) -> f64 {
+        let rates = motion.rates.as_slice();
+        let coupling = self.rotor.unbalances.iter().map(|unbalance| {
+            let (sin, cos) = (motion.angle + unbalance.phase_rad).sin_cos();
+            let [vx, vy] = at(&unbalance.place, rates);
+            unbalance.moment_kg_m * (cos * vy - sin * vx)
+        });
         0.5 * motion.rates.norm_squared()
-            + motion.speed * coupling
+            + motion.speed * coupling.sum::<f64>()
             + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
             + 0.5 * self.rotor.mass_kg() * motion.axial_speed * motion.axial_speed
             + 0.5 * motion.u.dot(&(&self.rotor.stiffness * motion.u))

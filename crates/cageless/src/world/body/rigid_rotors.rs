@@ -100,7 +100,7 @@ impl RotorBody for RigidRotors {
         }
     }
 
-    fn energy_j(&mut self, y: &[f64], k: usize) -> f64 {
+    fn energy_j(&self, y: &[f64], k: usize) -> f64 {
         self.0[k].energy_j(&self.motion(y, k))
     }
 

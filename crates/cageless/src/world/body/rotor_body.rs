@@ -56,7 +56,7 @@ pub(crate) trait RotorBody: Send {
     );
 
     /// Kinetic and elastic energy of the rotor in bearing `k`, J.
-    fn energy_j(&mut self, y: &[f64], k: usize) -> f64;
+    fn energy_j(&self, y: &[f64], k: usize) -> f64;
 
     /// Sets the torque of the drive, N·m.
     fn set_drive_torque(&mut self, torque_n_m: f64);
