@@ -72,16 +72,19 @@ pub(super) fn summary(case: &Case) -> Summary {
     recorder.summary().unwrap()
 }
 
-/// Long enough for the transient of a film, with the step of the prototype.
-fn steady(mut case: Case) -> Case {
+/// Long enough for the transient of a film, with the step of the prototype, from random gaps.
+fn steady(mut case: Case, seed: u64) -> Case {
+    let gaps = Gaps::random(&case.bearing, seed);
+    case.start = Start::new(StartState::Settled, gaps, 0.0);
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = 2e-6;
-    case.solver.duration_s = 0.12;
-    case.solver.transient_s = Some(0.06);
+    case.solver.duration_s = 0.25;
+    case.solver.transient_s = Some(0.1);
     case
 }
 
-/// Lag of the film and its power on the plain ring, at 12 000 rpm.
+/// Lag of the film and its power on the plain ring, at 12 000 rpm: means of four uneven starts. The lag of the
+/// prototype is known to 0.005°, that of rolling without oil is 0.176°.
 #[test]
 fn lag_and_power_of_a_run() {
     for (mpa_s, lag_deg, power_w) in [
@@ -89,17 +92,18 @@ fn lag_and_power_of_a_run() {
         (5.0, 1.952, 56.60),
         (20.0, 5.512, 143.5),
     ] {
-        let case = steady(with_oil(reference::conventional(), mpa_s));
-        let summary = summary(&case);
-        let lag = summary.half_turn_lag_rad.unwrap().to_degrees() - 0.176;
-        let power = summary
-            .means
-            .unwrap()
-            .power_w(EnergyTerm::RollingResistance);
-
-        assert!((lag - lag_deg).abs() < 0.01, "{lag}, expected {lag_deg}");
+        let summaries: Vec<_> = (0..4)
+            .map(|seed| summary(&steady(with_oil(reference::conventional(), mpa_s), seed)))
+            .collect();
+        let mean = |of: &dyn Fn(&Summary) -> f64| summaries.iter().map(of).sum::<f64>() / 4.0;
+        let lag = mean(&|summary| summary.half_turn_lag_rad.unwrap().to_degrees()) - 0.176;
+        let power = mean(&|summary| {
+            let means = summary.means.as_ref().unwrap();
+            means.power_w(EnergyTerm::RollingResistance)
+        });
+        assert!((lag - lag_deg).abs() < 0.005, "{lag}, expected {lag_deg}");
         assert!(
-            (power / power_w - 1.0).abs() < 2e-3,
+            (power / power_w - 1.0).abs() < 1e-3,
             "{power}, expected {power_w}"
         );
     }
