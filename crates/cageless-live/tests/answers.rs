@@ -388,6 +388,26 @@ fn stretches_go_on_where_the_last_one_ended() {
     }
 }
 
+/// The energy ledger of a stretch is its own: it closes whatever those before it have lost to a film.
+#[test]
+fn stretches_in_oil_keep_their_energy() {
+    let oil =
+        "[film]\nviscosity_mpa_s = 30.0\nviscosity_temperature_1_k = 0.035\nsupply = \"flooded\"\n";
+    let case = format!("{}\n{oil}", structure(5.1, 25.2));
+    let mut resume = Value::Null;
+    for k in 0..8 {
+        let mut request = json!({ "op": "motion", "case": case, "duration_s": 1e-3, "frames": 2 });
+        if k > 0 {
+            request["resume"] = resume;
+        }
+        let stretch = good(&request);
+        assert_eq!(stretch["stopped"], Value::Null, "{k}");
+        let residual = stretch["energy_residual_relative"].as_f64().unwrap();
+        assert!(residual.abs() < 1e-3, "{k}: {residual:e}");
+        resume = stretch["resume"].clone();
+    }
+}
+
 #[test]
 fn work_can_be_cancelled() {
     let case = structure(5.1, 25.2);

@@ -22,6 +22,7 @@ pub(crate) const fn quantity(name: Text, unit: Text, label: Text, of: Source) ->
         awaited: false,
         occurs: false,
         in_sweeps: true,
+        in_oil: false,
         in_tables: true,
         group: Group::Other,
         shows_zero: true,
@@ -75,6 +76,12 @@ pub(crate) const fn column(symbol: Text, mut quantity: Quantity) -> Quantity {
 /// A result of a part of a computation, which columns of sweeps do not have.
 pub(crate) const fn part(mut quantity: Quantity) -> Quantity {
     quantity.in_sweeps = false;
+    quantity
+}
+
+/// A result of a case with an oil film.
+pub(crate) const fn in_oil(mut quantity: Quantity) -> Quantity {
+    quantity.in_oil = true;
     quantity
 }
 

@@ -10,6 +10,7 @@ use cageless::film::FilmAtRest;
 use cageless::simulation::Control;
 
 use crate::number_text::significant;
+use crate::overheating::overheating;
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::thin_inlet::thin_inlet;
 use crate::{
@@ -77,7 +78,10 @@ fn warnings(case: &Case) -> Vec<String> {
         return vec![];
     };
     let film = FilmAtRest::new(case, &at_rest).into_iter();
-    let of_film = film.flat_map(|film| film.warnings());
+    let of_film = film.flat_map(|film| {
+        let heat = overheating(&case.bearing, film.power_w);
+        film.warnings().into_iter().chain(heat)
+    });
     let of_film = of_film.chain(thin_inlet(case));
     at_rest.warnings(case).into_iter().chain(of_film).collect()
 }

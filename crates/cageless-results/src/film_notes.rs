@@ -1,8 +1,9 @@
 //! Notes on the film of a bearing at rest.
 
-use cageless::film::{Film, FilmAtRest};
+use cageless::film::{Film, FilmAtRest, WEIGHT_MAX};
+use cageless::{Case, Materials};
 
-use crate::number_text::short;
+use crate::number_text::{short, significant};
 
 /// Λ below which asperities carry three quarters of the load and more.
 const NO_FILM: f64 = 0.1;
@@ -10,15 +11,17 @@ const NO_FILM: f64 = 0.1;
 const OUTWEIGHS: f64 = 0.05;
 
 /// What the film does to the balls, on a plain ring or one with raceways, and what it leaves out.
-pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, has_raceway: bool) -> Vec<String> {
+pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, case: &Case) -> Vec<String> {
     let starved = (film.supply < 1.0).then(|| {
         let supply = supply(film);
         format!("film thickness and Λ are those of flooded contacts: {supply} lowers the rolling force alone")
     });
     let notes = [
-        effect(at_rest, has_raceway),
+        effect(at_rest, !case.raceways.is_empty()),
         overcome(at_rest.overcome_balls),
+        slid(at_rest),
         starved,
+        hysteresis(film, case),
         Some(left_out(film)),
     ];
     notes.into_iter().flatten().collect()
@@ -26,7 +29,7 @@ pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, has_raceway: bool) -
 
 /// What it does to the spacing of the balls; `None` where it takes nothing from them.
 fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
-    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
     let lost = at_rest.speed_deficit;
     let lambda = at_rest.film_parameter_mean();
     let taken = format!(
@@ -53,6 +56,11 @@ fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
              those of a film that does not form",
             short(lambda)
         ),
+        () if at_rest.weight_share > WEIGHT_MAX => format!(
+            "at this speed a ball weighs {} of its centrifugal force: lag, speed and gap here leave weight out, which \
+             moves the balls as much; a run has it",
+            short(at_rest.weight_share)
+        ),
         () if !at_rest.has_load_zone() => {
             "no ball touches the inner raceway: without a load zone lag and speed are those of a whole orbit on the \
              outer raceway alone, and no gap opens"
@@ -75,15 +83,33 @@ fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
 
 /// Balls that the film brakes more than the inner raceway drives them.
 fn overcome(balls: usize) -> Option<String> {
-    let (balls, drives) = match balls {
+    let (balls, they) = match balls {
         0 => return None,
-        1 => ("1 ball".to_owned(), "it: it slides and falls"),
-        _ => (format!("{balls} balls"), "them: they slide and fall"),
+        1 => ("1 ball".to_owned(), "it slides and falls"),
+        _ => (format!("{balls} balls"), "they slide and fall"),
     };
     Some(format!(
-        "the film brakes {balls} under light load more than the friction of the inner raceway drives {drives} behind \
-         as well, which the lag here leaves out; a run has it"
+        "under light load the film brakes {balls} more than the inner raceway drives: {they} behind, which lag and speed \
+         here leave out; a run has it"
     ))
+}
+
+/// Hysteresis of contacts that are not of steel on steel.
+fn hysteresis(film: &Film, case: &Case) -> Option<String> {
+    let Materials { ball, ring } = *case.bearing.materials();
+    let of_steel = ball.is_steel() && ring.is_steel();
+    (film.hysteresis && !of_steel).then(|| {
+        "film.hysteresis = \"yes\" has the coefficients of bearing steel, which balls and rings here are not both of"
+            .to_owned()
+    })
+}
+
+/// Balls that queue though none is carried by the outer raceway alone.
+fn slid(at_rest: &FilmAtRest) -> Option<String> {
+    let slides = at_rest.speed_deficit == 0.0 && at_rest.overcome_balls > 0;
+    slides.then(|| {
+        "balls may queue: they slide in the film though both raceways carry all of them".to_owned()
+    })
 }
 
 /// Supply by the key that gives it.
@@ -134,9 +160,9 @@ mod tests {
     fn one_ball_is_no_plural() {
         assert_eq!(overcome(0), None);
         let one = overcome(1).unwrap();
-        assert!(one.contains("brakes 1 ball under") && one.contains("drives it: it slides"));
+        assert!(one.contains("brakes 1 ball more") && one.contains("drives: it slides"));
         let two = overcome(2).unwrap();
-        assert!(two.contains("brakes 2 balls under") && two.contains("drives them: they slide"));
+        assert!(two.contains("brakes 2 balls more") && two.contains("drives: they slide"));
     }
 
     /// No supply is recommended that the case has.

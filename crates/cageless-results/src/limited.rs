@@ -83,6 +83,30 @@ pub struct LimitJudgement {
     pub limits_not_judged: Vec<String>,
 }
 
+/// Tables of a computation that only some cases have: with a fit, an oil, a film, motion in space.
+const OF_SOME_CASES: [&[Quantity]; 7] = [
+    FIT,
+    CLEARANCE_RANGE,
+    LUBRICATION,
+    FILM,
+    SPACE,
+    DEFECTS,
+    FILM_VERDICT,
+];
+
+/// A result of this name that other cases have of the computation behind these results.
+fn of_other_cases(results: &Results, name: &str) -> Option<&'static Quantity> {
+    let mut all = OF_SOME_CASES.into_iter().flatten();
+    all.find(|quantity| {
+        let is_computed = || {
+            results
+                .iter()
+                .any(|(q, _)| q.computation() == quantity.computation())
+        };
+        quantity.name == name && is_computed()
+    })
+}
+
 impl LimitJudgement {
     /// The limits on those results that the computation has; `value` is of a name, `Some(None)` without a value.
     pub fn new<'q>(
@@ -113,12 +137,12 @@ impl LimitJudgement {
         judged
     }
 
-    /// The limits on these results.
+    /// The limits on these results, and on those that only other cases have of the same computation.
     pub fn of(limits: &[Limit], results: &Results) -> Self {
         Self::new(limits, |name| {
-            let mut all = results.iter();
-            let (quantity, cell) = all.find(|(q, _)| q.name == name)?;
-            Some((quantity, cell.number()))
+            let found = results.iter().find(|(q, _)| q.name == name);
+            let found = found.map(|(quantity, cell)| (quantity, cell.number()));
+            found.or_else(|| Some((of_other_cases(results, name)?, None)))
         })
     }
 

@@ -35,6 +35,8 @@ pub struct Quantity {
     pub occurs: bool,
     /// Whether the columns of sweeps have it.
     pub in_sweeps: bool,
+    /// Whether only cases with an oil film have it.
+    pub in_oil: bool,
     /// Whether tables for readers have it.
     pub in_tables: bool,
     /// Heading under which tables have it.

@@ -3,13 +3,13 @@
 use cageless::SMOOTHING_M;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{EquilibriumError, settle};
-use cageless::film::FilmAtRest;
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Bearing, Case};
 
 use crate::asperities::slippery_asperities;
 use crate::film_notes::film_notes;
 use crate::number_text::short;
+use crate::overheating::overheating;
 use crate::thin_inlet::thin_inlet;
 use crate::{
     CLEARANCE_RANGE, DEFECTS, FILM, FIT, LUBRICATION, Particulars, Record, Results, SPACE, STATIC,
@@ -24,7 +24,10 @@ pub fn static_record(
 ) -> Record {
     let solved = Solved::new(case, particulars, settled);
     let warnings = settled.warnings(case).into_iter();
-    let film = solved.film.as_ref().and_then(FilmAtRest::range_warning);
+    let film = solved.film.iter().flat_map(|film| {
+        let heat = overheating(&case.bearing, film.power_w);
+        film.contact_warnings().into_iter().chain(heat)
+    });
     let warnings = warnings.chain(solved.rating.warnings()).chain(film);
     let of_friction = slippery_asperities(case).into_iter();
     let warnings = warnings
@@ -106,7 +109,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     notes.extend(materials_note(solved.rating.materials).map(str::to_owned));
     notes.extend(of_lubricant(solved));
     if let (Some(film), Some(at_rest)) = (&case.film, &solved.film) {
-        notes.extend(film_notes(film, at_rest, !case.raceways.is_empty()));
+        notes.extend(film_notes(film, at_rest, case));
     }
     if solved.space.is_some() {
         notes.push(

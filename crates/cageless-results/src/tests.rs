@@ -807,3 +807,35 @@ fn results_with_tolerances_are_those_at_the_ends() {
     let json = serde_json::to_string(&record).unwrap();
     assert!(json.contains("operating_clearance_extremes_um"), "{json}");
 }
+
+/// A limit on a result that the case does not have is not judged, and not left out.
+#[test]
+fn a_limit_on_a_film_is_not_judged_without_one() {
+    let case = cageless::reference::conventional();
+    let limit = |result: &str| cageless::touchdown::Limit {
+        result: result.to_owned(),
+        value: 3.0,
+        side: None,
+        source: "a test".to_owned(),
+    };
+    let particulars = Particulars {
+        limits: ["film_parameter_min", "viscosity_ratio", "verdict"]
+            .map(limit)
+            .to_vec(),
+        ..no_particulars()
+    };
+    let record = crate::static_record(
+        &case,
+        &particulars,
+        &cageless::equilibrium::settle(&case).unwrap(),
+    );
+    let judged = record.limits();
+    let [film, ratio] = &judged.limits_not_judged[..] else {
+        panic!("{judged:?}");
+    };
+    assert!(
+        film.starts_with("film parameter Λ, least has no value here; at least 3"),
+        "{film}"
+    );
+    assert!(ratio.contains("has no value here"), "{ratio}");
+}

@@ -9,9 +9,15 @@ use crate::number_text::short;
 pub fn thin_inlet(case: &Case) -> Option<String> {
     let film = case.film.as_ref()?;
     let ratio = film.inlet_ratio.filter(|ratio| *ratio < INLET_RATIO_MIN)?;
+    let thicker = match ratio < 1.0 {
+        true => {
+            "; film thickness and Λ are those of flooded contacts, thicker than all the oil on the track"
+        }
+        false => "",
+    };
     Some(format!(
         "film.inlet_film_um is S = {} times the least flooded film, below {INLET_RATIO_MIN}, down to which starvation \
-         was computed: the supply of {} is extrapolated",
+         was computed: the supply of {} is extrapolated{thicker}",
         short(ratio),
         short(film.supply)
     ))

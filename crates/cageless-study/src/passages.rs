@@ -62,6 +62,7 @@ impl Passages {
         let run = RunEvidence {
             passages: &self.of_raceway,
             pressure_max_pa: summary.map(|s| s.peaks.pressure_max_pa()),
+            half_turn_lag_rad: summary.and_then(|s| s.half_turn_lag_rad),
         };
         RunVerdict::new(case, &run)
     }

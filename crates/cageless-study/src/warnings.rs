@@ -9,10 +9,10 @@ use cageless::film::FilmAtRest;
 use cageless::rating::speed_warning;
 use cageless::step_limits::StepLimits;
 use cageless::summary::{ContactPeak, ContactPeaks};
-use cageless::{Bearing, Case, IntegrationMethod, OrbitMeans, Raceway, Regularisation};
+use cageless::{Case, IntegrationMethod, Raceway, Regularisation};
 
 use cageless_results::number_text::short;
-use cageless_results::{DropResult, Finished, slippery_asperities, thin_inlet};
+use cageless_results::{DropResult, Finished, overheating, slippery_asperities, thin_inlet};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
@@ -108,13 +108,6 @@ fn over_pressure(place: &str, pressure_pa: f64) -> Option<String> {
     })
 }
 
-/// Heat flow per surface that a radial ball bearing gives off at 70 °C in surroundings of 20 °C,
-/// W/m² (reference conditions of ISO 15312 for a surface up to 50,000 mm²).
-const REFERENCE_HEAT_FLOW_W_M2: f64 = 16e3;
-/// Assumed width of the bearing over the diameter of its balls; ISO 15 has 1.3 to 1.9 in the
-/// series 60, 62 and 63.
-const WIDTH_OVER_BALL_DIAMETER: f64 = 1.9;
-
 /// Warning about sliding under pressure that heats the surface of a contact.
 fn flash_warning(place: &str, peak: &ContactPeak) -> Option<String> {
     if !(peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K) {
@@ -130,25 +123,6 @@ fn flash_warning(place: &str, peak: &ContactPeak) -> Option<String> {
         short(limit),
         peak.flash_temperature_k
     ))
-}
-
-/// Warning about losses beyond the heat that a bearing gives off.
-fn heat_warning(bearing: &Bearing, means: &OrbitMeans) -> Option<String> {
-    let diameter_mm = 2e3 * bearing.pitch_radius_m();
-    let width_mm = WIDTH_OVER_BALL_DIAMETER * 2e3 * bearing.ball_radius_m();
-    // ISO 15312: π·B·(D + d), with D + d = 2·dm.
-    let surface_mm2 = TAU * width_mm * diameter_mm;
-    let reference_w = REFERENCE_HEAT_FLOW_W_M2 * 1e-6 * surface_mm2;
-    let heat_w = means.heat_w().max(means.power_loss_w());
-    (heat_w > reference_w).then(|| {
-        format!(
-            "the power loss of {} W is {} times the {reference_w:.0} W that a bearing of this \
-             size gives off at 70 °C (reference conditions of ISO 15312, width taken as \
-             {width_mm:.0} mm): it overheats in continuous running without cooling",
-            short(heat_w),
-            short(heat_w / reference_w)
-        )
-    })
 }
 
 /// Loads that no bearing stands, from the peaks and means of the run.
@@ -178,7 +152,9 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
     let hot = of_places(&summary.peaks).into_iter();
     warnings.extend(hot.filter_map(|(place, peak)| flash_warning(place, peak)));
     let means = summary.means.as_ref().filter(|_| continuous);
-    warnings.extend(means.and_then(|means| heat_warning(bearing, means)));
+    warnings.extend(
+        means.and_then(|means| overheating(bearing, means.heat_w().max(means.power_loss_w()))),
+    );
     warnings
 }
 

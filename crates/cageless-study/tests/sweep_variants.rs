@@ -211,6 +211,40 @@ fn statics_are_in_space_where_their_case_is() {
     assert!(ring[0] != ring[1] && ring[2] == ring[3], "{ring:?}");
 }
 
+/// Results of an oil film are columns where a plan has one, as `static` has them; a dry plan has none of them.
+#[test]
+fn films_are_in_the_columns_of_a_plan_with_oil() {
+    let dry = "compute = [\"static\", \"run\"]\n[grid]\noperation.radial_load_n = [500, 1000]\n";
+    let sweep = Sweep::new(plan(dry)).expect("a sweep");
+    for name in [
+        "static_rolling_resistance_torque_n_m",
+        "run_half_turn_lag_deg",
+    ] {
+        assert_eq!(sweep.column(name), None);
+    }
+    let oil = "compute = [\"static\"]\n[set]\nfilm.viscosity_temperature_1_k = 0.035\nfilm.supply = \"flooded\"\n\
+               film.viscosity_mpa_s = 5\n[grid]\nfilm.viscosity_mpa_s = [2, 20]\n";
+    let sweep = Sweep::new(plan(oil)).expect("a sweep");
+    let rows = rows(&sweep);
+    for (k, mpa_s) in [2, 20].into_iter().enumerate() {
+        let changes = [
+            "film.viscosity_temperature_1_k=0.035".to_owned(),
+            "film.supply=flooded".to_owned(),
+            format!("film.viscosity_mpa_s={mpa_s}"),
+        ];
+        let file = CaseFile::parse(&template(false), "case.toml", &changes).unwrap();
+        let record = equilibrium_record(file.case(), file.particulars()).unwrap();
+        for name in [
+            "rolling_resistance_torque_n_m",
+            "film_speed_deficit_fraction",
+            "film_parameter_min",
+        ] {
+            let found = numbers(&sweep, &rows, &format!("static_{name}"));
+            assert_eq!(found[k], record.results.number(name), "{mpa_s}: {name}");
+        }
+    }
+}
+
 /// Tables over time are values like others, told apart by how they are written.
 #[test]
 fn an_axis_may_have_tables() {

@@ -286,7 +286,7 @@ struct UnderWay {
 
 impl UnderWay {
     /// Follows the ball through a step.
-    #[inline]
+    #[inline(always)] // a centre passed in memory waits for its two stores
     fn follow(
         &mut self,
         step: &StepState,

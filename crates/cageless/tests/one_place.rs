@@ -14,8 +14,8 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless-paper", 50),
     ("cageless-py", 3),
     ("cageless-report", 70),
-    ("cageless-results", 15),
-    ("cageless-study", 77),
+    ("cageless-results", 17),
+    ("cageless-study", 75),
 ];
 
 /// The reader of documents, the table of quantities and the lengths of figures and drawings: where units are converted.

@@ -7,7 +7,7 @@ const OPEN = "Whether a raceway that works also helps, cageless compare CASE --r
 const SIMULATED = {
   separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
   "both-neighbours": "passages with double collision", lag: "lag per pass, of that of rolling on rigid flanks",
-  pressure: "contact pressure at rest, of 4200 MPa (ISO 76)", "steady-gap": "critical gap, of the gap outside the raceway (80 to 100 %)",
+  pressure: "contact pressure at rest, of 4200 MPa (ISO 76)", "steady-gap": "critical gap, of the gap outside the raceway (80 to 100 %, in oil to 110 %)",
   "film-queue": "speed lost to the film, of the free share", "film-outweighs": "gap that the film opens, of the critical gap",
 };
 const ESTIMATED = {

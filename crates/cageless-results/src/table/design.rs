@@ -107,13 +107,13 @@ pub const VERDICT: &[Quantity] = &[
 /// Further results of a verdict with an oil film.
 #[rustfmt::skip]
 pub const FILM_VERDICT: &[Quantity] = &[
-    group(Group::Film, means("over the half orbit away from the load, less that of the run without oil; part of the steady-state gap", part(quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit", Verdict(|j| film(j, |f| f.lag_rad.to_degrees())))))),
-    group(Group::Film, means("2/π times that lag; balls queue from some 1.3 times `free_share` on, never below 1.1", part(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses by the film", Verdict(|j| film(j, |f| f.speed_deficit)))))),
-    group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone; above 0.65 of the critical gap oil spaces the balls more than the raceway", part(quantity("film_opening_gap_deg", "deg", "gap that the film opens", Verdict(|j| film(j, |f| f.opening_gap_rad.to_degrees())))))),
+    group(Group::Film, means("over the half orbit away from the load, less that of the run without oil; part of the steady-state gap", in_oil(quantity("film_lag_per_turn_deg", "deg", "lag of a ball by the film per orbit, in motion", Verdict(|j| film(j, |f| f.lag_rad.to_degrees())))))),
+    group(Group::Film, means("2/π times that lag; balls queue from some 1.3 times `free_share` on, never below 1.1", in_oil(quantity("film_speed_deficit_fraction", "", "share d of its speed that a ball loses by the film, in motion", Verdict(|j| film(j, |f| f.speed_deficit)))))),
+    group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone; above 0.65 of the critical gap oil spaces the balls more than the raceway", in_oil(quantity("film_opening_gap_deg", "deg", "gap that the film opens, in motion", Verdict(|j| film(j, |f| f.opening_gap_rad.to_degrees())))))),
     group(Group::Film, means("of the pitch circle, 1 − N ε/360°", part(quantity("free_share", "", "share that balls leave free", Verdict(|j| film(j, |f| f.free_share)))))),
-    means("outside the raceways, with the lag of the film", part(quantity("film_steady_gap_deg", "deg", "steady-state gap with the film", Verdict(|j| j.judgement.steady_gap_rad.map(f64::to_degrees).into())))),
-    means(VERDICT_NAMES, part(text("dry_verdict", "verdict without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.verdict.name().to_owned())))))),
-    part(high(flag("dry_passes", "passes without oil", Verdict(|j| flagged(j.judgement.dry.as_ref().and_then(|dry| dry.passes())))))),
+    means("outside the raceways, with the lag of the film", in_oil(quantity("film_steady_gap_deg", "deg", "steady-state gap with the film", Verdict(|j| j.judgement.steady_gap_rad.map(f64::to_degrees).into())))),
+    means(VERDICT_NAMES, in_oil(text("dry_verdict", "verdict without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.verdict.name().to_owned())))))),
+    in_oil(high(flag("dry_passes", "passes without oil", Verdict(|j| flagged(j.judgement.dry.as_ref().and_then(|dry| dry.passes())))))),
     file_only(text("dry_headline", "verdict with its reason, without oil", Verdict(|j| j.judgement.dry.as_ref().map_or(Cell::Null, |dry| Cell::Text(dry.headline()))))),
 ];
 

@@ -335,7 +335,7 @@ fn in_oil(sets: &[&str]) -> (Record, String) {
 #[test]
 fn notes_on_queueing_do_not_contradict_each_other() {
     let limits = "balls queue from some 9.2 % on, never below 7.8 %";
-    let outweighed = "above some 5.0 % it spaces them more than a raceway for dry balls";
+    let outweighed = "above some 5 % it spaces them more than a raceway for dry balls";
     for (mpa_s, says, outweighs) in [
         ("5", "oil spaces the balls", false),
         ("34", "oil spaces the balls", true),

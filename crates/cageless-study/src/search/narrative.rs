@@ -275,10 +275,20 @@ fn of_own(found: &Found, own: &Confirmed) -> String {
         "gap-not-retained" => "; `cageless design` judges evenly spaced balls alone",
         _ => "",
     };
+    let fails = match is_in_oil(found) && rejection.cause.kind().name.ends_with("-separation") {
+        true => "is not what the search looks for in oil",
+        false => "fails as well",
+    };
     format!(
-        "The initial design fails as well: {}{evenly}.",
+        "The initial design {fails}: {}{evenly}.",
         at_point(found, rejection)
     )
+}
+
+/// Whether balls lag by a film.
+fn is_in_oil(found: &Found) -> bool {
+    let mut forms = found.evaluations.iter().filter_map(|e| e.forms);
+    forms.any(|forms| forms.film_lag_rad > 0.0)
 }
 
 /// Why nothing is recommended, and what to change.
@@ -328,6 +338,13 @@ pub fn why_none(found: &Found) -> String {
                 None => found.rejections().first().map(|excluded| excluded.kind),
             };
             let remedy = kind.map_or("wider ranges in [search]", |kind| kind.remedy);
+            let of_gap = kind.is_some_and(|kind| kind.name.ends_with("-separation"));
+            let remedy = match of_gap && is_in_oil(found) {
+                true => {
+                    "thinner oil or less of it ([film]), fewer balls (bearing.balls), or wider ranges in [search]"
+                }
+                false => remedy,
+            };
             (sentences, remedy.to_owned())
         }
     };

@@ -15,7 +15,7 @@ use cageless_io::results::{Column, ColumnKind, Row};
 use cageless_results::{Cell, Computation, DropRun, Judged, Solved, Subject};
 
 use super::feasibility;
-use super::outputs::{Output, outputs};
+use super::outputs::{Output, Varied, outputs};
 use super::variants::Variants;
 use crate::StudyError;
 use crate::drop::{FiledDrop, run_drops};
@@ -60,9 +60,13 @@ impl Sweep {
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
         let base = &variants.plan.base_file;
         let spatial = |file: &CaseFile| file.case().moves_in_space();
-        let in_space = base.cases().iter().any(spatial)
-            || variants.columns.iter().any(|c| is_spatial(&c.name));
-        let outputs = outputs(&variants.plan, in_space).map_err(StudyError::Plan)?;
+        let oiled = |file: &CaseFile| file.case().film.is_some();
+        let sweeps = |of: &dyn Fn(&str) -> bool| variants.columns.iter().any(|c| of(&c.name));
+        let varied = Varied {
+            in_space: base.cases().iter().any(spatial) || sweeps(&is_spatial),
+            in_oil: base.cases().iter().any(oiled) || sweeps(&|column| column.starts_with("film_")),
+        };
+        let outputs = outputs(&variants.plan, varied).map_err(StudyError::Plan)?;
         let mut columns = vec![spec(INDEX, ColumnKind::Index)];
         columns.extend_from_slice(&variants.columns);
         columns.push(spec(REASON, ColumnKind::Text));

@@ -50,18 +50,29 @@ impl Output {
     }
 }
 
-/// The columns of results that a plan keeps; those of statics in space only of one in space.
+/// Cases that a plan varies.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Varied {
+    /// Whether some are in space.
+    pub in_space: bool,
+    /// Whether some have an oil film.
+    pub in_oil: bool,
+}
+
+/// The columns of results that a plan keeps; those of statics in space only of one in space, those of a film only of
+/// one with a film.
 ///
 /// # Errors
 /// `keep` names a column that is not computed.
-pub(crate) fn outputs(plan: &PlanFile, in_space: bool) -> Result<Vec<Output>, CaseError> {
+pub(crate) fn outputs(plan: &PlanFile, varied: Varied) -> Result<Vec<Output>, CaseError> {
     let of_plane = |output: &Output| {
-        in_space
+        varied.in_space
             || !SPACE
                 .iter()
                 .any(|q| q.column_name() == output.quantity.column_name())
     };
-    let computed: Vec<Output> = (all(plan).filter(of_plane))
+    let dry = |output: &Output| varied.in_oil || !output.quantity.in_oil;
+    let computed: Vec<Output> = (all(plan).filter(of_plane).filter(dry))
         .filter(|output| plan.compute.contains(&output.quantity.computation()))
         .collect();
     let Some(keep) = &plan.keep else {

@@ -1,10 +1,14 @@
 //! Verdict on the passages of a run, or of runs from several starts.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::RacewayVerdict;
-use super::criterion::{BOTH_NEIGHBOURS, Criterion, PEAK_PRESSURE, percentage_points};
+use super::criterion::{BOTH_NEIGHBOURS, Criterion, FILM_QUEUE, PEAK_PRESSURE, percentage_points};
 use super::raceway_tallies::RacewayTallies;
 use crate::case::{Case, Gaps, InnerRingDrive};
 use crate::contact::hertz::STRESS_LIMIT_PA;
+use crate::equilibrium::settle;
+use crate::film::{FilmAtRest, WEIGHT_MAX};
 use crate::numerics::moments::Moments;
 use crate::summary::{TRANSIENT_TURNS, transient_s};
 
@@ -19,6 +23,8 @@ pub struct RunEvidence<'a> {
     pub passages: &'a RacewayTallies,
     /// Largest Hertz pressure of its contacts, Pa; `None` of a run within its transient.
     pub pressure_max_pa: Option<f64>,
+    /// Lag of the balls over the half orbit away from the load, rad; `None` without a film.
+    pub half_turn_lag_rad: Option<f64>,
 }
 
 /// Whether the balls passed the raceways of a run as they should. It rests on deceleration or lag, on contacts and on
@@ -48,6 +54,7 @@ impl RunVerdict {
         let missing = too_few(case, run.passages);
         let mut criteria = vec![];
         if missing.is_none() && nothing_to_judge(case).is_none() {
+            criteria.extend(film_queue(case, run.half_turn_lag_rad));
             for k in 0..case.raceways.len() {
                 let twice = run.passages.of_raceway(k).double_collision_fraction();
                 criteria.push(run.passages.slowing(case, k));
@@ -137,9 +144,14 @@ impl RunVerdict {
                     format!(", standard error {points} percentage points")
                 });
                 let most = Criterion::missed_by_most(&criteria, criterion);
+                let also = match case.film {
+                    Some(_) => {
+                        "for the critical gap, beside that of the film, and the run without oil"
+                    }
+                    None => "for the critical gap",
+                };
                 format!(
-                    "{word} in {over}: {}; {nearest}{criterion}{error}{most}; for the \
-                     critical gap run `cageless design`",
+                    "{word} in {over}: {}; {nearest}{criterion}{error}{most}; {also} run `cageless design`",
                     verdict.label()
                 )
             }
@@ -153,6 +165,20 @@ impl RunVerdict {
             missing,
         }
     }
+}
+
+/// Criterion of balls that queue in the film of a case: the speed that they lose in a run, or that a free ball loses at
+/// rest if it is more. `None` without oil, where the speed varies, and where weight moves the balls as much.
+fn film_queue(case: &Case, half_turn_lag_rad: Option<f64>) -> Option<Criterion> {
+    let supplied = case.film.is_some_and(|film| film.has_oil()) && case.has_constant_operation();
+    let film = FilmAtRest::new(case, &supplied.then(|| settle(case).ok())??)?;
+    if film.weight_share > WEIGHT_MAX {
+        return None;
+    }
+    // By its weight a ball that rolls over the top lags by 2gρ/(1.4 v²), to first order.
+    let weight_rad = 2.0 / 1.4 * film.weight_share;
+    let lost = half_turn_lag_rad.map_or(0.0, |lag_rad| (lag_rad - weight_rad) / FRAC_PI_2);
+    Some(FILM_QUEUE.of(lost.max(film.speed_deficit) / film.free_share))
 }
 
 /// How the balls of a case were started where they were evenly spaced, which is the least test of a raceway.

@@ -515,7 +515,9 @@ fn decide(
         s.speed_drop_fraction,
         s.lag_fraction,
     ));
-    criteria.extend(film.map(|film| FILM_OUTWEIGHS.of(film.opening_gap_rad / largest)));
+    // A raceway in which no gap closes has no gap that a film could outweigh.
+    let outweighed = film.filter(|_| largest != 0.0);
+    criteria.extend(outweighed.map(|film| FILM_OUTWEIGHS.of(film.opening_gap_rad / largest)));
     let gap = STEADY_GAP.of(largest / steady);
     criteria.extend([
         film.map_or(gap, |_| gap.with_most(IN_OIL[1])),
@@ -598,6 +600,14 @@ fn steady_passages(
         statistics: raceways.map(|k| statistics(&case, k, &tallies)).collect(),
         stopped: None,
     })
+}
+
+/// Lag of the balls of a case, evenly spaced at the start, over the half orbit away from the load, rad; `None` where the
+/// run stops.
+pub(super) fn half_turn_lag_rad(case: &Case) -> Option<f64> {
+    let mut go_on = |_: f64| Control::Continue(());
+    let run = steady_passages(case, Beside::Wet, &mut [], &mut go_on).ok()?;
+    run.half_turn_lag_rad
 }
 
 fn statistics(case: &Case, k: usize, tallies: &RacewayTallies) -> Option<PassageStatistics> {

@@ -66,6 +66,14 @@ impl State {
         }
     }
 
+    /// The state with nothing in its energy ledger.
+    pub(crate) fn without_ledger(mut self) -> Self {
+        for term in self.layout.energy_terms() {
+            self.values[self.layout.energy_term(*term)] = 0.0;
+        }
+        self
+    }
+
     /// Layout of [`Self::values`].
     pub fn layout(&self) -> Layout {
         self.layout

@@ -42,7 +42,7 @@ pub(crate) use groove_curves::GrooveCurves;
 pub(crate) use groove_traction::GrooveFilms;
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K};
-pub use rest::FilmAtRest;
+pub use rest::{FilmAtRest, WEIGHT_MAX};
 pub(crate) use rolling_force::Rolling;
 pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
 pub use starvation::INLET_RATIO_MIN;

@@ -14,6 +14,9 @@ use super::unreached_arc::unreached_arc_rad;
 use crate::case::Case;
 use crate::equilibrium::space::{SpatialEquilibrium, slot};
 
+/// Share of the load on asperities above which a contact is not that of a lubricated bearing: Λ below some 1.1.
+const ASPERITIES: f64 = 0.1;
+
 /// Film of one contact of a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct ContactFilm {
@@ -78,8 +81,13 @@ pub struct FilmAtRest {
     pub opening_gap_rad: f64,
     /// s, share of the pitch circle that balls leave free.
     pub free_share: f64,
+    /// gρ/v², weight of a rolling ball over its centrifugal force, which lag, deficit and gap leave out.
+    pub weight_share: f64,
     roughness_m: f64,
 }
+
+/// Weight of a ball over its centrifugal force above which it moves the ball as much as a film does.
+pub const WEIGHT_MAX: f64 = 0.2;
 
 impl FilmAtRest {
     /// Films of a case in its equilibrium; `None` without a film, and at standstill.
@@ -115,7 +123,9 @@ impl FilmAtRest {
         let free_arc_rad = unreached_arc_rad(case, settled);
         let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
         let ball = FreeBall::new(bearing, film);
-        let arc = ball.over(free_arc_rad, 0.5 * inner_speed_rad_s * groove_m);
+        let speed_m_s = 0.5 * inner_speed_rad_s * groove_m;
+        let arc = ball.over(free_arc_rad, speed_m_s);
+        let centrifugal_m_s2 = speed_m_s * speed_m_s / bearing.pitch_radius_m();
         let opening_gap_rad = match arc.speed_deficit < 1.0 && has_load_zone(&inner) {
             true => opening_gap_rad(bearing, arc.speed_deficit),
             false => f64::NAN,
@@ -133,6 +143,7 @@ impl FilmAtRest {
             lag_rad: arc.lag_rad,
             speed_deficit: arc.speed_deficit,
             free_share: free_share(bearing),
+            weight_share: case.operation.gravity_m_s2 / centrifugal_m_s2,
             roughness_m: film.roughness_m,
         })
     }
@@ -210,27 +221,53 @@ impl FilmAtRest {
     }
 
     /// Warning if a contact is outside the range of the fit of the rolling force.
-    pub fn range_warning(&self) -> Option<String> {
+    fn range_warning(&self) -> Option<String> {
         let exceeded = self.exceeded()?;
         let RangeExceeded { parameter, factor } = exceeded;
         let end = if factor > 1.0 { "upper" } else { "lower" };
         Some(format!(
-            "film: {parameter} of a contact is {} times the {end} end of the range that the rolling force was fitted \
-             in; nothing is cut off",
+            "film: the rolling force is extrapolated: {} of a contact is {} times the {end} end of the range of its fit",
+            parameter_text(parameter),
             exceeded.factor_text()
         ))
     }
 
-    /// Warnings: a contact outside the range of the fit, and balls that queue.
+    /// Warnings of a computation of the motion: those of [`Self::contact_warnings`], and balls that queue.
     pub fn warnings(&self) -> Vec<String> {
         let [lost, free] = [self.speed_deficit, self.free_share].map(|share| 100.0 * share);
-        let queue = (self.speed_deficit > self.queue_deficits()[0]).then(|| {
+        let [never, as_a_rule] = self.queue_deficits();
+        let lags = self.speed_deficit > never && self.weight_share < WEIGHT_MAX;
+        let queue = lags.then(|| {
+            let will = match self.speed_deficit > as_a_rule {
+                true => "will",
+                false => "may",
+            };
             format!(
-                "film: balls may queue, as the oil takes {lost:.1} % of the speed of a free ball and they leave {free:.1} % \
-                 of the pitch circle free; slowed balls then hit each other all the time"
+                "film: balls {will} queue, as the oil takes {lost:.1} % of the speed of a free ball and they leave \
+                 {free:.1} % of the pitch circle free; slowed balls then hit each other all the time"
             )
         });
-        self.range_warning().into_iter().chain(queue).collect()
+        self.contact_warnings().into_iter().chain(queue).collect()
+    }
+
+    /// Warnings about contacts: one outside the range of the fit of the rolling force, and asperities that carry load.
+    pub fn contact_warnings(&self) -> Vec<String> {
+        let share = self.asperity_share_max();
+        let asperities = (share > ASPERITIES).then(|| {
+            let friction = match self.mixed_friction_coefficient {
+                Some(_) => "",
+                None => {
+                    "; contact.friction_coefficient is the friction of all contacts: film.traction = \"film\" has that of \
+                     asperities and film"
+                }
+            };
+            format!(
+                "film: asperities carry {:.0} % of the load of a contact, where Λ is least: surfaces wear, and lives of a \
+                 lubricated bearing do not hold{friction}",
+                100.0 * share
+            )
+        });
+        self.range_warning().into_iter().chain(asperities).collect()
     }
 
     /// Whether a ball has inner contact.
@@ -242,6 +279,17 @@ impl FilmAtRest {
     pub fn queue_deficits(&self) -> [f64; 2] {
         [MAY_QUEUE, QUEUE].map(|factor| factor * self.free_share)
     }
+}
+
+/// A parameter of the fit by what it is made of.
+fn parameter_text(parameter: &str) -> String {
+    let made_of = match parameter {
+        "U" => "viscosity × speed",
+        "κW" => "load",
+        "κ" => "contact ellipse",
+        _ => "film over ball radius",
+    };
+    format!("{parameter} ({made_of})")
 }
 
 /// Contacts of a ball at an angle; at the edges of a slot those with the edges.

@@ -331,6 +331,7 @@ fn verdicts_on_elastic_flanks_are_those_in_space() {
             let run = RunEvidence {
                 passages: &tallies,
                 pressure_max_pa: judgement.pressure_at_rest_pa,
+                half_turn_lag_rad: None,
             };
             let own = RunVerdict::new(&case, &run).verdict;
             let found = [judgement.verdict, own];

@@ -3,10 +3,12 @@
 use super::film::oil;
 use cageless::design::search::{Request, SearchError, run_here, search};
 use cageless::design::{
-    Judgement, RacewayVerdict, judge, recommend, steady_gap_rad, verdict_steps,
+    Judgement, RacewayTallies, RacewayVerdict, RunEvidence, RunVerdict, judge, recommend,
+    steady_gap_rad, verdict_steps,
 };
 use cageless::equilibrium::settle;
 use cageless::film::{Film, FilmAtRest};
+use cageless::passage::{Passage, PassageRecorder};
 use cageless::prelude::*;
 use cageless::reference;
 
@@ -89,13 +91,76 @@ fn the_dry_run_is_part_of_the_work() {
     .unwrap();
     assert!(fractions.is_sorted() && fractions.last().is_some_and(|&last| last <= 1.0));
     let at_rest = |case: &Case| FilmAtRest::new(case, &settle(case).unwrap()).unwrap();
-    assert!(at_rest(&case).range_warning().is_some());
+    assert!(!at_rest(&case).contact_warnings().is_empty());
     let entered = |_| Some(case.clone());
     assert_eq!(recommend(&case, &entered, &mut go_on).unwrap(), None);
     case.film.as_mut().unwrap().supply = 0.0;
     assert_eq!(verdict_steps(&case), verdict_steps(&dry));
     assert_eq!(judged(&case), judged(&dry));
-    assert_eq!(at_rest(&case).range_warning(), None);
+    assert!(at_rest(&case).contact_warnings().is_empty());
+}
+
+/// A run whose balls queue in oil does not work, however smooth their passages are; one in thin oil does.
+#[test]
+fn a_run_of_queueing_balls_does_not_work() {
+    for (mpa_s, expected) in [
+        (5.0, RacewayVerdict::Smooth),
+        (45.0, RacewayVerdict::FilmQueue),
+    ] {
+        let mut case = in_oil(mpa_s);
+        case.solver.method = IntegrationMethod::VelocityVerlet;
+        case.solver.step_s = 2e-6;
+        case.solver.duration_s = 0.3;
+        let mut tallies = RacewayTallies::new(&case);
+        let mut passages = PassageRecorder::new(|passage: Passage| {
+            tallies.add(&Passage {
+                collisions_ahead: 0,
+                ..passage
+            });
+            Ok(())
+        });
+        let mut summary = SummaryRecorder::new();
+        cageless::simulation::run(&case, &mut [&mut passages, &mut summary], &mut go_on).unwrap();
+        let half_turn_lag_rad = summary.summary().unwrap().half_turn_lag_rad;
+        let run = RunEvidence {
+            passages: &tallies,
+            pressure_max_pa: Some(1e9),
+            half_turn_lag_rad,
+        };
+        let found = RunVerdict::new(&case, &run);
+        assert_eq!(found.verdict, expected, "{mpa_s}: {}", found.headline);
+        // At rest a free ball loses less than queueing balls do.
+        let at_rest = FilmAtRest::new(&case, &settle(&case).unwrap()).unwrap();
+        assert!(at_rest.speed_deficit < at_rest.queue_deficits()[1]);
+        let of_rest = RunVerdict::new(
+            &case,
+            &RunEvidence {
+                half_turn_lag_rad: None,
+                ..run
+            },
+        );
+        assert_eq!(of_rest.verdict, RacewayVerdict::Smooth);
+    }
+}
+
+/// Asperities that carry load are warned of.
+#[test]
+fn asperities_are_warned_of() {
+    let warned = |mpa_s: f64| {
+        let case = in_oil(mpa_s);
+        let film = FilmAtRest::new(&case, &settle(&case).unwrap()).unwrap();
+        let warnings = film.contact_warnings();
+        (
+            film.asperity_share_max(),
+            warnings
+                .iter()
+                .any(|w| w.contains("film: asperities carry")),
+        )
+    };
+    let (share, is_warned) = warned(0.5);
+    assert!(share > 0.1 && is_warned, "{share}");
+    let (share, is_warned) = warned(20.0);
+    assert!(share < 0.1 && !is_warned, "{share}");
 }
 
 /// The raceway that a search finds in oil has a critical gap of 1.0 to 1.1 times the steady gap with the film: more than

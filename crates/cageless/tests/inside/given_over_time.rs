@@ -99,6 +99,7 @@ fn judged(case: &Case) -> (RunVerdict, f64, ContactPeaks) {
     let found = RunEvidence {
         passages: &tallies,
         pressure_max_pa: Some(1e9),
+        half_turn_lag_rad: None,
     };
     let verdict = RunVerdict::new(case, &found);
     let slowing = verdict

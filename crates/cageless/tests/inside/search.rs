@@ -3,8 +3,10 @@
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, TAU};
 
+use super::film::oil;
 use super::outer_ring::SIZE;
 use crate::common::*;
+use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
     PairSeparation, RacewayLayout, Rejection, Request, Role, SearchError, SpeedMap, Stage, Task,
@@ -17,7 +19,7 @@ use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
 use cageless::surface::OuterRing;
 use cageless::{
-    BearingDimensions, Case, Ends, FlankModel, Gaps, Raceway, RacewayForm, RacewayShape,
+    BearingDimensions, Case, Ends, Film, FlankModel, Gaps, Raceway, RacewayForm, RacewayShape,
 };
 
 fn go_on(_: f64) -> Control {
@@ -39,6 +41,30 @@ fn spacing(case: &Case, structure: RacewayLayout) -> PairSeparation {
     match run_jobs(case, &[&job], &mut go_on).swap_remove(0) {
         Some(Ok(Numbers::PairSeparation(spacing))) => spacing,
         other => panic!("{other:?}"),
+    }
+}
+
+/// In oil critical gaps are resolved up to the multiple of the steady gap that the film has widened: a raceway for oil
+/// has its own critical gap and pressure, on rigid and on elastic flanks.
+#[test]
+fn critical_gaps_in_oil_are_those_of_a_pair() {
+    for (flanks, span_mm) in [(FlankModel::Rigid, 5.8), (FlankModel::Elastic, 6.2)] {
+        let mut case = as_searched(span_mm, 25.2);
+        case.flanks = flanks;
+        case.film = Some(Film::flooded(oil(20.0)));
+        let found = spacing(&case, RacewayLayout::from_case(&case).unwrap());
+        let dry_gap = steady_gap_rad(&case.bearing, &case.raceways);
+        let row = case.distinct_rows()[0];
+        let test = PairTest {
+            gap_max_rad: None,
+            ..PairTest::of_raceways(&case, row, dry_gap)
+        };
+        let alone = critical_gap_rad(&case, &test, &mut go_on).unwrap();
+        assert!(alone > 1.5 * dry_gap, "{flanks:?}: {alone} {dry_gap}");
+        // Bisections of other intervals, each to 2e-5 rad.
+        let apart_rad = (found.critical_gap_rad - alone).abs();
+        assert!(apart_rad < 5e-5, "{flanks:?}: {found:?} {alone}");
+        assert!(found.stress_pa > 1e9, "{flanks:?}: {found:?}");
     }
 }
 

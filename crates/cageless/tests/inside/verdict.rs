@@ -259,6 +259,7 @@ fn evidence(passages: &RacewayTallies) -> RunEvidence<'_> {
     RunEvidence {
         passages,
         pressure_max_pa: Some(1e9),
+        half_turn_lag_rad: None,
     }
 }
 
@@ -283,6 +284,7 @@ fn no_run_passes_over_its_own_warnings() {
         let run = RunEvidence {
             passages: &tallies,
             pressure_max_pa,
+            half_turn_lag_rad: None,
         };
         RunVerdict::new(&case, &run)
     };

@@ -14,7 +14,7 @@ pub(crate) static LAG: Requirement = Requirement {
         cause: CauseKind {
             name: "loses-lag",
             meaning: "load, contact angle and sliding leave too little of the lag",
-            remedy: "another speed, or less axial load",
+            remedy: "another speed, or less of an axial load",
         },
     }),
     sentence: |_| "balls keep {} of the lag of rolling on rigid flanks",

@@ -2,6 +2,7 @@
 //! thread.
 
 use super::axial;
+use super::film_lag::film_lag_at_rest_rad;
 use super::perturbed_run::{Motion, PerturbedRunError, UnevenStart, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::case::Case;
@@ -174,7 +175,9 @@ fn spacing(
         }
         None => theoretical_gap_rad(&case.bearing, raceway, Eq11::Published),
     };
-    let steady_gap = steady_gap_rad(&case.bearing, raceways);
+    // Gaps are asked for beside that in steady flow, which a film widens.
+    let widening = film_lag_at_rest_rad(case, point) / case.balls() as f64;
+    let steady_gap = steady_gap_rad(&case.bearing, raceways) + widening;
     let most = CROWDED_MAX * steady_gap;
     let mut spacing = PairSeparation {
         critical_gap_rad: f64::INFINITY,

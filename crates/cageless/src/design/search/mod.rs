@@ -31,6 +31,7 @@ mod axial;
 mod axial_runs;
 mod budget;
 mod evaluation;
+mod film_lag;
 mod grid;
 mod job;
 mod local_optimisation;

@@ -1,7 +1,7 @@
 //! The work of a search before it starts: the search itself, with closed forms in the place of its runs.
 
+use super::film_lag::film_lag_at_rest_rad;
 use super::job::{Job, Numbers, Outcome, PairSeparation, Task};
-use super::oil::film_lag_rad;
 use super::perturbed_run::{Motion, VALUES, from_uneven_start};
 use super::raceway_layout::ClosedForms;
 use super::rejection::Cause;
@@ -81,7 +81,7 @@ impl Job {
             }
             false => ClosedForms::new(&case.bearing, &raceways),
         };
-        Ok(forms.lagging(&case.bearing, film_lag_rad(case, &self.point)))
+        Ok(forms.lagging(&case.bearing, film_lag_at_rest_rad(case, &self.point)))
     }
 
     /// What the job would find if balls rolled and nothing were wrong with its raceways.
