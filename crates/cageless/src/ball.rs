@@ -10,6 +10,7 @@
 //! ```
 
 use crate::numerics::lanes::lane_struct;
+use crate::numerics::vector::PlaneVector;
 
 lane_struct! {
     /// Constants of one ball and of its contacts.
@@ -92,6 +93,17 @@ pub struct Centre {
     pub vx: f64,
     /// Ẏ, m/s.
     pub vy: f64,
+}
+
+impl Centre {
+    /// Position, m.
+    #[inline(always)]
+    pub(crate) fn place(&self) -> PlaneVector {
+        PlaneVector {
+            x: self.x,
+            y: self.y,
+        }
+    }
 }
 
 impl BallMotion {

@@ -23,6 +23,7 @@ use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
+use crate::numerics::vector::PlaneVector;
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, StepView, Stop, run,
 };
@@ -181,7 +182,7 @@ impl Observer for PairWatch {
             let closeness = match self.touch {
                 Touch::Angle => gap,
                 Touch::Surface => {
-                    let [x, y] = view.positions();
+                    let PlaneVector { x, y } = view.positions();
                     let [trail, lead] = pair;
                     let chord = (x[lead] - x[trail]).hypot(y[lead] - y[trail]);
                     // The gap of balls so far apart on the pitch circle.

@@ -6,6 +6,7 @@ use crate::dynamics::Model;
 use crate::dynamics::layout::Balls;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes};
+use crate::numerics::vector::PlaneVector;
 use crate::simd::{InstructionSet, with_instructions};
 
 /// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
@@ -19,17 +20,22 @@ pub(crate) struct Direction {
 impl Direction {
     /// Direction from ball `k` to the ball ahead, forwards, about the centre of the outer ring.
     #[inline]
-    pub(crate) fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
-        let about = |k: usize| [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
-        Self::between(about(k), about(x_m.next(k)))
+    pub(crate) fn to_next(
+        balls_m: PlaneVector<Balls<'_>>,
+        centre_m: PlaneVector,
+        k: usize,
+    ) -> Self {
+        let PlaneVector { x, y } = balls_m;
+        let about = |k: usize| PlaneVector { x: x[k], y: y[k] }.from(centre_m);
+        Self::between(about(k), about(x.next(k)))
     }
 
     /// Direction from one place to the next, forwards, about the origin.
     #[inline]
-    pub(crate) fn between([x, y]: [f64; 2], [next_x, next_y]: [f64; 2]) -> Self {
+    pub(crate) fn between(place: PlaneVector, next: PlaneVector) -> Self {
         Self {
-            sine: x * next_y - y * next_x,
-            cosine: x * next_x + y * next_y,
+            sine: place.x * next.y - place.y * next.x,
+            cosine: place.x * next.x + place.y * next.y,
         }
     }
 
@@ -108,15 +114,17 @@ impl RangeBlock {
     #[inline(always)]
     fn outside(
         &self,
-        [x, next_x]: [&[f64; LANES]; 2],
-        [y, next_y]: [&[f64; LANES]; 2],
-        [centre_x, centre_y]: [f64; 2],
+        place: PlaneVector<&[f64; LANES]>,
+        next: PlaneVector<&[f64; LANES]>,
+        centre: PlaneVector,
     ) -> LaneSet {
         let [least, most] = &self.range;
         LaneSet::of(|lane| {
-            let [x, y] = [x[lane] - centre_x, y[lane] - centre_y];
-            let [ahead_x, ahead_y] = [next_x[lane] - centre_x, next_y[lane] - centre_y];
-            let (sine, cosine) = (x * ahead_y - y * ahead_x, x * ahead_x + y * ahead_y);
+            let about = |at: PlaneVector<&[f64; LANES]>| {
+                let (x, y) = (at.x[lane], at.y[lane]);
+                PlaneVector { x, y }.from(centre)
+            };
+            let Direction { sine, cosine } = Direction::between(about(place), about(next));
             let within = (sine > 0.0)
                 & (most[0].0[lane] > 0.0)
                 & (least[0].0[lane] * cosine <= least[1].0[lane] * sine)
@@ -141,20 +149,30 @@ impl GapRange {
     }
 
     /// Takes the positions of the balls and of the centre of the outer ring.
-    pub(crate) fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
+    pub(crate) fn look(&mut self, balls_m: PlaneVector<Balls<'_>>, centre_m: PlaneVector) {
         let isa = InstructionSet::chosen();
         for (first, block) in (0..).step_by(LANES).zip(&mut self.blocks) {
-            let pairs = match (x_m.blocks_at(first), y_m.blocks_at(first)) {
-                (Some(x), Some(y)) => with_instructions!(
-                    isa,
-                    [](block: &RangeBlock, x: [&[f64; LANES]; 2], y: [&[f64; LANES]; 2], centre_m: [f64; 2]) -> LaneSet,
-                    block.outside(x, y, centre_m)
-                )
-                .or(block.apart),
+            let pairs = match (balls_m.x.blocks_at(first), balls_m.y.blocks_at(first)) {
+                (Some([x, next_x]), Some([y, next_y])) => {
+                    let (place, next) = (
+                        PlaneVector { x, y },
+                        PlaneVector {
+                            x: next_x,
+                            y: next_y,
+                        },
+                    );
+                    with_instructions!(
+                        isa,
+                        [](block: &RangeBlock, place: PlaneVector<&[f64; LANES]>, next: PlaneVector<&[f64; LANES]>,
+                            centre_m: PlaneVector) -> LaneSet,
+                        block.outside(place, next, centre_m)
+                    )
+                    .or(block.apart)
+                }
                 _ => LaneSet::ALL,
             };
             for lane in pairs.of_bearing(0, true, self.pair_angles.len() - first) {
-                block.take(Direction::to_next(x_m, y_m, centre_m, first + lane), lane);
+                block.take(Direction::to_next(balls_m, centre_m, first + lane), lane);
             }
         }
     }
@@ -220,9 +238,9 @@ mod tests {
                 values[layout.array(BallCoordinate::X) + k] = cos;
                 values[layout.array(BallCoordinate::Y) + k] = sin;
             }
-            let [x, y] =
-                [BallCoordinate::X, BallCoordinate::Y].map(|c| layout.balls_of(&values, c));
-            range.look(x, y, [0.0; 2]);
+            let of = |coordinate| layout.balls_of(&values, coordinate);
+            let (x, y) = (of(BallCoordinate::X), of(BallCoordinate::Y));
+            range.look(PlaneVector { x, y }, PlaneVector::default());
             range.range_rad()
         };
         // What comes after the third ball is always 2.1 rad ahead.

@@ -28,6 +28,7 @@ use crate::dynamics::Model;
 use crate::dynamics::layout::Balls;
 use crate::gap::Direction;
 use crate::numerics::moments::Moments;
+use crate::numerics::vector::PlaneVector;
 
 /// Variance of the gaps between the balls of a model at one instant.
 #[derive(Debug, Clone, Default)]
@@ -55,10 +56,10 @@ impl GapVariance {
     }
 
     /// Variance at these positions of the balls and of the centre of the outer ring, rad².
-    pub(crate) fn of(&self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) -> f64 {
+    pub(crate) fn of(&self, balls_m: PlaneVector<Balls<'_>>, centre_m: PlaneVector) -> f64 {
         // The gaps of a row leave what its balls leave of a turn: their mean is known.
         let from_mean_rad = |(k, size_rad): (usize, &f64)| {
-            let direction = Direction::to_next(x_m, y_m, centre_m, k);
+            let direction = Direction::to_next(balls_m, centre_m, k);
             let angle_rad = direction.small_angle_from(self.pitch);
             angle_rad.unwrap_or_else(|| direction.gap_rad(self.pitch_rad)) - size_rad
         };
@@ -89,8 +90,13 @@ impl GapScatter {
 
     /// Takes the positions of the balls and of the centre of the outer ring at `time_s`, for the
     /// time since the last look.
-    pub(crate) fn look(&mut self, time_s: f64, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
-        let variance = self.instant.of(x_m, y_m, centre_m);
+    pub(crate) fn look(
+        &mut self,
+        time_s: f64,
+        balls_m: PlaneVector<Balls<'_>>,
+        centre_m: PlaneVector,
+    ) {
+        let variance = self.instant.of(balls_m, centre_m);
         let half = usize::from(time_s > self.half_s);
         self.variance[half].add(variance, time_s - self.last_s);
         self.last_s = time_s;

@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 
 use crate::case::Case;
 use crate::equilibrium::settle;
+use crate::numerics::vector::PlaneVector;
 use crate::simulation::{Control, Observer, ObserverError, StepView};
 
 /// Follows a run with a film for the lag of its balls.
@@ -58,7 +59,7 @@ impl HalfTurnTracker {
     /// Takes a step.
     #[inline]
     pub(crate) fn step(&mut self, view: &StepView<'_>) {
-        let ([x, y], step) = (view.positions(), view.step);
+        let (PlaneVector { x, y }, step) = (view.positions(), view.step);
         for (k, before) in self.height_m.iter_mut().enumerate() {
             let height = y[k];
             if (*before < 0.0) != (height < 0.0) && !before.is_nan() {

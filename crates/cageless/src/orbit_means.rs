@@ -19,6 +19,7 @@ use std::f64::consts::TAU;
 use crate::case::{Case, InnerRingDrive};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::energy::EnergyTerm;
+use crate::numerics::vector::PlaneVector;
 use crate::simulation::{BallAngle, StepView};
 
 /// Means over the whole orbits of ball 1 after the transient; over all of that part of the run
@@ -136,7 +137,7 @@ impl OrbitMeansTracker {
     /// Takes a step after the transient; `sampled` steps add to the rotational speed.
     #[inline]
     pub(crate) fn step(&mut self, view: &StepView<'_>, sampled: bool) {
-        let [x, y] = view.ball_m(0);
+        let PlaneVector { x, y } = view.ball_m(0);
         if sampled {
             self.add_rotations(view);
         }

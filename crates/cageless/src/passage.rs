@@ -29,6 +29,7 @@ use crate::integrator::StepState;
 use crate::numerics::lane_set::LaneSet;
 use crate::numerics::lanes::{LANES, Lanes, larger};
 use crate::numerics::root;
+use crate::numerics::vector::PlaneVector;
 use crate::raceway::Raceway;
 use crate::simd::{InstructionSet, with_instructions};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
@@ -209,7 +210,7 @@ struct RacewaySector {
     centre_rad: f64,
     half_rad: f64,
     /// Unit vectors from the centre to both ends.
-    ends: [[f64; 2]; 2],
+    ends: [PlaneVector; 2],
 }
 
 impl RacewaySector {
@@ -224,15 +225,15 @@ impl RacewaySector {
             half_rad: d.half_angle_rad,
             ends: [-d.half_angle_rad, d.half_angle_rad].map(|half| {
                 let (sin, cos) = (d.centre_angle_rad + half).sin_cos();
-                [sin, -cos]
+                PlaneVector { x: sin, y: -cos }
             }),
         }
     }
 
     /// |rb|·(cos(ψ − centre) − cos θ): above zero inside, with ψ from −Y.
     #[inline]
-    fn inside_by(&self, [x, y]: [f64; 2]) -> f64 {
-        x * self.sin_centre - y * self.cos_centre - self.cos_half * (x * x + y * y).sqrt()
+    fn inside_by(&self, rb: PlaneVector) -> f64 {
+        rb.x * self.sin_centre - rb.y * self.cos_centre - self.cos_half * rb.square().sqrt()
     }
 
     /// Angle from the end of another raceway, or of this one a turn before, to the begin of this.
@@ -243,13 +244,14 @@ impl RacewaySector {
 
     /// Balls of a block, by x, y, vx and vy, that may get to an end within `until_s`.
     #[inline(always)]
-    fn near(&self, [x, y, vx, vy]: &[Lanes; 4], centre_m: [f64; 2], until_s: f64) -> LaneSet {
+    fn near(&self, [x, y, vx, vy]: &[Lanes; 4], centre_m: PlaneVector, until_s: f64) -> LaneSet {
         LaneSet::of(|lane| {
-            let [x, y] = [x.0[lane] - centre_m[0], y.0[lane] - centre_m[1]];
+            let (x, y) = (x.0[lane], y.0[lane]);
+            let PlaneVector { x, y } = PlaneVector { x, y }.from(centre_m);
             let speed_m_s = 2.0 * (vx.0[lane].abs() + vy.0[lane].abs()) + GAIN_M_S;
             let reach_m = speed_m_s * until_s;
             let mut near = false;
-            for [ex, ey] in self.ends {
+            for PlaneVector { x: ex, y: ey } in self.ends {
                 // Both are lower bounds of the distance.
                 let (along, across) = (x * ex + y * ey, (x * ey - y * ex).abs());
                 near |= (across < reach_m) & (-along < reach_m);
@@ -275,13 +277,22 @@ enum Place {
     Inside,
 }
 
+/// A ball and a raceway whose end it may cross.
+#[derive(Debug, Clone, Copy)]
+struct BallAtRaceway {
+    ball: usize,
+    raceway: usize,
+}
+
 /// A passage, and where the ball was nearest to the one ahead.
 #[derive(Debug, Clone, Copy)]
 struct UnderWay {
     passage: Passage,
     nearest: Direction,
-    /// Where x and y of the ball and of the one ahead are in the state.
-    places: [[usize; 2]; 2],
+    /// Where x and y of the ball are in the state.
+    own: PlaneVector<usize>,
+    /// Those of the ball ahead.
+    ahead: PlaneVector<usize>,
 }
 
 impl UnderWay {
@@ -290,17 +301,21 @@ impl UnderWay {
     fn follow(
         &mut self,
         step: &StepState,
-        centre_m: [f64; 2],
+        centre_m: PlaneVector,
         contacts: &Contacts<'_>,
         speed_ratio: f64,
     ) {
         let Self {
             passage,
             nearest,
-            places,
+            own,
+            ahead,
         } = self;
-        let about = |[x, y]: [usize; 2]| [step.y1[x] - centre_m[0], step.y1[y] - centre_m[1]];
-        let now = Direction::between(about(places[0]), about(places[1]));
+        let about = |at: PlaneVector<usize>| {
+            let (x, y) = (step.y1[at.x], step.y1[at.y]);
+            PlaneVector { x, y }.from(centre_m)
+        };
+        let now = Direction::between(about(*own), about(*ahead));
         if now.below(*nearest) {
             *nearest = now;
         }
@@ -378,8 +393,8 @@ pub struct PassageRecorder<S> {
     under_way: Vec<UnderWay>,
     /// When all balls are looked at again, s.
     look_s: f64,
-    /// Raceways and the balls that may cross an end of them until then; before the first look all.
-    near: Vec<[usize; 2]>,
+    /// Balls that may cross an end of a raceway until then; before the first look all.
+    near: Vec<BallAtRaceway>,
     /// Raceway that each ball left last, and when.
     left: Vec<Option<(usize, f64)>>,
     contact_tracker: ContactTracker,
@@ -422,20 +437,24 @@ impl<S: PassageSink> PassageRecorder<S> {
 
     /// When ball `k` crosses the end of a raceway within the step, and the gaps to the ball
     /// ahead and of the ball behind there.
-    fn end(&self, view: &StepView<'_>, k: usize, r: usize) -> (f64, [f64; 2]) {
-        let (layout, sector) = (view.layout(), &self.sectors[r]);
+    fn end(&self, view: &StepView<'_>, at: BallAtRaceway) -> (f64, [f64; 2]) {
+        let BallAtRaceway {
+            ball: k,
+            raceway: r,
+        } = at;
+        let sector = &self.sectors[r];
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         let inside_by = |time_s: f64| {
-            let at = |coordinate| view.step.interpolate(layout.ball(coordinate, k), time_s);
-            let [x, y] = view.outer_ring_at_m(time_s);
-            sector.inside_by([at(X) - x, at(Y) - y])
+            let (place, centre) = (view.ball_at_m(k, time_s), view.outer_ring_at_m(time_s));
+            sector.inside_by(place.from(centre))
         };
         let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
         let state = view.state(time_s);
-        let [x, y] = [X, Y].map(|c| state.layout().balls_of(state.values(), c));
-        let centre = state.outer_ring_motion();
+        let of = |coordinate| state.layout().balls_of(state.values(), coordinate);
+        let (x, y) = (of(X), of(Y));
+        let centre = state.outer_ring_motion().place();
         let gap = |k: usize| {
-            Direction::to_next(x, y, [centre.x, centre.y], k).gap_rad(self.pair_angles[k])
+            Direction::to_next(PlaneVector { x, y }, centre, k).gap_rad(self.pair_angles[k])
         };
         (time_s, [k, x.previous(k)].map(gap))
     }
@@ -458,39 +477,47 @@ impl<S: PassageSink> PassageRecorder<S> {
                 let motion = &motion;
                 let near = with_instructions!(
                     isa,
-                    [](sector: &RacewaySector, motion: &[Lanes; 4], centre_m: [f64; 2], until_s: f64) -> LaneSet,
+                    [](sector: &RacewaySector, motion: &[Lanes; 4], centre_m: PlaneVector, until_s: f64) -> LaneSet,
                     sector.near(motion, centre_m, until_s)
                 );
                 let own = near.of_bearing(0, true, self.pair_angles.len() - first);
-                self.near.extend(own.map(|lane| [r, first + lane]));
+                self.near.extend(own.map(|lane| BallAtRaceway {
+                    raceway: r,
+                    ball: first + lane,
+                }));
             }
         }
     }
 
-    /// Begins or ends a passage if ball `k` has crossed an end of raceway `r`.
+    /// Index of the place of a ball, seen from a raceway.
+    fn slot(&self, at: BallAtRaceway) -> usize {
+        at.raceway * self.pair_angles.len() + at.ball
+    }
+
+    /// Begins or ends a passage if the ball has crossed an end of the raceway.
     #[inline]
-    fn look_at(&mut self, view: &StepView<'_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
-        let inside = self.sectors[r].inside_by(view.about_outer_ring_m(k)) > 0.0;
-        let place = self.places[r * self.pair_angles.len() + k];
+    fn look_at(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Result<(), ObserverError> {
+        let inside = self.sectors[at.raceway].inside_by(view.about_outer_ring_m(at.ball)) > 0.0;
+        let place = self.places[self.slot(at)];
         match inside == (place != Place::Outside) {
             true => Ok(()),
-            false => self.cross(view, [r, k]),
+            false => self.cross(view, at),
         }
     }
 
-    /// Begins or ends a passage of ball `k`, which has crossed an end of raceway `r`.
+    /// Begins or ends a passage of a ball that has crossed an end of the raceway.
     #[cold]
-    fn cross(&mut self, view: &StepView<'_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
-        let slot = r * self.pair_angles.len() + k;
+    fn cross(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Result<(), ObserverError> {
+        let slot = self.slot(at);
         self.places[slot] = match self.places[slot] {
             Place::StartedInside => Place::Outside,
             Place::Outside => {
-                let passage = self.enter(view, k, r);
+                let passage = self.enter(view, at);
                 self.under_way.push(passage);
                 Place::Inside
             }
             Place::Inside => {
-                let passage = self.leave(view, k, r);
+                let passage = self.leave(view, at);
                 self.sink.take(passage)?;
                 Place::Outside
             }
@@ -512,9 +539,17 @@ impl<S: PassageSink> PassageRecorder<S> {
     }
 
     /// The passage of a ball that comes in.
-    fn enter(&self, view: &StepView<'_>, k: usize, r: usize) -> UnderWay {
-        let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
-        let ([x, y], layout) = (view.positions(), view.layout());
+    fn enter(&self, view: &StepView<'_>, at: BallAtRaceway) -> UnderWay {
+        let (enter_s, [gap, gap_behind_rad]) = self.end(view, at);
+        let BallAtRaceway {
+            ball: k,
+            raceway: r,
+        } = at;
+        let layout = view.layout();
+        let places = |k: usize| PlaneVector {
+            x: layout.ball(X, k),
+            y: layout.ball(Y, k),
+        };
         let from_end_of = |before: usize| self.sectors[r].begin_behind_rad(&self.sectors[before]);
         let way_here = self.left[k].map(|(before, left_s)| {
             let angle_rad = from_end_of(before);
@@ -543,14 +578,19 @@ impl<S: PassageSink> PassageRecorder<S> {
                 angle_rad: 2.0 * self.sectors[r].half_rad,
                 way_here,
             },
-            nearest: Direction::to_next(x, y, view.outer_ring_m(), k),
-            places: [k, layout.next(k)].map(|k| [X, Y].map(|c| layout.ball(c, k))),
+            nearest: Direction::to_next(view.positions(), view.outer_ring_m(), k),
+            own: places(k),
+            ahead: places(layout.next(k)),
         }
     }
 
     /// The passage of a ball that goes out.
-    fn leave(&mut self, view: &StepView<'_>, k: usize, r: usize) -> Passage {
-        let (leave_s, [gap_leave_rad, _]) = self.end(view, k, r);
+    fn leave(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Passage {
+        let (leave_s, [gap_leave_rad, _]) = self.end(view, at);
+        let BallAtRaceway {
+            ball: k,
+            raceway: r,
+        } = at;
         let of_ball = |u: &UnderWay| (u.passage.ball, u.passage.raceway) == (k, r);
         let at = self.under_way.iter().position(of_ball);
         let UnderWay {
@@ -577,7 +617,7 @@ impl<S: PassageSink> Observer for PassageRecorder<S> {
         self.places = vec![Place::StartedInside; n * self.sectors.len()];
         self.under_way.clear();
         self.left = vec![None; n];
-        let all_of = |r: usize| (0..n).map(move |k| [r, k]);
+        let all_of = |raceway: usize| (0..n).map(move |ball| BallAtRaceway { ball, raceway });
         self.near = (0..raceways.len()).flat_map(all_of).collect();
         self.look_s = 0.0;
         self.contact_tracker = ContactTracker::new(n);
@@ -614,7 +654,7 @@ impl<S: PassageSink> Observer for PassageRecorder<S> {
 mod tests {
     use super::{Passage, PassageTally};
 
-    fn passage(number: f64, [collisions_ahead, collisions_behind]: [u32; 2]) -> Passage {
+    fn passage(number: f64, collisions_ahead: u32, collisions_behind: u32) -> Passage {
         Passage {
             ball: 0,
             raceway: 0,
@@ -641,8 +681,8 @@ mod tests {
     fn hits_from_both_sides_need_both_neighbours() {
         let fraction = |hits: [[u32; 2]; 2]| {
             let mut tally = PassageTally::new();
-            for hits in hits {
-                tally.add(&passage(1.0, hits));
+            for [ahead, behind] in hits {
+                tally.add(&passage(1.0, ahead, behind));
             }
             tally.double_collision_fraction()
         };
@@ -654,8 +694,8 @@ mod tests {
     fn every_mean_is_that_of_its_number() {
         let mut tally = PassageTally::new();
         assert!(tally.duration_mean_s().is_nan());
-        tally.add(&passage(1.0, [3, 0]));
-        tally.add(&passage(3.0, [1, 4]));
+        tally.add(&passage(1.0, 3, 0));
+        tally.add(&passage(3.0, 1, 4));
         assert_eq!(tally.count, 2);
         assert_eq!(tally.duration_mean_s(), 4.0);
         // 0.25 rad/s between passages, 4 s within, 0.5 rad.

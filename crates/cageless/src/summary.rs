@@ -239,10 +239,10 @@ impl SummaryRecorder {
     /// Takes the places of the balls at the end of a step.
     #[inline(never)]
     fn look_at_gaps(&mut self, view: &StepView<'_>) {
-        let ([x, y], centre_m) = (view.positions(), view.outer_ring_m());
-        self.gaps.look(x, y, centre_m);
+        let (balls_m, centre_m) = (view.positions(), view.outer_ring_m());
+        self.gaps.look(balls_m, centre_m);
         if self.steps.is_multiple_of(SCATTER_EVERY) {
-            self.scatter.look(view.step.t1_s, x, y, centre_m);
+            self.scatter.look(view.step.t1_s, balls_m, centre_m);
         }
     }
 }

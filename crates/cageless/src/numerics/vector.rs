@@ -1,4 +1,4 @@
-//! Vectors of three numbers in loops over lanes, where every operation must be inlined.
+//! Vectors of two and three numbers in loops over lanes, where every operation must be inlined.
 //!
 //! ```
 //! use cageless::numerics::{cross, dot};
@@ -28,4 +28,30 @@ pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 #[inline(always)]
 pub(crate) fn plus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
     [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}
+
+/// Vector of the plane across the axis, or a place there.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PlaneVector<T = f64> {
+    /// Part along X.
+    pub x: T,
+    /// Part along Y.
+    pub y: T,
+}
+
+impl PlaneVector {
+    /// Vector to this place from an origin.
+    #[inline(always)]
+    pub(crate) fn from(self, origin: Self) -> Self {
+        Self {
+            x: self.x - origin.x,
+            y: self.y - origin.y,
+        }
+    }
+
+    /// |**v**|².
+    #[inline(always)]
+    pub(crate) fn square(self) -> f64 {
+        self.x * self.x + self.y * self.y
+    }
 }

@@ -8,6 +8,7 @@
 
 use crate::case::Case;
 use crate::contact::restitution_damping;
+use crate::numerics::vector::PlaneVector;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
 
@@ -47,18 +48,18 @@ struct Falling {
 /// Newton steps until the abscissa stands still; three or four are usual.
 const NEWTON_MAX: u32 = 20;
 
-/// Force on the first of two bodies along x and y, and the friction in it.
+/// Force on the first of two bodies, and the friction in it.
 struct Contact {
-    force: [f64; 2],
+    force: PlaneVector,
     friction: f64,
 }
 
 /// Force and torque on the inner ring, and force on the outer ring.
 #[derive(Default)]
 struct RingLoads {
-    inner: [f64; 2],
+    inner: PlaneVector,
     inner_torque: f64,
-    outer: [f64; 2],
+    outer: PlaneVector,
 }
 
 /// Forces and torques on the balls.
@@ -69,9 +70,9 @@ struct BallLoads<'a> {
 }
 
 impl BallLoads<'_> {
-    fn add(&mut self, j: usize, force: [f64; 2], torque: f64) {
-        self.fx[j] += force[0];
-        self.fy[j] += force[1];
+    fn add(&mut self, j: usize, force: PlaneVector, torque: f64) {
+        self.fx[j] += force.x;
+        self.fy[j] += force.y;
         self.torque[j] += torque;
     }
 }
@@ -88,13 +89,39 @@ struct Bodies<'a> {
     outer: &'a [f64],
 }
 
+/// Motion of a body from another one.
+struct Relative {
+    place: PlaneVector,
+    velocity: PlaneVector,
+}
+
 impl Bodies<'_> {
-    /// Place and velocity of a ball from the centre of a ring.
-    fn from(&self, centre: &[f64], j: usize) -> [[f64; 2]; 2] {
-        [
-            [self.x[j] - centre[0], self.y[j] - centre[1]],
-            [self.vx[j] - centre[2], self.vy[j] - centre[3]],
-        ]
+    /// Motion of a ball from the centre of a ring.
+    fn from(&self, centre: &[f64], j: usize) -> Relative {
+        Relative {
+            place: PlaneVector {
+                x: self.x[j] - centre[0],
+                y: self.y[j] - centre[1],
+            },
+            velocity: PlaneVector {
+                x: self.vx[j] - centre[2],
+                y: self.vy[j] - centre[3],
+            },
+        }
+    }
+
+    /// Place of a ball from another one, and velocity of that one from the ball.
+    fn neighbours(&self, one: usize, next: usize) -> Relative {
+        Relative {
+            place: PlaneVector {
+                x: self.x[next] - self.x[one],
+                y: self.y[next] - self.y[one],
+            },
+            velocity: PlaneVector {
+                x: self.vx[one] - self.vx[next],
+                y: self.vy[one] - self.vy[next],
+            },
+        }
     }
 }
 
@@ -172,8 +199,10 @@ impl Textbook {
         self.friction * (slip / self.regularisation_speed).tanh() * normal
     }
 
-    /// Outer raceway, Eq. (18), (19), (22): place and velocity from the ring's centre.
-    fn outer(&self, [x, y]: [f64; 2], [vx, vy]: [f64; 2], spin: f64) -> Option<(Contact, f64)> {
+    /// Outer raceway, Eq. (18), (19), (22): motion from the ring's centre.
+    fn outer(&self, motion: &Relative, spin: f64) -> Option<(Contact, f64)> {
+        let PlaneVector { x, y } = motion.place;
+        let PlaneVector { x: vx, y: vy } = motion.velocity;
         let rho = (x * x + y * y).sqrt();
         let deflection = rho - self.outer_orbit_radius;
         if deflection <= 0.0 {
@@ -188,20 +217,19 @@ impl Textbook {
         let slip = vy * ex - vx * ey - spin * r;
         let friction = self.friction(slip, force * self.ball_radius / r);
         let contact = Contact {
-            force: [-force * ex + friction * ey, -force * ey - friction * ex],
+            force: PlaneVector {
+                x: -force * ex + friction * ey,
+                y: -force * ey - friction * ex,
+            },
             friction,
         };
         Some((contact, r * friction))
     }
 
-    /// Inner raceway, Eq. (16), (20): place and velocity from the ring's centre, its speed.
-    fn inner(
-        &self,
-        [x, y]: [f64; 2],
-        [vx, vy]: [f64; 2],
-        spin: f64,
-        ring_speed: f64,
-    ) -> Option<Contact> {
+    /// Inner raceway, Eq. (16), (20): motion from the ring's centre, its speed.
+    fn inner(&self, motion: &Relative, spin: f64, ring_speed: f64) -> Option<Contact> {
+        let PlaneVector { x, y } = motion.place;
+        let PlaneVector { x: vx, y: vy } = motion.velocity;
         let distance = (x * x + y * y).sqrt();
         let deflection = self.inner_radius + self.ball_radius - distance;
         if deflection <= 0.0 {
@@ -216,14 +244,19 @@ impl Textbook {
         let slip = ring_speed * self.inner_radius - (tangential + spin * self.ball_radius);
         let friction = self.friction(slip, force);
         Some(Contact {
-            force: [force * ex - friction * ey, force * ey + friction * ex],
+            force: PlaneVector {
+                x: force * ex - friction * ey,
+                y: force * ey + friction * ex,
+            },
             friction,
         })
     }
 
     /// A ball and the next, Eq. (17), (21): place of the next and velocity of the first, each
     /// from the other's, sum of their spins.
-    fn neighbours(&self, [x, y]: [f64; 2], [vx, vy]: [f64; 2], spins: f64) -> Option<Contact> {
+    fn neighbours(&self, motion: &Relative, spins: f64) -> Option<Contact> {
+        let PlaneVector { x, y } = motion.place;
+        let PlaneVector { x: vx, y: vy } = motion.velocity;
         let distance = (x * x + y * y).sqrt();
         let deflection = 2.0 * self.ball_radius - distance;
         if deflection <= 0.0 {
@@ -238,7 +271,10 @@ impl Textbook {
         let slip = vy * ex - vx * ey - spins * self.ball_radius;
         let friction = self.friction(slip, force);
         Some(Contact {
-            force: [-force * ex + friction * ey, -force * ey - friction * ex],
+            force: PlaneVector {
+                x: -force * ex + friction * ey,
+                y: -force * ey - friction * ex,
+            },
             friction,
         })
     }
@@ -249,18 +285,18 @@ impl Textbook {
         for j in 0..self.balls {
             (balls.fx[j], balls.fy[j], balls.torque[j]) =
                 (0.0, -self.ball_mass * self.gravity, 0.0);
-            let [place, velocity] = bodies.from(bodies.outer, j);
-            if let Some((contact, moment)) = self.outer(place, velocity, bodies.spin[j]) {
+            let motion = bodies.from(bodies.outer, j);
+            if let Some((contact, moment)) = self.outer(&motion, bodies.spin[j]) {
                 balls.add(j, contact.force, moment);
-                rings.outer[0] -= contact.force[0];
-                rings.outer[1] -= contact.force[1];
+                rings.outer.x -= contact.force.x;
+                rings.outer.y -= contact.force.y;
             }
-            let [place, velocity] = bodies.from(bodies.ring, j);
-            let contact = self.inner(place, velocity, bodies.spin[j], bodies.ring_speed);
+            let motion = bodies.from(bodies.ring, j);
+            let contact = self.inner(&motion, bodies.spin[j], bodies.ring_speed);
             if let Some(Contact { force, friction }) = contact {
                 balls.add(j, force, self.ball_radius * friction);
-                rings.inner[0] -= force[0];
-                rings.inner[1] -= force[1];
+                rings.inner.x -= force.x;
+                rings.inner.y -= force.y;
                 rings.inner_torque -= self.inner_radius * friction;
             }
         }
@@ -269,17 +305,18 @@ impl Textbook {
 
     /// Adds the loads of the balls on each other.
     fn between_balls(&self, bodies: &Bodies<'_>, balls: &mut BallLoads<'_>) {
-        let Bodies {
-            x, y, vx, vy, spin, ..
-        } = bodies;
         for j in 0..self.balls {
             let k = (j + 1) % self.balls;
-            let (place, velocity) = ([x[k] - x[j], y[k] - y[j]], [vx[j] - vx[k], vy[j] - vy[k]]);
-            let contact = self.neighbours(place, velocity, spin[j] + spin[k]);
+            let spins = bodies.spin[j] + bodies.spin[k];
+            let contact = self.neighbours(&bodies.neighbours(j, k), spins);
             if let Some(Contact { force, friction }) = contact {
                 let torque = self.ball_radius * friction;
                 balls.add(j, force, torque);
-                balls.add(k, force.map(|f| -f), torque);
+                let back = PlaneVector {
+                    x: -force.x,
+                    y: -force.y,
+                };
+                balls.add(k, back, torque);
             }
         }
     }
@@ -324,8 +361,8 @@ impl Textbook {
                 body_rate[2..].copy_from_slice(&self.falling_rates(falling, &rings, coordinates));
             }
             None => {
-                body_rate[2] = (rings.inner[0] - self.ring_drag * ring[2]) / self.ring_mass;
-                body_rate[3] = (rings.inner[1] - self.ring_drag * ring[3] - self.radial_load)
+                body_rate[2] = (rings.inner.x - self.ring_drag * ring[2]) / self.ring_mass;
+                body_rate[3] = (rings.inner.y - self.ring_drag * ring[3] - self.radial_load)
                     / self.ring_mass
                     - self.gravity;
             }
@@ -342,16 +379,16 @@ impl Textbook {
         let (ring, ring_speed, outer) = (&coordinates[..4], coordinates[4], &coordinates[5..9]);
         let (rotor, support, motion) = (&falling.rotor, &falling.support, &coordinates[9..]);
         let journal = falling.journal(ring, ring_speed, motion);
-        let [px, py] = journal.force;
+        let PlaneVector { x: px, y: py } = journal.force;
         let (stiffness, damping) = (support.stiffness_n_m, support.damping_n_s_m);
         [
-            (rings.inner[0] - px) / self.ring_mass,
-            (rings.inner[1] - py) / self.ring_mass - self.gravity,
+            (rings.inner.x - px) / self.ring_mass,
+            (rings.inner.y - py) / self.ring_mass - self.gravity,
             (rings.inner_torque + journal.ring_torque) / falling.ring_inertia,
             outer[2],
             outer[3],
-            (rings.outer[0] - stiffness * outer[0] - damping * outer[2]) / support.mass_kg,
-            (rings.outer[1] - stiffness * outer[1] - damping * outer[3]) / support.mass_kg,
+            (rings.outer.x - stiffness * outer[0] - damping * outer[2]) / support.mass_kg,
+            (rings.outer.y - stiffness * outer[1] - damping * outer[3]) / support.mass_kg,
             motion[3],
             motion[4],
             motion[5],
@@ -366,7 +403,7 @@ impl Textbook {
 #[derive(Default)]
 struct JournalLoads {
     /// On the rotor.
-    force: [f64; 2],
+    force: PlaneVector,
     /// About the mass centre of the rotor.
     moment: f64,
     /// On the inner ring.
@@ -398,11 +435,14 @@ impl Falling {
         let slip = uy * nx - ux * ny + speed * journal - ring_speed * self.bore_radius;
         let friction =
             r.friction.coefficient * (slip / r.friction.regularisation_speed_m_s).tanh() * normal;
-        let force = [-normal * nx + friction * ny, -normal * ny - friction * nx];
+        let force = PlaneVector {
+            x: -normal * nx + friction * ny,
+            y: -normal * ny - friction * nx,
+        };
         let (ax, ay) = (journal * nx - ex, journal * ny - ey);
         JournalLoads {
             force,
-            moment: ax * force[1] - ay * force[0],
+            moment: ax * force.y - ay * force.x,
             ring_torque: friction * self.bore_radius,
         }
     }

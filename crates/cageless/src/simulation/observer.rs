@@ -11,6 +11,7 @@ use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, Model, RightHandSide};
 use crate::integrator::StepState;
 use crate::numerics::angle::unwrap_angle_rad;
+use crate::numerics::vector::PlaneVector;
 use crate::snapshot::Snapshot;
 
 /// Error of an observer, for example a file that cannot be written.
@@ -61,16 +62,18 @@ impl StepView<'_> {
 
     /// x and y of the balls at the end of the step.
     #[inline]
-    pub(crate) fn positions(&self) -> [Balls<'_>; 2] {
-        [self.after(BallCoordinate::X), self.after(BallCoordinate::Y)]
+    pub(crate) fn positions(&self) -> PlaneVector<Balls<'_>> {
+        PlaneVector {
+            x: self.after(BallCoordinate::X),
+            y: self.after(BallCoordinate::Y),
+        }
     }
 
     /// Continuous ψ of ball `k` at `time_s` within the step.
     pub fn angle_rad(&self, k: usize, time_s: f64) -> f64 {
-        let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
-            .map(|c| self.step.interpolate(self.layout.ball(c, k), time_s));
+        let place = self.ball_at_m(k, time_s);
         let centre = self.outer_ring_at_m(time_s);
-        self.angle_at([x - centre[0], y - centre[1]], k).rad()
+        self.angle_at(place.from(centre), k).rad()
     }
 
     /// Continuous ψ of ball `k` at the end of the step.
@@ -86,33 +89,45 @@ impl StepView<'_> {
 
     /// Place of ball `k` about the centre of the outer ring at the end of the step.
     #[inline]
-    pub(crate) fn about_outer_ring_m(&self, k: usize) -> [f64; 2] {
-        let ([x, y], centre) = (self.ball_m(k), self.outer_ring_m());
-        [x - centre[0], y - centre[1]]
+    pub(crate) fn about_outer_ring_m(&self, k: usize) -> PlaneVector {
+        self.ball_m(k).from(self.outer_ring_m())
     }
 
-    /// x and y of ball `k` at the end of the step.
+    /// Place of ball `k` at the end of the step.
     #[inline]
-    pub(crate) fn ball_m(&self, k: usize) -> [f64; 2] {
-        [BallCoordinate::X, BallCoordinate::Y].map(|c| self.step.y1[self.layout.ball(c, k)])
+    pub(crate) fn ball_m(&self, k: usize) -> PlaneVector {
+        let at = |coordinate| self.step.y1[self.layout.ball(coordinate, k)];
+        PlaneVector {
+            x: at(BallCoordinate::X),
+            y: at(BallCoordinate::Y),
+        }
+    }
+
+    /// Place of ball `k` at `time_s` within the step.
+    pub(crate) fn ball_at_m(&self, k: usize, time_s: f64) -> PlaneVector {
+        let at = |coordinate| {
+            self.step
+                .interpolate(self.layout.ball(coordinate, k), time_s)
+        };
+        PlaneVector {
+            x: at(BallCoordinate::X),
+            y: at(BallCoordinate::Y),
+        }
     }
 
     /// Continuous ψ of ball `k` at a place about the centre of the outer ring.
     #[inline]
-    fn angle_at(&self, [x_m, y_m]: [f64; 2], k: usize) -> BallAngle {
-        let recent_rad = self.recent_angle_rad[k];
+    fn angle_at(&self, place_m: PlaneVector, k: usize) -> BallAngle {
         BallAngle {
-            x_m,
-            y_m,
-            recent_rad,
+            place_m,
+            recent_rad: self.recent_angle_rad[k],
         }
     }
 
     /// Centre of the outer ring at the end of the step: the origin unless it moves on a support.
     #[inline]
-    pub(crate) fn outer_ring_m(&self) -> [f64; 2] {
-        let motion = self.layout.outer_ring_motion(&self.step.y1);
-        [motion.x, motion.y]
+    pub(crate) fn outer_ring_m(&self) -> PlaneVector {
+        self.layout.outer_ring_motion(&self.step.y1).place()
     }
 
     /// ωi at the end of the step over the largest of the case; exactly 1 at constant speed.
@@ -124,12 +139,15 @@ impl StepView<'_> {
     }
 
     /// Centre of the outer ring at `time_s` within the step.
-    pub(crate) fn outer_ring_at_m(&self, time_s: f64) -> [f64; 2] {
+    pub(crate) fn outer_ring_at_m(&self, time_s: f64) -> PlaneVector {
         let at = |c: OuterRingCoordinate| match self.layout.moves(c) {
             true => self.step.interpolate(self.layout.body(c), time_s),
             false => 0.0,
         };
-        [at(OuterRingCoordinate::X), at(OuterRingCoordinate::Y)]
+        PlaneVector {
+            x: at(OuterRingCoordinate::X),
+            y: at(OuterRingCoordinate::Y),
+        }
     }
 
     /// State at `time_s` within the step, by interpolation.
@@ -140,8 +158,10 @@ impl StepView<'_> {
     /// Snapshot at `time_s` within the step, by interpolation.
     pub fn snapshot(&self, time_s: f64) -> Snapshot {
         let state = self.state(time_s);
-        let (places, centre) = ([state.x_m(), state.y_m()], state.outer_ring_motion());
-        let angle = |k| self.angle_at([places[0][k] - centre.x, places[1][k] - centre.y], k);
+        let (x, y) = (state.x_m(), state.y_m());
+        let centre = state.outer_ring_motion().place();
+        let about = |k: usize| PlaneVector { x: x[k], y: y[k] }.from(centre);
+        let angle = |k| self.angle_at(about(k), k);
         let angles: Vec<f64> = (0..self.layout.balls).map(|k| angle(k).rad()).collect();
         self.interpolator
             .borrow_mut()
@@ -153,15 +173,14 @@ impl StepView<'_> {
 /// before.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BallAngle {
-    x_m: f64,
-    y_m: f64,
+    place_m: PlaneVector,
     recent_rad: f64,
 }
 
 impl BallAngle {
     /// The angle, rad.
     pub(crate) fn rad(&self) -> f64 {
-        unwrap_angle_rad(self.x_m.atan2(-self.y_m), self.recent_rad)
+        unwrap_angle_rad(self.place_m.x.atan2(-self.place_m.y), self.recent_rad)
     }
 }
 

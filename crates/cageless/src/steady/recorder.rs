@@ -3,6 +3,7 @@
 use crate::contact_tracker::{ContactCounter, ContactCounts};
 use crate::gap_scatter::GapVariance;
 use crate::numerics::moments::Moments;
+use crate::numerics::vector::PlaneVector;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::summary::transient_s;
 
@@ -100,8 +101,7 @@ impl Observer for SteadyRecorder {
             block.look_at_force(view);
         }
         if self.steps.is_multiple_of(GAPS_EVERY) {
-            let [x, y] = view.positions();
-            let variance = self.gaps.of(x, y, view.outer_ring_m());
+            let variance = self.gaps.of(view.positions(), view.outer_ring_m());
             block.gap_variance.add(variance, 1.0);
         }
         Ok(Control::Continue(()))
@@ -112,7 +112,7 @@ impl SteadyBlock {
     #[inline(never)]
     fn look_at_force(&mut self, view: &StepView<'_>) {
         let [fx, fy] = view.contacts.outer_ring_force_n();
-        let [x, y] = view.about_outer_ring_m(0);
+        let PlaneVector { x, y } = view.about_outer_ring_m(0);
         let distance = x.hypot(y);
         let (ex, ey) = (x / distance, y / distance);
         let (mut cosine, mut sine) = (1.0, 0.0);

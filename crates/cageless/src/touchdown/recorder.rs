@@ -8,6 +8,7 @@ use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::RotorCoordinate;
 use crate::dynamics::state::State;
+use crate::numerics::vector::PlaneVector;
 use crate::rotor::{Rotor, Shaft};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::world::joint::support::SupportJoint;
@@ -281,8 +282,8 @@ impl Dropped {
         let contact = rotor.contact;
         if let Some(motion) = view.layout().rotor_motion(&view.step.y1) {
             // The place of the journal, from that of the mass centre.
-            let [x, y] = [motion.x - rotor.offset[0], motion.y - rotor.offset[1]];
-            let squared = x * x + y * y;
+            let (x, y) = (motion.x, motion.y);
+            let squared = PlaneVector { x, y }.from(rotor.offset).square();
             found.rotor_displacement_squared = found.rotor_displacement_squared.max(squared);
         }
         let face = view.contacts.face().unwrap_or_default();

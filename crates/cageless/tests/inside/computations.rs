@@ -268,6 +268,7 @@ fn gap() -> Result<(), cageless::equilibrium::EquilibriumError> {
     use cageless::dynamics::coordinates::BallCoordinate;
     use cageless::gap::GapRange;
     use cageless::initial_conditions::initial_state;
+    use cageless::numerics::vector::PlaneVector;
     use cageless::reference::Structure;
 
     let case = Structure::D.case(); // Zhao 2022, Table 2, structure (d)
@@ -276,7 +277,7 @@ fn gap() -> Result<(), cageless::equilibrium::EquilibriumError> {
         .map(|coordinate| state.layout().balls_of(state.values(), coordinate));
     let model = Model::new(&case)?;
     let mut range = GapRange::new(&model);
-    range.look(x, y, [0.0; 2]);
+    range.look(PlaneVector { x, y }, PlaneVector::default());
     // All gaps are equal at the start.
     let [least, most] = range.range_rad();
     assert!((most - least).abs() < 1e-12 && (least.to_degrees() - 1.816).abs() < 1e-3);

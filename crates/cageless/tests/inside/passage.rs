@@ -1,6 +1,7 @@
 //! Passages through a discrete raceway.
 
 use cageless::numerics::angle::wrap_angle_rad;
+use cageless::numerics::vector::PlaneVector;
 use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::{Case, Gaps, IntegrationMethod, Start, StartState};
@@ -61,11 +62,11 @@ struct EveryStep {
 
 impl Observer for EveryStep {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
-        let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
+        let (PlaneVector { x, y }, centre) = (view.positions(), view.outer_ring_m());
         let balls = view.balls().count();
         self.inside.resize(balls, None);
         for k in 0..balls {
-            let angle = (x[k] - cx).atan2(cy - y[k]) - self.centre_rad;
+            let angle = (x[k] - centre.x).atan2(centre.y - y[k]) - self.centre_rad;
             let inside = wrap_angle_rad(angle).abs() < self.half_rad;
             if self.inside[k].is_some_and(|before| before != inside) {
                 self.crossings.push((k, inside, view.step.t1_s));
@@ -135,11 +136,11 @@ struct TimeInside {
 
 impl Observer for TimeInside {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
-        let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
+        let (PlaneVector { x, y }, centre) = (view.positions(), view.outer_ring_m());
         let balls = view.balls().count();
         self.inside_s.resize(balls, None);
         for k in 0..balls {
-            let inside = (x[k] - cx).atan2(cy - y[k]).abs() < 25.2f64.to_radians();
+            let inside = (x[k] - centre.x).atan2(centre.y - y[k]).abs() < 25.2f64.to_radians();
             match &mut self.inside_s[k] {
                 Some(time_s) if inside => {
                     let loaded = view.contacts.inner_force_n(k) > 0.0;

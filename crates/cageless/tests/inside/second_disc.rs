@@ -9,6 +9,7 @@ use cageless::dynamics::state::State;
 use cageless::dynamics::world::World;
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::{CaseMethod, Integrator, SecondOrderBlock};
+use cageless::numerics::vector::PlaneVector;
 use cageless::world::body::rigid_rotor::RigidRotor;
 use cageless::world::body::rotor::{ROTOR, RotorCompliance, RotorMotion};
 use cageless::world::body::rotor_body::{RotorBody, RotorEnergyTerm};
@@ -125,7 +126,7 @@ impl RotorBody for TwoDiscs {
 
     fn compliance(&mut self, _y: &[f64], _k: usize) -> RotorCompliance {
         RotorCompliance::Bending {
-            lateral: self.rotor.compliance().about([0.0; 2]),
+            lateral: self.rotor.compliance().about(PlaneVector::default()),
             axial: 1.0 / self.mass_kg(),
         }
     }

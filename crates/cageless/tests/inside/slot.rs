@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use cageless::equilibrium;
 use cageless::equilibrium::space::solve;
+use cageless::numerics::vector::PlaneVector;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::touchdown::DropRecorder;
@@ -194,8 +195,8 @@ struct OnEdge {
 impl Observer for OnEdge {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
         let case = self.case.as_ref().unwrap();
-        let ([x, y], centre) = (view.positions(), view.outer_ring_m());
-        let angle = (x[0] - centre[0]).atan2(centre[1] - y[0]);
+        let (PlaneVector { x, y }, centre) = (view.positions(), view.outer_ring_m());
+        let angle = (x[0] - centre.x).atan2(centre.y - y[0]);
         let slot = case.raceways[0].slot().unwrap();
         let point = view.contacts.outer_point(0);
         let pressure = slot

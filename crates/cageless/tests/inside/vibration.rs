@@ -1,6 +1,7 @@
 //! The measured vibration of a run, against the force on the outer ring at every step.
 
 use crate::common::structure;
+use cageless::numerics::vector::PlaneVector;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
 use cageless::vibration::{AFTER_CONTACT_S, VibrationRecorder};
 use cageless::{Case, Gaps, Housing, Start, StartState};
@@ -171,7 +172,7 @@ fn the_force_on_the_outer_ring_is_the_sum_over_its_contacts() {
     struct Sum<'a>(&'a mut f64);
     impl Observer for Sum<'_> {
         fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
-            let (c, [x, y]) = (&view.contacts, view.positions());
+            let (c, PlaneVector { x, y }) = (&view.contacts, view.positions());
             let mut sum = [0.0; 2];
             for k in 0..c.balls() {
                 let [ex, ey] = [x[k], y[k]].map(|part| part / x[k].hypot(y[k]));

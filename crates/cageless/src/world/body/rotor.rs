@@ -4,6 +4,7 @@ use super::row::{BodyRow, Freedom, row};
 use super::{ContactStiffness, FastestRates, RestingRing};
 use crate::case::Case;
 use crate::dynamics::coordinates::Kind;
+use crate::numerics::vector::PlaneVector;
 use crate::world::joint::TouchLoads;
 
 /// Index of a coordinate of the rotor.
@@ -145,6 +146,23 @@ pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> Fastest
     }
 }
 
+/// Load of a rotor across its axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LateralLoad {
+    /// Force, N.
+    pub force: PlaneVector,
+    /// Moment about the axis, N·m.
+    pub moment: f64,
+}
+
+impl LateralLoad {
+    /// Acceleration by the row of a compliance.
+    #[inline(always)]
+    pub(crate) fn along(&self, [per_x, per_y, per_moment]: &[f64; 3]) -> f64 {
+        per_x * self.force.x + per_y * self.force.y + per_moment * self.moment
+    }
+}
+
 /// Accelerations of a rotor at a bearing under loads there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum RotorCompliance {
@@ -175,16 +193,18 @@ impl RotorCompliance {
     /// pᵀ·G·p with p = (tx, ty, a): the change of the velocity of a surface along the unit vector t by a unit of force
     /// there that turns by the arm a, 1/kg; of a rigid rotor 1/m + a²/Ip.
     #[inline(always)]
-    pub(crate) fn along(&self, [x, y]: [f64; 2], arm: f64) -> f64 {
+    pub(crate) fn along(&self, t: PlaneVector, arm: f64) -> f64 {
         match self {
             Self::Rigid {
                 mass,
                 polar_inertia,
             } => 1.0 / mass + arm * arm / polar_inertia,
             Self::Bending { lateral, .. } => {
-                let along = [x, y, arm];
-                let row = |[a, b, turn]: [f64; 3]| a * along[0] + b * along[1] + turn * along[2];
-                row(lateral.map(row))
+                let load = LateralLoad {
+                    force: t,
+                    moment: arm,
+                };
+                load.along(&lateral.each_ref().map(|row| load.along(row)))
             }
         }
     }
@@ -199,7 +219,8 @@ impl RotorCompliance {
 
     /// Accelerations ẍ, ÿ and Ω̇, rows, under a unit of each load across the axis and about it, at a point from which the
     /// mass centre is at `offset`, m: with w = (εy, −εx, 1), diag(1/m, 1/m, 0) + w wᵀ/Ip of a rigid rotor.
-    pub(crate) fn about(&self, [ex, ey]: [f64; 2]) -> [[f64; 3]; 3] {
+    pub(crate) fn about(&self, offset: PlaneVector) -> [[f64; 3]; 3] {
+        let PlaneVector { x: ex, y: ey } = offset;
         match self {
             Self::Rigid {
                 mass,

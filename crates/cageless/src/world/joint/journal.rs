@@ -8,6 +8,7 @@ use crate::contact::friction::STICK_FRACTION;
 use crate::contact::{
     Friction, Journal, JournalContact, JournalMotion, journal_contact, journal_slip,
 };
+use crate::numerics::vector::PlaneVector;
 use crate::rotor::Rotor;
 use crate::world::body::inner_ring::InnerRing;
 use crate::world::body::rotor::{RotorCompliance, RotorMotion};
@@ -29,7 +30,7 @@ pub(crate) struct RotorContact {
     /// Normal contact.
     pub contact: JournalContact,
     /// ε·e^(i(θ+φ)), from the centre of the journal to the mass centre, m.
-    pub offset: [f64; 2],
+    pub offset: PlaneVector,
     /// Friction on the rotor along −slip, N.
     pub friction: f64,
 }
@@ -138,14 +139,14 @@ impl JournalJoint {
         normal_n: f64,
         friction_n: f64,
     ) -> TouchLoads {
-        let (c, [ex, ey]) = (&contact.contact, contact.offset);
+        let (c, offset) = (&contact.contact, contact.offset);
         let pressed = JournalContact {
             force: normal_n,
             ..*c
         };
         let [x, y] = pressed.force_on_journal(friction_n);
-        let ax = self.journal.radius * c.nx - ex;
-        let ay = self.journal.radius * c.ny - ey;
+        let ax = self.journal.radius * c.nx - offset.x;
+        let ay = self.journal.radius * c.ny - offset.y;
         TouchLoads {
             force: [x, y, 0.0],
             moment: ax * y - ay * x,
@@ -162,9 +163,10 @@ impl JournalJoint {
         ring: &InnerRing,
         contact: &RotorContact,
     ) -> f64 {
-        let (c, [ex, ey]) = (&contact.contact, contact.offset);
-        let arm = self.journal.radius - (ex * c.nx + ey * c.ny);
-        let rotor = rotor.along([-c.ny, c.nx], arm);
+        let (c, offset) = (&contact.contact, contact.offset);
+        let arm = self.journal.radius - (offset.x * c.nx + offset.y * c.ny);
+        let tangent = PlaneVector { x: -c.ny, y: c.nx };
+        let rotor = rotor.along(tangent, arm);
         let bore = self.journal.bore_radius;
         rotor + 1.0 / ring.mass + bore * bore / ring.polar_inertia
     }
@@ -175,6 +177,7 @@ mod tests {
     use super::*;
     use crate::contact::friction::Smooth;
     use crate::world::body::rigid_rotor::RigidRotor;
+    use crate::world::body::rotor::LateralLoad;
 
     /// A seat whose mass centre is a fifth of its radius off the axis, or on it.
     fn seat(eccentricity: f64) -> RotorSeat {
@@ -226,8 +229,8 @@ mod tests {
     fn touching(joint: &JournalJoint) -> (RotorMotion, TurningRing, RotorContact) {
         let offset = joint.seat.offset(0.4);
         let motion = RotorMotion {
-            x: 1.5e-4 + offset[0],
-            y: -1.6e-4 + offset[1],
+            x: 1.5e-4 + offset.x,
+            y: -1.6e-4 + offset.y,
             vx: 0.3,
             vy: -0.2,
             angle: 0.4,
@@ -265,8 +268,12 @@ mod tests {
             let (motion, ring, contact) = touching(joint);
             let loads = joint.loads(&contact, 0.0, 1.0);
             let [x, y, _] = loads.force;
-            let yields = |[a, b, turn]: [f64; 3]| a * x + b * y + turn * loads.moment;
-            let [ax, ay, spin] = rotor.about([0.0; 2]).map(yields);
+            let load = LateralLoad {
+                force: PlaneVector { x, y },
+                moment: loads.moment,
+            };
+            let about_journal = rotor.about(PlaneVector::default());
+            let [ax, ay, spin] = about_journal.map(|row| load.along(&row));
             let time = 1e-3;
             let after = RotorMotion {
                 vx: motion.vx + time * ax,

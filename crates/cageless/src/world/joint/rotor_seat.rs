@@ -1,6 +1,7 @@
 //! The place of a rotor at a bearing.
 
 use crate::contact::JournalMotion;
+use crate::numerics::vector::PlaneVector;
 use crate::rotor::Rotor;
 use crate::world::body::rotor::RotorMotion;
 
@@ -27,18 +28,25 @@ impl RotorSeat {
 
     /// ε·e^(i(θ+φ)), m.
     #[inline(always)]
-    pub(crate) fn offset(&self, angle: f64) -> [f64; 2] {
+    pub(crate) fn offset(&self, angle: f64) -> PlaneVector {
         if self.eccentricity == 0.0 {
-            return [0.0; 2];
+            return PlaneVector::default();
         }
         let (sin, cos) = (angle + self.phase).sin_cos();
-        [self.eccentricity * cos, self.eccentricity * sin]
+        PlaneVector {
+            x: self.eccentricity * cos,
+            y: self.eccentricity * sin,
+        }
     }
 
     /// Motion of the centre of the journal: zr = zg − ε·e^(i(θ+φ)), żr = żg − iΩ·ε·e^(i(θ+φ)).
     #[inline(always)]
-    pub(crate) fn journal_motion(&self, motion: &RotorMotion, offset: [f64; 2]) -> JournalMotion {
-        let [ex, ey] = offset;
+    pub(crate) fn journal_motion(
+        &self,
+        motion: &RotorMotion,
+        offset: PlaneVector,
+    ) -> JournalMotion {
+        let PlaneVector { x: ex, y: ey } = offset;
         JournalMotion {
             x: motion.x - ex,
             y: motion.y - ey,

@@ -14,6 +14,7 @@ use super::shoulder::{FaceContact, Shoulder, ShoulderMotion};
 use crate::contact::friction_step::{FrictionStep, SlidingPlace, StepEnds};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::layout::Layout;
+use crate::numerics::vector::PlaneVector;
 use crate::world::body::rotor::RotorCompliance;
 use crate::world::under_rotor::{Touch, UnderRotor};
 
@@ -51,7 +52,7 @@ pub(crate) struct TouchStep<'y> {
 }
 
 /// **u** of a state.
-fn velocities(under: &UnderRotor, layout: Layout, y: &[f64], offset: [f64; 2]) -> Vector5<f64> {
+fn velocities(under: &UnderRotor, layout: Layout, y: &[f64], offset: PlaneVector) -> Vector5<f64> {
     let motion = layout.rotor_motion(y).unwrap_or_default();
     let (journal, ring) = (
         under.joint.seat.journal_motion(&motion, offset),
@@ -67,11 +68,11 @@ fn velocities(under: &UnderRotor, layout: Layout, y: &[f64], offset: [f64; 2]) -
 }
 
 /// Loads of the contacts of a rotor with this offset of its mass centre.
-fn touch_loads(loads: &Loads, [ex, ey]: [f64; 2]) -> TouchLoads {
+fn touch_loads(loads: &Loads, offset: PlaneVector) -> TouchLoads {
     TouchLoads {
         force: [loads.x, loads.y, loads.z],
         // That about the journal less offset × force.
-        moment: loads[3] + ey * loads.x - ex * loads.y,
+        moment: loads[3] + offset.y * loads.x - offset.x * loads.y,
         ring_torque: loads[4],
     }
 }
@@ -181,7 +182,7 @@ impl RotorTouch {
 }
 
 /// C of rotor and ring.
-fn compliance(under: &UnderRotor, rotor: &RotorCompliance, offset: [f64; 2]) -> Matrix5<f64> {
+fn compliance(under: &UnderRotor, rotor: &RotorCompliance, offset: PlaneVector) -> Matrix5<f64> {
     let mut compliance = Matrix5::zeros();
     let of_journal = rotor.about(offset);
     for (i, row) in [0, 1, 3].into_iter().zip(of_journal) {
