@@ -128,6 +128,15 @@ impl BallMotion {
 }
 
 impl PolarMotion {
+    /// **e**.
+    #[inline(always)]
+    pub(crate) fn direction(&self) -> PlaneVector {
+        PlaneVector {
+            x: self.ex,
+            y: self.ey,
+        }
+    }
+
     /// Motion at this position with the velocities of `ball` and `centre`.
     #[inline(always)]
     pub(crate) fn with_velocity(&self, ball: &BallMotion, centre: &Centre) -> Self {

@@ -20,6 +20,7 @@ use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::{RingCoordinate, SlidingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;
+use crate::numerics::vector::SectionVector;
 use crate::simulation::StepView;
 
 /// Numbers over the part of a run after its transient.
@@ -72,8 +73,8 @@ pub(crate) struct SpatialSummaryTracker {
     time_s: f64,
     /// Integrals of z, p and q of the ring.
     ring: [f64; 3],
-    /// Sums of force along the radius and the axis: inner, outer.
-    forces: [[f64; 2]; 2],
+    /// Sums of the forces at the inner and the outer raceway, N; along the axis times the sign of the row.
+    forces: [SectionVector; 2],
     rows: Vec<RowTracker>,
     looks: u32,
 }
@@ -136,16 +137,16 @@ impl SpatialSummaryTracker {
                 return;
             };
             let forces = [ball.inner_force_n(), ball.outer_force_n()];
-            for (sums, [along, across]) in self.forces.iter_mut().zip(forces) {
-                sums[0] += along;
-                sums[1] += sign * across;
+            for (sum, force) in self.forces.iter_mut().zip(forces) {
+                sum.radial += force.radial;
+                sum.axial += sign * force.axial;
             }
         }
     }
 
     /// The numbers so far, with how far ellipses reach; `None` before the first step.
     pub(crate) fn summary(&self, ellipse_edge_max_rad: [f64; 2]) -> Option<SpatialSummary> {
-        let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
+        let [inner, outer] = self.forces.map(|sum| sum.axial.atan2(sum.radial));
         let [z, p, q] = self.ring.map(|sum| sum / self.time_s);
         (self.time_s > 0.0).then_some(SpatialSummary {
             ring_z_mean_m: z,

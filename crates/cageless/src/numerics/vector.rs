@@ -55,3 +55,37 @@ impl PlaneVector {
         self.x * self.x + self.y * self.y
     }
 }
+
+/// Vector of a section through the axis, or a place there.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct SectionVector<T = f64> {
+    /// Part along the radius.
+    pub radial: T,
+    /// Part along the axis.
+    pub axial: T,
+}
+
+impl<T> SectionVector<T> {
+    /// Both parts by a function of either.
+    #[inline(always)]
+    pub(crate) fn map<U>(self, of: impl Fn(T) -> U) -> SectionVector<U> {
+        SectionVector {
+            radial: of(self.radial),
+            axial: of(self.axial),
+        }
+    }
+}
+
+impl SectionVector {
+    /// **a** · **b**.
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> f64 {
+        self.radial * other.radial + self.axial * other.axial
+    }
+
+    /// |**v**|.
+    #[inline(always)]
+    pub(crate) fn length(self) -> f64 {
+        self.dot(self).sqrt()
+    }
+}

@@ -228,6 +228,7 @@ fn state() {
 #[test]
 fn outer_section() {
     use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
+    use cageless::numerics::vector::SectionVector;
 
     let flanks = Flanks {
         angle_rad: 0.5,
@@ -243,8 +244,13 @@ fn outer_section() {
         flanks: Some(flanks),
     };
     // In the middle a ball sits on both flanks, far from it on one.
-    assert_eq!(section.contacts([5e-6, 0.0]).len(), 2);
-    assert_eq!(section.contacts([5e-6, 40e-6]).len(), 1);
+    for (axial, contacts) in [(0.0, 2), (40e-6, 1)] {
+        let place = SectionVector {
+            radial: 5e-6,
+            axial,
+        };
+        assert_eq!(section.contacts(place).len(), contacts);
+    }
 }
 
 #[test]

@@ -13,6 +13,7 @@ use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::equilibrium::{self, space};
 use cageless::initial_conditions::initial_state;
 use cageless::numerics::taylor::Taylor;
+use cageless::numerics::vector::SectionVector;
 use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, RunOutcome, run, run_batch};
@@ -87,15 +88,16 @@ fn a_ball_in_the_middle_of_a_section_in_space_is_that_of_the_plane() {
         let touching = height - nominal * cosine + nominal - gap;
         for beyond in [1e-7, 3e-6, 12e-6] {
             let press = flanks.press(beyond);
-            let place = [
-                Taylor::<1>::variables([touching + beyond])[0],
-                Taylor::constant(0.0),
-            ];
+            let [radial] = Taylor::<1>::variables([touching + beyond]);
+            let place = SectionVector {
+                radial,
+                axial: Taylor::constant(0.0),
+            };
             let known = section.approach(place, Taylor::constant(angle)).unwrap();
             close(press.deflection, known.value, 1e-9);
             close(press.lever, known.gradient[0], 1e-9);
             close(press.curvature, known.hessian[0][0], 1e-6);
-            let [one, _] = section.contacts([touching + beyond, 0.0])[..] else {
+            let [one, _] = section.contacts(place.map(|part| part.value))[..] else {
                 panic!("two flanks");
             };
             close(press.cosine, one.angle_rad.cos(), 1e-12);

@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::common::{conventional, dimensions, steel};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::numerics::taylor::Taylor;
+use cageless::numerics::vector::SectionVector;
 use cageless::surface::{
     DrawnGroove, EdgePlace, Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side,
 };
@@ -185,7 +186,11 @@ fn balls_feel_the_edges_of_the_model() {
             let back = gap_m + flanks.depth_m;
             let beyond = back * turned.cos() - gap_m + by * towards.cos();
             let axial = model.axial_m + back * turned.sin() + by * towards.sin();
-            let place = [beyond, axial].map(Taylor::<0>::constant);
+            let place = SectionVector {
+                radial: beyond,
+                axial,
+            };
+            let place = place.map(Taylor::<0>::constant);
             let approach = model.approach(place, Taylor::constant(flanks.angle_rad));
             let rho = d.outer_groove_bottom_radius_m - rw + beyond;
             let centre = [rho * psi.sin(), -rho * psi.cos(), axial];

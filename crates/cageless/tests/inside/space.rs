@@ -6,6 +6,7 @@ use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::equilibrium::space::{SpatialEquilibrium, solve};
 use cageless::equilibrium::{self, EquilibriumError};
 use cageless::numerics::taylor::Taylor;
+use cageless::numerics::vector::SectionVector;
 use cageless::{Bearing, BearingDimensions, Case, Gaps, Material, Row, Start, StartState, Tilt};
 
 /// A bearing that hardly turns, without weight.
@@ -395,8 +396,8 @@ fn a_turned_section_without_flanks_is_the_plain_raceway() {
         slot: None,
     }));
     let plain = section(None);
-    for place in [[3e-6, 5e-6], [1e-6, 60e-6], [8e-6, -20e-6]] {
-        let at = place.map(Taylor::<0>::constant);
+    for [radial, axial] in [[3e-6, 5e-6], [1e-6, 60e-6], [8e-6, -20e-6]] {
+        let at = SectionVector { radial, axial }.map(Taylor::<0>::constant);
         let of = |s: &OuterSection| {
             let flank = Taylor::constant(s.flanks.map_or(0.0, |f| f.angle_rad));
             s.approach(at, flank).unwrap().value
@@ -425,14 +426,11 @@ fn joined_flanks_are_one_plain_contact_or_two_that_share_it() {
         };
         let (sin_t, cos_t) = turned.sin_cos();
         // From where the nominal ball rests, along the middle of the section and across it.
-        let place = |along: f64, across: f64| {
-            let rest = [g * cos_t - g, g * sin_t];
-            [
-                rest[0] + along * cos_t - across * sin_t,
-                rest[1] + along * sin_t + across * cos_t,
-            ]
+        let place = |along: f64, across: f64| SectionVector {
+            radial: g * cos_t - g + along * cos_t - across * sin_t,
+            axial: g * sin_t + along * sin_t + across * cos_t,
         };
-        let approach = |p: [f64; 2]| {
+        let approach = |p: SectionVector| {
             let flank = Taylor::<0>::constant(angle);
             section
                 .approach(p.map(Taylor::constant), flank)
@@ -479,7 +477,13 @@ fn the_gradient_of_the_joined_flanks_is_that_of_differences() {
         };
         let [u, zeta, psi] = Taylor::<3>::variables([u, zeta, psi]);
         section
-            .approach([u, zeta], psi.map([angle, slope, 0.0]))
+            .approach(
+                SectionVector {
+                    radial: u,
+                    axial: zeta,
+                },
+                psi.map([angle, slope, 0.0]),
+            )
             .unwrap()
     };
     for at in [[8e-6, 3e-6, 0.1], [9e-6, 20e-6, 0.25], [7e-6, 21e-6, -0.3]] {

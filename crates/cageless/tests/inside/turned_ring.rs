@@ -3,6 +3,7 @@
 use crate::common::{conventional, dimensions, raceway, steel};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::numerics::taylor::Taylor;
+use cageless::numerics::vector::SectionVector;
 use cageless::surface::{DrawnGroove, Mesh, OuterRing, OuterRingDimensions, Patch, Side};
 use cageless::{Bearing, Case, InputError, Row};
 
@@ -156,9 +157,16 @@ fn balls_feel_the_flanks_of_the_model() {
                 let back = gap_m + depth_m;
                 let beyond = back * section_angle_rad.cos() - gap_m + 8e-6 * towards.cos();
                 let axial = model.axial_m + back * section_angle_rad.sin() + 8e-6 * towards.sin();
-                let place = [beyond, axial].map(Taylor::<0>::constant);
-                let expected = model.approach(place, Taylor::constant(angle_rad)).unwrap();
-                assert_eq!(model.contacts([beyond, axial]).len(), 1);
+                let place = SectionVector {
+                    radial: beyond,
+                    axial,
+                };
+                let expected = (model.approach(
+                    place.map(Taylor::<0>::constant),
+                    Taylor::constant(angle_rad),
+                ))
+                .unwrap();
+                assert_eq!(model.contacts(place).len(), 1);
                 let rho = d.outer_groove_bottom_radius_m - d.ball_radius_m + beyond;
                 let centre = [rho * psi.sin(), -rho * psi.cos(), axial];
                 let felt = d.ball_radius_m - distance_m(patch, centre);

@@ -23,7 +23,7 @@ pub(crate) fn edges(
         ] {
             values.push(depth.0[lane] * PER_DEPTH);
         }
-        let direction = [results.polar.ex.0[lane], results.polar.ey.0[lane]];
+        let direction = results.polar.get(lane).direction();
         let left = space.flanks.iter().map(|flank| flank.left(direction));
         values.extend(left.map(|left| left * PER_SINE_SQUARE));
     }

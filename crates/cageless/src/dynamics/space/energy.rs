@@ -7,6 +7,7 @@ use super::sliding::{outer_z_m, sliding_energy_j};
 use crate::contact::hertz;
 use crate::dynamics::model::Model;
 use crate::dynamics::state::State;
+use crate::numerics::vector::PlaneVector;
 
 /// Kinetic and elastic energy, J; a ring whose speed is given has none of its rotation.
 pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 {
@@ -21,10 +22,16 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
     sum += sliding_energy_j(space, layout, y);
     for (k, (ball, grooves)) in model.balls.iter().zip(&space.balls).enumerate() {
         let [place, velocity, rotation] = ball_motion(layout, y, k);
-        let off = [place.x - outer_ring.x, place.y - outer_ring.y];
+        let off = PlaneVector {
+            x: place.x - outer_ring.x,
+            y: place.y - outer_ring.y,
+        };
         let height = place.z - outer_z_m(space, layout, y, k);
-        let distance = off[0].hypot(off[1]);
-        let direction = off.map(|part| part / distance);
+        let distance = off.x.hypot(off.y);
+        let direction = PlaneVector {
+            x: off.x / distance,
+            y: off.y / distance,
+        };
         let beyond = distance - ball.outer_orbit_radius;
         let outer = match space.flanks_at(k, direction) {
             Some(here) => grooves.outer.touch_flanks(beyond, height, &here),

@@ -5,6 +5,7 @@ use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
 use crate::film::GrooveCurves;
+use crate::numerics::vector::PlaneVector;
 use crate::world::body::sliding_ring::SlidingRing;
 
 /// Grooves and contact ellipses of one ball.
@@ -127,7 +128,7 @@ impl SpaceModel {
 
     /// The flanks under ball `k` in the direction **e**; `None` outside the discrete raceways.
     #[inline(always)]
-    pub(crate) fn flanks_at(&self, k: usize, direction: [f64; 2]) -> Option<FlanksHere> {
+    pub(crate) fn flanks_at(&self, k: usize, direction: PlaneVector) -> Option<FlanksHere> {
         let mut flanks = self.flanks.iter();
         let (flanks, angle) = flanks.find_map(|f| Some((f, f.within(direction)?)))?;
         flanks.at(angle, self.balls[k].contact_sign)

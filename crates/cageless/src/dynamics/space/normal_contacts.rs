@@ -11,7 +11,7 @@ use crate::contact::{NormalForce, positive};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::numerics::lanes::{LANES, Lanes, lane_struct};
-use crate::numerics::vector::{cross, dot, plus};
+use crate::numerics::vector::{SectionVector, cross, dot, plus};
 use crate::simd::{BlockResults, Motions, block_at, block_mut};
 
 /// The coordinates of the place of a ball, and those of their rates.
@@ -145,7 +145,7 @@ fn touch_outer(
     }
     touch_plain(&b.outer_groove, &beyond, height, &mut b.outer);
     for lane in 0..LANES.min(bearing.model.layout.balls - block * LANES) {
-        let direction = [polar.ex.0[lane], polar.ey.0[lane]];
+        let direction = polar.get(lane).direction();
         if let Some(here) = bearing.space.flanks_at(block * LANES + lane, direction) {
             let groove = b.outer_groove.get(lane);
             let touch = groove.touch_flanks(beyond.0[lane], height.0[lane], &here);
@@ -266,8 +266,12 @@ fn press_outer(
     for lane in 0..LANES {
         let (ball, touch, polar) = (balls.get(lane), touches.get(lane), polar.get(lane));
         let mut rate = touch.slope * polar.orbit;
-        for [radial, axial, share, _] in touch.points() {
-            rate += share * (radial * polar.radial + axial * rise.0[lane]);
+        let velocity = SectionVector {
+            radial: polar.radial,
+            axial: rise.0[lane],
+        };
+        for point in touch.points() {
+            rate += point.share * point.normal.dot(velocity);
         }
         let approach = positive(touch.approach);
         let contact = NormalForce::at_raceway(
@@ -277,14 +281,14 @@ fn press_outer(
             rate,
         );
         let root = approach.sqrt();
-        let [along, across] = touch.resultant();
+        let pressed = touch.resultant();
         // Of ⅖ K δ^(5/2) both K and δ change with ψ.
         let stiffening = ball.outer_stiffness_n_m1_5 * touch.stiffening;
         let stiffening = 0.4 * stiffening * approach * approach * root;
         let turning = (contact.force_n * touch.slope + stiffening) / polar.distance;
-        let radial = contact.force_n * along;
+        let radial = contact.force_n * pressed.radial;
         let total = touch.share_0 + touch.share_1;
-        let resultant = (along * along + across * across).sqrt();
+        let resultant = pressed.length();
         let in_contact = total > 0.0;
         let effective = if in_contact { resultant / total } else { 1.0 };
         forces.put(
@@ -292,7 +296,7 @@ fn press_outer(
             OuterForce {
                 x: radial * polar.ex - turning * polar.ey,
                 y: radial * polar.ey + turning * polar.ex,
-                z: contact.force_n * across,
+                z: contact.force_n * pressed.axial,
                 force_n: contact.force_n,
                 resultant: contact.force_n * resultant,
                 root,

@@ -8,6 +8,7 @@ use std::f64::consts::LN_2;
 
 use crate::numerics::chebyshev::Polynomial;
 use crate::numerics::lanes::lane_struct;
+use crate::numerics::vector::{PlaneVector, SectionVector};
 use crate::raceway::{Piece, Raceway, Slot, SlotSection};
 
 /// Flank angle below which the raceway is the plain groove, rad.
@@ -38,6 +39,13 @@ pub(crate) struct FlankModel {
     slot: Option<Slot>,
     /// Number of the raceway, from 0.
     number: usize,
+}
+
+/// Angle from the middle of a raceway, by its sine and cosine.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LocalAngle {
+    sine: f64,
+    cosine: f64,
 }
 
 /// The flanks at the ψ of a ball.
@@ -81,18 +89,18 @@ impl FlankModel {
         }
     }
 
-    /// Sine and cosine of the angle from the middle to the direction **e**.
+    /// Angle from the middle to the direction **e**.
     #[inline(always)]
-    fn sine_and_cosine(&self, [ex, ey]: [f64; 2]) -> [f64; 2] {
-        [
-            ex * self.cos_centre + ey * self.sin_centre,
-            ex * self.sin_centre - ey * self.cos_centre,
-        ]
+    fn local(&self, e: PlaneVector) -> LocalAngle {
+        LocalAngle {
+            sine: e.x * self.cos_centre + e.y * self.sin_centre,
+            cosine: e.x * self.sin_centre - e.y * self.cos_centre,
+        }
     }
 
     /// sin²ψ at its end less that of the direction **e**, above 0 before the end.
-    pub(crate) fn left(&self, direction: [f64; 2]) -> f64 {
-        let [sine, cosine] = self.sine_and_cosine(direction);
+    pub(crate) fn left(&self, e: PlaneVector) -> f64 {
+        let LocalAngle { sine, cosine } = self.local(e);
         self.squares[1] - if cosine > 0.0 { sine * sine } else { 1.0 }
     }
 
@@ -109,18 +117,19 @@ impl FlankModel {
         }
     }
 
-    /// Sine and cosine of the angle from the middle to the direction **e**; `None` outside.
+    /// Angle from the middle to the direction **e**; `None` outside.
     #[inline(always)]
-    pub(crate) fn within(&self, direction: [f64; 2]) -> Option<[f64; 2]> {
-        let [sine, cosine] = self.sine_and_cosine(direction);
-        let square = sine * sine;
+    pub(crate) fn within(&self, e: PlaneVector) -> Option<LocalAngle> {
+        let angle = self.local(e);
+        let square = angle.sine * angle.sine;
         let [begin, end] = self.squares;
-        (cosine > 0.0 && square >= begin && square < end).then_some([sine, cosine])
+        (angle.cosine > 0.0 && square >= begin && square < end).then_some(angle)
     }
 
     /// The flanks at an angle [`Self::within`]; those of a section that is turned to the other side
     /// where the sign is −1; `None` where they are the plain groove.
-    pub(crate) fn at(&self, [sine, cosine]: [f64; 2], contact_sign: f64) -> Option<FlanksHere> {
+    pub(crate) fn at(&self, angle: LocalAngle, contact_sign: f64) -> Option<FlanksHere> {
+        let LocalAngle { sine, cosine } = angle;
         let square = sine * sine;
         let left = self.end - square;
         let turning = 2.0 * sine * cosine;
@@ -204,81 +213,130 @@ lane_struct! {
     }
 }
 
+/// Point at which a ball bears on the outer ring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OuterPoint {
+    /// **n**.
+    pub normal: SectionVector,
+    /// Share w of the force.
+    pub share: f64,
+}
+
 impl OuterTouch {
-    /// nρ, nz, w and its cube root of both points.
+    /// Both points.
     #[inline(always)]
-    pub(crate) fn points(&self) -> [[f64; 4]; 2] {
+    pub(crate) fn points(&self) -> [OuterPoint; 2] {
         [
-            [self.radial_0, self.axial_0, self.share_0, self.root_0],
-            [self.radial_1, self.axial_1, self.share_1, self.root_1],
+            OuterPoint {
+                normal: SectionVector {
+                    radial: self.radial_0,
+                    axial: self.axial_0,
+                },
+                share: self.share_0,
+            },
+            OuterPoint {
+                normal: SectionVector {
+                    radial: self.radial_1,
+                    axial: self.axial_1,
+                },
+                share: self.share_1,
+            },
         ]
     }
 
-    /// Σ w nρ and Σ w nz.
+    /// Σ w **n**.
     #[inline(always)]
-    pub(crate) fn resultant(&self) -> [f64; 2] {
-        [
-            self.share_0 * self.radial_0 + self.share_1 * self.radial_1,
-            self.share_0 * self.axial_0 + self.share_1 * self.axial_1,
-        ]
+    pub(crate) fn resultant(&self) -> SectionVector {
+        SectionVector {
+            radial: self.share_0 * self.radial_0 + self.share_1 * self.radial_1,
+            axial: self.share_0 * self.axial_0 + self.share_1 * self.axial_1,
+        }
     }
 }
 
-/// Approach and normal of a ball at **d** from the centre of a groove of which it may be this far off.
-#[inline(always)]
-fn approach([radial, axial]: [f64; 2], radius: f64) -> (f64, [f64; 2]) {
-    let length = (radial * radial + axial * axial).sqrt();
-    // Near the centre there is no direction.
-    let near = length < 0.5 * radius;
-    (
-        if near { -radius } else { length - radius },
-        [
-            if near { 1.0 } else { radial / length },
-            if near { 0.0 } else { axial / length },
-        ],
-    )
+/// Approach of a ball to one flank or edge.
+#[derive(Debug, Clone, Copy)]
+struct Approach {
+    /// δ, m.
+    depth: f64,
+    /// **n**.
+    normal: SectionVector,
 }
 
-/// Approach of a nominal ball at **x** from its place on both edges of a slot to one with the normal
-/// **n**c there, its normal, and the slope of the approach over ψ with **x** held.
-#[inline(always)]
-fn approach_to_edge(
-    x: [f64; 2],
-    [cos, sin]: [f64; 2],
-    slot: &SlotSection,
-    sign: f64,
-) -> (f64, [f64; 2], f64) {
-    let [curvature, bending] = slot.centre_curvature_per_m;
-    let along = x[0] * cos + x[1] * sin;
-    let square = x[0] * x[0] + x[1] * x[1];
-    let q = 1.0 + curvature * (2.0 * along + curvature * square);
-    // Near the centre there is no direction.
-    if q < 0.25 {
-        return (f64::NEG_INFINITY, [1.0, 0.0], 0.0);
+impl Approach {
+    /// Before the first evaluation.
+    const NONE: Self = Self {
+        depth: 0.0,
+        normal: SectionVector {
+            radial: 0.0,
+            axial: 0.0,
+        },
+    };
+
+    /// That of a ball at **d** from the centre of a groove of which it may be this far off.
+    #[inline(always)]
+    fn to_groove(d: SectionVector, radius: f64) -> Self {
+        let length = d.length();
+        // Near the centre there is no direction.
+        let near = length < 0.5 * radius;
+        Self {
+            depth: if near { -radius } else { length - radius },
+            normal: SectionVector {
+                radial: if near { 1.0 } else { d.radial / length },
+                axial: if near { 0.0 } else { d.axial / length },
+            },
+        }
     }
-    let root = q.sqrt();
-    let delta = (2.0 * along + curvature * square) / (1.0 + root);
-    let normal = [cos, sin].map(|c| c / root);
-    let normal = [
-        normal[0] + curvature * x[0] / root,
-        normal[1] + curvature * x[1] / root,
-    ];
-    let turning = sign * slot.angle_rad[1] * (x[1] * cos - x[0] * sin);
-    let slope = (turning + 0.5 * bending * (square - delta * delta)) / root;
-    (delta, normal, slope)
+
+    /// That of a nominal ball at **x** from its place on both edges of a slot to one with the normal
+    /// **n**c there, and its slope over ψ with **x** held.
+    #[inline(always)]
+    fn to_edge(x: SectionVector, nc: SectionVector, slot: &SlotSection, sign: f64) -> (Self, f64) {
+        let [curvature, bending] = slot.centre_curvature_per_m;
+        let (along, square) = (x.dot(nc), x.dot(x));
+        let q = 1.0 + curvature * (2.0 * along + curvature * square);
+        // Near the centre there is no direction.
+        if q < 0.25 {
+            let apart = Self {
+                depth: f64::NEG_INFINITY,
+                normal: SectionVector {
+                    radial: 1.0,
+                    axial: 0.0,
+                },
+            };
+            return (apart, 0.0);
+        }
+        let root = q.sqrt();
+        let depth = (2.0 * along + curvature * square) / (1.0 + root);
+        let normal = SectionVector {
+            radial: nc.radial / root + curvature * x.radial / root,
+            axial: nc.axial / root + curvature * x.axial / root,
+        };
+        let turning = sign * slot.angle_rad[1] * (x.axial * nc.radial - x.radial * nc.axial);
+        let slope = (turning + 0.5 * bending * (square - depth * depth)) / root;
+        (Self { depth, normal }, slope)
+    }
 }
 
 impl OuterGroove {
+    /// **d** from the centre of the plain groove.
+    #[inline(always)]
+    fn from_centre(&self, beyond: f64, z: f64) -> SectionVector {
+        SectionVector {
+            radial: beyond + self.gap,
+            axial: z - self.axial,
+        }
+    }
+
     /// Contact of a ball `beyond` the place at which it touches the plain groove in its middle and
     /// at z, outside the discrete raceways.
     #[inline(always)]
     pub(crate) fn touch(&self, beyond: f64, z: f64) -> OuterTouch {
-        let (approach, [radial_0, axial_0]) =
-            approach([beyond + self.gap, z - self.axial], self.gap);
+        let Approach { depth, normal } = Approach::to_groove(self.from_centre(beyond, z), self.gap);
         OuterTouch {
-            approach,
-            radial_0,
-            axial_0,
+            approach: depth,
+            radial_0: normal.radial,
+            axial_0: normal.axial,
             share_0: 1.0,
             root_0: 1.0,
             stiffness: 1.0,
@@ -289,50 +347,56 @@ impl OuterGroove {
 
     /// Contact of such a ball within a discrete raceway.
     pub(crate) fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
-        let plain = [beyond + self.gap, z - self.axial];
+        let plain = self.from_centre(beyond, z);
+        let section = SectionVector {
+            radial: here.cos_section,
+            axial: here.sin_section,
+        };
         let (sin, cos) = here.angle.sin_cos();
         let g = self.nominal_gap;
         let [error, error_slope] = here.error;
         let [depth, depth_slope] = here.depth;
-        let mut delta = [0.0; 2];
+        let mut flanks = [Approach::NONE; 2];
         let mut slopes = [0.0; 2];
-        let mut normals = [[0.0; 2]; 2];
         for (k, sign) in [1.0, -1.0].into_iter().enumerate() {
-            let cos_flank = here.cos_section * cos - sign * here.sin_section * sin;
-            let sin_flank = here.sin_section * cos + sign * here.cos_section * sin;
-            let turned = if let Some(slot) = &here.slot {
-                let x = [
-                    plain[0] - (g + depth) * here.cos_section,
-                    plain[1] - (g + depth) * here.sin_section,
-                ];
-                let edge = approach_to_edge(x, [cos_flank, sin_flank], slot, sign);
-                let larger = g - self.gap - error;
-                (delta[k], normals[k]) = (edge.0 + larger, edge.1);
-                edge.2
-            } else {
-                let d = [
-                    plain[0] + g * (cos_flank - here.cos_section) - depth * here.cos_section,
-                    plain[1] + g * (sin_flank - here.sin_section) - depth * here.sin_section,
-                ];
-                (delta[k], normals[k]) = approach(d, self.gap + error);
-                let normal = normals[k];
-                -sign * g * here.slope * (normal[0] * sin_flank - normal[1] * cos_flank)
+            let flank = SectionVector {
+                radial: section.radial * cos - sign * section.axial * sin,
+                axial: section.axial * cos + sign * section.radial * sin,
             };
-            let normal = normals[k];
-            slopes[k] = turned
-                - error_slope
-                - depth_slope * (normal[0] * here.cos_section + normal[1] * here.sin_section);
+            let (approach, turned) = if let Some(slot) = &here.slot {
+                let x = SectionVector {
+                    radial: plain.radial - (g + depth) * section.radial,
+                    axial: plain.axial - (g + depth) * section.axial,
+                };
+                let (edge, slope) = Approach::to_edge(x, flank, slot, sign);
+                let larger = g - self.gap - error;
+                let depth = edge.depth + larger;
+                (Approach { depth, ..edge }, slope)
+            } else {
+                let d = SectionVector {
+                    radial: plain.radial + g * (flank.radial - section.radial)
+                        - depth * section.radial,
+                    axial: plain.axial + g * (flank.axial - section.axial) - depth * section.axial,
+                };
+                let groove = Approach::to_groove(d, self.gap + error);
+                let normal = groove.normal;
+                let across = normal.radial * flank.axial - normal.axial * flank.radial;
+                (groove, -sign * g * here.slope * across)
+            };
+            flanks[k] = approach;
+            slopes[k] = turned - error_slope - depth_slope * approach.normal.dot(section);
         }
+        let delta = flanks.map(|flank| flank.depth);
         let touch = |approach: f64, slope: f64, shares: [f64; 2], roots: [f64; 2]| OuterTouch {
             approach,
             slope,
             inside: 1.0,
-            radial_0: normals[0][0],
-            axial_0: normals[0][1],
+            radial_0: flanks[0].normal.radial,
+            axial_0: flanks[0].normal.axial,
             share_0: shares[0],
             root_0: roots[0],
-            radial_1: normals[1][0],
-            axial_1: normals[1][1],
+            radial_1: flanks[1].normal.radial,
+            axial_1: flanks[1].normal.axial,
             share_1: shares[1],
             root_1: roots[1],
             stiffness: here.slot.map_or(1.0, |slot| slot.stiffness_ratio[0]),

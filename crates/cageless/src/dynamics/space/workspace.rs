@@ -6,6 +6,7 @@ use super::ring::RingMotion;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
+use crate::numerics::vector::SectionVector;
 use crate::raceway_contact::RacewayPoint;
 use crate::world::body::sliding_ring::SlidingWork;
 use crate::world::joint::rotor_touch::RotorTouch;
@@ -22,9 +23,12 @@ pub(crate) struct ContactPoint {
 }
 
 impl ContactPoint {
-    /// Force along the radius and across it, N.
-    fn force(&self) -> [f64; 2] {
-        self.normal.map(|part| part * self.force_n)
+    /// Force, N.
+    fn force(&self) -> SectionVector {
+        SectionVector {
+            radial: self.normal[0] * self.force_n,
+            axial: self.normal[1] * self.force_n,
+        }
     }
 }
 
@@ -36,10 +40,10 @@ pub(crate) struct BallContacts {
 }
 
 /// Angle of a force of a contact from the radius; NaN without one.
-fn angle_rad([along, across]: [f64; 2]) -> f64 {
-    match [along, across] == [0.0; 2] {
+fn angle_rad(force: SectionVector) -> f64 {
+    match force == SectionVector::default() {
         true => f64::NAN,
-        false => across.atan2(along),
+        false => force.axial.atan2(force.radial),
     }
 }
 
@@ -65,14 +69,17 @@ impl BallContacts {
     }
 
     /// Force at the inner raceway along the radius and against the axis of the ring, N.
-    pub(crate) fn inner_force_n(&self) -> [f64; 2] {
+    pub(crate) fn inner_force_n(&self) -> SectionVector {
         self.points[INNER].force()
     }
 
     /// Force at the outer raceway along the radius and the axis, N.
-    pub(crate) fn outer_force_n(&self) -> [f64; 2] {
+    pub(crate) fn outer_force_n(&self) -> SectionVector {
         let [a, b] = [0, 1].map(|place| self.points[place].force());
-        [a[0] + b[0], a[1] + b[1]]
+        SectionVector {
+            radial: a.radial + b.radial,
+            axial: a.axial + b.axial,
+        }
     }
 
     /// Where the ball bears on the inner raceway.

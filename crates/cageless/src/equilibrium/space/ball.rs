@@ -15,6 +15,7 @@ use crate::contact::hertz::elastic_energy;
 use crate::numerics::cholesky::solve;
 use crate::numerics::minimum::{Local, minimum};
 use crate::numerics::taylor::Taylor;
+use crate::numerics::vector::SectionVector;
 
 /// One ball at its angle in a row.
 #[derive(Debug, Clone)]
@@ -56,7 +57,7 @@ pub(in crate::equilibrium) type Ring = [f64; 5];
 #[derive(Debug, Clone, Copy)]
 pub(in crate::equilibrium) struct Rest {
     /// u and ζ.
-    pub place: [f64; 2],
+    pub place: SectionVector,
     /// Energy over the coordinates of the ring, which the ball follows: the Hessian is
     /// Uxx − Uxu Uuu⁻¹ Uux.
     pub local: Local<5>,
@@ -76,44 +77,44 @@ fn coordinates<const N: usize>(values: [f64; 7], free: [usize; N]) -> [Taylor<N>
 
 impl SpatialBall {
     /// ρ.
-    pub(crate) fn distance_m(&self, [beyond, _]: [f64; 2]) -> f64 {
-        self.orbit_radius_m + beyond
+    pub(crate) fn distance_m(&self, place: SectionVector) -> f64 {
+        self.orbit_radius_m + place.radial
     }
 
     /// d from the inner groove's centre in the meridian plane of the ring through the ball.
     fn relative_to_inner_centre<const N: usize>(
         &self,
-        [beyond, axial]: [Taylor<N>; 2],
+        place: SectionVector<Taylor<N>>,
         [x, y, z, p, q]: [Taylor<N>; 5],
-    ) -> [Taylor<N>; 2] {
+    ) -> SectionVector<Taylor<N>> {
         let (sin, cos) = self.sin_cos;
-        let distance = beyond + self.orbit_radius_m;
+        let distance = place.radial + self.orbit_radius_m;
         let c = [
             distance * sin - x,
             distance * -cos - y,
-            axial + self.axial_m - z,
+            place.axial + self.axial_m - z,
         ];
         let square = p * p + q * q;
         let a = [p, q, (square * -1.0 + 1.0).sqrt()];
         let along = c[0] * a[0] + c[1] * a[1] + c[2] * a[2];
         // |**c** − along **a**|² − Pi², without the cancellation of a difference of lengths.
         let centre = self.inner_centre_m;
-        let more = (beyond + (self.orbit_radius_m - centre)) * (distance + centre)
+        let more = (place.radial + (self.orbit_radius_m - centre)) * (distance + centre)
             - distance * (x * sin - y * cos) * 2.0
             + (x * x + y * y + (c[2] - along) * (c[2] + along));
-        [
-            more * ((more + centre * centre).sqrt() + centre).recip(),
-            along + -(self.axial_m + self.inner_axial_m),
-        ]
+        SectionVector {
+            radial: more * ((more + centre * centre).sqrt() + centre).recip(),
+            axial: along + -(self.axial_m + self.inner_axial_m),
+        }
     }
 
     /// δi; `None` where it is open.
     fn inner_approach<const N: usize>(
         &self,
-        place: [Taylor<N>; 2],
+        place: SectionVector<Taylor<N>>,
         ring: [Taylor<N>; 5],
     ) -> Option<Taylor<N>> {
-        let [radial, axial] = self.relative_to_inner_centre(place, ring);
+        let SectionVector { radial, axial } = self.relative_to_inner_centre(place, ring);
         let depth = radial.hypot(axial) + -self.inner_gap_m;
         // Only the inner half of the circle is groove.
         (radial.value < 0.0 && depth.value > 0.0).then_some(depth)
@@ -122,7 +123,10 @@ impl SpatialBall {
     /// U over those of u, ζ and the coordinates of the ring that vary.
     fn energy<const N: usize>(&self, values: [f64; 7], free: [usize; N]) -> Local<N> {
         let [beyond, axial, ring @ ..] = coordinates(values, free);
-        let place = [beyond, axial];
+        let place = SectionVector {
+            radial: beyond,
+            axial,
+        };
         let flank = self.outer.flanks.map_or(0.0, |f| f.angle_rad);
         let outer = self.outer.approach(place, Taylor::constant(flank));
         let inner = self.inner_approach(place, ring);
@@ -137,23 +141,23 @@ impl SpatialBall {
 
     /// Force and contact angle at the inner raceway; the angle is positive where the ball presses
     /// the ring towards −Z. `None` where it is open.
-    pub(crate) fn inner_contact(&self, place: [f64; 2], ring: Ring) -> Option<(f64, f64)> {
+    pub(crate) fn inner_contact(&self, place: SectionVector, ring: Ring) -> Option<(f64, f64)> {
         let (place, ring) = (place.map(Taylor::<0>::constant), ring.map(Taylor::constant));
         let depth = self.inner_approach(place, ring)?.value;
-        let [radial, axial] = self.relative_to_inner_centre(place, ring);
+        let SectionVector { radial, axial } = self.relative_to_inner_centre(place, ring);
         let force = self.inner_stiffness_n_m1_5 * depth * depth.sqrt();
         Some((force, (-axial.value).atan2(-radial.value)))
     }
 
     /// δi, below 0 the gap where the inner raceway is open.
-    pub(crate) fn inner_depth_m(&self, place: [f64; 2], ring: Ring) -> f64 {
+    pub(crate) fn inner_depth_m(&self, place: SectionVector, ring: Ring) -> f64 {
         let (place, ring) = (place.map(Taylor::<0>::constant), ring.map(Taylor::constant));
-        let [radial, axial] = self.relative_to_inner_centre(place, ring);
+        let SectionVector { radial, axial } = self.relative_to_inner_centre(place, ring);
         radial.hypot(axial).value - self.inner_gap_m
     }
 
     /// Force K δe^(3/2) at the outer raceway.
-    pub(crate) fn outer_force_n(&self, place: [f64; 2]) -> f64 {
+    pub(crate) fn outer_force_n(&self, place: SectionVector) -> f64 {
         let flank = self.outer.flanks.map_or(0.0, |f| f.angle_rad);
         let place = place.map(Taylor::<0>::constant);
         let depth = self.outer.approach(place, Taylor::constant(flank));
@@ -164,30 +168,40 @@ impl SpatialBall {
 
     /// (u, ζ) to start from: on the line through the centres of the plain grooves, or where its push
     /// seats a ball that only one of them holds.
-    fn guess(&self, ring: Ring) -> [f64; 2] {
+    fn guess(&self, ring: Ring) -> SectionVector {
         let softness = |k: f64| k.powf(-2.0 / 3.0);
         let (inner, outer) = (
             softness(self.inner_stiffness_n_m1_5),
             softness(self.outer_stiffness_n_m1_5),
         );
-        let start = [0.0, self.outer.axial_m].map(Taylor::<0>::constant);
-        let [radial, axial] = self.relative_to_inner_centre(start, ring.map(Taylor::constant));
+        let middle = SectionVector {
+            radial: 0.0,
+            axial: self.outer.axial_m,
+        };
+        let start = middle.map(Taylor::<0>::constant);
+        let d = self.relative_to_inner_centre(start, ring.map(Taylor::constant));
         // From the outer centre to the inner one.
-        let (radial, axial) = (self.outer.gap_m - radial.value, -axial.value);
+        let (radial, axial) = (self.outer.gap_m - d.radial.value, -d.axial.value);
         let length = radial.hypot(axial);
         let squeeze = length - self.outer.gap_m - self.inner_gap_m;
         let push = self.steady_n + self.turning_n_m / self.orbit_radius_m;
         if squeeze > 0.0 {
             let reach = (self.outer.gap_m + squeeze * outer / (inner + outer)) / length;
-            [
-                reach * radial - self.outer.gap_m,
-                self.outer.axial_m + reach * axial,
-            ]
+            SectionVector {
+                radial: reach * radial - self.outer.gap_m,
+                axial: self.outer.axial_m + reach * axial,
+            }
         } else if push >= 0.0 {
-            [push.powf(2.0 / 3.0) * outer, self.outer.axial_m]
+            SectionVector {
+                radial: push.powf(2.0 / 3.0) * outer,
+                ..middle
+            }
         } else {
             let sunk = self.inner_gap_m + (-push).powf(2.0 / 3.0) * inner;
-            [radial - self.outer.gap_m - sunk, self.outer.axial_m + axial]
+            SectionVector {
+                radial: radial - self.outer.gap_m - sunk,
+                axial: self.outer.axial_m + axial,
+            }
         }
     }
 
@@ -207,9 +221,9 @@ impl SpatialBall {
         free: [usize; N],
         ring: Ring,
     ) -> Rest {
-        let [beyond, axial] = self.guess(ring);
+        let guess = self.guess(ring);
         let [x, y, z, p, q] = ring;
-        let mut all = [beyond, axial, x, y, z, p, q];
+        let mut all = [guess.radial, guess.axial, x, y, z, p, q];
         let at = |place: [f64; B]| {
             let mut all = all;
             (0..B).for_each(|k| all[own[k]] = place[k]);
@@ -238,7 +252,10 @@ impl SpatialBall {
             }
         }
         Rest {
-            place: [all[0], all[1]],
+            place: SectionVector {
+                radial: all[0],
+                axial: all[1],
+            },
             local,
         }
     }

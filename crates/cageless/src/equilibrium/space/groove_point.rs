@@ -18,6 +18,7 @@
 use super::ball_in_row::outer_section;
 use super::{inner_contact, outer_contact, resultant};
 use crate::case::Case;
+use crate::numerics::vector::SectionVector;
 use crate::raceway_contact::RacewayContact;
 
 /// Share of the force below which a flank is left out: its ellipse is shorter than 1 % of the other.
@@ -47,7 +48,10 @@ pub fn outer_points(
     let (row, k) = (case.all_rows()[k / balls], k % balls);
     let touching_m = bearing.dimensions().outer_groove_bottom_radius_m - bearing.ball(k).radius_m;
     let section = outer_section(case, &row, k, angle_rad);
-    let contacts = section.contacts([distance_m - touching_m, z_m - row.axial_position_m]);
+    let contacts = section.contacts(SectionVector {
+        radial: distance_m - touching_m,
+        axial: z_m - row.axial_position_m,
+    });
     let [along, across, _] = resultant(&contacts);
     let force_n = resultant_n / along.hypot(across);
     let mut points = [None; 2];

@@ -36,6 +36,7 @@ use crate::equilibrium::{Equilibrium, EquilibriumError, effective_radius_m, star
 use crate::error::InputError;
 use crate::kinematics::orbit_speed_in_space_rad_s;
 use crate::numerics::cholesky::solve as solve_equations;
+use crate::numerics::vector::SectionVector;
 use crate::raceway_contact::{RacewayContact, RacewayPoint};
 use ball::{Ring, SpatialBall};
 use ball_in_row::ball_in_row;
@@ -271,7 +272,7 @@ fn contact_depth_m(case: &Case) -> f64 {
 
 /// Arms of rolling at the outer and the inner contact of a ball, and the inner contact angle: the
 /// axis of rotation lies across the force at the outer raceway, in the plane along that of the bearing.
-fn arms_m(case: &Case, ball: &SpatialBall, place: [f64; 2], ring: Ring) -> ([f64; 2], f64) {
+fn arms_m(case: &Case, ball: &SpatialBall, place: SectionVector, ring: Ring) -> ([f64; 2], f64) {
     if ball.planar {
         let arm_m = effective_radius_m(case, ball.number, ball.angle_rad, ball.distance_m(place));
         return ([arm_m, ball.radius_m], 0.0);
@@ -358,7 +359,7 @@ pub(super) fn result(
         solved.row_axial_force_n[ball.row] += rest.local.gradient[Z];
         solved
             .ball_z_m
-            .push(ball.axial_m + settled.shifts_m[ball.row] + rest.place[1]);
+            .push(ball.axial_m + settled.shifts_m[ball.row] + rest.place.axial);
         let ring = settled.ring_of(ball.row);
         beyond = push_ball(&mut solved, case, ball, rest.place, ring).or(beyond);
     }
@@ -374,7 +375,7 @@ fn push_ball(
     solved: &mut SpatialEquilibrium,
     case: &Case,
     ball: &SpatialBall,
-    place: [f64; 2],
+    place: SectionVector,
     ring: Ring,
 ) -> Option<BeyondGroove> {
     let seated = SeatedBall::new(case, ball, place, ring);
@@ -431,7 +432,7 @@ struct SeatedBall<'a> {
 }
 
 impl<'a> SeatedBall<'a> {
-    fn new(case: &'a Case, ball: &'a SpatialBall, place: [f64; 2], ring: Ring) -> Self {
+    fn new(case: &'a Case, ball: &'a SpatialBall, place: SectionVector, ring: Ring) -> Self {
         let (inner_force_n, inner_angle_rad) =
             ball.inner_contact(place, ring).unwrap_or((0.0, f64::NAN));
         let outer = ball.outer.contacts(place);

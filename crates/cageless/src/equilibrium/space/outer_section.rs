@@ -19,6 +19,7 @@
 use std::f64::consts::LN_2;
 
 use crate::numerics::taylor::Taylor;
+use crate::numerics::vector::SectionVector;
 use crate::raceway::SlotSection;
 
 /// Flank angle below which the raceway is the plain groove, rad.
@@ -68,10 +69,13 @@ impl OuterSection {
     /// that of a ball that touches the plain groove in its middle.
     fn relative_to_centre<const N: usize>(
         &self,
-        [beyond, axial]: [Taylor<N>; 2],
+        place: SectionVector<Taylor<N>>,
         flank: Option<(&Flanks, Taylor<N>, f64)>,
-    ) -> ([Taylor<N>; 2], f64) {
-        let d = [beyond + self.gap_m, axial + -self.axial_m];
+    ) -> (SectionVector<Taylor<N>>, f64) {
+        let d = SectionVector {
+            radial: place.radial + self.gap_m,
+            axial: place.axial + -self.axial_m,
+        };
         let Some((flanks, angle, sign)) = flank else {
             return (d, self.gap_m);
         };
@@ -79,26 +83,26 @@ impl OuterSection {
         let (sin, cos) = (angle * sign + flanks.section_angle_rad).sin_cos();
         let (sin_g, cos_g) = flanks.section_angle_rad.sin_cos();
         let back = g + flanks.depth_m;
-        let d = [
-            d[0] + cos * g + -back * cos_g,
-            d[1] + sin * g + -back * sin_g,
-        ];
+        let d = SectionVector {
+            radial: d.radial + cos * g + -back * cos_g,
+            axial: d.axial + sin * g + -back * sin_g,
+        };
         (d, self.gap_m + flanks.depth_error_m)
     }
 
     /// δ of the groove or of a flank, and a vector along its **n**; `None` where it is open.
     fn touch<const N: usize>(
         &self,
-        place: [Taylor<N>; 2],
+        place: SectionVector<Taylor<N>>,
         flank: Option<(&Flanks, Taylor<N>, f64)>,
-    ) -> Option<(Taylor<N>, [Taylor<N>; 2])> {
+    ) -> Option<(Taylor<N>, SectionVector<Taylor<N>>)> {
         if let Some((flanks, angle, sign)) = flank
             && let Some(slot) = &flanks.slot
         {
             return self.touch_edge(place, flanks, slot, angle * sign);
         }
         let (d, radius) = self.relative_to_centre(place, flank);
-        let [radial, axial] = d;
+        let SectionVector { radial, axial } = d;
         let delta = radial.hypot(axial) + -radius;
         // The inner half of the circle is no groove.
         (radial.value > 0.0 && delta.value > 0.0).then_some((delta, d))
@@ -107,22 +111,22 @@ impl OuterSection {
     /// δ of an edge of a slot, and a vector along its **n**; `None` where it is open.
     fn touch_edge<const N: usize>(
         &self,
-        [beyond, axial]: [Taylor<N>; 2],
+        place: SectionVector<Taylor<N>>,
         flanks: &Flanks,
         slot: &SlotSection,
         angle: Taylor<N>,
-    ) -> Option<(Taylor<N>, [Taylor<N>; 2])> {
+    ) -> Option<(Taylor<N>, SectionVector<Taylor<N>>)> {
         let g = flanks.nominal_gap_m;
         let (sin_g, cos_g) = flanks.section_angle_rad.sin_cos();
         let back = g + flanks.depth_m;
-        let x = [
-            beyond + (self.gap_m - back * cos_g),
-            axial + -(self.axial_m + back * sin_g),
-        ];
+        let x = SectionVector {
+            radial: place.radial + (self.gap_m - back * cos_g),
+            axial: place.axial + -(self.axial_m + back * sin_g),
+        };
         let (sin, cos) = (angle + flanks.section_angle_rad).sin_cos();
         let [curvature, _] = slot.centre_curvature_per_m;
-        let along = x[0] * cos + x[1] * sin;
-        let bent = (x[0] * x[0] + x[1] * x[1]) * curvature;
+        let along = x.radial * cos + x.axial * sin;
+        let bent = (x.radial * x.radial + x.axial * x.axial) * curvature;
         let q = (along * 2.0 + bent) * curvature + 1.0;
         // Near the centre there is no direction.
         if q.value < 0.25 {
@@ -130,7 +134,10 @@ impl OuterSection {
         }
         let larger = g - self.gap_m - flanks.depth_error_m;
         let delta = (along * 2.0 + bent) * (q.sqrt() + 1.0).recip() + larger;
-        let direction = [cos + x[0] * curvature, sin + x[1] * curvature];
+        let direction = SectionVector {
+            radial: cos + x.radial * curvature,
+            axial: sin + x.axial * curvature,
+        };
         (delta.value > 0.0).then_some((delta, direction))
     }
 
@@ -138,7 +145,7 @@ impl OuterSection {
     /// be a function of ψ.
     pub(crate) fn approach<const N: usize>(
         &self,
-        place: [Taylor<N>; 2],
+        place: SectionVector<Taylor<N>>,
         flank_angle: Taylor<N>,
     ) -> Option<Taylor<N>> {
         let approach = |flank| self.touch(place, flank).map(|(delta, _)| delta);
@@ -168,11 +175,11 @@ impl OuterSection {
     }
 
     /// Contacts at a ball at (u, ζ): one, or both flanks, the one towards +Z first.
-    pub(crate) fn contacts(&self, [beyond, axial]: [f64; 2]) -> Vec<SectionContact> {
-        let place = [beyond, axial].map(Taylor::<0>::constant);
+    pub(crate) fn contacts(&self, place: SectionVector) -> Vec<SectionContact> {
+        let place = place.map(Taylor::<0>::constant);
         let touching = |flank| {
-            let (delta, [radial, axial]): (Taylor<0>, _) = self.touch(place, flank)?;
-            Some((delta.value, axial.value.atan2(radial.value)))
+            let (delta, n): (Taylor<0>, _) = self.touch(place, flank)?;
+            Some((delta.value, n.axial.value.atan2(n.radial.value)))
         };
         let flanks = self.flanks.as_ref().filter(|f| f.angle_rad > PLAIN_RAD);
         let Some(flanks) = flanks else {

@@ -58,17 +58,29 @@ fn contacts_at_the_edges_of_a_slot_have_an_energy() {
                 };
                 let variables = Taylor::variables([place[0], place[1], slot.angle_rad[0]]);
                 let [u, z, angle] = variables;
-                let exact = section.approach([u, z], angle).unwrap();
+                let exact = section
+                    .approach(
+                        SectionVector {
+                            radial: u,
+                            axial: z,
+                        },
+                        angle,
+                    )
+                    .unwrap();
                 assert!((touch.approach - exact.value).abs() < 1e-15);
-                for axis in 0..2 {
-                    assert!((touch.resultant()[axis] - exact.gradient[axis]).abs() < 1e-9);
+                let pressed = touch.resultant();
+                for (part, known) in [pressed.radial, pressed.axial].iter().zip(exact.gradient) {
+                    assert!((part - known).abs() < 1e-9);
                 }
-                let contacts = section.contacts(place);
+                let contacts = section.contacts(SectionVector {
+                    radial: place[0],
+                    axial: place[1],
+                });
                 let sum: f64 = contacts.iter().map(|contact| contact.share).sum();
                 assert!((sum - touch.share_0 - touch.share_1).abs() < 1e-9);
                 let force = 2.5e11 * touch.stiffness * touch.approach.powf(1.5);
                 let stiffening = 1e11 * touch.stiffening * touch.approach.powf(2.5);
-                let [along, across] = touch.resultant();
+                let SectionVector { radial, axial } = touch.resultant();
                 let of = |value: f64, plus: f64, minus: f64, h: f64| {
                     let slope = (plus - minus) / (2.0 * h);
                     let error = (value - slope).abs();
@@ -80,13 +92,13 @@ fn contacts_at_the_edges_of_a_slot_have_an_energy() {
                 let [u, z] = place;
                 let h = 1e-10;
                 of(
-                    force * along,
+                    force * radial,
                     energy(psi, [u + h, z]),
                     energy(psi, [u - h, z]),
                     h,
                 );
                 of(
-                    force * across,
+                    force * axial,
                     energy(psi, [u, z + h]),
                     energy(psi, [u, z - h]),
                     h,
@@ -102,8 +114,11 @@ fn contacts_at_the_edges_of_a_slot_have_an_energy() {
     assert!(merging == 10, "{merging}");
 }
 
-fn direction(psi: f64) -> [f64; 2] {
-    [psi.sin(), -psi.cos()]
+fn direction(psi: f64) -> PlaneVector {
+    PlaneVector {
+        x: psi.sin(),
+        y: -psi.cos(),
+    }
 }
 
 /// Over the whole raceway, on one flank and on both: approach and shares are those of the section
@@ -149,7 +164,13 @@ fn contacts_are_those_of_the_section() {
                     }),
                 };
                 let [u, z, angle] = Taylor::variables([place[0], place[1], flank]);
-                let Some(exact) = section.approach([u, z], angle) else {
+                let Some(exact) = section.approach(
+                    SectionVector {
+                        radial: u,
+                        axial: z,
+                    },
+                    angle,
+                ) else {
                     assert!(touch.approach <= 0.0);
                     continue;
                 };
@@ -157,12 +178,9 @@ fn contacts_are_those_of_the_section() {
                     (touch.approach - exact.value).abs() < 1e-15,
                     "{psi} {place:?}"
                 );
-                for axis in 0..2 {
-                    let found = touch.resultant()[axis];
-                    assert!(
-                        (found - exact.gradient[axis]).abs() < 1e-9,
-                        "{psi} {place:?}"
-                    );
+                let pressed = touch.resultant();
+                for (found, known) in [pressed.radial, pressed.axial].iter().zip(exact.gradient) {
+                    assert!((found - known).abs() < 1e-9, "{psi} {place:?}");
                 }
                 let h = 1e-6;
                 let across =
