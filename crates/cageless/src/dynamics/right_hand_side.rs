@@ -167,7 +167,7 @@ impl RightHandSide {
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
-                space::evaluate(b, (w, s), y, dydt, raceway_friction)
+                space::evaluate(b, w, s, y, dydt, raceway_friction)
             );
         }
         if self.models[0].formulation == Formulation::Paper {
@@ -420,7 +420,7 @@ impl System for RightHandSide {
             return with_instructions!(
                 self.isa,
                 [](b: space::Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
-                space::add_implicit_friction(b, (w, s), h_s, y0, y, dydt)
+                space::add_implicit_friction(b, w, s, h_s, y0, y, dydt)
             );
         }
         if self.models[0].formulation == Formulation::Paper {

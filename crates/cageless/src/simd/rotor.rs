@@ -77,7 +77,7 @@ pub(super) fn set_rates_under_rotor(
 ) {
     let layout = p.layout.of_bearing(bearing);
     let balls = ball_loads(p, bearing, sums);
-    p.drops[bearing].set_rates(layout, (&balls, touch), y, dydt);
+    p.drops[bearing].set_rates(layout, &balls, touch, y, dydt);
 }
 
 /// Adds friction at the raceways and at the journal over a step of `h_s`, see

@@ -115,7 +115,8 @@ impl UnderRotor {
     pub(crate) fn set_rates(
         &self,
         layout: Layout,
-        (balls, touch): (&BallLoads, &Touch),
+        balls: &BallLoads,
+        touch: &Touch,
         y: &[f64],
         dydt: &mut [f64],
     ) {

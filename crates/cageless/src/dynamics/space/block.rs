@@ -4,7 +4,7 @@ use super::frame::{FrameLanes, SIZE, of_lane};
 use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
 use super::model::SpaceModel;
 use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
-use super::strips::{SlidingLanes, StripFrictionLanes};
+use super::strips::{SlidingLanes, StripFrictionLanes, StripSlidingLanes};
 use crate::contact::FilmTractionLanes;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
@@ -48,10 +48,8 @@ lane_struct! {
 /// A strip while friction is solved for.
 #[derive(Debug, Clone)]
 pub(crate) struct StripStep {
-    /// Sliding velocity of the last iterate along τ and l, m/s.
-    pub slip: [Lanes; 2],
-    /// γ of the last iterate, rad/s.
-    pub shear: Lanes,
+    /// Sliding of the last iterate.
+    pub sliding: StripSlidingLanes,
     /// Friction of the last iterate.
     pub friction: StripFrictionLanes,
     /// Friction of the end of the step; in the end that which changes velocities.
@@ -129,8 +127,7 @@ impl SpaceBlock {
             [0, 1].map(|ring| of_balls(&|k| value(ring, k), 0.0))
         };
         let step = StripStep {
-            slip: [Lanes::ZERO; 2],
-            shear: Lanes::ZERO,
+            sliding: StripSlidingLanes::ZERO,
             friction: StripFrictionLanes::ZERO,
             mean: KnownStripLanes::ZERO,
         };

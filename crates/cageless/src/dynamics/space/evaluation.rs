@@ -3,9 +3,9 @@
 use super::Vector;
 use super::bearing::{Bearing, Totals, tilting_by};
 use super::block::VELOCITIES;
-use super::film::add_rolling;
+use super::film::{RollingBlock, add_rolling};
 use super::friction::{add_explicit_friction, outer_ring_velocity};
-use super::normal_contacts::{PLACE, normal_contacts};
+use super::normal_contacts::{BlockWork, PLACE, normal_contacts};
 use super::ring::RingMotion;
 use super::sliding::{place_rings, sliding_rates};
 use super::workspace::SpaceWorkspace;
@@ -45,7 +45,8 @@ pub(super) fn ball_motion(layout: Layout, y: &[f64], k: usize) -> [Vector; 3] {
 #[inline(always)]
 pub(crate) fn evaluate(
     bearing: Bearing<'_>,
-    (w, s): (&mut Workspace, &mut SpaceWorkspace),
+    w: &mut Workspace,
+    s: &mut SpaceWorkspace,
     y: &[f64],
     dydt: &mut [f64],
     raceway_friction: bool,
@@ -65,17 +66,17 @@ pub(crate) fn evaluate(
     }
     dydt[layout.start()..layout.end()].fill(0.0);
     let mut totals = Totals::default();
-    for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        normal_contacts(bearing, (results, b), &ring, y, block, &mut totals, dydt);
-        if let Some(film) = &space.film {
-            let turning = (&ring, drive.inner_speed);
-            let of = (film, layout, p.balls(block));
-            add_rolling(of, (&results.polar, b), turning, block, &mut totals, dydt);
-        }
+    for (number, (results, space)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
+        let work = BlockWork {
+            number,
+            results,
+            space,
+        };
+        add_block(bearing, work, &ring, y, &mut totals, dydt);
     }
     w.slip_max = Lanes::ZERO;
     if raceway_friction {
-        add_explicit_friction(bearing, (w, s), &mut totals, dydt);
+        add_explicit_friction(bearing, w, s, &mut totals, dydt);
         s.known = false;
     }
     w.pair_deflection_max[0] = if layout.balls > 1 {
@@ -93,19 +94,61 @@ pub(crate) fn evaluate(
             outer_ring: s.outer_ring_force_n(),
         };
         (w.rotors[0], w.rotor_loads[0]) = (touch.contact, touch.loads);
-        under.set_rates(layout, (&balls, &touch), y, dydt);
+        under.set_rates(layout, &balls, &touch, y, dydt);
     }
     if !space.sliding.is_empty() {
         sliding_rates(bearing, s, y, dydt);
     }
 }
 
-/// Adds accelerations of a ball under a force and a moment.
+/// Adds the normal forces of a block and its rolling on a film to the rates.
 #[inline(always)]
-fn accelerate(bearing: Bearing<'_>, k: usize, [force, moment]: [Vector; 2], dydt: &mut [f64]) {
+fn add_block(
+    bearing: Bearing<'_>,
+    work: BlockWork<'_>,
+    ring: &RingMotion,
+    y: &[f64],
+    totals: &mut Totals,
+    dydt: &mut [f64],
+) {
+    let BlockWork {
+        number,
+        results,
+        space: b,
+    } = work;
+    let now = BlockWork {
+        number,
+        results: &mut *results,
+        space: &mut *b,
+    };
+    normal_contacts(bearing, now, ring, y, totals, dydt);
+    let p = bearing.parameters;
+    if let Some(film) = &bearing.space.film {
+        let rolling = RollingBlock {
+            film,
+            balls: p.balls(number),
+            polar: &results.polar,
+            ring,
+            inner_speed: bearing.drive.inner_speed,
+        };
+        add_rolling(&rolling, b, p.layout, number, totals, dydt);
+    }
+}
+
+/// Force and moment on a ball.
+struct Wrench {
+    /// N.
+    force: Vector,
+    /// N·m.
+    moment: Vector,
+}
+
+/// Adds accelerations of a ball under a load.
+#[inline(always)]
+fn accelerate(bearing: Bearing<'_>, k: usize, load: &Wrench, dydt: &mut [f64]) {
     let (ball, layout) = (&bearing.model.balls[k], bearing.parameters.layout);
-    let linear = force * ball.inverse_mass;
-    let angular = moment * ball.inverse_inertia;
+    let linear = load.force * ball.inverse_mass;
+    let angular = load.moment * ball.inverse_inertia;
     let rates = [
         linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
     ];
@@ -185,8 +228,16 @@ fn ball_pairs(
         };
         let force = friction - u * normal.force_n;
         let moment = u.cross(&friction);
-        accelerate(bearing, k, [force, moment * ball.radius], dydt);
-        accelerate(bearing, next, [-force, moment * ball.next_radius], dydt);
+        let on_ball = Wrench {
+            force,
+            moment: moment * ball.radius,
+        };
+        let on_next = Wrench {
+            force: -force,
+            moment: moment * ball.next_radius,
+        };
+        accelerate(bearing, k, &on_ball, dydt);
+        accelerate(bearing, next, &on_next, dydt);
         totals.ball_friction += size * speed;
         totals.damping += normal.damping_power_w;
         let pair = &mut w.blocks[block].pair;

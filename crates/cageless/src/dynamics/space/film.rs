@@ -34,25 +34,38 @@ lane_struct! {
     }
 }
 
+/// The balls of a block, which roll on a film.
+pub(super) struct RollingBlock<'a> {
+    pub film: &'a GrooveCurves,
+    pub balls: &'a BallLanes,
+    /// Motion about the outer ring.
+    pub polar: &'a PolarMotionLanes,
+    /// Motion of the inner ring.
+    pub ring: &'a RingMotion,
+    /// ωi, rad/s.
+    pub inner_speed: f64,
+}
+
 /// Adds the rolling force of the contacts of a block to the rates and the sums.
 #[inline(always)]
 pub(super) fn add_rolling(
-    (film, layout, balls): (&GrooveCurves, Layout, &BallLanes),
-    (polar, b): (&PolarMotionLanes, &mut SpaceBlock),
-    (ring, inner_speed): (&RingMotion, f64),
+    of: &RollingBlock<'_>,
+    b: &mut SpaceBlock,
+    layout: Layout,
     block: usize,
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
+    let (film, balls) = (of.film, of.balls);
     let mut forces = [Lanes::ZERO; SIZE];
     let mut rolling = EntrainmentLanes::ZERO;
     for &place in b.places {
         let frames = &b.frames[place];
         let curves = if place == INNER {
-            roll_inner(balls, b, ring, inner_speed, &mut rolling);
+            roll_inner(balls, b, of.ring, of.inner_speed, &mut rolling);
             &film.inner
         } else {
-            roll_outer(balls, polar, b, place, &mut rolling);
+            roll_outer(balls, of.polar, b, place, &mut rolling);
             &film.outer
         };
         let mut curve = curve_at(curves, &rolling.curvature);

@@ -6,7 +6,7 @@ use super::creep::set_knees;
 use super::frame::{FrameLanes, SIZE, TractionLanes};
 use super::model::SpaceModel;
 use super::newton::{begin, iterate, slide};
-use super::ring::RingMotion;
+use super::ring::{RingMotion, RingMotions};
 use super::sliding::{add_sliding_friction, slide_as_evaluated, slide_as_in};
 use super::strips::SlidingLanes;
 use super::traction::set_films;
@@ -26,7 +26,8 @@ use crate::world::under_rotor::{BallLoads, UnderRotor};
 #[inline(always)]
 pub(super) fn add_explicit_friction(
     bearing: Bearing<'_>,
-    (w, s): (&mut Workspace, &mut SpaceWorkspace),
+    w: &mut Workspace,
+    s: &mut SpaceWorkspace,
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
@@ -35,11 +36,12 @@ pub(super) fn add_explicit_friction(
         space,
         ..
     } = bearing;
+    let rings = s.rings();
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         for end in 0..2 {
-            set_at_rest(b, end, &s.ring, s.outer_ring_velocity);
+            set_at_rest(b, end, &rings);
             if !space.sliding.is_empty() {
-                slide_as_evaluated(bearing, b, [block, end], &s.sliding);
+                slide_as_evaluated(bearing, b, block, end, &s.sliding);
             }
         }
         set_law(bearing, &results.polar, b);
@@ -61,7 +63,8 @@ pub(super) fn add_explicit_friction(
 #[inline(always)]
 pub(crate) fn add_implicit_friction(
     bearing: Bearing<'_>,
-    (w, s): (&mut Workspace, &mut SpaceWorkspace),
+    w: &mut Workspace,
+    s: &mut SpaceWorkspace,
     h_s: f64,
     y0: &[f64],
     y: &mut [f64],
@@ -74,11 +77,15 @@ pub(crate) fn add_implicit_friction(
         drive,
     } = bearing;
     let layout = bearing.parameters.layout;
-    let start = rings_in(bearing, &s.ring, y0);
     let mut totals = Totals::default();
     w.slip_max = Lanes::ZERO;
-    let begins = (h_s, start.0, start.1);
-    solve_blocks(bearing, (w, s), begins, (y0, &mut *y), &mut totals, dydt);
+    let step = ImplicitStep {
+        h_s,
+        rings: rings_in(bearing, &s.ring, y0),
+        start: y0,
+        y: &mut *y,
+    };
+    solve_blocks(bearing, w, s, step, &mut totals, dydt);
     let mut change = StepChange {
         layout,
         h_s,
@@ -91,17 +98,11 @@ pub(crate) fn add_implicit_friction(
     }
     let under = p.drops.first();
     if let Some(under) = under {
-        add_rotor_friction(under, (w, s), &totals, y0, &mut change);
+        add_rotor_friction(under, w, s, &totals, y0, &mut change);
     }
     if under.is_some() || !space.sliding.is_empty() {
         // The light inner ring turns, and outer rings slide, by the friction of the step.
-        let (ring, outer) = rings_in(bearing, &s.ring, change.y);
-        for (block, b) in s.blocks.iter_mut().enumerate() {
-            end_with_rings(b, &ring, outer);
-            if !space.sliding.is_empty() {
-                slide_as_in(bearing, b, [block, 1], change.y);
-            }
-        }
+        slide_at_end(bearing, s, change.y);
     }
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let [start, end] = [y0, &*change.y].map(|y| b.velocities(layout, y, block));
@@ -117,6 +118,18 @@ pub(crate) fn add_implicit_friction(
     change.add_energy(EnergyTerm::InnerFriction, totals.heat[1]);
 }
 
+/// Lets balls at rest slide on the rings as they move at the end of the step.
+#[inline(always)]
+fn slide_at_end(bearing: Bearing<'_>, s: &mut SpaceWorkspace, y: &[f64]) {
+    let rings = rings_in(bearing, &s.ring, y);
+    for (block, b) in s.blocks.iter_mut().enumerate() {
+        end_with_rings(b, &rings);
+        if !bearing.space.sliding.is_empty() {
+            slide_as_in(bearing, b, block, 1, y);
+        }
+    }
+}
+
 /// Sets what the law of friction has from the last evaluation: knees, where creep gives them, and films.
 #[inline(always)]
 fn set_law(bearing: Bearing<'_>, polar: &PolarMotionLanes, b: &mut SpaceBlock) {
@@ -129,30 +142,47 @@ fn set_law(bearing: Bearing<'_>, polar: &PolarMotionLanes, b: &mut SpaceBlock) {
     }
 }
 
-/// Motion of the inner ring and velocity of the outer one in a state, along the directions in which the friction of
-/// this motion of the inner ring acts.
+/// Motions of the rings in a state, along the directions in which the friction of this motion of the inner ring acts.
 #[inline(always)]
-fn rings_in(bearing: Bearing<'_>, ring: &RingMotion, y: &[f64]) -> (RingMotion, [f64; 3]) {
+fn rings_in(bearing: Bearing<'_>, ring: &RingMotion, y: &[f64]) -> RingMotions {
     let layout = bearing.parameters.layout;
     let speed = layout.ring_speed_rad_s(y);
     let moving = RingMotion::new(layout, y, speed.unwrap_or(bearing.drive.inner_speed));
-    (
-        ring.with_velocities_of(&moving),
-        outer_ring_velocity(layout, y),
-    )
+    RingMotions {
+        inner: ring.with_velocities_of(&moving),
+        outer_velocity: outer_ring_velocity(layout, y),
+    }
 }
 
-/// Solves for the friction of the balls over a step of `h_s` from these motions of the rings, and adds it to the
-/// velocities and rates of the balls.
+/// A step over which friction is implicit.
+struct ImplicitStep<'y> {
+    /// h, s.
+    h_s: f64,
+    /// Motions of the rings at the start.
+    rings: RingMotions,
+    /// State at the start.
+    start: &'y [f64],
+    /// State at the end, without friction at first.
+    y: &'y mut [f64],
+}
+
+/// Solves for the friction of the balls over a step and adds it to the velocities and rates of the balls.
 #[inline(always)]
 fn solve_blocks(
     bearing: Bearing<'_>,
-    (w, s): (&mut Workspace, &mut SpaceWorkspace),
-    (h_s, ring, outer_ring): (f64, RingMotion, [f64; 3]),
-    (y0, y): (&[f64], &mut [f64]),
+    w: &mut Workspace,
+    s: &mut SpaceWorkspace,
+    step: ImplicitStep<'_>,
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
+    let ImplicitStep {
+        h_s,
+        rings: start,
+        start: y0,
+        y,
+    } = step;
+    let evaluated = s.rings();
     let Bearing {
         parameters: p,
         space,
@@ -160,11 +190,11 @@ fn solve_blocks(
     } = bearing;
     let layout = p.layout;
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
-        set_at_rest(b, 0, &ring, outer_ring);
-        set_at_rest(b, 1, &s.ring, s.outer_ring_velocity);
+        set_at_rest(b, 0, &start);
+        set_at_rest(b, 1, &evaluated);
         if !space.sliding.is_empty() {
-            slide_as_in(bearing, b, [block, 0], y0);
-            slide_as_evaluated(bearing, b, [block, 1], &s.sliding);
+            slide_as_in(bearing, b, block, 0, y0);
+            slide_as_evaluated(bearing, b, block, 1, &s.sliding);
         }
         set_law(bearing, &results.polar, b);
         let free = b.velocities(layout, y, block);
@@ -205,7 +235,8 @@ fn add_to_ring(
 #[inline(never)] // once for all instruction sets
 fn add_rotor_friction(
     under: &UnderRotor,
-    (w, s): (&mut Workspace, &mut SpaceWorkspace),
+    w: &mut Workspace,
+    s: &mut SpaceWorkspace,
     totals: &Totals,
     y0: &[f64],
     change: &mut StepChange<'_>,
@@ -228,8 +259,8 @@ fn add_rotor_friction(
 
 /// Sets the sliding of a ball at rest at the end of the step to that of these velocities of the rings.
 #[inline(never)] // once for all instruction sets
-fn end_with_rings(b: &mut SpaceBlock, ring: &RingMotion, outer: [f64; 3]) {
-    set_at_rest(b, 1, ring, outer);
+fn end_with_rings(b: &mut SpaceBlock, rings: &RingMotions) {
+    set_at_rest(b, 1, rings);
 }
 
 /// Velocity of the outer ring, m/s.
@@ -240,7 +271,8 @@ pub(super) fn outer_ring_velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
 
 /// Lets balls at rest slide on the rings as they move at the start (0) or the end (1) of the step.
 #[inline(always)]
-fn set_at_rest(b: &mut SpaceBlock, end: usize, ring: &RingMotion, outer: [f64; 3]) {
+fn set_at_rest(b: &mut SpaceBlock, end: usize, rings: &RingMotions) {
+    let (ring, outer) = (&rings.inner, rings.outer_velocity);
     for &place in b.places {
         let (frames, sliding) = (&b.frames[place], &mut b.at_rest[end][place]);
         let (velocity, rotation) = match place == INNER {
@@ -422,10 +454,11 @@ fn powers(
                 let (start, end, mean) = (start.get(lane), end.get(lane), step.mean.get(lane));
                 let x = strip.place * b.frames[place].half_length_m.0[lane];
                 let curvature = curvature.0[lane];
-                let ([a, b], [c, d]) = (start.at(x, curvature), end.at(x, curvature));
-                let shear = start.shear(x, curvature) + end.shear(x, curvature);
-                heat[usize::from(inner)].0[lane] -=
-                    0.5 * (mean.along * (a + c) + mean.across * (b + d) + mean.moment * shear);
+                let (start, end) = (start.at(x, curvature), end.at(x, curvature));
+                heat[usize::from(inner)].0[lane] -= 0.5
+                    * (mean.along * (start.along + end.along)
+                        + mean.across * (start.across + end.across)
+                        + mean.moment * (start.shear + end.shear));
             }
         }
     }

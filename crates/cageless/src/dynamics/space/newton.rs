@@ -37,13 +37,27 @@ pub(super) fn slide(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceB
 fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
     for &place in b.places {
         let sliding = b.sliding(place, &b.velocity, 1);
-        let (frame, curvature) = (&b.frames[place], &b.curvature[usize::from(place == INNER)]);
-        let at = (frame, curvature, &b.inverse_knees[place], &b.films[place]);
+        let at = ContactOfBlock {
+            frame: &b.frames[place],
+            curvature: &b.curvature[usize::from(place == INNER)],
+            inverse_knees: &b.inverse_knees[place],
+            films: &b.films[place],
+        };
         let steps = &mut b.steps[place * space.strips.len()..];
         for (strip, step) in space.strips.iter().zip(steps) {
-            slide_strip(law, at, &sliding, strip, step);
+            slide_strip(law, &at, &sliding, strip, step);
         }
     }
+}
+
+/// Contact of the balls of a block at a place.
+struct ContactOfBlock<'a> {
+    frame: &'a FrameLanes,
+    /// κ, 1/m.
+    curvature: &'a Lanes,
+    /// 1/v_s of the law, s/m.
+    inverse_knees: &'a Lanes,
+    films: &'a FilmTractionLanes,
 }
 
 /// [`slide`] of one strip; a function, so that the compiler knows what is read apart from what is
@@ -51,19 +65,23 @@ fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock) {
 #[inline(always)]
 fn slide_strip<L: LawLanes>(
     law: &L,
-    (frame, curvature, inverse_knees, films): (&FrameLanes, &Lanes, &Lanes, &FilmTractionLanes),
+    at: &ContactOfBlock<'_>,
     sliding: &SlidingLanes,
     strip: &Strip,
     step: &mut StripStep,
 ) {
+    let ContactOfBlock {
+        frame,
+        curvature,
+        inverse_knees,
+        films,
+    } = *at;
     let mut speeds = Lanes::ZERO;
     for lane in 0..LANES {
         let (sliding, x) = (sliding.get(lane), strip.place * frame.half_length_m.0[lane]);
-        let slip = sliding.at(x, curvature.0[lane]);
-        speeds.0[lane] = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
-        step.slip[0].0[lane] = slip[0];
-        step.slip[1].0[lane] = slip[1];
-        step.shear.0[lane] = sliding.shear(x, curvature.0[lane]);
+        let of_strip = sliding.at(x, curvature.0[lane]);
+        speeds.0[lane] = of_strip.speed();
+        step.sliding.put(lane, of_strip);
     }
     let laws = law.evaluated([&speeds, &speeds]);
     for lane in 0..LANES {
@@ -80,8 +98,7 @@ fn slide_strip<L: LawLanes>(
             },
             half_length_m: frame.half_length_m.0[lane],
         };
-        let slip = step.slip.each_ref().map(|slips| slips.0[lane]);
-        let friction = patch.friction(strip, slip, step.shear.0[lane]);
+        let friction = patch.friction(strip, &step.sliding.get(lane));
         step.friction.put(lane, friction);
     }
 }
@@ -213,13 +230,24 @@ lane_struct! {
     }
 }
 
+/// How Newton's method takes a step.
+struct Iterate<'a> {
+    slopes: Slopes,
+    /// Largest change of a sliding speed in the last step, in knees.
+    last_step: f64,
+    /// 1 where the matrix is that of cones, else 0.
+    safe: &'a Lanes,
+    /// 1 where a ball has converged, else 0.
+    done: &'a Lanes,
+}
+
 /// The matrix of Newton's method and what is missing to the equations.
 #[inline(always)]
 fn equations(
     space: &SpaceModel,
     b: &SpaceBlock,
     h_s: f64,
-    (slopes, safe): (Slopes, &Lanes),
+    iterate: &Iterate<'_>,
     matrix: &mut [[Lanes; SIZE]; SIZE],
     missing: &mut [Lanes; SIZE],
 ) {
@@ -244,7 +272,7 @@ fn equations(
                 let friction = step.friction.get(lane);
                 let force = [friction.along, friction.across, friction.moment];
                 traction.add(lane, force, x, curvature.0[lane]);
-                let phi = Stiffness::of(&friction, slopes, safe.0[lane] > 0.0);
+                let phi = Stiffness::of(&friction, iterate.slopes, iterate.safe.0[lane] > 0.0);
                 let inverse = b.inverse_radius.0[lane];
                 stiffness.along_along.0[lane] += phi.along_along;
                 stiffness.along_across.0[lane] += phi.along_across;
@@ -319,18 +347,25 @@ pub(super) fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut Spac
             0 => (Slopes::Apart, LAST_STEP),
             _ => (Slopes::Joint, LAST_JOINT_STEP),
         };
-        equations(space, b, h_s, (slopes, &safe), &mut matrix, &mut change);
+        let iterate = Iterate {
+            slopes,
+            last_step,
+            safe: &safe,
+            done: &done,
+        };
+        equations(space, b, h_s, &iterate, &mut matrix, &mut change);
         cholesky::solve_lanes(&mut matrix, &mut change);
         let mut stops = Stops::NONE;
         for &place in b.places {
             for (k, strip) in space.strips.iter().enumerate() {
                 let step = &mut b.steps[place * space.strips.len() + k];
-                let of = (&b.frames[place], &b.inverse_radius, strip);
+                let (frames, inverse_radius) = (&b.frames[place], &b.inverse_radius);
                 stop_strip(
-                    of,
+                    frames,
+                    inverse_radius,
+                    strip,
                     &change,
-                    (slopes, last_step),
-                    (&safe, &done),
+                    &iterate,
                     step,
                     &mut stops,
                 );
@@ -380,13 +415,20 @@ impl Stops {
 /// about the last iterate, in `mean`.
 #[inline(always)]
 fn stop_strip(
-    (frames, inverse_radius, strip): (&FrameLanes, &Lanes, &Strip),
+    frames: &FrameLanes,
+    inverse_radius: &Lanes,
+    strip: &Strip,
     change: &[Lanes; SIZE],
-    (slopes, last_step): (Slopes, f64),
-    (safe, done): (&Lanes, &Lanes),
+    iterate: &Iterate<'_>,
     step: &mut StripStep,
     stops: &mut Stops,
 ) {
+    let Iterate {
+        slopes,
+        last_step,
+        safe,
+        done,
+    } = *iterate;
     let mean = &mut step.mean;
     for lane in 0..LANES {
         let frame = frames.get(lane);
@@ -394,11 +436,11 @@ fn stop_strip(
         let by = frame.sliding(of_lane(change, lane), inverse_radius, &Default::default());
         let x = strip.place * frame.half_length_m;
         let (a, b, turn) = (by.along + x * by.spin, by.across, by.spin);
-        let [c, d] = of_lane(&step.slip, lane);
-        let shear = step.shear.0[lane];
+        let sliding = step.sliding.get(lane);
+        let (c, d, shear) = (sliding.along, sliding.across, sliding.shear);
         let friction = step.friction.get(lane);
         let moved = (a * a + b * b).sqrt() * friction.inverse_knee;
-        let speed = (c * c + d * d).sqrt() * friction.inverse_knee;
+        let speed = sliding.speed() * friction.inverse_knee;
         let turned = turn.abs() * friction.inverse_shear;
         let bears = frame.friction_normal_n > 0.0;
         let ends = ((moved <= last_step) & (turned <= last_step)) | slides_on(speed, moved, 1.0);

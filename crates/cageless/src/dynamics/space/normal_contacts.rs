@@ -4,7 +4,7 @@ use super::bearing::{Bearing, Totals};
 use super::block::{ALL_PLACES, INNER, SpaceBlock, WITHOUT_SECOND};
 use super::frame::{Frame, FrameLanes, of_lane};
 use super::inner_groove::{InnerGrooveLanes, InnerTouchLanes};
-use super::outer_groove::{OuterGrooveLanes, OuterTouchLanes};
+use super::outer_groove::{OuterGrooveLanes, OuterPointLanes, OuterTouchLanes};
 use super::ring::RingMotion;
 use crate::ball::{BallLanes, PolarMotionLanes};
 use crate::contact::{NormalForce, positive};
@@ -31,25 +31,39 @@ struct Moving {
     rise: Lanes,
 }
 
+/// A block of balls and its work arrays.
+pub(super) struct BlockWork<'w> {
+    /// Number of the block.
+    pub number: usize,
+    /// Results that plane and space share.
+    pub results: &'w mut BlockResults,
+    /// Work arrays of space.
+    pub space: &'w mut SpaceBlock,
+}
+
 /// Adds the normal forces on the balls of a block to the rates.
 #[inline(always)]
 pub(super) fn normal_contacts(
     bearing: Bearing<'_>,
-    (results, b): (&mut BlockResults, &mut SpaceBlock),
+    work: BlockWork<'_>,
     ring: &RingMotion,
     y: &[f64],
-    block: usize,
     totals: &mut Totals,
     dydt: &mut [f64],
 ) {
+    let BlockWork {
+        number: block,
+        results,
+        space: b,
+    } = work;
     let Bearing { model, space, .. } = bearing;
     let (layout, balls) = (bearing.parameters.layout, bearing.parameters.balls(block));
     let at = |coordinate| layout.array(coordinate) + block * LANES;
-    let moving = moving(layout, (results, b), y, block);
+    let moving = moving(layout, results, b, y, block);
     for (coordinate, rates) in PLACE.into_iter().zip(&moving.velocity) {
         *block_mut(dydt, at(coordinate)) = rates.0;
     }
-    touch_outer(bearing, (results, b), balls, &moving.height, block);
+    touch_outer(bearing, results, b, balls, &moving.height, block);
     let mut outer = OuterForceLanes::ZERO;
     press_outer(balls, &b.outer, &results.polar, &moving.rise, &mut outer);
     frame_outer_points(model.outer.friction_factor, &results.polar, &outer, b);
@@ -58,19 +72,17 @@ pub(super) fn normal_contacts(
     (results.outer.deflection, results.outer.force) = (b.outer.approach, outer.resultant);
 
     let mut inner = InnerForceLanes::ZERO;
-    press_inner(
-        (balls, &b.inner_groove, &b.half_length_m1_2[1], ring),
-        (&moving.place, &moving.velocity),
-        &mut b.inner,
-        &mut b.frames[INNER],
-        &mut inner,
-    );
+    let at_inner = AtInner {
+        balls,
+        groove: &b.inner_groove,
+        half_length: &b.half_length_m1_2[1],
+        ring,
+        moving: &moving,
+    };
+    press_inner(&at_inner, &mut b.inner, &mut b.frames[INNER], &mut inner);
     (results.inner.deflection, results.inner.force) = (b.inner.approach, b.frames[INNER].force_n);
     add_to_totals(&outer, &inner, totals);
-    let mut weight = Lanes::ZERO;
-    for lane in 0..LANES {
-        weight.0[lane] = -balls.mass.0[lane] * model.ring.gravity;
-    }
+    let weight = weight(balls, model.ring.gravity);
     let pressed = [
         (&outer.x, &inner.x),
         (&outer.y, &inner.y),
@@ -92,11 +104,22 @@ pub(super) fn normal_contacts(
     (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
 }
 
+/// Weights of the balls of a block, N upward.
+#[inline(always)]
+fn weight(balls: &BallLanes, gravity: f64) -> Lanes {
+    let mut weight = Lanes::ZERO;
+    for lane in 0..LANES {
+        weight.0[lane] = -balls.mass.0[lane] * gravity;
+    }
+    weight
+}
+
 /// Reads the motion of the balls of a block.
 #[inline(always)]
 fn moving(
     layout: Layout,
-    (results, b): (&mut BlockResults, &mut SpaceBlock),
+    results: &mut BlockResults,
+    b: &mut SpaceBlock,
     y: &[f64],
     block: usize,
 ) -> Moving {
@@ -133,7 +156,8 @@ fn moving(
 #[inline(always)]
 fn touch_outer(
     bearing: Bearing<'_>,
-    (results, b): (&BlockResults, &mut SpaceBlock),
+    results: &BlockResults,
+    b: &mut SpaceBlock,
     balls: &BallLanes,
     height: &Lanes,
     block: usize,
@@ -166,28 +190,20 @@ fn frame_outer_points(
 ) {
     let touch = &b.outer;
     let [first, second, _] = &mut b.frames;
-    let points = [
-        (
-            first,
-            [&touch.radial_0, &touch.axial_0],
-            [&touch.share_0, &touch.root_0],
-        ),
-        (
-            second,
-            [&touch.radial_1, &touch.axial_1],
-            [&touch.share_1, &touch.root_1],
-        ),
-    ];
-    for (at, (frames, normal, share)) in points.into_iter().enumerate() {
+    let points = touch.points().into_iter().zip([first, second]);
+    for (at, (point, frames)) in points.enumerate() {
         if !b.places.contains(&at) {
             (frames.force_n, frames.friction_normal_n) = (Lanes::ZERO, Lanes::ZERO);
             continue;
         }
+        let half_length = &b.half_length_m1_2[0];
         frame_outer(
-            (normal, share),
-            (outer, touch),
+            &point,
+            outer,
+            touch,
             polar,
-            (&b.half_length_m1_2[0], friction_factor),
+            half_length,
+            friction_factor,
             frames,
         );
     }
@@ -307,18 +323,21 @@ fn press_outer(
     }
 }
 
-/// Frames of a point at the outer ring, by nρ and nz, and its share of the force with its cube root.
+/// Frames of a point at the outer ring.
 #[inline(always)]
 fn frame_outer(
-    ([radial, axial], [share, share_root]): ([&Lanes; 2], [&Lanes; 2]),
-    (forces, touches): (&OuterForceLanes, &OuterTouchLanes),
+    point: &OuterPointLanes<'_>,
+    forces: &OuterForceLanes,
+    touches: &OuterTouchLanes,
     polar: &PolarMotionLanes,
-    (half_length, friction_factor): (&Lanes, f64),
+    half_length: &Lanes,
+    friction_factor: f64,
     frames: &mut FrameLanes,
 ) {
     for lane in 0..LANES {
-        let (radial, axial, polar) = (radial.0[lane], axial.0[lane], polar.get(lane));
-        let force_n = share.0[lane] * forces.force_n.0[lane];
+        let (radial, axial) = (point.radial.0[lane], point.axial.0[lane]);
+        let polar = polar.get(lane);
+        let force_n = point.share.0[lane] * forces.force_n.0[lane];
         let half_length = half_length.0[lane] * touches.half_length.0[lane];
         frames.put(
             lane,
@@ -333,7 +352,7 @@ fn frame_outer(
                 along_y: -polar.ex,
                 force_n,
                 friction_normal_n: force_n * friction_factor,
-                half_length_m: half_length * forces.root.0[lane] * share_root.0[lane],
+                half_length_m: half_length * forces.root.0[lane] * point.root.0[lane],
                 ..Frame::default()
             },
         );
@@ -360,31 +379,47 @@ lane_struct! {
     }
 }
 
+/// Balls at the inner ring.
+struct AtInner<'a> {
+    balls: &'a BallLanes,
+    groove: &'a InnerGrooveLanes,
+    /// a over √δ, m^½.
+    half_length: &'a Lanes,
+    ring: &'a RingMotion,
+    moving: &'a Moving,
+}
+
 /// Contacts, frames and forces at the inner ring.
 #[inline(always)]
 fn press_inner(
-    (balls, groove, half_length, ring): (&BallLanes, &InnerGrooveLanes, &Lanes, &RingMotion),
-    (places, velocities): (&[Lanes; 3], &[Lanes; 3]),
+    at: &AtInner<'_>,
     touches: &mut InnerTouchLanes,
     frames: &mut FrameLanes,
     forces: &mut InnerForceLanes,
 ) {
+    let AtInner {
+        balls,
+        groove,
+        half_length,
+        ring,
+        moving,
+    } = *at;
     let axis = ring.axis.into();
     let (centre, tilting) = (ring.centre.into(), ring.tilting.into());
     let ring_velocity = ring.velocity.into();
     for lane in 0..LANES {
-        let from_ring = plus(of_lane(places, lane), -1.0, centre);
+        let from_ring = plus(of_lane(&moving.place, lane), -1.0, centre);
         let (ball, touch) = (balls.get(lane), groove.get(lane).touch(from_ring, axis));
         touches.put(lane, touch);
         let [normal, across, along] = touch.axes(axis);
         let surface = plus(ring_velocity, 1.0, cross(tilting, from_ring));
-        let moving = of_lane(velocities, lane);
+        let velocity = of_lane(&moving.velocity, lane);
         let approach = positive(touch.approach);
         let contact = NormalForce::at_raceway(
             ball.inner_stiffness_n_m1_5,
             ball.raceway_damping,
             approach,
-            dot(normal, plus(moving, -1.0, surface)),
+            dot(normal, plus(velocity, -1.0, surface)),
         );
         let reach = groove.curvature.0[lane] - touch.length;
         let arm = plus(from_ring, reach, normal);

@@ -7,7 +7,7 @@
 use std::f64::consts::LN_2;
 
 use crate::numerics::chebyshev::Polynomial;
-use crate::numerics::lanes::lane_struct;
+use crate::numerics::lanes::{Lanes, lane_struct};
 use crate::numerics::vector::{PlaneVector, SectionVector};
 use crate::raceway::{Piece, Raceway, Slot, SlotSection};
 
@@ -65,6 +65,17 @@ pub(crate) struct FlanksHere {
     slot: Option<SlotSection>,
     /// Number of the raceway, from 0.
     number: usize,
+}
+
+impl FlanksHere {
+    /// Direction of the section.
+    #[inline(always)]
+    fn section(&self) -> SectionVector {
+        SectionVector {
+            radial: self.cos_section,
+            axial: self.sin_section,
+        }
+    }
 }
 
 impl FlankModel {
@@ -254,6 +265,40 @@ impl OuterTouch {
     }
 }
 
+/// [`OuterPoint`] of each lane, with the cube roots of the shares.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OuterPointLanes<'a> {
+    /// nρ.
+    pub radial: &'a Lanes,
+    /// nz.
+    pub axial: &'a Lanes,
+    /// w.
+    pub share: &'a Lanes,
+    /// ∛w.
+    pub root: &'a Lanes,
+}
+
+impl OuterTouchLanes {
+    /// Both points.
+    #[inline(always)]
+    pub(crate) fn points(&self) -> [OuterPointLanes<'_>; 2] {
+        [
+            OuterPointLanes {
+                radial: &self.radial_0,
+                axial: &self.axial_0,
+                share: &self.share_0,
+                root: &self.root_0,
+            },
+            OuterPointLanes {
+                radial: &self.radial_1,
+                axial: &self.axial_1,
+                share: &self.share_1,
+                root: &self.root_1,
+            },
+        ]
+    }
+}
+
 /// Approach of a ball to one flank or edge.
 #[derive(Debug, Clone, Copy)]
 struct Approach {
@@ -345,46 +390,54 @@ impl OuterGroove {
         }
     }
 
-    /// Contact of such a ball within a discrete raceway.
-    pub(crate) fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
-        let plain = self.from_centre(beyond, z);
-        let section = SectionVector {
-            radial: here.cos_section,
-            axial: here.sin_section,
-        };
-        let (sin, cos) = here.angle.sin_cos();
-        let g = self.nominal_gap;
+    /// Approach to one of the flanks and its slope over ψ, of a ball at this place from the centre of the plain groove;
+    /// **n**c that of the flank.
+    #[inline(always)]
+    fn flank(
+        &self,
+        place: SectionVector,
+        here: &FlanksHere,
+        nc: SectionVector,
+        sign: f64,
+    ) -> (Approach, f64) {
+        let (section, g) = (here.section(), self.nominal_gap);
         let [error, error_slope] = here.error;
         let [depth, depth_slope] = here.depth;
+        let (approach, turned) = if let Some(slot) = &here.slot {
+            let x = SectionVector {
+                radial: place.radial - (g + depth) * section.radial,
+                axial: place.axial - (g + depth) * section.axial,
+            };
+            let (edge, slope) = Approach::to_edge(x, nc, slot, sign);
+            let larger = g - self.gap - error;
+            let depth = edge.depth + larger;
+            (Approach { depth, ..edge }, slope)
+        } else {
+            let d = SectionVector {
+                radial: place.radial + g * (nc.radial - section.radial) - depth * section.radial,
+                axial: place.axial + g * (nc.axial - section.axial) - depth * section.axial,
+            };
+            let groove = Approach::to_groove(d, self.gap + error);
+            let normal = groove.normal;
+            let across = normal.radial * nc.axial - normal.axial * nc.radial;
+            (groove, -sign * g * here.slope * across)
+        };
+        let sunk = depth_slope * approach.normal.dot(section);
+        (approach, turned - error_slope - sunk)
+    }
+
+    /// Contact of such a ball within a discrete raceway.
+    pub(crate) fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
+        let (place, section) = (self.from_centre(beyond, z), here.section());
+        let (sin, cos) = here.angle.sin_cos();
         let mut flanks = [Approach::NONE; 2];
         let mut slopes = [0.0; 2];
         for (k, sign) in [1.0, -1.0].into_iter().enumerate() {
-            let flank = SectionVector {
+            let nc = SectionVector {
                 radial: section.radial * cos - sign * section.axial * sin,
                 axial: section.axial * cos + sign * section.radial * sin,
             };
-            let (approach, turned) = if let Some(slot) = &here.slot {
-                let x = SectionVector {
-                    radial: plain.radial - (g + depth) * section.radial,
-                    axial: plain.axial - (g + depth) * section.axial,
-                };
-                let (edge, slope) = Approach::to_edge(x, flank, slot, sign);
-                let larger = g - self.gap - error;
-                let depth = edge.depth + larger;
-                (Approach { depth, ..edge }, slope)
-            } else {
-                let d = SectionVector {
-                    radial: plain.radial + g * (flank.radial - section.radial)
-                        - depth * section.radial,
-                    axial: plain.axial + g * (flank.axial - section.axial) - depth * section.axial,
-                };
-                let groove = Approach::to_groove(d, self.gap + error);
-                let normal = groove.normal;
-                let across = normal.radial * flank.axial - normal.axial * flank.radial;
-                (groove, -sign * g * here.slope * across)
-            };
-            flanks[k] = approach;
-            slopes[k] = turned - error_slope - depth_slope * approach.normal.dot(section);
+            (flanks[k], slopes[k]) = self.flank(place, here, nc, sign);
         }
         let delta = flanks.map(|flank| flank.depth);
         let touch = |approach: f64, slope: f64, shares: [f64; 2], roots: [f64; 2]| OuterTouch {

@@ -21,6 +21,15 @@ pub(crate) struct RingMotion {
     pub tilting: Vector,
 }
 
+/// Motions of both rings.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RingMotions {
+    /// Motion of the inner ring.
+    pub inner: RingMotion,
+    /// Velocity of the outer ring, m/s.
+    pub outer_velocity: [f64; 3],
+}
+
 impl RingMotion {
     /// A ring at rest in the middle.
     pub(crate) fn at_rest() -> Self {

@@ -42,7 +42,8 @@ fn slide_with(
     space: &SpaceModel,
     layout: Layout,
     b: &mut SpaceBlock,
-    [block, end]: [usize; 2],
+    block: usize,
+    end: usize,
     speed: impl Fn(usize) -> f64,
 ) {
     for &place in b.places.iter().filter(|place| **place != INNER) {
@@ -62,11 +63,12 @@ fn slide_with(
 pub(super) fn slide_as_evaluated(
     bearing: Bearing<'_>,
     b: &mut SpaceBlock,
-    [block, end]: [usize; 2],
+    block: usize,
+    end: usize,
     work: &[SlidingWork],
 ) {
     let layout = bearing.parameters.layout;
-    slide_with(bearing.space, layout, b, [block, end], |k| work[k].speed);
+    slide_with(bearing.space, layout, b, block, end, |k| work[k].speed);
 }
 
 /// [`slide_with`] at the speeds of a vector.
@@ -75,12 +77,13 @@ pub(super) fn slide_as_evaluated(
 pub(super) fn slide_as_in(
     bearing: Bearing<'_>,
     b: &mut SpaceBlock,
-    [block, end]: [usize; 2],
+    block: usize,
+    end: usize,
     y: &[f64],
 ) {
     let (space, layout) = (bearing.space, bearing.parameters.layout);
     let [_, housing] = layout.outer_ring_along_axis(y);
-    slide_with(space, layout, b, [block, end], |k| {
+    slide_with(space, layout, b, block, end, |k| {
         motion(layout, y, k)[1] - housing
     });
 }

@@ -29,21 +29,36 @@ lane_struct! {
     }
 }
 
-impl Sliding {
-    /// Sliding velocity along τ and l of the point at x.
-    #[inline(always)]
-    pub(crate) fn at(&self, x_m: f64, curvature: f64) -> [f64; 2] {
-        let bend = curvature * x_m * x_m;
-        [
-            self.along + x_m * self.spin + bend * self.roll,
-            self.across - bend * self.yaw,
-        ]
+lane_struct! {
+    /// Sliding of a strip.
+    pub(crate) struct StripSliding per lane StripSlidingLanes {
+        /// Velocity of its middle along τ, m/s.
+        along,
+        /// Velocity of its middle along l, m/s.
+        across,
+        /// γ, how fast the velocity changes across the contact, rad/s.
+        shear,
     }
+}
 
-    /// γ, how fast the sliding velocity changes across the contact at x, rad/s.
+impl StripSliding {
+    /// |**s**|, m/s.
     #[inline(always)]
-    pub(crate) fn shear(&self, x_m: f64, curvature: f64) -> f64 {
-        self.spin + 2.0 * curvature * x_m * self.roll
+    pub(super) fn speed(&self) -> f64 {
+        (self.along * self.along + self.across * self.across).sqrt()
+    }
+}
+
+impl Sliding {
+    /// Sliding of the strip at x.
+    #[inline(always)]
+    pub(crate) fn at(&self, x_m: f64, curvature: f64) -> StripSliding {
+        let bend = curvature * x_m * x_m;
+        StripSliding {
+            along: self.along + x_m * self.spin + bend * self.roll,
+            across: self.across - bend * self.yaw,
+            shear: self.spin + 2.0 * curvature * x_m * self.roll,
+        }
     }
 }
 
@@ -162,12 +177,12 @@ pub(crate) struct Patch<L> {
 }
 
 impl<L: Law> Patch<L> {
-    /// Friction of a strip that slides with `slip` and shears at `shear`, that of the film included.
+    /// Friction of a strip that slides, that of the film included.
     #[inline(always)]
-    pub(super) fn friction(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
-        let mut friction = self.friction_of_law(strip, slip, shear);
+    pub(super) fn friction(&self, strip: &Strip, sliding: &StripSliding) -> StripFriction {
+        let mut friction = self.friction_of_law(strip, sliding);
         if L::MIXES {
-            self.add_film(strip, slip, shear, &mut friction);
+            self.add_film(strip, sliding, &mut friction);
         }
         friction
     }
@@ -178,7 +193,8 @@ impl<L: Law> Patch<L> {
     ///
     /// the moments of law and film answer the sliding so that both together leave Newton's matrix positive definite.
     #[inline(always)]
-    fn add_film(&self, strip: &Strip, [a, b]: [f64; 2], shear: f64, friction: &mut StripFriction) {
+    fn add_film(&self, strip: &Strip, sliding: &StripSliding, friction: &mut StripFriction) {
+        let (a, b, shear) = (sliding.along, sliding.across, sliding.shear);
         let half = strip.half_width * self.half_length_m;
         let turn = half * half * shear;
         let sliding = a * a + b * b;
@@ -210,7 +226,7 @@ impl<L: Law> Patch<L> {
         friction.inverse_shear = larger(friction.inverse_shear, half * scale);
     }
 
-    /// Friction of a strip that slides with `slip` and shears at `shear`.
+    /// Friction of a strip that slides, of the law alone.
     ///
     /// With F the law under w N, k = √(vs² + (hγ)²) its knee, u = |s|/k and F′ = ∂F/∂|s|,
     ///
@@ -220,20 +236,21 @@ impl<L: Law> Patch<L> {
     ///
     /// these two as of the smooth law, for which F′ k = μ w N sech² u.
     #[inline(always)]
-    fn friction_of_law(&self, strip: &Strip, slip: [f64; 2], shear: f64) -> StripFriction {
+    fn friction_of_law(&self, strip: &Strip, sliding: &StripSliding) -> StripFriction {
+        let shear = sliding.shear;
         let knee = 1.0 / self.law.inverse_regularisation_speed();
         let half = strip.half_width * self.half_length_m;
         let spread = half * shear;
         let wide = (knee * knee + spread * spread).sqrt();
         let inverse_knee = 1.0 / wide;
-        let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
+        let speed = sliding.speed();
         let normal = strip.weight * self.normal_n;
         let [size, slope] = self.law.force_with_knee(speed, normal, inverse_knee);
         let in_knees = speed * inverse_knee;
         let slides = in_knees > 1e-9;
         let inverse = if slides { 1.0 / speed } else { 0.0 };
         let secant = if slides { size * inverse } else { slope };
-        let [a, b] = [slip[0] * inverse, slip[1] * inverse];
+        let (a, b) = (sliding.along * inverse, sliding.across * inverse);
         let steepness = if slope > 0.0 { slope } else { 0.0 };
         let more = steepness - secant;
         // Within the strip.
@@ -249,8 +266,8 @@ impl<L: Law> Patch<L> {
         let narrowing = 2.0 * arm * tanh;
         let coupling = -steepness * widening * shear;
         StripFriction {
-            along: -secant * slip[0],
-            across: -secant * slip[1],
+            along: -secant * sliding.along,
+            across: -secant * sliding.across,
             moment: -level * turning,
             along_along: secant + more * a * a,
             along_across: more * a * b,
@@ -270,7 +287,7 @@ impl<L: Law> Patch<L> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Patch, Sliding, strips};
+    use super::{Patch, Sliding, StripSliding, strips};
     use crate::contact::FilmTraction;
     use crate::contact::friction::{Mixed, Smooth};
 
@@ -293,8 +310,19 @@ mod tests {
         assert!((three[1].weight - 8.0 / 15.0).abs() < 1e-15);
     }
 
-    /// Force along τ and spin moment of a contact under 1 N with μ = 1, a = 1 mm.
-    fn force_and_moment(count: usize, sliding: &Sliding, curvature: f64) -> [f64; 3] {
+    /// Friction of a whole contact.
+    #[derive(Default)]
+    struct ContactFriction {
+        /// Force along τ, N.
+        along: f64,
+        /// Spin moment, N·m.
+        moment: f64,
+        /// Power that it takes, W.
+        power: f64,
+    }
+
+    /// Friction of a contact under 1 N with μ = 1, a = 1 mm.
+    fn contact_friction(count: usize, sliding: &Sliding, curvature: f64) -> ContactFriction {
         let patch = Patch {
             law: Smooth {
                 coefficient: 1.0,
@@ -304,16 +332,16 @@ mod tests {
             normal_n: 1.0,
             half_length_m: 1e-3,
         };
-        let mut sums = [0.0; 3];
+        let mut whole = ContactFriction::default();
         for strip in &strips(count) {
             let x = strip.place * patch.half_length_m;
-            let (slip, shear) = (sliding.at(x, curvature), sliding.shear(x, curvature));
-            let f = patch.friction(strip, slip, shear);
-            sums[0] += f.along;
-            sums[1] += x * f.along + f.moment;
-            sums[2] -= f.along * slip[0] + f.across * slip[1] + f.moment * shear;
+            let at = sliding.at(x, curvature);
+            let f = patch.friction(strip, &at);
+            whole.along += f.along;
+            whole.moment += x * f.along + f.moment;
+            whole.power -= f.along * at.along + f.across * at.across + f.moment * at.shear;
         }
-        sums
+        whole
     }
 
     /// Sliding and spin together, of Coulomb friction: F = ½(3β − β³)μN, M = ⅜(1 − β²)²μNa.
@@ -327,7 +355,11 @@ mod tests {
                     spin: 1e3,
                     ..Sliding::default()
                 };
-                let [force, moment, _] = force_and_moment(count, &sliding, 0.0);
+                let ContactFriction {
+                    along: force,
+                    moment,
+                    ..
+                } = contact_friction(count, &sliding, 0.0);
                 let expected = 0.5 * (3.0 * share - share.powi(3));
                 assert!(
                     (force + expected).abs() < within[0],
@@ -353,9 +385,10 @@ mod tests {
             roll,
             ..Sliding::default()
         };
-        let [force, _, power] = force_and_moment(21, &sliding, curvature);
-        assert!(force.abs() < 0.01, "{force}");
-        assert!((power / full - 0.161142).abs() < 2e-3, "{}", power / full);
+        let whole = contact_friction(21, &sliding, curvature);
+        assert!(whole.along.abs() < 0.01, "{}", whole.along);
+        let share = whole.power / full;
+        assert!((share - 0.161142).abs() < 2e-3, "{share}");
     }
 
     /// A film and asperities under sliding, shear and both: the slopes are the derivatives, and the power that they
@@ -386,14 +419,17 @@ mod tests {
             (2, [0.0, 0.0], 3.0),
         ] {
             let strip = &strips(3)[strip];
-            let at = |[a, b, c]: [f64; 3]| {
-                let f = patch.friction(strip, [a, b], c);
+            let sliding = |[along, across, shear]: [f64; 3]| StripSliding {
+                along,
+                across,
+                shear,
+            };
+            let at = |place: [f64; 3]| {
+                let f = patch.friction(strip, &sliding(place));
                 [f.along, f.across, f.moment]
             };
-            let (found, here) = (
-                patch.friction(strip, slip, shear),
-                [slip[0], slip[1], shear],
-            );
+            let here = [slip[0], slip[1], shear];
+            let found = patch.friction(strip, &sliding(here));
             let half = strip.half_width * 1e-3;
             let speed = slip[0].hypot(slip[1]).hypot(half * shear);
             let power: f64 = at(here).iter().zip(here).map(|(f, v)| -f * v).sum();
@@ -431,13 +467,18 @@ mod tests {
             ..patch
         };
         let strip = &strips(3)[1];
-        let both = bearing.friction(strip, [0.01, 0.02], 40.0);
+        let sliding = StripSliding {
+            along: 0.01,
+            across: 0.02,
+            shear: 40.0,
+        };
+        let both = bearing.friction(strip, &sliding);
         let dry = Patch {
             film: FilmTraction::default(),
             ..bearing
         }
-        .friction(strip, [0.01, 0.02], 40.0);
-        let wet = patch.friction(strip, [0.01, 0.02], 40.0);
+        .friction(strip, &sliding);
+        let wet = patch.friction(strip, &sliding);
         assert_eq!(both.along, dry.along + wet.along);
         assert_eq!(both.secant, dry.secant + wet.secant);
         assert!(both.inverse_knee >= dry.inverse_knee && both.inverse_knee >= wet.inverse_knee);

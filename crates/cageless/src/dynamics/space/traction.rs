@@ -106,7 +106,8 @@ mod tests {
     fn contact_of(
         case: &Case,
         b: &SpaceBlock,
-        (place, k): (usize, usize),
+        place: usize,
+        k: usize,
         along: [Vector; 2],
     ) -> LubricatedContact {
         let bearing = &case.bearing;
@@ -159,7 +160,7 @@ mod tests {
                 drive,
             };
             let mut rates = vec![0.0; y.len()];
-            evaluate(bearing, (&mut w, &mut s), &y, &mut rates, true);
+            evaluate(bearing, &mut w, &mut s, &y, &mut rates, true);
             let b = &s.blocks[0];
             for k in 0..case.balls() {
                 let [ball, velocity, rotation] =
@@ -187,7 +188,7 @@ mod tests {
                     let carried = along.dot(&velocity) * touched.xy().norm() / ball.xy().norm();
                     let surfaces = velocity + rotation.cross(&reach) + ring;
                     let speed_m_s = 0.5 * along.dot(&surfaces) - carried;
-                    let contact = contact_of(&case, b, (place, k), [from_ring, normal]);
+                    let contact = contact_of(&case, b, place, k, [from_ring, normal]);
                     let at = Rolling {
                         load_n: frame.force_n,
                         speed_m_s: speed_m_s.abs(),

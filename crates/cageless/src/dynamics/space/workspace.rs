@@ -2,7 +2,7 @@
 
 use super::block::{INNER, PLACES, SpaceBlock};
 use super::model::SpaceModel;
-use super::ring::RingMotion;
+use super::ring::{RingMotion, RingMotions};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::model::Model;
 use crate::numerics::lanes::LANES;
@@ -132,6 +132,15 @@ impl SpaceWorkspace {
             known: false,
             rotor: RotorTouch::new(shoulder),
             sliding: vec![SlidingWork::default(); space.sliding.len()],
+        }
+    }
+
+    /// Motions of the rings as of the last evaluation.
+    #[inline(always)]
+    pub(super) fn rings(&self) -> RingMotions {
+        RingMotions {
+            inner: self.ring,
+            outer_velocity: self.outer_ring_velocity,
         }
     }
 
