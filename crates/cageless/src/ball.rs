@@ -12,6 +12,24 @@
 use crate::numerics::lanes::lane_struct;
 use crate::numerics::vector::PlaneVector;
 
+/// Place and velocity of a ring along the axis.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct AxialMotion {
+    /// Z, m.
+    pub z: f64,
+    /// Ż, m/s.
+    pub vz: f64,
+}
+
+/// A value at the contacts of a ball with both raceways.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct BothContacts<T = f64> {
+    /// At the outer raceway.
+    pub outer: T,
+    /// At the inner raceway.
+    pub inner: T,
+}
+
 lane_struct! {
     /// Constants of one ball and of its contacts.
     pub(crate) struct Ball per lane BallLanes {

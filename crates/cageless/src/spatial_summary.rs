@@ -63,7 +63,7 @@ impl RowTracker {
     /// Displacement of the outer ring in the housing against the contact sign, m, of one that slides.
     fn slid_m(&self, layout: Layout, y: &[f64]) -> Option<f64> {
         let z = y[layout.sliding(SlidingCoordinate::Z, self.sliding?)];
-        Some(-self.contact_sign * (z - layout.outer_ring_along_axis(y)[0]))
+        Some(-self.contact_sign * (z - layout.outer_ring_along_axis(y).z))
     }
 }
 

@@ -18,7 +18,7 @@ use super::friction::Law;
 use super::friction_step::{LAST_STEP, SLIDING};
 use super::slip_problem::{SlipProblem, Slips};
 use super::{InnerContact, InnerRaceway, OuterContact, OuterGeometry, inner_slip, outer_slip};
-use crate::ball::{Ball, BallMotion, PolarMotion};
+use crate::ball::{Ball, BallMotion, BothContacts, PolarMotion};
 
 /// Largest last step of a contact that slides, as a fraction of the slip scale, and the change of
 /// the friction over it, as a fraction of μN.
@@ -75,30 +75,39 @@ impl SlipProblem {
     /// (1 − θ)·f₀ + θ·f₁: s₁ = (s_free − H·(1 − θ)·f₀) − H·θ·f₁, with θ of both contacts and
     /// `rest` = (1 − θ)·f₀.
     #[inline(always)]
-    pub(crate) fn split(&self, [outer, inner]: [f64; 2], rest: [f64; 2]) -> Self {
-        let [outer_free, inner_free] = self.slips(rest);
+    pub(crate) fn split(&self, theta: BothContacts, rest: BothContacts) -> Self {
+        let free = self.slips(rest);
         Self {
-            outer_free,
-            inner_free,
-            outer_outer: self.outer_outer * outer,
-            inner_outer: self.inner_outer * outer,
-            outer_inner: self.outer_inner * inner,
-            inner_inner: self.inner_inner * inner,
+            outer_free: free.outer,
+            inner_free: free.inner,
+            outer_outer: self.outer_outer * theta.outer,
+            inner_outer: self.inner_outer * theta.outer,
+            outer_inner: self.outer_inner * theta.inner,
+            inner_inner: self.inner_inner * theta.inner,
             ..*self
         }
     }
 
-    /// ΔVo and ΔVi at the end of the step under the friction (fo, fi), m/s.
+    /// ΔVo and ΔVi at the end of the step under this friction, m/s.
     #[inline(always)]
-    pub(crate) fn slips(&self, [outer, inner]: [f64; 2]) -> [f64; 2] {
-        [
-            self.outer_free - (self.outer_outer * outer + self.outer_inner * inner),
-            self.inner_free - (self.inner_outer * outer + self.inner_inner * inner),
-        ]
+    pub(crate) fn slips(&self, f: BothContacts) -> BothContacts {
+        BothContacts {
+            outer: self.outer_free - (self.outer_outer * f.outer + self.outer_inner * f.inner),
+            inner: self.inner_free - (self.inner_outer * f.outer + self.inner_inner * f.inner),
+        }
     }
 }
 
 impl Slips {
+    /// fo and fi, N.
+    #[inline(always)]
+    pub(crate) fn friction(&self) -> BothContacts {
+        BothContacts {
+            outer: self.outer_friction,
+            inner: self.inner_friction,
+        }
+    }
+
     /// These sliding speeds with the friction and its slopes by `law`, to iterate from.
     #[inline(always)]
     pub(crate) fn with_friction(self, law: &impl Law, problem: &SlipProblem) -> Self {
@@ -126,8 +135,8 @@ pub(crate) fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) 
     let (outer, inner) = (slips.outer, slips.inner);
     let (fo, fi) = (slips.outer_friction, slips.inner_friction);
     let (do_, di) = (slips.outer_slope, slips.inner_slope);
-    let [end_o, end_i] = problem.slips([fo, fi]);
-    let (miss_o, miss_i) = (end_o - outer, end_i - inner);
+    let end = problem.slips(slips.friction());
+    let (miss_o, miss_i) = (end.outer - outer, end.inner - inner);
     let (a, b) = (1.0 + problem.outer_outer * do_, problem.outer_inner * di);
     let (c, d) = (problem.inner_outer * do_, 1.0 + problem.inner_inner * di);
     let inverse = 1.0 / (a * d - b * c);
@@ -271,8 +280,8 @@ pub(crate) mod tests {
                     let miss = (expected - force).abs();
                     assert!(miss < 2.5e-3 * law.coefficient() * normal, "{s:?}");
                 }
-                let [outer, inner] = p.slips([s.outer_friction, s.inner_friction]);
-                assert!((outer - s.outer).abs() < 1e-9 && (inner - s.inner).abs() < 1e-9);
+                let end = p.slips(s.friction());
+                assert!((end.outer - s.outer).abs() < 1e-9 && (end.inner - s.inner).abs() < 1e-9);
             }
         }
     }

@@ -13,8 +13,9 @@ use super::{
     InnerRaceway, OuterContact, OuterGeometry, OuterRaceway, RacewayConstants, RacewayPosition,
     SlipProblem,
 };
-use crate::ball::{Ball, BallLoad, BallMotion, PolarMotion};
+use crate::ball::{Ball, BallLoad, BallMotion, BothContacts, PolarMotion};
 use crate::numerics::lanes::lane_struct;
+use crate::numerics::vector::PlaneVector;
 
 lane_struct! {
     /// Direction against which friction acts on a ball at the outer raceway.
@@ -28,7 +29,29 @@ lane_struct! {
     }
 }
 
+/// Contact path at the place of a ball.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PathPlace {
+    /// 4a of Zhao 2022, Eq. (5).
+    pub cubic: f64,
+    /// 2b of Eq. (5).
+    pub linear: f64,
+    /// r, m.
+    pub radius: f64,
+    /// 1/√(1 + y′² + z′²).
+    pub along: f64,
+}
+
 impl FrictionDirection {
+    /// Its unit vector.
+    #[inline(always)]
+    pub(crate) fn vector(&self) -> PlaneVector {
+        PlaneVector {
+            x: self.x,
+            y: self.y,
+        }
+    }
+
     /// Direction of the circumference.
     #[inline(always)]
     pub(crate) fn circumference(polar: &PolarMotion) -> Self {
@@ -40,19 +63,18 @@ impl FrictionDirection {
     }
 
     /// r_f of Zhao 2022, Eq. (22), in a discrete raceway, this direction elsewhere: the unit tangent
-    /// (1, y′, z′)/√(1 + y′² + z′²) of the contact path, with the root as `along`, r as `radius` and
-    /// y′ = x(4a x² + 2b) of Eq. (5).
+    /// (1, y′, z′)/√(1 + y′² + z′²) of the contact path with y′ = x(4a x² + 2b) of Eq. (5).
     #[inline(always)]
     pub(crate) fn on_path(
         self,
         raceway: &RacewayConstants,
-        [cubic, linear]: [f64; 2],
+        path: PathPlace,
         outer: &OuterRaceway,
         position: &RacewayPosition,
-        [radius, along]: [f64; 2],
     ) -> Self {
-        let x = (radius + outer.orbit_radius) * position.sine;
-        let across = along * (x * (cubic * x * x + linear));
+        let along = path.along;
+        let x = (path.radius + outer.orbit_radius) * position.sine;
+        let across = along * (x * (path.cubic * x * x + path.linear));
         let inside = position.inside();
         let select = |new: f64, old: f64| if inside { new } else { old };
         let (sin, cos) = (raceway.sin_centre, raceway.cos_centre);
@@ -101,7 +123,8 @@ pub(crate) fn outer_load(
     geometry: &OuterGeometry,
     direction: &FrictionDirection,
     polar: &PolarMotion,
-    [friction_n, centrifugal_n]: [f64; 2],
+    friction_n: f64,
+    centrifugal_n: f64,
 ) -> BallLoad {
     BallLoad {
         fx: -contact.force * polar.ex - friction_n * direction.x + centrifugal_n * polar.ex,
@@ -131,39 +154,44 @@ pub(crate) struct PublishedBall<'a> {
     pub inner_polar: &'a PolarMotion,
 }
 
+/// Powers of friction, W, that friction against the sliding with the absolute spin would not have.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PublishedPowers {
+    /// That of its direction.
+    pub direction: f64,
+    /// That of the relative spin.
+    pub spin: f64,
+}
+
 impl PublishedBall<'_> {
     /// ΔVo and ΔVi, m/s.
     #[inline(always)]
-    pub(crate) fn slips(&self) -> [f64; 2] {
-        [
-            outer_slip(self.outer, self.geometry, self.motion, self.polar),
-            inner_slip(self.ball, self.inner, self.motion, self.inner_polar),
-        ]
+    pub(crate) fn slips(&self) -> BothContacts {
+        BothContacts {
+            outer: outer_slip(self.outer, self.geometry, self.motion, self.polar),
+            inner: inner_slip(self.ball, self.inner, self.motion, self.inner_polar),
+        }
     }
 
-    /// Powers of the friction fo and fi, W, that friction against the sliding with the absolute spin would
-    /// not have: that of its direction, and that of the relative spin.
+    /// Powers of the friction fo and fi.
     #[inline(always)]
-    pub(crate) fn powers(&self, [fo, fi]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn powers(&self, friction: BothContacts) -> PublishedPowers {
+        let (fo, fi) = (friction.outer, friction.inner);
         let (motion, polar) = (self.motion, self.polar);
         let along = self.direction.x * motion.vx + self.direction.y * motion.vy;
         let slip = outer_slip(self.outer, self.geometry, motion, polar);
         let turning = slip + motion.spin * self.geometry.effective_radius - polar.tangential;
         let carried = self.inner_polar.orbit * self.inner.radius;
-        [
-            fo * (polar.tangential - along),
-            fo * turning + fi * (self.inner_polar.tangential - carried),
-        ]
+        PublishedPowers {
+            direction: fo * (polar.tangential - along),
+            spin: fo * turning + fi * (self.inner_polar.tangential - carried),
+        }
     }
 
     /// Equations of the friction over a step of `h_s`, see [`SlipProblem::new`], under these normal forces:
     /// ΔVo = co·vt − ω·r and ΔVi = ωi·Ri − (ci·vt,i + ω·Rw) with co = (r + Rm)/|rb| and ci = Ri/|rb − ri|.
     #[inline(always)]
-    pub(crate) fn slip_problem(
-        &self,
-        [outer_normal, inner_normal]: [f64; 2],
-        h_s: f64,
-    ) -> SlipProblem {
+    pub(crate) fn slip_problem(&self, normal: BothContacts, h_s: f64) -> SlipProblem {
         let (ball, polar, inner_polar) = (self.ball, self.polar, self.inner_polar);
         let (r, radius) = (self.geometry.effective_radius, ball.radius);
         let (dx, dy) = (self.direction.x, self.direction.y);
@@ -174,16 +202,16 @@ impl PublishedBall<'_> {
         let ci = self.inner.radius / inner_polar.distance;
         let outer_on_outer = polar.ex * dy - polar.ey * dx;
         let outer_on_inner = inner_polar.ex * dy - inner_polar.ey * dx;
-        let [outer_free, inner_free] = self.slips();
+        let free = self.slips();
         SlipProblem {
-            outer_free,
-            inner_free,
+            outer_free: free.outer,
+            inner_free: free.inner,
             outer_outer: co * outer_on_outer * mass + r * r * inertia,
             outer_inner: turning - co * tangents * mass,
             inner_outer: turning - ci * outer_on_inner * mass,
             inner_inner: ci * mass + radius * radius * inertia,
-            outer_normal,
-            inner_normal,
+            outer_normal: normal.outer,
+            inner_normal: normal.inner,
         }
     }
 }

@@ -114,28 +114,44 @@ pub(crate) const BALL_IN_SPACE: [Coordinate; 9] = [
 ];
 
 /// A position and its rate, by their places among coordinates of one kind.
-pub(crate) type Pair = [usize; 2];
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pair {
+    pub position: usize,
+    pub rate: usize,
+}
 
 /// Positions of a table with their rates.
 pub(crate) fn second_order_pairs(table: &[Coordinate]) -> impl Iterator<Item = Pair> {
     let pairs = table.iter().enumerate();
     pairs.filter_map(|(rate, coordinate)| match coordinate.kind {
-        Kind::VelocityOf(position) => Some([position, rate]),
+        Kind::VelocityOf(position) => Some(Pair { position, rate }),
         Kind::Position | Kind::Rate => None,
     })
 }
 
-/// Runs of positions and of their rates: first position, first rate, count.
-pub(crate) fn runs(pairs: impl Iterator<Item = Pair>) -> Vec<[usize; 3]> {
-    let mut runs: Vec<[usize; 3]> = vec![];
-    for [position, rate] in pairs {
-        match runs.last_mut() {
-            Some([first, first_rate, count])
-                if *first + *count == position && *first_rate + *count == rate =>
-            {
-                *count += 1;
-            }
-            _ => runs.push([position, rate, 1]),
+/// Positions one after the other whose rates are so as well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Run {
+    /// First position.
+    pub position: usize,
+    /// Its rate.
+    pub rate: usize,
+    pub count: usize,
+}
+
+/// Runs of positions and of their rates.
+pub(crate) fn runs(pairs: impl Iterator<Item = Pair>) -> Vec<Run> {
+    let mut runs: Vec<Run> = vec![];
+    for Pair { position, rate } in pairs {
+        let follows =
+            |run: &Run| run.position + run.count == position && run.rate + run.count == rate;
+        match runs.last_mut().filter(|run| follows(run)) {
+            Some(run) => run.count += 1,
+            None => runs.push(Run {
+                position,
+                rate,
+                count: 1,
+            }),
         }
     }
     runs
@@ -159,7 +175,17 @@ mod tests {
     #[test]
     fn positions_and_rates_form_runs() {
         let of = |table: &[Coordinate]| runs(second_order_pairs(table));
-        assert_eq!(of(&BALL), [[0, 2, 2]]);
-        assert_eq!(of(&BALL_IN_SPACE), [[0, 2, 2], [5, 6, 1]]);
+        let in_plane = Run {
+            position: 0,
+            rate: 2,
+            count: 2,
+        };
+        let along_axis = Run {
+            position: 5,
+            rate: 6,
+            count: 1,
+        };
+        assert_eq!(of(&BALL), [in_plane]);
+        assert_eq!(of(&BALL_IN_SPACE), [in_plane, along_axis]);
     }
 }

@@ -12,10 +12,10 @@
 //! ```
 
 use super::coordinates::{
-    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, Kind, runs, second_order_pairs,
+    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, Kind, Pair, Run, runs, second_order_pairs,
 };
 use super::energy::EnergyTerm;
-use crate::ball::{BallMotion, Centre};
+use crate::ball::{AxialMotion, BallMotion, Centre};
 use crate::case::Case;
 use crate::integrator::SecondOrderBlock;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES, Lanes};
@@ -404,10 +404,13 @@ impl Layout {
         }
     }
 
-    /// z and ż of the outer ring in a vector; 0 in the plane, and without a rotor.
+    /// Motion of the outer ring along the axis in a vector; 0 in the plane, and without a rotor.
     #[inline(always)] // into callers compiled for wider vectors
-    pub(crate) fn outer_ring_along_axis(&self, values: &[f64]) -> [f64; 2] {
-        [OuterRingCoordinate::Z, OuterRingCoordinate::Vz].map(|c| self.at(values, c))
+    pub(crate) fn outer_ring_along_axis(&self, values: &[f64]) -> AxialMotion {
+        AxialMotion {
+            z: self.at(values, OuterRingCoordinate::Z),
+            vz: self.at(values, OuterRingCoordinate::Vz),
+        }
     }
 
     /// Motion of the rotor in a vector, if there is one.
@@ -441,19 +444,21 @@ impl Layout {
     /// Positions and their rates of these bearings, for methods of second-order systems; in ascending order of
     /// the positions.
     pub(crate) fn second_order_blocks(&self) -> Vec<SecondOrderBlock> {
-        let block =
-            |[position, rate, count]: [usize; 3], start: usize, size: usize| SecondOrderBlock {
-                positions: start + position * size,
-                rates: start + rate * size,
-                count: count * size,
-            };
+        let block = |run: Run, start: usize, size: usize| SecondOrderBlock {
+            positions: start + run.position * size,
+            rates: start + run.rate * size,
+            count: run.count * size,
+        };
         let balls = runs(second_order_pairs(self.of_ball)).into_iter();
         let of_bodies = BodyKind::RINGS.into_iter().flat_map(|body| {
             let places = self.bodies[body as usize].map(usize::from);
             let rows = body.table().iter().zip(places);
             let moving = rows.filter(|(_, place)| *place != usize::from(HELD));
             moving.filter_map(move |(row, rate)| match row.coordinate.kind {
-                Kind::VelocityOf(position) => Some([places[position], rate]),
+                Kind::VelocityOf(position) => Some(Pair {
+                    position: places[position],
+                    rate,
+                }),
                 Kind::Position | Kind::Rate => None,
             })
         });

@@ -213,13 +213,13 @@ impl RightHandSide {
         let Some(face) = self.contacts().face() else {
             return RotorSnapshot::default();
         };
-        let [housing_z_m, housing_vz_m_s] = layout.outer_ring_along_axis(y);
+        let housing = layout.outer_ring_along_axis(y);
         let seat_z_m = self.parameters.drops[0].joint.seat.z;
         RotorSnapshot {
             z_m: seat_z_m + layout.at(y, RotorCoordinate::Z),
             vz_m_s: layout.at(y, RotorCoordinate::Vz),
-            housing_z_m,
-            housing_vz_m_s,
+            housing_z_m: housing.z,
+            housing_vz_m_s: housing.vz,
             shoulder_force_n: face.axial_force,
             ..RotorSnapshot::default()
         }

@@ -46,6 +46,15 @@ impl ShapePolynomial {
     }
 }
 
+/// Place at the edge of a slot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SlotEdge {
+    /// Number of the slot, from 0.
+    pub slot: usize,
+    /// σ.
+    pub merged: f64,
+}
+
 /// Films of the contacts with one groove.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GrooveFilms {
@@ -92,15 +101,15 @@ impl GrooveFilms {
         (self.curve).of_shape(load_n, speed_square, &self.shape.at(curvature))
     }
 
-    /// Film at the edge of a slot, counted from 0, at σ; `None` if it is none.
+    /// Film at the edge of a slot; `None` if it is none.
     #[inline(always)]
     pub(crate) fn at_edge(
         &self,
         load_n: f64,
         speed_square: f64,
-        (slot, merged): (usize, f64),
+        edge: SlotEdge,
     ) -> Option<FilmTraction> {
-        let shape = self.edges.get(slot)?.as_ref()?.at(merged);
+        let shape = self.edges.get(edge.slot)?.as_ref()?.at(edge.merged);
         Some(self.curve.of_shape(load_n, speed_square, &shape))
     }
 }
@@ -183,15 +192,20 @@ mod tests {
                 let contact = LubricatedContact::inner_curved(bearing, at_inner);
                 near(inner.at(load_n, 190.0, at_inner), contact, load_n, 4e-3);
                 let ring = slot.merged_curvatures_per_m(share);
-                let edge = outer.at_edge(load_n, 190.0, (0, share)).unwrap();
+                let merged = share;
+                let at_edge = outer.at_edge(load_n, 190.0, SlotEdge { slot: 0, merged });
                 near(
-                    edge,
+                    at_edge.unwrap(),
                     LubricatedContact::of_ring(bearing, ring),
                     load_n,
                     2e-2,
                 );
             }
         }
-        assert!(inner.at_edge(20.0, 190.0, (0, 0.5)).is_none());
+        let middle = SlotEdge {
+            slot: 0,
+            merged: 0.5,
+        };
+        assert!(inner.at_edge(20.0, 190.0, middle).is_none());
     }
 }

@@ -39,7 +39,7 @@ pub(crate) use curve_polynomial::CurvePolynomial;
 #[cfg(test)]
 pub(crate) use free_arc::FreeBall;
 pub(crate) use groove_curves::GrooveCurves;
-pub(crate) use groove_traction::GrooveFilms;
+pub(crate) use groove_traction::{GrooveFilms, SlotEdge};
 pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K};
 pub use rest::{FilmAtRest, WEIGHT_MAX};

@@ -24,6 +24,7 @@ use super::runge_kutta::UnresolvedStep;
 use super::step_state::{FixedSteps, StepState};
 use super::system::{PlanarVelocities, SecondOrderBlock, System};
 use crate::numerics::aligned::Aligned;
+use crate::numerics::vector::PlaneVector;
 
 /// The method.
 #[derive(Debug, Clone)]
@@ -117,22 +118,31 @@ fn bend_along_paths<'v, S: System>(
     let Some(PlanarVelocities { x, y, count }) = system.planar_velocities() else {
         return;
     };
-    let of = |values: &'v [f64]| [x, y].map(|at| &values[at..][..count]);
+    let of = |values: &'v [f64]| PlaneVector {
+        x: &values[x..][..count],
+        y: &values[y..][..count],
+    };
     let (v, a, b) = (of(y0), of(f0), of(before));
     let (front, back) = y1.split_at_mut(y);
-    bend(h, [v, a, b], &mut front[x..][..count], &mut back[..count]);
+    bend(h, v, a, b, &mut front[x..][..count], &mut back[..count]);
 }
 
 /// [`bend_along_paths`] of velocities along x and y.
 #[inline(always)]
-fn bend(h: f64, [v, a, before]: [[&[f64]; 2]; 3], vx1: &mut [f64], vy1: &mut [f64]) {
-    let ([vx, vy], [ax, ay], [bx, by]) = (v, a, before);
+fn bend(
+    h: f64,
+    v: PlaneVector<&[f64]>,
+    a: PlaneVector<&[f64]>,
+    before: PlaneVector<&[f64]>,
+    vx1: &mut [f64],
+    vy1: &mut [f64],
+) {
     for k in 0..vx1.len() {
-        let square = (vx[k] * vx[k] + vy[k] * vy[k]).max(f64::MIN_POSITIVE);
-        let change = vx[k] * (ax[k] - bx[k]) + vy[k] * (ay[k] - by[k]);
+        let square = (v.x[k] * v.x[k] + v.y[k] * v.y[k]).max(f64::MIN_POSITIVE);
+        let change = v.x[k] * (a.x[k] - before.x[k]) + v.y[k] * (a.y[k] - before.y[k]);
         let along = 0.5 * h * change / square;
-        vx1[k] += along * vx[k];
-        vy1[k] += along * vy[k];
+        vx1[k] += along * v.x[k];
+        vy1[k] += along * v.y[k];
     }
 }
 

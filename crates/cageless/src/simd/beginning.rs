@@ -1,6 +1,7 @@
 //! The equations of the friction of one ball at the end of a step, where their solution begins.
 
 use super::workspace::{BlockResults, ImplicitFriction};
+use crate::ball::BothContacts;
 use crate::contact::{Law, SlipProblem, Slips, end_weights, newton_step, positive};
 
 /// Sliding speed below which a law that sticks sticks, m/s: far above rounding, far below any
@@ -19,9 +20,9 @@ pub(super) struct Beginning {
     /// First iterate, or the solution under a law that sticks.
     slips: Slips,
     /// θ of both contacts.
-    weights: [f64; 2],
+    weights: BothContacts,
     /// (1 − θ)·f₀.
-    rest: [f64; 2],
+    rest: BothContacts,
 }
 
 impl Beginning {
@@ -31,7 +32,7 @@ impl Beginning {
         law: &L,
         whole: &SlipProblem,
         start: &Slips,
-        [outer_slip, inner_slip]: [f64; 2],
+        slip: BothContacts,
     ) -> Self {
         let [outer, inner] = if !KNOWN {
             [1.0, 1.0]
@@ -45,20 +46,21 @@ impl Beginning {
             ])
         };
         let rest = if KNOWN {
-            [
-                (1.0 - outer) * start.outer_friction,
-                (1.0 - inner) * start.inner_friction,
-            ]
+            BothContacts {
+                outer: (1.0 - outer) * start.outer_friction,
+                inner: (1.0 - inner) * start.inner_friction,
+            }
         } else {
-            [0.0, 0.0]
+            BothContacts::default()
         };
-        let problem = whole.split([outer, inner], rest);
+        let weights = BothContacts { outer, inner };
+        let problem = whole.split(weights, rest);
         let slips = if L::STICKS {
             law.end_of_step(&problem)
         } else {
             let extrapolated = Slips {
-                outer: outer_slip,
-                inner: inner_slip,
+                outer: slip.outer,
+                inner: slip.inner,
                 ..Slips::default()
             };
             newton_step(law, &problem, &extrapolated.with_friction(law, &problem))
@@ -66,7 +68,7 @@ impl Beginning {
         Self {
             problem,
             slips,
-            weights: [outer, inner],
+            weights,
             rest,
         }
     }
@@ -80,9 +82,9 @@ impl Beginning {
     ) {
         friction.problem.put(lane, self.problem);
         friction.slips.put(lane, self.slips);
-        friction.weights[0].0[lane] = self.weights[0];
-        friction.weights[1].0[lane] = self.weights[1];
-        results.outer_friction.0[lane] = self.rest[0];
-        results.inner_friction.0[lane] = self.rest[1];
+        friction.weights[0].0[lane] = self.weights.outer;
+        friction.weights[1].0[lane] = self.weights.inner;
+        results.outer_friction.0[lane] = self.rest.outer;
+        results.inner_friction.0[lane] = self.rest.inner;
     }
 }

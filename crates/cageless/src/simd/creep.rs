@@ -13,7 +13,8 @@ use crate::numerics::lanes::LANES;
 /// Sets the knees of a block from the loads of its contacts; flanks are rigid.
 #[inline(always)]
 pub(super) fn set_knees(
-    (p, creep): (&Parameters, &CreepLanes),
+    p: &Parameters,
+    creep: &CreepLanes,
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,

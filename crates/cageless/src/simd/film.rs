@@ -16,7 +16,8 @@ use crate::numerics::lanes::{LANES, Lanes};
 /// Adds the rolling force of the contacts of a block to loads and addends.
 #[inline(always)]
 pub(super) fn add(
-    (p, film): (&Parameters, &FilmBlock),
+    p: &Parameters,
+    film: &FilmBlock,
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,

@@ -3,10 +3,10 @@
 use crate::contact::RacewayValues;
 use crate::dynamics::model::RacewayModel;
 
-/// The polynomials of one raceway that a ball on its flanks needs: rows of two coefficients each of r,
-/// dr/du and the ellipse.
+/// The polynomials of one raceway that a ball on its flanks needs: rows of an even and the next odd coefficient
+/// each of r, dr/du and the ellipse.
 #[derive(Clone)]
-pub(super) struct FlankPolynomials(Vec<[f64; 6]>);
+pub(super) struct FlankPolynomials(Vec<[[f64; 2]; 3]>);
 
 impl FlankPolynomials {
     /// Those of a raceway.
@@ -16,9 +16,8 @@ impl FlankPolynomials {
         });
         let length = polynomials.iter().map(|p| p.len()).max().unwrap_or(0);
         let row = |k: usize| {
-            std::array::from_fn(|j| {
-                let coefficient = polynomials[j / 2].get(2 * k + j % 2);
-                coefficient.copied().unwrap_or(0.0)
+            polynomials.map(|polynomial| {
+                [2 * k, 2 * k + 1].map(|place| polynomial.get(place).copied().unwrap_or(0.0))
             })
         };
         Self((0..length.div_ceil(2)).map(row).collect())
@@ -28,16 +27,20 @@ impl FlankPolynomials {
     #[inline(always)]
     pub(super) fn values(&self, u: f64) -> RacewayValues {
         let square = u * u;
-        let mut sums = [0.0; 6];
+        let mut sums = [[0.0; 2]; 3];
         for row in self.0.iter().rev() {
-            for j in 0..6 {
-                sums[j] = sums[j] * square + row[j];
+            for j in 0..3 {
+                for half in 0..2 {
+                    sums[j][half] = sums[j][half] * square + row[j][half];
+                }
             }
         }
+        let whole = |halves: [f64; 2]| halves[0] + halves[1] * u;
+        let [radius, radius_slope, ellipse] = sums;
         RacewayValues {
-            radius: sums[0] + sums[1] * u,
-            radius_slope: sums[2] + sums[3] * u,
-            ellipse: sums[4] + sums[5] * u,
+            radius: whole(radius),
+            radius_slope: whole(radius_slope),
+            ellipse: whole(ellipse),
         }
     }
 }

@@ -4,12 +4,12 @@
 use super::beginning::Beginning;
 use super::creep;
 use super::friction::at_raceways;
-use super::motions::{CentreLanes, Motions};
+use super::motions::{CentreLanes, Motions, Moving};
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum};
 use super::traction;
 use super::workspace::{BlockResults, ImplicitFriction};
-use crate::ball::{BallLanes, BallMotion};
+use crate::ball::{BallLanes, BallMotion, BothContacts};
 use crate::contact::{
     AtFlanks, FlankShape, FlankSliding, Law, LawLanes, RacewayContacts, RacewayPosition,
     SlipProblem, end_weights, flank_contact, further_step, outer_load, slope_force, with_law,
@@ -169,21 +169,17 @@ pub(super) fn add_reactions(results: &BlockResults, addends: &mut Addends) {
 /// Adds the heat of friction along the radius and about the axis over a step between two motions of
 /// the balls and the outer ring.
 #[inline(always)]
-pub(super) fn add_heat(
-    results: &BlockResults,
-    ends: [(Motions<'_>, &CentreLanes); 2],
-    addends: &mut Addends,
-) {
+pub(super) fn add_heat(results: &BlockResults, ends: [Moving<'_>; 2], addends: &mut Addends) {
     for lane in results.on_flanks {
         let polar = results.polar.get(lane);
-        let mut sums = [0.0; 2];
-        for (motions, outer_ring) in ends {
-            let motion = motions.get(lane);
-            sums[0] += polar.with_velocity(&motion, &outer_ring.get(lane)).radial;
-            sums[1] += motion.spin;
+        let (mut radial, mut spin) = (0.0, 0.0);
+        for moving in ends {
+            let (motion, outer_ring) = (moving.balls.get(lane), moving.ring.get(lane));
+            radial += polar.with_velocity(&motion, &outer_ring).radial;
+            spin += motion.spin;
         }
-        addends[Sum::OuterFriction as usize].0[lane] += 0.5
-            * (results.across_friction.0[lane] * sums[0] + results.spin_moment.0[lane] * sums[1]);
+        addends[Sum::OuterFriction as usize].0[lane] +=
+            0.5 * (results.across_friction.0[lane] * radial + results.spin_moment.0[lane] * spin);
     }
 }
 
@@ -266,7 +262,10 @@ pub(super) fn first_iterate<L: LawLanes, const KNOWN: bool>(
             inner: &results.inner.get(lane),
         };
         let whole = SlipProblem::new(&contacts, &motion, &polar, &inner_polar, h_s);
-        let slips = [outer.slip, results.inner.slip.0[lane]];
+        let slips = BothContacts {
+            outer: outer.slip,
+            inner: results.inner.slip.0[lane],
+        };
         let beginning =
             Beginning::new::<_, KNOWN>(&at_flanks, &whole, &friction.kept.get(lane), slips);
         beginning.put(lane, results, friction);

@@ -19,29 +19,46 @@ pub(super) fn both_raceways(p: &Parameters, results: &mut BlockResults) {
     let (outer, inner) = (&results.outer, &results.inner);
     let [outer_knees, inner_knees] = &results.inverse_knees;
     let [outer_films, inner_films] = &results.film_tractions;
-    for (contact, at, force) in [
-        (
-            [&outer.slip, &outer.friction_normal],
-            (outer_knees, outer_films),
-            &mut results.outer_friction,
-        ),
-        (
-            [&inner.slip, &inner.force],
-            (inner_knees, inner_films),
-            &mut results.inner_friction,
-        ),
+    let at_outer = SlidingContacts {
+        slip: &outer.slip,
+        normal: &outer.friction_normal,
+        knees: outer_knees,
+        films: outer_films,
+    };
+    let at_inner = SlidingContacts {
+        slip: &inner.slip,
+        normal: &inner.force,
+        knees: inner_knees,
+        films: inner_films,
+    };
+    for (contacts, force) in [
+        (at_outer, &mut results.outer_friction),
+        (at_inner, &mut results.inner_friction),
     ] {
-        with_law!(&p.friction, law => friction_at(law, contact, at, force));
+        with_law!(&p.friction, law => friction_at(law, contacts, force));
     }
 }
 
+/// Contacts of the balls of a block with a raceway, which slide.
+#[derive(Clone, Copy)]
+struct SlidingContacts<'a> {
+    /// ΔV, m/s.
+    slip: &'a Lanes,
+    /// Force under which friction acts, N.
+    normal: &'a Lanes,
+    /// 1/v_s of the law, s/m.
+    knees: &'a Lanes,
+    films: &'a FilmTractionLanes,
+}
+
 #[inline(always)]
-fn friction_at<L: LawLanes>(
-    law: &L,
-    [slip, normal]: [&Lanes; 2],
-    (knees, films): (&Lanes, &FilmTractionLanes),
-    force: &mut Lanes,
-) {
+fn friction_at<L: LawLanes>(law: &L, contacts: SlidingContacts<'_>, force: &mut Lanes) {
+    let SlidingContacts {
+        slip,
+        normal,
+        knees,
+        films,
+    } = contacts;
     let law = law.evaluated([slip, slip]);
     for lane in 0..LANES {
         let law = law.lane(lane);

@@ -117,9 +117,9 @@ fn loads_of_blocks(
         }
         inner_loads(p, balls, results, &mut w.addends);
         if let Some(films) = rolling.film {
-            film::add((p, films), balls, results, motions, &mut w.addends);
+            film::add(p, films, balls, results, motions, &mut w.addends);
             if let Some(factors) = &films.hysteresis {
-                hysteresis::add((p, factors), balls, results, motions, &mut w.addends);
+                hysteresis::add(p, factors, balls, results, motions, &mut w.addends);
             }
             w.sums.add(&Sum::ROLLING, &w.addends, alone, block);
         }
@@ -155,7 +155,7 @@ fn contacts_of_block(
     }
     raceway_contacts(p, balls, results, motions, ring);
     if let Some(constants) = rolling.creep {
-        creep::set_knees((p, constants), balls, results, motions);
+        creep::set_knees(p, constants, balls, results, motions);
     }
     if let Some(curves) = rolling.tractions {
         traction::set(p, curves, balls, results, motions);

@@ -11,12 +11,14 @@ use crate::numerics::lanes::{LANES, Lanes};
 /// Adds the moments of the contacts of a block, of outer and inner factors, to loads and addends.
 #[inline(always)]
 pub(super) fn add(
-    (p, [outer, inner]): (&Parameters, &[Lanes; 2]),
+    p: &Parameters,
+    factors: &[Lanes; 2],
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
     addends: &mut Addends,
 ) {
+    let [outer, inner] = factors;
     for lane in 0..LANES {
         let (ball, radius) = (
             balls.radius.0[lane],

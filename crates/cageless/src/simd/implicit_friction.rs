@@ -3,11 +3,11 @@
 use super::beginning::{Beginning, STUCK_M_S};
 use super::flanks;
 use super::friction::{at_raceways, loaded_slips};
-use super::motions::{CentreLanes, Motions, block_mut};
+use super::motions::{CentreLanes, Motions, Moving, block_mut};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
-use crate::ball::{BallLanes, BallLoad, Centre};
+use crate::ball::{BallLanes, BallLoad, BothContacts, Centre};
 use crate::contact::{
     EvaluatedLaws, Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step,
     inner_slip, outer_slip, with_law,
@@ -15,6 +15,8 @@ use crate::contact::{
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::numerics::lanes::{LANES, Lanes};
+use crate::numerics::vector::PlaneVector;
+use crate::world::step_change::StepChange;
 
 #[inline(always)]
 pub(super) fn add(
@@ -35,10 +37,23 @@ pub(super) fn add(
         results.outer.slip = slips.outer;
         results.inner.slip = slips.inner;
         let against = |lane| circumference(results, lane);
-        apply((p, balls, block), results, against, h_s, y, dydt);
+        let change = StepChange {
+            layout: p.layout,
+            h_s,
+            y: &mut *y,
+            dydt: &mut *dydt,
+        };
+        apply(balls, block, results, against, change);
         let [start, end] = [y0, &*y].map(|y| Motions::new(p.layout, y, block));
-        powers(p, balls, results, (start, &start_ring), &mut w.addends);
-        let ends = [start, end].map(|motions| (motions, &w.outer_ring));
+        let inner_start = Moving {
+            balls: start,
+            ring: &start_ring,
+        };
+        powers(p, balls, results, inner_start, &mut w.addends);
+        let ends = [start, end].map(|balls| Moving {
+            balls,
+            ring: &w.outer_ring,
+        });
         flanks::add_heat(results, ends, &mut w.addends);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
@@ -116,7 +131,7 @@ pub(crate) fn add_given_friction(
         let balls = p.balls(block);
         let rates = accelerations(balls, results, |lane| {
             let direction = w.friction_directions.get(block);
-            direction.map_or(circumference(results, lane), |d| [d.x.0[lane], d.y.0[lane]])
+            direction.map_or(circumference(results, lane), |d| d.get(lane).vector())
         });
         add_to_balls(p, block, rates, dydt);
         inner_friction_reactions(results, &mut addends);
@@ -219,7 +234,10 @@ fn first_iterate<L: LawLanes, const KNOWN: bool>(
             inner: &results.inner.get(lane),
         };
         let whole = SlipProblem::new(&contacts, &motion, &polar, &inner_polar, h_s);
-        let extrapolated = [results.outer.slip.0[lane], results.inner.slip.0[lane]];
+        let extrapolated = BothContacts {
+            outer: results.outer.slip.0[lane],
+            inner: results.inner.slip.0[lane],
+        };
         let start = friction.slips.get(lane);
         Beginning::new::<_, KNOWN>(&law, &whole, &start, extrapolated).put(lane, results, friction);
     }
@@ -273,8 +291,11 @@ fn add_to_balls(p: &Parameters, block: usize, rates: [[f64; LANES]; 3], dydt: &m
 
 /// Direction of the circumference at the ball of a lane.
 #[inline(always)]
-pub(super) fn circumference(results: &BlockResults, lane: usize) -> [f64; 2] {
-    [-results.polar.ey.0[lane], results.polar.ex.0[lane]]
+pub(super) fn circumference(results: &BlockResults, lane: usize) -> PlaneVector {
+    PlaneVector {
+        x: -results.polar.ey.0[lane],
+        y: results.polar.ex.0[lane],
+    }
 }
 
 /// Accelerations of the balls of a block by friction, which acts against `direction` at the outer raceway.
@@ -282,19 +303,19 @@ pub(super) fn circumference(results: &BlockResults, lane: usize) -> [f64; 2] {
 fn accelerations(
     balls: &BallLanes,
     results: &BlockResults,
-    direction: impl Fn(usize) -> [f64; 2],
+    direction: impl Fn(usize) -> PlaneVector,
 ) -> [[f64; LANES]; 3] {
     let mut rates = [[0.0; LANES]; 3];
     for lane in 0..LANES {
-        let (geometry, [dx, dy]) = (results.geometry.get(lane), direction(lane));
+        let (geometry, d) = (results.geometry.get(lane), direction(lane));
         let (ball, inner_polar) = (balls.get(lane), results.inner_polar.get(lane));
         let (fo, fi) = (
             results.outer_friction.0[lane],
             results.inner_friction.0[lane],
         );
         let load = BallLoad {
-            fx: -fo * dx - fi * inner_polar.ey,
-            fy: -fo * dy + fi * inner_polar.ex,
+            fx: -fo * d.x - fi * inner_polar.ey,
+            fy: -fo * d.y + fi * inner_polar.ex,
             torque: geometry.effective_radius * fo + ball.radius * fi,
         };
         let acceleration = load.acceleration(&ball);
@@ -309,17 +330,22 @@ fn accelerations(
 /// Adds the friction of a block to velocities and rates; that at the outer raceway acts against `direction`.
 #[inline(always)]
 pub(super) fn apply(
-    (p, balls, block): (&Parameters, &BallLanes, usize),
+    balls: &BallLanes,
+    block: usize,
     results: &BlockResults,
-    direction: impl Fn(usize) -> [f64; 2],
-    h_s: f64,
-    y: &mut [f64],
-    dydt: &mut [f64],
+    direction: impl Fn(usize) -> PlaneVector,
+    change: StepChange<'_>,
 ) {
+    let StepChange {
+        layout,
+        h_s,
+        y,
+        dydt,
+    } = change;
     let rates = accelerations(balls, results, direction);
     let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
     for (coordinate, rates) in coordinates.into_iter().zip(rates) {
-        let at = p.layout.array(coordinate) + block * LANES;
+        let at = layout.array(coordinate) + block * LANES;
         let (velocities, accelerations) = (block_mut(y, at), block_mut(dydt, at));
         for lane in 0..LANES {
             velocities[lane] += h_s * rates[lane];
@@ -327,9 +353,6 @@ pub(super) fn apply(
         }
     }
 }
-
-/// Motion of the balls of a block and of the inner ring.
-type Motion<'a> = (Motions<'a>, &'a CentreLanes);
 
 /// Reactions on the inner ring and powers of friction. Kinetic energy changes by an impulse
 /// times the mean of the velocities before and after it, so that the heat of friction is that
@@ -340,19 +363,19 @@ fn powers(
     p: &Parameters,
     balls: &BallLanes,
     results: &BlockResults,
-    start: Motion<'_>,
+    start: Moving<'_>,
     addends: &mut Addends,
 ) {
     for lane in 0..LANES {
         let (geometry, ball) = (results.geometry.get(lane), balls.get(lane));
         let inner_raceway = p.inner.get(lane);
-        let motion = start.0.get(lane);
+        let motion = start.balls.get(lane);
         let polar = results
             .polar
             .get(lane)
             .with_velocity(&motion, &Centre::default());
         let inner_polar = results.inner_polar.get(lane);
-        let inner_start = inner_polar.with_velocity(&motion, &start.1.get(lane));
+        let inner_start = inner_polar.with_velocity(&motion, &start.ring.get(lane));
         let outer_slip = outer_slip(&geometry, &motion, &polar);
         let inner_slip = inner_slip(&ball, &inner_raceway, &motion, &inner_start);
         let (fo, fi) = (

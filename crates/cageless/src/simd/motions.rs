@@ -49,6 +49,13 @@ impl<'a> Motions<'a> {
     }
 }
 
+/// Motion of the balls of a block and of a ring.
+#[derive(Clone, Copy)]
+pub(super) struct Moving<'a> {
+    pub balls: Motions<'a>,
+    pub ring: &'a CentreLanes,
+}
+
 /// A value of the bearing of each lane; that of the first stands at `start`.
 #[inline(always)]
 fn of_bearings(layout: Layout, y: &[f64], start: usize) -> Lanes {

@@ -6,18 +6,20 @@ use super::friction::{both_raceways, friction, loaded_slips};
 use super::geometry::{plain_positions, polynomial, raceway_geometry};
 use super::harness::{accelerations, inner_loads, raceway_contacts, ring_and_ledger, slope_forces};
 use super::implicit_friction::{add_ring_friction, apply, finish};
-use super::motions::{CentreLanes, Motions};
+use super::motions::{CentreLanes, Motions, Moving};
 use super::pairs::{ball_contacts, of_ball_ahead};
 use super::parameters::{Parameters, RacewayBlock};
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
-use crate::ball::{BallLanes, BallMotion, Centre, PolarMotion};
+use crate::ball::{BallLanes, BallMotion, BothContacts, Centre, PolarMotion};
 use crate::contact::published::{
-    FrictionDirection, FrictionDirectionLanes, PublishedBall, centrifugal_force, outer_load,
+    FrictionDirection, FrictionDirectionLanes, PathPlace, PublishedBall, centrifugal_force,
+    outer_load,
 };
 use crate::contact::{LawLanes, RacewayPosition, with_law};
 use crate::dynamics::energy::EnergyTerm;
 use crate::numerics::lanes::{LANES, Lanes, flat};
+use crate::world::step_change::StepChange;
 
 /// Writes the right-hand side into `dydt`, see [`super::evaluate`].
 #[inline(always)]
@@ -53,12 +55,12 @@ pub(crate) fn evaluate(
             let inner_polar = motions.get(lane).about(&w.ring.get(lane));
             results.inner_polar.put(lane, inner_polar);
         }
-        let block_of = (p, balls, &*direction);
-        for lane in 0..LANES {
-            let seen = seen_last(results, motions, lane);
-            [results.outer.slip.0[lane], results.inner.slip.0[lane]] =
-                with_ball(block_of, results, &seen, lane, |ball| ball.slips());
-        }
+        let block_of = BlockOf {
+            p,
+            balls,
+            direction,
+        };
+        set_slips(block_of, results, motions);
         (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
         if raceway_friction {
             both_raceways(p, results);
@@ -107,50 +109,78 @@ fn published_powers(p: &Parameters, sums: &Sums, bearing: usize) -> [(usize, f64
 }
 
 /// Constants of the balls of a block and the directions of friction on them.
-type BlockOf<'a> = (&'a Parameters, &'a BallLanes, &'a FrictionDirectionLanes);
+#[derive(Clone, Copy)]
+struct BlockOf<'a> {
+    p: &'a Parameters,
+    balls: &'a BallLanes,
+    direction: &'a FrictionDirectionLanes,
+}
 
-/// Motion of a ball: Cartesian, about the outer and about the inner ring.
-type Seen = (BallMotion, [PolarMotion; 2]);
+/// Motion of a ball.
+struct Seen {
+    motion: BallMotion,
+    /// About the outer ring.
+    polar: PolarMotion,
+    /// About the inner ring.
+    inner_polar: PolarMotion,
+}
 
 /// Motion of the ball of a lane as of the last evaluation.
 #[inline(always)]
 fn seen_last(results: &BlockResults, motions: Motions<'_>, lane: usize) -> Seen {
-    let about = [results.polar.get(lane), results.inner_polar.get(lane)];
-    (motions.get(lane), about)
+    Seen {
+        motion: motions.get(lane),
+        polar: results.polar.get(lane),
+        inner_polar: results.inner_polar.get(lane),
+    }
 }
 
 /// Motion of the ball of a lane at its place of the last evaluation with the velocities of these motions.
 #[inline(always)]
-fn seen_with(
-    results: &BlockResults,
-    (motions, ring): (Motions<'_>, &CentreLanes),
-    lane: usize,
-) -> Seen {
-    let (motion, [polar, inner_polar]) = seen_last(results, motions, lane);
-    let polar = polar.with_velocity(&motion, &Centre::default());
-    let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
-    (motion, [polar, inner_polar])
+fn seen_with(results: &BlockResults, moving: Moving<'_>, lane: usize) -> Seen {
+    let last = seen_last(results, moving.balls, lane);
+    let (motion, ring) = (last.motion, moving.ring.get(lane));
+    Seen {
+        motion,
+        polar: last.polar.with_velocity(&motion, &Centre::default()),
+        inner_polar: last.inner_polar.with_velocity(&motion, &ring),
+    }
 }
 
 /// Evaluates `value` for the ball of a lane.
 #[inline(always)]
 fn with_ball<T>(
-    (p, balls, direction): BlockOf<'_>,
+    block_of: BlockOf<'_>,
     results: &BlockResults,
-    (motion, [polar, inner_polar]): &Seen,
+    seen: &Seen,
     lane: usize,
     value: impl FnOnce(&PublishedBall<'_>) -> T,
 ) -> T {
+    let BlockOf {
+        p,
+        balls,
+        direction,
+    } = block_of;
     value(&PublishedBall {
         ball: &balls.get(lane),
         outer: &p.outer.get(lane),
         inner: &p.inner.get(lane),
         geometry: &results.geometry.get(lane),
         direction: &direction.get(lane),
-        motion,
-        polar,
-        inner_polar,
+        motion: &seen.motion,
+        polar: &seen.polar,
+        inner_polar: &seen.inner_polar,
     })
+}
+
+/// Sets the sliding speeds of the balls of a block.
+#[inline(always)]
+fn set_slips(block_of: BlockOf<'_>, results: &mut BlockResults, motions: Motions<'_>) {
+    for lane in 0..LANES {
+        let seen = seen_last(results, motions, lane);
+        let slips = with_ball(block_of, results, &seen, lane, |ball| ball.slips());
+        (results.outer.slip.0[lane], results.inner.slip.0[lane]) = (slips.outer, slips.inner);
+    }
 }
 
 /// Turns the directions of friction on the balls in a discrete raceway along its contact path.
@@ -174,10 +204,14 @@ fn follow_path(
     for lane in 0..LANES {
         let turned = direction.get(lane).on_path(
             &raceway.constants.get(lane),
-            [cubic.0[lane], linear.0[lane]],
+            PathPlace {
+                cubic: cubic.0[lane],
+                linear: linear.0[lane],
+                radius: radius.0[lane],
+                along: along.0[lane],
+            },
             &p.outer.get(lane),
             &position(lane),
-            [radius.0[lane], along.0[lane]],
         );
         direction.put(lane, turned);
     }
@@ -191,10 +225,14 @@ fn outer_loads(
     addends: &mut Addends,
     motions: Motions<'_>,
 ) {
-    let (p, balls, direction) = block_of;
+    let BlockOf {
+        p,
+        balls,
+        direction,
+    } = block_of;
     for lane in 0..LANES {
         let seen = seen_last(results, motions, lane);
-        let (motion, [polar, _]) = &seen;
+        let (motion, polar) = (&seen.motion, &seen.polar);
         let (ball, outer) = (balls.get(lane), results.outer.get(lane));
         let (fo, fi) = (
             results.outer_friction.0[lane],
@@ -206,19 +244,23 @@ fn outer_loads(
             &results.geometry.get(lane),
             &direction.get(lane),
             polar,
-            [fo, centrifugal],
+            fo,
+            centrifugal,
         );
         let weight = ball.mass * p.ring.gravity.0[lane];
         load.fy -= weight;
-        let [turned, spun] =
-            with_ball(block_of, results, &seen, lane, |ball| ball.powers([fo, fi]));
+        let f = BothContacts {
+            outer: fo,
+            inner: fi,
+        };
+        let powers = with_ball(block_of, results, &seen, lane, |ball| ball.powers(f));
         results.load.put(lane, load);
         addends[Sum::Weight as usize].0[lane] = -weight * motion.vy;
         addends[Sum::OuterFriction as usize].0[lane] = fo * outer.slip;
         addends[Sum::RacewayDamping as usize].0[lane] = outer.damping_power;
         addends[Sum::Centrifugal as usize].0[lane] = centrifugal * polar.radial;
-        addends[Sum::FrictionDirection as usize].0[lane] = turned;
-        addends[Sum::RelativeSpin as usize].0[lane] = spun;
+        addends[Sum::FrictionDirection as usize].0[lane] = powers.direction;
+        addends[Sum::RelativeSpin as usize].0[lane] = powers.spin;
     }
 }
 
@@ -265,13 +307,28 @@ pub(crate) fn add_implicit_friction(
     {
         let (balls, slips) = (p.balls(block), &friction.slips);
         (results.outer.slip, results.inner.slip) = (slips.outer, slips.inner);
-        let against = |lane: usize| [direction.x.0[lane], direction.y.0[lane]];
-        apply((p, balls, block), results, against, h_s, y, dydt);
-        let ends = [
-            (Motions::new(p.layout, y0, block), &start_ring),
-            (Motions::new(p.layout, y, block), &w.ring),
-        ];
-        powers((p, balls, direction), results, ends, &mut w.addends);
+        let against = |lane: usize| direction.get(lane).vector();
+        let change = StepChange {
+            layout: p.layout,
+            h_s,
+            y: &mut *y,
+            dydt: &mut *dydt,
+        };
+        apply(balls, block, results, against, change);
+        let start = Moving {
+            balls: Motions::new(p.layout, y0, block),
+            ring: &start_ring,
+        };
+        let end = Moving {
+            balls: Motions::new(p.layout, y, block),
+            ring: &w.ring,
+        };
+        let block_of = BlockOf {
+            p,
+            balls,
+            direction,
+        };
+        powers(block_of, results, start, end, &mut w.addends);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut w.slip_max);
@@ -295,8 +352,15 @@ fn solve<L: LawLanes>(law: &L, p: &Parameters, w: &mut Workspace, y: &[f64], h_s
     let of_blocks = w.friction.iter_mut().zip(&w.friction_directions);
     for (block, (results, (friction, direction))) in w.blocks.iter_mut().zip(of_blocks).enumerate()
     {
-        let block_of = (p, p.balls(block), direction);
-        let moving = (Motions::new(p.layout, y, block), &w.ring);
+        let block_of = BlockOf {
+            p,
+            balls: p.balls(block),
+            direction,
+        };
+        let moving = Moving {
+            balls: Motions::new(p.layout, y, block),
+            ring: &w.ring,
+        };
         match w.slips_known {
             true => first_iterate::<L, true>(law, block_of, moving, h_s, results, friction),
             false => first_iterate::<L, false>(law, block_of, moving, h_s, results, friction),
@@ -310,20 +374,26 @@ fn solve<L: LawLanes>(law: &L, p: &Parameters, w: &mut Workspace, y: &[f64], h_s
 fn first_iterate<L: LawLanes, const KNOWN: bool>(
     law: &L,
     block_of: BlockOf<'_>,
-    moving: (Motions<'_>, &CentreLanes),
+    moving: Moving<'_>,
     h_s: f64,
     results: &mut BlockResults,
     friction: &mut ImplicitFriction,
 ) {
     for lane in 0..LANES {
         let (outer, inner) = (results.outer.get(lane), results.inner.get(lane));
-        let normal = [outer.friction_normal, inner.force];
+        let normal = BothContacts {
+            outer: outer.friction_normal,
+            inner: inner.force,
+        };
         let seen = seen_with(results, moving, lane);
         let whole = with_ball(block_of, results, &seen, lane, |ball| {
             ball.slip_problem(normal, h_s)
         });
         let (law, start) = (law.lane(lane), friction.slips.get(lane));
-        let slips = [outer.slip, inner.slip];
+        let slips = BothContacts {
+            outer: outer.slip,
+            inner: inner.slip,
+        };
         Beginning::new::<_, KNOWN>(&law, &whole, &start, slips).put(lane, results, friction);
     }
 }
@@ -333,20 +403,25 @@ fn first_iterate<L: LawLanes, const KNOWN: bool>(
 fn powers(
     block_of: BlockOf<'_>,
     results: &BlockResults,
-    [start, end]: [(Motions<'_>, &CentreLanes); 2],
+    start: Moving<'_>,
+    end: Moving<'_>,
     addends: &mut Addends,
 ) {
-    let (p, ..) = block_of;
+    let p = block_of.p;
     for lane in 0..LANES {
         let (fo, fi) = (
             results.outer_friction.0[lane],
             results.inner_friction.0[lane],
         );
-        let [start, end] = [start, end].map(|moving| seen_with(results, moving, lane));
-        let of =
-            |seen: &Seen| with_ball(block_of, results, seen, lane, |ball| ball.powers([fo, fi]));
+        let f = BothContacts {
+            outer: fo,
+            inner: fi,
+        };
+        let start = seen_with(results, start, lane);
+        let end = seen_with(results, end, lane);
+        let of = |seen: &Seen| with_ball(block_of, results, seen, lane, |ball| ball.powers(f));
         let (before, after) = (of(&start), of(&end));
-        let [outer, inner] = with_ball(block_of, results, &start, lane, |ball| ball.slips());
+        let slips = with_ball(block_of, results, &start, lane, |ball| ball.slips());
         let inner_polar = results.inner_polar.get(lane);
         let mean = |before: f64, after: f64| 0.5 * (before + after);
         for (sum, value) in [
@@ -355,15 +430,18 @@ fn powers(
             (Sum::Drive, fi * p.inner.surface_speed.0[lane]),
             (
                 Sum::OuterFriction,
-                fo * mean(outer, results.outer.slip.0[lane]),
+                fo * mean(slips.outer, results.outer.slip.0[lane]),
             ),
             (
                 Sum::InnerFriction,
-                fi * mean(inner, results.inner.slip.0[lane]),
+                fi * mean(slips.inner, results.inner.slip.0[lane]),
             ),
             (Sum::Centrifugal, 0.0),
-            (Sum::FrictionDirection, mean(before[0], after[0])),
-            (Sum::RelativeSpin, mean(before[1], after[1])),
+            (
+                Sum::FrictionDirection,
+                mean(before.direction, after.direction),
+            ),
+            (Sum::RelativeSpin, mean(before.spin, after.spin)),
         ] {
             addends[sum as usize].0[lane] = value;
         }

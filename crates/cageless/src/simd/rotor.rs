@@ -4,11 +4,11 @@ use super::beginning::sticking_weight;
 use super::flanks;
 use super::friction::loaded_slips;
 use super::implicit_friction::{apply, circumference, inner_friction_reactions, solve};
-use super::motions::{CentreLanes, Motions, ring_speeds};
+use super::motions::{CentreLanes, Motions, Moving, ring_speeds};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
-use crate::ball::BallLanes;
+use crate::ball::{BallLanes, BothContacts};
 use crate::contact::{
     InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, outer_slip, positive,
     with_law,
@@ -105,7 +105,13 @@ pub(super) fn add_with_rotor(
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
         let against = |lane| circumference(results, lane);
-        apply((p, balls, block), results, against, h_s, y, dydt);
+        let change = StepChange {
+            layout: p.layout,
+            h_s,
+            y: &mut *y,
+            dydt: &mut *dydt,
+        };
+        apply(balls, block, results, against, change);
         inner_friction_reactions(results, &mut addends);
         outer_friction_reactions(results, &mut addends);
         flanks::add_reactions(results, &mut addends);
@@ -154,14 +160,24 @@ fn add_heat(p: &Parameters, w: &mut Workspace, [y0, y]: [&[f64]; 2]) {
         let before = slip_speeds(p, balls, results, motions_start, &start);
         let after = slip_speeds(p, balls, results, motions_end, &end);
         for lane in 0..LANES {
-            let mean = |k: usize| 0.5 * (before[k].0[lane] + after[k].0[lane]);
-            addends[Sum::OuterFriction as usize].0[lane] = results.outer_friction.0[lane] * mean(0);
-            addends[Sum::InnerFriction as usize].0[lane] = results.inner_friction.0[lane] * mean(1);
+            let mean = |before: &Lanes, after: &Lanes| 0.5 * (before.0[lane] + after.0[lane]);
+            let outer = mean(&before.outer, &after.outer);
+            let inner = mean(&before.inner, &after.inner);
+            addends[Sum::OuterFriction as usize].0[lane] = results.outer_friction.0[lane] * outer;
+            addends[Sum::InnerFriction as usize].0[lane] = results.inner_friction.0[lane] * inner;
         }
-        let ends = [(motions_start, &start.outer), (motions_end, &end.outer)];
+        let ends = [
+            Moving {
+                balls: motions_start,
+                ring: &start.outer,
+            },
+            Moving {
+                balls: motions_end,
+                ring: &end.outer,
+            },
+        ];
         flanks::add_heat(results, ends, &mut addends);
-        let [outer, inner] = after;
-        (results.outer.slip, results.inner.slip) = (outer, inner);
+        (results.outer.slip, results.inner.slip) = (after.outer, after.inner);
         results.outer_friction = friction.slips.outer_friction;
         results.inner_friction = friction.slips.inner_friction;
         loaded_slips(results, &mut slip_max);
@@ -249,8 +265,11 @@ fn slip_speeds(
     results: &BlockResults,
     motions: Motions<'_>,
     rings: &RingMotion,
-) -> [Lanes; 2] {
-    let mut slips = [Lanes::ZERO; 2];
+) -> BothContacts<Lanes> {
+    let mut slips = BothContacts {
+        outer: Lanes::ZERO,
+        inner: Lanes::ZERO,
+    };
     for lane in 0..LANES {
         let motion = motions.get(lane);
         let outer_polar = results.polar.get(lane);
@@ -264,8 +283,8 @@ fn slip_speeds(
             following: p.inner.following.0[lane],
         };
         let (ball, geometry) = (balls.get(lane), results.geometry.get(lane));
-        slips[0].0[lane] = outer_slip(&geometry, &motion, &outer_polar);
-        slips[1].0[lane] = inner_slip(&ball, &raceway, &motion, &inner_polar);
+        slips.outer.0[lane] = outer_slip(&geometry, &motion, &outer_polar);
+        slips.inner.0[lane] = inner_slip(&ball, &raceway, &motion, &inner_polar);
     }
     slips
 }

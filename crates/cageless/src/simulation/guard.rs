@@ -365,7 +365,7 @@ impl Guard {
             if rotor.contact.deflection.max(face) > self.rotor_deflection_max {
                 return Err(Cause::RotorThroughInnerRing);
             }
-            let [z, _] = layout.outer_ring_along_axis(values);
+            let z = layout.outer_ring_along_axis(values).z;
             if outer.x.hypot(outer.y).hypot(z) > self.support_max {
                 return Err(Cause::OffSupport);
             }

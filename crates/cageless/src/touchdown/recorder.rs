@@ -335,11 +335,11 @@ impl Dropped {
         };
         let motion = view.layout().outer_ring_motion(&view.step.y1);
         let [fx, fy] = support.force(&motion);
-        let [z, vz] = view.layout().outer_ring_along_axis(&view.step.y1);
-        let fz = support.force_along_axis([z, vz]);
+        let along_axis = view.layout().outer_ring_along_axis(&view.step.y1);
+        let fz = support.force_along_axis(&along_axis);
         let square = |x: f64, y: f64, z: f64| x * x + y * y + z * z;
         found.housing_force_squared = found.housing_force_squared.max(square(fx, fy, fz));
-        let displaced = square(motion.x, motion.y, z);
+        let displaced = square(motion.x, motion.y, along_axis.z);
         found.housing_displacement_squared = found.housing_displacement_squared.max(displaced);
     }
 

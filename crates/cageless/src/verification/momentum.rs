@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::ball::Ball;
+use crate::ball::{AxialMotion, Ball};
 use crate::contact::published;
 use crate::dynamics::Contacts;
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -53,7 +53,7 @@ fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
         of(BallCoordinate::Vz, RingCoordinate::Vz),
     ];
     let (outer, mass) = (layout.outer_ring_motion(values), model.outer_ring.mass);
-    let [_, outer_vz] = layout.outer_ring_along_axis(values);
+    let AxialMotion { vz: outer_vz, .. } = layout.outer_ring_along_axis(values);
     [
         x + mass * outer.vx,
         y + mass * outer.vy,
@@ -85,7 +85,8 @@ impl Pressed {
 fn external(
     model: &Model,
     layout: Layout,
-    (time_s, values): (f64, &[f64]),
+    time_s: f64,
+    values: &[f64],
     pressed: &Pressed,
 ) -> ([f64; 3], f64) {
     let Pressed { outer, rotor } = *pressed;
@@ -98,7 +99,7 @@ fn external(
         let support = &model.outer_ring.support;
         let [x, y] = support.force(&outer_ring);
         let along_axis = layout.outer_ring_along_axis(values);
-        [-x, -y, -support.force_along_axis(along_axis)]
+        [-x, -y, -support.force_along_axis(&along_axis)]
     } else {
         outer
     };
@@ -147,7 +148,7 @@ impl Observer for MomentumBalance {
         *self = Self {
             start,
             now: start,
-            last: Some(external(context.model, layout, (0.0, values), &pressed)),
+            last: Some(external(context.model, layout, 0.0, values, &pressed)),
             model: Some(Arc::clone(context.model)),
             ..Self::default()
         };
@@ -160,7 +161,7 @@ impl Observer for MomentumBalance {
         };
         let (step, layout) = (view.step, view.layout());
         let pressed = Pressed::of(&view.contacts);
-        let (force, absolute) = external(model, layout, (step.t1_s, &step.y1), &pressed);
+        let (force, absolute) = external(model, layout, step.t1_s, &step.y1, &pressed);
         if let Some((force_before, absolute_before)) = self.last {
             let half = 0.5 * step.size_s();
             for k in 0..3 {

@@ -122,19 +122,18 @@ impl UnderRotor {
     ) {
         let motion = layout.rotor_motion(y).unwrap_or_default();
         let outer = layout.outer_ring_motion(y);
-        let [outer_z, outer_vz] = layout.outer_ring_along_axis(y);
+        let along_axis = layout.outer_ring_along_axis(y);
         let torque = touch.loads.ring_torque + balls.ring_torque;
         layout.set(
             dydt,
             RingCoordinate::Speed,
             torque / self.ring.polar_inertia,
         );
-        let [ox, oy, oz] =
-            (self.outer_ring).acceleration(&outer, [outer_z, outer_vz], balls.outer_ring);
+        let [ox, oy, oz] = (self.outer_ring).acceleration(&outer, &along_axis, balls.outer_ring);
         for (coordinate, rate) in [
             (OuterRingCoordinate::X, outer.vx),
             (OuterRingCoordinate::Y, outer.vy),
-            (OuterRingCoordinate::Z, outer_vz),
+            (OuterRingCoordinate::Z, along_axis.vz),
             (OuterRingCoordinate::Vx, ox),
             (OuterRingCoordinate::Vy, oy),
             (OuterRingCoordinate::Vz, oz),
@@ -148,7 +147,7 @@ impl UnderRotor {
             (EnergyTerm::RotorDamping, touch.damping_power),
             (
                 EnergyTerm::SupportDamping,
-                support.damping_power(&outer, outer_vz),
+                support.damping_power(&outer, along_axis.vz),
             ),
         ] {
             dydt[layout.energy_term(term)] = power;
@@ -194,6 +193,6 @@ impl UnderRotor {
         0.5 * self.ring.polar_inertia * ring_speed * ring_speed
             + journal_energy_j(journal, depth)
             + at_face
-            + (self.outer_ring).energy_j(&outer, layout.outer_ring_along_axis(y))
+            + (self.outer_ring).energy_j(&outer, &layout.outer_ring_along_axis(y))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::parameters::FrictionParameters;
 use super::law::{Law, LawConstants};
+use crate::ball::BothContacts;
 use crate::contact::slip_problem::{SlipProblem, Slips};
 use crate::numerics::lanes::lane_struct;
 
@@ -56,53 +57,55 @@ impl Law for Coulomb {
     #[inline(always)]
     fn end_of_step(&self, problem: &SlipProblem) -> Slips {
         let p = problem;
-        let largest = [
-            self.coefficient * p.outer_normal,
-            self.coefficient * p.inner_normal,
-        ];
+        let largest = BothContacts {
+            outer: self.coefficient * p.outer_normal,
+            inner: self.coefficient * p.inner_normal,
+        };
         // A ball of the padding has no mobility, and so no number here: no load, no friction.
         let clamp = |f: f64, most: f64| if f.abs() <= most { f } else { most.copysign(f) };
         let determinant = p.outer_outer * p.inner_inner - p.outer_inner * p.inner_outer;
-        let stick = [
-            (p.inner_inner * p.outer_free - p.outer_inner * p.inner_free) / determinant,
-            (p.outer_outer * p.inner_free - p.inner_outer * p.outer_free) / determinant,
-        ];
-        let outer_slides = |fo: f64| {
-            let fi = (p.inner_free - p.inner_outer * fo) / p.inner_inner;
-            [fo, clamp(fi, largest[1])]
+        let stick = BothContacts {
+            outer: (p.inner_inner * p.outer_free - p.outer_inner * p.inner_free) / determinant,
+            inner: (p.outer_outer * p.inner_free - p.inner_outer * p.outer_free) / determinant,
         };
-        let inner_slides = |fi: f64| {
-            let fo = (p.outer_free - p.outer_inner * fi) / p.outer_outer;
-            [clamp(fo, largest[0]), fi]
+        let outer_slides = |outer: f64| {
+            let fi = (p.inner_free - p.inner_outer * outer) / p.inner_inner;
+            let inner = clamp(fi, largest.inner);
+            BothContacts { outer, inner }
         };
-        let miss = |f: [f64; 2]| {
-            let [so, si] = p.slips(f);
-            (clamp(f[0] + so / p.outer_outer, largest[0]) - f[0]).abs()
-                + (clamp(f[1] + si / p.inner_inner, largest[1]) - f[1]).abs()
+        let inner_slides = |inner: f64| {
+            let fo = (p.outer_free - p.outer_inner * inner) / p.outer_outer;
+            let outer = clamp(fo, largest.outer);
+            BothContacts { outer, inner }
+        };
+        let miss = |f: BothContacts| {
+            let s = p.slips(f);
+            (clamp(f.outer + s.outer / p.outer_outer, largest.outer) - f.outer).abs()
+                + (clamp(f.inner + s.inner / p.inner_inner, largest.inner) - f.inner).abs()
         };
         let candidates = [
-            outer_slides(largest[0]),
-            outer_slides(-largest[0]),
-            inner_slides(largest[1]),
-            inner_slides(-largest[1]),
+            outer_slides(largest.outer),
+            outer_slides(-largest.outer),
+            inner_slides(largest.inner),
+            inner_slides(-largest.inner),
         ];
-        let within = stick[0].abs() <= largest[0] && stick[1].abs() <= largest[1];
+        let within = stick.outer.abs() <= largest.outer && stick.inner.abs() <= largest.inner;
         // Sticking is exact where it is possible: no rounding of `miss` may prefer a slide.
         let mut least = if within { -1.0 } else { f64::INFINITY };
-        let mut best = if within { stick } else { [0.0; 2] };
+        let mut best = if within { stick } else { BothContacts::default() };
         for candidate in candidates {
             let size = miss(candidate);
             let better = size < least;
             least = if better { size } else { least };
-            best[0] = if better { candidate[0] } else { best[0] };
-            best[1] = if better { candidate[1] } else { best[1] };
+            best.outer = if better { candidate.outer } else { best.outer };
+            best.inner = if better { candidate.inner } else { best.inner };
         }
-        let [outer, inner] = p.slips(best);
+        let end = p.slips(best);
         Slips {
-            outer,
-            inner,
-            outer_friction: best[0],
-            inner_friction: best[1],
+            outer: end.outer,
+            inner: end.inner,
+            outer_friction: best.outer,
+            inner_friction: best.inner,
             converged: 1.0,
             ..Slips::default()
         }

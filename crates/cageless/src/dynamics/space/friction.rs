@@ -266,7 +266,7 @@ fn end_with_rings(b: &mut SpaceBlock, rings: &RingMotions) {
 /// Velocity of the outer ring, m/s.
 pub(super) fn outer_ring_velocity(layout: Layout, y: &[f64]) -> [f64; 3] {
     let motion = layout.outer_ring_motion(y);
-    [motion.vx, motion.vy, layout.outer_ring_along_axis(y)[1]]
+    [motion.vx, motion.vy, layout.outer_ring_along_axis(y).vz]
 }
 
 /// Lets balls at rest slide on the rings as they move at the start (0) or the end (1) of the step.

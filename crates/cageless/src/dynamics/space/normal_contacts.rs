@@ -138,11 +138,11 @@ fn moving(
         let polar = motions.get(lane).about(&outer_ring);
         results.polar.put(lane, polar);
     }
-    let [outer_z, outer_vz] = layout.outer_ring_along_axis(y);
+    let along_axis = layout.outer_ring_along_axis(y);
     let (mut height, mut rise) = (place[2], velocity[2]);
     for lane in 0..LANES {
-        height.0[lane] -= outer_z;
-        rise.0[lane] -= outer_vz + b.sliding_speed.0[lane];
+        height.0[lane] -= along_axis.z;
+        rise.0[lane] -= along_axis.vz + b.sliding_speed.0[lane];
     }
     Moving {
         place,

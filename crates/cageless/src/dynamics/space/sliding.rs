@@ -13,6 +13,7 @@ use super::bearing::Bearing;
 use super::block::{INNER, SpaceBlock};
 use super::model::SpaceModel;
 use super::workspace::SpaceWorkspace;
+use crate::ball::AxialMotion;
 use crate::dynamics::coordinates::{OuterRingCoordinate, SlidingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
@@ -20,9 +21,12 @@ use crate::numerics::lanes::LANES;
 use crate::world::body::sliding_ring::SlidingWork;
 use crate::world::step_change::StepChange;
 
-/// z and speed along the axis of ring `k` that slides, in a vector.
-fn motion(layout: Layout, y: &[f64], k: usize) -> [f64; 2] {
-    [SlidingCoordinate::Z, SlidingCoordinate::Vz].map(|c| y[layout.sliding(c, k)])
+/// Motion of ring `k` that slides, in a vector.
+fn motion(layout: Layout, y: &[f64], k: usize) -> AxialMotion {
+    AxialMotion {
+        z: y[layout.sliding(SlidingCoordinate::Z, k)],
+        vz: y[layout.sliding(SlidingCoordinate::Vz, k)],
+    }
 }
 
 /// Calls with every ring that slides, from 0, and each lane of a block that has a ball of its row.
@@ -82,9 +86,9 @@ pub(super) fn slide_as_in(
     y: &[f64],
 ) {
     let (space, layout) = (bearing.space, bearing.parameters.layout);
-    let [_, housing] = layout.outer_ring_along_axis(y);
+    let housing = layout.outer_ring_along_axis(y);
     slide_with(space, layout, b, block, end, |k| {
-        motion(layout, y, k)[1] - housing
+        motion(layout, y, k).vz - housing.vz
     });
 }
 
@@ -93,14 +97,14 @@ pub(super) fn slide_as_in(
 #[inline(never)]
 pub(super) fn place_rings(bearing: Bearing<'_>, s: &mut SpaceWorkspace, y: &[f64]) {
     let (space, layout) = (bearing.space, bearing.parameters.layout);
-    let [housing_z, housing_vz] = layout.outer_ring_along_axis(y);
+    let housing = layout.outer_ring_along_axis(y);
     for (k, work) in s.sliding.iter_mut().enumerate() {
-        work.speed = motion(layout, y, k)[1] - housing_vz;
+        work.speed = motion(layout, y, k).vz - housing.vz;
     }
     for (block, b) in s.blocks.iter_mut().enumerate() {
         each_lane(space, layout, block, |k, lane| {
             let held = space.balls[block * LANES + lane].outer.axial;
-            b.outer_groove.axial.0[lane] = held + (motion(layout, y, k)[0] - housing_z);
+            b.outer_groove.axial.0[lane] = held + (motion(layout, y, k).z - housing.z);
             b.sliding_speed.0[lane] = s.sliding[k].speed;
         });
     }
@@ -122,7 +126,7 @@ pub(super) fn sliding_rates(
         let (force_n, speed) = (s.row_force_n(layout, ring.row), s.sliding[k].speed);
         s.sliding[k].force_n = force_n;
         let force = force_n + ring.spring_n - ring.damping * speed;
-        dydt[layout.sliding(SlidingCoordinate::Z, k)] = motion(layout, y, k)[1];
+        dydt[layout.sliding(SlidingCoordinate::Z, k)] = motion(layout, y, k).vz;
         dydt[layout.sliding(SlidingCoordinate::Vz, k)] = force / ring.mass;
         // The balls of the row push its ring, and the spring and the damper the housing.
         let housing = layout.at(dydt, OuterRingCoordinate::Vz);
@@ -155,12 +159,12 @@ pub(super) fn add_sliding_friction(
 /// Kinetic energy of the rings that slide, and what their springs store: less the further they are
 /// pushed, J.
 pub(super) fn sliding_energy_j(space: &SpaceModel, layout: Layout, y: &[f64]) -> f64 {
-    let [housing, _] = layout.outer_ring_along_axis(y);
+    let housing = layout.outer_ring_along_axis(y);
     let rings = space.sliding.iter().enumerate();
     rings
         .map(|(k, ring)| {
-            let [z, vz] = motion(layout, y, k);
-            0.5 * ring.mass * vz * vz - ring.spring_n * (z - housing)
+            let AxialMotion { z, vz } = motion(layout, y, k);
+            0.5 * ring.mass * vz * vz - ring.spring_n * (z - housing.z)
         })
         .sum()
 }
@@ -172,7 +176,7 @@ pub(crate) fn outer_z_m(space: &SpaceModel, layout: Layout, y: &[f64], k: usize)
         .iter()
         .position(|ring| ring.row == k / layout.row);
     match own {
-        Some(ring) => motion(layout, y, ring)[0],
-        None => layout.outer_ring_along_axis(y)[0],
+        Some(ring) => motion(layout, y, ring).z,
+        None => layout.outer_ring_along_axis(y).z,
     }
 }

@@ -7,7 +7,7 @@ use super::creep::rolling_m_s;
 use crate::ball::PolarMotionLanes;
 use crate::contact::FilmTractionLanes;
 use crate::contact::creep::LEAST_SPEED_SQUARE;
-use crate::film::GrooveFilms;
+use crate::film::{GrooveFilms, SlotEdge};
 use crate::numerics::lanes::LANES;
 
 /// Sets the films of a block.
@@ -55,11 +55,12 @@ fn inner_curvature(b: &SpaceBlock, lane: usize) -> f64 {
     cosine / (groove.centre - cosine * groove.curvature)
 }
 
-/// Slot whose edge a ball touches, from 0, and σ there.
+/// Edge of a slot that a ball touches.
 #[inline(always)]
-fn on_edge(b: &SpaceBlock, lane: usize) -> Option<(usize, f64)> {
+fn on_edge(b: &SpaceBlock, lane: usize) -> Option<SlotEdge> {
     let slot = (b.outer.slot.0[lane] as usize).checked_sub(1)?;
-    Some((slot, b.outer.merged.0[lane]))
+    let merged = b.outer.merged.0[lane];
+    Some(SlotEdge { slot, merged })
 }
 
 #[cfg(test)]
@@ -118,9 +119,9 @@ mod tests {
         let curvature = cosine / point.xy().norm();
         match (place, on_edge(b, k)) {
             (INNER, _) => LubricatedContact::inner_curved(bearing, curvature),
-            (_, Some((slot, merged))) => {
-                let slot = case.raceways[slot].slot().unwrap();
-                LubricatedContact::of_ring(bearing, slot.merged_curvatures_per_m(merged))
+            (_, Some(edge)) => {
+                let slot = case.raceways[edge.slot].slot().unwrap();
+                LubricatedContact::of_ring(bearing, slot.merged_curvatures_per_m(edge.merged))
             }
             _ => LubricatedContact::outer_curved(bearing, curvature),
         }

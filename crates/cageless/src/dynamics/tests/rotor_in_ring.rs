@@ -2,7 +2,7 @@
 //! forms (fall, pendulum, climb, spin-up, whirl) check the contact and the motion of the rotor,
 //! which are those of the bearing.
 
-use crate::ball::Centre;
+use crate::ball::{AxialMotion, Centre};
 use crate::bearing::InnerRingBore;
 use crate::contact::journal_energy_j;
 use crate::integrator::System;
@@ -118,7 +118,7 @@ impl RotorInRing {
         let [_, weight, _] = self.body.weight;
         self.body.energy_j(&m) + 0.5 * self.ring_inertia * ring.speed * ring.speed - weight * m.y
             + journal_energy_j(&self.joint.journal, contact.contact.deflection)
-            + self.ring.energy_j(&ring.centre, [0.0; 2])
+            + self.ring.energy_j(&ring.centre, &AxialMotion::default())
     }
 }
 
@@ -163,7 +163,8 @@ impl System for RotorInRing {
             0.0
         };
         let (ring, force) = (ring.centre, loads.force);
-        let [rx, ry, _] = (self.ring).acceleration(&ring, [0.0; 2], force.map(|f| -f));
+        let [rx, ry, _] =
+            (self.ring).acceleration(&ring, &AxialMotion::default(), force.map(|f| -f));
         for (coordinate, rate) in [
             (Coordinate::X, rotor.vx),
             (Coordinate::Y, rotor.vy),

@@ -2,7 +2,7 @@
 
 use super::row::{BodyRow, Freedom, row};
 use super::{ContactStiffness, FastestRates};
-use crate::ball::Centre;
+use crate::ball::{AxialMotion, Centre};
 use crate::case::Case;
 use crate::dynamics::coordinates::Kind;
 use crate::rotor::Support;
@@ -113,7 +113,7 @@ impl OuterRing {
     pub(crate) fn acceleration(
         &self,
         motion: &Centre,
-        along_axis: [f64; 2],
+        along_axis: &AxialMotion,
         reactions: [f64; 3],
     ) -> [f64; 3] {
         let [x, y] = self.support.force(motion);
@@ -126,7 +126,8 @@ impl OuterRing {
     }
 
     /// Kinetic energy of the ring and energy stored in the support, J.
-    pub(crate) fn energy_j(&self, motion: &Centre, [z, vz]: [f64; 2]) -> f64 {
+    pub(crate) fn energy_j(&self, motion: &Centre, along_axis: &AxialMotion) -> f64 {
+        let AxialMotion { z, vz } = *along_axis;
         0.5 * self.mass * (motion.vx.powi(2) + motion.vy.powi(2))
             + 0.5 * self.axial_mass * vz * vz
             + self.support.energy_j(motion, z)

@@ -1,6 +1,6 @@
 //! The support of the outer ring: spring and damper to the ground, and a hard stop.
 
-use crate::ball::Centre;
+use crate::ball::{AxialMotion, Centre};
 use crate::rotor::Support;
 
 /// Constants of the support; all 0 without one.
@@ -46,8 +46,8 @@ impl SupportJoint {
 
     /// Force along the axis, N: the hard stop is radial.
     #[inline(always)]
-    pub(crate) fn force_along_axis(&self, [z, vz]: [f64; 2]) -> f64 {
-        -self.stiffness * z - self.damping * vz
+    pub(crate) fn force_along_axis(&self, motion: &AxialMotion) -> f64 {
+        -self.stiffness * motion.z - self.damping * motion.vz
     }
 
     /// Power that the damping takes out, W.
@@ -105,6 +105,7 @@ mod tests {
         };
         assert_eq!(support.damping_power(&moving, 2.0), 4e3 * 29.0);
         assert_eq!(support.force(&moving), [-1.2e4, 1.6e4]);
-        assert_eq!(support.force_along_axis([1e-5, 2.0]), -8200.0);
+        let along_axis = AxialMotion { z: 1e-5, vz: 2.0 };
+        assert_eq!(support.force_along_axis(&along_axis), -8200.0);
     }
 }
