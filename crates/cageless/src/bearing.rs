@@ -201,7 +201,7 @@ impl Bearing {
         require(FIELD, listed as f64, [0, balls].contains(&listed), rule)?;
         let most = DEVIATION_MAX * self.ball_radius_m();
         for deviation_m in &deviations_m {
-            from_to(FIELD, *deviation_m, [-most, most], "1 % of the ball radius")?;
+            from_to(FIELD, *deviation_m, -most..=most, "1 % of the ball radius")?;
         }
         let d = &self.dimensions;
         let groove = d

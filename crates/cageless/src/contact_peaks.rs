@@ -63,9 +63,32 @@ impl ContactPeaks {
 struct Sample<P> {
     rank: f64,
     point: P,
-    sliding_m_s: f64,
-    /// ωi at its time over the largest.
+    sliding: Sliding,
+}
+
+/// Sliding of a contact at a time.
+#[derive(Debug, Clone, Copy)]
+struct Sliding {
+    /// ΔV.
+    speed_m_s: f64,
+    /// ωi over the largest.
     speed_ratio: f64,
+}
+
+/// The most loaded point of a contact, and the force by which it ranks.
+struct Loaded<P> {
+    point: P,
+    rank_n: f64,
+}
+
+impl Loaded<RacewayPoint> {
+    /// A point at a raceway.
+    fn point(point: RacewayPoint) -> Self {
+        Self {
+            point,
+            rank_n: point.force_n,
+        }
+    }
 }
 
 /// Largest force of a ball, and largest force and pressure times sliding speed of a point of contact.
@@ -79,17 +102,32 @@ struct Largest<P> {
 /// Fraction of a rank that rounding may take from it.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether a contact under a force may exceed [`Largest::bounds`] if `[over, under]` is the part of the force
-/// that its most loaded point bears.
-#[inline(always)]
-fn exceeds(
-    [force, load, sliding]: [f64; 3],
-    [force_n, over, under]: [f64; 3],
-    sliding_m_s: f64,
-) -> bool {
-    let (rank, speed) = (force_n * over, sliding_m_s.abs());
-    let least = under * (1.0 - ROUNDING);
-    (force_n > force) | (rank > load * least) | (rank * speed * speed * speed > sliding * least)
+/// Force of a ball and ranks by load and sliding so far.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    force_n: f64,
+    load: f64,
+    sliding: f64,
+}
+
+/// Force of a contact, of which its most loaded point bears the part `over`/`under`.
+#[derive(Debug, Clone, Copy)]
+struct Pressed {
+    force_n: f64,
+    over: f64,
+    under: f64,
+}
+
+impl Bounds {
+    /// Whether a contact may exceed them.
+    #[inline(always)]
+    fn may_be_exceeded(&self, by: Pressed, sliding_m_s: f64) -> bool {
+        let (rank, speed) = (by.force_n * by.over, sliding_m_s.abs());
+        let least = by.under * (1.0 - ROUNDING);
+        (by.force_n > self.force_n)
+            | (rank > self.load * least)
+            | (rank * speed * speed * speed > self.sliding * least)
+    }
 }
 
 impl<P: Copy> Largest<P> {
@@ -102,36 +140,34 @@ impl<P: Copy> Largest<P> {
         }
     }
 
-    /// Takes a contact under `force_n` of which `point` is the most loaded one and ranks by its
-    /// force, `point_n`. Pressure grows with F^(1/3), so that F·|ΔV|³ ranks pressure times sliding speed.
+    /// Takes a contact under `force_n`. Pressure grows with F^(1/3), so that F·|ΔV|³ ranks pressure times
+    /// sliding speed.
     #[inline]
-    fn add(
-        &mut self,
-        force_n: f64,
-        (point, point_n): (P, f64),
-        [sliding_m_s, speed_ratio]: [f64; 2],
-    ) {
+    fn add(&mut self, force_n: f64, loaded: Loaded<P>, sliding: Sliding) {
         self.force_n = self.force_n.max(force_n);
-        let speed = sliding_m_s.abs();
+        let (Loaded { point, rank_n }, speed) = (loaded, sliding.speed_m_s.abs());
         for (largest, rank) in [
-            (&mut self.load, point_n),
-            (&mut self.sliding, point_n * speed * speed * speed),
+            (&mut self.load, rank_n),
+            (&mut self.sliding, rank_n * speed * speed * speed),
         ] {
             if rank > largest.map_or(0.0, |sample| sample.rank) {
                 *largest = Some(Sample {
                     rank,
                     point,
-                    sliding_m_s,
-                    speed_ratio,
+                    sliding,
                 });
             }
         }
     }
 
-    /// Force of a ball and ranks by load and sliding so far.
-    fn bounds(&self) -> [f64; 3] {
+    /// Bounds that a contact must exceed to change anything.
+    fn bounds(&self) -> Bounds {
         let rank = |sample: Option<Sample<P>>| sample.map_or(0.0, |sample| sample.rank);
-        [self.force_n, rank(self.load), rank(self.sliding)]
+        Bounds {
+            force_n: self.force_n,
+            load: rank(self.load),
+            sliding: rank(self.sliding),
+        }
     }
 
     /// Peaks with pressure and semi-axis in the direction of rolling of a point, and surfaces of
@@ -145,13 +181,9 @@ impl<P: Copy> Largest<P> {
         let Some(load) = self.load else {
             return ContactPeak::default();
         };
-        let Sample {
-            point,
-            sliding_m_s,
-            speed_ratio,
-            ..
-        } = self.sliding.unwrap_or(load);
-        let surface_m_s = speed_ratio * surface_m_s;
+        let Sample { point, sliding, .. } = self.sliding.unwrap_or(load);
+        let sliding_m_s = sliding.speed_m_s;
+        let surface_m_s = sliding.speed_ratio * surface_m_s;
         let sliding = contact(point);
         ContactPeak {
             force_n: self.force_n,
@@ -224,10 +256,21 @@ impl ContactPeakTracker {
                 results.geometry.effective_radius.0[lane],
             );
             let (i, o) = (&results.inner, &results.outer);
-            let outer_exceeds =
-                |bounds, under| exceeds(bounds, [o.force.0[lane], radius, under], o.slip.0[lane]);
+            let at_outer = |under: f64| Pressed {
+                force_n: o.force.0[lane],
+                over: radius,
+                under,
+            };
+            let outer_exceeds = |bounds: Bounds, under: f64| {
+                bounds.may_be_exceeded(at_outer(under), o.slip.0[lane])
+            };
+            let at_inner = Pressed {
+                force_n: i.force.0[lane],
+                over: 1.0,
+                under: 1.0,
+            };
             // Both bounds, for a choice between two numbers in memory becomes one between their addresses.
-            exceeds(inner, [i.force.0[lane], 1.0, 1.0], i.slip.0[lane])
+            inner.may_be_exceeded(at_inner, i.slip.0[lane])
                 | ((effective < radius) & outer_exceeds(outer[1], 2.0 * effective))
                 | (!(effective < radius) & outer_exceeds(outer[0], radius))
         };
@@ -242,16 +285,22 @@ impl ContactPeakTracker {
         let force_n = contacts.inner_force_n(k);
         if force_n > 0.0 {
             let point = contacts.inner_point(k);
-            let sliding = [contacts.inner_sliding_m_s(k), speed_ratio];
-            self.inner.add(force_n, (point, point.force_n), sliding);
+            let sliding = Sliding {
+                speed_m_s: contacts.inner_sliding_m_s(k),
+                speed_ratio,
+            };
+            self.inner.add(force_n, Loaded::point(point), sliding);
         }
         let force_n = contacts.outer_force_n(k);
         if force_n > 0.0 {
             let point = contacts.outer_point(k);
-            let sliding = [contacts.outer_sliding_m_s(k), speed_ratio];
-            if !self.add_edge(contacts, k, (point.force_n, sliding)) {
+            let sliding = Sliding {
+                speed_m_s: contacts.outer_sliding_m_s(k),
+                speed_ratio,
+            };
+            if !self.add_edge(contacts, k, point.force_n, sliding) {
                 let largest = &mut self.outer[usize::from(point.cosine < 1.0)];
-                largest.add(force_n, (point, point.force_n), sliding);
+                largest.add(force_n, Loaded::point(point), sliding);
             }
         }
     }
@@ -261,7 +310,8 @@ impl ContactPeakTracker {
         &mut self,
         contacts: &Contacts<'_>,
         k: usize,
-        (point_n, sliding): (f64, [f64; 2]),
+        point_n: f64,
+        sliding: Sliding,
     ) -> bool {
         if self.edges.is_empty() {
             return false;
@@ -275,8 +325,11 @@ impl ContactPeakTracker {
         let ratio = raceway
             .slot()
             .map_or(1.0, |slot| slot.pressure_ratio(local));
-        let point = ((point_n, local), point_n * ratio.powi(3));
-        largest.add(contacts.outer_force_n(k), point, sliding);
+        let loaded = Loaded {
+            point: (point_n, local),
+            rank_n: point_n * ratio.powi(3),
+        };
+        largest.add(contacts.outer_force_n(k), loaded, sliding);
         true
     }
 
@@ -290,8 +343,15 @@ impl ContactPeakTracker {
         for k in 0..contacts.balls() {
             let force_n = contacts.pair_force_n(k);
             if force_n > 0.0 {
-                let sliding = [contacts.pair_sliding_m_s(k), speed_ratio];
-                self.balls.add(force_n, (force_n, force_n), sliding);
+                let loaded = Loaded {
+                    point: force_n,
+                    rank_n: force_n,
+                };
+                let sliding = Sliding {
+                    speed_m_s: contacts.pair_sliding_m_s(k),
+                    speed_ratio,
+                };
+                self.balls.add(force_n, loaded, sliding);
             }
         }
     }
@@ -329,9 +389,23 @@ impl ContactPeakTracker {
 
 #[cfg(test)]
 mod tests {
-    use super::{ContactPeak, Largest, RacewayContact};
+    use super::{ContactPeak, Largest, Loaded, RacewayContact, Sliding};
 
     /// A contact whose pressure goes with the cube root of the force.
+    fn alone(force_n: f64) -> Loaded<f64> {
+        Loaded {
+            point: force_n,
+            rank_n: force_n,
+        }
+    }
+
+    fn sliding(speed_m_s: f64, speed_ratio: f64) -> Sliding {
+        Sliding {
+            speed_m_s,
+            speed_ratio,
+        }
+    }
+
     fn contact(force_n: f64) -> RacewayContact {
         RacewayContact {
             pressure_pa: 1e9 * force_n.cbrt(),
@@ -345,7 +419,7 @@ mod tests {
     fn a_product_is_that_of_one_contact() {
         let mut largest = Largest::none();
         for (force_n, sliding_m_s) in [(1000.0, 0.1), (8.0, 2.0), (27.0, -1.5), (1.0, 3.5)] {
-            largest.add(force_n, (force_n, force_n), [sliding_m_s, 1.0]);
+            largest.add(force_n, alone(force_n), sliding(sliding_m_s, 1.0));
         }
         let peak = largest.peak(0.1, contact, 10.0);
         assert_eq!(peak.force_n, 1000.0);
@@ -367,7 +441,7 @@ mod tests {
     #[test]
     fn a_flash_temperature_is_that_of_its_time() {
         let mut largest = Largest::none();
-        largest.add(27.0, (27.0, 27.0), [-1.5, 0.25]);
+        largest.add(27.0, alone(27.0), sliding(-1.5, 0.25));
         let found = largest.peak(0.1, contact, 10.0).flash_temperature_k;
         let roots = 4f64.sqrt() - 2.5f64.sqrt();
         let load = std::f64::consts::FRAC_PI_2 * 3e9 * 1e-4;
@@ -379,8 +453,8 @@ mod tests {
     #[test]
     fn a_shared_force_ranks_by_one_point() {
         let mut largest = Largest::none();
-        largest.add(1000.0, (400.0, 400.0), [1.0; 2]);
-        largest.add(900.0, (450.0, 450.0), [1.0; 2]);
+        largest.add(1000.0, alone(400.0), sliding(1.0, 1.0));
+        largest.add(900.0, alone(450.0), sliding(1.0, 1.0));
         let peak = largest.peak(0.1, contact, 10.0);
         assert_eq!(peak.force_n, 1000.0);
         assert_eq!(peak.pressure_pa, 1e9 * 450f64.cbrt());

@@ -344,7 +344,7 @@ pub fn critical_gap_rad(
     let mut passages = 0.0;
     // A little above, where pairs pass freely and the smallest gap is a smooth function.
     let mut guess = 1.03 * bearing.nominal_gap_rad();
-    let mut range = [0.0, most];
+    let (mut low, mut high) = (0.0, most);
     loop {
         let found = root::try_rise(
             |gap| {
@@ -355,10 +355,9 @@ pub fn critical_gap_rad(
                 Ok::<_, CriticalGapError>(passed.smallest)
             },
             guess,
-            range,
+            low..=high,
             test.tolerance_rad,
         )?;
-        let [_, high] = range;
         let is_reached = test.gap_max_rad.is_none_or(|gap| entrance >= gap);
         match found {
             Rise::At(_) => return Ok(entrance),
@@ -369,7 +368,7 @@ pub fn critical_gap_rad(
             // A pair that draws together on its way reaches the raceway with less than it starts with.
             Rise::Above => {
                 guess = (FURTHER * high).min(room);
-                range = [high, guess];
+                (low, high) = (high, guess);
             }
         }
     }

@@ -24,6 +24,7 @@ use crate::equilibrium::{
 use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
+use crate::numerics::vector::PlaneVector;
 use crate::step_limits;
 use crate::world::body::{self, RestingRing};
 
@@ -96,9 +97,16 @@ impl<'a> Beginning<'a> {
             ),
             (None, StartState::Rolling { ring_x_m, ring_y_m }) => {
                 let ring_m = [ring_x_m, ring_y_m];
-                (ring_m, distances_between_rings_m(case, ring_m))
+                let place_m = PlaneVector {
+                    x: ring_x_m,
+                    y: ring_y_m,
+                };
+                (ring_m, distances_between_rings_m(case, place_m))
             }
-            (None, _) => ([0.0; 2], distances_between_rings_m(case, [0.0; 2])),
+            (None, _) => (
+                [0.0; 2],
+                distances_between_rings_m(case, PlaneVector::default()),
+            ),
         };
         let row_preload_m = match &resting {
             Some(e) => e.row_preload_m.clone(),
@@ -204,7 +212,7 @@ fn inner_speed_at_start_rad_s(case: &Case) -> f64 {
 
 /// |rb| of every ball about an inner ring that is put somewhere, m: Rm, but where rings press the balls, which would
 /// spring from there to where the two forces are equal.
-fn distances_between_rings_m(case: &Case, ring_m: [f64; 2]) -> Vec<f64> {
+fn distances_between_rings_m(case: &Case, ring_m: PlaneVector) -> Vec<f64> {
     let bearing = &case.bearing;
     match bearing.radial_internal_clearance_m() < 0.0 {
         true => {

@@ -14,6 +14,9 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+use std::ops::Range;
+
+use crate::ball::BothContacts;
 use crate::bearing::Bearing;
 use crate::numerics::quadrature;
 use crate::raceway::Raceway;
@@ -38,8 +41,8 @@ pub fn orbit_speed_of_rad_s(
         * (1.0 - ball_radius_m / (r_m + ball_radius_m))
 }
 
-/// Ω of a ball that rolls under a contact angle, rad/s: with the arms `[outer, inner]` of its
-/// rotation at the two contacts and the inner contact at αi,
+/// Ω of a ball that rolls under a contact angle, rad/s: with the arms of its rotation at the two
+/// contacts, m, and the inner contact at αi,
 ///
 ///   Ω = ωi (Ri + ri (1 − cos αi))/Rm · ro/(ro + ri′),
 ///
@@ -47,13 +50,13 @@ pub fn orbit_speed_of_rad_s(
 pub(crate) fn orbit_speed_in_space_rad_s(
     bearing: &Bearing,
     inner_speed_rad_s: f64,
-    [outer_m, inner_m]: [f64; 2],
+    arms_m: BothContacts,
     inner_angle_rad: f64,
 ) -> f64 {
     let d = bearing.dimensions();
     let higher = d.inner_groove_curvature_radius_m * (1.0 - inner_angle_rad.cos());
     inner_speed_rad_s * (d.inner_groove_bottom_radius_m + higher) / bearing.pitch_radius_m()
-        * (outer_m / (outer_m + inner_m))
+        * (arms_m.outer / (arms_m.outer + arms_m.inner))
 }
 
 /// Spin of pure rolling relative to the frame that turns with the ball's orbit,
@@ -79,8 +82,8 @@ pub fn speed_change_max(bearing: &Bearing, raceway: &Raceway) -> f64 {
         rw * rw * raceway.contact_angle_sine_slope(local).abs() / (r * (rw + r))
     };
     let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
-    let largest = pieces.map(|[a, b]| {
-        let at = |k: usize| change(a + (b - a) * k as f64 / CHANGE_PLACES as f64);
+    let largest = pieces.map(|Range { start, end }| {
+        let at = |k: usize| change(start + (end - start) * k as f64 / CHANGE_PLACES as f64);
         let places: Vec<f64> = (0..=CHANGE_PLACES).map(at).collect();
         let tops = places.windows(3).map(|v| match [v[1] - v[0], v[1] - v[2]] {
             // The top of the parabola through three places.
@@ -106,7 +109,7 @@ pub(crate) fn raceway_delay_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 
             let centre = raceway.dimensions().centre_angle_rad;
             let excess = |psi: f64| outside / speed(raceway.effective_radius_m(centre + psi)) - 1.0;
             let pieces = raceway.pieces().iter().map(|p| p.range_rad());
-            let half = pieces.map(|[a, b]| quadrature::gauss(excess, a, b * (1.0 - 1e-12), 8));
+            let half = pieces.map(|p| quadrature::gauss(excess, p.start, p.end * (1.0 - 1e-12), 8));
             2.0 * half.sum::<f64>()
         })
         .sum()

@@ -6,6 +6,8 @@
 //! assert!((limit.least..=limit.most).contains(&3.969e-3) && !(limit.least..=limit.most).contains(&3.969));
 //! ```
 
+use std::ops::RangeInclusive;
+
 use crate::error::{Allowed, InputError};
 
 /// Least and greatest value of an input field, both allowed.
@@ -94,16 +96,19 @@ pub(crate) fn positive(field: &'static str, value: f64) -> Result<(), InputError
 pub(crate) fn from_to(
     field: &'static str,
     value: f64,
-    [least, most]: [f64; 2],
+    allowed: RangeInclusive<f64>,
     why: &'static str,
 ) -> Result<(), InputError> {
-    match (least..=most).contains(&value) {
+    match allowed.contains(&value) {
         true => Ok(()),
-        false => Err(InputError::new(
-            field,
-            value,
-            Allowed::Between(least, most, why),
-        )),
+        false => {
+            let (least, most) = allowed.into_inner();
+            Err(InputError::new(
+                field,
+                value,
+                Allowed::Between(least, most, why),
+            ))
+        }
     }
 }
 

@@ -18,6 +18,7 @@
 //! ```
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use crate::case::Case;
 use crate::contact_tracker::ContactTracker;
@@ -532,8 +533,8 @@ impl<S: PassageSink> PassageRecorder<S> {
     }
 
     /// Time in which the inner ring at its largest speed turns as far as between two times, s.
-    fn at_largest_s(&self, between_s: [f64; 2]) -> f64 {
-        let constant = between_s[1] - between_s[0];
+    fn at_largest_s(&self, between_s: Range<f64>) -> f64 {
+        let constant = between_s.end - between_s.start;
         let varying = self.varying.as_ref();
         varying.map_or(constant, |case| case.time_at_largest_speed_s(between_s))
     }
@@ -554,7 +555,7 @@ impl<S: PassageSink> PassageRecorder<S> {
         let way_here = self.left[k].map(|(before, left_s)| {
             let angle_rad = from_end_of(before);
             let rolling_s = self.rolling_rad_s.map(|speed| angle_rad / speed);
-            let time_s = rolling_s.unwrap_or_else(|| self.at_largest_s([left_s, enter_s]));
+            let time_s = rolling_s.unwrap_or_else(|| self.at_largest_s(left_s..enter_s));
             [angle_rad, time_s]
         });
         let orbit = view.contacts.orbit_speed_rad_s(k);
@@ -600,7 +601,7 @@ impl<S: PassageSink> PassageRecorder<S> {
         self.left[k] = Some((r, leave_s));
         Passage {
             leave_s,
-            inside_at_largest_s: self.at_largest_s([passage.enter_s, leave_s]),
+            inside_at_largest_s: self.at_largest_s(passage.enter_s..leave_s),
             gap_leave_rad,
             gap_min_rad: least.min(nearest.gap_rad(self.pair_angles[k])),
             ..passage

@@ -2,7 +2,15 @@
 
 use crate::material::Material;
 
-/// Growth of the diameter `at_m` of a free ring of diameters `[d, D]` that rotates at ω, m:
+/// Inside and outside diameter of a ring.
+pub(crate) struct RingDiameters {
+    /// d, m.
+    pub inside_m: f64,
+    /// D, m.
+    pub outside_m: f64,
+}
+
+/// Growth of the diameter `at_m` of a free ring of these diameters that rotates at ω, m:
 ///
 ///   Δ = ρ ω² x (3 + ν)(1 − ν)/(32 E) (d² + D² + (1 + ν)/(1 − ν) (d D/x)² − (1 + ν)/(3 + ν) x²)
 ///
@@ -11,9 +19,13 @@ use crate::material::Material;
 pub(crate) fn rotating_growth_m(
     material: &Material,
     speed_rad_s: f64,
-    [inside_m, outside_m]: [f64; 2],
+    diameters: &RingDiameters,
     at_m: f64,
 ) -> f64 {
+    let RingDiameters {
+        inside_m,
+        outside_m,
+    } = diameters;
     let nu = material.poisson_ratio;
     let strain = material.density_kg_m3 * speed_rad_s.powi(2) * (3.0 + nu) * (1.0 - nu)
         / (32.0 * material.youngs_modulus_pa);

@@ -257,7 +257,7 @@ impl Rotor {
     fn check_shoulders(&self, bore_radius_m: f64, groove_radius_m: f64) -> Result<(), InputError> {
         if let Some(radius_m) = self.shoulder_radius_m {
             let why = "the face of the inner ring lies between its bore and its raceway";
-            let bounds = [bore_radius_m, groove_radius_m];
+            let bounds = bore_radius_m..=groove_radius_m;
             from_to("shoulder_radius_m", radius_m, bounds, why)?;
         }
         let Some(clearance_m) = self.axial_clearance_m else {
@@ -294,7 +294,7 @@ impl Rotor {
         };
         positive("axial_clearance_m", clearance_m)?;
         let why = "the magnets held the rotor within its axial clearance";
-        from_to("rotor_z_m", self.z_m, [-clearance_m, clearance_m], why)
+        from_to("rotor_z_m", self.z_m, -clearance_m..=clearance_m, why)
     }
 }
 

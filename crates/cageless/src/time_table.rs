@@ -9,6 +9,8 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+use std::ops::Range;
+
 use crate::error::InputError;
 use crate::limits::require;
 
@@ -117,7 +119,8 @@ impl TimeTable {
     }
 
     /// Integral of the quantity from one time to a later one.
-    pub(crate) fn integral(&self, [from_s, to_s]: [f64; 2]) -> f64 {
+    pub(crate) fn integral(&self, between_s: Range<f64>) -> f64 {
+        let (from_s, to_s) = (between_s.start, between_s.end);
         let corners = self.times_s.iter().copied();
         let corners = corners.filter(|t| (from_s < *t) & (*t < to_s));
         let (mut last_s, mut sum) = (from_s, 0.0);
@@ -160,7 +163,7 @@ mod tests {
             (2.0, 5.0, 9.0),
             (4.0, 7.0, 6.5),
         ] {
-            let found = table.integral([from, to]);
+            let found = table.integral(from..to);
             assert!((found - expected).abs() < 1e-12, "{from} {to}: {found}");
         }
         assert_eq!(table.range_until(2.0), [0.0, 2.0]);

@@ -39,7 +39,7 @@ impl UnbalanceForce {
     pub(crate) fn direction_rad(&self, time_s: f64) -> f64 {
         let turned_rad = match &self.speed {
             None => self.speed_rad_s * time_s,
-            Some(table) => table.integral([0.0, time_s]),
+            Some(table) => table.integral(0.0..time_s),
         };
         self.unbalance.phase_rad + turned_rad
     }

@@ -32,7 +32,7 @@ use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::numerics::random::RandomStream;
 use crate::numerics::root;
 use crate::raceway::{Raceway, RacewayForm};
-use crate::rotating_ring::rotating_growth_m;
+use crate::rotating_ring::{RingDiameters, rotating_growth_m};
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 use crate::unbalance::{Unbalance, UnbalanceForce};
@@ -298,12 +298,15 @@ impl Case {
     /// bore to bottom of the groove.
     pub fn speed_expansion_m(&self) -> f64 {
         let raceway_m = 2.0 * self.bearing.dimensions().inner_groove_bottom_radius_m;
-        let diameters = [2.0 * self.bearing.bore_radius_or_estimate_m(), raceway_m];
+        let diameters = RingDiameters {
+            inside_m: 2.0 * self.bearing.bore_radius_or_estimate_m(),
+            outside_m: raceway_m,
+        };
         let speed_rad_s = self.largest_inner_speed_rad_s();
         rotating_growth_m(
             &self.bearing.materials().ring,
             speed_rad_s,
-            diameters,
+            &diameters,
             raceway_m,
         )
     }

@@ -1,5 +1,7 @@
 //! Speed and load of a case over time.
 
+use std::ops::Range;
+
 use super::Case;
 use crate::time_table::TimeTable;
 
@@ -14,10 +16,10 @@ impl Case {
 
     /// Time in which the inner ring at its largest speed turns as far as it does between two times, s: exactly
     /// what lies between them at constant speed.
-    pub(crate) fn time_at_largest_speed_s(&self, between_s: [f64; 2]) -> f64 {
+    pub(crate) fn time_at_largest_speed_s(&self, between_s: Range<f64>) -> f64 {
         match &self.operation.inner_speed_table {
             Some(table) => table.integral(between_s) / self.largest_inner_speed_rad_s(),
-            None => between_s[1] - between_s[0],
+            None => between_s.end - between_s.start,
         }
     }
 

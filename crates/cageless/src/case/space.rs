@@ -207,7 +207,7 @@ impl Case {
             Tilt::Held { x_rad, y_rad } => {
                 for (field, value) in [("tilt_x_rad", x_rad), ("tilt_y_rad", y_rad)] {
                     let why = "more is beyond all shoulders";
-                    from_to(field, value, [-TILT_MAX_RAD, TILT_MAX_RAD], why)?;
+                    from_to(field, value, -TILT_MAX_RAD..=TILT_MAX_RAD, why)?;
                 }
             }
             Tilt::Free {
@@ -263,7 +263,7 @@ impl Case {
     fn check_row(&self, row: &Row) -> Result<(), InputError> {
         let most = ROW_PLACE_MAX * 2.0 * self.bearing.pitch_radius_m();
         let why = "100 pitch diameters from where the load acts: the rows sit on one rigid ring";
-        from_to("axial_position_m", row.axial_position_m, [-most, most], why)?;
+        from_to("axial_position_m", row.axial_position_m, -most..=most, why)?;
         let most = self.bearing.balls();
         let balls = row.balls.unwrap_or(most);
         let rule =
@@ -275,13 +275,13 @@ impl Case {
         require("contact_sign", row.contact_sign, kept, rule)?;
         let most = self.bearing.axial_preload_max_m();
         let why = "more presses the balls of a pair with over 4200 MPa, the limit of ISO 76";
-        from_to("preload_m", row.preload_m, [0.0, most], why)?;
+        from_to("preload_m", row.preload_m, 0.0..=most, why)?;
         let rule = "0 or left out: the outer ring of the row is displaced already, and held there";
         let kept = row.preload_m == 0.0 || row.preload_n == 0.0;
         require("preload_n", row.preload_n, kept, rule)?;
         let most = self.axial_preload_max_n(balls);
         let why = "more presses its balls with over 4200 MPa, the limit of ISO 76";
-        from_to("preload_n", row.preload_n, [0.0, most], why)?;
+        from_to("preload_n", row.preload_n, 0.0..=most, why)?;
         let [mass_kg, damping] = row.sliding(&self.bearing);
         positive("sliding_mass_kg", mass_kg)?;
         not_negative("sliding_damping_n_s_m", damping)

@@ -67,8 +67,8 @@ impl PointContact {
     /// lie in common planes: first the plane of rolling, then the meridian plane.
     /// The sums of curvatures in both planes must be positive.
     pub(crate) fn between(one: [f64; 2], other: [f64; 2], materials: [&Material; 2]) -> Self {
-        let sums = [one[0] + other[0], one[1] + other[1]];
-        let (steep, flat) = (sums[0].max(sums[1]), sums[0].min(sums[1]));
+        let (rolling, meridian) = (one[0] + other[0], one[1] + other[1]);
+        let (steep, flat) = (rolling.max(meridian), rolling.min(meridian));
         // A and B of z = A x² + B y², with the long axis a along x.
         let (a_curv, b_curv) = (flat / 2.0, steep / 2.0);
         let m = eccentricity_squared(b_curv / a_curv);
@@ -81,7 +81,7 @@ impl PointContact {
         let long = (3.0 * k_minus_e_over_m / (2.0 * PI * modulus * a_curv)).cbrt();
         let short = long * (1.0 - m).sqrt();
         let deflection = 3.0 * k / (2.0 * PI * long * modulus);
-        let (first, second) = if sums[0] > sums[1] {
+        let (first, second) = if rolling > meridian {
             (short, long)
         } else {
             (long, short)

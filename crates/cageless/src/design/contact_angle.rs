@@ -213,14 +213,14 @@ fn lag_within_rad(
         let cosine = raceway.effective_radius_m(middle + psi) / d.ball_radius_m;
         cosine.min(1.0).acos()
     };
-    // Of the normal of a flank at the line through this place, from the ball along and across the section.
-    let towards = |psi: f64, [x, y]: [f64; 2]| {
+    // Of the normal of a flank at the line through a place, x and y from the ball along and across the section.
+    let towards = |psi: f64, x: f64, y: f64| {
         let (sin, cos) = nominal(psi).sin_cos();
         let slot = raceway.slot().map(|slot| slot.at(psi));
         let curvature = slot.map_or(1.0 / gap, |edge| edge.centre_curvature_per_m[0]);
         (sin + curvature * y).atan2(cos + curvature * x)
     };
-    let flank = |psi: f64| towards(psi, [pressed.approach_m(depth(psi)), 0.0]);
+    let flank = |psi: f64| towards(psi, pressed.approach_m(depth(psi)), 0.0);
     let along = |angle: f64| 1.0 - gamma * from_radius(angle).cos();
     let outside = 0.5 * along(beside.abs());
     let farther = |psi: f64| 1.0 + depth(psi) * turned.cos() / bearing.pitch_radius_m();
@@ -228,7 +228,8 @@ fn lag_within_rad(
         let (flank, inner) = (flank(psi).cos(), seated.cos());
         outside * farther(psi) * (flank + inner) / (along(seated) * flank) - 1.0
     };
-    let on_one = |psi: f64| outside * farther(psi) / (0.5 * along(towards(psi, centre))) - 1.0;
+    let on_one =
+        |psi: f64| outside * farther(psi) / (0.5 * along(towards(psi, centre[0], centre[1]))) - 1.0;
     let end = half_width_rad.min(raceway.half_angle_rad() * (1.0 - 1e-12));
     // αc and the depth fall from the middle to the ends.
     let until = |excess: &dyn Fn(f64) -> f64| match excess(0.0) > 0.0 {
@@ -241,8 +242,8 @@ fn lag_within_rad(
         true => alone * on_both(alone),
         false => alone * on_one(alone),
     };
-    for [a, b] in raceway.pieces().iter().map(|piece| piece.range_rad()) {
-        let (a, b) = (a.min(end).max(alone), b.min(end).max(alone));
+    for piece in raceway.pieces().iter().map(|piece| piece.range_rad()) {
+        let [a, b] = [piece.start, piece.end].map(|at| at.min(end).max(alone));
         let leaves = leaves.clamp(a, b);
         half += quadrature::gauss(on_both, a, leaves, PANELS)
             + quadrature::gauss(on_one, leaves, b, PANELS);

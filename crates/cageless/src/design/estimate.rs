@@ -1,9 +1,12 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
+use std::ops::Range;
+
 use super::criterion::{FILM_OUTWEIGHS, FILM_QUEUE, IN_OIL};
 use super::{
     Eq11, LAG, SEPARATION, STEADY_GAP, rolling_lag_fraction, steady_gap_rad, theoretical_gap_rad,
 };
+use crate::ball::BothContacts;
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
@@ -204,9 +207,9 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
         |psi: f64| rolling_orbit_speed_rad_s(bearing, speed, raceway.effective_radius_m(psi));
     let spin =
         |psi: f64| rolling_rotation_rad_s(bearing, orbit(psi), raceway.effective_radius_m(psi));
-    let demand = |[begin, end]: [f64; 2], k: usize| {
-        let h = (end - begin) / (2.0 * POINTS as f64);
-        let psi = centre - (begin + (end - begin) * (k as f64 + 0.5) / POINTS as f64);
+    let demand = |Range { start, end }: Range<f64>, k: usize| {
+        let h = (end - start) / (2.0 * POINTS as f64);
+        let psi = centre - (start + (end - start) * (k as f64 + 0.5) / POINTS as f64);
         let rate = |f: &dyn Fn(f64) -> f64| (f(psi + h) - f(psi - h)) / (2.0 * h) * orbit(psi);
         let along = bearing.ball_mass_kg() * bearing.pitch_radius_m() * rate(&orbit);
         let turning = bearing.ball_inertia_kg_m2() * rate(&spin) / bearing.ball_radius_m();
@@ -215,13 +218,13 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
             orbit_rad_s: orbit(psi),
             spin_rad_s: spin(psi),
         };
-        let [inner_n, outer_n] = available.at(forces_n(equilibrium, psi), &rolling);
+        let friction_n = available.at(forces_n(equilibrium, psi), &rolling);
         let over = |tangential: f64, largest: f64| tangential.abs() / largest.max(1e-12);
-        let inner = over(0.5 * (turning + along), inner_n);
-        inner.max(over(0.5 * (turning - along), outer_n))
+        let inner = over(0.5 * (turning + along), friction_n.inner);
+        inner.max(over(0.5 * (turning - along), friction_n.outer))
     };
     let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
-    let demands = pieces.flat_map(|range| (0..POINTS).map(move |k| (range, k)));
+    let demands = pieces.flat_map(|range| (0..POINTS).map(move |k| (range.clone(), k)));
     demands
         .map(|(range, k)| demand(range, k))
         .fold(0.0, f64::max)
@@ -250,17 +253,17 @@ impl<'a> AvailableFriction<'a> {
         }
     }
 
-    /// Friction at the inner and the outer raceway under these forces there, N.
-    fn at(&self, [inner_n, outer_n]: [f64; 2], rolling: &RollingThrough) -> [f64; 2] {
+    /// Friction at the raceways under these forces there, N.
+    fn at(&self, forces_n: BothContacts, rolling: &RollingThrough) -> BothContacts {
         match &self.mixed {
-            Some(mixed) => self.mixed([inner_n, outer_n], rolling, mixed),
+            Some(mixed) => self.mixed(forces_n, rolling, mixed),
             None => {
                 let contact = &self.case.contact;
                 let friction = contact.friction_law.coefficient_max(&contact.friction);
-                [
-                    friction * inner_n,
-                    friction * (contact.outer_friction_factor * outer_n),
-                ]
+                BothContacts {
+                    outer: friction * (contact.outer_friction_factor * forces_n.outer),
+                    inner: friction * forces_n.inner,
+                }
             }
         }
     }
@@ -268,10 +271,10 @@ impl<'a> AvailableFriction<'a> {
     /// [`Self::at`] of film and asperities; on a raceway both flanks bear.
     fn mixed(
         &self,
-        [inner_n, outer_n]: [f64; 2],
+        forces_n: BothContacts,
         rolling: &RollingThrough,
         mixed: &MixedFriction<'_>,
-    ) -> [f64; 2] {
+    ) -> BothContacts {
         let bearing = &self.case.bearing;
         let (ball_m, orbit_m) = (bearing.ball_radius_m(), bearing.pitch_radius_m());
         let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
@@ -282,27 +285,27 @@ impl<'a> AvailableFriction<'a> {
         } = *rolling;
         let flanks = if radius_m < ball_m { 2.0 } else { 1.0 };
         let at_outer = Rolling {
-            load_n: outer_n * ball_m / (radius_m * flanks),
+            load_n: forces_n.outer * ball_m / (radius_m * flanks),
             speed_m_s: 0.5 * (orbit_rad_s * (orbit_m + 2.0 * radius_m) + spin_rad_s * radius_m),
         };
         // The surfaces of ring and ball, less twice that of the contact.
         let surface_m_s = self.case.operation.inner_speed_rad_s * groove_m;
         let carried_m_s = orbit_rad_s * (groove_m - ball_m);
         let at_inner = Rolling {
-            load_n: inner_n,
+            load_n: forces_n.inner,
             speed_m_s: 0.5 * (surface_m_s + spin_rad_s * ball_m - carried_m_s),
         };
         let flank = LubricatedContact::outer(bearing, radius_m / ball_m);
-        [
-            mixed.inner_n(&LubricatedContact::inner(bearing), at_inner),
+        BothContacts {
             // Over the force of the raceway, as that of the law.
-            flanks * mixed.outer_n(&flank, at_outer) * (radius_m / ball_m),
-        ]
+            outer: flanks * mixed.outer_n(&flank, at_outer) * (radius_m / ball_m),
+            inner: mixed.inner_n(&LubricatedContact::inner(bearing), at_inner),
+        }
     }
 }
 
 /// Fi and Fo at ψ, linear between the two nearest balls of the equilibrium.
-fn forces_n(equilibrium: &Equilibrium, angle_rad: f64) -> [f64; 2] {
+fn forces_n(equilibrium: &Equilibrium, angle_rad: f64) -> BothContacts {
     let angles = &equilibrium.ball_angle_rad;
     let n = angles.len();
     let turn = std::f64::consts::TAU;
@@ -317,8 +320,11 @@ fn forces_n(equilibrium: &Equilibrium, angle_rad: f64) -> [f64; 2] {
     } else {
         0.0
     };
-    [&equilibrium.inner_force_n, &equilibrium.outer_force_n]
-        .map(|f| f[behind] + (f[next] - f[behind]) * part)
+    let at = |f: &[f64]| f[behind] + (f[next] - f[behind]) * part;
+    BothContacts {
+        outer: at(&equilibrium.outer_force_n),
+        inner: at(&equilibrium.inner_force_n),
+    }
 }
 
 #[cfg(test)]
@@ -531,7 +537,7 @@ mod tests {
                 let rate = |n: usize| (after[n] - before[n]) / (2.0 * h) * speeds(psi)[0];
                 let sum = 0.4 * mass * rw * rate(1);
                 let difference = mass * rm * rate(0);
-                let [inner, outer] = forces_n(&e, psi);
+                let BothContacts { outer, inner } = forces_n(&e, psi);
                 let ti = (0.5 * (sum + difference)).abs() / (0.007 * inner);
                 let to = (0.5 * (sum - difference)).abs() / (0.007 * outer);
                 largest = largest.max(ti).max(to);
@@ -558,7 +564,10 @@ mod tests {
             (last, 25.0),
             (0.5 - turn, 15.0),
         ] {
-            let [found, outer] = forces_n(&e, angle);
+            let BothContacts {
+                outer,
+                inner: found,
+            } = forces_n(&e, angle);
             assert!(
                 (found - inner).abs() < 1e-9 && (outer - inner / 10.0).abs() < 1e-9,
                 "{angle}: {found}"

@@ -97,7 +97,10 @@ pub fn theoretical_gap_rad(bearing: &Bearing, raceway: &Raceway, meaning: Eq11) 
     // The integrand is even, smooth over each piece up to θ and 2 beyond.
     let end = (epsilon / 2.0).min(theta);
     let (mut inside, mut from) = (0.0, 0.0);
-    for junction in raceway.pieces()[1..].iter().map(|p| phi(p.range_rad()[0])) {
+    for junction in raceway.pieces()[1..]
+        .iter()
+        .map(|p| phi(p.range_rad().start))
+    {
         let to = junction.min(end);
         inside += quadrature::gauss(integrand, from, to, 8);
         from = to;

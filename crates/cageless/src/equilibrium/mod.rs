@@ -29,6 +29,7 @@ use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::control::Control;
 use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
+use crate::numerics::vector::PlaneVector;
 pub(crate) use ball_seat::{ball_outer_geometry, effective_radius_m, start_angles_rad};
 pub use error::EquilibriumError;
 pub use plane::Equilibrium;
@@ -132,11 +133,11 @@ fn in_plane(
 /// inner ring, which turns at `inner_speed_rad_s`.
 pub(crate) fn seated_distances_m(
     case: &Case,
-    [x, y]: [f64; 2],
+    ring_m: PlaneVector,
     inner_speed_rad_s: f64,
 ) -> Vec<f64> {
     let Ok((balance, seated)) = space::rolling(case, true, inner_speed_rad_s, |balance| {
-        Ok::<_, Infallible>(balance.around([x, y, 0.0, 0.0, 0.0]))
+        Ok::<_, Infallible>(balance.around([ring_m.x, ring_m.y, 0.0, 0.0, 0.0]))
     });
     let balls = balance.balls.iter().zip(&seated.rests);
     balls

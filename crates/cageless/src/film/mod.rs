@@ -125,7 +125,7 @@ impl Film {
     pub fn check(&self) -> Result<(), InputError> {
         self.oil.check()?;
         let why = "a share of the rolling force of a flooded contact";
-        from_to("supply", self.supply, [0.0, FLOODED], why)?;
+        from_to("supply", self.supply, 0.0..=FLOODED, why)?;
         let (limit, most) = (self.traction_coefficient, Self::TRACTION_COEFFICIENT_MAX);
         Allowed::AtLeast(0.0, "").check("traction_coefficient", limit)?;
         let why = "traction fluids have 0.12; it is no percentage";

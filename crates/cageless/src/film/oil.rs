@@ -73,7 +73,8 @@ impl Oil {
     /// An [`InputError`] naming the first field that cannot be.
     pub(super) fn check(&self) -> Result<(), InputError> {
         let why = "from petrol to the stiffest gear oil in the cold";
-        from_to("viscosity_pa_s", self.viscosity_pa_s, VISCOSITIES_PA_S, why)?;
+        let [least, most] = VISCOSITIES_PA_S;
+        from_to("viscosity_pa_s", self.viscosity_pa_s, least..=most, why)?;
         let slope = self.viscosity_temperature_1_k;
         let kept = (0.0..=VISCOSITY_TEMPERATURE_MAX_1_K).contains(&slope);
         let rule = "from 0 to 0.2: mineral oils have 0.02 to 0.06";
@@ -87,12 +88,7 @@ impl Oil {
         let rule = "from 0.05 to 1: oils have 0.1 to 0.17";
         require("thermal_conductivity_w_m_k", lambda, kept, rule)?;
         let why = "oils have 750 to 1100";
-        from_to(
-            "oil_density_kg_m3",
-            self.density_kg_m3,
-            [500.0, 2000.0],
-            why,
-        )
+        from_to("oil_density_kg_m3", self.density_kg_m3, 500.0..=2000.0, why)
     }
 }
 

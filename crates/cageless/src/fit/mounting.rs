@@ -2,7 +2,7 @@
 
 use super::warmth::Warmth;
 use crate::material::Material;
-use crate::rotating_ring::rotating_growth_m;
+use crate::rotating_ring::{RingDiameters, rotating_growth_m};
 
 /// Elastic constants of a cylinder.
 #[derive(Debug, Clone, Copy)]
@@ -44,8 +44,11 @@ pub(super) struct Mounting<'a> {
 impl Mounting<'_> {
     /// Growth of a diameter of the free inner ring by its rotation, m.
     pub(super) fn ring_growth_m(&self, at_m: f64) -> f64 {
-        let diameters = [self.ring_bore_m, self.inner_m];
-        rotating_growth_m(self.ring_material, self.inner_speed_rad_s, diameters, at_m)
+        let diameters = RingDiameters {
+            inside_m: self.ring_bore_m,
+            outside_m: self.inner_m,
+        };
+        rotating_growth_m(self.ring_material, self.inner_speed_rad_s, &diameters, at_m)
     }
 
     /// Growth of the free shaft by its rotation, m.
@@ -55,8 +58,11 @@ impl Mounting<'_> {
             poisson_ratio: self.shaft.poisson_ratio,
             ..*self.ring_material
         };
-        let diameters = [self.shaft_bore_m, bore_m];
-        rotating_growth_m(&turning, self.inner_speed_rad_s, diameters, bore_m)
+        let diameters = RingDiameters {
+            inside_m: self.shaft_bore_m,
+            outside_m: bore_m,
+        };
+        rotating_growth_m(&turning, self.inner_speed_rad_s, &diameters, bore_m)
     }
 
     /// Seat of the inner ring on a shaft with this interference at 20 °C and at rest.

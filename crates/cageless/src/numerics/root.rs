@@ -1,5 +1,7 @@
 //! Roots of a function of one variable.
 
+use std::ops::RangeInclusive;
+
 /// Root of `f` in the bracket `[a, b]` by Brent's method (Brent 1973, chapter 4),
 /// to `tolerance` in the argument.
 ///
@@ -113,7 +115,7 @@ pub(crate) enum Rise {
     Above,
 }
 
-/// Root of a rising `f` between `low` and `high`, to `tolerance` in the argument.
+/// Root of a rising `f` within a range, to `tolerance` in the argument.
 /// For an `f` that costs much, is smooth above its root and of a slope near 1, and tells
 /// little of the root's distance below it: Newton's method with the slope between the last
 /// points above, bisection where that leads nowhere.
@@ -126,9 +128,10 @@ pub(crate) enum Rise {
 pub(crate) fn try_rise<E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
     guess: f64,
-    [low, high]: [f64; 2],
+    range: RangeInclusive<f64>,
     tolerance: f64,
 ) -> Result<Rise, E> {
+    let (low, high) = range.into_inner();
     let mut x = guess.clamp(low, high);
     let (mut above, mut below) = (None::<(f64, f64)>, None::<f64>);
     let mut slope = 1.0;
@@ -217,7 +220,7 @@ mod tests {
                     -2e-4 * (-d / (1e-3 - d))
                 })
             };
-            let Ok(Rise::At(found)) = try_rise(&mut f, 0.0317, [0.0, 0.4], 2e-7) else {
+            let Ok(Rise::At(found)) = try_rise(&mut f, 0.0317, 0.0..=0.4, 2e-7) else {
                 panic!("no root at {root}");
             };
             assert!((found - root).abs() < 3e-7, "{found} {root}");
@@ -234,7 +237,7 @@ mod tests {
                 let d = x - root;
                 Ok::<_, ()>(if d > 0.0 { 2.5 * d } else { -1e-5 })
             };
-            let Ok(Rise::At(found)) = try_rise(f, 0.0317, [0.0, 0.4], 2e-5) else {
+            let Ok(Rise::At(found)) = try_rise(f, 0.0317, 0.0..=0.4, 2e-5) else {
                 panic!("no root at {root}");
             };
             assert!((found - root).abs() < 3e-5, "{found} {root}");
@@ -247,13 +250,13 @@ mod tests {
         let (high, tolerance) = (1.0, 1e-3);
         // The steps are 0.004, 0.008, and so on: the fifth ends 0.4 tolerances short of the end.
         let guess = 1.0 - 0.4e-3 - 0.002 * (2.0 + 4.0 + 8.0 + 16.0 + 32.0);
-        let rise = try_rise(|_| Ok::<_, ()>(-0.5), guess, [0.0, high], tolerance);
+        let rise = try_rise(|_| Ok::<_, ()>(-0.5), guess, 0.0..=high, tolerance);
         assert_eq!(rise, Ok(Rise::Above));
     }
 
     #[test]
     fn a_rise_outside_the_range_is_told() {
-        let rise = |at: f64| try_rise(|x| Ok::<_, ()>(x - at), 0.3, [0.0, 1.0], 1e-9);
+        let rise = |at: f64| try_rise(|x| Ok::<_, ()>(x - at), 0.3, 0.0..=1.0, 1e-9);
         assert_eq!(rise(-0.1), Ok(Rise::Below));
         assert_eq!(rise(1.1), Ok(Rise::Above));
         assert!(matches!(rise(0.77), Ok(Rise::At(x)) if (x - 0.77).abs() < 1e-9));

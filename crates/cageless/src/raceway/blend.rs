@@ -69,12 +69,7 @@ impl Blend {
         let half = half_angle_rad * bottom_m;
         let why = "or 0, which leaves the slope discontinuity; a quarter of the length of the raceway \
                    at most";
-        from_to(
-            "blend_m",
-            blend_m,
-            [SHARE_MIN * half, SHARE_MAX * half],
-            why,
-        )?;
+        from_to("blend_m", blend_m, SHARE_MIN * half..=SHARE_MAX * half, why)?;
         let blend = Self::over(flanks, half_angle_rad, blend_m / bottom_m);
         let rises = |k: i32| blend.along(f64::from(k) / 100.0)[1] > 0.0;
         let rule = "shorter: the contact angle must fall steadily to 0 over it";

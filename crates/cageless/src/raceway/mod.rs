@@ -127,7 +127,7 @@ impl Raceway {
         positive("axial_span_m", span)?;
         positive("half_angle_rad", theta)?;
         Allowed::Below(FRAC_PI_2, "").check("half_angle_rad", theta)?;
-        from_to("centre_angle_rad", centre_angle_rad, [-TAU, TAU], "")?;
+        from_to("centre_angle_rad", centre_angle_rad, -TAU..=TAU, "")?;
         let why = "the contact points must stay on the groove, Zhao 2022, Eq. (8)";
         Allowed::Below(axial_span_limit_m(bearing), why).check("axial_span_m", span)?;
         let d = bearing.dimensions();
@@ -172,7 +172,7 @@ impl Raceway {
     pub(crate) fn with_depth(mut self, depth_m: f64) -> Result<Self, InputError> {
         let room = self.groove_curvature_radius_m - self.ball_radius_m;
         let why = "what the groove's curvature radius exceeds the ball's";
-        from_to("depth_m", depth_m, [0.0, room], why)?;
+        from_to("depth_m", depth_m, 0.0..=room, why)?;
         self.check_no_slot("depth_m", depth_m)?;
         self.form.depth_m = depth_m;
         Ok(self)
@@ -227,9 +227,9 @@ impl Raceway {
 
     /// The pieces without blends, the last of which is this one.
     fn ending_with(&self, last: Piece) -> Vec<Piece> {
-        let [start, _] = last.range_rad();
+        let start = last.range_rad().start;
         let mut pieces = self.unblended.clone();
-        pieces.retain(|piece| piece.range_rad()[0] < start);
+        pieces.retain(|piece| piece.range_rad().start < start);
         pieces.iter_mut().for_each(|piece| piece.end_at(start));
         pieces.push(last);
         pieces
@@ -244,7 +244,7 @@ impl Raceway {
     pub fn with_depth_error(mut self, depth_error_m: f64) -> Result<Self, InputError> {
         let most = self.depth_error_max_m();
         let why = "a tenth of what the groove's curvature radius exceeds the ball's";
-        from_to("depth_error_m", depth_error_m, [-most, most], why)?;
+        from_to("depth_error_m", depth_error_m, -most..=most, why)?;
         self.depth_error_m = depth_error_m;
         Ok(self)
     }
@@ -364,7 +364,7 @@ impl Raceway {
 
     fn piece_at(&self, local_angle_rad: f64) -> Option<&Piece> {
         let local = local_angle_rad.abs();
-        self.pieces.iter().find(|p| local < p.range_rad()[1])
+        self.pieces.iter().find(|p| local < p.range_rad().end)
     }
 
     /// Stretches over which the flanks are smooth, from the middle to the end.
@@ -436,7 +436,7 @@ impl Raceway {
     /// The piece that reaches to local ψ, its end included.
     fn piece_up_to(&self, local_angle_rad: f64) -> &Piece {
         let local = local_angle_rad.abs();
-        let found = self.pieces.iter().find(|p| local <= p.range_rad()[1]);
+        let found = self.pieces.iter().find(|p| local <= p.range_rad().end);
         found.unwrap_or(&self.pieces[self.pieces.len() - 1])
     }
 
@@ -489,7 +489,7 @@ impl Raceway {
     /// Local ψ at which the blend before +θ starts.
     pub fn blend_start_rad(&self) -> Option<f64> {
         let blend = self.pieces.last().filter(|_| self.blend_m > 0.0);
-        blend.map(|piece| piece.range_rad()[0])
+        blend.map(|piece| piece.range_rad().start)
     }
 
     /// Checks that the raceway was laid out for this bearing.

@@ -1,5 +1,7 @@
 //! A stretch of a raceway over which the angle of its flanks is smooth.
 
+use std::ops::Range;
+
 use super::flank_angle::{FlankAngle, Flanks};
 use crate::numerics::chebyshev::Polynomial;
 
@@ -67,8 +69,9 @@ impl Piece {
     }
 
     /// Local ψ at which it begins and ends.
-    pub(crate) fn range_rad(&self) -> [f64; 2] {
-        self.range_rad
+    pub(crate) fn range_rad(&self) -> Range<f64> {
+        let [start, end] = self.range_rad;
+        start..end
     }
 
     /// sin²ψ where it begins and where it ends.

@@ -32,6 +32,7 @@ mod speed_factor;
 
 use std::f64::consts::TAU;
 
+use crate::ball::BothContacts;
 use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::equilibrium::Equilibrium;
@@ -147,7 +148,10 @@ impl Rating {
             let rows = e.row.chunk_by(|a, b| a == b).scan(0, |from, row| {
                 let range = *from..*from + row.len();
                 *from = range.end;
-                Some([&inner[range.clone()], &outer[range]])
+                Some(BothContacts {
+                    outer: &outer[range.clone()],
+                    inner: &inner[range],
+                })
             });
             reference.l10r_of_rows_mrev(rows)
         };

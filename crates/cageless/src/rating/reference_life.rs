@@ -2,6 +2,7 @@
 
 use super::basic_ratings::BasicRatings;
 use super::ratios::{Conformities, gamma, raceway_ratio};
+use crate::ball::BothContacts;
 use crate::bearing::Bearing;
 
 /// 0.407 = Jr/J1: radial load integral of a half-loaded bearing over the mean effective load
@@ -47,18 +48,21 @@ impl ReferenceLife {
     ///
     /// At speed the outer forces hold the centrifugal forces as well.
     pub(crate) fn l10r_mrev(&self, inner_force_n: &[f64], outer_force_n: &[f64]) -> Option<f64> {
-        self.l10r_of_rows_mrev([[inner_force_n, outer_force_n]])
+        self.l10r_of_rows_mrev([BothContacts {
+            outer: outer_force_n,
+            inner: inner_force_n,
+        }])
     }
 
     /// L10r of a bearing of several rows, million revolutions, from the forces of each at both
     /// raceways: L10r = (Σ Lk^(−10/9))^(−9/10).
     pub(crate) fn l10r_of_rows_mrev<'f>(
         &self,
-        rows: impl IntoIterator<Item = [&'f [f64]; 2]>,
+        rows: impl IntoIterator<Item = BothContacts<&'f [f64]>>,
     ) -> Option<f64> {
-        let of_row = |[inner_n, outer_n]: [&[f64]; 2]| {
-            let inner = effective_load_n(inner_n, 3.0) / self.inner_rating_n;
-            let outer = effective_load_n(outer_n, 10.0 / 3.0) / self.outer_rating_n;
+        let of_row = |forces_n: BothContacts<&[f64]>| {
+            let inner = effective_load_n(forces_n.inner, 3.0) / self.inner_rating_n;
+            let outer = effective_load_n(forces_n.outer, 10.0 / 3.0) / self.outer_rating_n;
             inner.powf(10.0 / 3.0) + outer.powf(10.0 / 3.0)
         };
         let sum = rows.into_iter().map(of_row).reduce(|a, b| a + b)?;

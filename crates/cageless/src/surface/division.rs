@@ -60,7 +60,7 @@ impl OuterRing {
         let d = raceway.dimensions();
         let middle = wrap_angle_rad(d.centre_angle_rad);
         let pieces = raceway.pieces().iter();
-        let right: Vec<f64> = pieces.map(|piece| piece.range_rad()[1]).collect();
+        let right: Vec<f64> = pieces.map(|piece| piece.range_rad().end).collect();
         let left = right.iter().rev().map(|end| -end);
         let ends: Vec<f64> = left.chain(right.iter().copied()).collect();
         let (parts, blended) = (ends.len() - 1, raceway.blend_start_rad().is_some());

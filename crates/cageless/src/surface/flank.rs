@@ -25,7 +25,7 @@ impl Patch {
         tolerance_m: f64,
     ) -> Result<[Self; 2], PatchError> {
         let flanks = Side::BOTH.map(|side| Flank { ring, sector, side });
-        Self::of(&flanks, [sector.start_rad, sector.end_rad], tolerance_m)
+        Self::of(&flanks, sector.start_rad..sector.end_rad, tolerance_m)
     }
 
     /// Largest distance of the patch of one side of a sector's groove from the analytic surface, and

@@ -47,7 +47,7 @@ impl Mesh {
         let most = CHORD_MAX_M.min(wall / 2.0);
         let why = "ten times the rounding of coordinates or 0.05 µm; half the wall behind the groove \
                    or 100 µm";
-        from_to("chord_m", chord_m, [least, most], why)?;
+        from_to("chord_m", chord_m, least..=most, why)?;
         let mut mesh = Self::within(ring, chord_m - rounding_m);
         mesh.deviation_m += rounding_m;
         Ok(mesh)

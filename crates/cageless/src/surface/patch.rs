@@ -1,5 +1,7 @@
 //! A part of the ring's surface as a bicubic B-spline.
 
+use std::ops::Range;
+
 use super::sheet::{Fibre, Sheet};
 use crate::numerics::bspline::{Vec3, basis, interpolate, interval};
 
@@ -37,13 +39,13 @@ impl Patch {
     /// share the points of common lines.
     pub(in crate::surface) fn of<S: Sheet, const N: usize>(
         sheets: &[S; N],
-        [start_rad, end_rad]: [f64; 2],
+        range_rad: Range<f64>,
         tolerance_m: f64,
     ) -> Result<[Self; N], PatchError> {
         let (mut along, mut across) = (4, 4);
         loop {
             let patches = sheets.each_ref().map(|sheet| {
-                let along_rad = equal_parts(start_rad, end_rad, along);
+                let along_rad = equal_parts(range_rad.start, range_rad.end, along);
                 Self::interpolated(sheet, along_rad, equal_parts(0.0, 1.0, across))
             });
             let worst = |measure: fn(&Self, &S) -> f64| {

@@ -29,7 +29,7 @@ impl Patch {
         tolerance_m: f64,
     ) -> Result<(Self, f64), PatchError> {
         let sheets = [PlainGroove(ring.plain_meridian(0.0))];
-        let range = [sector.start_rad, sector.end_rad];
+        let range = sector.start_rad..sector.end_rad;
         let [patch] = Self::of(&sheets, range, tolerance_m)?;
         let off_m = patch.off_m(&sheets[0]);
         Ok((patch, off_m))

@@ -2,7 +2,9 @@
 
 use super::end_state::EndState;
 use super::heat::{EndPower, HeatHistory, InterfaceHeat};
-use super::whirl::{Whirl, WhirlTracker, WhirlWindow, backward_whirl_max_hz, mean_frequency_hz};
+use super::whirl::{
+    JournalForce, Whirl, WhirlTracker, WhirlWindow, backward_whirl_max_hz, mean_frequency_hz,
+};
 use crate::case::Case;
 use crate::contact_peaks::ContactPeakTracker;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
@@ -325,7 +327,11 @@ impl Dropped {
         };
         if most.first_contact_s.is_some() {
             let direction = runs_round.then_some([contact.nx, contact.ny]);
-            whirl.update(direction, time_s, h, [bounces_n, lift_n]);
+            let pressed = JournalForce {
+                contact_n: bounces_n,
+                lift_n,
+            };
+            whirl.update(direction, time_s, h, &pressed);
         }
     }
 

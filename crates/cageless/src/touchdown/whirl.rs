@@ -155,6 +155,15 @@ pub(super) fn mean_frequency_hz(windows: &[WhirlWindow]) -> f64 {
     sum(|w| w.turned_rad) / TAU / sum(|w| w.end_s - w.start_s)
 }
 
+/// Force of the inner ring on a journal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct JournalForce {
+    /// Contact force, N.
+    pub contact_n: f64,
+    /// Upward force, N.
+    pub lift_n: f64,
+}
+
 /// Divides the motion of the journal into windows of equal length.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WhirlTracker {
@@ -195,13 +204,13 @@ impl WhirlTracker {
     }
 
     /// Takes the end of a step: unit vector from the centre of the bore to that of a journal that may
-    /// run round it, time, length of the step, contact force and upward force on the rotor.
+    /// run round it, time, length of the step, and forces.
     pub(super) fn update(
         &mut self,
         direction: Option<[f64; 2]>,
         time_s: f64,
         step_s: f64,
-        [force_n, lift_n]: [f64; 2],
+        pressed: &JournalForce,
     ) {
         // From −Y, counter-clockwise, as ψ.
         let kept = self.angle_rad.unwrap_or(0.0);
@@ -225,10 +234,10 @@ impl WhirlTracker {
         w.angle_min_rad = w.angle_min_rad.min(angle);
         w.angle_max_rad = w.angle_max_rad.max(angle);
         w.end_s = time_s;
-        if force_n > 0.0 {
+        if pressed.contact_n > 0.0 {
             self.contact_s += step_s;
-            self.impulse_n_s += force_n * step_s;
-            self.lift_n_s += lift_n * step_s;
+            self.impulse_n_s += pressed.contact_n * step_s;
+            self.lift_n_s += pressed.lift_n * step_s;
         }
         if w.end_s - w.start_s >= self.length_s {
             self.close();
@@ -254,6 +263,10 @@ impl WhirlTracker {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn force(contact_n: f64, lift_n: f64) -> JournalForce {
+        JournalForce { contact_n, lift_n }
+    }
 
     #[test]
     fn a_whirl_goes_round_in_contact_against_the_rotation() {
@@ -359,7 +372,7 @@ mod tests {
                 all: u64::from(k % 100 == 0),
                 above: [u64::from(k % 200 == 0), 0, 0],
             });
-            tracker.update(Some([cos, sin]), time, step, [10.0, -3.0]);
+            tracker.update(Some([cos, sin]), time, step, &force(10.0, -3.0));
         }
         tracker.close();
         assert_eq!(tracker.windows.len(), 3);
@@ -398,12 +411,13 @@ mod tests {
                 150 => begun,
                 _ => ContactCounts::default(),
             });
-            let force = match k {
+            let bounce_n = match k {
                 0..=100 => 40.0,
                 301..=330 => 7.0,
                 _ => 0.0,
             };
-            tracker.update(Some([angle.sin(), -angle.cos()]), time, step, [force, 0.0]);
+            let direction = Some([angle.sin(), -angle.cos()]);
+            tracker.update(direction, time, step, &force(bounce_n, 0.0));
         }
         tracker.close();
         tracker.close();
@@ -447,7 +461,7 @@ mod tests {
                     Some([angle.sin(), -angle.cos()]),
                     1e-3 * (k + 1) as f64,
                     1e-3,
-                    [1.0, 0.0],
+                    &force(1.0, 0.0),
                 );
             }
             tracker.close();

@@ -403,11 +403,15 @@ fn ring_support() {
 #[test]
 fn rotating_ring() {
     use cageless::Material;
-    use cageless::rotating_ring::rotating_growth_m;
+    use cageless::rotating_ring::{RingDiameters, rotating_growth_m};
 
     // The inner ring of Zhao 2022 on a bore of 30 mm at 30,000 rpm: its raceway grows by 3.3 µm.
     let speed_rad_s = 30e3 / 60.0 * std::f64::consts::TAU;
-    let growth_m = rotating_growth_m(&Material::STEEL, speed_rad_s, [30e-3, 36.48e-3], 36.48e-3);
+    let diameters = RingDiameters {
+        inside_m: 30e-3,
+        outside_m: 36.48e-3,
+    };
+    let growth_m = rotating_growth_m(&Material::STEEL, speed_rad_s, &diameters, 36.48e-3);
     assert!((growth_m - 3.35e-6).abs() < 1e-8);
 }
 

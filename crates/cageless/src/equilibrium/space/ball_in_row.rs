@@ -2,6 +2,7 @@
 
 use super::ball::SpatialBall;
 use super::outer_section::{Flanks, OuterSection};
+use crate::ball::BothContacts;
 use crate::case::{Case, Row};
 use crate::equilibrium::ball_outer_geometry;
 use crate::kinematics::orbit_speed_in_space_rad_s;
@@ -20,7 +21,10 @@ pub(super) fn ball_in_row(
     let (d, ball) = (bearing.dimensions(), bearing.ball(k));
     let sin_cos = angle_rad.sin_cos();
     let geometry = ball_outer_geometry(case, k, angle_rad);
-    let arms_m = [geometry.effective_radius_m, ball.radius_m];
+    let arms_m = BothContacts {
+        outer: geometry.effective_radius_m,
+        inner: ball.radius_m,
+    };
     let speed = bearing.pitch_radius_m()
         * orbit_speed_in_space_rad_s(bearing, inner_speed_rad_s, arms_m, 0.0);
     let doubled = match case.formulation.equations().centrifugal_force {

@@ -29,6 +29,7 @@ mod rolling_ball;
 
 use std::convert::Infallible;
 
+use crate::ball::BothContacts;
 use crate::bearing::BeyondGroove;
 use crate::case::{Case, Row, Tilt};
 use crate::control::Control;
@@ -167,7 +168,7 @@ pub(crate) fn rolling_balls(case: &Case, ring: Ring) -> Vec<RollingBall> {
             angle_rad: ball.angle_rad,
             distance_m: ball.distance_m(rest.place),
             speed_m_s: orbit * case.bearing.pitch_radius_m(),
-            outer_arm: arms[0] / ball.radius_m,
+            outer_arm: arms.outer / ball.radius_m,
             inner_depth_m: ball.inner_depth_m(rest.place, ring),
         }
     });
@@ -272,10 +273,19 @@ fn contact_depth_m(case: &Case) -> f64 {
 
 /// Arms of rolling at the outer and the inner contact of a ball, and the inner contact angle: the
 /// axis of rotation lies across the force at the outer raceway, in the plane along that of the bearing.
-fn arms_m(case: &Case, ball: &SpatialBall, place: SectionVector, ring: Ring) -> ([f64; 2], f64) {
+fn arms_m(
+    case: &Case,
+    ball: &SpatialBall,
+    place: SectionVector,
+    ring: Ring,
+) -> (BothContacts, f64) {
     if ball.planar {
         let arm_m = effective_radius_m(case, ball.number, ball.angle_rad, ball.distance_m(place));
-        return ([arm_m, ball.radius_m], 0.0);
+        let arms_m = BothContacts {
+            outer: arm_m,
+            inner: ball.radius_m,
+        };
+        return (arms_m, 0.0);
     }
     let contacts = ball.outer.contacts(place);
     let inner = ball.inner_contact(place, ring);
@@ -288,7 +298,11 @@ fn arms_m(case: &Case, ball: &SpatialBall, place: SectionVector, ring: Ring) -> 
     };
     let angle = inner.map_or(pitch, |(_, angle)| angle);
     let inner = inner.map_or(1.0, |(_, angle)| (angle - pitch).cos());
-    ([outer * ball.radius_m, inner * ball.radius_m], angle)
+    let arms_m = BothContacts {
+        outer: outer * ball.radius_m,
+        inner: inner * ball.radius_m,
+    };
+    (arms_m, angle)
 }
 
 /// Resultant of the forces at a section along the radius and the axis, and their sum, all over the
@@ -384,7 +398,7 @@ fn push_ball(
     let rest = &mut solved.rest;
     rest.ball_angle_rad.push(ball.angle_rad);
     rest.ball_distance_m.push(ball.distance_m(place));
-    rest.effective_radius_m.push(seated.arms_m[0]);
+    rest.effective_radius_m.push(seated.arms_m.outer);
     rest.inner_force_n.push(seated.inner_force_n);
     rest.outer_force_n.push(seated.resultant_n);
     rest.inner_contact.push(seated.inner_contact());
@@ -426,7 +440,7 @@ struct SeatedBall<'a> {
     resultant_n: f64,
     outer_angle_rad: f64,
     /// Arms of the contacts with the outer and the inner raceway.
-    arms_m: [f64; 2],
+    arms_m: BothContacts,
     /// Angle of the axis of rolling.
     rolling_angle_rad: f64,
 }
@@ -458,7 +472,7 @@ impl<'a> SeatedBall<'a> {
 
     /// r over the radius of the ball.
     fn cosine(&self) -> f64 {
-        self.arms_m[0] / self.ball.radius_m
+        self.arms_m.outer / self.ball.radius_m
     }
 
     fn orbit_speed_rad_s(&self) -> f64 {

@@ -149,7 +149,7 @@ impl Recess {
     /// # Errors
     /// That of [`Patch::pair`].
     pub fn end_patches(&self, end: f64, tolerance_m: f64) -> Result<[Patch; 2], PatchError> {
-        Patch::of(&self.strips(end), [-FRAC_PI_2, FRAC_PI_2], tolerance_m)
+        Patch::of(&self.strips(end), -FRAC_PI_2..FRAC_PI_2, tolerance_m)
     }
 
     /// Largest distance of both from the analytic surface.

@@ -33,16 +33,19 @@ const OVERLOAD: f64 = 1.25;
 /// What these rings add to the fastest rates of a case. All balls of a row push its ring, at the contact
 /// angle that its spring gives them: Σ sin²α over the mass of the ring.
 pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
-    let sprung = case.rows.iter().filter(|row| row.preload_n > 0.0);
-    let [along, decay] = sprung.fold([0.0; 2], |[along, decay]: [f64; 2], row| {
-        let [mass, damping] = row.sliding(&case.bearing);
+    let sprung = || case.rows.iter().filter(|row| row.preload_n > 0.0);
+    let balls = case.bearing.balls() as f64;
+    let along = sprung().map(|row| {
+        let [mass, _] = row.sliding(&case.bearing);
         let [_, sine] = case.thrust_on_ball(OVERLOAD * row.preload_n);
-        let balls = case.bearing.balls() as f64;
-        [
-            along.max(balls * sine * sine / mass),
-            decay.max(damping / mass),
-        ]
+        balls * sine * sine / mass
     });
+    let along = along.fold(0.0, f64::max);
+    let decay = sprung().map(|row| {
+        let [mass, damping] = row.sliding(&case.bearing);
+        damping / mass
+    });
+    let decay = decay.fold(0.0, f64::max);
     FastestRates {
         square_1_s2: along * contacts.outer_n_m,
         decay_1_s: along * contacts.outer_n_s_m + decay,

@@ -40,6 +40,40 @@ struct Springs<'a> {
     soft: f64,
 }
 
+/// Fall of a rotor.
+struct Fall {
+    /// W, N.
+    load: f64,
+    /// E, J.
+    energy: f64,
+    /// What else presses, N.
+    more: f64,
+}
+
+impl Fall {
+    /// That to the bottom of the air gap, with the unbalance.
+    fn to_bottom(rotor: &Rotor, weight: f64) -> Self {
+        let height = match rotor.shaft {
+            Shaft::Horizontal => rotor.journal_start_m()[1] + rotor.radial_clearance_m,
+            Shaft::Vertical => 0.0,
+        };
+        Self {
+            load: weight,
+            energy: 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
+                + weight * height.max(0.0),
+            more: rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2),
+        }
+    }
+}
+
+/// Stiffness of what a rotor lands on, N/m.
+struct Landing {
+    /// Of journal and bore, or of the shoulder.
+    contact: f64,
+    /// Of the balls.
+    balls: f64,
+}
+
 impl Springs<'_> {
     /// dF/dδ of the contact of journal and bore under a force, N/m.
     fn contact(&self, force: f64) -> f64 {
@@ -57,11 +91,11 @@ impl Springs<'_> {
         1.0 / (1.0 / one(inner) + 1.0 / one(outer))
     }
 
-    /// Peak force of a fall with this energy under a load: F = W + √(W² + 2·k·E), and `more`, N, with the
-    /// stiffness of contact and balls.
-    fn peak(&self, load: f64, energy: f64, [contact, balls]: [f64; 2], more: f64) -> f64 {
-        let series = 1.0 / (1.0 / contact + 1.0 / balls + self.soft);
-        load + (load * load + 2.0 * series * energy).sqrt() + more
+    /// Peak force of a fall onto springs, N: F = W + √(W² + 2·k·E), and `more`.
+    fn peak(&self, fall: &Fall, springs: Landing) -> f64 {
+        let (load, energy) = (fall.load, fall.energy);
+        let series = 1.0 / (1.0 / springs.contact + 1.0 / springs.balls + self.soft);
+        load + (load * load + 2.0 * series * energy).sqrt() + fall.more
     }
 }
 
@@ -87,18 +121,15 @@ impl Impact {
         };
         let springs = Springs { case, rotor, soft };
         let weight = rotor.mass_kg * case.operation.gravity_m_s2;
-        let height = match rotor.shaft {
-            Shaft::Horizontal => rotor.journal_start_m()[1] + rotor.radial_clearance_m,
-            Shaft::Vertical => 0.0,
-        };
-        let energy = 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
-            + weight * height.max(0.0);
-        let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
+        let fall = Fall::to_bottom(rotor, weight);
         let balls = |force: f64| carrying * springs.ball(case.preload_n() + force / carrying);
         let mut force = weight.max(1.0);
         for _ in 0..4 {
-            let stiffness = [springs.contact(force), balls(force)];
-            force = springs.peak(weight, energy, stiffness, unbalance);
+            let landing = Landing {
+                contact: springs.contact(force),
+                balls: balls(force),
+            };
+            force = springs.peak(&fall, landing);
         }
         let rigid = RigidRotor::of_case(rotor, case).compliance();
         let mobility = (under.joint).slip_mobility(&rigid, &under.ring, &RotorContact::below());
@@ -109,7 +140,7 @@ impl Impact {
             law.coefficient_max(&rotor.friction) * force * mobility
                 / rotor.friction.regularisation_speed_m_s
         };
-        let speed = (2.0 * energy / rotor.mass_kg).sqrt();
+        let speed = (2.0 * fall.energy / rotor.mass_kg).sqrt();
         let (k, p) = (rotor.contact_stiffness_n_mp, rotor.contact_exponent);
         let depth = (force / k).powf(1.0 / p);
         Self {
@@ -137,12 +168,19 @@ fn axial_as_radial_n(springs: &Springs<'_>, weight: f64) -> f64 {
     };
     let mut along_axis = thrust;
     if let Some(clearance) = rotor.axial_clearance_m {
-        let landing =
-            0.5 * rotor.mass_kg * rotor.vz_m_s.powi(2) + thrust * (clearance + rotor.z_m.abs());
+        let fall = Fall {
+            load: thrust,
+            energy: 0.5 * rotor.mass_kg * rotor.vz_m_s.powi(2)
+                + thrust * (clearance + rotor.z_m.abs()),
+            more: 0.0,
+        };
         for _ in 0..4 {
             let balls = row * sine * springs.ball(case.axial_preload_n() + along_axis / row);
-            let stiffness = [springs.contact(along_axis.max(1.0)), balls];
-            along_axis = springs.peak(thrust, landing, stiffness, 0.0);
+            let onto = Landing {
+                contact: springs.contact(along_axis.max(1.0)),
+                balls,
+            };
+            along_axis = springs.peak(&fall, onto);
         }
     }
     0.2 * along_axis / sine
