@@ -3,12 +3,13 @@
 use std::time::Instant;
 
 use anyhow::{Result, anyhow};
+use cageless::dynamics::Layout;
 use cageless::reference::Textbook;
 use cageless::{Case, IntegrationMethod};
 use clap::Args;
 use ode_solvers::{DVector, Dopri5, OutputType, System};
 
-use crate::problem::{Problem, complete, rms_difference, scaled, scales, start};
+use crate::problem::{Problem, complete, rms_difference, scaled, start};
 
 /// Options of `run` and `drop`.
 #[derive(Debug, Args)]
@@ -113,7 +114,7 @@ fn dopri5(case: &Case, tolerance: f64) -> Result<Vec<f64>> {
     let start = start(case)?;
     let end_s = case.solver.duration_s;
     let system = Scaled {
-        scales: scales(case.bearing.balls(), start.len()),
+        scales: Textbook::scales(Layout::of_case(case)),
         textbook: Textbook::new(case),
     };
     let mut solver = Dopri5::from_param(

@@ -1,10 +1,9 @@
 //! The two problems: a case for the error and one for the time, and the true end of the former.
 
 use anyhow::{Context, Result, bail, ensure};
-use cageless::dynamics::State;
-use cageless::dynamics::{BALL, BallCoordinate, RingCoordinate};
-use cageless::dynamics::{BodyKind, BodyRow, Freedoms};
+use cageless::dynamics::{Layout, State};
 use cageless::initial_state;
+use cageless::reference::Textbook;
 use cageless::simulation::{self, Control, Ending, RunOutcome};
 use cageless::{Case, Formulation, FrictionModel, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
@@ -38,7 +37,7 @@ impl Problem {
         let short = lasting(&case, ERROR_S);
         Ok(Self {
             reference: if changes.is_empty() {
-                quadruple_precision()?
+                quadruple_precision(Layout::of_case(&short))?
             } else {
                 tight(&short)?
             },
@@ -111,50 +110,14 @@ pub fn start(case: &Case) -> Result<Vec<f64>> {
     Ok(scaled(&initial_state(case)?.0))
 }
 
-/// The motion without padding and energy ledger, in SI units: x of every ball, then y, vx, vy,
-/// spin, then the bodies in the order of [`BodyKind::ALL`].
-pub fn motion(state: &State, values: &[f64]) -> Vec<f64> {
-    let layout = state.layout();
-    let bodies = layout.ring(RingCoordinate::X);
-    BallCoordinate::ALL
-        .into_iter()
-        .map(|coordinate| layout.array(coordinate))
-        .flat_map(|start| &values[start..start + layout.balls])
-        .chain(&values[bodies..bodies + in_plane(layout.freedoms()).count()])
-        .copied()
-        .collect()
-}
-
-/// Coordinates of the bodies that move in the plane.
-fn in_plane(of: Freedoms) -> impl Iterator<Item = &'static BodyRow> {
-    let rows = BodyKind::ALL.into_iter().flat_map(BodyKind::table);
-    let in_plane = Freedoms {
-        in_space: false,
-        ..of
-    };
-    rows.filter(move |row| row.moves(in_plane))
-}
-
-/// Scale of each entry of a motion of `len` entries of `balls` balls.
-pub fn scales(balls: usize, len: usize) -> Vec<f64> {
-    let of_balls = BALL
-        .iter()
-        .flat_map(|c| std::iter::repeat_n(c.error_scale, balls));
-    let under_rotor = Freedoms {
-        in_space: false,
-        under_rotor: true,
-    };
-    let bodies = in_plane(under_rotor).map(|row| row.coordinate.error_scale);
-    of_balls.chain(bodies).take(len).collect()
-}
-
 /// Motion of a state in the scales of its entries.
 pub fn scaled(state: &State) -> Vec<f64> {
-    over_scales(&motion(state, state.values()), state.layout().balls)
+    let layout = state.layout();
+    over_scales(&Textbook::motion(layout, state.values()), layout)
 }
 
-fn over_scales(motion: &[f64], balls: usize) -> Vec<f64> {
-    let scales = scales(balls, motion.len());
+fn over_scales(motion: &[f64], layout: Layout) -> Vec<f64> {
+    let scales = Textbook::scales(layout);
     motion
         .iter()
         .zip(scales)
@@ -163,18 +126,18 @@ fn over_scales(motion: &[f64], balls: usize) -> Vec<f64> {
 }
 
 /// The reference of CB74 at 2 ms, scaled.
-fn quadruple_precision() -> Result<Vec<f64>> {
+fn quadruple_precision(layout: Layout) -> Result<Vec<f64>> {
     let rows: Vec<Vec<f64>> = REFERENCE
         .lines()
         .filter(|line| !line.starts_with('#') && !line.starts_with("body"))
         .map(|line| line.split(',').skip(1).flat_map(str::parse).collect())
         .collect();
     let (ring, balls) = rows.split_last().context("rows of the reference")?;
-    let motion: Vec<f64> = (0..BALL.len())
+    let motion: Vec<f64> = (0..balls[0].len())
         .flat_map(|group| balls.iter().map(move |row| row[group]))
         .chain(ring.iter().copied())
         .collect();
-    Ok(over_scales(&motion, balls.len()))
+    Ok(over_scales(&motion, layout))
 }
 
 /// RMS over the states of the difference of two scaled states.

@@ -12,7 +12,7 @@ use cageless::reference::Textbook;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use clap::Args;
 
-use crate::problem::{Problem, motion};
+use crate::problem::Problem;
 
 /// Options of `rhs`.
 #[derive(Debug, Args)]
@@ -75,7 +75,10 @@ pub fn measure(options: &Options) -> Result<()> {
     let case = Problem::run(&[])?.short;
     let model = Model::new(&case)?;
     let states = states(&case, 1e-4)?;
-    let motions: Vec<Vec<f64>> = states.iter().map(|s| motion(s, s.values())).collect();
+    let motions: Vec<Vec<f64>> = states
+        .iter()
+        .map(|s| Textbook::motion(s.layout(), s.values()))
+        .collect();
     let textbook = Textbook::new(&case);
     let mut all: Vec<Implementation<'_>> = vec![(
         "textbook",
@@ -121,7 +124,6 @@ pub fn measure(options: &Options) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::scales;
 
     /// Rates of both implementations along a run and along a drop, over a millisecond in the
     /// scales of the states.
@@ -139,11 +141,11 @@ mod tests {
             for state in states(&case, interval_s).unwrap() {
                 let mut rate = vec![0.0; state.layout().len()];
                 rhs.derivative(0.0, state.values(), &mut rate);
-                let library = motion(&state, &rate);
-                let y = motion(&state, state.values());
+                let library = Textbook::motion(state.layout(), &rate);
+                let y = Textbook::motion(state.layout(), state.values());
                 let mut own = vec![0.0; y.len()];
                 textbook.derivative(&y, &mut own);
-                let scales = scales(case.bearing.balls(), y.len());
+                let scales = Textbook::scales(state.layout());
                 for (k, ((a, b), scale)) in own.iter().zip(&library).zip(scales).enumerate() {
                     assert!((a - b).abs() * 1e-3 / scale < 1e-9, "state {k}: {a} {b}");
                 }

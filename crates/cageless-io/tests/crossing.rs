@@ -2,8 +2,8 @@
 //! against locating them and starting anew there.
 //! `cargo test -p cageless-io --test all crossing -- --nocapture` prints the comparison.
 
-use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use cageless::IntegrationMethod;
 use cageless::dynamics::State;
@@ -20,11 +20,11 @@ struct Located {
     mode: u64,
     y: Vec<f64>,
     rate: Vec<f64>,
-    found: Rc<Cell<u32>>,
+    found: Arc<AtomicU32>,
 }
 
 impl Located {
-    fn new(dimension: usize, h: f64, found: &Rc<Cell<u32>>) -> Self {
+    fn new(dimension: usize, h: f64, found: &Arc<AtomicU32>) -> Self {
         Self {
             inner: Abm4::new(dimension, h),
             h,
@@ -85,7 +85,7 @@ impl Method for Located {
     ) -> Result<(), UnresolvedStep> {
         self.inner.perform_step(system, step, limit_s)?;
         if system.mode() != self.mode {
-            self.found.set(self.found.get() + 1);
+            self.found.fetch_add(1, Relaxed);
             let edge = self.locate(system, step);
             self.shorten(system, step, edge);
             self.restart(system, step);
@@ -97,7 +97,7 @@ impl Method for Located {
 const END_S: f64 = 0.002;
 
 /// State at 2 ms and evaluations of the right-hand side.
-fn end<M: Method>(mut simulation: Simulation<M>) -> (State, u64) {
+fn end(mut simulation: Simulation) -> (State, u64) {
     simulation.advance_to(END_S).unwrap();
     (simulation.state(), simulation.outcome().rhs_evaluations)
 }
@@ -115,7 +115,7 @@ fn error_control_crosses_jumps_as_well_as_location() {
             case.solver.method = IntegrationMethod::Abm4;
             let plain = Simulation::new(&case).unwrap();
             let dimension = plain.state().values().len();
-            let found = Rc::default();
+            let found = Arc::default();
             let method = Located::new(dimension, case.solver.step_s, &found);
             let located = Simulation::new(&case).unwrap().with_method(method);
             let (y, evaluations) = end(plain);
@@ -125,7 +125,7 @@ fn error_control_crosses_jumps_as_well_as_location() {
             println!(
                 "{name:14} {step_us:4} µs, {:3} changes: error {controlled:.1e} in {evaluations:6} \
                  evaluations, located {by_location:.1e} in {more:6}",
-                found.get()
+                found.load(Relaxed)
             );
             assert!(
                 controlled < 1.5 * by_location + 1e-9,

@@ -9,6 +9,7 @@
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 
+use cageless::reference::{Structure, StructureRow};
 use cageless::{Bearing, Case, Formulation, FrictionModel};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
@@ -69,33 +70,32 @@ pub struct Published {
 /// The ten structures: Zhao 2022, Table 2 and Section 4.3.
 #[rustfmt::skip]
 pub const PUBLISHED: [Published; 10] = [
-    row('a', 4.95, 35.0, 1.8153, 1.8131, "double-collision"),
-    row('b', 5.0, 30.5, 1.8176, 1.8281, "double-collision"),
-    row('c', 5.05, 27.5, 1.8185, 1.8323, "double-collision"),
-    row('d', 5.1, 25.2, 1.8171, 1.8190, "smooth"),
-    row('e', 5.15, 23.5, 1.8183, 1.7932, "smooth"),
-    row('f', 5.2, 22.0, 1.8156, 1.7552, "smooth"),
-    row('g', 5.4, 18.167, 1.8161, 1.6589, "slips"),
-    row('h', 5.6, 15.774, 1.8161, 1.6594, "slips"),
-    row('i', 5.8, 14.062, 1.8161, 1.5416, "slips"),
-    row('j', 6.0, 12.717, 1.8160, 1.4538, "slips"),
+    published('a', Structure::A, "double-collision"),
+    published('b', Structure::B, "double-collision"),
+    published('c', Structure::C, "double-collision"),
+    published('d', Structure::D, "smooth"),
+    published('e', Structure::E, "smooth"),
+    published('f', Structure::F, "smooth"),
+    published('g', Structure::G, "slips"),
+    published('h', Structure::H, "slips"),
+    published('i', Structure::I, "slips"),
+    published('j', Structure::J, "slips"),
 ];
 
-/// A row with its numbers in the order of the table.
-const fn row(
-    letter: char,
-    axial_span_mm: f64,
-    half_angle_deg: f64,
-    theory_deg: f64,
-    simulated_deg: f64,
-    verdict: &'static str,
-) -> Published {
+/// A row of Table 2 with its letter and judgement.
+const fn published(letter: char, structure: Structure, verdict: &'static str) -> Published {
+    let StructureRow {
+        axial_span_mm,
+        half_angle_deg,
+        theoretical_gap_deg,
+        simulated_gap_deg,
+    } = structure.row();
     Published {
         letter,
         axial_span_mm,
         half_angle_deg,
-        theory_deg,
-        simulated_deg,
+        theory_deg: theoretical_gap_deg,
+        simulated_deg: simulated_gap_deg,
         verdict,
     }
 }

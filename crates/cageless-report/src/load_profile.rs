@@ -39,8 +39,12 @@ fn pressures_pa(case: &Case, snapshot: &Snapshot, k: usize) -> [f64; 2] {
     if !snapshot.is_in_space() {
         let cosine = snapshot.effective_radius_m[k] / bearing.ball(k).radius_m;
         let point = RacewayPoint::of_outer(cosine, outer_n.max(0.0));
+        let inner = RacewayPoint {
+            force_n: inner_n.max(0.0),
+            cosine: 1.0,
+        };
         return [
-            bearing.inner_contact().peak_pressure_pa(inner_n.max(0.0)),
+            RacewayContact::inner(bearing, inner).pressure_pa,
             RacewayContact::outer(bearing, point).pressure_pa,
         ];
     }

@@ -4,6 +4,7 @@
 use cageless::Snapshot;
 use cageless::collision::Collision;
 use cageless::simulation::ObserverError;
+use cageless::{RacewayContact, RacewayPoint};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_report::figures::{
     RUN, ball, collisions, contact_angles, energy, gap_map, groove, history, ring,
@@ -79,7 +80,6 @@ fn contacts_on_the_grooves_carry_the_forces_of_the_run() {
     let found = GrooveContacts::of(&data).expect("a run in space");
     let transient = kept.snapshots.len() - found.angle_rad.len();
     let bearing = &found.case.bearing;
-    let [inner, _] = bearing.contacts_at([0.0; 2]);
     let inside = found.in_raceway();
     assert!(
         inside.iter().filter(|both| **both).count() > 20,
@@ -90,14 +90,22 @@ fn contacts_on_the_grooves_carry_the_forces_of_the_run() {
         let force = row.inner_force_n[0];
         assert_eq!(found.inner.angle_rad[k], row.inner_contact_angle_rad[0]);
         // The ellipse changes little with the angle.
-        let [_, half] = inner.semi_axes_m(force);
+        let middle = RacewayPoint {
+            force_n: force,
+            cosine: 1.0,
+        };
+        let [_, half] = RacewayContact::inner(bearing, middle).semi_axes_m;
         assert!((found.inner.semi_axes_m[k][1] / half - 1.0).abs() < 0.01);
         // Of the semi-axis across the groove a force per point follows, of both points the resultant.
         let points = found.outer.iter().filter(|c| c.angle_rad[k].is_finite());
         let (mut along, mut across, mut count) = (0.0, 0.0, 0);
         for point in points {
             let angle_rad = point.angle_rad[k];
-            let [_, per_newton] = bearing.contacts_at([angle_rad; 2])[1].semi_axes_m(1.0);
+            let of_one_newton = RacewayPoint {
+                force_n: 1.0,
+                cosine: angle_rad.cos(),
+            };
+            let [_, per_newton] = RacewayContact::outer(bearing, of_one_newton).semi_axes_m;
             let force = (point.semi_axes_m[k][1] / per_newton).powi(3);
             let (sin, cos) = angle_rad.sin_cos();
             (along, across, count) = (along + force * cos, across + force * sin, count + 1);

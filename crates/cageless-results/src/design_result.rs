@@ -1,9 +1,10 @@
 //! Results of a design.
 
 use cageless::Case;
+use cageless::critical_gap::CriticalGapError;
 use cageless::design::{
-    AxialLag, AxialLimit, ContactAngleEstimate, Judgement, Recommendation, axial_load_keeping,
-    seats, span_angle_curve,
+    AxialLag, AxialLimit, ContactAngleEstimate, Judgement, NoLag, Recommendation,
+    axial_load_keeping, seats, span_angle_curve,
 };
 use cageless::equilibrium::{settle, solve};
 use cageless::film::FilmAtRest;
@@ -94,7 +95,7 @@ pub fn axial_record(lags: &[AxialLag]) -> Record {
     let mut limits = limits.map(|(share, text)| (axial_load_keeping(lags, *share), text));
     let without = limits.find(|(limit, _)| limit.load_n().is_none());
     let without = without.and_then(|(limit, share)| limit_text(&limit, share));
-    let with_reason = |at| Some((at, AxialLag::stopped(at)?));
+    let with_reason = |at| Some((at, stopped(at)?));
     let stopped: Vec<(&AxialLag, String)> = lags.iter().filter_map(with_reason).collect();
     let stopped = stopped.first().map(|(at, reason)| {
         format!(
@@ -107,6 +108,17 @@ pub fn axial_record(lags: &[AxialLag]) -> Record {
     });
     Record::of(AXIAL, Subject::Axial(lags))
         .with_sentences("findings", without.into_iter().chain(stopped).collect())
+}
+
+/// Reason of the first run at a load and tilt that stopped.
+fn stopped(at: &AxialLag) -> Option<String> {
+    match (&at.lag, &at.critical_gap_rad) {
+        (Err(reason @ NoLag::Stopped(_)), _) => Some(reason.to_string()),
+        (_, Some(Err(CriticalGapError::Stopped(stop)))) => {
+            Some(format!("a run of a pair stopped {}", stop.reason()))
+        }
+        _ => None,
+    }
 }
 
 /// Digits of loads and tilts.

@@ -98,24 +98,19 @@ impl Limits {
     }
 
     fn of_slot(&self, drawn: &Raceway, made: &MeasuredSlot) -> Vec<Dimension> {
-        let u = &made.uncertainty;
-        let measured = |value, standard_uncertainty| MeasuredValue {
-            value,
-            standard_uncertainty,
-        };
         let mut dimensions = self.dimensions(
             drawn,
             [
-                measured(made.axial_span_m, u.axial_span_m),
-                measured(made.half_angle_rad, u.half_angle_rad),
-                measured(made.centre_angle_rad, u.centre_angle_rad),
-                measured(made.depth_error_m, u.depth_error_m),
+                made.axial_span_m,
+                made.half_angle_rad,
+                made.centre_angle_rad,
+                made.depth_error_m,
             ],
         );
         dimensions.push(Dimension {
             name: "edge radius",
             unit: "mm",
-            measured: measured(made.edge_radius_m, u.edge_radius_m).times(1e3),
+            measured: made.edge_radius_m.times(1e3),
             drawn: digits(drawn.form().edge_radius_m * 1e3),
             tolerance: None,
         });
@@ -265,8 +260,8 @@ fn enter(document: &mut CaseDocument, index: usize, drawn: &Raceway, made: &Meas
     match made {
         MeasuredRaceway::None { .. } => {}
         MeasuredRaceway::Flanks(made) => {
-            let groove = &made.groove;
-            document.enter_profile(index, &groove.rows(INTERVALS), groove.depth_error_m());
+            let profile = made.profile(INTERVALS);
+            document.enter_profile(index, &profile, made.profile_depth_error_m);
             let centre = made.centre_angle_rad;
             let turn = wrap_angle_rad(centre.value - drawn.dimensions().centre_angle_rad);
             // Below its uncertainty it is where it was drawn.
@@ -288,8 +283,8 @@ fn results(made: &MeasuredRaceway) -> Results {
             };
             (none, f64::NAN)
         }
-        MeasuredRaceway::Flanks(made) => (made.groove.deviation(), made.groove.depth_error_m()),
-        MeasuredRaceway::Slot(slot) => (slot.deviation, slot.depth_error_m),
+        MeasuredRaceway::Flanks(made) => (made.deviation, made.profile_depth_error_m),
+        MeasuredRaceway::Slot(slot) => (slot.deviation, slot.depth_error_m.value),
     };
     let fitted = FittedRaceway {
         deviation,

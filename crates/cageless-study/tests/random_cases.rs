@@ -1,7 +1,9 @@
 //! Random valid runs and drops, bunched starts included: whatever the case, its end is true.
 //! `CAGELESS_RANDOM_CASES=3000` tries as many in place of those of the suite.
 
+use cageless::dynamics::{Model, RightHandSide};
 use cageless::simulation::{Cause, Ending, RotorDrop, RunOutcome};
+use cageless::{BearingDimensions, SHOULDER_HEIGHT};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_study::Silent;
 use cageless_study::drop::{DropRequest, study};
@@ -166,15 +168,25 @@ fn balanced(file: &Result<CaseFile, CaseError>) -> bool {
     outcome.is_some_and(|outcome| matches!(outcome.ending, Ending::Complete))
 }
 
+/// Distance of the centres of the rings at which their shoulders meet.
+fn shoulder_clearance_m(d: &BearingDimensions) -> f64 {
+    let inner = d.inner_shoulder_radius_m;
+    let inner =
+        inner.unwrap_or(d.inner_groove_bottom_radius_m + 2.0 * SHOULDER_HEIGHT * d.ball_radius_m);
+    d.outer_shoulder_radius_m - inner
+}
+
 fn judged(file: &CaseFile, outcome: &RunOutcome) -> Result<End, String> {
     match &outcome.ending {
         Ending::Complete => {
-            let (inner, outer) = (
-                outcome.state.ring_motion(),
-                outcome.state.outer_ring_motion(),
-            );
-            let off = (inner.x - outer.x).hypot(inner.y - outer.y);
-            if off > file.case().bearing.shoulder_clearance_m() {
+            let mut equations = RightHandSide::new(&Model::new(file.case()).unwrap());
+            let angles = vec![0.0; outcome.state.layout().balls];
+            let end = equations.snapshot(outcome.end_s, &outcome.state, &angles);
+            let housing_m = end
+                .rotor
+                .map_or([0.0; 2], |r| [r.housing_x_m, r.housing_y_m]);
+            let off = (end.ring.x_m - housing_m[0]).hypot(end.ring.y_m - housing_m[1]);
+            if off > shoulder_clearance_m(file.case().bearing.dimensions()) {
                 return Err(format!("the rings overlap: {off:e} m"));
             }
             let residual = outcome.energy_residual_relative;

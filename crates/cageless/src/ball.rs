@@ -102,7 +102,7 @@ lane_struct! {
 
 /// Position and velocity of the centre of a ring.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Centre {
+pub(crate) struct Centre {
     /// X, m.
     pub x: f64,
     /// Y, m.

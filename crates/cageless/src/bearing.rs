@@ -43,7 +43,7 @@ use crate::material::Materials;
 use dimensions::ROUNDING_M;
 pub use dimensions::{BALLS_MIN, BearingDimensions, SHOULDER_HEIGHT};
 pub use estimate::{CONFORMITY, INNER_RING_DAMPING_N_S_M};
-pub use shoulder::BeyondGroove;
+pub(crate) use shoulder::BeyondGroove;
 
 /// A bearing with every constant that follows from its dimensions.
 #[derive(Debug, Clone, PartialEq)]
@@ -351,17 +351,17 @@ impl Bearing {
     }
 
     /// Ball against inner raceway.
-    pub fn inner_contact(&self) -> &PointContact {
+    pub(crate) fn inner_contact(&self) -> &PointContact {
         &self.inner_contact
     }
 
     /// Ball against plain outer raceway.
-    pub fn outer_contact(&self) -> &PointContact {
+    pub(crate) fn outer_contact(&self) -> &PointContact {
         &self.outer_contact
     }
 
     /// Ball against ball.
-    pub fn ball_contact(&self) -> &PointContact {
+    pub(crate) fn ball_contact(&self) -> &PointContact {
         &self.ball_contact
     }
 }

@@ -174,11 +174,10 @@ pub mod vibration;
 pub(crate) mod world;
 
 pub use assembly::Assembly;
-pub use ball::Centre;
 pub use ball_advance::BallAdvance;
 pub use bearing::{
-    BALLS_MIN, Ball, Bearing, BearingDimensions, BeyondGroove, CONFORMITY,
-    INNER_RING_DAMPING_N_S_M, InnerRingBore, SHOULDER_HEIGHT,
+    BALLS_MIN, Ball, Bearing, BearingDimensions, CONFORMITY, INNER_RING_DAMPING_N_S_M,
+    InnerRingBore, SHOULDER_HEIGHT,
 };
 pub use case::{
     Case, Contact, Gaps, Housing, Motion, Operation, Row, SPATIAL_FIELDS, STRIPS_MAX, Solver,

@@ -348,36 +348,39 @@ fn at_largest_rad_s(orbit_speed_rad_s: f64, speed_ratio: f64) -> f64 {
     orbit_speed_rad_s / speed_ratio
 }
 
-/// Receiver of passages; a closure is one.
-pub trait PassageSink {
-    /// Takes a passage that has ended.
-    ///
-    /// # Errors
-    /// What ends the run.
-    fn take(&mut self, passage: Passage) -> Result<(), ObserverError>;
-}
-
-impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageSink for F {
-    fn take(&mut self, passage: Passage) -> Result<(), ObserverError> {
-        self(passage)
-    }
-}
-
-/// Tally of the passages that begin after a time.
-#[derive(Debug, Clone, Copy, Default)]
+/// Observer that tallies the passages that begin after a time.
+#[derive(Default)]
 pub(crate) struct SettledPassages {
+    follower: PassageFollower,
     /// The time, s.
-    pub after_s: f64,
+    after_s: f64,
     /// The passages.
     pub tally: PassageTally,
 }
 
-impl PassageSink for SettledPassages {
-    fn take(&mut self, passage: Passage) -> Result<(), ObserverError> {
-        if passage.enter_s > self.after_s {
-            self.tally.add(&passage);
+impl SettledPassages {
+    /// Tallies the passages after `after_s`.
+    pub(crate) fn after(after_s: f64) -> Self {
+        Self {
+            after_s,
+            ..Self::default()
         }
+    }
+}
+
+impl Observer for SettledPassages {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.follower.begin(context);
         Ok(())
+    }
+
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
+        self.follower.follow(view, |passage| {
+            if passage.enter_s > self.after_s {
+                self.tally.add(&passage);
+            }
+            Ok(())
+        })
     }
 }
 
@@ -386,7 +389,13 @@ impl PassageSink for SettledPassages {
 ///
 /// Looks at a ball in every step while it is in a raceway or near an end of one, else forty times in
 /// a millisecond.
-pub struct PassageRecorder<S> {
+pub struct PassageRecorder<F> {
+    follower: PassageFollower,
+    sink: F,
+}
+
+/// Passages under way.
+struct PassageFollower {
     sectors: Vec<RacewaySector>,
     pair_angles: Vec<f64>,
     /// Place of each ball, seen from each raceway.
@@ -403,19 +412,31 @@ pub struct PassageRecorder<S> {
     varying: Option<Case>,
     /// Orbital speed of rolling with a film, rad/s.
     rolling_rad_s: Option<f64>,
-    sink: S,
 }
 
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
-    /// Passes each passage to `sink` when it ends.
+    /// Passes each passage to `sink` when it ends; an error of it ends the run.
     pub fn new(sink: F) -> Self {
-        Self::to(sink)
+        Self {
+            follower: PassageFollower::default(),
+            sink,
+        }
     }
 }
 
-impl<S: PassageSink> PassageRecorder<S> {
-    /// Passes each passage to `sink` when it ends.
-    pub(crate) fn to(sink: S) -> Self {
+impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.follower.begin(context);
+        Ok(())
+    }
+
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
+        self.follower.follow(view, &mut self.sink)
+    }
+}
+
+impl Default for PassageFollower {
+    fn default() -> Self {
         Self {
             sectors: vec![],
             pair_angles: vec![],
@@ -427,15 +448,11 @@ impl<S: PassageSink> PassageRecorder<S> {
             contact_tracker: ContactTracker::new(0),
             varying: None,
             rolling_rad_s: None,
-            sink,
         }
     }
+}
 
-    /// The receiver.
-    pub(crate) fn sink(&self) -> &S {
-        &self.sink
-    }
-
+impl PassageFollower {
     /// When ball `k` crosses the end of a raceway within the step, and the gaps to the ball
     /// ahead and of the ball behind there.
     fn end(&self, view: &StepView<'_>, at: BallAtRaceway) -> (f64, [f64; 2]) {
@@ -495,20 +512,21 @@ impl<S: PassageSink> PassageRecorder<S> {
         at.raceway * self.pair_angles.len() + at.ball
     }
 
-    /// Begins or ends a passage if the ball has crossed an end of the raceway.
+    /// Begins or ends a passage if the ball has crossed an end of the raceway: the passage that ends.
     #[inline]
-    fn look_at(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Result<(), ObserverError> {
+    fn look_at(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Option<Passage> {
         let inside = self.sectors[at.raceway].inside_by(view.about_outer_ring_m(at.ball)) > 0.0;
         let place = self.places[self.slot(at)];
         match inside == (place != Place::Outside) {
-            true => Ok(()),
+            true => None,
             false => self.cross(view, at),
         }
     }
 
-    /// Begins or ends a passage of a ball that has crossed an end of the raceway.
+    /// Begins or ends a passage of a ball that has crossed an end of the raceway: the passage that ends.
     #[cold]
-    fn cross(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Result<(), ObserverError> {
+    fn cross(&mut self, view: &StepView<'_>, at: BallAtRaceway) -> Option<Passage> {
+        let mut ended = None;
         let slot = self.slot(at);
         self.places[slot] = match self.places[slot] {
             Place::StartedInside => Place::Outside,
@@ -518,12 +536,11 @@ impl<S: PassageSink> PassageRecorder<S> {
                 Place::Inside
             }
             Place::Inside => {
-                let passage = self.leave(view, at);
-                self.sink.take(passage)?;
+                ended = Some(self.leave(view, at));
                 Place::Outside
             }
         };
-        Ok(())
+        ended
     }
 
     /// ωi at the end of a step over its largest.
@@ -607,10 +624,9 @@ impl<S: PassageSink> PassageRecorder<S> {
             ..passage
         }
     }
-}
 
-impl<S: PassageSink> Observer for PassageRecorder<S> {
-    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+    /// Begins with a run.
+    fn begin(&mut self, context: &RunContext<'_>) {
         let n = context.model.balls();
         let raceways = &context.case.raceways;
         self.sectors = raceways.iter().map(RacewaySector::new).collect();
@@ -625,13 +641,19 @@ impl<S: PassageSink> Observer for PassageRecorder<S> {
         let varies = context.case.operation.inner_speed_table.is_some();
         self.varying = varies.then(|| context.case.clone());
         self.rolling_rad_s = rolling_with_film_rad_s(context.case);
-        Ok(())
     }
 
-    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
+    /// Follows the balls through a step; passages that end in it go to `sink`.
+    fn follow(
+        &mut self,
+        view: &StepView<'_>,
+        mut sink: impl FnMut(Passage) -> Result<(), ObserverError>,
+    ) -> Result<Control, ObserverError> {
         self.contact_tracker.update(&view.contacts);
         for at in 0..self.near.len() {
-            self.look_at(view, self.near[at])?;
+            if let Some(passage) = self.look_at(view, self.near[at]) {
+                sink(passage)?;
+            }
         }
         if view.step.t1_s >= self.look_s {
             self.look(view);

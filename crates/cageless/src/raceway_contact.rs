@@ -11,6 +11,9 @@
 //! };
 //! // At 30° two points share the force, which press less than one on the plain raceway.
 //! assert!(pressure(30f64.to_radians().cos()) < pressure(1.0));
+//! // The pressure of a point rises with the cube root of its force.
+//! let inner = |force_n| RacewayContact::inner(&bearing, RacewayPoint { force_n, cosine: 1.0 }).pressure_pa;
+//! assert!((inner(80.0) / inner(10.0) - 2.0).abs() < 1e-12);
 //! ```
 
 use crate::bearing::Bearing;
@@ -57,7 +60,7 @@ impl RacewayContact {
     }
 
     /// Contact at the inner raceway.
-    pub(crate) fn inner(bearing: &Bearing, point: RacewayPoint) -> Self {
+    pub fn inner(bearing: &Bearing, point: RacewayPoint) -> Self {
         let contact = match point.cosine < 1.0 {
             true => &bearing.contacts_at([point.cosine.acos(); 2])[0],
             false => bearing.inner_contact(),

@@ -153,8 +153,8 @@ impl Structure {
         Self::J,
     ];
 
-    /// Its row of the table.
-    pub fn row(self) -> StructureRow {
+    /// Row of the structure in the table.
+    pub const fn row(self) -> StructureRow {
         let [
             axial_span_mm,
             half_angle_deg,

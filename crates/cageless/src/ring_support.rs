@@ -8,7 +8,7 @@ use crate::bearing::Bearing;
 impl Bearing {
     /// Displacement of the inner ring from the centre of the outer one at which their shoulders
     /// meet, m: Ros − Ri − hi, the shoulders of the inner ring hi high.
-    pub fn shoulder_clearance_m(&self) -> f64 {
+    pub(crate) fn shoulder_clearance_m(&self) -> f64 {
         let d = self.dimensions();
         let shoulder = d.inner_shoulder_height_m();
         d.outer_shoulder_radius_m - d.inner_groove_bottom_radius_m - shoulder

@@ -240,12 +240,12 @@ fn nonsense_in_a_run_stops_it() {
     let Ending::Stopped(stop) = outcome.ending else {
         panic!("{:?}", outcome.ending);
     };
-    let Cause::Friction(fault) = &stop.cause else {
-        panic!("{stop}");
-    };
-    assert_eq!(
-        (fault.law.as_str(), fault.returned),
-        ("Fickle", [-1.0, 0.0])
+    assert!(
+        matches!(
+            &stop.cause,
+            Cause::Friction { law, coefficient: -1.0, slope_s_m: 0.0, .. } if law == "Fickle"
+        ),
+        "{stop}"
     );
     assert!(
         stop.to_string().contains("Fickle returned μ = -1"),

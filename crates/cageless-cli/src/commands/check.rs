@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use cageless::film::{Film, Oil};
 use cageless::linear_rotor::LinearRotor;
 use cageless::simulation::RotorDrop;
-use cageless::{Case, FlankModel, Formulation, Material, SCOPE};
+use cageless::{Case, FlankModel, Formulation, Material, RacewayContact, RacewayPoint, SCOPE};
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::cad::blend_not_simulated;
 use cageless_io::case_file::{Assumption, CaseDocument, CaseFile};
@@ -432,10 +432,13 @@ fn preload_text(case: &Case) -> String {
     if force == 0.0 {
         return String::new();
     }
-    let contact = case.bearing.inner_contact();
+    let point = RacewayPoint {
+        force_n: force,
+        cosine: 1.0,
+    };
     format!(
         ": preload, unloaded balls are pressed with {} N, {:.0} MPa at the inner raceway",
         significant(force, 3),
-        1e-6 * contact.peak_pressure_pa(force)
+        1e-6 * RacewayContact::inner(&case.bearing, point).pressure_pa
     )
 }

@@ -249,14 +249,12 @@ impl Converter<'_> {
         let raceways = self.sections.raceway.iter().enumerate();
         let raceways = raceways.map(|(index, raceway)| {
             let section = nth("raceway", index, self.sections.raceway.len());
-            let mut form = RacewayForm {
-                shape: raceway.shape,
-                ends: raceway.blend_m.map_or(unless_given, Ends::Blended),
-                depth_m: raceway.depth_m,
-                edge_radius_m: raceway.edge_radius_m.unwrap_or(0.0),
-                slot_depth_m: raceway.slot_depth_m,
-                ..RacewayForm::default()
-            };
+            let mut form = RacewayForm::default();
+            form.shape = raceway.shape;
+            form.ends = raceway.blend_m.map_or(unless_given, Ends::Blended);
+            form.depth_m = raceway.depth_m;
+            form.edge_radius_m = raceway.edge_radius_m.unwrap_or(0.0);
+            form.slot_depth_m = raceway.slot_depth_m;
             if let Some(FlankRows(rows)) = &raceway.profile {
                 let key = join(&section, "profile");
                 form = form

@@ -88,9 +88,11 @@ macro_rules! section {
             ) -> Result<Self, $crate::case_file::error::CaseError> {
                 Ok(Self {
                     $( $field: reader.field(stringify!($key))?, )*
-                    $( $group: $($Group)::+ {
-                        $( $part: reader.field(stringify!($inner))?, )*
-                        ..Default::default() // what no file can say
+                    $( $group: {
+                        // The rest is what no file can say.
+                        let mut group = <$($Group)::+>::default();
+                        $( group.$part = reader.field(stringify!($inner))?; )*
+                        group
                     },
                     $( $later_field: reader.field(stringify!($later))?, )* )?
                 })

@@ -123,10 +123,10 @@ impl CaseDocument {
     pub fn enter_slot(&mut self, index: usize, slot: &MeasuredSlot) {
         let section = nth("raceway", index, self.count("raceway"));
         // Rounding must not make the slot shorter than its ends.
-        let long_rad = slot.half_angle_rad + ROUNDING_RAD;
+        let long_rad = slot.half_angle_rad.value + ROUNDING_RAD;
         let lengths = [
-            ("axial_span_mm", Some(slot.axial_span_m)),
-            ("edge_radius_mm", Some(slot.edge_radius_m)),
+            ("axial_span_mm", Some(slot.axial_span_m.value)),
+            ("edge_radius_mm", Some(slot.edge_radius_m.value)),
             ("slot_depth_mm", slot.slot_depth_m),
         ];
         let lengths = (lengths.into_iter())
@@ -135,11 +135,11 @@ impl CaseDocument {
             ("half_angle_deg", rounded(Unit::Degree, long_rad, 9)),
             (
                 "centre_angle_deg",
-                rounded(Unit::Degree, slot.centre_angle_rad, 6),
+                rounded(Unit::Degree, slot.centre_angle_rad.value, 6),
             ),
             (
                 "depth_error_um",
-                rounded(Unit::Micrometre, slot.depth_error_m, 3),
+                rounded(Unit::Micrometre, slot.depth_error_m.value, 3),
             ),
         ];
         for (key, value) in lengths.chain(others) {

@@ -223,12 +223,13 @@ impl CaseFile {
         let mut document = self.document.clone();
         let bearing = &self.case.bearing;
         sections::bearing::fill_in(&mut document.tree, bearing);
-        for (key, hertz) in [
-            ("contact.inner_stiffness_n_m1_5", bearing.inner_contact()),
-            ("contact.outer_stiffness_n_m1_5", bearing.outer_contact()),
-            ("contact.ball_stiffness_n_m1_5", bearing.ball_contact()),
-        ] {
-            document.tree.set_missing(key, hertz.stiffness_n_m1_5);
+        let keys = [
+            "contact.inner_stiffness_n_m1_5",
+            "contact.outer_stiffness_n_m1_5",
+            "contact.ball_stiffness_n_m1_5",
+        ];
+        for (key, stiffness) in keys.into_iter().zip(self.case.stiffness_n_m1_5()) {
+            document.tree.set_missing(key, stiffness);
         }
         let raceways = &self.case.raceways;
         for (index, raceway) in raceways.iter().enumerate() {

@@ -4,10 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use cageless::Case;
-use cageless::dynamics::State;
-use cageless::dynamics::{BallCoordinate, RingCoordinate};
-use cageless::dynamics::{Model, RightHandSide};
-use cageless::integrator::System;
+use cageless::dynamics::{Model, RightHandSide, State};
+use cageless::reference::Textbook;
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
 /// The template with one piece of text replaced.
@@ -63,26 +61,19 @@ pub fn reference(name: &str) -> Vec<Vec<f64>> {
 /// RMS over the coordinates of (state − reference)/scale at 2 ms.
 pub fn scaled_error_of(case: &Case, name: &str, state: &State) -> f64 {
     let model = Model::new(case).unwrap();
-    let layout = model.layout();
-    let rows = reference(name);
+    let (layout, rows) = (state.layout(), reference(name));
     let n = layout.balls;
     assert_eq!(rows.len(), n + 1);
+    let mut motion = Textbook::motion(layout, state.values());
     // The reference gives the absolute spin.
     let seen = RightHandSide::new(&model).snapshot(0.0, state, &vec![0.0; n]);
-    let mut difference = vec![0.0; layout.len()];
-    for k in 0..n {
-        for coordinate in BallCoordinate::ALL {
-            let at = layout.ball(coordinate, k);
-            let value = match coordinate {
-                BallCoordinate::Spin => seen.rotation_rad_s[k],
-                _ => state.values()[at],
-            };
-            difference[at] = value - rows[k][coordinate as usize];
-        }
-    }
-    for coordinate in RingCoordinate::ALL {
-        let at = layout.ring(coordinate);
-        difference[at] = state.values()[at] - rows[n][coordinate as usize];
-    }
-    RightHandSide::new(&model).error_norm(&difference)
+    motion[4 * n..5 * n].copy_from_slice(&seen.rotation_rad_s);
+    let (ring, balls) = rows.split_last().unwrap();
+    let of_balls = (0..5).flat_map(|coordinate| balls.iter().map(move |row| row[coordinate]));
+    let expected: Vec<f64> = of_balls.chain(ring.iter().copied()).collect();
+    assert_eq!(motion.len(), expected.len());
+    let scales = Textbook::scales(layout);
+    let squares =
+        (motion.iter().zip(expected).zip(&scales)).map(|((a, b), s)| ((a - b) / s).powi(2));
+    (squares.sum::<f64>() / scales.len() as f64).sqrt()
 }

@@ -99,13 +99,13 @@ pub(super) fn planes(planes: &[PlaneDisplacement], source: &Provenance) -> Optio
         let more = [scale, json!({ "constrain": "domain" })];
         plot = plot.panel(panel, titles.each_ref().map(String::as_str), more);
         let of = |k: usize| -> Vec<f64> {
-            let points = plane.path.points_m.iter();
+            let points = plane.path_m.iter();
             points.map(|point| um(point[k])).collect()
         };
         let axes =
             |trace: Trace| trace.with(json!({ "xaxis": x, "yaxis": y, "showlegend": panel.first }));
         let clearance = circle("clearance", um(plane.clearance.radial_m), PALETTE[3]);
-        let [farthest_x, farthest_y] = plane.path.farthest_m.map(um);
+        let [farthest_x, farthest_y] = plane.farthest_m.map(um);
         let farthest = markers(
             "largest displacement",
             &[farthest_x],

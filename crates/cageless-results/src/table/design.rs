@@ -69,11 +69,11 @@ pub const GROOVE: &[Quantity] = &[
 /// A slot that is fitted to points of its edges.
 #[rustfmt::skip]
 pub const SLOT: &[Quantity] = &[
-    part(quantity("edge_radius_mm", "mm", "radius of the rounded edges", Slot(|s| some(s.edge_radius_m * 1e3)))),
-    means("largest axial distance between the contact points of a ball on both edges", part(quantity("axial_span_mm", "mm", "axial span lC", Slot(|s| some(s.axial_span_m * 1e3))))),
+    part(quantity("edge_radius_mm", "mm", "radius of the rounded edges", Slot(|s| some(s.edge_radius_m.value * 1e3)))),
+    means("largest axial distance between the contact points of a ball on both edges", part(quantity("axial_span_mm", "mm", "axial span lC", Slot(|s| some(s.axial_span_m.value * 1e3))))),
     part(quantity("slot_width_mm", "mm", "width between the walls below the edges", Slot(|s| some(s.width_m * 1e3)))),
-    part(quantity("half_angle_deg", "deg", "half angle θ", Slot(|s| degrees(s.half_angle_rad)))),
-    part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Slot(|s| degrees(s.centre_angle_rad)))),
+    part(quantity("half_angle_deg", "deg", "half angle θ", Slot(|s| degrees(s.half_angle_rad.value)))),
+    part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Slot(|s| degrees(s.centre_angle_rad.value)))),
     means("median of the points of the floor below the bottom of the groove of the case; none with fewer than 10", part(quantity("slot_depth_mm", "mm", "depth of the floor", Slot(|s| s.slot_depth_m.map(|depth| depth * 1e3).into())))),
 ];
 

@@ -2,7 +2,7 @@
 
 use cageless::Case;
 use cageless::rating::rolling_torque_n_m;
-use cageless::touchdown::{EndPower, EndState};
+use cageless::touchdown::{EndPower, EndState, InterfaceHeat};
 use cageless::unloaded_equilibrium;
 
 use crate::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
@@ -59,15 +59,15 @@ pub const DROP: &[Quantity] = &[
     group(Group::Contacts, not_in_tables(across(Sum, low(quantity("end_collision_rate_above_1_m_s_hz", "Hz", "  collisions above 1 m/s per second, at the end", Drop(|d| d.summary.end_collision_rate_above_hz[2].into())))))),
     group(Group::Forces, not_in_tables(across(Largest, quantity("ball_force_max_n", "N", "largest force between balls", Drop(|d| some(d.summary.ball_force_max_n)))))),
     group(Group::Heat, across(Largest, low(quantity("ball_sliding_max_m_s", "m/s", "largest sliding speed of a ball", Drop(|d| some(d.summary.ball_sliding_max_m_s)))))),
-    group(Group::Heat, means("heat of friction and damping at all contacts and the support", across(Sum, low(quantity("dissipated_j", "J", "heat of all interfaces", Drop(|d| some(d.summary.heat.total_j()))))))),
-    group(Group::Heat, not_in_tables(means("heat of friction at both raceways and between balls", across(Sum, low(quantity("ball_friction_total_j", "J", "heat of friction at the balls", Drop(|d| some(d.summary.heat.balls_j())))))))),
-    group(Group::Heat, unless_zero(across(Sum, quantity("rotor_friction_j", "J", "  friction between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_friction_j)))))),
-    group(Group::Heat, not_in_tables(across(Sum, quantity("rotor_damping_j", "J", "  damping between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_damping_j)))))),
-    group(Group::Heat, unless_zero(across(Sum, quantity("inner_friction_j", "J", "  friction at the inner raceway", Drop(|d| some(d.summary.heat.inner_friction_j)))))),
-    group(Group::Heat, unless_zero(across(Sum, quantity("outer_friction_j", "J", "  friction at the outer raceway", Drop(|d| some(d.summary.heat.outer_friction_j)))))),
-    group(Group::Heat, unless_zero(across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j)))))),
-    group(Group::Heat, unless_zero(across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j)))))),
-    group(Group::Heat, unless_zero(across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j)))))),
+    group(Group::Heat, means("heat of friction and damping at all contacts and the support", across(Sum, low(quantity("dissipated_j", "J", "heat of all interfaces", Drop(|d| heat(d, InterfaceHeat::total_j))))))),
+    group(Group::Heat, not_in_tables(means("heat of friction at both raceways and between balls", across(Sum, low(quantity("ball_friction_total_j", "J", "heat of friction at the balls", Drop(|d| heat(d, InterfaceHeat::balls_j)))))))),
+    group(Group::Heat, unless_zero(across(Sum, quantity("rotor_friction_j", "J", "  friction between rotor and inner ring", Drop(|d| heat(d, |h| h.rotor_friction_j)))))),
+    group(Group::Heat, not_in_tables(across(Sum, quantity("rotor_damping_j", "J", "  damping between rotor and inner ring", Drop(|d| heat(d, |h| h.rotor_damping_j)))))),
+    group(Group::Heat, unless_zero(across(Sum, quantity("inner_friction_j", "J", "  friction at the inner raceway", Drop(|d| heat(d, |h| h.inner_friction_j)))))),
+    group(Group::Heat, unless_zero(across(Sum, quantity("outer_friction_j", "J", "  friction at the outer raceway", Drop(|d| heat(d, |h| h.outer_friction_j)))))),
+    group(Group::Heat, unless_zero(across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| heat(d, |h| h.ball_friction_j)))))),
+    group(Group::Heat, unless_zero(across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| heat(d, |h| h.contact_damping_j)))))),
+    group(Group::Heat, unless_zero(across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| heat(d, |h| h.support_damping_j)))))),
     group(Group::Heat, means("with which a spin-down begins: power of all interfaces over the mean speed of the rotor, in the last fifth of the time after the first contact, and ½ μ P d of SKF at least (μ = 0.0015, P the weight that the bearing carries), as balls that roll lose little in the model; while an inner ring still comes up to speed, the torque that accelerates it brakes the rotor as well; none of a slow rotor, whose rotational energy is less than a hundred times its largest other kinetic energy", across(Sum, quantity("braking_torque_n_m", "N m", "torque of the bearing that brakes the rotor, at the end", Drop(braking_torque))))),
     file_only(across(Largest, means("of the losses alone, from the first to the second half of the last fifth of the time after the first contact", quantity("braking_torque_change_fraction", "", "change of the torque that brakes the rotor", Drop(|d| d.summary.end_power.as_ref().and_then(|p| p.torque_change).into()))))),
     group(Group::Heat, means("mean over the last fifth of the time after the first contact", across(Sum, quantity("end_power_w", "W", "heat of all interfaces per second, at the end", Drop(|d| end(d, |p| p.total_w)))))),
@@ -155,6 +155,10 @@ fn braking_torque(drop: &FinishedDrop<'_>) -> Cell {
 
 fn end(drop: &FinishedDrop<'_>, of: fn(&EndPower) -> f64) -> Cell {
     drop.summary.end_power.as_ref().map(of).into()
+}
+
+fn heat(drop: &FinishedDrop<'_>, of: fn(&InterfaceHeat) -> f64) -> Cell {
+    some(of(&drop.summary.heat))
 }
 
 fn temperature(drop: &FinishedDrop<'_>, part: usize) -> Cell {

@@ -1,6 +1,6 @@
 //! Results of the verification of a run or a drop.
 
-use cageless::verification::{Convergence, DECORRELATED, Loss, TOLERANCE as ALLOWED, Verification};
+use cageless::verification::{Convergence, DECORRELATED, Divergence, Loss, TOLERANCE as ALLOWED};
 
 use crate::cell::Cell;
 use crate::declare::*;
@@ -21,7 +21,7 @@ pub const VERIFICATION: &[Quantity] = &[
     part(quantity("step_us", "us", "step", Verified(|v| some(v.step_s * 1e6)))),
     part(quantity("divergence_time_s", "s", "Lyapunov time", Verified(|v| v.divergence.divergence_time_s.into()))),
     part(quantity("predictability_time_s", "s", "predictability of the trajectories", Verified(|v| v.divergence.predictability_time_s.into()))),
-    part(in_tables(text("predictability", "predictability", Verified(|v| Cell::Text(predictability(v)))))),
+    part(in_tables(text("predictability", "predictability", Verified(|v| Cell::Text(predictability(&v.divergence, v.duration_s)))))),
     part(quantity("growth", "", "growth of the distance of perturbed runs", Verified(|v| some(v.divergence.growth)))),
     part(low(means(ENERGY_RESIDUAL, quantity("energy_residual_relative", "", "energy balance error (relative)", Verified(|v| some(v.energy_residual_relative[0])))))),
     part(quantity("energy_residual_relative_half_step", "", "  at half the step", Verified(|v| some(v.energy_residual_relative[1])))),
@@ -106,8 +106,7 @@ fn states(states: &[String]) -> Cell {
 }
 
 /// Lyapunov time and predictability as a sentence.
-fn predictability(c: &Verification) -> String {
-    let d = &c.divergence;
+fn predictability(d: &Divergence, duration_s: f64) -> String {
     let growth = match (d.divergence_time_s, d.fitted_over_s) {
         (Some(time), Some([from, to])) => format!(
             "Lyapunov time {:.2} ms (fitted from {:.1} ms to {:.1} ms)",
@@ -131,7 +130,7 @@ fn predictability(c: &Verification) -> String {
         ),
         _ => format!(
             "trajectories predictable to the end, {} s: no distance reaches {DECORRELATED} of the scales",
-            c.duration_s
+            duration_s
         ),
     };
     format!("{growth}; {limit}")

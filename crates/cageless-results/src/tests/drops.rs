@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
-use cageless::simulation::{PlaneDisplacement, PlanePath, RotorOutcome, RunOutcome};
+use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropRecorder, DropSummary, EndPower, EndState, Limit, Whirl};
 
 use super::*;
@@ -350,7 +350,8 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
             radial_m,
         },
         displacement_max_m,
-        path: PlanePath::default(),
+        path_m: vec![],
+        farthest_m: [0.0; 2],
     };
     let run = DropRun {
         bearings: bearings.to_vec(),
@@ -521,7 +522,8 @@ fn a_row_fails_with_a_plane_of_the_rotor() {
             planes: vec![PlaneDisplacement {
                 clearance,
                 displacement_max_m,
-                path: PlanePath::default(),
+                path_m: vec![],
+                farthest_m: [0.0; 2],
             }],
         };
         let planes = plane_records(&rotor.planes);

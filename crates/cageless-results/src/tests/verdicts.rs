@@ -2,7 +2,7 @@
 
 use cageless::linear_rotor::Clearance;
 use cageless::simulation::{
-    Ending, PlaneDisplacement, PlanePath, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
+    Ending, PlaneDisplacement, RESIDUAL_FRACTION, RotorOutcome, RunOutcome,
 };
 use cageless::touchdown::{DropSummary, EndState, Whirl};
 
@@ -290,7 +290,8 @@ fn verdicts_of_bearings_combine() {
                 radial_m: 3e-4,
             },
             displacement_max_m,
-            path: PlanePath::default(),
+            path_m: vec![],
+            farthest_m: [0.0; 2],
         }],
     };
     let still = rotor(0.0, 2.9e-4);

@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::search::{
-    Cause, Evaluation, ExpectedRuns, Found, OperatingPoint, Rejection, Request, SearchError, Stage,
-    expected_runs, run_jobs, search,
+    Cause, Evaluation, ExpectedRuns, Found, OperatingPoint, RacewayLayout, Rejection, Request,
+    SearchError, Stage, expected_runs, run_jobs, search,
 };
 use cageless::design::{RacewayVerdict, judge, verdict_steps};
 use cageless::numerics::BATCH_WIDTH;
@@ -165,10 +165,9 @@ pub fn structure(evaluation: &Evaluation) -> Record {
     data::structure(evaluation, None)
 }
 
-/// The raceways of a structure as sections of a case file.
-fn sections(file: &CaseFile, evaluation: &Evaluation) -> Vec<SectionValues> {
-    let of = &evaluation.structure;
-    let section_angle_deg = structure(evaluation).number("contact_angle_deg");
+/// The raceways of a layout as sections of a case file, with their contact angle to a millionth of a degree.
+fn sections(file: &CaseFile, of: &RacewayLayout) -> Vec<SectionValues> {
+    let section_angle_deg = (1e6 * of.section_angle_rad.to_degrees()).round() / 1e6;
     let raceways = of.centres_rad.iter().map(|&centre_angle_rad| {
         let dimensions = RacewayDimensions {
             axial_span_m: of.axial_span_m,
@@ -205,7 +204,7 @@ pub fn candidates(file: &CaseFile, found: &Found) -> Result<Vec<(usize, Candidat
     });
     let chosen = first.into_iter().chain(spread);
     let candidate = |k: usize| {
-        let document = with_raceways(file, &sections(file, &found.evaluations[k]));
+        let document = with_raceways(file, &sections(file, &found.evaluations[k].structure));
         let name = structure_label(&structure(&found.evaluations[k]));
         let file = CaseFile::from_document(document, "case")?;
         Ok((k, Candidate { name, file }))
@@ -235,7 +234,7 @@ fn verdicts(
     evaluation: &Evaluation,
     progress: &dyn Progress,
 ) -> Result<Vec<Record>, StudyError> {
-    let raceways = sections(file, evaluation);
+    let raceways = sections(file, &evaluation.structure);
     let points = &request.points;
     let steps = |point: &OperatingPoint| match entered(file, &raceways, Some(point)) {
         Some(case) => verdict_steps(&case),

@@ -1,6 +1,7 @@
 //! Narrative of a search: its result in sentences.
 
 use cageless::RacewayShape;
+use cageless::design::CauseKind;
 use cageless::design::search::{
     BUNCHED_TURNS, CONFIRMING_STARTS, Confirmed, Evaluation, Found, Motion, Rejection, Role,
 };
@@ -291,6 +292,14 @@ fn is_in_oil(found: &Found) -> bool {
     forms.any(|forms| forms.film_lag_rad > 0.0)
 }
 
+/// Kind of the cause that decides where no raceway meets every requirement: that against the nearest to it, else the
+/// most frequent.
+fn deciding(found: &Found) -> Option<&'static CauseKind> {
+    let nearest = found.closest().and_then(|e| e.rejection.as_ref());
+    let against = nearest.map(|rejection| rejection.cause.kind());
+    against.or_else(|| Some(found.rejections().first()?.kind))
+}
+
 /// Why nothing is recommended, and what to change.
 pub fn why_none(found: &Found) -> String {
     let first = found.of_role(Role::Unconfirmed).next();
@@ -333,10 +342,7 @@ pub fn why_none(found: &Found) -> String {
                 )
             }));
             sentences.extend(tried(found, usize::MAX));
-            let kind = match closest.and_then(|e| e.rejection.as_ref()) {
-                Some(rejection) => Some(rejection.cause.kind()),
-                None => found.rejections().first().map(|excluded| excluded.kind),
-            };
+            let kind = deciding(found);
             let remedy = kind.map_or("wider ranges in [search]", |kind| kind.remedy);
             let of_gap = kind.is_some_and(|kind| kind.name.ends_with("-separation"));
             let remedy = match of_gap && is_in_oil(found) {

@@ -133,7 +133,7 @@ impl Bearing {
     }
 
     /// Contacts of a nominal ball with plain raceways at these contact angles: inner, outer.
-    pub fn contacts_at(&self, angles_rad: [f64; 2]) -> [PointContact; 2] {
+    pub(crate) fn contacts_at(&self, angles_rad: [f64; 2]) -> [PointContact; 2] {
         self.dimensions
             .raceway_contacts_at(&self.materials, angles_rad)
     }

@@ -13,7 +13,7 @@ const RINGS: [&str; 2] = ["inner", "outer"];
      {:.1}°",
     self.ball + 1, RINGS[self.ring], degrees(self.angle_rad), degrees(self.shoulder_rad)
 )]
-pub struct BeyondGroove {
+pub(crate) struct BeyondGroove {
     /// The ball, from 0, through all rows.
     pub ball: usize,
     /// The ring: 0 for the inner, 1 for the outer one.

@@ -1,16 +1,6 @@
 //! Hertzian point contact of two curved bodies, from complete elliptic integrals.
 //!
 //! Source: K. L. Johnson, *Contact Mechanics* (1985), sections 4.1 and 4.2.
-//!
-//! ```
-//! use cageless::reference;
-//!
-//! // F = K δ^(3/2), peak pressure ∝ F^(1/3).
-//! let bearing = reference::bearing();
-//! let contact = bearing.inner_contact();
-//! let ratio = contact.peak_pressure_pa(80.0) / contact.peak_pressure_pa(10.0);
-//! assert!((ratio - 2.0).abs() < 1e-12);
-//! ```
 
 use std::f64::consts::PI;
 
@@ -31,7 +21,7 @@ pub(crate) fn energy_j(stiffness_n_m1_5: f64, deflection_m: f64) -> f64 {
 
 /// Constants of a point contact. The load–deflection law is F = K δ^(3/2).
 #[derive(Debug, Clone, PartialEq)]
-pub struct PointContact {
+pub(crate) struct PointContact {
     /// K, N·m^(−3/2).
     pub stiffness_n_m1_5: f64,
     /// Semi-axis along the first principal direction, per N^(1/3).
@@ -95,7 +85,7 @@ impl PointContact {
 
     /// Semi-axes of the contact ellipse under `load_n`: along the rolling
     /// direction, then across it.
-    pub fn semi_axes_m(&self, load_n: f64) -> [f64; 2] {
+    pub(crate) fn semi_axes_m(&self, load_n: f64) -> [f64; 2] {
         let scale = load_n.max(0.0).cbrt();
         [
             self.first_axis_m_n1_3 * scale,
@@ -104,7 +94,7 @@ impl PointContact {
     }
 
     /// Largest pressure p₀ = 3F/(2πab) under `load_n`; 0 without load.
-    pub fn peak_pressure_pa(&self, load_n: f64) -> f64 {
+    pub(crate) fn peak_pressure_pa(&self, load_n: f64) -> f64 {
         if load_n <= 0.0 {
             return 0.0;
         }

@@ -35,7 +35,7 @@ mod regularisation;
 mod slip_problem;
 
 pub use flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
-pub use hertz::{PointContact, STRESS_LIMIT_PA};
+pub use hertz::STRESS_LIMIT_PA;
 
 pub(crate) use ball_ball::{BallBallContactLanes, ball_ball_contact, ball_deflection};
 pub(crate) use creep::CreepLanes;
@@ -44,13 +44,12 @@ pub(crate) use flank_section::FlankSection;
 #[cfg(test)]
 pub(crate) use flanks::FlankContact;
 pub(crate) use flanks::{FlankContactLanes, flank_contact};
+pub(crate) use friction::OwnFriction;
 pub(crate) use friction::{
     AtKnees, AtRaceways, EvaluatedLaws, FilmTraction, FilmTractionLanes, Friction, FrictionLanes,
     Law, LawLanes, with_law,
 };
-pub use friction::{
-    FrictionFault, FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, OwnFriction,
-};
+pub use friction::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable};
 pub(crate) use friction_step::{MAX_ITERATIONS, end_weights};
 pub(crate) use implicit_friction::{RacewayContacts, further_step, newton_step};
 pub(crate) use inner::{

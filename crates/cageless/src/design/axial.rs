@@ -69,19 +69,6 @@ pub struct AxialLag {
     pub critical_gap_rad: Option<Result<f64, CriticalGapError>>,
 }
 
-impl AxialLag {
-    /// Reason of the first run at this point that stopped.
-    pub fn stopped(&self) -> Option<String> {
-        match (&self.lag, &self.critical_gap_rad) {
-            (Err(reason @ NoLag::Stopped(_)), _) => Some(reason.to_string()),
-            (_, Some(Err(CriticalGapError::Stopped(stop)))) => {
-                Some(format!("a run of a pair stopped {}", stop.reason()))
-            }
-            _ => None,
-        }
-    }
-}
-
 /// Axial load, at no tilt, up to which balls keep a share of the lag.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxialLimit {
@@ -333,18 +320,11 @@ mod tests {
             reason: stopped,
         };
         assert_eq!(axial_load_keeping(&lags, 0.5), unknown);
-        assert!(
-            lags[2]
-                .stopped()
-                .is_some_and(|why| why.contains("0.002000 s"))
-        );
-        assert_eq!(lags[1].stopped(), None);
         let lags = list(NoLag::NotBorne("no equilibrium".to_owned()));
         assert_eq!(
             axial_load_keeping(&lags, 0.5),
             AxialLimit::EveryLoadBorne(100.0)
         );
-        assert_eq!(lags[2].stopped(), None);
         // Without a lag at no load there is nothing to keep a share of.
         let first = [at(0.0, 0.0, Err(NoLag::NoPassage)), at(100.0, 0.0, Ok(1.0))];
         let limit = axial_load_keeping(&first, 0.5);

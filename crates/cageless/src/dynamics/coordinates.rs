@@ -1,10 +1,4 @@
 //! The coordinates of a bearing: one table that names what the state vector holds.
-//!
-//! ```
-//! use cageless::dynamics::BALL;
-//!
-//! assert_eq!(BALL[2].name, "vx_m_s");
-//! ```
 
 pub use crate::world::body::RingCoordinate;
 
@@ -25,7 +19,7 @@ pub(crate) enum Kind {
 
 /// One coordinate of every ball, or of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Coordinate {
+pub(crate) struct Coordinate {
     /// Name with its unit, as in the columns of the results.
     pub name: &'static str,
     /// Unit.
@@ -52,7 +46,7 @@ pub(crate) const fn coordinate(
 
 /// Index of a coordinate of the balls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BallCoordinate {
+pub(crate) enum BallCoordinate {
     /// x of the centre.
     X,
     /// y of the centre.
@@ -75,7 +69,7 @@ pub enum BallCoordinate {
 
 impl BallCoordinate {
     /// All of a planar bearing, in the order of the state vector.
-    pub const ALL: [Self; BALL.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy, Self::Spin];
+    pub(crate) const ALL: [Self; BALL.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy, Self::Spin];
     /// All in space, in the order of the state vector.
     #[cfg(test)]
     pub(crate) const IN_SPACE: [Self; BALL_IN_SPACE.len()] = [
@@ -92,7 +86,7 @@ impl BallCoordinate {
 }
 
 /// Coordinates of every ball.
-pub const BALL: [Coordinate; 5] = [
+pub(crate) const BALL: [Coordinate; 5] = [
     coordinate("x_m", "m", 1e-5, Kind::Position),
     coordinate("y_m", "m", 1e-5, Kind::Position),
     coordinate("vx_m_s", "m/s", 1.0, Kind::VelocityOf(0)),

@@ -177,7 +177,7 @@ impl Layout {
 
     /// Freedoms of the bodies.
     #[inline]
-    pub fn freedoms(&self) -> Freedoms {
+    pub(crate) fn freedoms(&self) -> Freedoms {
         self.freedoms
     }
 
@@ -242,13 +242,13 @@ impl Layout {
 
     /// Start of the array of one coordinate of all balls and bearings.
     #[inline]
-    pub fn array(&self, coordinate: BallCoordinate) -> usize {
+    pub(crate) fn array(&self, coordinate: BallCoordinate) -> usize {
         self.start + coordinate as usize * self.stride
     }
 
     /// Place of a coordinate of ball `k`.
     #[inline]
-    pub fn ball(&self, coordinate: BallCoordinate, k: usize) -> usize {
+    pub(crate) fn ball(&self, coordinate: BallCoordinate, k: usize) -> usize {
         self.of_table(coordinate as usize, k)
     }
 

@@ -26,8 +26,7 @@ pub(crate) mod state;
 mod stored_energy;
 pub(crate) mod world;
 
-pub use crate::world::body::{BodyKind, BodyRow, Freedoms};
-pub use coordinates::{BALL, BallCoordinate, Coordinate, RingCoordinate};
+pub use coordinates::RingCoordinate;
 pub use energy::EnergyTerm;
 pub use layout::Layout;
 pub use state::State;

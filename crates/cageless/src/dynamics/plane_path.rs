@@ -12,13 +12,15 @@ pub struct PlaneDisplacement {
     pub clearance: Clearance,
     /// Largest distance of the axis of the rotor from the centre of the stator, m.
     pub displacement_max_m: f64,
-    /// Path of the axis.
-    pub path: PlanePath,
+    /// Path of the axis, thinned evenly: points, m from the centre of the stator.
+    pub path_m: Vec<[f64; 2]>,
+    /// The farthest point of the axis, m from the centre of the stator.
+    pub farthest_m: [f64; 2],
 }
 
 /// Path of the axis of a rotor in a plane, thinned evenly as it grows, with its farthest point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlanePath {
+pub(crate) struct PlanePath {
     /// Points, m from the centre of the stator.
     pub points_m: Vec<[f64; 2]>,
     /// The farthest point, m.

@@ -1,6 +1,7 @@
 //! The right-hand side of one bearing, or of several side by side, compiled for every
 //! instruction set and chosen at run time.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::contacts::Contacts;
@@ -10,7 +11,7 @@ use super::model::Model;
 use super::space::{self, BallContacts, Drive, SpaceWorkspace};
 use super::state::State;
 use crate::formulation::Formulation;
-use crate::integrator::{PlanarVelocities, SecondOrderBlock, System};
+use crate::integrator::{SecondOrderBlock, System};
 use crate::numerics::lanes::Lanes;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 use crate::simd::{self, InstructionSet, Parameters, Workspace, with_instructions};
@@ -507,12 +508,13 @@ impl System for RightHandSide {
         values.extend(self.tables().map(|table| table.corner(self.time_s)));
     }
 
-    fn planar_velocities(&self) -> Option<PlanarVelocities> {
+    fn planar_velocities(&self) -> Option<[Range<usize>; 2]> {
         let layout = self.layout();
-        (!layout.ball_moves(BallCoordinate::Vz)).then(|| PlanarVelocities {
-            x: layout.array(BallCoordinate::Vx),
-            y: layout.array(BallCoordinate::Vy),
-            count: layout.stride,
+        (!layout.ball_moves(BallCoordinate::Vz)).then(|| {
+            [BallCoordinate::Vx, BallCoordinate::Vy].map(|coordinate| {
+                let first = layout.array(coordinate);
+                first..first + layout.stride
+            })
         })
     }
 

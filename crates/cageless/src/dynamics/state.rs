@@ -162,7 +162,7 @@ impl State {
     }
 
     /// Motion of the centre of the inner ring.
-    pub fn ring_motion(&self) -> Centre {
+    pub(crate) fn ring_motion(&self) -> Centre {
         self.layout.ring_motion(&self.values)
     }
 
@@ -180,7 +180,7 @@ impl State {
     }
 
     /// Motion of the centre of the outer ring; fixed at the origin without a rotor.
-    pub fn outer_ring_motion(&self) -> Centre {
+    pub(crate) fn outer_ring_motion(&self) -> Centre {
         self.layout.outer_ring_motion(&self.values)
     }
 

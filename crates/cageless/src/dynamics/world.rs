@@ -3,6 +3,7 @@
 //! The vector holds the bearings one after the other, then the rotor in a part of its own. Each bearing reads the motion
 //! of the rotor where it stands and says what its inner ring does to it.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::contacts::Contacts;
@@ -12,9 +13,7 @@ use super::model::Model;
 use super::plane_path::PlaneDisplacement;
 use super::right_hand_side::{RightHandSide, mix};
 use super::state::State;
-use crate::integrator::{
-    Integrator, Method, PlanarVelocities, SecondOrderBlock, System, UnresolvedStep,
-};
+use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
 use crate::numerics::lanes::BATCH_WIDTH;
 use crate::simd::{InstructionSet, with_instructions};
 use crate::world::body::rigid_rotors::RigidRotors;
@@ -355,7 +354,7 @@ impl System for World {
     }
 
     /// Those of the only bearing.
-    fn planar_velocities(&self) -> Option<PlanarVelocities> {
+    fn planar_velocities(&self) -> Option<[Range<usize>; 2]> {
         match &self.bearings[..] {
             [bearing] => bearing.planar_velocities(),
             _ => None,

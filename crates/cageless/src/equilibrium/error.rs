@@ -31,8 +31,20 @@ pub enum EquilibriumError {
         gap_rad: f64,
     },
     /// A contact that left its groove over the shoulder.
-    #[error("the load presses {0}; reduce axial load, moments or tilt, or raise the shoulder")]
-    BeyondGroove(BeyondGroove),
+    #[error(
+        "the load presses {}; reduce axial load, moments or tilt, or raise the shoulder",
+        BeyondGroove { ball: *ball, ring: *ring, angle_rad: *angle_rad, shoulder_rad: *shoulder_rad }
+    )]
+    BeyondGroove {
+        /// The ball, from 0, through all rows.
+        ball: usize,
+        /// The ring: 0 for the inner, 1 for the outer one.
+        ring: usize,
+        /// Contact angle of the ball.
+        angle_rad: f64,
+        /// Contact angle at which the groove ends.
+        shoulder_rad: f64,
+    },
     /// No convergence.
     #[error(
         "no static equilibrium found: where its search ended, contacts and loads differ by {residual_n:.3e} N; \
@@ -46,4 +58,15 @@ pub enum EquilibriumError {
     /// The caller ended the search.
     #[error("interrupted")]
     Interrupted,
+}
+
+impl From<BeyondGroove> for EquilibriumError {
+    fn from(beyond: BeyondGroove) -> Self {
+        Self::BeyondGroove {
+            ball: beyond.ball,
+            ring: beyond.ring,
+            angle_rad: beyond.angle_rad,
+            shoulder_rad: beyond.shoulder_rad,
+        }
+    }
 }

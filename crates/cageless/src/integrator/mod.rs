@@ -29,7 +29,7 @@ pub(crate) use method::Properties;
 pub(crate) use method::NamedMethod;
 pub use runge_kutta::UnresolvedStep;
 pub use step_state::StepState;
-pub use system::{PlanarVelocities, SecondOrderBlock, System};
+pub use system::{SecondOrderBlock, System};
 
 /// A method with the step that it last made.
 #[derive(Debug, Clone)]
@@ -118,14 +118,14 @@ macro_rules! named_methods {
         /// The method of a case with its history.
         #[derive(Debug, Clone)]
         #[allow(clippy::large_enum_variant)] // one per simulation
-        pub enum CaseMethod {
+        pub(crate) enum CaseMethod {
             $(#[doc = concat!("[`", stringify!($method), "`].")] $method($method),)*
         }
 
         impl CaseMethod {
             /// The method for systems of this dimension, with steps of `step_s` or, under error control, at most that
             /// and errors per step up to `tolerance`.
-            pub fn new(method: IntegrationMethod, dimension: usize, step_s: f64, tolerance: f64) -> Self {
+            pub(crate) fn new(method: IntegrationMethod, dimension: usize, step_s: f64, tolerance: f64) -> Self {
                 match method {
                     $(IntegrationMethod::$method => {
                         Self::$method($method::of_case(dimension, step_s, tolerance))

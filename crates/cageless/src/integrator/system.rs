@@ -1,5 +1,7 @@
 //! Systems of differential equations.
 
+use std::ops::Range;
+
 /// A system of ordinary differential equations dy/dt = f(t, y).
 pub trait System {
     /// Length of y.
@@ -26,9 +28,9 @@ pub trait System {
         &[]
     }
 
-    /// Velocities of bodies on curved planar paths whose forces depend on the speed along the
-    /// path; for methods that extrapolate them.
-    fn planar_velocities(&self) -> Option<PlanarVelocities> {
+    /// Components that are velocities along x, and behind them those along y, of the same bodies: on curved planar
+    /// paths, with forces that depend on the speed along the path; for methods that extrapolate them.
+    fn planar_velocities(&self) -> Option<[Range<usize>; 2]> {
         None
     }
 
@@ -64,16 +66,5 @@ pub struct SecondOrderBlock {
     /// First rate.
     pub rates: usize,
     /// Number of positions.
-    pub count: usize,
-}
-
-/// Components that are velocities along x and along y of the same bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PlanarVelocities {
-    /// First along x.
-    pub x: usize,
-    /// First along y, behind all along x.
-    pub y: usize,
-    /// Number of bodies.
     pub count: usize,
 }

@@ -22,7 +22,7 @@
 use super::method::{Method, NamedMethod, Properties};
 use super::runge_kutta::UnresolvedStep;
 use super::step_state::{FixedSteps, StepState};
-use super::system::{PlanarVelocities, SecondOrderBlock, System};
+use super::system::{SecondOrderBlock, System};
 use crate::numerics::aligned::Aligned;
 use crate::numerics::vector::PlaneVector;
 
@@ -115,16 +115,16 @@ fn bend_along_paths<'v, S: System>(
     [y0, f0, before]: [&'v [f64]; 3],
     y1: &mut [f64],
 ) {
-    let Some(PlanarVelocities { x, y, count }) = system.planar_velocities() else {
+    let Some([x, y]) = system.planar_velocities() else {
         return;
     };
     let of = |values: &'v [f64]| PlaneVector {
-        x: &values[x..][..count],
-        y: &values[y..][..count],
+        x: &values[x.clone()],
+        y: &values[y.clone()],
     };
     let (v, a, b) = (of(y0), of(f0), of(before));
-    let (front, back) = y1.split_at_mut(y);
-    bend(h, v, a, b, &mut front[x..][..count], &mut back[..count]);
+    let (front, back) = y1.split_at_mut(y.start);
+    bend(h, v, a, b, &mut front[x], &mut back[..y.len()]);
 }
 
 /// [`bend_along_paths`] of velocities along x and y.

@@ -55,7 +55,7 @@ pub use shape::{RacewayForm, RacewayShape};
 pub use slot::Slot;
 use slot::SlotPlan;
 pub(crate) use slot::SlotSection;
-pub use spline_flanks::SplineFlanks;
+pub(crate) use spline_flanks::SplineFlanks;
 
 /// How often a machined end is halved at most.
 const HALVINGS: u32 = 4;

@@ -91,7 +91,7 @@ pub struct RacewayForm {
     /// [`RacewayShape::Measured`] alone.
     pub measured: Option<MeasuredFlanks>,
     /// The spline, stretched to the lC and θ of the raceway; of [`RacewayShape::Spline`] alone.
-    pub spline: Option<SplineFlanks>,
+    pub(crate) spline: Option<SplineFlanks>,
     /// Its ends; a slot and a measured raceway have their own.
     pub ends: Ends,
     /// How much deeper a ball in the middle sits than on the plain raceway, along the axis of the

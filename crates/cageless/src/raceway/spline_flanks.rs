@@ -14,7 +14,7 @@ const PLACES: i32 = 16;
 /// αc over ψ² as a cubic spline through rows of ψ and αc: even, and free of jumps up to the second derivative,
 /// which that of the friction demand follows. The slopes at both ends are those of the cubics through the four rows there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SplineFlanks {
+pub(crate) struct SplineFlanks {
     /// α0.
     middle_rad: f64,
     /// θ.

@@ -6,11 +6,16 @@
 //! looked at once, and the effective radius takes a few Newton steps on the contact path, Eq. (4),
 //! and no general root finder.
 
+use std::iter::repeat_n;
+
 use crate::case::Case;
 use crate::contact::restitution_damping;
+use crate::dynamics::coordinates::{BALL, BallCoordinate, RingCoordinate};
+use crate::dynamics::layout::Layout;
 use crate::numerics::vector::PlaneVector;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
+use crate::world::body::{BodyKind, Freedoms};
 
 /// Constants of one case.
 #[derive(Debug, Clone)]
@@ -125,7 +130,38 @@ impl Bodies<'_> {
     }
 }
 
+/// Scales of the errors of the coordinates of the bodies that move in the plane.
+fn body_scales(layout: Layout) -> impl Iterator<Item = f64> {
+    let in_plane = Freedoms {
+        in_space: false,
+        ..layout.freedoms()
+    };
+    let rows = BodyKind::ALL.into_iter().flat_map(BodyKind::table);
+    let rows = rows.filter(move |row| row.moves(in_plane));
+    rows.map(|row| row.coordinate.error_scale)
+}
+
 impl Textbook {
+    /// The vector of these equations of values in a layout: x of every ball, then y, vx, vy and spin, then the
+    /// bodies that move in the plane.
+    pub fn motion(layout: Layout, values: &[f64]) -> Vec<f64> {
+        let bodies = layout.ring(RingCoordinate::X);
+        BallCoordinate::ALL
+            .into_iter()
+            .map(|coordinate| layout.array(coordinate))
+            .flat_map(|start| &values[start..start + layout.balls])
+            .chain(&values[bodies..bodies + body_scales(layout).count()])
+            .copied()
+            .collect()
+    }
+
+    /// Scale of the error of each entry of [`Self::motion`].
+    pub fn scales(layout: Layout) -> Vec<f64> {
+        let balls = BALL.iter();
+        let balls = balls.flat_map(|c| repeat_n(c.error_scale, layout.balls));
+        balls.chain(body_scales(layout)).collect()
+    }
+
     /// The system of a case in the `physical` formulation with the smooth law of friction.
     pub fn new(case: &Case) -> Self {
         let (bearing, contact) = (&case.bearing, &case.contact);

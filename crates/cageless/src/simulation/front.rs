@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
-use super::run::{MakeStep, advance, made};
+use super::run::{Advance, advance, made};
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
 use crate::case::{Case, InnerRingDrive};
@@ -32,12 +32,11 @@ use crate::limits::require;
 /// assert!(most_n.fold(0.0, f64::max) > 400.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Simulation<M = CaseMethod> {
+pub struct Simulation {
     case: Case,
     model: Arc<Model>,
     world: World,
-    integrator: Integrator<M>,
-    make_step: MakeStep<M>,
+    integrator: Box<dyn Advance + Send>,
     watch: Watch,
     stop: Option<Stop>,
 }
@@ -88,30 +87,21 @@ impl Simulation {
             case: case.clone(),
             model,
             world,
-            integrator,
-            make_step: World::advance,
+            integrator: Box::new(integrator),
             watch,
             stop: None,
         })
     }
-}
 
-impl<M: Method> Simulation<M> {
     /// The simulation, continued by a method of one's own.
-    pub fn with_method<O: Method>(mut self, method: O) -> Simulation<O> {
+    #[must_use]
+    pub fn with_method(mut self, method: impl Method + Send + 'static) -> Self {
         let step = self.integrator.step();
         let (time_s, values) = (step.t1_s, step.y1.clone());
         let mut integrator = Integrator::new(method, values.len());
         integrator.restart(&mut self.world, time_s, &values);
-        Simulation {
-            case: self.case,
-            model: self.model,
-            world: self.world,
-            integrator,
-            make_step: World::advance,
-            watch: self.watch,
-            stop: self.stop,
-        }
+        self.integrator = Box::new(integrator);
+        self
     }
 
     /// The case, with the speed and load of the moment.
@@ -161,7 +151,7 @@ impl<M: Method> Simulation<M> {
             return Err(stop.clone());
         }
         let stop_at = |time_s| Stop::new(&self.case, time_s, Cause::NotResolved);
-        let made = (self.make_step)(&mut self.world, &mut self.integrator, limit_s);
+        let made = self.integrator.make_step(&mut self.world, limit_s);
         let looked = made.map_err(|error| stop_at(error.time_s)).and_then(|()| {
             let (step, world) = (self.integrator.step(), &self.world);
             let contacts_of = |bearing| world.contacts_of(bearing);
@@ -194,9 +184,8 @@ impl<M: Method> Simulation<M> {
         let mut tracker = RunTracker::new(context, &mut self.watch, observers);
         let alone = std::slice::from_mut(&mut tracker);
         advance(
-            &mut self.integrator,
+            &mut *self.integrator,
             &mut self.world,
-            self.make_step,
             alone,
             until_s,
             control,

@@ -33,7 +33,16 @@ pub enum Cause {
     /// A ball (index from 0) pressed into or through the ball ahead.
     ThroughBall(usize),
     /// A ball pressed over the shoulder of a ring.
-    BeyondGroove(BeyondGroove),
+    BeyondGroove {
+        /// The ball, from 0, through all rows.
+        ball: usize,
+        /// The ring: 0 for the inner, 1 for the outer one.
+        ring: usize,
+        /// Contact angle of the ball.
+        angle_rad: f64,
+        /// Contact angle at which the groove ends.
+        shoulder_rad: f64,
+    },
     /// The rotor pressed into or through the inner ring.
     RotorThroughInnerRing,
     /// The outer ring is further off its rest place than the radius of a ball.
@@ -56,7 +65,16 @@ pub enum Cause {
     /// The error control could not resolve a step.
     NotResolved,
     /// A law of friction of one's own returned what cannot be.
-    Friction(FrictionFault),
+    Friction {
+        /// Name of the law.
+        law: String,
+        /// Sliding speed, m/s.
+        sliding_m_s: f64,
+        /// μ that the law returned.
+        coefficient: f64,
+        /// Slope of μ that it returned, s/m.
+        slope_s_m: f64,
+    },
 }
 
 /// Time and cause at which a run stopped.
@@ -95,7 +113,20 @@ impl std::fmt::Display for Cause {
             Self::ThroughInnerRing(k) => write!(f, "ball {} went through the inner ring", k + 1),
             Self::ThroughOuterRing(k) => write!(f, "ball {} went through the outer ring", k + 1),
             Self::ThroughBall(k) => write!(f, "ball {} went through the ball ahead of it", k + 1),
-            Self::BeyondGroove(beyond) => write!(f, "the forces pressed {beyond}"),
+            Self::BeyondGroove {
+                ball,
+                ring,
+                angle_rad,
+                shoulder_rad,
+            } => {
+                let beyond = BeyondGroove {
+                    ball: *ball,
+                    ring: *ring,
+                    angle_rad: *angle_rad,
+                    shoulder_rad: *shoulder_rad,
+                };
+                write!(f, "the forces pressed {beyond}")
+            }
             Self::RotorThroughInnerRing => f.write_str("the rotor went through the inner ring"),
             Self::OffSupport => f.write_str("the outer ring left its support"),
             Self::OffSpring(row) => write!(
@@ -117,7 +148,39 @@ impl std::fmt::Display for Cause {
                 100.0 * residual_fraction.abs()
             ),
             Self::NotResolved => f.write_str("a step could not be resolved"),
-            Self::Friction(fault) => fault.fmt(f),
+            Self::Friction {
+                law,
+                sliding_m_s,
+                coefficient,
+                slope_s_m,
+            } => write!(
+                f,
+                "the law of friction {law} returned μ = {coefficient} with slope {slope_s_m} s/m at a sliding speed \
+                 of {sliding_m_s} m/s"
+            ),
+        }
+    }
+}
+
+impl From<BeyondGroove> for Cause {
+    fn from(beyond: BeyondGroove) -> Self {
+        Self::BeyondGroove {
+            ball: beyond.ball,
+            ring: beyond.ring,
+            angle_rad: beyond.angle_rad,
+            shoulder_rad: beyond.shoulder_rad,
+        }
+    }
+}
+
+impl From<FrictionFault> for Cause {
+    fn from(fault: FrictionFault) -> Self {
+        let [coefficient, slope_s_m] = fault.returned;
+        Self::Friction {
+            law: fault.law,
+            sliding_m_s: fault.sliding_m_s,
+            coefficient,
+            slope_s_m,
         }
     }
 }
@@ -127,7 +190,7 @@ impl Cause {
     pub fn gives_way(&self) -> bool {
         match self {
             Self::RingsMeet { .. }
-            | Self::BeyondGroove(_)
+            | Self::BeyondGroove { .. }
             | Self::OffSupport
             | Self::OffSpring(_) => true,
             Self::NotFinite
@@ -138,7 +201,7 @@ impl Cause {
             | Self::EnergyFromNowhere { .. }
             | Self::Unbalanced { .. }
             | Self::NotResolved
-            | Self::Friction(_) => false,
+            | Self::Friction { .. } => false,
         }
     }
 }
@@ -161,12 +224,12 @@ impl Stop {
     }
 
     /// Advice on balls that the forces press over a shoulder.
-    fn advice_beyond(&self, beyond: &BeyondGroove) -> String {
+    fn advice_beyond(&self, ring: usize) -> String {
         let less = match self.drop {
             true => "rotor.axial_load_n, rotor.axial_clearance_um, rotor.vz_m_s",
             false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
         };
-        let higher = match beyond.ring {
+        let higher = match ring {
             0 => "bearing.inner_shoulder_radius_mm",
             _ => "bearing.outer_shoulder_radius_mm",
         };
@@ -212,7 +275,7 @@ impl Stop {
                      through each other"
                 )
             }
-            Cause::BeyondGroove(beyond) => self.advice_beyond(beyond),
+            Cause::BeyondGroove { ring, .. } => self.advice_beyond(*ring),
             Cause::RotorThroughInnerRing => format!(
                 "{halve}; if it happens again at the same time, the contact is too soft for the \
                  impact (rotor.contact_stiffness_n_mp)"
@@ -227,7 +290,7 @@ impl Stop {
                 row + 1
             ),
             Cause::Unbalanced { .. } => halve,
-            Cause::Friction(_) => {
+            Cause::Friction { .. } => {
                 "return μ of 0 or more with its finite slope at every sliding speed".to_owned()
             }
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
@@ -327,7 +390,7 @@ impl Guard {
     pub(super) fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         let layout = self.layout;
         if let Some(fault) = self.model.friction_fault() {
-            return Err(Cause::Friction(fault.clone()));
+            return Err(fault.clone().into());
         }
         if !layout.is_finite(values) {
             return Err(Cause::NotFinite);
@@ -381,7 +444,7 @@ impl Guard {
                 if sine.abs() > self.shoulder_sines[ring] {
                     let angle = sine.atan2(cosine);
                     if let Some(beyond) = self.model.bearing().beyond_groove(k, ring, angle) {
-                        return Err(Cause::BeyondGroove(beyond));
+                        return Err(beyond.into());
                     }
                 }
             }

@@ -212,11 +212,10 @@ impl<O: Observer + ?Sized> Observer for &mut O {
 }
 
 /// A closure as an observer.
-#[derive(Debug, Clone)]
-pub struct EachStep<F>(F);
+struct EachStep<F>(F);
 
 /// The observer that calls `watch` after every step; `Break(())` ends the run.
-pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> EachStep<F> {
+pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> impl Observer {
     EachStep(watch)
 }
 

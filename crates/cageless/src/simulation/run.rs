@@ -8,14 +8,37 @@ use super::run_tracker::RunTracker;
 use super::watch::Made;
 use crate::control::Control;
 use crate::dynamics::world::World;
-use crate::integrator::{CaseMethod, Integrator, Method, UnresolvedStep};
+use crate::integrator::{CaseMethod, Integrator, Method, StepState, UnresolvedStep};
 
 /// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;
 
-/// A step of bearings by a method, compiled where the method is chosen: in this crate for a method of a case, so
-/// that a crate with a simulation compiles no equations.
-pub(super) type MakeStep<M> = fn(&mut World, &mut Integrator<M>, f64) -> Result<(), UnresolvedStep>;
+/// A method that advances bearings, with the step that it last made: compiled where the method is chosen, in this
+/// crate for a method of a case.
+pub(super) trait Advance {
+    /// Makes the next step, which ends at `limit_s` at the latest.
+    fn make_step(&mut self, world: &mut World, limit_s: f64) -> Result<(), UnresolvedStep>;
+
+    /// Forgets all history at the end of the last step, where f or the size of the steps changes.
+    fn restart_here(&mut self, world: &mut World);
+
+    /// The last step.
+    fn step(&self) -> &StepState;
+}
+
+impl<M: Method> Advance for Integrator<M> {
+    fn make_step(&mut self, world: &mut World, limit_s: f64) -> Result<(), UnresolvedStep> {
+        world.advance(self, limit_s)
+    }
+
+    fn restart_here(&mut self, world: &mut World) {
+        Integrator::restart_here(self, world);
+    }
+
+    fn step(&self) -> &StepState {
+        Integrator::step(self)
+    }
+}
 
 thread_local! {
     static STEPS: Cell<u64> = const { Cell::new(0) };
@@ -38,14 +61,7 @@ pub(super) fn drive(
     let mut integrator = Integrator::new(method, start.len());
     world.begin(start);
     integrator.restart(world, 0.0, start);
-    advance(
-        &mut integrator,
-        world,
-        World::advance,
-        trackers,
-        solver.duration_s,
-        control,
-    );
+    advance(&mut integrator, world, trackers, solver.duration_s, control);
 }
 
 /// Work of the equations so far, and the balance of the rotor in bearing `k` in a state.
@@ -58,17 +74,16 @@ pub(super) fn made(world: &World, y: &[f64], k: usize) -> Made {
 }
 
 /// Advances bearings to `until_s`, or until each has ended.
-pub(super) fn advance<M: Method>(
-    integrator: &mut Integrator<M>,
+pub(super) fn advance(
+    integrator: &mut dyn Advance,
     world: &mut World,
-    make_step: MakeStep<M>,
     trackers: &mut [RunTracker<'_, '_>],
     until_s: f64,
     control: &mut dyn FnMut(f64) -> Control,
 ) {
     let mut steps = 0;
     while trackers.iter().any(RunTracker::under_way) {
-        if let Err(error) = make_step(world, integrator, until_s) {
+        if let Err(error) = integrator.make_step(world, until_s) {
             for tracker in trackers.iter_mut() {
                 let stop = Stop::new(tracker.context.case, error.time_s, Cause::NotResolved);
                 tracker.stop(stop, &integrator.step().y1);

@@ -23,10 +23,12 @@ const STANDARD_ERRORS: f64 = 4.0;
 /// Flanks fitted to points of the groove that a measuring machine has touched, in the frame of the
 /// bearing: the axis is Z, the middle of the plain groove of a radial bearing at Z = 0, ψ = 0 at −Y.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MeasuredGroove {
+pub(crate) struct MeasuredGroove {
     flanks: PowerAngle,
-    depth_error_m: f64,
-    deviation: PointDeviation,
+    /// Depth error of the middle, along the normals of its flanks, m: above 0 too deep.
+    pub(crate) depth_error_m: f64,
+    /// Distances of the points within ±θ from the fitted groove.
+    pub(crate) deviation: PointDeviation,
 }
 
 /// A point as seen from the ball that rests in its section: ψ from the middle of the raceway, and
@@ -89,7 +91,11 @@ impl MeasuredGroove {
     ///
     /// # Panics
     /// If the case has no raceway `index`.
-    pub fn fit(case: &Case, index: usize, points_m: &[[f64; 3]]) -> Result<Self, InputError> {
+    pub(crate) fn fit(
+        case: &Case,
+        index: usize,
+        points_m: &[[f64; 3]],
+    ) -> Result<Self, InputError> {
         let raceway = &case.raceways[index];
         let frame = SectionFrame::of(case, raceway);
         let theta = raceway.half_angle_rad();
@@ -185,22 +191,12 @@ impl MeasuredGroove {
 
     /// Rows of ψ from the middle of the raceway and αc, in `intervals` from there to the end and denser
     /// there.
-    pub fn rows(&self, intervals: usize) -> Vec<[f64; 2]> {
+    pub(super) fn rows(&self, intervals: usize) -> Vec<[f64; 2]> {
         let row = |k: usize| {
             let share = k as f64 / intervals as f64;
             let local = self.flanks.half_angle_rad() * (share * FRAC_PI_2).sin();
             [local, self.flank_angle_rad(local)]
         };
         (0..=intervals).map(row).collect()
-    }
-
-    /// Depth error of the middle, along the normals of its flanks, m: above 0 too deep.
-    pub fn depth_error_m(&self) -> f64 {
-        self.depth_error_m
-    }
-
-    /// Distances of the points within ±θ from the fitted groove.
-    pub fn deviation(&self) -> PointDeviation {
-        self.deviation
     }
 }

@@ -2,6 +2,7 @@
 
 use super::measured_groove::MeasuredGroove;
 use super::measured_value::MeasuredValue;
+use super::point_deviation::PointDeviation;
 use super::recess::MeasuredSlot;
 
 /// What points say of a raceway of the drawing.
@@ -29,6 +30,18 @@ pub struct MeasuredFlank {
     pub centre_angle_rad: MeasuredValue,
     /// Depth error of the middle, along the normals of its flanks, m: above 0 too deep.
     pub depth_error_m: MeasuredValue,
+    /// Depth error beside [`Self::profile`], with which it was fitted, m; 0 where none is significant.
+    pub profile_depth_error_m: f64,
+    /// Distances of the points within ±θ from the profile.
+    pub deviation: PointDeviation,
     /// Flanks of any shape.
-    pub groove: MeasuredGroove,
+    pub(crate) groove: MeasuredGroove,
+}
+
+impl MeasuredFlank {
+    /// Rows of ψ from the middle of the raceway and αc, in `intervals` from there to the end and denser
+    /// there.
+    pub fn profile(&self, intervals: usize) -> Vec<[f64; 2]> {
+        self.groove.rows(intervals)
+    }
 }

@@ -295,6 +295,8 @@ fn measured_raceway(
         half_angle_rad,
         centre_angle_rad,
         depth_error_m,
+        profile_depth_error_m: found.groove.depth_error_m,
+        deviation: found.groove.deviation,
         groove: found.groove,
     })))
 }
@@ -407,7 +409,7 @@ fn turn_rad(case: &Case, raceways: &[MeasuredRaceway]) -> Option<MeasuredValue> 
             let centre = match made {
                 MeasuredRaceway::None { .. } => return None,
                 MeasuredRaceway::Flanks(made) => made.centre_angle_rad,
-                MeasuredRaceway::Slot(made) => made.measured_centre_angle_rad(),
+                MeasuredRaceway::Slot(made) => made.centre_angle_rad,
             };
             let value = wrap_angle_rad(centre.value - drawn.dimensions().centre_angle_rad);
             Some(MeasuredValue { value, ..centre })

@@ -75,7 +75,8 @@ pub use drawn_groove::DrawnGroove;
 #[cfg(test)]
 pub(crate) use grid::PointKind;
 pub use grid::{Grid, GridPoint, GridRow};
-pub use measured_groove::MeasuredGroove;
+#[cfg(test)]
+pub(crate) use measured_groove::MeasuredGroove;
 pub use measured_ring::{MeasuredRing, PointOff};
 pub use measured_value::MeasuredValue;
 pub use meridian::Meridian;
@@ -85,7 +86,7 @@ pub use point_deviation::PointDeviation;
 pub use points_error::PointsError;
 #[cfg(test)]
 pub(crate) use pose::Pose;
-pub use recess::{Edge, EdgePlace, MeasuredSlot, Recess, SlotUncertainty};
+pub use recess::{Edge, EdgePlace, MeasuredSlot, Recess};
 use section_frame::SectionFrame;
 pub use sector::RingSector;
 pub use side::Side;

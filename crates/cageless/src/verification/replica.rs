@@ -8,7 +8,7 @@ use crate::case::Case;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::random::{GOLDEN_GAMMA, mix};
 use crate::orbit_means::OrbitMeans;
-use crate::passage::{PassageRecorder, SettledPassages};
+use crate::passage::SettledPassages;
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RotorDrop, RunContext, RunOutcome, StepView, Stop,
     run,
@@ -179,10 +179,7 @@ impl Replica {
             role: self.role,
             summary: SummaryRecorder::new(),
             motion: MotionRecorder::default(),
-            passages: PassageRecorder::to(SettledPassages {
-                after_s: transient_s(&self.case),
-                ..SettledPassages::default()
-            }),
+            passages: SettledPassages::after(transient_s(&self.case)),
             momentum: MomentumBalance::default(),
             trajectory: TrajectoryRecorder::new(self.times_s.clone()),
             lead_angle_rad: f64::NAN,
@@ -205,7 +202,7 @@ pub struct ReplicaObserver {
     role: Role,
     summary: SummaryRecorder,
     motion: MotionRecorder,
-    passages: PassageRecorder<SettledPassages>,
+    passages: SettledPassages,
     momentum: MomentumBalance,
     trajectory: TrajectoryRecorder,
     lead_angle_rad: f64,
@@ -246,7 +243,7 @@ impl ReplicaObserver {
             Quantity::OuterForceMax => s.peaks.outer.force_n,
             Quantity::PowerLoss => mean(OrbitMeans::power_loss_w),
             Quantity::FrictionTorque => mean(OrbitMeans::friction_torque_n_m),
-            Quantity::LagPerPass => self.passages.sink().tally.lag_mean_rad(),
+            Quantity::LagPerPass => self.passages.tally.lag_mean_rad(),
             Quantity::RingXEnd => ring.x,
             Quantity::RingYEnd => ring.y,
             Quantity::LeadBallAngleEnd => self.lead_angle_rad,

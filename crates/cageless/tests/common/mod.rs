@@ -61,11 +61,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
 #[allow(dead_code)]
 pub fn slotted() -> Case {
     let case = conventional(dimensions());
-    let form = RacewayForm {
-        shape: RacewayShape::Slot,
-        edge_radius_m: 0.3e-3,
-        ..RacewayForm::default()
-    };
+    let form = RacewayForm::default().reshaped(RacewayShape::Slot, 0.3e-3);
     let dimensions = RacewayDimensions {
         axial_span_m: 5.1e-3,
         half_angle_rad: 25.2f64.to_radians(),

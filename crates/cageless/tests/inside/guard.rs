@@ -326,12 +326,18 @@ fn over_a_shoulder(d: &cageless::BearingDimensions, inner_height_m: f64) {
         };
         for sign in [1.0, -1.0] {
             assert_eq!(stopped_at(sign * 0.999 * end), None, "{ring}");
-            let Some(Cause::BeyondGroove(beyond)) = stopped_at(sign * 1.001 * end) else {
+            let Some(Cause::BeyondGroove {
+                ball,
+                ring: over,
+                angle_rad,
+                shoulder_rad,
+            }) = stopped_at(sign * 1.001 * end)
+            else {
                 panic!("{ring}");
             };
-            assert_eq!((beyond.ball, beyond.ring), (5, ring));
-            assert!((beyond.angle_rad / (sign * 1.001 * end) - 1.0).abs() < 1e-6);
-            assert!((beyond.shoulder_rad / end - 1.0).abs() < 1e-12);
+            assert_eq!((ball, over), (5, ring));
+            assert!((angle_rad / (sign * 1.001 * end) - 1.0).abs() < 1e-6);
+            assert!((shoulder_rad / end - 1.0).abs() < 1e-12);
         }
     }
 }

@@ -1,9 +1,10 @@
 //! The integrators on problems with known solutions.
 
+use std::ops::Range;
+
 use cageless::integrator::runge_kutta::RungeKutta;
 use cageless::integrator::{
-    Abm4, Adaptive, Integrator, Method, PlanarVelocities, SecondOrderBlock, System, VelocityVerlet,
-    tableau,
+    Abm4, Adaptive, Integrator, Method, SecondOrderBlock, System, VelocityVerlet, tableau,
 };
 
 /// A pendulum-like smooth oscillator with a nonlinear clock: y = (sin s, cos s) with
@@ -196,12 +197,8 @@ impl System for DrivenOnCircle {
             count: 2,
         }]
     }
-    fn planar_velocities(&self) -> Option<PlanarVelocities> {
-        Some(PlanarVelocities {
-            x: 2,
-            y: 3,
-            count: 1,
-        })
+    fn planar_velocities(&self) -> Option<[Range<usize>; 2]> {
+        Some([2..3, 3..4])
     }
 }
 

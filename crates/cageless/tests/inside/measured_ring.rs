@@ -61,7 +61,7 @@ fn points_of_the_surface_give_its_flank_angle() {
     for case in rings() {
         let raceway = &case.raceways[0];
         let groove = MeasuredGroove::fit(&case, 0, &touched(&case, 40, 0.0, 0)).unwrap();
-        let deviation = groove.deviation();
+        let deviation = groove.deviation;
         assert_eq!(deviation.points, 1600);
         let [rms, largest] = [deviation.mean_m, deviation.largest_m];
         assert!(rms <= largest && largest < 1e-9, "{largest:e}");
@@ -101,7 +101,7 @@ fn a_depth_error_is_no_flank_angle() {
             let groove = MeasuredGroove::fit(&case, 0, &points).unwrap();
             let misses = [
                 groove.flank_angle_rad(0.0) - raceway.contact_angle_rad(0.0)[0],
-                groove.depth_error_m() - error_m,
+                groove.depth_error_m - error_m,
             ];
             for (miss, close) in misses.into_iter().zip(close) {
                 assert!(miss.abs() < close, "{error_m:e} {sigma_m:e}: {misses:?}");
@@ -120,7 +120,7 @@ fn errors_of_the_machine_average_out() {
     };
     for seed in 0..5 {
         let groove = MeasuredGroove::fit(&case, 0, &touched(&case, 100, 1e-6, seed)).unwrap();
-        let [rms, largest] = [groove.deviation().mean_m, groove.deviation().largest_m];
+        let [rms, largest] = [groove.deviation.mean_m, groove.deviation.largest_m];
         assert!((rms / 1e-6 - 1.0).abs() < 0.05, "{seed} {rms:e}");
         assert!(largest > 2e-6 && largest < 6e-6, "{seed} {largest:e}");
         let theta = raceway.half_angle_rad();

@@ -100,20 +100,20 @@ fn points_of_the_edges_give_the_slot() {
                 let (d, slot) = (raceway.dimensions(), raceway.slot().unwrap());
                 let bottom_m = made.bearing.dimensions().outer_groove_bottom_radius_m;
                 for (what, found, expected) in [
-                    ("re", found.edge_radius_m, slot.edge_radius_m()),
-                    ("lC", found.axial_span_m, d.axial_span_m),
+                    ("re", found.edge_radius_m.value, slot.edge_radius_m()),
+                    ("lC", found.axial_span_m.value, d.axial_span_m),
                     ("width", found.width_m, slot.width_m()),
                     (
                         "θ",
-                        found.half_angle_rad * bottom_m,
+                        found.half_angle_rad.value * bottom_m,
                         d.half_angle_rad * bottom_m,
                     ),
                     (
                         "ψ",
-                        found.centre_angle_rad * bottom_m,
+                        found.centre_angle_rad.value * bottom_m,
                         d.centre_angle_rad * bottom_m,
                     ),
-                    ("depth", found.depth_error_m, 0.0),
+                    ("depth", found.depth_error_m.value, 0.0),
                 ] {
                     let miss = found - expected;
                     assert!(miss.abs() < 3e-9, "{what} {k}: {expected:e} {miss:e}");
@@ -147,22 +147,22 @@ fn errors_of_the_machine_average_out() {
             let found = MeasuredSlot::fit(&drawing, 0, &points).unwrap();
             let d = *made.raceways[0].dimensions();
             let given = [
-                found.axial_span_m * 1e3,
-                found.edge_radius_m * 1e3,
-                found.half_angle_rad.to_degrees(),
-                found.centre_angle_rad.to_degrees(),
+                found.axial_span_m.value * 1e3,
+                found.edge_radius_m.value * 1e3,
+                found.half_angle_rad.value.to_degrees(),
+                found.centre_angle_rad.value.to_degrees(),
             ];
             let miss = lag(&slot(&made.bearing, given).unwrap()) - lag(&made.raceways[0]);
             assert!(miss.abs() < 0.01, "{seed} {miss}");
-            let around = found.half_angle_rad - d.half_angle_rad;
+            let around = found.half_angle_rad.value - d.half_angle_rad;
             for (what, miss) in [
-                ("re", found.edge_radius_m - 0.3e-3),
-                ("lC", found.axial_span_m - d.axial_span_m),
+                ("re", found.edge_radius_m.value - 0.3e-3),
+                ("lC", found.axial_span_m.value - d.axial_span_m),
                 (
                     "θ",
                     around * made.bearing.dimensions().outer_groove_bottom_radius_m,
                 ),
-                ("depth", found.depth_error_m),
+                ("depth", found.depth_error_m.value),
             ] {
                 assert!(miss.abs() < 5e-6, "{seed} {what} {miss:e}");
             }
@@ -188,9 +188,13 @@ fn deeper_edges_are_a_depth_error() {
         .collect();
     let found = MeasuredSlot::fit(&drawing, 0, &points).unwrap();
     let alpha = drawing.raceways[0].contact_angle_rad(0.0)[0];
-    let miss = found.depth_error_m - 8e-6 * alpha.cos();
-    assert!(miss.abs() < 0.05e-6, "{:e} {miss:e}", found.depth_error_m);
-    assert!((found.axial_span_m - 2.4e-3).abs() < 0.2e-6);
+    let miss = found.depth_error_m.value - 8e-6 * alpha.cos();
+    assert!(
+        miss.abs() < 0.05e-6,
+        "{:e} {miss:e}",
+        found.depth_error_m.value
+    );
+    assert!((found.axial_span_m.value - 2.4e-3).abs() < 0.2e-6);
 }
 
 #[test]

@@ -613,7 +613,7 @@ fn what_cannot_be_is_named() {
     case.operation.space.axial_load_n = 20_000.0;
     assert!(matches!(
         solve(&case),
-        Err(EquilibriumError::BeyondGroove(_))
+        Err(EquilibriumError::BeyondGroove { .. })
     ));
     case.operation.space.axial_load_n = f64::NAN;
     let field = |case: &Case| match solve(case) {

@@ -1,7 +1,7 @@
 //! Observables of a run in space against the step.
 
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::passage::{PassageRecorder, SettledPassages};
+use cageless::passage::SettledPassages;
 use cageless::simulation::run;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::{
@@ -22,7 +22,7 @@ struct Read {
 
 fn read(case: &Case) -> Read {
     let mut summary = SummaryRecorder::new();
-    let mut passages = PassageRecorder::to(SettledPassages::default());
+    let mut passages = SettledPassages::default();
     let outcome = run(case, &mut [&mut summary, &mut passages], &mut |_| {
         Control::Continue(())
     })
@@ -36,7 +36,7 @@ fn read(case: &Case) -> Read {
     Read {
         summary: summary.summary().unwrap(),
         heat_w: [EnergyTerm::InnerFriction, EnergyTerm::OuterFriction].map(ledger),
-        lag_rad: passages.sink().tally.lag_mean_rad(),
+        lag_rad: passages.tally.lag_mean_rad(),
     }
 }
 

@@ -21,7 +21,8 @@ pub(crate) use film_traction::{FilmTraction, FilmTractionLanes};
 pub use friction_table::FrictionTable;
 pub(crate) use law::{EvaluatedLaws, Law, LawConstants, LawLanes, Spinning};
 pub(crate) use mixed::Mixed;
-pub use own_law::{FrictionFault, FrictionLaw, OwnFriction};
+pub use own_law::FrictionLaw;
+pub(crate) use own_law::{FrictionFault, OwnFriction};
 pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
 

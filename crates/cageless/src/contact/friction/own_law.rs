@@ -59,7 +59,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// A [`FrictionLaw`] that has been tried over the sliding speeds, shared by whatever evaluates it.
 #[derive(Clone)]
-pub struct OwnFriction {
+pub(crate) struct OwnFriction {
     law: Arc<dyn FrictionLaw>,
     fast: f64,
     most: f64,
@@ -237,21 +237,11 @@ impl Tried {
 
 /// What an own law returned in a run that cannot be.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FrictionFault {
+pub(crate) struct FrictionFault {
     /// Name of the law.
     pub law: String,
     /// Sliding speed, m/s.
     pub sliding_m_s: f64,
     /// μ and its slope, s/m, as returned.
     pub returned: [f64; 2],
-}
-
-impl std::fmt::Display for FrictionFault {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "the law of friction {} returned μ = {} with slope {} s/m at a sliding speed of {} m/s",
-            self.law, self.returned[0], self.returned[1], self.sliding_m_s
-        )
-    }
 }

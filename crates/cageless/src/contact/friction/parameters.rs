@@ -39,7 +39,7 @@ pub struct FrictionParameters {
     /// μ over |ΔV|, of the law of that name; of no other law.
     pub table: Option<FrictionTable>,
     /// Law of one's own; of no other law.
-    pub own: Option<OwnFriction>,
+    pub(crate) own: Option<OwnFriction>,
 }
 
 /// Creep of a rolling contact at its limit of friction, over the rolling speed: that of Kalker's theory for steel at

@@ -117,7 +117,7 @@ pub(crate) fn solve_controlled(
     let (solved, beyond) = result(case, &balance, &settled);
     check(case, &solved)?;
     match beyond {
-        Some(beyond) => Err(EquilibriumError::BeyondGroove(beyond)),
+        Some(beyond) => Err(beyond.into()),
         None => Ok(solved),
     }
 }

@@ -26,39 +26,36 @@ const LENGTH_M: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredSlot {
     /// re.
-    pub edge_radius_m: f64,
+    pub edge_radius_m: MeasuredValue,
     /// lC.
-    pub axial_span_m: f64,
+    pub axial_span_m: MeasuredValue,
     /// θ.
-    pub half_angle_rad: f64,
+    pub half_angle_rad: MeasuredValue,
     /// ψ of the middle.
-    pub centre_angle_rad: f64,
+    pub centre_angle_rad: MeasuredValue,
     /// Width between the walls below the edges, m.
     pub width_m: f64,
     /// How much farther out than in a slot of these dimensions a ball on both edges sits in the middle, along the
     /// normals at its contacts, m.
-    pub depth_error_m: f64,
+    pub depth_error_m: MeasuredValue,
     /// Depth of the floor below the bottom of the plain groove, m; `None` if it has fewer than 10 points.
     pub slot_depth_m: Option<f64>,
     /// Distances of the points on the edges from the fit.
     pub deviation: PointDeviation,
-    /// Standard uncertainties.
-    pub uncertainty: SlotUncertainty,
 }
 
 /// Standard uncertainties of the dimensions of a slot, from the scatter of the points on its edges.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SlotUncertainty {
+struct SlotUncertainty {
     /// Uncertainty of the edge radius re.
-    pub edge_radius_m: f64,
+    edge_radius_m: f64,
     /// Uncertainty of the axial span lC.
-    pub axial_span_m: f64,
+    axial_span_m: f64,
     /// Uncertainty of the half angle θ.
-    pub half_angle_rad: f64,
+    half_angle_rad: f64,
     /// Uncertainty of the angular position ψ of the middle.
-    pub centre_angle_rad: f64,
+    centre_angle_rad: f64,
     /// Uncertainty of the depth error.
-    pub depth_error_m: f64,
+    depth_error_m: f64,
 }
 
 impl SlotUncertainty {
@@ -131,27 +128,23 @@ impl MeasuredSlot {
         let depth = |reach: f64| (reach * reach - frame.half_span_m.powi(2)).sqrt();
         let reach = frame.curvature_radius_m + frame.edge_radius_m;
         let own = designed.curvature_radius_m + frame.edge_radius_m;
+        let half_angle_rad = frame.straight_rad + half_span_m / frame.groove_bottom_radius_m;
+        let depth_error_m = (depth(reach) - depth(own)) * (1.0 - sine * sine).sqrt();
+        let u = SlotUncertainty::of(&frame, rw, &covariance);
+        let measured = |value, standard_uncertainty| MeasuredValue {
+            value,
+            standard_uncertainty,
+        };
         Ok(Self {
-            edge_radius_m,
-            axial_span_m,
-            half_angle_rad: frame.straight_rad + half_span_m / frame.groove_bottom_radius_m,
-            centre_angle_rad: frame.middle_rad,
+            edge_radius_m: measured(edge_radius_m, u.edge_radius_m),
+            axial_span_m: measured(axial_span_m, u.axial_span_m),
+            half_angle_rad: measured(half_angle_rad, u.half_angle_rad),
+            centre_angle_rad: measured(frame.middle_rad, u.centre_angle_rad),
             width_m: 2.0 * (half_span_m - edge_radius_m),
-            depth_error_m: (depth(reach) - depth(own)) * (1.0 - sine * sine).sqrt(),
+            depth_error_m: measured(depth_error_m, u.depth_error_m),
             slot_depth_m: floor_depth_m(&designed, &frame, points_m),
             deviation,
-            uncertainty: SlotUncertainty::of(&frame, rw, &covariance),
         })
-    }
-}
-
-impl MeasuredSlot {
-    /// ψ of the middle, rad.
-    pub(in crate::surface) fn measured_centre_angle_rad(&self) -> MeasuredValue {
-        MeasuredValue {
-            value: self.centre_angle_rad,
-            standard_uncertainty: self.uncertainty.centre_angle_rad,
-        }
     }
 }
 

@@ -19,7 +19,7 @@ use std::f64::consts::FRAC_PI_2;
 
 pub use edge::Edge;
 pub use edge_place::EdgePlace;
-pub use measured_slot::{MeasuredSlot, SlotUncertainty};
+pub use measured_slot::MeasuredSlot;
 
 use super::patch::{Patch, PatchError};
 use super::section_frame::SectionFrame;

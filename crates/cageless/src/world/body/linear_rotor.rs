@@ -246,7 +246,8 @@ impl RotorBody for LinearRotorBody {
             .map(|(plane, path)| PlaneDisplacement {
                 clearance: plane.clearance.clone(),
                 displacement_max_m: path.farthest_distance_m(),
-                path: path.clone(),
+                path_m: path.points_m.clone(),
+                farthest_m: path.farthest_m,
             })
             .collect()
     }

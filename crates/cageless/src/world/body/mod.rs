@@ -1,13 +1,4 @@
 //! Bodies beside the balls: one file is one body.
-//!
-//! ```
-//! use cageless::dynamics::{BodyKind, Freedoms, RingCoordinate};
-//!
-//! let row = BodyKind::InnerRing.table()[RingCoordinate::TiltP as usize];
-//! assert_eq!(row.coordinate.name, "tilt_p");
-//! let in_plane = Freedoms { in_space: false, under_rotor: true };
-//! assert!(!row.moves(in_plane));
-//! ```
 
 mod fastest_rates;
 pub(crate) mod inner_ring;
@@ -29,14 +20,14 @@ pub(crate) use outer_ring::OuterRingCoordinate;
 pub(crate) use resting_ring::RestingRing;
 pub(crate) use rotor::RotorCoordinate;
 pub(crate) use rotor::RotorMotion;
-pub use row::{BodyRow, Freedoms};
+pub(crate) use row::{BodyRow, Freedoms};
 pub(crate) use sliding_ring::SlidingCoordinate;
 
 use crate::case::Case;
 
 /// Kind of a body of which a bearing has one, in the order of the state vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BodyKind {
+pub(crate) enum BodyKind {
     /// The inner ring.
     InnerRing,
     /// The outer ring on its support.
@@ -47,12 +38,12 @@ pub enum BodyKind {
 
 impl BodyKind {
     /// All, in the order of the state vector.
-    pub const ALL: [Self; 3] = [Self::InnerRing, Self::OuterRing, Self::Rotor];
+    pub(crate) const ALL: [Self; 3] = [Self::InnerRing, Self::OuterRing, Self::Rotor];
     /// Those of the bearing itself.
     pub(crate) const RINGS: [Self; 2] = [Self::InnerRing, Self::OuterRing];
 
     /// Coordinates of the body in space.
-    pub const fn table(self) -> &'static [BodyRow] {
+    pub(crate) const fn table(self) -> &'static [BodyRow] {
         match self {
             Self::InnerRing => &inner_ring::TABLE,
             Self::OuterRing => &outer_ring::TABLE,

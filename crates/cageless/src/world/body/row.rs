@@ -4,7 +4,7 @@ use crate::dynamics::coordinates::{Coordinate, Kind};
 
 /// Freedoms of a bearing beyond those of an inner ring in its plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Freedoms {
+pub(crate) struct Freedoms {
     /// Motion in space.
     pub in_space: bool,
     /// A rotor, an inner ring whose speed is a state, and an outer ring on a support.
@@ -38,7 +38,7 @@ impl Freedom {
 
 /// Row of the table of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodyRow {
+pub(crate) struct BodyRow {
     /// The coordinate; a velocity names the index of its position in the same table.
     pub coordinate: Coordinate,
     /// Cases in which it moves.
@@ -47,7 +47,7 @@ pub struct BodyRow {
 
 impl BodyRow {
     /// Whether the coordinate moves in a bearing with these freedoms.
-    pub fn moves(&self, bearing: Freedoms) -> bool {
+    pub(crate) fn moves(&self, bearing: Freedoms) -> bool {
         self.freedom.moves(bearing)
     }
 }
