@@ -40,9 +40,9 @@ impl Estimate {
             .iter()
             .filter(|v| v.is_finite())
             .for_each(|v| moments.add(*v, 1.0));
-        let n = moments.weight();
+        let n = moments.weight;
         (n > 0.0).then(|| Self {
-            mean: moments.mean(),
+            mean: moments.mean,
             // Deviation of the values over n − 1, of the mean over n.
             standard_error: moments.deviation() / (n - 1.0).sqrt(),
             starts: n as usize,

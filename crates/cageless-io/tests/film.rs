@@ -109,7 +109,7 @@ fn a_film_at_the_inlet_gives_the_supply() {
     let flooded = parse(&[OIL, WARM, FLOODED], &[]).unwrap();
     let at_rest = settle(flooded.case()).unwrap();
     let at_rest = FilmAtRest::new(flooded.case(), &at_rest).unwrap();
-    let inlet = format!("inlet_film_um={}", 10.0 * 1e6 * at_rest.thickness_min_m());
+    let inlet = format!("inlet_film_um={}", 10.0 * 1e6 * at_rest.thickness_min_m);
     let file = parse(&[OIL, WARM, &inlet], &[]).unwrap();
     let starved = file.case().film.unwrap();
     assert!((starved.supply - 0.525547).abs() < 1e-6, "{starved:?}");

@@ -78,7 +78,7 @@ pub(crate) fn geometry(
 
 /// The terms of an estimate, and whether all are kept.
 fn shown(estimate: &Estimate) -> Value {
-    let terms: Vec<Value> = estimate.terms().iter().map(term).collect();
+    let terms: Vec<Value> = estimate.terms.iter().map(term).collect();
     json!({ "passes": estimate.passes(), "terms": terms })
 }
 

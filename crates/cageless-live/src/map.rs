@@ -83,7 +83,7 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
             let Some(estimate) = estimates.of(file.case(), &mut || control(done))? else {
                 continue;
             };
-            for term in estimate.terms() {
+            for term in estimate.terms {
                 let rows = margins
                     .entry(term.name)
                     .or_insert_with(|| json!(vec![vec![Value::Null; count]; up.values.len()]));

@@ -26,7 +26,7 @@ pub(crate) fn verdict(
         .iter()
         .map(|c: &Criterion| {
             json!({
-                "name": c.name(), "value": c.value(), "limit": c.limit(), "margin": c.margin(),
+                "name": c.name(), "value": c.value, "limit": c.limit(), "margin": c.margin(),
                 "at_least": c.at_least(), "met": c.is_met(), "text": c.to_string(),
             })
         })

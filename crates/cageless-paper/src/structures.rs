@@ -104,8 +104,8 @@ impl Steady {
             contacts: count / ball_orbits,
             contact_duration_s: contacts.iter().map(|c| c.duration_s).sum::<f64>() / count,
             gap_outside_deviation_deg: outside_gaps.deviation(),
-            gap_inside_mean_deg: if inside_gaps.weight() > 0.0 {
-                inside_gaps.mean()
+            gap_inside_mean_deg: if inside_gaps.weight > 0.0 {
+                inside_gaps.mean
             } else {
                 f64::NAN
             },
@@ -140,13 +140,13 @@ fn speed_scatter(case: &Case, snapshots: &[Snapshot]) -> f64 {
         }
     }
     let mut squares = Moments::default();
-    for place in speeds.iter().filter(|place| place.weight() > 1.0) {
-        squares.add(place.deviation().powi(2), place.weight());
+    for place in speeds.iter().filter(|place| place.weight > 1.0) {
+        squares.add(place.deviation().powi(2), place.weight);
     }
     let rolling = |r| rolling_orbit_speed_rad_s(&case.bearing, case.operation.inner_speed_rad_s, r);
     let drop =
         rolling(case.bearing.ball_radius_m()) - rolling(case.raceways[0].effective_radius_m(0.0));
-    squares.mean().sqrt() / drop
+    squares.mean.sqrt() / drop
 }
 
 /// A structure that no threshold of a verdict was fitted to.

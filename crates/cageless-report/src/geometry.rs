@@ -147,7 +147,7 @@ impl RacewaySurface {
         };
         let mut places: Vec<f64> = (0..ALONG).map(|k| half * fraction(k, ALONG)).collect();
         if let Some(recess) = groove.recess() {
-            let tips = [-1.0, 1.0].map(|end| end * recess.half_angle_rad());
+            let tips = [-1.0, 1.0].map(|end| end * recess.half_angle_rad);
             places.extend(tips.iter().flat_map(|tip| TIP.map(|share| share * tip)));
             places.sort_by(f64::total_cmp);
         }
@@ -163,7 +163,7 @@ impl RacewaySurface {
             surface.edges_mm = [0.0, 1.0]
                 .map(|share| edge_line(recess, share).map(turned).collect())
                 .to_vec();
-            let size_m = [slot.width_m(), slot.depth_m(), slot.edge_radius_m()];
+            let size_m = [slot.width_m(), slot.depth_m, slot.edge_radius_m];
             surface.slot_mm = Some(size_m.map(|length| length * 1e3));
         }
         for k in 0..TRACK_POINTS {
@@ -184,7 +184,7 @@ fn edge_line(recess: &Recess, share: f64) -> impl Iterator<Item = [f64; 3]> {
         let side = usize::from(k <= half);
         // Closer together at the tips, around which the edges turn.
         let turn = FRAC_PI_2 * fraction(k.min(2 * half - k), TRACK_POINTS);
-        let edges = recess.edges_at(recess.half_angle_rad() * turn.sin());
+        let edges = recess.edges_at(recess.half_angle_rad * turn.sin());
         edges[side].arc_m(share)
     })
 }

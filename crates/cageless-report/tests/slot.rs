@@ -67,12 +67,12 @@ fn the_drawn_edges_are_those_of_the_ring() {
         assert!(off_mm(of_ring, line) < 0.2, "{}", off_mm(of_ring, line));
         assert!(off_mm(&line[..1], &line[line.len() - 1..]) < 1e-6);
     }
-    let recess = &ring.recesses()[0];
+    let recess = &ring.recesses[0];
     let [width, depth, radius] = drawn.slot_mm.unwrap();
     let same = [
-        (width, recess.width_m()),
-        (depth, recess.depth_m()),
-        (radius, recess.edge_radius_m()),
+        (width, recess.width_m),
+        (depth, recess.depth_m),
+        (radius, recess.edge_radius_m),
     ];
     assert!(
         same.iter().all(|(mm, m)| (mm - m * 1e3).abs() < 1e-12),

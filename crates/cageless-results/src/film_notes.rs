@@ -31,12 +31,12 @@ pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, case: &Case) -> Vec<
 fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
     let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
     let lost = at_rest.speed_deficit;
-    let lambda = at_rest.film_parameter_mean();
+    let lambda = at_rest.film_parameter_mean;
     let taken = format!(
         "the oil takes {} of the speed of a free ball",
         percent(lost)
     );
-    let [never, as_a_rule] = at_rest.queue_deficits();
+    let [never, as_a_rule] = at_rest.queue_deficits;
     let limits = format!(
         "balls queue from some {} on, never below {}",
         percent(as_a_rule),
@@ -61,7 +61,7 @@ fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
              moves the balls as much; a run has it",
             short(at_rest.weight_share)
         ),
-        () if !at_rest.has_load_zone() => {
+        () if !at_rest.has_load_zone => {
             "no ball touches the inner raceway: without a load zone lag and speed are those of a whole orbit on the \
              outer raceway alone, and no gap opens"
                 .to_owned()

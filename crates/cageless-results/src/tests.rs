@@ -601,7 +601,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         ),
         (
             "power_loss_stored_w",
-            m.power_w(EnergyTerm::Drive) - m.heat_w(),
+            m.power_w(EnergyTerm::Drive) - m.heat_w,
         ),
         (
             "rolling_resistance_power_w",

@@ -1,6 +1,6 @@
 //! The raceway that helps most in steady operation, beside a plain ring and one ball fewer.
 
-use cageless::steady::TRANSIENT_ORBITS;
+use cageless::steady::SteadyOperation;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_results::{Provenance, Record};
 use serde::Serialize;
@@ -99,7 +99,8 @@ fn plain_rings(file: &CaseFile) -> Result<Vec<(String, CaseFile)>, StudyError> {
 fn short(rings: &[(String, CaseFile)]) -> Result<Vec<(String, CaseFile)>, CaseError> {
     let shorter = rings.iter().map(|(name, file)| {
         let mut document = file.document().clone();
-        let transient = file.steady().transient_orbits.min(TRANSIENT_ORBITS);
+        let transient = file.steady().transient_orbits;
+        let transient = transient.min(SteadyOperation::default().transient_orbits);
         document.set("steady.transient_orbits", transient);
         let measured = file.steady().measured_orbits.min(SHORT_ORBITS);
         document.set("steady.measured_orbits", measured);

@@ -407,7 +407,7 @@ fn a_free_bearing_has_no_weight_of_a_vertical_rotor() {
     let file = BearingArrangement::read(&path, &["solver.duration_s=0.0001".to_owned()]).unwrap();
     let drop = file.drop().unwrap();
     let gravity_m_s2 = drop.cases()[0].operation.gravity_m_s2;
-    let weight_n = drop.rotor().unwrap().mass_kg() * gravity_m_s2;
+    let weight_n = drop.rotor().unwrap().mass_kg * gravity_m_s2;
     assert_eq!(drop.carried_n(), [Some(weight_n), None]);
     // 392 N on 2e7 N/m: 19.6 µm.
     let clearance = |um: f64| {

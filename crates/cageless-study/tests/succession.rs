@@ -176,7 +176,7 @@ fn a_rotor_in_two_bearings_heats_both() {
     let contacts: f64 = brakes.iter().map(|(_, rolling)| rolling).sum();
     let results = |k: usize| &done.record.bearings[k].result.results;
     let speed = results(0).number("rotor_speed_rpm") * std::f64::consts::PI / 30.0;
-    let energy_j = 0.5 * done.drop.rotor().unwrap().polar_inertia_kg_m2() * speed * speed;
+    let energy_j = 0.5 * done.drop.rotor().unwrap().polar_inertia_kg_m2 * speed * speed;
     for (k, (_, rolling)) in brakes.into_iter().enumerate() {
         let (case, results) = (&done.drop.cases()[k], results(k));
         let thermal = &rotor.cases()[k].particulars().thermal;

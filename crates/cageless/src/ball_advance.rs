@@ -74,7 +74,7 @@ pub struct BallAdvance {
     /// Mean gap below which neighbours meet by the ball advance in every orbit; of the row where it is largest.
     pub clearance_rad: f64,
     /// Difference of Ω̄ of the neighbours whose radii differ most; of equal balls, of the smallest and the largest of a
-    /// lot of grade [`GRADE`]. In the plane.
+    /// lot of grade 10. In the plane.
     pub neighbour_drift_rad_s: Option<f64>,
 }
 
@@ -139,7 +139,7 @@ fn extreme_neighbours_m(deviations_m: &[f64]) -> [f64; 2] {
     let count = deviations_m.len();
     let pairs = (0..count).map(|k| [deviations_m[k], deviations_m[(k + 1) % count]]);
     let apart = |[a, b]: &[f64; 2]| (a - b).abs();
-    let of_lot_m = ball_grade(GRADE as u32).map_or(0.0, |grade| grade.radius_deviation_m());
+    let of_lot_m = ball_grade(GRADE).map_or(0.0, |grade| grade.radius_deviation_m());
     pairs
         .max_by(|a, b| apart(a).total_cmp(&apart(b)))
         .unwrap_or([-of_lot_m, of_lot_m])

@@ -105,15 +105,15 @@ impl GapScatter {
     /// Standard deviation of the gaps: root of their mean variance, rad; NaN before the first look.
     pub(crate) fn deviation_rad(&self) -> f64 {
         let [first, second] = self.variance;
-        let weight = first.weight() + second.weight();
-        ((first.mean() * first.weight() + second.mean() * second.weight()) / weight).sqrt()
+        let weight = first.weight + second.weight;
+        ((first.mean * first.weight + second.mean * second.weight) / weight).sqrt()
     }
 
     /// Standard deviation in the second half less that in the first, rad; NaN if either is empty.
     pub(crate) fn change_rad(&self) -> f64 {
         let [first, second] = self.variance.map(|half| {
-            if half.weight() > 0.0 {
-                half.mean().sqrt()
+            if half.weight > 0.0 {
+                half.mean.sqrt()
             } else {
                 f64::NAN
             }

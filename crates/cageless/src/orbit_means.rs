@@ -36,12 +36,24 @@ pub struct OrbitMeans {
     pub orbit_speed_rad_s: f64,
     /// Mean absolute rotational speed of the balls about their axes, clockwise, rad/s.
     pub rotation_rad_s: f64,
-    /// Mean rotational speed of the balls in the frames of their orbits less the orbital speed, rad/s.
-    beyond_orbit_rad_s: f64,
-    /// Whether the inner ring is driven at a constant ωi.
-    driven: bool,
-    /// Balls of a row.
-    balls: usize,
+    /// Mean torque of the drive, N·m: its power over ωi; NaN if that varies.
+    pub friction_torque_n_m: f64,
+    /// Mean power loss, W: the power of the drive of the inner ring; if ωi varies, the heat.
+    pub power_loss_w: f64,
+    /// Part of the power loss that does not become heat in the interval, W: the rise of the
+    /// stored energy less the work of loads and weights (in the `paper` formulation also of the
+    /// forces that the published equations add). It vanishes in the mean of a steady motion.
+    pub stored_w: f64,
+    /// Mean heat of friction, damping and drag, W.
+    pub heat_w: f64,
+    /// Frequency at which the set of balls orbits (FTF of a bearing with a cage), Hz.
+    pub ftf_hz: f64,
+    /// Frequency at which balls pass a point of the outer ring, Hz.
+    pub bpfo_hz: f64,
+    /// Frequency at which balls pass a point of the inner ring, Hz.
+    pub bpfi_hz: f64,
+    /// Rotational frequency of the balls relative to their orbit, Hz.
+    pub bsf_hz: f64,
     power_w: [f64; EnergyTerm::ALL.len()],
 }
 
@@ -51,62 +63,16 @@ impl OrbitMeans {
     pub fn power_w(&self, term: EnergyTerm) -> f64 {
         self.power_w[term as usize]
     }
+}
 
-    /// Mean power that the drive of the inner ring supplies, W.
-    pub(crate) fn drive_w(&self) -> f64 {
-        self.power_w(EnergyTerm::Drive)
-    }
-
-    /// Mean torque of the drive, N·m: its power over ωi; NaN if that varies.
-    pub fn friction_torque_n_m(&self) -> f64 {
-        self.drive_w() / self.inner_speed_rad_s
-    }
-
-    /// Mean power loss, W: the power of the drive of the inner ring; if ωi varies, the heat.
-    pub fn power_loss_w(&self) -> f64 {
-        if self.driven {
-            self.drive_w()
-        } else {
-            self.heat_w()
-        }
-    }
-
-    /// Part of [`Self::power_loss_w`] that does not become heat in the interval, W: the rise of the
-    /// stored energy less the work of loads and weights (in the `paper` formulation also of the
-    /// forces that the published equations add). It vanishes in the mean of a steady motion.
-    pub fn stored_w(&self) -> f64 {
-        self.power_loss_w() - self.heat_w()
-    }
-
-    /// Mean heat of friction, damping and drag, W.
-    pub fn heat_w(&self) -> f64 {
-        EnergyTerm::ALL
-            .into_iter()
-            .filter(|term| term.is_loss())
-            .map(|term| self.power_w(term))
-            .filter(|power| power.is_finite())
-            .sum()
-    }
-
-    /// Frequency at which the set of balls orbits (FTF of a bearing with a cage), Hz.
-    pub fn ftf_hz(&self) -> f64 {
-        self.orbit_speed_rad_s / TAU
-    }
-
-    /// Frequency at which balls pass a point of the outer ring, Hz.
-    pub fn bpfo_hz(&self) -> f64 {
-        self.balls as f64 * self.ftf_hz()
-    }
-
-    /// Frequency at which balls pass a point of the inner ring, Hz.
-    pub fn bpfi_hz(&self) -> f64 {
-        self.balls as f64 * (self.inner_speed_rad_s - self.orbit_speed_rad_s) / TAU
-    }
-
-    /// Rotational frequency of the balls relative to their orbit, Hz.
-    pub fn bsf_hz(&self) -> f64 {
-        (self.beyond_orbit_rad_s + self.orbit_speed_rad_s) / TAU
-    }
+/// Heat among the mean powers of the energy ledger, W.
+fn heat_w(power_w: &[f64; EnergyTerm::ALL.len()]) -> f64 {
+    EnergyTerm::ALL
+        .into_iter()
+        .filter(|term| term.is_loss())
+        .map(|term| power_w[term as usize])
+        .filter(|power| power.is_finite())
+        .sum()
 }
 
 /// Sums up to one time, and the angles of the balls then.
@@ -199,24 +165,38 @@ impl OrbitMeansTracker {
         let (begin, end) = (self.begin.as_ref()?, self.end.as_ref()?);
         let angle = |mark: &Mark| mark.angles.iter().map(BallAngle::rad).sum::<f64>();
         let time_s = end.time_s - begin.time_s;
-        let balls = case.bearing.balls();
-        let drive = case.inner_ring_drive();
+        if time_s <= 0.0 {
+            return None;
+        }
+        let inner_speed_rad_s = match case.inner_ring_drive() {
+            InnerRingDrive::Constant(speed_rad_s) => Some(speed_rad_s),
+            InnerRingDrive::OverTime(_) | InnerRingDrive::Rotor(_) => None,
+        };
+        let power_w = std::array::from_fn(|k| (end.ledger_j[k] - begin.ledger_j[k]) / time_s);
+        let (heat_w, drive_w) = (heat_w(&power_w), power_w[EnergyTerm::Drive as usize]);
+        let power_loss_w = inner_speed_rad_s.map_or(heat_w, |_| drive_w);
+        let inner_speed_rad_s = inner_speed_rad_s.unwrap_or(f64::NAN);
+        let balls = case.bearing.balls() as f64;
+        let orbit_speed_rad_s = (angle(end) - angle(begin)) / (end.angles.len() as f64 * time_s);
+        let ftf_hz = orbit_speed_rad_s / TAU;
         let samples = (end.rotation_samples - begin.rotation_samples) as f64;
         let [rotation_rad_s, beyond_orbit_rad_s] =
             [0, 1].map(|k| (end.rotation_sum[k] - begin.rotation_sum[k]) / samples);
-        (time_s > 0.0).then(|| OrbitMeans {
+        Some(OrbitMeans {
             orbits: self.orbits,
             interval_s: [begin.time_s, end.time_s],
-            inner_speed_rad_s: match drive {
-                InnerRingDrive::Constant(speed_rad_s) => speed_rad_s,
-                InnerRingDrive::OverTime(_) | InnerRingDrive::Rotor(_) => f64::NAN,
-            },
-            orbit_speed_rad_s: (angle(end) - angle(begin)) / (end.angles.len() as f64 * time_s),
+            inner_speed_rad_s,
+            orbit_speed_rad_s,
             rotation_rad_s,
-            beyond_orbit_rad_s,
-            driven: matches!(drive, InnerRingDrive::Constant(_)),
-            balls,
-            power_w: std::array::from_fn(|k| (end.ledger_j[k] - begin.ledger_j[k]) / time_s),
+            friction_torque_n_m: drive_w / inner_speed_rad_s,
+            power_loss_w,
+            stored_w: power_loss_w - heat_w,
+            heat_w,
+            ftf_hz,
+            bpfo_hz: balls * ftf_hz,
+            bpfi_hz: balls * (inner_speed_rad_s - orbit_speed_rad_s) / TAU,
+            bsf_hz: (beyond_orbit_rad_s + orbit_speed_rad_s) / TAU,
+            power_w,
         })
     }
 }

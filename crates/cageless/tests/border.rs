@@ -8,11 +8,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Public items at most.
-const ITEMS_MAX: usize = 925;
+const ITEMS_MAX: usize = 877;
 
 /// Public types that nobody outside has to name, each with the public item that has, takes or gives it:
 /// fields of it are read, its name is not written.
-const CARRIED: [(&str, &str); 2] = [("Aligned", "StepState"), ("SecondOrderBlock", "System")];
+const CARRIED: [(&str, &str); 3] = [
+    ("Aligned", "StepState"),
+    ("EachStep", "each_step"),
+    ("SecondOrderBlock", "System"),
+];
 
 /// The sources below a folder without those of tests.
 fn sources(folder: &Path, tests: bool) -> Vec<PathBuf> {

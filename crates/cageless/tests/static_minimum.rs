@@ -172,6 +172,7 @@ impl AllTogether {
             0.0
         };
         let n = d.balls;
+        let [inner_stiffness, outer_stiffness, _] = case.stiffness_n_m1_5();
         let balls = (0..n)
             .map(|k| {
                 let angle = case.start.lead_ball_angle_rad + TAU * k as f64 / n as f64;
@@ -179,8 +180,8 @@ impl AllTogether {
                     angle,
                     d.outer_groove_bottom_radius_m - rw,
                     d.inner_groove_bottom_radius_m + rw,
-                    b.inner_contact().stiffness_n_m1_5,
-                    b.outer_contact().stiffness_n_m1_5,
+                    inner_stiffness,
+                    outer_stiffness,
                     mass * o.gravity_m_s2 * angle.cos() + doubled,
                     turning,
                 ]

@@ -308,7 +308,7 @@ fn check_rotor(
     let mut lines = vec![
         ("rotor", format!("{} is valid", args.case.display())),
         ("bearings", cases.len().to_string()),
-        ("mass", format!("{} kg", significant(rotor.mass_kg(), 4))),
+        ("mass", format!("{} kg", significant(rotor.mass_kg, 4))),
         (
             "shares of the mass at the bearings",
             format!("{} kg", listed(&shares)),
@@ -333,7 +333,7 @@ fn check_rotor(
             .iter()
             .map(|b| b.document_as_run())
             .collect(),
-        mass_kg: rotor.mass_kg(),
+        mass_kg: rotor.mass_kg,
         mass_shares_kg: shares,
         step_us,
         natural_frequencies_hz: frequencies,

@@ -116,7 +116,7 @@ fn rotor_text(study: &DropStudy) -> String {
     let Some(rotor) = study.drop.rotor() else {
         return String::new();
     };
-    let mut lines = vec![("rotor", format!("{} kg", significant(rotor.mass_kg(), 4)))];
+    let mut lines = vec![("rotor", format!("{} kg", significant(rotor.mass_kg, 4)))];
     // A vertical rotor rests on a shoulder.
     if !study.drop.is_vertical() {
         lines.push((

@@ -140,7 +140,7 @@ impl Solid {
             }
             let span = solid.span(ring, sector, ends, halves.as_ref());
             if let Some(whole) = whole {
-                let slot = sector.slot.map(|slot| &ring.recesses()[slot]);
+                let slot = sector.slot.map(|slot| &ring.recesses[slot]);
                 let hole = slot.map(|slot| solid.slot(slot, tolerance_m)).transpose()?;
                 solid.groove(whole, ends, &span, hole);
             }
@@ -176,8 +176,8 @@ impl Solid {
         let psi = sector.start_rad;
         let (e, t) = (radial(psi), radial(psi + FRAC_PI_2));
         let meridian = ring.meridian_in(sector, psi);
-        let half = ring.dimensions().outer_ring_width_m / 2.0;
-        let ros = ring.shoulder_radius_m();
+        let half = ring.dimensions.outer_ring_width_m / 2.0;
+        let ros = ring.shoulder_radius_m;
         let at = |rho: f64, z: f64| [rho * e[0], rho * e[1], z];
         let rim = [half, -half].map(|z| self.vertex(at(ros, z)));
         let shoulder = edges_of_groove_m(&meridian).map(|z| self.vertex(at(ros, z)));
@@ -213,9 +213,9 @@ impl Solid {
         ends: Ends<'_>,
         patches: Option<&[Patch; 2]>,
     ) -> Span {
-        let half = ring.dimensions().outer_ring_width_m / 2.0;
+        let half = ring.dimensions.outer_ring_width_m / 2.0;
         let groove = edges_of_groove_m(&ring.meridian_in(sector, sector.start_rad));
-        let ros = ring.shoulder_radius_m();
+        let ros = ring.shoulder_radius_m;
         let rim = [0, 1].map(|k| {
             let z = [half, -half][k];
             self.edge(circle(ros, z), ends.from.rim[k], ends.to.rim[k])
@@ -243,20 +243,20 @@ impl Solid {
         sector: &RingSector,
         tolerance_m: f64,
     ) -> Result<Option<Surface>, PatchError> {
-        let crosses = ring.groove_bottom_radius_m() <= 2.0 * ring.curvature_radius_m();
+        let crosses = ring.groove_bottom_radius_m <= 2.0 * ring.curvature_radius_m;
         let slotted = sector.slot.is_some();
         if sector.raceway.is_some() || (crosses && !slotted) {
             return Ok(None);
         }
-        if crosses || (slotted && ring.section_angle_rad() != 0.0) {
+        if crosses || (slotted && ring.section_angle_rad != 0.0) {
             let (patch, off_m) = Patch::plain(ring, sector, tolerance_m)?;
             self.deviation_m = self.deviation_m.max(off_m);
             return Ok(Some(Surface::Spline(patch)));
         }
         Ok(Some(Surface::Torus {
-            height_m: ring.groove_height_m(),
-            major_m: ring.groove_bottom_radius_m() - ring.curvature_radius_m(),
-            minor_m: ring.curvature_radius_m(),
+            height_m: ring.groove_height_m,
+            major_m: ring.groove_bottom_radius_m - ring.curvature_radius_m,
+            minor_m: ring.curvature_radius_m,
             reference: radial(sector.middle_rad() + PI),
         }))
     }
@@ -299,7 +299,7 @@ impl Solid {
 
     fn shoulders(&mut self, ring: &OuterRing, sector: &RingSector, ends: Ends<'_>, span: &Span) {
         let cylinder = || Surface::Cylinder {
-            radius_m: ring.shoulder_radius_m(),
+            radius_m: ring.shoulder_radius_m,
             reference: radial(sector.middle_rad() + PI),
         };
         let above = [

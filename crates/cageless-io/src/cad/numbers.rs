@@ -1,6 +1,6 @@
 //! The numbers of an exported ring.
 
-use cageless::surface::{OuterRing, Recess};
+use cageless::surface::{OuterRing, Recess, RingMeasures};
 use serde::Serialize;
 
 use super::format::Format;
@@ -132,35 +132,43 @@ impl ExportNumbers {
         deviation_m: f64,
         counts: Counts,
     ) -> Self {
+        let RingMeasures {
+            volume_m3,
+            design_kink_rad,
+            kink_rad,
+            ridge_rad,
+            blend_deviation_m,
+            relief_m,
+        } = ring.measures();
         let [slope_discontinuity_45_deg, slope_discontinuity_shoulder_deg] =
-            ring.kink_rad().map(f64::to_degrees);
+            kink_rad.map(f64::to_degrees);
         let [
             design_slope_discontinuity_45_deg,
             design_slope_discontinuity_shoulder_deg,
-        ] = ring.design_kink_rad().map(f64::to_degrees);
-        let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
+        ] = design_kink_rad.map(f64::to_degrees);
+        let [above_plain_um, below_plain_um] = relief_m.map(|m| m * 1e6);
         let [blend_mm, groove_centre_z_mm] =
-            [ring.blend_m(), ring.groove_height_m()].map(millimetres);
+            [ring.blend_m(), ring.groove_height_m].map(millimetres);
         let raceways = ring.raceways().count();
         Self {
             format,
             file: None,
             bytes,
-            volume_mm3: ring.volume_m3() * 1e9,
+            volume_mm3: volume_m3 * 1e9,
             deviation_um: deviation_m * 1e6,
             blend_mm,
             blend_not_simulated: None,
-            blend_deviation_um: ring.blend_deviation_m() * 1e6,
+            blend_deviation_um: blend_deviation_m * 1e6,
             slope_discontinuity_45_deg,
             slope_discontinuity_shoulder_deg,
             design_slope_discontinuity_45_deg,
             design_slope_discontinuity_shoulder_deg,
-            apex_angle_deg: ring.ridge_rad().to_degrees(),
+            apex_angle_deg: ridge_rad.to_degrees(),
             above_plain_um,
             below_plain_um,
             raceways,
-            slots: ring.recesses().iter().map(SlotNumbers::new).collect(),
-            contact_angle_deg: unless_zero(ring.section_angle_rad().to_degrees()),
+            slots: ring.recesses.iter().map(SlotNumbers::new).collect(),
+            contact_angle_deg: unless_zero(ring.section_angle_rad.to_degrees()),
             groove_centre_z_mm: unless_zero(groove_centre_z_mm),
             counts,
         }
@@ -170,10 +178,10 @@ impl ExportNumbers {
 impl SlotNumbers {
     fn new(slot: &Recess) -> Self {
         let [width_mm, depth_mm, edge_radius_mm] =
-            [slot.width_m(), slot.depth_m(), slot.edge_radius_m()].map(millimetres);
-        let straight_rad = slot.straight_rad().unwrap_or(0.0);
+            [slot.width_m, slot.depth_m, slot.edge_radius_m].map(millimetres);
+        let straight_rad = slot.straight_rad.unwrap_or(0.0);
         let [centre_angle_deg, half_angle_deg, straight_half_angle_deg] =
-            [slot.middle_rad(), slot.half_angle_rad(), straight_rad].map(f64::to_degrees);
+            [slot.middle_rad, slot.half_angle_rad, straight_rad].map(f64::to_degrees);
         Self {
             centre_angle_deg,
             width_mm,

@@ -9,7 +9,7 @@ use super::brep::{Curve, Solid, Surface, Use, along, back, circle, radial};
 impl Solid {
     /// The cylinder outside, in halves, and the side faces with their bores.
     pub(super) fn outside(&mut self, ring: &OuterRing, start_rad: f64, rims: &[[usize; 2]]) {
-        let d = ring.dimensions();
+        let d = ring.dimensions;
         let (radius_m, half) = (d.outer_ring_outer_radius_m, d.outer_ring_width_m / 2.0);
         let heights = [half, -half];
         let corners = [start_rad, start_rad + PI].map(|psi| {

@@ -30,14 +30,14 @@ impl Solid {
         tolerance_m: f64,
     ) -> Result<Vec<Use>, PatchError> {
         let first = self.joints(recess, -1.0);
-        let last = match recess.straight_rad() {
+        let last = match recess.straight_rad {
             Some(_) => self.joints(recess, 1.0),
             None => first,
         };
         let behind = self.end(recess, -1.0, first, tolerance_m)?;
         let ahead = self.end(recess, 1.0, last, tolerance_m)?;
         let straights = recess
-            .straight_rad()
+            .straight_rad
             .map(|_| [0, 1].map(|k| self.straight(recess, Side::BOTH[k], [first[k], last[k]])));
         let [upper, lower] = [0, 1].map(|k| straights.map(|lines| lines[k]));
         // Both seen from the axis, where ψ grows to the left: the floor anticlockwise, the hole clockwise.
@@ -99,12 +99,12 @@ impl Solid {
         let [groove, centre, top, foot] = recess.straight_m(side);
         let curves = [groove, top, foot].map(|[radius, z]| circle(radius, z));
         let lines = self.lines(curves, joints);
-        let (upper, axis_rad) = (side == Side::Upper, recess.section_angle_rad());
-        let reference = radial(recess.middle_rad() + PI);
+        let (upper, axis_rad) = (side == Side::Upper, recess.section_angle_rad);
+        let reference = radial(recess.middle_rad + PI);
         let rounded = Surface::Torus {
             height_m: centre[1],
             major_m: centre[0],
-            minor_m: recess.edge_radius_m(),
+            minor_m: recess.edge_radius_m,
             reference,
         };
         // Out of the material is down from the upper wall; a cone's own normal is outwards.
@@ -158,11 +158,11 @@ impl Solid {
 
     fn floor(&mut self, recess: &Recess, around: Vec<Use>) {
         let [.., foot] = recess.straight_m(Side::Lower);
-        let axis_rad = recess.section_angle_rad();
+        let axis_rad = recess.section_angle_rad;
         let floor = if axis_rad == 0.0 {
             Surface::Cylinder {
                 radius_m: foot[0],
-                reference: radial(recess.middle_rad() + PI),
+                reference: radial(recess.middle_rad + PI),
             }
         } else {
             cone(foot, -axis_rad.signum(), axis_rad.abs(), recess)
@@ -187,6 +187,6 @@ fn cone([radius_m, height_m]: [f64; 2], way: f64, half_angle_rad: f64, recess: &
         radius_m,
         way,
         half_angle_rad,
-        reference: radial(recess.middle_rad() + PI),
+        reference: radial(recess.middle_rad + PI),
     }
 }

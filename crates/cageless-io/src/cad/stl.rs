@@ -13,7 +13,7 @@ use super::numbers::{Counts, RingFile};
 /// `chord_um` is out of the range of [`Mesh::new`].
 pub(super) fn write(ring: &OuterRing, chord_um: f64) -> Result<RingFile, InputError> {
     // Half a unit in the last place of the largest coordinate, each way.
-    let largest_mm = ring.dimensions().outer_ring_outer_radius_m * 1e3;
+    let largest_mm = ring.dimensions.outer_ring_outer_radius_m * 1e3;
     let rounding_m = 3f64.sqrt() * largest_mm * f64::from(f32::EPSILON) / 2.0 * 1e-3;
     let mesh = Mesh::new(ring, chord_um * 1e-6, rounding_m)?;
     let vertices: Vec<[f32; 3]> = (mesh.vertices_m.iter())

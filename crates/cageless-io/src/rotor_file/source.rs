@@ -100,8 +100,8 @@ impl RotorSource {
         let linear = rotor.linear().map_err(|error| self.refused(&error))?;
         // What belongs to the rotor as a whole need not stand in the case of a bearing.
         let own = [
-            ("rotor.mass_kg", linear.mass_kg() / cases.len() as f64),
-            ("rotor.polar_inertia_kg_m2", linear.polar_inertia_kg_m2()),
+            ("rotor.mass_kg", linear.mass_kg / cases.len() as f64),
+            ("rotor.polar_inertia_kg_m2", linear.polar_inertia_kg_m2),
             ("rotor.speed_rpm", speed_rpm),
         ]
         .map(|(key, value)| (key, CaseValue::Number(value)));

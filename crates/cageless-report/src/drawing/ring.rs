@@ -139,7 +139,7 @@ fn section(paper: &mut Paper, ring: &OuterRing) {
     let Some(raceway) = ring.raceways().next() else {
         return;
     };
-    let (title, rows) = match ring.recesses().first().filter(|_| raceway.slot().is_some()) {
+    let (title, rows) = match ring.recesses.first().filter(|_| raceway.slot().is_some()) {
         Some(slot) => ("Slot", of_slot(slot)),
         None => (
             "Groove of two arcs that meet in the apex, along the raceway",
@@ -179,9 +179,9 @@ fn stations(ring: &OuterRing, raceway: &Raceway) -> Vec<Vec<String>> {
 fn of_slot(slot: &Recess) -> Vec<Vec<String>> {
     let row = |name: &str, m: f64| vec![format!("{name}, mm"), length_text(m)];
     vec![
-        row("Distance of the walls", slot.width_m()),
-        row("Floor below the plain groove", slot.depth_m()),
-        row("Radius of the edges", slot.edge_radius_m()),
+        row("Distance of the walls", slot.width_m),
+        row("Floor below the plain groove", slot.depth_m),
+        row("Radius of the edges", slot.edge_radius_m),
     ]
 }
 

@@ -82,14 +82,14 @@ impl DrawnRing<'_> {
 
     /// Draws the ring along its axis, +Z towards the reader.
     pub fn front(&self, paper: &mut Paper, room: Room, toleranced: &dyn Fn(&Raceway) -> String) {
-        let outside = self.ring.dimensions().outer_ring_outer_radius_m;
+        let outside = self.ring.dimensions.outer_ring_outer_radius_m;
         let scale = room.scale([2.0 * outside, 2.0 * outside]);
         let centre = room.middle;
         let on_paper = |m: f64| mm(m) * scale;
         let [outer, shoulder, bottom] = [
             outside,
-            self.ring.shoulder_radius_m(),
-            self.ring.groove_bottom_radius_m(),
+            self.ring.shoulder_radius_m,
+            self.ring.groove_bottom_radius_m,
         ]
         .map(on_paper);
         paper.circle(centre, outer, Pen::Wide);
@@ -101,7 +101,7 @@ impl DrawnRing<'_> {
             paper.line([end(-1.0), end(1.0)], Pen::Chain);
         }
         // Dimensions of diameters leave to the upper right.
-        let diameters = [(outside, outer), (self.ring.shoulder_radius_m(), shoulder)];
+        let diameters = [(outside, outer), (self.ring.shoulder_radius_m, shoulder)];
         for (k, (m, radius)) in diameters.iter().enumerate() {
             let direction = -0.9 + 0.42 * k as f64;
             let elbow = [
@@ -129,7 +129,7 @@ impl DrawnRing<'_> {
 
     /// Half section of the plain groove.
     pub fn plain_section(&self, paper: &mut Paper, room: Room, plain_rad: f64) {
-        let d = self.ring.dimensions();
+        let d = self.ring.dimensions;
         let points = self.groove(None).points(plain_rad, PER_SIDE);
         let (scale, place) = self.cut_face(paper, room, &points);
         let half = 0.5 * d.outer_ring_width_m;
@@ -138,23 +138,17 @@ impl DrawnRing<'_> {
         paper.horizontal(corners, above, &length_text(d.outer_ring_width_m));
         let section = self.groove(None).meridian(plain_rad);
         let arc = section.arc(Side::Upper);
-        let eta = self.ring.section_angle_rad();
+        let eta = self.ring.section_angle_rad;
         let tip = place([arc.height_m(eta - 0.3), arc.radius_at_m(eta - 0.3)]);
         let below = room.middle[1] + 0.5 * room.size_mm[1] + 6.0;
-        let radius = format!("R {}", length_text(self.ring.curvature_radius_m()));
+        let radius = format!("R {}", length_text(self.ring.curvature_radius_m));
         paper.leader(tip, [tip[0] + 8.0, below], &radius);
-        let deepest = place([
-            self.ring.groove_height_m(),
-            self.ring.groove_bottom_radius_m(),
-        ]);
-        let diameter = format!(
-            "Ø {}",
-            length_text(2.0 * self.ring.groove_bottom_radius_m())
-        );
+        let deepest = place([self.ring.groove_height_m, self.ring.groove_bottom_radius_m]);
+        let diameter = format!("Ø {}", length_text(2.0 * self.ring.groove_bottom_radius_m));
         paper.leader(deepest, [deepest[0] - 8.0, below], &diameter);
-        let height = self.ring.groove_height_m();
+        let height = self.ring.groove_height_m;
         if height.abs() > 1e-9 {
-            let ends = [0.0, height].map(|z| place([z, self.ring.shoulder_radius_m()]));
+            let ends = [0.0, height].map(|z| place([z, self.ring.shoulder_radius_m]));
             paper.horizontal(ends, below + 9.0, &length_text(height.abs()));
         }
         room.title(paper, "A–A", scale);
@@ -180,7 +174,7 @@ impl DrawnRing<'_> {
     /// The track of the contact points, unrolled along the bottom of the groove.
     pub fn track(&self, paper: &mut Paper, room: Room, raceway: &Raceway, texts: [&str; 2]) {
         let d = raceway.dimensions();
-        let bottom = self.ring.groove_bottom_radius_m();
+        let bottom = self.ring.groove_bottom_radius_m;
         let length = 2.0 * d.half_angle_rad * bottom;
         let scale = room.scale([1.3 * length, 1.2 * d.axial_span_m]);
         let groove = self.groove(Some(raceway));
@@ -200,7 +194,7 @@ impl DrawnRing<'_> {
         for side in [0, 1] {
             paper.line(pairs.iter().map(|pair| pair[side]), Pen::Wide);
         }
-        let middle_z = self.ring.groove_height_m();
+        let middle_z = self.ring.groove_height_m;
         let beyond = [-1.28, 1.28].map(|share| at(share * d.half_angle_rad, middle_z));
         paper.line(beyond, Pen::Chain);
         let ends = [-1.0, 1.0].map(|sign| at(sign * d.half_angle_rad, middle_z));
@@ -228,8 +222,8 @@ impl DrawnRing<'_> {
         room: Room,
         groove: &[[f64; 3]],
     ) -> (f64, impl Fn([f64; 2]) -> Place + use<>) {
-        let d = self.ring.dimensions();
-        let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m());
+        let d = self.ring.dimensions;
+        let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m);
         let scale = room.scale([d.outer_ring_width_m, outside - shoulder]);
         let middle_m = 0.5 * (outside + shoulder);
         let place = move |[z, rho]: [f64; 2]| {
@@ -246,9 +240,9 @@ impl DrawnRing<'_> {
 
     /// Outline of a section whose groove has these points, from the lower to the upper shoulder.
     fn outline(&self, groove: &[[f64; 3]], place: &dyn Fn([f64; 2]) -> Place) -> Vec<Place> {
-        let d = self.ring.dimensions();
+        let d = self.ring.dimensions;
         let half = 0.5 * d.outer_ring_width_m;
-        let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m());
+        let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m);
         let corners = [
             [half, shoulder],
             [half, outside],

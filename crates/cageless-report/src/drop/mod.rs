@@ -156,7 +156,7 @@ fn head(study: &DropStudy, facts: Vec<Parameter>) -> Head {
     let judgement = &study.judgement;
     let state = format!("State after {end} s: {}.", states.join("; "));
     let rotor = study.drop.rotor();
-    let mass = rotor.map(|rotor| parameter("mass of the rotor", short(rotor.mass_kg()), "kg"));
+    let mass = rotor.map(|rotor| parameter("mass of the rotor", short(rotor.mass_kg), "kg"));
     Head::new(judgement.passes(), &judgement.headline())
         .verdict(None, &state)
         .facts(facts)

@@ -52,8 +52,8 @@ pub const CONTACT_ANGLE: &[Quantity] = &[
 pub const PROFILE: &[Quantity] = &[
     means("of the function that is fitted to the profile", part(quantity("profile_flank_angle_deg", "deg", "flank angle in the middle of the measured raceway", Profile(|p| degrees(p.middle_rad()))))),
     means("the rows of the profile that are farthest from its middle", part(quantity("profile_half_angle_deg", "deg", "half angle θ of the measured raceway", Profile(|p| degrees(p.half_angle_rad()))))),
-    means("root mean square over the rows of the profile", part(low(quantity("profile_deviation_deg", "deg", "deviation of the profile from the function that is fitted to it", Profile(|p| degrees(p.deviation_rad()[0])))))),
-    part(low(quantity("profile_deviation_max_deg", "deg", "largest deviation of a row of the profile", Profile(|p| degrees(p.deviation_rad()[1]))))),
+    means("root mean square over the rows of the profile", part(low(quantity("profile_deviation_deg", "deg", "deviation of the profile from the function that is fitted to it", Profile(|p| degrees(p.deviation_rad[0])))))),
+    part(low(quantity("profile_deviation_max_deg", "deg", "largest deviation of a row of the profile", Profile(|p| degrees(p.deviation_rad[1]))))),
 ];
 
 /// A raceway that is fitted to points of its surface.

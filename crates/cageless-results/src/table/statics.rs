@@ -139,11 +139,11 @@ pub const LUBRICATION: &[Quantity] = &[
 #[rustfmt::skip]
 pub const FILM: &[Quantity] = &[
     group(Group::Film, means("dynamic, at the inlet of the contacts: given, or that of the oil at `film.temperature_c`", in_oil(quantity("oil_viscosity_mpa_s", "mPa s", "viscosity of the oil", Static(|s| s.case.film.map(|film| millipascal_seconds(film.oil.viscosity_pa_s)).into()))))),
-    group(Group::Film, means("of a flooded, isothermal contact: an upper bound (Hamrock & Dowson)", in_oil(high(quantity("film_thickness_min_um", "um", "least film thickness", Static(|s| film(s, |f| f.thickness_min_m() * 1e6))))))),
-    group(Group::Film, means("mean of the film in the middle of all loaded contacts; flooded and isothermal", in_oil(high(quantity("film_thickness_mean_um", "um", "film thickness, mean", Static(|s| film(s, |f| f.thickness_mean_m() * 1e6))))))),
-    group(Group::Film, means("least film thickness over the roughness", in_oil(high(quantity("film_parameter_min", "", "film parameter Λ, least", Static(|s| film(s, FilmAtRest::film_parameter_min))))))),
-    group(Group::Film, means("film thickness in the middle of the contacts over the roughness, mean", in_oil(high(quantity("film_parameter_mean", "", "film parameter Λ, mean", Static(|s| film(s, FilmAtRest::film_parameter_mean))))))),
-    group(Group::Film, means("largest of all contacts, from Λ of the middle of the contact (Zhou & Hoeprich)", in_oil(low(quantity("asperity_load_fraction", "", "share of the load on asperities", Static(|s| film(s, FilmAtRest::asperity_share_max))))))),
+    group(Group::Film, means("of a flooded, isothermal contact: an upper bound (Hamrock & Dowson)", in_oil(high(quantity("film_thickness_min_um", "um", "least film thickness", Static(|s| film(s, |f| f.thickness_min_m * 1e6))))))),
+    group(Group::Film, means("mean of the film in the middle of all loaded contacts; flooded and isothermal", in_oil(high(quantity("film_thickness_mean_um", "um", "film thickness, mean", Static(|s| film(s, |f| f.thickness_mean_m * 1e6))))))),
+    group(Group::Film, means("least film thickness over the roughness", in_oil(high(quantity("film_parameter_min", "", "film parameter Λ, least", Static(|s| film(s, |film| film.film_parameter_min))))))),
+    group(Group::Film, means("film thickness in the middle of the contacts over the roughness, mean", in_oil(high(quantity("film_parameter_mean", "", "film parameter Λ, mean", Static(|s| film(s, |film| film.film_parameter_mean))))))),
+    group(Group::Film, means("largest of all contacts, from Λ of the middle of the contact (Zhou & Hoeprich)", in_oil(low(quantity("asperity_load_fraction", "", "share of the load on asperities", Static(|s| film(s, |film| film.asperity_share_max))))))),
     group(Group::Film, means("of all contacts under load, sliding at 1 % of the speed of rolling; with `film.traction = \"film\"`", in_oil(low(quantity("mixed_friction_coefficient", "", "friction coefficient of film and asperities", Static(|s| s.film.as_ref().and_then(|f| f.mixed_friction_coefficient).into())))))),
     group(Group::Film, means("of the oil film, with `film.hysteresis` also of the steel: power over the speed of the inner ring; without sliding", in_oil(low(quantity("rolling_resistance_torque_n_m", "N m", "torque of rolling resistance", Static(|s| film(s, |f| f.torque_n_m))))))),
     group(Group::Film, means("elastic hysteresis of the steel, part of `rolling_resistance_torque_n_m`; with `film.hysteresis`", part(low(quantity("hysteresis_torque_n_m", "N m", "  part of hysteresis", Static(|s| s.film.as_ref().and_then(|f| f.hysteresis_torque_n_m).into())))))),
@@ -154,8 +154,8 @@ pub const FILM: &[Quantity] = &[
     group(Group::Film, means("0.85 d 360°/N, behind a ball that enters the load zone; none without one, and of a ball that stops", in_oil(quantity("film_opening_gap_deg", "deg", "gap that the film opens", Static(|s| film(s, |f| f.opening_gap_rad.to_degrees())))))),
     group(Group::Film, means("of the pitch circle, 1 − N ε/360°", in_oil(quantity("free_share", "", "share that balls leave free", Static(|s| film(s, |f| f.free_share)))))),
     means("of the fit of the rolling force, with the factor, of the contact furthest outside; none within", part(text("film_range_exceeded", "range exceeded", Static(|s| s.film.as_ref().and_then(FilmAtRest::range_exceeded).map_or(Cell::Null, Cell::Text))))),
-    column("Λi", part(list("inner_film_parameter", "", "film parameter Λ, inner raceway", Static(|s| films(s, FilmAtRest::inner_film_parameters))))),
-    column("Λo", part(list("outer_film_parameter", "", "film parameter Λ, outer raceway (the lesser of two contact points on a discrete raceway)", Static(|s| films(s, FilmAtRest::outer_film_parameters))))),
+    column("Λi", part(list("inner_film_parameter", "", "film parameter Λ, inner raceway", Static(|s| films(s, |film| &film.inner_film_parameters))))),
+    column("Λo", part(list("outer_film_parameter", "", "film parameter Λ, outer raceway (the lesser of two contact points on a discrete raceway)", Static(|s| films(s, |film| &film.outer_film_parameters))))),
 ];
 
 /// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a
@@ -258,10 +258,9 @@ fn film(s: &Solved<'_>, value: impl Fn(&FilmAtRest) -> f64) -> Cell {
 }
 
 /// Λ of the films at a raceway.
-fn films(s: &Solved<'_>, of: fn(&FilmAtRest) -> Vec<f64>) -> Cell {
-    s.film
-        .as_ref()
-        .map_or(Cell::Null, |at_rest| Cell::Numbers(of(at_rest)))
+fn films(s: &Solved<'_>, of: fn(&FilmAtRest) -> &Vec<f64>) -> Cell {
+    let numbers = s.film.as_ref().map(|at_rest| of(at_rest).clone());
+    numbers.map_or(Cell::Null, Cell::Numbers)
 }
 
 fn hours(solved: &Solved<'_>, life_mrev: Option<f64>) -> Cell {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cageless::steady::{BenefitWeights, MEASURED_ORBITS, Stationarity, TRANSIENT_ORBITS};
+use cageless::steady::{BenefitWeights, Stationarity, SteadyOperation};
 use cageless::touchdown::Limit;
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::estimate::Estimate;
@@ -71,7 +71,7 @@ impl RingResults {
                 all[k] = *value;
             }
         }
-        let steady = file.steady();
+        let (steady, usual) = (file.steady(), SteadyOperation::default());
         Self {
             name: name.to_owned(),
             apart_from_remedies: Some(file.apart_from_remedies()),
@@ -80,8 +80,8 @@ impl RingResults {
             mean_gap_rad: file.case().bearing.mean_gap_rad(),
             limits: file.particulars().limits.clone(),
             weights: steady.weights,
-            is_long: steady.transient_orbits >= TRANSIENT_ORBITS
-                && steady.measured_orbits >= MEASURED_ORBITS,
+            is_long: steady.transient_orbits >= usual.transient_orbits
+                && steady.measured_orbits >= usual.measured_orbits,
             settling: vec![],
             stopped: None,
         }

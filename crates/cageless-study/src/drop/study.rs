@@ -369,7 +369,7 @@ fn unloaded(drop: &RotorDrop) -> Vec<String> {
     let unloaded = shares.filter(|(_, (_, carried_n))| carried_n.is_none());
     unloaded
         .map(|(k, (share_kg, _))| {
-            let what = match share_kg < -1e-9 * rotor.mass_kg() {
+            let what = match share_kg < -1e-9 * rotor.mass_kg {
                 true => format!(
                     "the rotor pulls it upwards, with {} kg: the mass centre is not between the \
                      bearings, and the rotor tips over at rest",

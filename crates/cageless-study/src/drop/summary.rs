@@ -52,7 +52,7 @@ impl DropStudy {
         let linear = self.drop.rotor();
         let of_case = self.drop.cases()[0].rotor.as_ref();
         let of_case = |value: fn(&cageless::Rotor) -> f64| of_case.map_or(0.0, value);
-        let mass_kg = linear.map_or(of_case(|rotor| rotor.mass_kg), |rotor| rotor.mass_kg());
+        let mass_kg = linear.map_or(of_case(|rotor| rotor.mass_kg), |rotor| rotor.mass_kg);
         Rotor {
             mass_kg,
             polar_inertia_kg_m2: of_case(|rotor| rotor.polar_inertia_kg_m2),

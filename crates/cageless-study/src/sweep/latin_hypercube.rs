@@ -1,6 +1,6 @@
 //! Latin hypercubes by index.
 
-use cageless::numerics::{GOLDEN_GAMMA, mix};
+use cageless::numerics::split_mix;
 
 use super::random::Purpose;
 
@@ -49,10 +49,7 @@ fn permuted(index: u64, count: u64, keys: &[u64; ROUNDS]) -> u64 {
     loop {
         let (mut left, mut right) = (at >> half, at & mask);
         for key in keys {
-            (left, right) = (
-                right,
-                left ^ (mix((right ^ key).wrapping_add(GOLDEN_GAMMA)) & mask),
-            );
+            (left, right) = (right, left ^ (split_mix(right ^ key, 1) & mask));
         }
         at = left << half | right;
         if at < count {

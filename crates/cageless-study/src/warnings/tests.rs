@@ -163,7 +163,7 @@ fn speed_and_heat_have_their_limits() {
 
     // A bearing of dm and a width of 1.9 ball diameters gives off 16 kW/m² over 2π·B·dm.
     let means = Run::new(&[]).summary.unwrap().means.unwrap();
-    let heat_w = means.heat_w().max(means.power_loss_w());
+    let heat_w = means.heat_w.max(means.power_loss_w);
     let of_size = |run: &mut Run, factor: f64| {
         let mut d = run.case.bearing.dimensions().clone();
         let (ball, dm) = (9.525e-3, 18.24e-3 + 27.765e-3);

@@ -41,7 +41,7 @@ impl Case {
         let turned = self.raceways.iter().map(|r| r.section_angle_rad());
         let turned = turned.map(|a| ("raceway_contact_angle_rad", a, a != 0.0));
         let slots = self.raceways.iter().filter_map(Raceway::slot);
-        let slots = slots.map(|slot| ("edge_radius_m", slot.edge_radius_m(), true));
+        let slots = slots.map(|slot| ("edge_radius_m", slot.edge_radius_m, true));
         let rows = self.rows.iter();
         let rows = rows.map(|row| ("axial_position_m", row.axial_position_m, true));
         Self::spatial_load(&self.operation.space)

@@ -41,7 +41,8 @@ impl EstimateTerm {
 /// balls, which decides, is not looked at: see [`super::judge`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
-    terms: Vec<EstimateTerm>,
+    /// Terms of the estimate, each against its limit.
+    pub terms: Vec<EstimateTerm>,
 }
 
 /// Largest friction demand of an estimate. Balls may slide for a moment: of the ten structures of
@@ -178,11 +179,6 @@ impl Estimate {
             );
         }
         self
-    }
-
-    /// The terms.
-    pub fn terms(&self) -> &[EstimateTerm] {
-        &self.terms
     }
 
     /// Whether every term keeps its limit; `None` where one is not known and none is missed.
@@ -341,7 +337,7 @@ mod tests {
 
     fn value(estimate: &Estimate, name: &str) -> f64 {
         estimate
-            .terms()
+            .terms
             .iter()
             .find(|t| t.name == name)
             .unwrap()
@@ -465,7 +461,7 @@ mod tests {
             assert_eq!(found.passes(), Some((2..5).contains(&k)), "{span}");
         }
         let plain = conventional(dimensions());
-        assert_eq!(estimate(&plain).terms().len(), 1);
+        assert_eq!(estimate(&plain).terms.len(), 1);
         let narrow = structure(4.3, 25.2);
         let found = estimate(&narrow);
         assert!(value(&found, "separation") < 0.8 && found.passes() == Some(false));
@@ -481,7 +477,7 @@ mod tests {
                 let mut case = structure(span, 25.2);
                 case.flanks = flanks;
                 let found = Estimate::elastic(&case, &[[0.0, 0.0]], None);
-                let term = found.terms().iter().find(|t| t.name == "depth").unwrap();
+                let term = found.terms.iter().find(|t| t.name == "depth").unwrap();
                 assert!((term.limit - limit).abs() < 1e-12);
                 assert_eq!(term.value, value(&found, "separation"));
                 passed[usize::from(term.margin() >= 0.0)] = true;

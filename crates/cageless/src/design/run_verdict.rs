@@ -86,15 +86,15 @@ impl RunVerdict {
             let found = runs.iter().filter_map(|run| run.criteria.get(index));
             let found: Vec<Criterion> = found.copied().collect();
             let first = *found.first()?;
-            let values = || found.iter().map(|c| c.value());
+            let values = || found.iter().map(|c| c.value);
             if first.largest_counts() {
                 return Some((first.with_value(values().fold(0.0, f64::max)), None));
             }
             let mut moments = Moments::default();
             values().for_each(|value| moments.add(value, 1.0));
-            let error = moments.deviation() / (moments.weight() - 1.0).sqrt();
+            let error = moments.deviation() / (moments.weight - 1.0).sqrt();
             let error = (found.len() > 1).then_some(error);
-            Some((first.with_value(moments.mean()), error))
+            Some((first.with_value(moments.mean), error))
         };
         let all: Vec<_> = match missing {
             None => (0..most).filter_map(of_start).collect(),

@@ -47,9 +47,83 @@ impl ContactFilm {
         self.thickness.central_m > 0.0
     }
 
+    /// Λ, h_c over the roughness.
+    fn parameter(&self, roughness_m: f64) -> f64 {
+        self.thickness.central_m / roughness_m
+    }
+
     /// Power of the rolling resistance, W.
     fn power_w(&self) -> f64 {
         2.0 * self.force_n * self.speed_m_s
+    }
+}
+
+/// Films of all contacts.
+struct ContactFilms {
+    /// At the inner raceway, of every ball.
+    inner: Vec<ContactFilm>,
+    /// At the outer raceway, of every ball: at the plain one the first is all.
+    outer: Vec<[ContactFilm; 2]>,
+}
+
+impl ContactFilms {
+    fn new(film: &Film, balls: &[RollingBall], contacts: &[BallContacts]) -> Self {
+        let of_balls = || balls.iter().zip(contacts);
+        let inner = of_balls().map(|(ball, of)| ContactFilm::new(film, &of.inner, ball.inner));
+        let outer = of_balls().map(|(ball, of)| {
+            [0, 1].map(|k| ContactFilm::new(film, &of.outer[k], ball.outer[k].rolling))
+        });
+        Self {
+            inner: inner.collect(),
+            outer: outer.collect(),
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = &ContactFilm> {
+        self.inner.iter().chain(self.outer.iter().flatten())
+    }
+
+    /// Those that carry load.
+    fn loaded(&self) -> impl Iterator<Item = &ContactFilm> {
+        self.all().filter(|film| film.is_loaded())
+    }
+
+    /// Least h_min, and mean of h_c under load.
+    fn thickness_min_and_mean_m(&self) -> [f64; 2] {
+        let least = self.loaded().map(|film| film.thickness.least_m);
+        let central_m: f64 = self.loaded().map(|film| film.thickness.central_m).sum();
+        [
+            least.fold(f64::INFINITY, f64::min),
+            central_m / self.loaded().count() as f64,
+        ]
+    }
+
+    /// Λ at the inner raceway.
+    fn inner_parameters(&self, roughness_m: f64) -> Vec<f64> {
+        let films = self.inner.iter();
+        films.map(|film| film.parameter(roughness_m)).collect()
+    }
+
+    /// Λ at the outer raceway, of two flanks the lesser; 0 without load.
+    fn outer_parameters(&self, roughness_m: f64) -> Vec<f64> {
+        let of_ball = |flanks: &[ContactFilm; 2]| {
+            let loaded = flanks.iter().filter(|film| film.is_loaded());
+            let parameters = loaded.map(|film| film.parameter(roughness_m));
+            parameters.reduce(f64::min).unwrap_or(0.0)
+        };
+        self.outer.iter().map(of_ball).collect()
+    }
+
+    /// Largest share of the load of a contact that asperities carry.
+    fn asperity_share_max(&self, roughness_m: f64) -> f64 {
+        let parameters = self.loaded().map(|film| film.parameter(roughness_m));
+        parameters.map(asperity_share).fold(0.0, f64::max)
+    }
+
+    /// Parameter furthest outside the range of the fit.
+    fn exceeded(&self) -> Option<RangeExceeded> {
+        let all = self.loaded().filter_map(|film| film.exceeded);
+        all.max_by(|a, b| a.distance().total_cmp(&b.distance()))
     }
 }
 
@@ -83,7 +157,26 @@ pub struct FilmAtRest {
     pub free_share: f64,
     /// gρ/v², weight of a rolling ball over its centrifugal force, which lag, deficit and gap leave out.
     pub weight_share: f64,
-    roughness_m: f64,
+    /// Least h_min of all contacts, m.
+    pub thickness_min_m: f64,
+    /// Mean of h_c over the contacts under load, m.
+    pub thickness_mean_m: f64,
+    /// Λ at the inner raceway, of every ball.
+    pub inner_film_parameters: Vec<f64>,
+    /// Λ at the outer raceway, of every ball; of two flanks the lesser, that of the more loaded one.
+    pub outer_film_parameters: Vec<f64>,
+    /// Least h_min over the roughness.
+    pub film_parameter_min: f64,
+    /// Mean Λ of the contacts under load.
+    pub film_parameter_mean: f64,
+    /// Largest share of the load of a contact that asperities carry.
+    pub asperity_share_max: f64,
+    /// Whether a ball has inner contact.
+    pub has_load_zone: bool,
+    /// Speed deficits below which balls never queue, and from which they do as a rule.
+    pub queue_deficits: [f64; 2],
+    /// Parameter of any contact furthest outside the range of the fit.
+    pub(crate) exceeded: Option<RangeExceeded>,
 }
 
 /// Weight of a ball over its centrifugal force above which it moves the ball as much as a film does.
@@ -104,35 +197,39 @@ impl FilmAtRest {
         let contacts: Vec<BallContacts> = places
             .map(|(ball, angle_rad)| contacts(case, ball, *angle_rad))
             .collect();
-        let of_balls = || balls.iter().zip(&contacts);
-        let inner: Vec<ContactFilm> = of_balls()
-            .map(|(ball, of)| ContactFilm::new(film, &of.inner, ball.inner))
-            .collect();
-        let outer: Vec<[ContactFilm; 2]> = of_balls()
-            .map(|(ball, of)| {
-                [0, 1].map(|k| ContactFilm::new(film, &of.outer[k], ball.outer[k].rolling))
-            })
-            .collect();
-        let all = inner.iter().chain(outer.iter().flatten());
-        let film_w: f64 = all.map(ContactFilm::power_w).sum();
+        let films = ContactFilms::new(film, &balls, &contacts);
+        let film_w: f64 = films.all().map(ContactFilm::power_w).sum();
         let hysteresis_w = film.hysteresis.then(|| hysteresis_power_w(case, &balls));
         let power_w = film_w + hysteresis_w.unwrap_or(0.0);
         let mixed_friction_coefficient = mixed_friction_coefficient(case, &balls, &contacts);
         let friction = mixed_friction_coefficient.unwrap_or(case.contact.friction.coefficient);
-        let overcome_balls = overcome_balls(&balls, &inner, &outer, friction);
+        let overcome_balls = overcome_balls(&balls, &films, friction);
         let free_arc_rad = unreached_arc_rad(case, settled);
         let groove_m = bearing.dimensions().inner_groove_bottom_radius_m;
         let ball = FreeBall::new(bearing, film);
         let speed_m_s = 0.5 * inner_speed_rad_s * groove_m;
         let arc = ball.over(free_arc_rad, speed_m_s);
         let centrifugal_m_s2 = speed_m_s * speed_m_s / bearing.pitch_radius_m();
-        let opening_gap_rad = match arc.speed_deficit < 1.0 && has_load_zone(&inner) {
+        let has_load_zone = films.inner.iter().any(ContactFilm::is_loaded);
+        let opening_gap_rad = match arc.speed_deficit < 1.0 && has_load_zone {
             true => opening_gap_rad(bearing, arc.speed_deficit),
             false => f64::NAN,
         };
+        let (free_share, roughness_m) = (free_share(bearing), film.roughness_m);
+        let [thickness_min_m, thickness_mean_m] = films.thickness_min_and_mean_m();
         Some(Self {
-            inner,
-            outer,
+            thickness_min_m,
+            thickness_mean_m,
+            inner_film_parameters: films.inner_parameters(roughness_m),
+            outer_film_parameters: films.outer_parameters(roughness_m),
+            film_parameter_min: thickness_min_m / roughness_m,
+            film_parameter_mean: thickness_mean_m / roughness_m,
+            asperity_share_max: films.asperity_share_max(roughness_m),
+            exceeded: films.exceeded(),
+            has_load_zone,
+            queue_deficits: [MAY_QUEUE, QUEUE].map(|factor| factor * free_share),
+            inner: films.inner,
+            outer: films.outer,
             power_w,
             torque_n_m: power_w / inner_speed_rad_s,
             hysteresis_torque_n_m: hysteresis_w.map(|power_w| power_w / inner_speed_rad_s),
@@ -142,87 +239,20 @@ impl FilmAtRest {
             opening_gap_rad,
             lag_rad: arc.lag_rad,
             speed_deficit: arc.speed_deficit,
-            free_share: free_share(bearing),
+            free_share,
             weight_share: case.operation.gravity_m_s2 / centrifugal_m_s2,
-            roughness_m: film.roughness_m,
         })
-    }
-
-    /// The contacts that carry load.
-    fn loaded(&self) -> impl Iterator<Item = &ContactFilm> {
-        let all = self.inner.iter().chain(self.outer.iter().flatten());
-        all.filter(|film| film.is_loaded())
-    }
-
-    /// Least h_min of all contacts, m.
-    pub fn thickness_min_m(&self) -> f64 {
-        self.loaded()
-            .map(|film| film.thickness.least_m)
-            .fold(f64::INFINITY, f64::min)
-    }
-
-    /// Mean of h_c over the contacts under load, m.
-    pub fn thickness_mean_m(&self) -> f64 {
-        let sum: f64 = self.loaded().map(|film| film.thickness.central_m).sum();
-        sum / self.loaded().count() as f64
-    }
-
-    /// Λ at the inner raceway, of every ball.
-    pub fn inner_film_parameters(&self) -> Vec<f64> {
-        let films = self.inner.iter();
-        films.map(|film| self.film_parameter(film)).collect()
-    }
-
-    /// Λ at the outer raceway, of every ball; of two flanks the lesser, that of the more loaded one.
-    pub fn outer_film_parameters(&self) -> Vec<f64> {
-        let of_ball = |flanks: &[ContactFilm; 2]| {
-            let loaded = flanks.iter().filter(|film| film.is_loaded());
-            loaded
-                .map(|film| self.film_parameter(film))
-                .reduce(f64::min)
-                .unwrap_or(0.0)
-        };
-        self.outer.iter().map(of_ball).collect()
-    }
-
-    /// Λ, h_c over the roughness, of a contact.
-    fn film_parameter(&self, film: &ContactFilm) -> f64 {
-        film.thickness.central_m / self.roughness_m
-    }
-
-    /// Least h_min over the roughness.
-    pub fn film_parameter_min(&self) -> f64 {
-        self.thickness_min_m() / self.roughness_m
-    }
-
-    /// Mean Λ of the contacts under load.
-    pub fn film_parameter_mean(&self) -> f64 {
-        self.thickness_mean_m() / self.roughness_m
-    }
-
-    /// Largest share of the load of a contact that asperities carry.
-    pub fn asperity_share_max(&self) -> f64 {
-        let shares = self
-            .loaded()
-            .map(|film| asperity_share(self.film_parameter(film)));
-        shares.fold(0.0, f64::max)
     }
 
     /// Parameter of the contact furthest outside the range of the fit with its factor, such as `U × 2.600`; `None`
     /// within.
     pub fn range_exceeded(&self) -> Option<String> {
-        self.exceeded().map(|exceeded| exceeded.to_string())
-    }
-
-    /// Parameter of any contact furthest outside the range of the fit.
-    pub(crate) fn exceeded(&self) -> Option<RangeExceeded> {
-        let all = self.loaded().filter_map(|film| film.exceeded);
-        all.max_by(|a, b| a.distance().total_cmp(&b.distance()))
+        self.exceeded.map(|exceeded| exceeded.to_string())
     }
 
     /// Warning if a contact is outside the range of the fit of the rolling force.
     fn range_warning(&self) -> Option<String> {
-        let exceeded = self.exceeded()?;
+        let exceeded = self.exceeded?;
         let RangeExceeded { parameter, factor } = exceeded;
         let end = if factor > 1.0 { "upper" } else { "lower" };
         Some(format!(
@@ -235,7 +265,7 @@ impl FilmAtRest {
     /// Warnings of a computation of the motion: those of [`Self::contact_warnings`], and balls that queue.
     pub fn warnings(&self) -> Vec<String> {
         let [lost, free] = [self.speed_deficit, self.free_share].map(|share| 100.0 * share);
-        let [never, as_a_rule] = self.queue_deficits();
+        let [never, as_a_rule] = self.queue_deficits;
         let lags = self.speed_deficit > never && self.weight_share < WEIGHT_MAX;
         let queue = lags.then(|| {
             let will = match self.speed_deficit > as_a_rule {
@@ -252,7 +282,7 @@ impl FilmAtRest {
 
     /// Warnings about contacts: one outside the range of the fit of the rolling force, and asperities that carry load.
     pub fn contact_warnings(&self) -> Vec<String> {
-        let share = self.asperity_share_max();
+        let share = self.asperity_share_max;
         let asperities = (share > ASPERITIES).then(|| {
             let friction = match self.mixed_friction_coefficient {
                 Some(_) => "",
@@ -268,16 +298,6 @@ impl FilmAtRest {
             )
         });
         self.range_warning().into_iter().chain(asperities).collect()
-    }
-
-    /// Whether a ball has inner contact.
-    pub fn has_load_zone(&self) -> bool {
-        has_load_zone(&self.inner)
-    }
-
-    /// Speed deficits below which balls never queue, and from which they do as a rule.
-    pub fn queue_deficits(&self) -> [f64; 2] {
-        [MAY_QUEUE, QUEUE].map(|factor| factor * self.free_share)
     }
 }
 
@@ -307,21 +327,11 @@ fn contacts(case: &Case, ball: &RollingBall, angle_rad: f64) -> BallContacts {
     }
 }
 
-/// Whether a ball has contact at the inner raceway, from the films of all there.
-fn has_load_zone(inner: &[ContactFilm]) -> bool {
-    inner.iter().any(ContactFilm::is_loaded)
-}
-
 /// Balls under load at the inner raceway whose friction there, of this coefficient, is too weak against their films.
-fn overcome_balls(
-    balls: &[RollingBall],
-    inner: &[ContactFilm],
-    outer: &[[ContactFilm; 2]],
-    friction: f64,
-) -> usize {
+fn overcome_balls(balls: &[RollingBall], films: &ContactFilms, friction: f64) -> usize {
     let is_overcome = |ball: &usize| {
         let held_n = friction * balls[*ball].inner.load_n;
-        held_n > 0.0 && drag_n(&balls[*ball], &inner[*ball], &outer[*ball]) > held_n
+        held_n > 0.0 && drag_n(&balls[*ball], &films.inner[*ball], &films.outer[*ball]) > held_n
     };
     (0..balls.len()).filter(is_overcome).count()
 }

@@ -178,9 +178,9 @@ pub struct LinearRotor {
     /// Planes with a clearance to the stator.
     pub(crate) planes: Vec<ClearancePlane<Rows>>,
     /// Ip about the axis, kg·m².
-    pub(crate) polar_inertia: f64,
+    pub polar_inertia_kg_m2: f64,
     /// m without housings, kg.
-    mass: f64,
+    pub mass_kg: f64,
 }
 
 impl LinearRotor {
@@ -192,16 +192,6 @@ impl LinearRotor {
     /// Number of touchdown bearings.
     pub(crate) fn bearings(&self) -> usize {
         self.journals.len()
-    }
-
-    /// Mass, without housings.
-    pub fn mass_kg(&self) -> f64 {
-        self.mass
-    }
-
-    /// Moment of inertia about the axis of rotation.
-    pub fn polar_inertia_kg_m2(&self) -> f64 {
-        self.polar_inertia
     }
 
     /// Part of the mass, housings included, that each bearing carries when the rotor rests in them.

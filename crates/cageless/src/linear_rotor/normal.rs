@@ -59,8 +59,8 @@ impl Lateral {
                 .collect(),
             planes: self.planes.iter().map(|p| p.at(&p.place * &v)).collect(),
             journals,
-            polar_inertia: self.polar_inertia,
-            mass: self.rotor_kg,
+            polar_inertia_kg_m2: self.polar_inertia,
+            mass_kg: self.rotor_kg,
         })
     }
 }

@@ -37,6 +37,6 @@ pub use lanes::BATCH_WIDTH;
 pub use moments::Moments;
 pub use proportion::wilson_interval;
 pub use quantile::quantile;
-pub use random::{GOLDEN_GAMMA, RandomStream, mix};
+pub use random::{RandomStream, split_mix};
 pub use student::two_sided_limit;
 pub use vector::{cross, dot};

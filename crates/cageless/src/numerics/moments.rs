@@ -7,15 +7,17 @@
 //! for value in [1.0, 2.0, 3.0] {
 //!     moments.add(value, 1.0);
 //! }
-//! assert_eq!(moments.mean(), 2.0);
+//! assert_eq!(moments.mean, 2.0);
 //! ```
 
 /// Mean and variance of values with weights (times for which they are held, say), by West's
 /// update (1979).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Moments {
-    weight: f64,
-    mean: f64,
+    /// Sum of the weights.
+    pub weight: f64,
+    /// Mean; 0 if nothing was added.
+    pub mean: f64,
     squares: f64,
 }
 
@@ -26,16 +28,6 @@ impl Moments {
         let before = value - self.mean;
         self.mean += before * weight / self.weight;
         self.squares += weight * before * (value - self.mean);
-    }
-
-    /// Sum of the weights.
-    pub fn weight(&self) -> f64 {
-        self.weight
-    }
-
-    /// Mean; 0 if nothing was added.
-    pub fn mean(&self) -> f64 {
-        self.mean
     }
 
     /// Standard deviation; NaN if nothing was added.

@@ -56,12 +56,13 @@ impl RandomStream {
     }
 }
 
-/// Increment of [`mix`] between successive numbers: 2⁶⁴ over the golden ratio.
-pub const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
+/// Increment between successive numbers of SplitMix64: 2⁶⁴ over the golden ratio.
+const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// Finaliser of SplitMix64: a bijection of 64 bits without visible structure (Steele, Lea and
-/// Flood, OOPSLA 2014).
-pub fn mix(value: u64) -> u64 {
+/// Number `k` of SplitMix64, from 1, after a seed: over the seeds a bijection of 64 bits without visible structure
+/// (Steele, Lea and Flood, OOPSLA 2014).
+pub fn split_mix(seed: u64, k: u64) -> u64 {
+    let value = seed.wrapping_add(k.wrapping_mul(GOLDEN_GAMMA));
     let value = (value ^ (value >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let value = (value ^ (value >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     value ^ (value >> 31)
@@ -114,9 +115,7 @@ mod tests {
     #[test]
     fn mix_gives_the_published_sequence() {
         // First numbers of SplitMix64 from seed 0.
-        let drawn: Vec<u64> = (1..4u64)
-            .map(|k| mix(k.wrapping_mul(GOLDEN_GAMMA)))
-            .collect();
+        let drawn: Vec<u64> = (1..4u64).map(|k| split_mix(0, k)).collect();
         let published = [
             0xe220_a839_7b1d_cdaf,
             0x6e78_9e6a_a1b9_65f4,

@@ -9,7 +9,7 @@
 //! let rows: Vec<_> = rows.iter().map(|psi| [psi.to_radians(), angle(*psi).to_radians()]).collect();
 //! let flanks = MeasuredFlanks::fit(&rows)?;
 //! assert!((flanks.middle_rad().to_degrees() - 20.0).abs() < 1e-9);
-//! assert!(flanks.deviation_rad()[1] < 1e-9);
+//! assert!(flanks.deviation_rad[1] < 1e-9);
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
@@ -41,7 +41,8 @@ const DEVIATION_MAX: f64 = 0.1;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredFlanks {
     flanks: PowerAngle,
-    deviation_rad: [f64; 2],
+    /// Root mean square and largest deviation of the points from the fit.
+    pub deviation_rad: [f64; 2],
 }
 
 impl MeasuredFlanks {
@@ -111,11 +112,6 @@ impl MeasuredFlanks {
     #[cfg(test)]
     pub(crate) fn axial_span_m(&self, ball_radius_m: f64) -> f64 {
         2.0 * ball_radius_m * self.middle_rad().sin()
-    }
-
-    /// Root mean square and largest deviation of the points from the fit.
-    pub fn deviation_rad(&self) -> [f64; 2] {
-        self.deviation_rad
     }
 }
 
@@ -241,7 +237,7 @@ mod tests {
         let found = MeasuredFlanks::fit(&rows).unwrap();
         assert_eq!(found.flanks, one);
         // Errors of ±1 mrad of which one, at the end, is 0.
-        let [found, _] = found.deviation_rad();
+        let [found, _] = found.deviation_rad;
         assert!(
             (found / (11.0f64 / 12.0).sqrt() / 1e-3 - 1.0).abs() < 0.02,
             "{found}"

@@ -147,9 +147,9 @@ pub struct Slot {
     /// Re.
     groove_curvature_radius_m: f64,
     /// re.
-    edge_radius_m: f64,
-    /// D, of the floor below the bottom of the plain groove.
-    depth_m: f64,
+    pub edge_radius_m: f64,
+    /// D, depth of the floor below the bottom of the plain groove, m.
+    pub depth_m: f64,
     /// ln of K over t, with K over that of the plain groove.
     stiffness: Polynomial,
     /// ln of a/√δ over t, with a over that of the plain groove at the same δ.
@@ -227,19 +227,9 @@ impl Slot {
         &self.met_end
     }
 
-    /// re.
-    pub fn edge_radius_m(&self) -> f64 {
-        self.edge_radius_m
-    }
-
     /// Width of the slot in its middle between the walls below the edges, m.
     pub fn width_m(&self) -> f64 {
         2.0 * (self.half_span_m() - self.edge_radius_m)
-    }
-
-    /// Depth of the floor below the bottom of the plain groove, m.
-    pub fn depth_m(&self) -> f64 {
-        self.depth_m
     }
 
     /// Ro.

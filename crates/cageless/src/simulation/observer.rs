@@ -212,10 +212,11 @@ impl<O: Observer + ?Sized> Observer for &mut O {
 }
 
 /// A closure as an observer.
-struct EachStep<F>(F);
+#[derive(Debug, Clone)]
+pub struct EachStep<F>(F);
 
 /// The observer that calls `watch` after every step; `Break(())` ends the run.
-pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> impl Observer {
+pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> EachStep<F> {
     EachStep(watch)
 }
 

@@ -134,7 +134,7 @@ impl RotorDrop {
                 ));
             };
             journal.mass_kg = shown_mass_kg(&rotor, k, journal.shaft);
-            journal.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2();
+            journal.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2;
             journal.speed_rad_s = speed_rad_s;
             journal.eccentricity_m = 0.0;
             journal.drive_torque_n_m = drive_torque_n_m;
@@ -159,9 +159,9 @@ impl RotorDrop {
             return vec![Some(self.of_rotor(|rotor| rotor.mass_kg) * gravity)];
         };
         if self.is_vertical() {
-            return self.shouldered_n(rotor.mass_kg() * gravity);
+            return self.shouldered_n(rotor.mass_kg * gravity);
         }
-        let least = LEAST_SHARE * rotor.mass_kg() / self.cases.len() as f64;
+        let least = LEAST_SHARE * rotor.mass_kg / self.cases.len() as f64;
         let shares = rotor.mass_shares_kg().into_iter();
         shares
             .map(|share| (share > least).then_some(share * gravity))
@@ -266,7 +266,7 @@ impl RotorDrop {
         let thrust_n: f64 = self.journals().map(|own| own.axial_load_n).sum();
         RotorLoads {
             gravity: across,
-            axial: thrust_n - along * rotor.mass_kg(),
+            axial: thrust_n - along * rotor.mass_kg,
             drive_torque: self.of_rotor(|rotor| rotor.drive_torque_n_m),
         }
     }
@@ -357,10 +357,10 @@ impl RotorDrop {
 /// catch all of the rotor.
 fn shown_mass_kg(rotor: &LinearRotor, k: usize, shaft: Shaft) -> f64 {
     let shares_kg = rotor.mass_shares_kg();
-    let mean_kg = rotor.mass_kg() / shares_kg.len() as f64;
+    let mean_kg = rotor.mass_kg / shares_kg.len() as f64;
     match shaft {
         Shaft::Horizontal => shares_kg[k].abs().max(LEAST_SHARE * mean_kg),
-        Shaft::Vertical => rotor.mass_kg(),
+        Shaft::Vertical => rotor.mass_kg,
     }
 }
 

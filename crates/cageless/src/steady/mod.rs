@@ -28,10 +28,8 @@ mod stationarity;
 mod summary;
 
 pub use held_pair::HeldPair;
-pub use operation::{
-    BenefitWeights, GRADE, MEASURED_ORBITS, SteadyDraw, SteadyOperation, SteadyStart,
-    TRANSIENT_ORBITS, WEIGHT,
-};
+pub(crate) use operation::GRADE;
+pub use operation::{BenefitWeights, SteadyDraw, SteadyOperation, SteadyStart};
 pub(crate) use queue::leading_ball;
 pub use recorder::{SteadyBlock, SteadyRecorder};
 pub use stationarity::{Settling, Stationarity};

@@ -19,13 +19,13 @@ crate::named_enum! {
 }
 
 /// Grade of the balls unless a case gives one: that of balls for common deep groove bearings.
-pub const GRADE: i64 = 10;
+pub(crate) const GRADE: u32 = 10;
 /// Orbits that are left out: a raceway of Zhao 2022 has spread a queue of balls after some 80.
-pub const TRANSIENT_ORBITS: f64 = 120.0;
+const TRANSIENT_ORBITS: f64 = 120.0;
 /// Orbits that are measured.
-pub const MEASURED_ORBITS: f64 = 320.0;
+const MEASURED_ORBITS: f64 = 320.0;
 /// Weight of each thing that is asked of a remedy.
-pub const WEIGHT: f64 = 1.0;
+const WEIGHT: f64 = 1.0;
 
 /// Weights of what is asked of a remedy, 0 or more and not all 0; their sum does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +77,7 @@ pub struct SteadyDraw {
 impl Default for SteadyOperation {
     fn default() -> Self {
         Self {
-            grade: ball_grade(GRADE as u32).expect("a grade of the standard"),
+            grade: ball_grade(GRADE).expect("a grade of the standard"),
             start: SteadyStart::Queue,
             transient_orbits: TRANSIENT_ORBITS,
             measured_orbits: MEASURED_ORBITS,

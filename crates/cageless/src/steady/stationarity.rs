@@ -57,10 +57,7 @@ impl Settling {
 fn mean(blocks: &[SteadyBlock], of: impl Fn(&SteadyBlock) -> &Moments) -> f64 {
     let (weight, sum) = blocks.iter().fold((0.0, 0.0), |(weight, sum), block| {
         let moments = of(block);
-        (
-            weight + moments.weight(),
-            sum + moments.weight() * moments.mean(),
-        )
+        (weight + moments.weight, sum + moments.weight * moments.mean)
     });
     sum / weight
 }
@@ -94,7 +91,7 @@ impl Stationarity {
             let freedoms = (runs.len() - 1).max(1);
             Self {
                 of,
-                change: moments.mean(),
+                change: moments.mean,
                 error: two_sided_limit(2.0 * RISK, freedoms) * moments.deviation()
                     / (freedoms as f64).sqrt(),
             }

@@ -27,7 +27,7 @@ impl SteadySummary {
         let time_s: f64 = blocks.iter().map(|block| block.time_s).sum();
         let rate = |of: &dyn Fn(&SteadyBlock) -> f64| blocks.iter().map(of).sum::<f64>() / time_s;
         let amplitude = |of: &dyn Fn(&SteadyBlock) -> [Moments; 2]| {
-            let mean = |k: usize| rate(&|block| block.time_s * of(block)[k].mean());
+            let mean = |k: usize| rate(&|block| block.time_s * of(block)[k].mean);
             let [cosine, sine] = [0, 1].map(mean);
             cosine.hypot(sine)
         };

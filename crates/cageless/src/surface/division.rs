@@ -38,7 +38,7 @@ impl OuterRing {
     /// The plain groove around a slot, up to half the way to the next raceway.
     fn around_slot(&self, index: usize) -> RingSector {
         let recess = &self.recesses[index];
-        let (half, middle) = (recess.half_angle_rad(), wrap_angle_rad(recess.middle_rad()));
+        let (half, middle) = (recess.half_angle_rad, wrap_angle_rad(recess.middle_rad));
         let others = self.others(recess).map(|other| {
             let apart = wrap_angle_rad(other.dimensions().centre_angle_rad - middle).abs();
             apart - half - other.half_angle_rad()

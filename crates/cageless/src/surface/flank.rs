@@ -53,7 +53,7 @@ impl Sheet for Flank<'_> {
         let arc = meridian.arc(self.side);
         let off = arc.distance_m(rho, self.side.sign() * z).abs();
         if across == 1.0 {
-            off.max((rho - self.ring.shoulder_radius_m()).abs())
+            off.max((rho - self.ring.shoulder_radius_m).abs())
         } else {
             off
         }

@@ -75,7 +75,7 @@ impl Grid {
     /// Lays rows no further apart than `spacing_m` at the bottom of the groove and around the ends of slots,
     /// and points in them no further apart along the row. The ends of raceways, blends and slots are rows.
     pub fn new(ring: &OuterRing, spacing_m: f64) -> Self {
-        let bottom_m = ring.groove_bottom_radius_m();
+        let bottom_m = ring.groove_bottom_radius_m;
         let sectors = ring.sectors();
         let (mut rows, mut tip) = (vec![], false);
         for (stretch, [start, end]) in sectors.iter().flat_map(|s| Stretch::of(ring, s)) {
@@ -92,7 +92,7 @@ impl Grid {
             rows.extend(places.iter().map(|&at| GridRow::new(stretch, at)));
         }
         rows.sort_by(|a: &GridRow, b| a.angle_rad.total_cmp(&b.angle_rad));
-        let steps = (widest_arc_rad(ring) * ring.curvature_radius_m() / spacing_m).ceil();
+        let steps = (widest_arc_rad(ring) * ring.curvature_radius_m / spacing_m).ceil();
         Self {
             rows,
             steps: steps.max(1.0) as usize,
@@ -137,7 +137,7 @@ impl Grid {
             points.extend(wall.map(|share| {
                 GridPoint::new(PointKind::Wall, side, edge.wall_m(share), edge.normal(1.0))
             }));
-            points.extend(shares(recess.width_m() / 2.0).map(|share| {
+            points.extend(shares(recess.width_m / 2.0).map(|share| {
                 let at = recess.floor_m(edges, share / 2.0, side);
                 GridPoint::new(PointKind::Floor, side, at, recess.floor_normal(at))
             }));
@@ -158,7 +158,7 @@ impl Grid {
             .skip(1)
             .chain(angles.clone().take(1).map(|a| a + 2.0 * PI));
         let widest = angles.zip(next).map(|(a, b)| b - a).fold(0.0, f64::max);
-        widest * ring.groove_bottom_radius_m()
+        widest * ring.groove_bottom_radius_m
     }
 }
 

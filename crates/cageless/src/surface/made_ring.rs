@@ -68,7 +68,7 @@ impl MadeRing {
         let slots = case.raceways.iter().filter_map(|raceway| {
             let slot = raceway.slot()?;
             // The drawing may miss the place by as much.
-            let room_m = 3.0 * slot.edge_radius_m();
+            let room_m = 3.0 * slot.edge_radius_m;
             Some(SlotPlace {
                 middle_rad: raceway.dimensions().centre_angle_rad,
                 half_angle_rad: raceway.half_angle_rad() + room_m / slot.groove_bottom_radius_m(),

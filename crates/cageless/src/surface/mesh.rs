@@ -42,7 +42,7 @@ impl Mesh {
     /// An [`InputError`] if `chord_m` is below 0.05 µm or ten times the rounding, or above
     /// 100 µm or half the wall behind the groove.
     pub fn new(ring: &OuterRing, chord_m: f64, rounding_m: f64) -> Result<Self, InputError> {
-        let wall = ring.dimensions().outer_ring_outer_radius_m - ring.deepest_radius_m();
+        let wall = ring.dimensions.outer_ring_outer_radius_m - ring.deepest_radius_m();
         let least = CHORD_MIN_M.max(ROUNDINGS * rounding_m);
         let most = CHORD_MAX_M.min(wall / 2.0);
         let why = "ten times the rounding of coordinates or 0.05 µm; half the wall behind the groove \
@@ -58,14 +58,14 @@ impl Mesh {
             let step = (8.0 * ACROSS_FRACTION * chord_m / radius_m).sqrt();
             (angle_rad / step).ceil().max(2.0) as usize
         };
-        let edges = ring.recesses().iter().map(Recess::edge_radius_m);
+        let edges = ring.recesses.iter().map(|recess| recess.edge_radius_m);
         let steps = Steps {
-            groove: steps_of(widest_arc_rad(ring), ring.curvature_radius_m()),
+            groove: steps_of(widest_arc_rad(ring), ring.curvature_radius_m),
             edge: steps_of(FRAC_PI_2, edges.fold(0.0, f64::max)),
         };
         let mut rows = Vec::new();
         let mut deviation_m = 0.0f64;
-        let outside = ring.dimensions().outer_ring_outer_radius_m;
+        let outside = ring.dimensions.outer_ring_outer_radius_m;
         // Sagitta of the cylinder outside: R(1 − cos Δ/2).
         let widest = 2.0 * (1.0 - 0.99 * chord_m / outside).acos();
         let sectors = ring.sectors();
@@ -101,9 +101,9 @@ impl Mesh {
 
     /// Joins the rows, each continued around the section of the ring.
     fn closed(ring: &OuterRing, rows: &[Row], deviation_m: f64) -> Self {
-        let d = ring.dimensions();
+        let d = ring.dimensions;
         let (outside, half) = (d.outer_ring_outer_radius_m, d.outer_ring_width_m / 2.0);
-        let shoulder = ring.shoulder_radius_m();
+        let shoulder = ring.shoulder_radius_m;
         let corners = [
             (shoulder, half),
             (outside, half),
@@ -164,7 +164,7 @@ impl OuterRing {
         let middles = self.sectors();
         let radii =
             (middles.iter()).map(|s| self.meridian_in(s, s.middle_rad()).deepest_radius_m());
-        let floors = self.recesses().iter().map(Recess::deepest_radius_m);
+        let floors = self.recesses.iter().map(Recess::deepest_radius_m);
         radii.chain(floors).fold(0.0, f64::max)
     }
 }

@@ -103,18 +103,44 @@ pub struct OuterRingDimensions {
     pub blend_m: f64,
 }
 
+/// Measures of an outer ring as a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RingMeasures {
+    /// Volume, m³.
+    pub volume_m3: f64,
+    /// Largest angle between the normals on both sides of an end of a discrete raceway without its
+    /// blends: 45° up the groove and at the shoulder. 0 without raceways.
+    pub design_kink_rad: [f64; 2],
+    /// That of the raceways that have no blend.
+    pub kink_rad: [f64; 2],
+    /// Largest angle between the normals of the two flanks of a discrete raceway.
+    pub ridge_rad: f64,
+    /// Largest distance between the blended surface and the one designed.
+    pub blend_deviation_m: f64,
+    /// How far the discrete raceways stand out of the plain groove, and how far they or the floors of slots
+    /// lie below it.
+    pub relief_m: [f64; 2],
+}
+
 /// An outer ring.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OuterRing {
-    dimensions: OuterRingDimensions,
+    /// Dimensions as given.
+    pub dimensions: OuterRingDimensions,
     frame: SectionFrame,
-    /// zo, of the centre of the plain groove.
-    groove_height_m: f64,
+    /// Ros.
+    pub shoulder_radius_m: f64,
     /// Ro.
-    groove_bottom_radius_m: f64,
+    pub groove_bottom_radius_m: f64,
+    /// Re.
+    pub curvature_radius_m: f64,
+    /// αg by which the raceways are turned; without raceways the contact angle of the bearing.
+    pub section_angle_rad: f64,
+    /// zo, of the centre of the plain groove.
+    pub groove_height_m: f64,
     raceways: Vec<Raceway>,
-    /// The slots among the raceways.
-    recesses: Vec<Recess>,
+    /// The slots among the raceways, in the order of these.
+    pub recesses: Vec<Recess>,
 }
 
 /// Gauss panels of ten points in a sector of a discrete raceway.
@@ -155,8 +181,11 @@ impl OuterRing {
         let ring = Self {
             dimensions,
             frame,
-            groove_height_m: -bearing.groove_offset_m(),
+            shoulder_radius_m: frame.shoulder_radius_m,
             groove_bottom_radius_m: bottom_m,
+            curvature_radius_m: frame.curvature_radius_m,
+            section_angle_rad: frame.axis_rad,
+            groove_height_m: -bearing.groove_offset_m(),
             recesses: recesses(&frame, &raceways)?,
             raceways,
         };
@@ -208,13 +237,13 @@ impl OuterRing {
             let room_m = (d.outer_ring_outer_radius_m - recess.deepest_radius_m())
                 .min(d.outer_ring_width_m / 2.0 - recess.widest_m());
             let why = "the floor of the slot must lie within the ring";
-            let depth_m = recess.depth_m();
+            let depth_m = recess.depth_m;
             Allowed::Below(depth_m + room_m, why).check("slot_depth_m", depth_m)?;
-            let radius_m = recess.edge_radius_m();
+            let radius_m = recess.edge_radius_m;
             for other in self.others(recess) {
                 let d = other.dimensions();
-                let apart = wrap_angle_rad(d.centre_angle_rad - recess.middle_rad()).abs();
-                let least = recess.half_angle_rad() + d.half_angle_rad + radius_m / bottom_m;
+                let apart = wrap_angle_rad(d.centre_angle_rad - recess.middle_rad).abs();
+                let least = recess.half_angle_rad + d.half_angle_rad + radius_m / bottom_m;
                 let rule = format!(
                     "at least {:.4}° away from the middle of a slot, so that plain groove as long as \
                      the radius of its edges is left",
@@ -231,40 +260,11 @@ impl OuterRing {
         let frame = self.frame.mirrored();
         Ok(Self {
             frame,
+            section_angle_rad: frame.axis_rad,
             groove_height_m: -self.groove_height_m,
             recesses: recesses(&frame, &self.raceways)?,
             ..self
         })
-    }
-
-    /// As given.
-    pub fn dimensions(&self) -> &OuterRingDimensions {
-        &self.dimensions
-    }
-
-    /// Ros.
-    pub fn shoulder_radius_m(&self) -> f64 {
-        self.frame.shoulder_radius_m
-    }
-
-    /// Ro.
-    pub fn groove_bottom_radius_m(&self) -> f64 {
-        self.groove_bottom_radius_m
-    }
-
-    /// Re.
-    pub fn curvature_radius_m(&self) -> f64 {
-        self.frame.curvature_radius_m
-    }
-
-    /// αg by which the raceways are turned; without raceways the contact angle of the bearing.
-    pub fn section_angle_rad(&self) -> f64 {
-        self.frame.axis_rad
-    }
-
-    /// zo, of the centre of the plain groove.
-    pub fn groove_height_m(&self) -> f64 {
-        self.groove_height_m
     }
 
     /// Section of the groove at ψ, that of the plain groove across a slot.
@@ -314,11 +314,6 @@ impl OuterRing {
         raceways.map(|r| self.raceway_meridian(r, 0.0, 0.0))
     }
 
-    /// The slots, in the order of their raceways.
-    pub fn recesses(&self) -> &[Recess] {
-        &self.recesses
-    }
-
     /// Point of the groove at ψ and η, as `Meridian::point` counts it.
     pub fn point(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
         self.meridian(angle_rad).point(meridian_rad)
@@ -332,15 +327,27 @@ impl OuterRing {
         meridian.distance_m(x.hypot(y), z)
     }
 
+    /// Volume, kinks, ridge, blend and relief of the solid.
+    pub fn measures(&self) -> RingMeasures {
+        RingMeasures {
+            volume_m3: self.volume_m3(),
+            design_kink_rad: self.design_kink_rad(),
+            kink_rad: self.kink_rad(),
+            ridge_rad: self.ridge_rad(),
+            blend_deviation_m: self.blend_deviation_m(),
+            relief_m: self.relief_m(),
+        }
+    }
+
     /// Volume of the solid by Gauss quadrature over ψ of the exact area moment of each
     /// section; relative error below 1e-12.
-    pub fn volume_m3(&self) -> f64 {
+    pub(crate) fn volume_m3(&self) -> f64 {
         let d = &self.dimensions;
         let rim = d.outer_ring_outer_radius_m.powi(2) * d.outer_ring_width_m;
         let side = |arc: &Arc| {
             let groove = arc.height_m(arc.shoulder_rad());
             let wall = d.outer_ring_width_m / 2.0 - groove;
-            rim / 2.0 - arc.hollow_moment_m3() - self.shoulder_radius_m().powi(2) * wall
+            rim / 2.0 - arc.hollow_moment_m3() - self.shoulder_radius_m.powi(2) * wall
         };
         let moment = |m: Meridian| (side(&m.arcs[0]) + side(&m.arcs[1])) / 2.0;
         let slots: f64 = self.recesses.iter().map(Recess::volume_m3).sum();
@@ -358,12 +365,12 @@ impl OuterRing {
 
     /// Largest angle between the normals on both sides of an end of a discrete raceway without its
     /// blends: 45° up the groove and at the shoulder. 0 without raceways.
-    pub fn design_kink_rad(&self) -> [f64; 2] {
+    pub(crate) fn design_kink_rad(&self) -> [f64; 2] {
         self.largest_kink_rad(|_| true)
     }
 
     /// [`Self::design_kink_rad`] of the raceways that have no blend.
-    pub fn kink_rad(&self) -> [f64; 2] {
+    pub(crate) fn kink_rad(&self) -> [f64; 2] {
         self.largest_kink_rad(|raceway| raceway.blend_start_rad().is_none())
     }
 
@@ -383,12 +390,12 @@ impl OuterRing {
 
     /// Largest angle between the normals of the two flanks of a discrete raceway, which meet between
     /// the two contact points.
-    pub fn ridge_rad(&self) -> f64 {
+    pub(crate) fn ridge_rad(&self) -> f64 {
         self.middles().map(|m| m.ridge_rad()).fold(0.0, f64::max)
     }
 
     /// Largest distance between the blended surface and the one designed.
-    pub fn blend_deviation_m(&self) -> f64 {
+    pub(crate) fn blend_deviation_m(&self) -> f64 {
         const SAMPLES: usize = 400;
         let blended = (self.raceways.iter()).filter_map(|r| Some((r, r.blend_start_rad()?)));
         blended
@@ -412,11 +419,11 @@ impl OuterRing {
     /// How far the discrete raceways stand out of the plain groove, and how far they or the floors of slots
     /// lie below it. The walls that meet the ball at ±α are closer to it than those of the plain
     /// groove: a raceway cannot be cut into a finished plain one.
-    pub fn relief_m(&self) -> [f64; 2] {
+    pub(crate) fn relief_m(&self) -> [f64; 2] {
         const SAMPLES: usize = 1000;
         let plain = self.plain_meridian(0.0);
         let arcs = self.middles().flat_map(|m| m.arcs);
-        let floors = self.recesses.iter().map(Recess::depth_m);
+        let floors = self.recesses.iter().map(|recess| recess.depth_m);
         let floor = floors.fold(0.0, f64::max);
         arcs.fold([0.0, floor], |relief, arc| {
             let (valley, range) = (arc.valley_rad(), arc.shoulder_rad() - arc.valley_rad());

@@ -20,11 +20,11 @@ impl<'a> Stretch<'a> {
     /// Those of a sector in the order of ψ, with the range of what they go over.
     pub(super) fn of(ring: &'a OuterRing, sector: &'a RingSector) -> Vec<(Self, [f64; 2])> {
         let groove = Self::Groove(ring, sector);
-        let Some(recess) = sector.slot.map(|k| &ring.recesses()[k]) else {
+        let Some(recess) = sector.slot.map(|k| &ring.recesses[k]) else {
             return vec![(groove, [sector.start_rad, sector.end_rad])];
         };
-        let tips = [-1.0, 1.0].map(|end| sector.middle_rad() + end * recess.half_angle_rad());
-        let straight = recess.straight_rad();
+        let tips = [-1.0, 1.0].map(|end| sector.middle_rad() + end * recess.half_angle_rad);
+        let straight = recess.straight_rad;
         let straight = straight.map(|half| (Self::Straight(ring, recess), [-half, half]));
         let first = [
             (groove, [sector.start_rad, tips[0]]),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact::FrictionParameters;
 use crate::design::search::uneven_gaps_rad;
-use crate::numerics::random::{GOLDEN_GAMMA, RandomStream, mix};
+use crate::numerics::random::{RandomStream, split_mix};
 use crate::simulation::RotorDrop;
 
 /// Scatter between the drops of an ensemble. Fractions are half widths of a uniform distribution
@@ -93,7 +93,7 @@ impl Streams {
     fn of_bearing(seed: u64, index: u64, k: usize) -> Self {
         let own = match k {
             0 => seed,
-            _ => mix(seed.wrapping_add((k as u64).wrapping_mul(GOLDEN_GAMMA))),
+            _ => split_mix(seed, k as u64),
         };
         Self { seed: own, index }
     }

@@ -26,12 +26,12 @@ impl MotionRecorder {
 
     /// Mean orbital speed of the balls, rad/s.
     pub(super) fn orbit_speed_rad_s(&self) -> f64 {
-        self.orbit.mean()
+        self.orbit.mean
     }
 
     /// Mean absolute spin of the balls, rad/s.
     pub(super) fn rotation_rad_s(&self) -> f64 {
-        self.spin.mean()
+        self.spin.mean
     }
 }
 

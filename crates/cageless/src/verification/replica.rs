@@ -6,7 +6,7 @@ use super::quantity::Quantity;
 use super::trajectory::{TrajectoryRecorder, sample_times_s};
 use crate::case::Case;
 use crate::equilibrium::EquilibriumError;
-use crate::numerics::random::{GOLDEN_GAMMA, mix};
+use crate::numerics::random::split_mix;
 use crate::orbit_means::OrbitMeans;
 use crate::passage::SettledPassages;
 use crate::simulation::{
@@ -168,7 +168,7 @@ impl Role {
 
 /// Pseudorandom number in [−1, 1) of `seed` and `k`.
 fn signed_unit(seed: u64, k: u64) -> f64 {
-    let z = mix(seed.wrapping_add(k.wrapping_mul(GOLDEN_GAMMA)));
+    let z = split_mix(seed, k);
     (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
@@ -241,8 +241,8 @@ impl ReplicaObserver {
             Quantity::SpinMean => self.motion.rotation_rad_s(),
             Quantity::InnerForceMax => s.peaks.inner.force_n,
             Quantity::OuterForceMax => s.peaks.outer.force_n,
-            Quantity::PowerLoss => mean(OrbitMeans::power_loss_w),
-            Quantity::FrictionTorque => mean(OrbitMeans::friction_torque_n_m),
+            Quantity::PowerLoss => mean(|means| means.power_loss_w),
+            Quantity::FrictionTorque => mean(|means| means.friction_torque_n_m),
             Quantity::LagPerPass => self.passages.tally.lag_mean_rad(),
             Quantity::RingXEnd => ring.x,
             Quantity::RingYEnd => ring.y,

@@ -60,7 +60,7 @@ impl Measurement {
 
     /// Number of samples.
     pub fn samples(&self) -> u64 {
-        self.moments.weight() as u64
+        self.moments.weight as u64
     }
 
     /// Root mean square of the deviation from the mean; NaN without samples.

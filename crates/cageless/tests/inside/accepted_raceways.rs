@@ -96,7 +96,7 @@ proptest! {
         let Ok(ring) = made else {
             return Ok(());
         };
-        let recess = &ring.recesses()[0];
+        let recess = &ring.recesses[0];
         for end in [-1.0, 1.0] {
             let patches = recess.end_patches(end, 1e-8);
             prop_assert!(patches.is_ok(), "{patches:?}");

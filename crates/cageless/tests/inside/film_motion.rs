@@ -39,7 +39,7 @@ fn films_at_rest() {
                 outer.force_n
             );
             assert_eq!(outer, other);
-            assert!(film.speed_deficit < film.queue_deficits()[0]);
+            assert!(film.speed_deficit < film.queue_deficits[0]);
             assert!(
                 (film.free_share - 0.071).abs() < 1e-3,
                 "{}",

@@ -131,7 +131,7 @@ fn a_run_of_queueing_balls_does_not_work() {
         assert_eq!(found.verdict, expected, "{mpa_s}: {}", found.headline);
         // At rest a free ball loses less than queueing balls do.
         let at_rest = FilmAtRest::new(&case, &settle(&case).unwrap()).unwrap();
-        assert!(at_rest.speed_deficit < at_rest.queue_deficits()[1]);
+        assert!(at_rest.speed_deficit < at_rest.queue_deficits[1]);
         let of_rest = RunVerdict::new(
             &case,
             &RunEvidence {
@@ -151,7 +151,7 @@ fn asperities_are_warned_of() {
         let film = FilmAtRest::new(&case, &settle(&case).unwrap()).unwrap();
         let warnings = film.contact_warnings();
         (
-            film.asperity_share_max(),
+            film.asperity_share_max,
             warnings
                 .iter()
                 .any(|w| w.contains("film: asperities carry")),

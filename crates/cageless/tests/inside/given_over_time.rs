@@ -1,7 +1,7 @@
 //! Speed and load that are given over time.
 
 use crate::common::{complete, structure};
-use cageless::design::{Criterion, RacewayTallies, RunEvidence, RunVerdict};
+use cageless::design::{RacewayTallies, RunEvidence, RunVerdict};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::passage::{Passage, PassageRecorder};
@@ -105,7 +105,7 @@ fn judged(case: &Case) -> (RunVerdict, f64, ContactPeaks) {
     let slowing = verdict
         .deciding
         .filter(|c| ["deceleration", "lag"].contains(&c.name()))
-        .map_or(f64::NAN, Criterion::value);
+        .map_or(f64::NAN, |criterion| criterion.value);
     (verdict, slowing, summary.summary().unwrap().peaks)
 }
 

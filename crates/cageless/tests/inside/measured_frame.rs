@@ -51,7 +51,7 @@ fn touched(case: &Case, touch: &Touch) -> (Vec<[f64; 3]>, Vec<usize>) {
             }
             false => normal,
         };
-        let point = ring.point(psi, ring.section_angle_rad() + eta);
+        let point = ring.point(psi, ring.section_angle_rad + eta);
         let [x, y, z] = std::array::from_fn(|c| point.position_m[c] + off * point.normal[c]);
         let (sin, cos) = touch.turn_rad.sin_cos();
         points.push(

@@ -26,7 +26,7 @@ fn touched(case: &Case, sections: i32, sigma_m: f64, seed: u64) -> Vec<[f64; 3]>
         for j in 0..20 {
             for side in [1.0, -1.0] {
                 let eta = side * (0.45 + 0.02 * f64::from(j));
-                let point = ring.point(psi, eta + ring.section_angle_rad());
+                let point = ring.point(psi, eta + ring.section_angle_rad);
                 let error = sigma_m * random.normal();
                 let moved = |c: usize| point.position_m[c] + error * point.normal[c];
                 points.push([moved(0), moved(1), moved(2)]);

@@ -22,8 +22,8 @@ fn touched(case: &Case, sigma_m: f64, seed: u64) -> Vec<Point> {
     let mut points: Vec<_> = points
         .map(|p| (p.kind, p.point.position_m, p.point.normal))
         .collect();
-    for recess in ring.recesses() {
-        let straight_rad = recess.straight_rad().unwrap_or(0.0);
+    for recess in ring.recesses {
+        let straight_rad = recess.straight_rad.unwrap_or(0.0);
         for k in 0..1500 {
             let way = f64::from(k % 2 * 2 - 1);
             let along = 2.0 * random.uniform() - 1.0;
@@ -100,7 +100,7 @@ fn points_of_the_edges_give_the_slot() {
                 let (d, slot) = (raceway.dimensions(), raceway.slot().unwrap());
                 let bottom_m = made.bearing.dimensions().outer_groove_bottom_radius_m;
                 for (what, found, expected) in [
-                    ("re", found.edge_radius_m.value, slot.edge_radius_m()),
+                    ("re", found.edge_radius_m.value, slot.edge_radius_m),
                     ("lC", found.axial_span_m.value, d.axial_span_m),
                     ("width", found.width_m, slot.width_m()),
                     (
@@ -120,7 +120,7 @@ fn points_of_the_edges_give_the_slot() {
                 }
                 assert!(found.deviation.points > 150 && found.deviation.largest_m < 2e-9);
                 if let Some(depth) = found.slot_depth_m {
-                    assert!((depth - slot.depth_m()).abs() < 1e-9, "{depth}");
+                    assert!((depth - slot.depth_m).abs() < 1e-9, "{depth}");
                 }
                 assert_eq!(found.slot_depth_m.is_some(), d.half_angle_rad > 0.1);
             }

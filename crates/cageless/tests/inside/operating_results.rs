@@ -74,12 +74,12 @@ fn torque_times_speed_is_the_power_of_the_drive() {
         outcome.state.energy_term_j(EnergyTerm::Drive)
     };
     let ledger_w = (drive_j(to) - drive_j(from)) / (to - from);
-    let power_w = means.friction_torque_n_m() * case.operation.inner_speed_rad_s;
+    let power_w = means.friction_torque_n_m * case.operation.inner_speed_rad_s;
     assert!(
         (power_w / ledger_w - 1.0).abs() < 1e-6,
         "{power_w} {ledger_w}"
     );
-    assert!((means.drive_w() / power_w - 1.0).abs() < 1e-15);
+    assert!((means.power_w(EnergyTerm::Drive) / power_w - 1.0).abs() < 1e-15);
 
     let inside = |[a, b]: [[f64; 2]; 2]| a[0] >= from - 1e-12 && b[0] <= to + 1e-12;
     let work: f64 = (steps.torque.windows(2))
@@ -88,19 +88,15 @@ fn torque_times_speed_is_the_power_of_the_drive() {
         .map(|[a, b]| 0.5 * (a[1] + b[1]) * (b[0] - a[0]))
         .sum();
     let torque = work / (to - from);
-    let found = means.friction_torque_n_m();
+    let found = means.friction_torque_n_m;
     assert!((torque / found - 1.0).abs() < 1e-3, "{torque} {found}");
 
     let heat: f64 = (EnergyTerm::without_rotor().iter())
         .filter(|term| term.is_loss())
         .map(|&term| means.power_w(term))
         .sum();
-    assert!(((heat + means.stored_w()) / power_w - 1.0).abs() < 1e-12);
-    assert!(
-        means.stored_w().abs() < 0.05 * power_w,
-        "{}",
-        means.stored_w()
-    );
+    assert!(((heat + means.stored_w) / power_w - 1.0).abs() < 1e-12);
+    assert!(means.stored_w.abs() < 0.05 * power_w, "{}", means.stored_w);
 }
 
 /// A part of an orbit has its means, too, and says that it is none.
@@ -111,7 +107,7 @@ fn a_short_run_has_means_of_less_than_an_orbit() {
     assert_eq!(means.orbits, 0);
     assert!(means.interval_s[0] >= summary.settled_after_s);
     assert!(means.interval_s[1] > 0.0099);
-    assert!(means.drive_w() > 0.0);
+    assert!(means.power_w(EnergyTerm::Drive) > 0.0);
 }
 
 /// Two orbits of rolling balls, at most half of the run, are its transient.
@@ -177,18 +173,18 @@ fn frequencies_are_those_of_rolling_but_for_the_slip() {
     let orbit = rolling_orbit_speed_rad_s(bearing, speed, radius);
     let balls = bearing.balls() as f64;
     for (found, rolling) in [
-        (means.ftf_hz(), orbit / TAU),
-        (means.bpfo_hz(), balls * orbit / TAU),
-        (means.bpfi_hz(), balls * (speed - orbit) / TAU),
+        (means.ftf_hz, orbit / TAU),
+        (means.bpfo_hz, balls * orbit / TAU),
+        (means.bpfi_hz, balls * (speed - orbit) / TAU),
         (
-            means.bsf_hz(),
+            means.bsf_hz,
             rolling_relative_rotation_rad_s(bearing, orbit, radius) / TAU,
         ),
     ] {
         assert!((found / rolling - 1.0).abs() < 0.01, "{found} {rolling}");
     }
     let rolling = speed * balls / TAU;
-    assert!((means.bpfo_hz() + means.bpfi_hz() - rolling).abs() < 1e-9 * rolling);
+    assert!((means.bpfo_hz + means.bpfi_hz - rolling).abs() < 1e-9 * rolling);
 }
 
 /// Under thrust at a contact angle the axis of a ball leans: it turns about it as the closed forms say,
@@ -213,8 +209,8 @@ fn balls_that_roll_at_a_contact_angle_turn_as_the_closed_forms_say() {
     let passing = cageless::rating::PassingFrequencies::at_contact_angle(&case, angle);
     for (name, found, expected) in [
         ("BSF of the closed form", passing.bsf_hz, turning),
-        ("BSF of the motion", means.bsf_hz(), turning),
-        ("FTF of the motion", means.ftf_hz(), 0.5 * n * (1.0 - gamma)),
+        ("BSF of the motion", means.bsf_hz, turning),
+        ("FTF of the motion", means.ftf_hz, 0.5 * n * (1.0 - gamma)),
     ] {
         println!("{name}: {found} {expected}");
         assert!(

@@ -264,7 +264,7 @@ fn patches_follow_the_surface() {
         turned_back(),
     ];
     for r in rings {
-        let symmetric = r.section_angle_rad() == 0.0;
+        let symmetric = r.section_angle_rad == 0.0;
         for sector in r.sectors() {
             for tolerance in [1e-7, 1e-8, 1e-9] {
                 let pair = Patch::pair(&r, &sector, tolerance).unwrap();
@@ -397,7 +397,7 @@ fn check_grid(r: &OuterRing) {
         assert!(points.iter().all(|p| p.kind == PointKind::Surface));
         let eta: Vec<f64> = points.iter().map(|p| p.meridian_rad).collect();
         assert!(eta.windows(2).all(|w| w[0] <= w[1]));
-        let arc = (eta[1] - eta[0]) * r.curvature_radius_m();
+        let arc = (eta[1] - eta[0]) * r.curvature_radius_m;
         assert!(arc <= 0.5e-3 * (1.0 + 1e-9), "{arc}");
         assert!(eta[0] > -FRAC_PI_2);
         // From shoulder to shoulder.

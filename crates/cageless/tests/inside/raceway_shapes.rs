@@ -535,7 +535,7 @@ fn points_of_every_shape_are_fitted() {
             RacewayShape::Steady => 1e-2,
             _ => 1e-12,
         };
-        let [rms, largest] = fit.deviation_rad();
+        let [rms, largest] = fit.deviation_rad;
         assert!(rms <= largest && largest < allowed, "{form:?} {largest:e}");
         assert!((fit.axial_span_m(bearing.ball_radius_m()) - 5.1e-3).abs() < 5e-3 * allowed);
         assert!((fit.half_angle_rad() - raceway.half_angle_rad()).abs() < 1e-15);
@@ -568,7 +568,7 @@ fn noise_averages_out() {
             .iter_mut()
             .for_each(|row| row[1] += sigma * random.normal());
         let fit = MeasuredFlanks::fit(&rows).unwrap();
-        let [rms, largest] = fit.deviation_rad();
+        let [rms, largest] = fit.deviation_rad;
         assert!(rms > 0.6 * sigma && rms < 1.4 * sigma, "{seed} {rms}");
         assert!(largest > rms && largest < 4.0 * sigma, "{seed} {largest}");
         let dimensions = RacewayDimensions {

@@ -675,7 +675,7 @@ fn more_starts_confirm_what_is_recommended() {
             panic!("{:?}", one.evaluation.rejection);
         };
         assert_eq!(twice.name(), "both-neighbours");
-        assert!((twice.value() - 5.0 / 12.0).abs() < 1e-12, "{twice}");
+        assert!((twice.value - 5.0 / 12.0).abs() < 1e-12, "{twice}");
         let listed = second
             .evaluations
             .iter()

@@ -163,7 +163,7 @@ fn verdicts_on_slots() {
     assert!(
         overloaded
             .deciding
-            .is_some_and(|c| c.name() == "pressure" && c.value() > 1.0)
+            .is_some_and(|c| c.name() == "pressure" && c.value > 1.0)
     );
 
     let deep = slotted(5.1, 0.007, 12e3, 1500.0);
@@ -175,7 +175,7 @@ fn verdicts_on_slots() {
             &seats(case, &mut || Control::Continue(())).unwrap(),
             None,
         );
-        let lag = estimate.terms().iter().find(|t| t.name == "lag");
+        let lag = estimate.terms.iter().find(|t| t.name == "lag");
         lag.unwrap().value
     };
     assert!((share_of(&case) - rolling / rigid).abs() < 1e-12);

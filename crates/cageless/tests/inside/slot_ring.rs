@@ -160,12 +160,12 @@ fn balls_feel_the_edges_of_the_model() {
         let case = case(free, section, sign, &[given]);
         let ring = OuterRing::of(&case, SIZE).unwrap();
         let (d, raceway) = (case.bearing.dimensions(), &case.raceways[0]);
-        let recess = &ring.recesses()[0];
+        let recess = &ring.recesses[0];
         let rw = d.ball_radius_m;
         let gap_m = d.outer_groove_curvature_radius_m - rw;
         let room = gap_m + d.inner_groove_curvature_radius_m - rw;
         let turned = sign * section.to_radians();
-        let straight = recess.straight_rad().unwrap();
+        let straight = recess.straight_rad.unwrap();
         let patches = [-1.0, 1.0].map(|end| recess.end_patches(end, 1e-8).unwrap());
         let model = |psi: f64| OuterSection {
             gap_m,
@@ -206,7 +206,7 @@ fn balls_feel_the_edges_of_the_model() {
                 let (ball, expected) = pressed(psi, 8e-6, towards);
                 let [_, [major, height], ..] = recess.straight_m(side);
                 let apart = (ball[0].hypot(ball[1]) - major).hypot(ball[2] - height);
-                let felt = rw + recess.edge_radius_m() - apart;
+                let felt = rw + recess.edge_radius_m - apart;
                 assert!((felt - expected).abs() < 0.02e-6, "{given:?} {psi}: {felt}");
                 assert!(expected > 1e-6);
                 // Into both edges, up to where the end of the slot runs out as contacts meet it.
@@ -236,8 +236,8 @@ fn edges_are_round_about_the_line_of_the_model() {
     let case = case(0.0, 0.0, 1.0, &[given]);
     let ring = OuterRing::of(&case, SIZE).unwrap();
     let (d, raceway) = (case.bearing.dimensions(), &case.raceways[0]);
-    let (recess, theta) = (&ring.recesses()[0], raceway.half_angle_rad());
-    let (rw, re) = (d.ball_radius_m, recess.edge_radius_m());
+    let (recess, theta) = (&ring.recesses[0], raceway.half_angle_rad());
+    let (rw, re) = (d.ball_radius_m, recess.edge_radius_m);
     // From the centre of a ball that rests in the model, along the line through its contact.
     let centre = |psi: f64, side: f64| {
         let [angle, _] = raceway.contact_angle_rad(psi);
@@ -247,7 +247,7 @@ fn edges_are_round_about_the_line_of_the_model() {
         [rho * psi.sin(), -rho * psi.cos(), z]
     };
     let [patch, _] = recess.end_patches(1.0, 1e-8).unwrap();
-    let straight = recess.straight_rad().unwrap();
+    let straight = recess.straight_rad.unwrap();
     for i in 0..=40 {
         for j in 0..=10 {
             let turn = FRAC_PI_2 * f64::from(i) / 40.0;
@@ -274,8 +274,8 @@ fn edges_are_round_about_the_line_of_the_model() {
 #[test]
 fn an_edge_runs_into_groove_and_wall() {
     for ring in rings() {
-        for recess in ring.recesses() {
-            let straight = recess.straight_rad().unwrap_or(0.0);
+        for recess in &ring.recesses {
+            let straight = recess.straight_rad.unwrap_or(0.0);
             let ends = (-20..=20).map(|k| f64::from(k) / 20.0);
             let places = ends.flat_map(|share| {
                 [1.0, -1.0].map(|one| {
@@ -300,7 +300,7 @@ fn an_edge_runs_into_groove_and_wall() {
                 let along = sub(foot, top).map(|c| c / edge.wall_length_m);
                 assert!(length(sub(along, edge.mill)) < 1e-12);
                 assert!(recess.below_floor_m(foot).abs() < 1e-17);
-                assert!(edge.wall_length_m > 0.9 * recess.edge_radius_m());
+                assert!(edge.wall_length_m > 0.9 * recess.edge_radius_m);
                 // Around an end the mill stands still: no wall is undercut.
                 if let EdgePlace::End(end, _) = place {
                     assert_eq!(edge.mill, recess.edge(EdgePlace::End(end, 0.0)).mill);
@@ -353,7 +353,7 @@ fn volume_of_a_longer_slot() {
     for ring in rings() {
         let plain = OuterRing::new(&case(0.0, 0.0, 1.0, &[]).bearing, &[], SIZE).unwrap();
         let mesh = |ring: &OuterRing| Mesh::new(ring, 0.4e-6, 0.0).unwrap().volume_m3();
-        if ring.section_angle_rad() == 0.0 {
+        if ring.section_angle_rad == 0.0 {
             let taken = plain.volume_m3() - ring.volume_m3();
             let off = (mesh(&plain) - mesh(&ring)) / taken - 1.0;
             assert!(off.abs() < 3e-3, "{off:e}");
@@ -392,10 +392,10 @@ fn rows_of_points_pass_a_slot() {
                 let contact = row.contact(side);
                 assert!((length(contact.point.normal) - 1.0).abs() < 1e-12);
                 // On straight edges a ball touches at ±αc.
-                let turned = ring.section_angle_rad();
-                for (raceway, recess) in ring.raceways().zip(ring.recesses()) {
+                let turned = ring.section_angle_rad;
+                for (raceway, recess) in ring.raceways().zip(&ring.recesses) {
                     let local = raceway.local_angle_rad(row.angle_rad);
-                    if local.abs() < recess.straight_rad().unwrap_or(0.0) {
+                    if local.abs() < recess.straight_rad.unwrap_or(0.0) {
                         let [angle, _] = raceway.contact_angle_rad(local);
                         let off = contact.meridian_rad - turned - side.sign() * angle;
                         assert!(off.abs() < 1e-12, "{off}");
@@ -404,7 +404,7 @@ fn rows_of_points_pass_a_slot() {
                 }
             }
         }
-        assert!(through > 10 && (straight > 100 || ring.recesses()[0].straight_rad().is_none()));
+        assert!(through > 10 && (straight > 100 || ring.recesses[0].straight_rad.is_none()));
     }
 }
 
@@ -452,7 +452,7 @@ fn slots_that_cannot_be_made_are_refused() {
         assert_eq!(slot(Some(depth)).unwrap_err(), "slot_depth_m");
     }
     assert!(slot(Some(0.3062e-3)).is_ok());
-    let depth = slot(None).unwrap().slot().unwrap().depth_m();
+    let depth = slot(None).unwrap().slot().unwrap().depth_m;
     assert!((depth - 0.6061e-3).abs() < 1e-7, "{depth}");
     let other = deep(RacewayShape::Quartic, 0.0, Some(1e-3));
     assert_eq!(other.unwrap_err(), "slot_depth_m");
@@ -464,17 +464,17 @@ fn a_drawn_groove_is_that_of_the_ring() {
     for sign in [1.0, -1.0] {
         let case = case(15.0, 12.0, sign, &[[2.4, 0.3, 25.2, 17.3]]);
         let ring = OuterRing::of(&case, SIZE).unwrap();
-        let recess = &ring.recesses()[0];
+        let recess = &ring.recesses[0];
         let groove = DrawnGroove::new(&case.bearing, case.raceways.first(), sign);
         for share in [-0.999, -0.95, -0.5, 0.0, 0.7, 0.9, 1.0, 1.1] {
-            let local = share * recess.half_angle_rad();
-            let points = groove.points(recess.middle_rad() + local, 25);
+            let local = share * recess.half_angle_rad;
+            let points = groove.points(recess.middle_rad + local, 25);
             assert_eq!(points.len(), 50);
             let mut found = [0; 4];
             for (k, point) in points.iter().enumerate() {
                 let side = if k < 25 { -1.0 } else { 1.0 };
-                let into = (local.abs() - recess.straight_rad().unwrap()).max(0.0);
-                let end = recess.half_angle_rad() - recess.straight_rad().unwrap();
+                let into = (local.abs() - recess.straight_rad.unwrap()).max(0.0);
+                let end = recess.half_angle_rad - recess.straight_rad.unwrap();
                 let near = match into > 0.0 {
                     true => EdgePlace::End(local.signum(), side * (into / end).min(1.0).acos()),
                     false => EdgePlace::Straight(side, local),
@@ -492,7 +492,7 @@ fn a_drawn_groove_is_that_of_the_ring() {
                 }
             }
             for end in [points[0], points[49]] {
-                assert!((end[0].hypot(end[1]) - ring.shoulder_radius_m()).abs() < 1e-12);
+                assert!((end[0].hypot(end[1]) - ring.shoulder_radius_m).abs() < 1e-12);
             }
             // Every kind of face, and beyond the tips the groove alone.
             let inside = share.abs() < 1.0;

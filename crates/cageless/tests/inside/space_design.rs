@@ -141,7 +141,7 @@ fn a_pair_has_one_kind_of_row_until_it_is_pushed() {
 
 pub fn criterion(judged: &Judgement, name: &str) -> f64 {
     let of = judged.raceways[0].criteria.iter();
-    of.copied().find(|c| c.name() == name).unwrap().value()
+    of.copied().find(|c| c.name() == name).unwrap().value
 }
 
 /// The verdict rests on the lag that `design --axial` measures, over that of rolling, and on double collisions.
@@ -172,7 +172,7 @@ fn a_verdict_in_space_is_that_of_the_lag() {
     assert!(
         straight
             .deciding
-            .is_some_and(|c| c.name() == "lag" && c.value() < 0.0)
+            .is_some_and(|c| c.name() == "lag" && c.value < 0.0)
     );
     assert!(criterion(&inclined, "lag") > 0.8);
     let gaps = [straight, inclined].map(|j| j.critical_gap_rad.unwrap());

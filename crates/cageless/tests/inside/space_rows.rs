@@ -174,7 +174,7 @@ fn two_rows_in_one_plane_are_one_row_twice() {
     for (a, b, tolerance) in [
         (m1.orbit_speed_rad_s, m2.orbit_speed_rad_s, 1e-3),
         (m1.rotation_rad_s, m2.rotation_rad_s, 1e-3),
-        (m1.bpfo_hz(), m2.bpfo_hz(), 1e-3),
+        (m1.bpfo_hz, m2.bpfo_hz, 1e-3),
         (s1.gap_max_rad, s2.gap_max_rad, 0.05),
         (s1.gap_deviation_rad, s2.gap_deviation_rad, 0.1),
     ] {

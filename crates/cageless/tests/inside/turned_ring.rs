@@ -294,8 +294,8 @@ fn an_angular_contact_groove_is_offset() {
         let arc = m.arc(side);
         arc.point(1.0, arc.shoulder_rad()).position_m[2]
     });
-    assert!(((upper + lower) / 2.0 - turned.groove_height_m()).abs() < 1e-16);
-    assert!(turned.groove_height_m() < -40e-6);
+    assert!(((upper + lower) / 2.0 - turned.groove_height_m).abs() < 1e-16);
+    assert!(turned.groove_height_m < -40e-6);
     // Without its contact angle the same groove is in the middle.
     let radial = Bearing::new(d.clone(), steel()).unwrap();
     let middle = OuterRing::new(&radial, &[], SIZE).unwrap();

@@ -101,7 +101,7 @@ fn what_is_recommended_passes_its_own_verdict() {
     assert_eq!(judgement.passes(), Some(false));
     let deciding = judgement.deciding.unwrap();
     assert_eq!(deciding.name(), "both-neighbours");
-    assert!(deciding.value() > 0.25, "{deciding}");
+    assert!(deciding.value > 0.25, "{deciding}");
     let headline = judgement.headline();
     assert!(
         headline.starts_with("does not work from evenly spaced balls: double collision; "),
@@ -417,7 +417,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
     assert_eq!(starts[0].verdict, RacewayVerdict::Smooth);
     let found = RunVerdict::of_starts(&case, &starts);
     assert_eq!(found.verdict, RacewayVerdict::DoubleCollision);
-    assert!((found.deciding.unwrap().value() - 1.0 / 3.0).abs() < 1e-12);
+    assert!((found.deciding.unwrap().value - 1.0 / 3.0).abs() < 1e-12);
     assert!((found.standard_error.unwrap() - 1.0 / 3.0).abs() < 1e-12);
     assert_eq!(
         found.headline,

@@ -91,7 +91,7 @@ impl Converter<'_> {
         let at_rest = at_rest.and_then(|settled| FilmAtRest::new(case, &settled));
         let at_rest =
             at_rest.ok_or_else(|| in_place("this case has no film at rest in its load"))?;
-        Ok(Some(film.starved(inlet_film_m / at_rest.thickness_min_m())))
+        Ok(Some(film.starved(inlet_film_m / at_rest.thickness_min_m)))
     }
 
     /// The oil by its name, by two viscosities, or by one at the inlet.

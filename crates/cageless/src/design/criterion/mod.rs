@@ -54,7 +54,8 @@ pub(super) static OF_SEARCH: [&Requirement; 9] = [
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Criterion {
     requirement: &'static Requirement,
-    value: f64,
+    /// Measured value.
+    pub value: f64,
     least: f64,
     most: f64,
 }
@@ -76,11 +77,6 @@ impl Criterion {
     /// Name in files.
     pub fn name(self) -> &'static str {
         self.requirement.name
-    }
-
-    /// Measured value.
-    pub fn value(self) -> f64 {
-        self.value
     }
 
     /// The criterion with another value.

@@ -155,7 +155,7 @@ fn limits_are_met_up_to_themselves() {
     for (required, name, ideal, limit, failure, text) in rows {
         let of = |value: f64| required.of(value);
         let at = of(limit);
-        assert_eq!((at.name(), at.value(), at.limit()), (name, limit, limit));
+        assert_eq!((at.name(), at.value, at.limit()), (name, limit, limit));
         assert_eq!(at.at_least(), ideal > limit);
         let beyond = |by: f64| limit + by * (limit - ideal);
         let next = if limit > ideal {

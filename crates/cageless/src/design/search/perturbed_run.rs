@@ -11,7 +11,7 @@ use crate::design::raceway_tallies::speed_drop_fraction;
 use crate::dynamics::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;
-use crate::numerics::random::{GOLDEN_GAMMA, mix};
+use crate::numerics::random::split_mix;
 use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::recorder::keeping;
 use crate::simulation::{
@@ -167,9 +167,8 @@ pub fn uneven_gaps_rad(case: &Case, seed: u64, start: u64) -> Vec<f64> {
 
 /// A number in (0, 1) for each triple of numbers.
 fn unit(seed: u64, start: u64, k: u64) -> f64 {
-    let z = mix(seed
-        .wrapping_add((start + 1).wrapping_mul(0xd1b5_4a32_d192_ed03))
-        .wrapping_add((k + 1).wrapping_mul(GOLDEN_GAMMA)));
+    let of_start = seed.wrapping_add((start + 1).wrapping_mul(0xd1b5_4a32_d192_ed03));
+    let z = split_mix(of_start, k + 1);
     ((z >> 12) as f64 + 0.5) / (1u64 << 52) as f64
 }
 

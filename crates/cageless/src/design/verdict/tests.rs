@@ -167,7 +167,7 @@ fn reasons_have_the_numbers() {
     assert_eq!(judged.criteria.len(), expected.len());
     for (found, expected) in judged.criteria.iter().zip(expected) {
         assert_eq!(found.name(), expected.name());
-        assert!((found.value() - expected.value()).abs() < 1e-4);
+        assert!((found.value - expected.value).abs() < 1e-4);
     }
     let text = judged.reasons.join("\n");
     for part in [
@@ -229,7 +229,7 @@ fn the_worst_raceway_decides() {
     assert_eq!(all.verdict, RacewayVerdict::Slips);
     let deciding = all.deciding.unwrap();
     assert_eq!(deciding.name(), "separation");
-    assert!((deciding.value() - 0.06).abs() < 1e-9);
+    assert!((deciding.value - 0.06).abs() < 1e-9);
     // Missed by 1 percentage point, double collisions by 45.
     let headline = all.headline();
     assert!(

@@ -38,12 +38,20 @@ pub struct Recess {
     /// Index of its raceway.
     raceway: usize,
     frame: RecessFrame,
-    /// Length of half of it along the bottom, rad.
-    half_angle_rad: f64,
+    /// ψ of the middle.
+    pub middle_rad: f64,
+    /// θ, half of the length along the bottom.
+    pub half_angle_rad: f64,
+    /// ψ from the middle of the last places at full width; `None` if the ends meet there.
+    pub straight_rad: Option<f64>,
+    /// αg.
+    pub section_angle_rad: f64,
+    /// re.
+    pub edge_radius_m: f64,
     /// Width between the walls.
-    width_m: f64,
-    /// D.
-    depth_m: f64,
+    pub width_m: f64,
+    /// D, depth of the floor below the bottom of the plain groove.
+    pub depth_m: f64,
 }
 
 /// ψ below which there is no straight stretch: it is rounding of its length.
@@ -59,12 +67,18 @@ impl Recess {
         raceway: &Raceway,
         slot: &Slot,
     ) -> Result<Self, InputError> {
+        let frame = RecessFrame::new(section, raceway, slot)?;
+        let straight_rad = Some(frame.straight_rad);
         Ok(Self {
             raceway: index,
-            frame: RecessFrame::new(section, raceway, slot)?,
+            middle_rad: frame.middle_rad,
             half_angle_rad: raceway.half_angle_rad(),
+            straight_rad: straight_rad.filter(|straight| *straight > STRAIGHT_MIN_RAD),
+            section_angle_rad: frame.axis_rad,
+            edge_radius_m: frame.edge_radius_m,
             width_m: slot.width_m(),
-            depth_m: slot.depth_m(),
+            depth_m: slot.depth_m,
+            frame,
         })
     }
 
@@ -73,44 +87,9 @@ impl Recess {
         self.raceway
     }
 
-    /// ψ of its middle.
-    pub fn middle_rad(&self) -> f64 {
-        self.frame.middle_rad
-    }
-
-    /// θ.
-    pub fn half_angle_rad(&self) -> f64 {
-        self.half_angle_rad
-    }
-
-    /// ψ from the middle of the last places at full width; `None` if the ends meet there.
-    pub fn straight_rad(&self) -> Option<f64> {
-        Some(self.frame.straight_rad).filter(|straight| *straight > STRAIGHT_MIN_RAD)
-    }
-
     /// Angle about the axis that an end takes up.
     pub(super) fn end_rad(&self) -> f64 {
         self.frame.half_span_m / self.frame.groove_bottom_radius_m
-    }
-
-    /// αg.
-    pub fn section_angle_rad(&self) -> f64 {
-        self.frame.axis_rad
-    }
-
-    /// re.
-    pub fn edge_radius_m(&self) -> f64 {
-        self.frame.edge_radius_m
-    }
-
-    /// Distance of the walls.
-    pub fn width_m(&self) -> f64 {
-        self.width_m
-    }
-
-    /// D, of the floor below the bottom of the plain groove.
-    pub fn depth_m(&self) -> f64 {
-        self.depth_m
     }
 
     /// Its edge at a place.

@@ -54,10 +54,10 @@ impl RecessFrame {
             groove_bottom_radius_m: slot.groove_bottom_radius_m(),
             middle_rad: raceway.dimensions().centre_angle_rad,
             straight_rad: slot.straight_rad(),
-            edge_radius_m: slot.edge_radius_m(),
-            ball_reach_m: section.curvature_radius_m - section.offset_m + slot.edge_radius_m(),
+            edge_radius_m: slot.edge_radius_m,
+            ball_reach_m: section.curvature_radius_m - section.offset_m + slot.edge_radius_m,
             half_span_m: slot.half_span_m(),
-            floor_m: section.curvature_radius_m + slot.depth_m(),
+            floor_m: section.curvature_radius_m + slot.depth_m,
         };
         // Curvature of the line of centres at the tip, where it is an ellipse in plan.
         let [tip_m, _] = frame.section_m(frame.curvature_radius_m + frame.edge_radius_m, 0.0);

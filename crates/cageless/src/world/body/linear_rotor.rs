@@ -218,7 +218,7 @@ impl RotorBody for LinearRotorBody {
         let (n, rates) = (self.coordinates(), self.rates_start());
         let scale = |c: RotorCoordinate| TABLE[c as usize].coordinate.error_scale;
         // A normal coordinate is a displacement times √m.
-        let root = self.equations.rotor.mass_kg().sqrt();
+        let root = self.equations.rotor.mass_kg.sqrt();
         let normal = |from: usize, c: RotorCoordinate| {
             let own = DVectorView::from_slice(&difference[from..from + n], n);
             (&self.to_normal * own).norm_squared() / (root * scale(c)).powi(2)

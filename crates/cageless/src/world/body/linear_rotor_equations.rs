@@ -86,7 +86,7 @@ impl LinearRotorEquations {
         }
         self.spin_up.gemv(1.0, &self.rotor.spin_up, &motion.u, 0.0);
         self.spin_up += &self.unbalance;
-        self.inertia = self.rotor.polar_inertia - self.unbalance.dot(&self.spin_up);
+        self.inertia = self.rotor.polar_inertia_kg_m2 - self.unbalance.dot(&self.spin_up);
     }
 
     /// Sets forces and torque to those of everything but the bearings.
@@ -120,7 +120,7 @@ impl LinearRotorEquations {
     pub(super) fn respond(&mut self) -> Response<'_> {
         let speed = (self.torque - self.unbalance.dot(&self.forces)) / self.inertia;
         self.forces.axpy(-speed, &self.spin_up, 1.0);
-        let axial = self.axial / self.rotor.mass_kg();
+        let axial = self.axial / self.rotor.mass_kg;
         (&self.forces, [speed, axial])
     }
 
@@ -146,7 +146,7 @@ impl LinearRotorEquations {
         }
         RotorCompliance::Bending {
             lateral,
-            axial: 1.0 / self.rotor.mass_kg(),
+            axial: 1.0 / self.rotor.mass_kg,
         }
     }
 
@@ -192,8 +192,8 @@ impl LinearRotorEquations {
         });
         0.5 * motion.rates.norm_squared()
             + motion.speed * coupling.sum::<f64>()
-            + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
-            + 0.5 * self.rotor.mass_kg() * motion.axial_speed * motion.axial_speed
+            + 0.5 * self.rotor.polar_inertia_kg_m2 * motion.speed * motion.speed
+            + 0.5 * self.rotor.mass_kg * motion.axial_speed * motion.axial_speed
             + 0.5 * motion.u.dot(&(&self.rotor.stiffness * motion.u))
     }
 }

@@ -505,12 +505,12 @@ fn every_mean_of_whole_orbits() {
     let spin = |row: &Row| row.balls.iter().map(|b| b.spin).sum::<f64>() / 14.0;
     let spins = rows[..end].iter().map(spin).sum::<f64>() / end as f64;
     near(means.rotation_rad_s, spins, 2e-4, "rotation");
-    near(means.ftf_hz(), orbit / TAU, 1e-9, "FTF");
-    near(means.bpfo_hz(), 14.0 * orbit / TAU, 1e-9, "BPFO");
+    near(means.ftf_hz, orbit / TAU, 1e-9, "FTF");
+    near(means.bpfo_hz, 14.0 * orbit / TAU, 1e-9, "BPFO");
     let speed = run.case.operation.inner_speed_rad_s;
     assert_eq!(means.inner_speed_rad_s, speed);
-    near(means.bpfi_hz(), 14.0 * (speed - orbit) / TAU, 1e-9, "BPFI");
-    near(means.bsf_hz(), (spins + orbit) / TAU, 2e-4, "BSF");
+    near(means.bpfi_hz, 14.0 * (speed - orbit) / TAU, 1e-9, "BPFI");
+    near(means.bsf_hz, (spins + orbit) / TAU, 2e-4, "BSF");
 
     for (k, &term) in EnergyTerm::without_rotor().iter().enumerate() {
         let power = (rows[end].ledger[k] - rows[0].ledger[k]) / time_s;
@@ -573,8 +573,8 @@ fn every_quantity_of_a_verification() {
             Quantity::SpinMean => (of_balls(|b| b.spin), 1e-4),
             Quantity::InnerForceMax => (s.peaks.inner.force_n, 0.0),
             Quantity::OuterForceMax => (s.peaks.outer.force_n, 0.0),
-            Quantity::PowerLoss => (means.power_loss_w(), 0.0),
-            Quantity::FrictionTorque => (means.friction_torque_n_m(), 0.0),
+            Quantity::PowerLoss => (means.power_loss_w, 0.0),
+            Quantity::FrictionTorque => (means.friction_torque_n_m, 0.0),
             Quantity::LagPerPass => (lag, 1e-12),
             Quantity::RingXEnd => (last.ring[0], 0.0),
             Quantity::RingYEnd => (last.ring[1], 0.0),
