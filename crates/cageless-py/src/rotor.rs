@@ -119,7 +119,7 @@ impl LinearRotor {
     /// coordinates.
     fn numbers(&self) -> (f64, f64, Vec<f64>, usize) {
         let rotor = &self.rotor;
-        let (mass_kg, inertia_kg_m2) = (rotor.mass_kg(), rotor.polar_inertia_kg_m2());
+        let (mass_kg, inertia_kg_m2) = (rotor.mass_kg, rotor.polar_inertia_kg_m2);
         (
             mass_kg,
             inertia_kg_m2,

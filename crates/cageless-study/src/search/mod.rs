@@ -165,9 +165,14 @@ pub fn structure(evaluation: &Evaluation) -> Record {
     data::structure(evaluation, None)
 }
 
-/// The raceways of a layout as sections of a case file, with their contact angle to a millionth of a degree.
-fn sections(file: &CaseFile, of: &RacewayLayout) -> Vec<SectionValues> {
-    let section_angle_deg = (1e6 * of.section_angle_rad.to_degrees()).round() / 1e6;
+/// The raceways of a structure as sections of a case file.
+fn sections_of(file: &CaseFile, evaluation: &Evaluation) -> Vec<SectionValues> {
+    let section_angle_deg = structure(evaluation).number("contact_angle_deg");
+    sections(file, &evaluation.structure, section_angle_deg)
+}
+
+/// The raceways of a layout as sections of a case file, all of a contact angle in its unit.
+fn sections(file: &CaseFile, of: &RacewayLayout, section_angle_deg: f64) -> Vec<SectionValues> {
     let raceways = of.centres_rad.iter().map(|&centre_angle_rad| {
         let dimensions = RacewayDimensions {
             axial_span_m: of.axial_span_m,
@@ -204,7 +209,7 @@ pub fn candidates(file: &CaseFile, found: &Found) -> Result<Vec<(usize, Candidat
     });
     let chosen = first.into_iter().chain(spread);
     let candidate = |k: usize| {
-        let document = with_raceways(file, &sections(file, &found.evaluations[k].structure));
+        let document = with_raceways(file, &sections_of(file, &found.evaluations[k]));
         let name = structure_label(&structure(&found.evaluations[k]));
         let file = CaseFile::from_document(document, "case")?;
         Ok((k, Candidate { name, file }))
@@ -234,7 +239,7 @@ fn verdicts(
     evaluation: &Evaluation,
     progress: &dyn Progress,
 ) -> Result<Vec<Record>, StudyError> {
-    let raceways = sections(file, &evaluation.structure);
+    let raceways = sections_of(file, evaluation);
     let points = &request.points;
     let steps = |point: &OperatingPoint| match entered(file, &raceways, Some(point)) {
         Some(case) => verdict_steps(&case),

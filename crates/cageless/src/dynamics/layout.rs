@@ -31,7 +31,7 @@ use crate::world::body::{
 /// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
 /// other.
 ///
-/// First the coordinates of the balls ([`BALL`], in space `BALL_IN_SPACE`), an array each, padded to a
+/// First the coordinates of the balls (`BALL`, in space `BALL_IN_SPACE`), an array each, padded to a
 /// multiple of `LANES`, so that whole vectors are computed either way; then those that move of each
 /// ring and those of the outer rings that slide, an array each; then the terms of
 /// the energy ledger ([`EnergyTerm`]). A rotor stands behind its bearings, with a ledger of its own.

@@ -62,7 +62,7 @@ raceway_shapes! {
     Steady = "steady", steady_angle, "orbital speed that changes at a constant rate";
     /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
     Measured = "measured", measured, "fitted to the profile";
-    /// A spline through given angles, [`RacewayForm::spline`].
+    /// A spline through given angles.
     Spline = "spline", spline, "a spline through the rows of the profile";
     /// Balls roll on the two rounded edges of a slot, [`RacewayForm::edge_radius_m`], see [`super::Slot`].
     Slot = "slot", slot, "of a ball on the edges of a slot";
