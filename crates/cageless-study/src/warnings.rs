@@ -152,9 +152,8 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
     let hot = of_places(&summary.peaks).into_iter();
     warnings.extend(hot.filter_map(|(place, peak)| flash_warning(place, peak)));
     let means = summary.means.as_ref().filter(|_| continuous);
-    warnings.extend(
-        means.and_then(|means| overheating(bearing, means.heat_w.max(means.power_loss_w))),
-    );
+    warnings
+        .extend(means.and_then(|means| overheating(bearing, means.heat_w.max(means.power_loss_w))));
     warnings
 }
 

@@ -20,7 +20,7 @@ fn print_row(time_s: f64, rotor: &RotorView, ring: &RingView, load_n: f64) {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let case = reference::rotor_drop(); // `CaseBuilder::rotor` makes one of one's own
+    let case = reference::rotor_drop(); // one of one's own: `Rotor::estimated`, `CaseBuilder::rotor`
     let mut simulation = Simulation::new(&case)?;
     println!(
         "time, ms   rotor y, µm   rotor, rad/s   ring, rad/s   force, N   most loaded ball, N"

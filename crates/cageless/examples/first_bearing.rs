@@ -5,7 +5,7 @@
 use cageless::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3);
+    let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3); // balls, ball radius, pitch radius: m
     let bearing = Bearing::new(dimensions, Material::STEEL)?;
     println!("a ball: {:.2} g", 1e3 * bearing.ball_mass_kg());
     let raceway = reference::Structure::D.raceway(&bearing)?;

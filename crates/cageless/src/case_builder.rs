@@ -1,5 +1,7 @@
 //! A case in a few lines, checked before anything is computed.
 
+use std::sync::Arc;
+
 use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, StartState};
 use crate::contact::{FrictionLaw, FrictionModel, FrictionParameters, OwnFriction, Regularisation};
@@ -28,7 +30,8 @@ pub struct CaseBuilder {
     case: Case,
     regularisation_m_s: Option<f64>,
     step_s: Option<f64>,
-    refused: Option<InputError>,
+    own_friction: Option<Arc<dyn FrictionLaw>>,
+    own_journal_friction: Option<Arc<dyn FrictionLaw>>,
 }
 
 impl CaseBuilder {
@@ -38,7 +41,8 @@ impl CaseBuilder {
             case: Case::of(bearing),
             regularisation_m_s: None,
             step_s: None,
-            refused: None,
+            own_friction: None,
+            own_journal_friction: None,
         }
     }
 
@@ -68,17 +72,18 @@ impl CaseBuilder {
         self.change(|case| case.contact.friction.coefficient = coefficient)
     }
 
-    /// A law of friction of one's own.
+    /// A law of friction of one's own at the contacts of the balls, with the raceways and with each other.
+    ///
+    /// That of journal and bore is [`Self::own_journal_friction`].
     pub fn own_friction(mut self, law: impl FrictionLaw + 'static) -> Self {
-        match OwnFriction::new(law) {
-            Ok(law) => {
-                let contact = &mut self.case.contact;
-                contact.friction_law = FrictionModel::Own;
-                let scale_m_s = contact.friction.regularisation_speed_m_s;
-                contact.friction = FrictionParameters::own(law, scale_m_s);
-            }
-            Err(error) => self.refused = self.refused.or(Some(error)),
-        }
+        self.own_friction = Some(Arc::new(law));
+        self
+    }
+
+    /// A law of friction of one's own between the journal of the [rotor](Self::rotor) and the bore of the inner ring,
+    /// with the regularisation speed of [`Rotor::friction`].
+    pub fn own_journal_friction(mut self, law: impl FrictionLaw + 'static) -> Self {
+        self.own_journal_friction = Some(Arc::new(law));
         self
     }
 
@@ -99,6 +104,31 @@ impl CaseBuilder {
     }
 
     /// A rotor that falls onto the inner ring at t = 0, and the support of the outer ring; all parts at rest.
+    ///
+    /// [`Rotor::estimated`] makes one, and [`Bearing::with_inner_ring_bore`] gives the bearing what it needs: the bore
+    /// that catches the journal, and the polar inertia of the ring that it spins up. The case has no speed and no load
+    /// of its own.
+    ///
+    /// ```
+    /// use cageless::prelude::*;
+    ///
+    /// /// Friction of a bronze that smears, between journal and bore.
+    /// struct Smearing;
+    ///
+    /// impl FrictionLaw for Smearing {
+    ///     fn coefficient(&self, sliding_m_s: f64) -> [f64; 2] {
+    ///         let excess = 0.1 * (-sliding_m_s / 5.0).exp();
+    ///         [0.1 + excess, -excess / 5.0]
+    ///     }
+    /// }
+    ///
+    /// let bore = InnerRingBore { radius_m: 15e-3, polar_inertia_kg_m2: 5.5e-5 };
+    /// let bearing = reference::bearing().with_inner_ring_bore(bore)?;
+    /// let rotor = Rotor { eccentricity_m: 1e-6, ..Rotor::estimated(20.0, 0.02, 3142.0, 2e-4) };
+    /// let case = CaseBuilder::of(bearing).rotor(rotor, None).own_journal_friction(Smearing).build()?;
+    /// Simulation::new(&case)?.advance_to(1e-3)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn rotor(self, rotor: Rotor, support: Option<Support>) -> Self {
         self.change(|case| {
             case.rotor = Some(rotor);
@@ -128,13 +158,29 @@ impl CaseBuilder {
     /// # Errors
     /// An [`InputError`] with the first value that cannot be, and what is allowed.
     pub fn build(self) -> Result<Case, InputError> {
-        if let Some(error) = self.refused {
-            return Err(error);
-        }
         let mut case = self.case;
-        case.contact.friction.regularisation_speed_m_s = self
-            .regularisation_m_s
-            .unwrap_or_else(|| case.automatic_regularisation_m_s());
+        let scale_m_s =
+            (self.regularisation_m_s).unwrap_or_else(|| case.automatic_regularisation_m_s());
+        case.contact.friction.regularisation_speed_m_s = scale_m_s;
+        check_bore(&case)?;
+        case.check()?;
+        // The speeds of the case, up to which laws are tried, are possible.
+        let most_m_s = case.sliding_speed_bound_m_s();
+        if let Some(law) = self.own_friction {
+            let law = OwnFriction::new(law, "own_friction", most_m_s)?;
+            case.contact.friction_law = FrictionModel::Own;
+            case.contact.friction = FrictionParameters::own(law, scale_m_s);
+        }
+        if let Some(law) = self.own_journal_friction {
+            let field = "own_journal_friction";
+            let law = OwnFriction::new(law, field, most_m_s)?;
+            let rule = "left out, or given with a rotor: it is the friction of its journal";
+            let rotor = case.rotor.as_mut();
+            let rotor =
+                rotor.ok_or_else(|| InputError::rule(field, law.coefficient_fast(), rule))?;
+            rotor.friction_law = FrictionModel::Own;
+            rotor.friction = FrictionParameters::own(law, rotor.friction.regularisation_speed_m_s);
+        }
         case.check()?;
         match self.step_s {
             Some(step_s) => case.solver.step_s = step_s,
@@ -142,5 +188,16 @@ impl CaseBuilder {
         }
         step_limits::check(&case)?;
         Ok(case)
+    }
+}
+
+/// Refuses a rotor above an inner ring without a bore.
+fn check_bore(case: &Case) -> Result<(), InputError> {
+    match (&case.rotor, case.bearing.inner_ring_bore()) {
+        (Some(_), None) => {
+            let rule = "given, by `Bearing::with_inner_ring_bore`: the rotor spins the inner ring up in its bore";
+            Err(InputError::rule("inner_ring_bore", f64::NAN, rule))
+        }
+        _ => Ok(()),
     }
 }

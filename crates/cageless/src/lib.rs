@@ -13,7 +13,7 @@
 //! use cageless::prelude::*;
 //!
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
-//!     let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3);
+//!     let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3); // balls, ball radius, pitch radius: m
 //!     let bearing = Bearing::new(dimensions, Material::STEEL)?;
 //!     let raceway = reference::Structure::D.raceway(&bearing)?;
 //!     let case = CaseBuilder::of(bearing).raceway(raceway).inner_speed_rad_s(1257.0).radial_load_n(1500.0);
@@ -67,7 +67,9 @@
 //!
 //! # A law of friction, a method
 //! One method makes a [law](FrictionLaw): μ and its slope over the sliding speed. Regularisation, implicit treatment and
-//! step limits follow from it.
+//! step limits follow from it. μ lies between 0 and 2: a law is tried before a run, up to four times the speed of the
+//! fastest surface, and watched in it. [`CaseBuilder::own_friction`] gives it to the contacts of the balls,
+//! [`CaseBuilder::own_journal_friction`] to the journal of a rotor in the bore.
 //!
 //! ```
 //! # use cageless::prelude::*;
@@ -92,6 +94,9 @@
 //! | where a ring settles, and what each ball bears | [`equilibrium`], [`rating`], [`Fit`] |
 //! | how far a raceway slows a ball, and whether it helps | [`design`], [`critical_gap`], [`BallAdvance`], [`steady`] |
 //! | which raceway | [`design::search`]; the example `search` |
+//! | axial load, tilt, several rows: motion in space | [`SpatialLoad`], [`Row`]; z, tilt and contact angles in the [view](simulation::StepView) |
+//! | oil in the contacts | [`Film`], [`film::OilGrade`]; `case.film` in [`CaseBuilder::change`] |
+//! | a rotor of one's own that falls | [`Rotor::estimated`], [`CaseBuilder::rotor`], [`Bearing::with_inner_ring_bore`] |
 //! | a rotor that falls onto its touch-down bearings | [`simulation::RotorDrop`], [`touchdown`], [`linear_rotor`]; the example `drop` |
 //! | what deviations from the drawing change | [`tolerance`], [`surface`] |
 //! | whether a result can be trusted | [`verification`], [`reference`](mod@reference) |

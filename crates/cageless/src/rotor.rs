@@ -107,9 +107,20 @@ pub struct SupportStop {
 pub(crate) const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 
 impl Rotor {
-    /// A balanced horizontal rotor at rest in the middle of its air gap, turning at `speed_rad_s`, without a drive: its
-    /// journal rubs on the bore with μ = 0.15 (smooth, 0.05 m/s), a stiffness of 1e9 N/m and 0.3 s/m of damping.
-    pub(crate) fn estimated(
+    /// A balanced horizontal rotor of a mass, kg, and a polar inertia, kg·m², at rest in the middle of its radial air
+    /// gap, m, and turning at a speed, rad/s, without a drive.
+    ///
+    /// Its journal rubs on the bore with μ = 0.15 (smooth, 0.05 m/s), a stiffness of 1e9 N/m and 0.3 s/m of damping; it
+    /// has no shoulders. `CaseBuilder::rotor` takes it.
+    ///
+    /// ```
+    /// use cageless::prelude::*;
+    ///
+    /// let rotor = Rotor::estimated(20.0, 0.02, 3142.0, 2e-4); // kg, kg·m², rad/s, m
+    /// let unbalanced = Rotor { eccentricity_m: 5e-6, ..rotor };
+    /// assert_eq!(unbalanced.contact_stiffness_n_mp, 1e9);
+    /// ```
+    pub fn estimated(
         mass_kg: f64,
         polar_inertia_kg_m2: f64,
         speed_rad_s: f64,

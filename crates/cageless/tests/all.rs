@@ -12,6 +12,8 @@ mod fit;
 mod front_door;
 mod imports;
 mod one_place;
+mod own_laws;
 mod raceway_contact;
 mod recorder;
 mod static_minimum;
+mod stepping;

@@ -17,14 +17,16 @@ const RING_DENSITY_KG_M3: f64 = 7850.0;
 pub const INNER_RING_DAMPING_N_S_M: f64 = 2000.0;
 
 impl BearingDimensions {
-    /// Dimensions of a deep groove bearing by its balls alone: no internal clearance, grooves of conformity
-    /// [`CONFORMITY`], shoulders 0.2 ball diameters high, an inner ring of steel 0.3 ball diameters thick below its
-    /// groove and 1.6 wide, damped by [`INNER_RING_DAMPING_N_S_M`].
+    /// Dimensions of a deep groove bearing by the number of its balls, their *radius* and the *radius* of the pitch
+    /// circle, m: half of Dw and half of dm in a catalogue.
+    ///
+    /// No internal clearance, grooves of conformity [`CONFORMITY`], shoulders 0.2 ball diameters high, an inner ring of
+    /// steel 0.3 ball diameters thick below its groove and 1.6 wide, damped by [`INNER_RING_DAMPING_N_S_M`].
     ///
     /// ```
     /// use cageless::prelude::*;
     ///
-    /// let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3);
+    /// let dimensions = BearingDimensions::estimated(14, 4.7625e-3, 23.0e-3); // balls, ball radius, pitch radius: m
     /// let bearing = Bearing::new(dimensions, Material::STEEL)?;
     /// assert!((bearing.pitch_radius_m() - 23.0e-3).abs() < 1e-15);
     /// assert!(bearing.mean_gap_rad() > 0.0);

@@ -43,6 +43,18 @@ impl Operation {
 }
 
 impl Case {
+    /// Checks speed and load of a bearing in motion, which may come to a stand.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first of them that cannot be.
+    pub(crate) fn check_operation(&self) -> Result<(), InputError> {
+        if let InnerRingDrive::Constant(speed) = self.inner_ring_drive() {
+            not_negative("inner_speed_rad_s", speed)?;
+        }
+        self.operation.check()?;
+        self.check_elastic()
+    }
+
     /// Checks everything that [`crate::Bearing::new`] and [`crate::Raceway::new`] have not.
     ///
     /// # Errors

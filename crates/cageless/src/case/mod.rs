@@ -267,6 +267,12 @@ pub(crate) fn series_stiffness_n_m1_5(inner: f64, outer: f64) -> f64 {
     (inner.powf(-2.0 / 3.0) + outer.powf(-2.0 / 3.0)).powf(-1.5)
 }
 
+/// Sliding speed that nothing reaches, over that of the fastest surface: two of them that meet head on have twice it.
+const SLIDING_OVER_SURFACE: f64 = 4.0;
+
+/// Least of such a sliding speed, m/s: parts that start at rest move as well.
+const SLIDING_BOUND_MIN_M_S: f64 = 10.0;
+
 /// Longest run that is accepted, in steps.
 pub(crate) const STEPS_MAX: f64 = 1e12;
 
@@ -342,6 +348,20 @@ impl Case {
             self.largest_inner_speed_rad_s(),
             bearing.ball_radius_m(),
         )
+    }
+
+    /// Sliding speed that no contact of the case reaches, m/s: four times that of the fastest surface, at least 10 m/s.
+    pub(crate) fn sliding_speed_bound_m_s(&self) -> f64 {
+        let groove_m = self.bearing.dimensions().inner_groove_bottom_radius_m;
+        let ring_m_s = self.largest_inner_speed_rad_s().abs() * groove_m;
+        let bore_m = self.bearing.inner_ring_bore().map(|bore| bore.radius_m);
+        let journal_m_s = self.rotor.as_ref().zip(bore_m).map(|(rotor, bore_m)| {
+            let gain = rotor.drive_torque_n_m / rotor.polar_inertia_kg_m2 * self.solver.duration_s;
+            let turning_m_s = (rotor.speed_rad_s.abs() + gain.abs()) * bore_m;
+            turning_m_s + rotor.vx_m_s.hypot(rotor.vy_m_s).hypot(rotor.vz_m_s)
+        });
+        let surface_m_s = ring_m_s.max(journal_m_s.unwrap_or(0.0));
+        (SLIDING_OVER_SURFACE * surface_m_s).max(SLIDING_BOUND_MIN_M_S)
     }
 
     /// Time of one orbit of such a ball, s.

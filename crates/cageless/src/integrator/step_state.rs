@@ -74,7 +74,11 @@ impl StepState {
     #[inline]
     fn at(&self, time_s: f64) -> impl Fn([f64; 4]) -> f64 + use<> {
         let h = self.size_s();
-        let s = (time_s - self.t0_s) / h;
+        // A step of no length, after a restart, is its end.
+        let s = match h > 0.0 {
+            true => (time_s - self.t0_s) / h,
+            false => 1.0,
+        };
         let r = 1.0 - s;
         move |[y0, y1, f0, f1]| {
             let (f0, f1) = (f0 * h, f1 * h);

@@ -40,6 +40,15 @@ impl Deref for Aligned {
     }
 }
 
+impl<'a> IntoIterator for &'a Aligned {
+    type Item = &'a f64;
+    type IntoIter = std::slice::Iter<'a, f64>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
 impl DerefMut for Aligned {
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut [f64] {

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
-use super::run::{Advance, advance, made};
+use super::run::{Advance, advance, check_forward, made};
 use super::run_tracker::RunTracker;
 use super::watch::Watch;
-use crate::case::{Case, InnerRingDrive};
+use crate::case::{Case, InnerRingDrive, Operation};
 use crate::control::Control;
 use crate::dynamics::Model;
 use crate::dynamics::state::State;
@@ -17,7 +17,10 @@ use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::initial_conditions::initial_state_controlled;
 use crate::integrator::{CaseMethod, Integrator, Method, System};
-use crate::limits::require;
+use crate::limits::{finite, require};
+
+/// Difference of two times, as a fraction of them, that is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// A bearing in motion with its equations, its method and its guard.
 ///
@@ -136,8 +139,9 @@ impl Simulation {
     /// Makes steps up to `time_s`, the last of which ends there.
     ///
     /// # Errors
-    /// Those of [`Self::step`].
+    /// Those of [`Self::step`]; or the time is no number or lies before [`Self::time_s`], which ends nothing.
     pub fn advance_to(&mut self, time_s: f64) -> Result<(), Stop> {
+        self.check_ahead(time_s)?;
         while self.time_s() < time_s {
             self.step_until(time_s)?;
         }
@@ -150,10 +154,13 @@ impl Simulation {
         if let Some(stop) = &self.stop {
             return Err(stop.clone());
         }
-        let stop_at = |time_s| Stop::new(&self.case, time_s, Cause::NotResolved);
         let made = self.integrator.make_step(&mut self.world, limit_s);
-        let looked = made.map_err(|error| stop_at(error.time_s)).and_then(|()| {
+        let unresolved = |time_s| self.watch.stop_unresolved(&self.case, time_s);
+        let made = made.map_err(|error| unresolved(error.time_s));
+        let looked = made.and_then(|()| {
             let (step, world) = (self.integrator.step(), &self.world);
+            check_forward(step, limit_s)
+                .map_err(|cause| self.watch.stop(&self.case, step.t0_s, cause))?;
             let contacts_of = |bearing| world.contacts_of(bearing);
             self.watch.look(&self.case, step, &contacts_of, false)
         });
@@ -161,7 +168,17 @@ impl Simulation {
         looked
     }
 
-    /// Runs to `until_s` with these observers, from where the simulation is.
+    /// Passes a time that does not lie before that of the simulation but for rounding.
+    fn check_ahead(&self, time_s: f64) -> Result<(), Stop> {
+        let now_s = self.time_s();
+        match time_s >= now_s * (1.0 - ROUNDING) {
+            true => Ok(()),
+            false => Err(Stop::new(&self.case, now_s, Cause::TimeNotAhead(time_s))),
+        }
+    }
+
+    /// Runs to `until_s` with these observers, from where the simulation is. A time that is no number or lies before
+    /// [`Self::time_s`] stops the run at once, and not the simulation.
     pub fn run(&mut self, until_s: f64, observers: &mut [&mut dyn Observer]) -> RunOutcome {
         self.run_controlled(until_s, observers, &mut |_| Control::Continue(()))
     }
@@ -173,6 +190,13 @@ impl Simulation {
         observers: &mut [&mut dyn Observer],
         control: &mut dyn FnMut(f64) -> Control,
     ) -> RunOutcome {
+        let stopped = self.stop.clone().or(self.check_ahead(until_s).err());
+        if let Some(stop) = stopped {
+            return self.ended(Ending::Stopped(stop));
+        }
+        if until_s <= self.time_s() {
+            return self.ended(Ending::Complete);
+        }
         let start = self.state();
         let start_angle_rad = self.watch.angles_rad(self.integrator.step());
         let context = RunContext {
@@ -208,52 +232,62 @@ impl Simulation {
             Some(stop) => Ending::Stopped(stop.clone()),
             None => Ending::Interrupted,
         };
+        self.ended(ending)
+    }
+
+    /// Outcome of the steps so far with this ending.
+    fn ended(&self, ending: Ending) -> RunOutcome {
         let made = made(&self.world, &self.integrator.step().y1, 0);
         self.watch.outcome(ending, self.state(), made)
     }
 
-    /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise.
+    /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise; 0 brakes it to a stand.
+    ///
+    /// The step stays that of the start: a case whose speed rises is built for the largest one, or has its
+    /// [`step_s`](crate::CaseBuilder::step_s).
     ///
     /// # Errors
-    /// It is not finite, the ring turns freely below a rotor or has an unbalance, or its speed is given over time.
+    /// It is not one that a case may have, and not 0; the ring turns freely below a rotor or has an unbalance, or its
+    /// speed is given over time.
     pub fn set_inner_speed_rad_s(&mut self, speed_rad_s: f64) -> Result<(), InputError> {
         let operation = &self.case.operation;
         let constant = matches!(self.case.inner_ring_drive(), InnerRingDrive::Constant(_));
         let free = constant && operation.unbalance.amount_kg_m == 0.0;
-        let rule =
-            "finite, of a ring without rotor and unbalance whose speed is not given over time";
-        let kept = free && speed_rad_s.is_finite();
-        require("inner_speed_rad_s", speed_rad_s, kept, rule)?;
-        self.case.operation.inner_speed_rad_s = speed_rad_s;
-        self.apply_operation();
-        Ok(())
+        let rule = "left as it is: a rotor, an unbalance or a table over time goes with it";
+        require("inner_speed_rad_s", speed_rad_s, free, rule)?;
+        let mut operation = operation.clone();
+        operation.inner_speed_rad_s = speed_rad_s;
+        self.operate(operation)
     }
 
     /// Sets the radial load from here on, N, along −Y.
     ///
+    /// The step stays that of the start: a case whose load rises is built for the largest one, or has its
+    /// [`step_s`](crate::CaseBuilder::step_s).
+    ///
     /// # Errors
-    /// It is not finite or negative, a rotor loads the ring, or the load is given over time.
+    /// It is not one that a case may have, a rotor loads the ring, or the load is given over time.
     pub fn set_radial_load_n(&mut self, load_n: f64) -> Result<(), InputError> {
         let operation = &self.case.operation;
         let under_rotor = matches!(self.case.inner_ring_drive(), InnerRingDrive::Rotor(_));
         let free = !under_rotor && operation.radial_load_table.is_none();
-        let rule = "0 or more, of a ring without a rotor whose load is not given over time";
-        let kept = free && load_n.is_finite() && load_n >= 0.0;
-        require("radial_load_n", load_n, kept, rule)?;
-        self.case.operation.radial_load_n = load_n;
-        self.apply_operation();
-        Ok(())
+        let rule = "left as it is: a rotor or a table over time loads the ring";
+        require("radial_load_n", load_n, free, rule)?;
+        let mut operation = operation.clone();
+        operation.radial_load_n = load_n;
+        self.operate(operation)
     }
 
     /// Sets the torque of the drive of the rotor from here on, N·m, counter-clockwise.
     ///
     /// # Errors
-    /// It is not finite, or there is no rotor.
+    /// It is not one that a rotor may have, or there is no rotor.
     pub fn set_drive_torque_n_m(&mut self, torque_n_m: f64) -> Result<(), InputError> {
-        let rule = "finite, of a case with a rotor";
-        let rotor = self.case.rotor.as_mut().filter(|_| torque_n_m.is_finite());
-        let Some(rotor) = rotor else {
-            return Err(InputError::rule("drive_torque_n_m", torque_n_m, rule));
+        let field = "drive_torque_n_m";
+        finite(field, torque_n_m)?;
+        let Some(rotor) = self.case.rotor.as_mut() else {
+            let rule = "left out: the case has no rotor";
+            return Err(InputError::rule(field, torque_n_m, rule));
         };
         rotor.drive_torque_n_m = torque_n_m;
         self.world.set_drive_torque(torque_n_m);
@@ -261,7 +295,13 @@ impl Simulation {
         Ok(())
     }
 
-    fn apply_operation(&mut self) {
+    /// Goes on with another speed or load, or as before if the case cannot have it.
+    fn operate(&mut self, operation: Operation) -> Result<(), InputError> {
+        let before = std::mem::replace(&mut self.case.operation, operation);
+        if let Err(error) = self.case.check_operation() {
+            self.case.operation = before;
+            return Err(error);
+        }
         let operation = &self.case.operation;
         let (speed_rad_s, load_n) = (operation.inner_speed_rad_s, operation.radial_load_n);
         self.world.bearing_mut().set_operation(speed_rad_s, load_n);
@@ -269,6 +309,7 @@ impl Simulation {
         self.watch.look_as_often_as(&self.case);
         // f has jumped: no history may reach across.
         self.integrator.restart_here(&mut self.world);
+        Ok(())
     }
 }
 

@@ -64,6 +64,15 @@ pub enum Cause {
     },
     /// The error control could not resolve a step.
     NotResolved,
+    /// The time asked for is no number, or lies before that of the simulation, s.
+    TimeNotAhead(f64),
+    /// A method did not make a step that goes on and ends at its limit at the latest.
+    NotForward {
+        /// End of the step, s.
+        end_s: f64,
+        /// Its limit, s.
+        limit_s: f64,
+    },
     /// A law of friction of one's own returned what cannot be.
     Friction {
         /// Name of the law.
@@ -148,6 +157,14 @@ impl std::fmt::Display for Cause {
                 100.0 * residual_fraction.abs()
             ),
             Self::NotResolved => f.write_str("a step could not be resolved"),
+            Self::TimeNotAhead(asked_s) => {
+                write!(f, "the time asked for, {asked_s} s, does not lie ahead")
+            }
+            Self::NotForward { end_s, limit_s } => write!(
+                f,
+                "the method ended a step at {end_s} s, which is not after its start, or beyond its limit of \
+                 {limit_s} s"
+            ),
             Self::Friction {
                 law,
                 sliding_m_s,
@@ -201,6 +218,8 @@ impl Cause {
             | Self::EnergyFromNowhere { .. }
             | Self::Unbalanced { .. }
             | Self::NotResolved
+            | Self::TimeNotAhead(_)
+            | Self::NotForward { .. }
             | Self::Friction { .. } => false,
         }
     }
@@ -291,7 +310,13 @@ impl Stop {
             ),
             Cause::Unbalanced { .. } => halve,
             Cause::Friction { .. } => {
-                "return μ of 0 or more with its finite slope at every sliding speed".to_owned()
+                "return μ from 0 to 2 with its finite slope at every sliding speed".to_owned()
+            }
+            Cause::TimeNotAhead(_) => {
+                format!("go on to a time of {} s or later", self.time_s)
+            }
+            Cause::NotForward { .. } => {
+                "let the method set t1_s after t0_s, at most to limit_s".to_owned()
             }
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
                 "{halve}; contacts without damping need some (contact.damping_n_s_m1_5, \

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use super::guard::{Cause, Stop};
+use super::guard::Cause;
 use super::outcome::Ending;
 use super::run_tracker::RunTracker;
 use super::watch::Made;
@@ -73,6 +73,18 @@ pub(super) fn made(world: &World, y: &[f64], k: usize) -> Made {
     }
 }
 
+/// Passes a step that goes on and ends at its limit at the latest.
+#[inline]
+pub(super) fn check_forward(step: &StepState, limit_s: f64) -> Result<(), Cause> {
+    match step.t1_s > step.t0_s && step.t1_s <= limit_s {
+        true => Ok(()),
+        false => Err(Cause::NotForward {
+            end_s: step.t1_s,
+            limit_s,
+        }),
+    }
+}
+
 /// Advances bearings to `until_s`, or until each has ended.
 pub(super) fn advance(
     integrator: &mut dyn Advance,
@@ -85,13 +97,18 @@ pub(super) fn advance(
     while trackers.iter().any(RunTracker::under_way) {
         if let Err(error) = integrator.make_step(world, until_s) {
             for tracker in trackers.iter_mut() {
-                let stop = Stop::new(tracker.context.case, error.time_s, Cause::NotResolved);
-                tracker.stop(stop, &integrator.step().y1);
+                tracker.stop_unresolved(error.time_s, &integrator.step().y1);
             }
             break;
         }
         steps += 1;
         let step = integrator.step();
+        if let Err(cause) = check_forward(step, until_s) {
+            for tracker in trackers.iter_mut() {
+                tracker.stop_for(cause.clone(), step);
+            }
+            break;
+        }
         world.look(&step.y1);
         for tracker in trackers.iter_mut().filter(|c| c.under_way()) {
             tracker.follow(step, |bearing| world.contacts_of(bearing), until_s);

@@ -1,6 +1,6 @@
 //! One bearing on its way through a run, with its observers.
 
-use super::guard::Stop;
+use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext};
 use super::outcome::{Ending, RunOutcome};
 use super::watch::{Made, Watch};
@@ -59,7 +59,18 @@ impl<'s, 'o> RunTracker<'s, 'o> {
     }
 
     /// Ends at a step that the method could not make.
-    pub(super) fn stop(&mut self, stop: Stop, values: &[f64]) {
+    pub(super) fn stop_unresolved(&mut self, time_s: f64, values: &[f64]) {
+        let stop = self.watch.stop_unresolved(self.context.case, time_s);
+        self.stop(stop, values);
+    }
+
+    /// Ends at a step for this cause.
+    pub(super) fn stop_for(&mut self, cause: Cause, step: &StepState) {
+        let stop = self.watch.stop(self.context.case, step.t0_s, cause);
+        self.stop(stop, &step.y1);
+    }
+
+    fn stop(&mut self, stop: Stop, values: &[f64]) {
         self.end(Ending::Stopped(stop), values);
     }
 

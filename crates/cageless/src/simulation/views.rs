@@ -1,9 +1,21 @@
 //! Views of balls, inner ring and rotor at the end of a step, which copy nothing.
+//!
+//! ```
+//! use cageless::prelude::*;
+//!
+//! let case = CaseBuilder::of(reference::bearing()).inner_speed_rad_s(1000.0).radial_load_n(500.0);
+//! let case = case.change(|case| case.operation.space.axial_load_n = 200.0).build()?; // moves in space
+//! let simulation = Simulation::new(&case)?;
+//! let view = simulation.view();
+//! assert!(view.ring().z_m > 0.0);
+//! assert!(view.ball(0).inner_contact_angle_rad() > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use std::f64::consts::TAU;
 
 use super::observer::StepView;
-use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 
 /// A ball at the end of a step.
 #[derive(Clone, Copy)]
@@ -17,7 +29,8 @@ macro_rules! coordinates {
     ($($(#[$meta:meta])* $name:ident: $coordinate:ident;)*) => {
         $($(#[$meta])*
         pub fn $name(&self) -> f64 {
-            self.step.step.y1[self.step.layout().ball(BallCoordinate::$coordinate, self.index)]
+            let (layout, y1) = (self.step.layout(), &self.step.step.y1);
+            layout.ball_at(y1, BallCoordinate::$coordinate, self.index)
         })*
     };
 }
@@ -47,6 +60,14 @@ impl BallView<'_> {
         vx_m_s: Vx;
         /// Ẏ of the centre, m/s.
         vy_m_s: Vy;
+        /// Z of the centre, m; 0 in the plane.
+        z_m: Z;
+        /// Ż of the centre, m/s; 0 in the plane.
+        vz_m_s: Vz;
+        /// Rotation about X, rad/s; 0 in the plane.
+        omega_x_rad_s: OmegaX;
+        /// Rotation about Y, rad/s; 0 in the plane.
+        omega_y_rad_s: OmegaY;
     }
 
     /// Continuous ψ, rad.
@@ -60,6 +81,19 @@ impl BallView<'_> {
         let turn = if ahead <= self.index { TAU } else { 0.0 };
         let angle = |k| self.step.angle_after_rad(k);
         angle(ahead) + turn - angle(self.index) - self.step.model.pair_angle_rad(self.index)
+    }
+
+    /// Contact angle at the inner raceway, rad, positive where an axial load along +Z presses: 0 in the plane, NaN
+    /// without contact in space.
+    pub fn inner_contact_angle_rad(&self) -> f64 {
+        let ball = self.step.contacts.in_space(self.index);
+        ball.map_or(0.0, |contacts| contacts.inner_contact_angle_rad())
+    }
+
+    /// Angle of the force at the outer raceway, rad: 0 in the plane, NaN without contact in space.
+    pub fn outer_contact_angle_rad(&self) -> f64 {
+        let ball = self.step.contacts.in_space(self.index);
+        ball.map_or(0.0, |contacts| contacts.outer_contact_angle_rad())
     }
 
     of_contacts! {
@@ -93,6 +127,14 @@ pub struct RingView {
     pub vy_m_s: f64,
     /// ωi, rad/s, counter-clockwise.
     pub speed_rad_s: f64,
+    /// Z of the centre, m; like the next three 0 in the plane.
+    pub z_m: f64,
+    /// Ż of the centre, m/s.
+    pub vz_m_s: f64,
+    /// Tilt about X, rad.
+    pub tilt_x_rad: f64,
+    /// Tilt about Y, rad.
+    pub tilt_y_rad: f64,
 }
 
 /// The rotor at the end of a step.
@@ -136,12 +178,17 @@ impl<'a> StepView<'a> {
     /// The inner ring.
     pub fn ring(&self) -> RingView {
         let ring = self.layout().ring_motion(&self.step.y1);
+        let at = |coordinate| self.layout().at(&self.step.y1, coordinate);
         RingView {
             x_m: ring.x,
             y_m: ring.y,
             vx_m_s: ring.vx,
             vy_m_s: ring.vy,
             speed_rad_s: self.contacts.inner_ring_speed_rad_s(),
+            z_m: at(RingCoordinate::Z),
+            vz_m_s: at(RingCoordinate::Vz),
+            tilt_x_rad: -at(RingCoordinate::TiltQ),
+            tilt_y_rad: at(RingCoordinate::TiltP),
         }
     }
 

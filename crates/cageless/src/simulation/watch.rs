@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use super::guard::{ENERGY_MIN_J, Guard, Stop};
+use super::guard::{Cause, ENERGY_MIN_J, Guard, Stop};
 use super::observer::{RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
 use crate::case::Case;
@@ -39,6 +39,7 @@ pub(super) struct Watch {
     recent_for_s: f64,
     end_s: f64,
     steps: u64,
+    longest_s: f64,
 }
 
 impl Watch {
@@ -53,15 +54,17 @@ impl Watch {
             interpolator: RefCell::new(RightHandSide::new(model)),
             recent_angle: context.start_angle_rad.to_vec(),
             recent_s: 0.0,
-            recent_for_s: 0.0,
+            recent_for_s: f64::INFINITY,
             end_s: 0.0,
             steps: 0,
+            longest_s: 0.0,
         };
         watch.look_as_often_as(case);
         watch
     }
 
-    /// Sets how often position angles are brought up to date, from the speed of a case.
+    /// Brings position angles up to date at least as often as the speed of a case asks for; balls coast on when it
+    /// falls.
     pub(super) fn look_as_often_as(&mut self, case: &Case) {
         let rolling = case.rolling_orbit_speed_rad_s();
         let orbit = if case.has_constant_operation() {
@@ -69,7 +72,7 @@ impl Watch {
         } else {
             rolling.max(SLOW_ORBIT_RAD_S)
         };
-        self.recent_for_s = RECENT_RAD / orbit;
+        self.recent_for_s = self.recent_for_s.min(RECENT_RAD / orbit);
     }
 
     /// Right-hand side of snapshots within a step.
@@ -89,18 +92,35 @@ impl Watch {
         thorough: bool,
     ) -> Result<(), Stop> {
         (self.end_s, self.steps) = (step.t1_s, self.steps + 1);
+        self.longest_s = self.longest_s.max(step.size_s());
         if thorough || Guard::is_due(self.steps) {
             let contacts = contacts_of(self.bearing);
             let checked = match thorough {
                 true => self.guard.look(&contacts, &step.y1),
                 false => self.guard.check(self.steps, &contacts, &step.y1),
             };
-            checked.map_err(|cause| Stop::new(case, step.t1_s, cause))?;
+            checked.map_err(|cause| self.stop(case, step.t1_s, cause))?;
         }
         if step.t1_s - self.recent_s > self.recent_for_s {
             self.update_angles(step);
         }
         Ok(())
+    }
+
+    /// Stop for this cause; its step is at most the longest that was made, as a method of one's own has its own.
+    pub(super) fn stop(&self, case: &Case, time_s: f64, cause: Cause) -> Stop {
+        let mut stop = Stop::new(case, time_s, cause);
+        if self.longest_s > 0.0 {
+            stop.step_s = stop.step_s.min(self.longest_s);
+        }
+        stop
+    }
+
+    /// Stop at a step that could not be made, for what a law of one's own returned if that cannot be.
+    pub(super) fn stop_unresolved(&self, case: &Case, time_s: f64) -> Stop {
+        let fault = self.model.friction_fault().cloned();
+        let cause = fault.map_or(Cause::NotResolved, Cause::from);
+        self.stop(case, time_s, cause)
     }
 
     #[inline(never)] // most steps do without
