@@ -111,7 +111,7 @@ impl Start {
         state.values_mut().copy_from_slice(own);
         Ok(Self {
             time_s: values[0],
-            state,
+            state: state.without_ledger(),
             angles_rad: angles_rad.to_vec(),
         })
     }

@@ -72,10 +72,9 @@ fn assert_sound(simulation: &Simulation, when: &str) {
         let k = ball.index();
         assert_eq!(snapshot.x_m[k], ball.x_m(), "{when}");
         let load_n = ball.outer_force_n();
-        assert!(
-            (snapshot.outer_force_n[k] / load_n - 1.0).abs() < 1e-9,
-            "{when} {load_n}"
-        );
+        // The view has the last evaluation of the method, before its last correction.
+        let relative = snapshot.outer_force_n[k] / load_n - 1.0;
+        assert!(relative.abs() < 1e-4, "{when} {load_n}: {relative:e}");
         assert!(
             (snapshot.angle_rad[k] - ball.angle_rad()).abs() < 1e-12,
             "{when}"

@@ -66,8 +66,8 @@ impl State {
         }
     }
 
-    /// The state with nothing in its energy ledger.
-    pub(crate) fn without_ledger(mut self) -> Self {
+    /// The state with nothing in its energy ledger: that of a start.
+    pub fn without_ledger(mut self) -> Self {
         for term in self.layout.energy_terms() {
             self.values[self.layout.energy_term(*term)] = 0.0;
         }

@@ -65,24 +65,24 @@ impl Simulation {
         Ok(Self::at(case, &state, &angle_rad)?)
     }
 
-    /// The bearing of `case` in a given state at t = 0, with ψ of each ball in rad; its energy ledger begins there.
+    /// The bearing of `case` in a given state at t = 0, with ψ of each ball in rad. Its energy ledger goes on with
+    /// what the state has; see [`State::without_ledger`].
     ///
     /// # Errors
     /// The case is impossible.
     pub fn at(case: &Case, state: &State, angle_rad: &[f64]) -> Result<Self, InputError> {
         let model = Model::new(case)?;
-        let start = state.clone().without_ledger();
         let mut world = World::of_bearing(&model);
         let (solver, dimension) = (&case.solver, world.dimension());
         let method = CaseMethod::new(solver.method, dimension, solver.step_s, solver.tolerance);
         let context = RunContext {
             case,
             model: &model,
-            start: &start,
+            start: state,
             start_angle_rad: angle_rad,
         };
         let watch = Watch::new(&context, world.layout(0), 0);
-        let values = world.vector([&start]);
+        let values = world.vector([state]);
         let mut integrator = Integrator::new(method, dimension);
         world.begin(&values);
         integrator.restart(&mut world, 0.0, &values);
