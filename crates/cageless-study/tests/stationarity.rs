@@ -48,7 +48,7 @@ fn runs(with_raceway: bool, set: &[&str], change: &Change) -> Vec<Vec<SteadyBloc
         assert!(errors.is_empty(), "{errors:?}");
         recorders
             .iter()
-            .map(|r| r.blocks().to_vec())
+            .map(|r| r.blocks.to_vec())
             .collect::<Vec<_>>()
     });
     batches.flatten().collect()

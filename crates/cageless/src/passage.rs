@@ -96,6 +96,29 @@ struct PassageSums {
     outside_s: f64,
 }
 
+/// Means over passages; NaN without any.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PassageMeans {
+    /// Time inside, s.
+    pub duration_s: f64,
+    /// Contacts with either neighbour that began inside.
+    pub collisions: f64,
+    /// Fraction of the passages in which both neighbours hit.
+    pub double_collision_fraction: f64,
+    /// Largest |ΔVi| or |ΔVo| in each, m/s.
+    pub sliding_m_s: f64,
+    /// Smallest gap ahead in each.
+    pub gap_min_rad: f64,
+    /// What a ball loses in one passage against the mean orbital speed between passages, with a film against that of
+    /// rolling: that speed times the time inside, less the angle of the raceway. Where the speed varies, times are
+    /// those in which the inner ring would turn as far at its largest. NaN until a ball has passed two.
+    pub lag_rad: f64,
+    /// Fraction of the time inside without force at the inner raceway.
+    pub unloaded_fraction: f64,
+    /// Smallest orbital speed in each, at the largest speed of the inner ring, rad/s. NaN where that stands in all.
+    pub lowest_orbit_speed_rad_s: f64,
+}
+
 /// Sums over passages, accumulated one by one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassageTally {
@@ -145,54 +168,20 @@ impl PassageTally {
         self.gap_leave_range_rad = [low.min(p.gap_leave_rad), high.max(p.gap_leave_rad)];
     }
 
-    /// Mean of a sum over all passages.
-    fn mean(&self, sum: f64) -> f64 {
-        sum / self.count as f64
-    }
-
-    /// Mean time inside; like all means NaN without passages.
-    pub fn duration_mean_s(&self) -> f64 {
-        self.mean(self.sums.inside_s)
-    }
-
-    /// Mean number of contacts with either neighbour that began inside.
-    pub fn collisions_mean(&self) -> f64 {
-        self.mean(self.sums.collisions)
-    }
-
-    /// Fraction of the passages in which both neighbours hit.
-    pub fn double_collision_fraction(&self) -> f64 {
-        self.mean(self.sums.double_collisions)
-    }
-
-    /// Mean over the passages of the largest |ΔVi| or |ΔVo| in each.
-    pub fn sliding_mean_m_s(&self) -> f64 {
-        self.mean(self.sums.sliding_max_m_s)
-    }
-
-    /// Mean of the smallest gap ahead in each.
-    pub fn gap_min_mean_rad(&self) -> f64 {
-        self.mean(self.sums.gap_min_rad)
-    }
-
-    /// What a ball loses in one passage against the mean orbital speed between passages, with a film against that of
-    /// rolling: that speed times the time inside, less the angle of the raceway. Where the speed varies, times are
-    /// those in which the inner ring would turn as far at its largest. NaN until a ball has passed two.
-    pub fn lag_mean_rad(&self) -> f64 {
-        let sums = &self.sums;
-        sums.outside_rad / sums.outside_s * self.mean(sums.inside_at_largest_s)
-            - self.mean(sums.angle_rad)
-    }
-
-    /// Fraction of the time inside without force at the inner raceway.
-    pub fn unloaded_fraction(&self) -> f64 {
-        self.sums.unloaded_s / self.sums.inside_s
-    }
-
-    /// Mean of the smallest orbital speed in each, at the largest speed of the inner ring. NaN where that stands in
-    /// all.
-    pub(crate) fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
-        self.sums.slowest_at_largest_rad_s / self.turned as f64
+    /// Means of the passages so far.
+    pub fn means(&self) -> PassageMeans {
+        let (sums, count) = (&self.sums, self.count as f64);
+        let between_rad_s = sums.outside_rad / sums.outside_s;
+        PassageMeans {
+            duration_s: sums.inside_s / count,
+            collisions: sums.collisions / count,
+            double_collision_fraction: sums.double_collisions / count,
+            sliding_m_s: sums.sliding_max_m_s / count,
+            gap_min_rad: sums.gap_min_rad / count,
+            lag_rad: between_rad_s * (sums.inside_at_largest_s / count) - sums.angle_rad / count,
+            unloaded_fraction: sums.unloaded_s / sums.inside_s,
+            lowest_orbit_speed_rad_s: sums.slowest_at_largest_rad_s / self.turned as f64,
+        }
     }
 }
 
@@ -707,7 +696,7 @@ mod tests {
             for [ahead, behind] in hits {
                 tally.add(&passage(1.0, ahead, behind));
             }
-            tally.double_collision_fraction()
+            tally.means().double_collision_fraction
         };
         assert_eq!(fraction([[2, 0], [0, 3]]), 0.0);
         assert_eq!(fraction([[1, 1], [2, 0]]), 0.5);
@@ -716,19 +705,19 @@ mod tests {
     #[test]
     fn every_mean_is_that_of_its_number() {
         let mut tally = PassageTally::new();
-        assert!(tally.duration_mean_s().is_nan());
+        assert!(tally.means().duration_s.is_nan());
         tally.add(&passage(1.0, 3, 0));
         tally.add(&passage(3.0, 1, 4));
         assert_eq!(tally.count, 2);
-        assert_eq!(tally.duration_mean_s(), 4.0);
+        assert_eq!(tally.means().duration_s, 4.0);
         // 0.25 rad/s between passages, 4 s within, 0.5 rad.
-        assert_eq!(tally.lag_mean_rad(), 0.5);
-        assert_eq!(tally.collisions_mean(), 4.0);
-        assert_eq!(tally.double_collision_fraction(), 0.5);
-        assert_eq!(tally.gap_min_mean_rad(), 10.0);
-        assert_eq!(tally.sliding_mean_m_s(), 14.0);
-        assert_eq!(tally.unloaded_fraction(), 0.25);
-        assert_eq!(tally.lowest_orbit_speed_mean_rad_s(), 16.0);
+        assert_eq!(tally.means().lag_rad, 0.5);
+        assert_eq!(tally.means().collisions, 4.0);
+        assert_eq!(tally.means().double_collision_fraction, 0.5);
+        assert_eq!(tally.means().gap_min_rad, 10.0);
+        assert_eq!(tally.means().sliding_m_s, 14.0);
+        assert_eq!(tally.means().unloaded_fraction, 0.25);
+        assert_eq!(tally.means().lowest_orbit_speed_rad_s, 16.0);
         assert_eq!(tally.gap_leave_range_rad, [6.0, 18.0]);
     }
 }

@@ -7,7 +7,7 @@ use cageless::OrbitMeans;
 use cageless::SpatialSummary;
 use cageless::design::Criterion;
 use cageless::dynamics::EnergyTerm;
-use cageless::passage::PassageTally;
+use cageless::passage::PassageMeans;
 use cageless::rating::{PassingFrequencies, skf_friction_torque_n_m};
 use cageless::summary::{ContactPeak, Summary};
 
@@ -87,13 +87,13 @@ pub const RUN: &[Quantity] = &[
     group(Group::Frequencies, quantity("bpfi_observed_hz", "Hz", "BPFI in the motion", Run(|r| of_means(r, |means| means.bpfi_hz)))),
     group(Group::Frequencies, quantity("bsf_observed_hz", "Hz", "BSF in the motion", Run(|r| of_means(r, |means| means.bsf_hz)))),
     group(Group::Passages, integer("passages", "passages through a discrete raceway", Run(|r| Cell::Integer(r.passages.count as i64)))),
-    group(Group::Passages, quantity("passage_duration_mean_ms", "ms", "time of a passage, mean", Run(|r| of_tally(r, |p| p.duration_mean_s() * 1e3)))),
-    group(Group::Passages, means(LAG, high(quantity("lag_per_pass_deg", "deg", "lag of a ball per pass of a discrete raceway, mean", Run(|r| of_tally(r, |p| p.lag_mean_rad().to_degrees())))))),
-    group(Group::Passages, low(quantity("passage_collisions_mean", "", "contacts per passage, mean", Run(|r| of_tally(r, PassageTally::collisions_mean))))),
-    group(Group::Passages, unless_zero(means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "passages with a double collision", Run(|r| of_tally(r, PassageTally::double_collision_fraction))))))),
-    group(Group::Passages, quantity("passage_sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Run(|r| of_tally(r, PassageTally::sliding_mean_m_s)))),
-    group(Group::Passages, unless_zero(means(UNLOADED, quantity("passage_unloaded_fraction", "", "time in raceways without force at the inner raceway, share", Run(|r| of_tally(r, PassageTally::unloaded_fraction)))))),
-    group(Group::Passages, quantity("passage_gap_min_mean_deg", "deg", "smallest gap ahead in a passage, mean", Run(|r| of_tally(r, |p| p.gap_min_mean_rad().to_degrees())))),
+    group(Group::Passages, quantity("passage_duration_mean_ms", "ms", "time of a passage, mean", Run(|r| of_passages(r, |p| p.duration_s * 1e3)))),
+    group(Group::Passages, means(LAG, high(quantity("lag_per_pass_deg", "deg", "lag of a ball per pass of a discrete raceway, mean", Run(|r| of_passages(r, |p| p.lag_rad.to_degrees())))))),
+    group(Group::Passages, low(quantity("passage_collisions_mean", "", "contacts per passage, mean", Run(|r| of_passages(r, |p| p.collisions))))),
+    group(Group::Passages, unless_zero(means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "passages with a double collision", Run(|r| of_passages(r, |p| p.double_collision_fraction))))))),
+    group(Group::Passages, quantity("passage_sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Run(|r| of_passages(r, |p| p.sliding_m_s)))),
+    group(Group::Passages, unless_zero(means(UNLOADED, quantity("passage_unloaded_fraction", "", "time in raceways without force at the inner raceway, share", Run(|r| of_passages(r, |p| p.unloaded_fraction)))))),
+    group(Group::Passages, quantity("passage_gap_min_mean_deg", "deg", "smallest gap ahead in a passage, mean", Run(|r| of_passages(r, |p| p.gap_min_rad.to_degrees())))),
     group(Group::Computation, means("statistics are of the time after it", quantity("settled_after_s", "s", "end of the transient", Run(|r| of_summary(r, |s| s.settled_after_s))))),
     group(Group::Computation, means("whole orbits of the balls over which mean powers and speeds are averaged; 0: the run is shorter than one, the means are over its end", integer("averaged_orbits", "orbits of mean powers and speeds", Run(|r| r.summary.and_then(|s| s.means).map_or(Cell::Null, |m| Cell::Integer(i64::from(m.orbits))))))),
     group(Group::Computation, means(ENERGY_RESIDUAL, quantity("energy_residual_relative", "", "energy balance error (relative)", Run(|r| some(r.outcome.energy_residual_relative))))),
@@ -148,8 +148,8 @@ fn of_rolling(run: &Finished<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell
         .into()
 }
 
-fn of_tally(run: &Finished<'_>, value: fn(&PassageTally) -> f64) -> Cell {
-    some(value(run.passages))
+fn of_passages(run: &Finished<'_>, value: fn(&PassageMeans) -> f64) -> Cell {
+    some(value(&run.passages.means()))
 }
 
 /// A number of a run in space.

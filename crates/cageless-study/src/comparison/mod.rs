@@ -412,8 +412,8 @@ fn outcomes(
         let (results, verdict) = (recorder.run).finished(case, &outcome, |run| {
             (Results::of(RUN, Subject::Run(run)), run.verdict.clone())
         });
-        let blocks = recorder.steady.blocks().to_vec();
-        let force_n = recorder.steady.transient_force_max_n();
+        let blocks = recorder.steady.blocks.to_vec();
+        let force_n = recorder.steady.transient_force_max_n;
         let steady = SteadySummary::new(&case.bearing, &blocks, force_n);
         let mut results = results.and(Results::of(STEADY, Subject::Steady(&steady)));
         if let Some(vibration) = &recorder.vibration {

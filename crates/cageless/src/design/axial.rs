@@ -195,7 +195,7 @@ fn lag_and_angle(
     let space = summary.summary().and_then(|summary| summary.space);
     let space = space.filter(|_| tally.count > 0);
     let found = space.map(|s| LagAndAngle {
-        lag_rad: tally.lag_mean_rad(),
+        lag_rad: tally.means().lag_rad,
         inner_contact_angle_rad: s.inner_contact_angle_mean_rad,
     });
     Ok(found.ok_or(NoLag::NoPassage))

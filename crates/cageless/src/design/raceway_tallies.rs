@@ -52,7 +52,7 @@ impl RacewayTallies {
 
     /// How far raceway `k` slows the balls; not known before a ball has passed, of the lag before one has passed two.
     pub(super) fn slowing(&self, case: &Case, k: usize) -> Criterion {
-        let slowest_rad_s = self.of_raceway[k].lowest_orbit_speed_mean_rad_s();
+        let slowest_rad_s = self.of_raceway[k].means().lowest_orbit_speed_rad_s;
         Criterion::slowing(
             case.has_elastic_flanks(),
             speed_drop_fraction(case, &case.raceways[k], slowest_rad_s),
@@ -68,7 +68,7 @@ impl RacewayTallies {
             kinematic_lag_rad(&case.bearing, raceway, raceway.section_angle_rad(), 0.0);
         let fraction = |tally: &PassageTally| match tally.count {
             0 => 0.0,
-            _ => tally.lag_mean_rad() / rolling_rad,
+            _ => tally.means().lag_rad / rolling_rad,
         };
         self.of_row[k]
             .iter()

@@ -56,7 +56,7 @@ impl RunVerdict {
         if missing.is_none() && nothing_to_judge(case).is_none() {
             criteria.extend(film_queue(case, run.half_turn_lag_rad));
             for k in 0..case.raceways.len() {
-                let twice = run.passages.of_raceway(k).double_collision_fraction();
+                let twice = run.passages.of_raceway(k).means().double_collision_fraction;
                 criteria.push(run.passages.slowing(case, k));
                 criteria.push(BOTH_NEIGHBOURS.of(twice));
             }

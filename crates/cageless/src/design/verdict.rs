@@ -618,15 +618,15 @@ fn statistics(case: &Case, k: usize, tallies: &RacewayTallies) -> Option<Passage
     let [gap_leave_min_rad, gap_leave_max_rad] = tally.gap_leave_range_rad;
     Some(PassageStatistics {
         passages: tally.count as usize,
-        collisions_mean: tally.collisions_mean(),
-        double_collision_fraction: tally.double_collision_fraction(),
-        sliding_mean_m_s: tally.sliding_mean_m_s(),
+        collisions_mean: tally.means().collisions,
+        double_collision_fraction: tally.means().double_collision_fraction,
+        sliding_mean_m_s: tally.means().sliding_m_s,
         speed_drop_fraction: speed_drop_fraction(
             case,
             raceway,
-            tally.lowest_orbit_speed_mean_rad_s(),
+            tally.means().lowest_orbit_speed_rad_s,
         ),
-        lag_mean_rad: tally.lag_mean_rad(),
+        lag_mean_rad: tally.means().lag_rad,
         lag_fraction: tallies.lag_fraction(case, k),
         gap_leave_max_rad,
         gap_leave_min_rad,

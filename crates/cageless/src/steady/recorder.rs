@@ -40,27 +40,19 @@ pub struct SteadyBlock {
 pub struct SteadyRecorder {
     counter: Option<ContactCounter>,
     gaps: GapVariance,
-    blocks: Vec<SteadyBlock>,
+    /// The blocks.
+    pub blocks: Vec<SteadyBlock>,
     from_s: f64,
     block_s: f64,
     steps: u64,
-    transient_force_max_n: f64,
+    /// Largest force between balls in the transient, N.
+    pub transient_force_max_n: f64,
 }
 
 impl SteadyRecorder {
     /// Recorder of a run from its start to its end.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// The blocks.
-    pub fn blocks(&self) -> &[SteadyBlock] {
-        &self.blocks
-    }
-
-    /// Largest force between balls in the transient, N.
-    pub fn transient_force_max_n(&self) -> f64 {
-        self.transient_force_max_n
     }
 }
 

@@ -243,7 +243,7 @@ impl ReplicaObserver {
             Quantity::OuterForceMax => s.peaks.outer.force_n,
             Quantity::PowerLoss => mean(|means| means.power_loss_w),
             Quantity::FrictionTorque => mean(|means| means.friction_torque_n_m),
-            Quantity::LagPerPass => self.passages.tally.lag_mean_rad(),
+            Quantity::LagPerPass => self.passages.tally.means().lag_rad,
             Quantity::RingXEnd => ring.x,
             Quantity::RingYEnd => ring.y,
             Quantity::LeadBallAngleEnd => self.lead_angle_rad,

@@ -19,7 +19,8 @@ pub struct Measurement {
     decimator: Decimator,
     seen: u64,
     moments: Moments,
-    peak: f64,
+    /// Largest absolute value.
+    pub peak: f64,
     trace: MinMaxDecimator<[f64; 2]>,
     welch: Welch,
 }
@@ -66,11 +67,6 @@ impl Measurement {
     /// Root mean square of the deviation from the mean; NaN without samples.
     pub fn rms(&self) -> f64 {
         self.moments.deviation()
-    }
-
-    /// Largest absolute value.
-    pub fn peak(&self) -> f64 {
-        self.peak
     }
 
     /// Times and values: every sample of a short measurement, else the lowest and the
@@ -172,7 +168,7 @@ mod tests {
             assert!((measurement.rms() / rms - 1.0).abs() < 1e-12);
             // √((2² + 0.3²)/2), but for the part of a period of the slow sine.
             assert!((rms - 1.430).abs() < 0.01, "{rms}");
-            assert_eq!(measurement.peak(), peak);
+            assert_eq!(measurement.peak, peak);
             let trace = measurement.trace();
             assert!(trace.iter().any(|[_, v]| v.abs() == peak));
             let s = measurement.spectrum();

@@ -137,7 +137,7 @@ fn lag_per_pass_against_rolling() {
         drop(recorder);
         let angle_rad = 2.0 * case.raceways[0].half_angle_rad();
         let lag_rad = case.rolling_orbit_speed_rad_s() * time_s / count - angle_rad;
-        let shown_rad = tally.lag_mean_rad();
+        let shown_rad = tally.means().lag_rad;
         assert!(
             mpa_s == 0.0 || (shown_rad - lag_rad).abs() < 1e-9,
             "{shown_rad} {lag_rad}"

@@ -182,7 +182,7 @@ fn a_deep_raceway_unloads_balls() {
         .unwrap();
         let [loaded_s, unloaded_s] = time.passed_s;
         let fraction = unloaded_s / (loaded_s + unloaded_s);
-        let passed = tally.unloaded_fraction();
+        let passed = tally.means().unloaded_fraction;
         assert!((fraction - passed).abs() < 1e-3, "{fraction} {passed}");
         passed
     };

@@ -180,7 +180,7 @@ fn a_slot_unloads_balls() {
         Ok(())
     });
     run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
-    let unloaded = tally.unloaded_fraction();
+    let unloaded = tally.means().unloaded_fraction;
     assert!(unloaded > 0.5, "{unloaded}");
 }
 

@@ -95,7 +95,7 @@ fn lag_deg(case: &mut Case) -> f64 {
         "{:?}",
         outcome.ending
     );
-    tally.lag_mean_rad().to_degrees()
+    tally.means().lag_rad.to_degrees()
 }
 
 /// Lags that a program written apart from this one found: in the plane, and in space under

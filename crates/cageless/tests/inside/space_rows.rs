@@ -264,7 +264,7 @@ fn lag_deg(case: &mut Case) -> f64 {
     });
     let outcome = run(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
     assert!(matches!(outcome.ending, Ending::Complete));
-    tally.lag_mean_rad().to_degrees()
+    tally.means().lag_rad.to_degrees()
 }
 
 /// Lags of a pair back to back, 15 µm preload under 1500 N, that a program written apart from this one

@@ -36,7 +36,7 @@ fn read(case: &Case) -> Read {
     Read {
         summary: summary.summary().unwrap(),
         heat_w: [EnergyTerm::InnerFriction, EnergyTerm::OuterFriction].map(ledger),
-        lag_rad: passages.tally.lag_mean_rad(),
+        lag_rad: passages.tally.means().lag_rad,
     }
 }
 

@@ -272,13 +272,13 @@ fn motion(
         collisions: contacts.begun[0] / ball_turns,
         collisions_late: contacts.begun[1] / (ball_turns / 2.0),
         impulse_n_s: contacts.impulse_n_s / ball_turns,
-        double_collision_fraction: tally.double_collision_fraction(),
+        double_collision_fraction: tally.means().double_collision_fraction,
         gap_deviation_rad: variance.sqrt(),
         gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
         gap_mean_rad,
-        sliding_m_s: tally.sliding_mean_m_s(),
+        sliding_m_s: tally.means().sliding_m_s,
         speed_drop_fraction: least(&|k| {
-            let slowest_rad_s = tallies.of_raceway(k).lowest_orbit_speed_mean_rad_s();
+            let slowest_rad_s = tallies.of_raceway(k).means().lowest_orbit_speed_rad_s;
             speed_drop_fraction(case, &case.raceways[k], slowest_rad_s)
         }),
         lag_fraction: least(&|k| tallies.lag_fraction(case, k)),

@@ -558,7 +558,7 @@ fn every_quantity_of_a_verification() {
         .iter()
         .filter(|p| p.enter_s > s.settled_after_s);
     settled.for_each(|passage| tally.add(passage));
-    let lag = tally.lag_mean_rad();
+    let lag = tally.means().lag_rad;
     for quantity in Quantity::ALL {
         let (expected, fraction) = match quantity {
             Quantity::Collisions => (s.collisions.all as f64, 0.0),

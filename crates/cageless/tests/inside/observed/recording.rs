@@ -180,11 +180,7 @@ pub static RECORDING: LazyLock<Recording> = LazyLock::new(|| {
     Recording {
         rows: every.0,
         summary: summary.summary().unwrap(),
-        steady: SteadySummary::new(
-            &case.bearing,
-            steady.blocks(),
-            steady.transient_force_max_n(),
-        ),
+        steady: SteadySummary::new(&case.bearing, &steady.blocks, steady.transient_force_max_n),
         record: replica.record(&outcome).unwrap(),
         case,
         collisions,
