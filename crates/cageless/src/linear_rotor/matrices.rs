@@ -10,7 +10,8 @@ use super::{ClearancePlane, DMatrix, DVector, LinearRotor, RotorError, Unbalance
 /// (M + Ma)·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
 ///
 /// A node has the coordinates [x, y, α, β]: displacements along X and Y in m, and rotations about
-/// X and Y in rad. Those of all nodes are followed by [x, y] of each housing.
+/// X and Y in rad, so that of a rigid tilt dx/dz = β and dy/dz = −α. Those of all nodes are followed
+/// by [x, y] of each housing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorMatrices {
     /// M, symmetric and positive definite.
@@ -19,7 +20,7 @@ pub struct RotorMatrices {
     pub added_mass: DMatrix<f64>,
     /// C.
     pub damping: DMatrix<f64>,
-    /// G, antisymmetric.
+    /// G, antisymmetric; of a disc +Ip in row α and column β, −Ip in row β and column α.
     pub gyroscopic: DMatrix<f64>,
     /// K; its antisymmetric part is that of cross-coupled stiffnesses.
     pub stiffness: DMatrix<f64>,
@@ -85,13 +86,7 @@ impl RotorMatrices {
             matrix.select_rows(rows).select_columns(columns)
         };
         let stiffness = symmetric(&self.stiffness);
-        let singular = || {
-            RotorError::Bearings(format!(
-                "the rotor could still move freely with the {} kept nodes held: two touch-down \
-                 bearings hold it, or kept nodes elsewhere",
-                held.len()
-            ))
-        };
+        let singular = || moves_freely(held.len());
         let inner_stiffness = part(&stiffness, &inner, &inner);
         let factor = inner_stiffness.clone().cholesky().ok_or_else(singular)?;
         if !is_well_held(&factor.l(), &inner_stiffness) {
@@ -276,7 +271,8 @@ impl RotorMatrices {
             "polar_inertia_kg_m2",
             POLAR_INERTIA,
             self.polar_inertia_kg_m2,
-        )
+        )?;
+        self.check_tilts()
     }
 }
 
@@ -295,6 +291,17 @@ impl Reduction {
         }
         Ok(())
     }
+}
+
+/// The error of a rotor that so many kept nodes do not hold.
+fn moves_freely(held: usize) -> RotorError {
+    let remedy = match held {
+        1 => "two touch-down bearings hold it, or kept nodes elsewhere",
+        _ => "K connects its nodes, and the coordinates are [x, y, α, β] of each node in turn",
+    };
+    RotorError::Bearings(format!(
+        "the rotor could still move freely with the {held} kept nodes held: {remedy}"
+    ))
 }
 
 /// Checks that a matrix is `sign` times its transpose.

@@ -26,6 +26,7 @@
 mod matrices;
 mod normal;
 mod rigid;
+mod tilts;
 
 pub use matrices::{Reduction, RotorMatrices};
 pub use nalgebra::{Complex, DMatrix, DVector};

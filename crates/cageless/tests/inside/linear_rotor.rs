@@ -365,6 +365,29 @@ fn impossible_rotors_are_refused_by_name() {
     );
     assert!(broken(|m| m.stiffness[(1, 1)] = f64::NAN).contains("matrix K must be of finite"));
     assert!(broken(|m| m.polar_inertia_kg_m2 = 0.0).contains("polar_inertia_kg_m2 = 0"));
+    assert!(broken(|m| m.gyroscopic.neg_mut()).contains("G must be +Ip in row α and column β"));
+    assert!(
+        broken(|m| m.polar_inertia_kg_m2 = 0.1).contains("by G, polar_inertia_kg_m2 is 1.000e-1")
+    );
+    assert!(
+        broken(|m| m.polar_inertia_kg_m2 = 0.01).contains("by G, polar_inertia_kg_m2 is 1.000e-2")
+    );
+    let slopes = broken(|m| {
+        for matrix in [&mut m.mass, &mut m.stiffness, &mut m.gyroscopic] {
+            for alpha in (2..20).step_by(4) {
+                matrix.row_mut(alpha).neg_mut();
+                matrix.column_mut(alpha).neg_mut();
+            }
+        }
+    });
+    assert!(slopes.contains("K must be of rotations about X and Y, dx/dz = β and dy/dz = −α"));
+    let apart = broken(|m| m.stiffness.fill(0.0));
+    assert!(
+        apart.contains("with the 2 kept nodes held: K connects its nodes, and the coordinates")
+    );
+    let mut without = shaft(4);
+    without.gyroscopic.fill(0.0);
+    assert!(without.reduce(&at(&[0, 4])).is_ok());
     let rotor = || rigid([-0.1, 0.2]).linear().unwrap();
     let drop = |cases: Vec<Case>, step| {
         said(RotorDrop::new(rotor(), 100.0, 0.0, cases, step).unwrap_err())
