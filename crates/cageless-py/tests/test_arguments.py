@@ -48,6 +48,7 @@ def machine() -> Any:
     ("call", "said"),
     [
         (lambda: machine().drop(sample=2), r"^RotorCase.drop\(\) has no argument 'sample' \(did you mean samples"),
+        (lambda: machine().rotor.drop([]), r"^LinearRotor.drop\(\) .*takes cases, speed_rpm, .*title, compare, samples"),
         (lambda: case().static(3), r"^Case.static\(\) has other arguments.*: it takes none"),
         (lambda: misused.Rotor.from_ross(None, [0], frequency_hz=3), r"from_ross\(\) has no .*frequency_max_hz\?"),
         (lambda: case().run(threds=2), r"^Case.run\(\) .*did you mean threads\?\): it takes verify, threads"),

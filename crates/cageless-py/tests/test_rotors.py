@@ -141,6 +141,26 @@ def test_a_bearing_has_its_own_results_and_columns() -> None:
     assert drop.rotor.energy_residual_relative == pytest.approx(0.0, abs=1e-3)
 
 
+def test_every_bearing_is_in_files_for_other_programs(tmp_path: Path) -> None:
+    from scipy import io
+
+    drop = rigid().drop(cases(), speed_rpm=30000.0)
+    names = {path.stem for path in drop.to_csv(tmp_path)}
+    read = io.loadmat(drop.to_mat(tmp_path / "drop.mat"), simplify_cells=True)
+    assert {"bearings", "bearing_1_ring", "bearing_2_balls", "bearing_2_windows"} <= names
+    assert names == {name for name in read if not name.startswith("__")} - {"units"}
+    for number, bearing in enumerate(drop.bearings, 1):
+        for name in ("rotor", "ring", "balls", "windows"):
+            frame, stored = getattr(bearing, f"data_{name}")(), read[f"bearing_{number}_{name}"]
+            for column in frame.select_dtypes(include=["float64"]).columns:
+                found = np.atleast_1d(stored[column])
+                assert np.array_equal(found, frame[column].to_numpy(), equal_nan=True), column
+    assert read["units"]["bearing_2_ring"]["ax_m_s2"] == "m/s^2"
+    assert not np.array_equal(read["bearing_1_ring"]["y_m"], read["bearing_2_ring"]["y_m"])
+    with pytest.raises(AttributeError, match=r"each of its bearings has: bearings\[0\]\.data_windows"):
+        drop.data_windows()
+
+
 @pytest.mark.parametrize("speed", [np.nan, np.inf, "9000", True])
 def test_a_speed_that_is_none_is_refused(speed: Any) -> None:
     calls: list[Callable[[], object]] = [
@@ -152,12 +172,19 @@ def test_a_speed_that_is_none_is_refused(speed: Any) -> None:
             call()
 
 
+def spinning(polar_inertia_kg_m2: float) -> npt.NDArray[np.float64]:
+    """G of two discs with this moment of inertia about their axis, on two nodes."""
+    gyroscopic = np.zeros((8, 8))
+    for alpha in (2, 6):
+        gyroscopic[alpha, alpha + 1] = polar_inertia_kg_m2
+        gyroscopic[alpha + 1, alpha] = -polar_inertia_kg_m2
+    return gyroscopic
+
+
 def test_a_speed_beyond_all_numbers_has_no_eigenvalues() -> None:
-    matrices, gyroscopic = two_nodes(), np.zeros((8, 8))
-    for place in (2, 6):
-        gyroscopic[place, place + 1], gyroscopic[place + 1, place] = 1e-3, -1e-3
+    matrices = two_nodes()
     rotor = cageless.LinearRotor.from_matrices(
-        matrices["M"], matrices["K"], G=gyroscopic, polar_inertia_kg_m2=2e-3, nodes=[0, 1]
+        matrices["M"], matrices["K"], G=spinning(1e-3), polar_inertia_kg_m2=2e-3, nodes=[0, 1]
     )
     assert np.isfinite(rotor.eigenvalues(1e9)).all()
     with pytest.raises(cageless.InputError, match="speed_rpm = 1e300 is not possible"):
@@ -237,6 +264,18 @@ def test_anything_with_the_methods_is_a_rotor(tmp_path: Path) -> None:
     assert np.array_equal(json.loads(saved.read_text())["K"], matrices["K"])
 
 
+def test_sparse_matrices_are_those_that_they_hold() -> None:
+    from scipy import sparse
+
+    matrices = two_nodes() | {"G": spinning(1e-3)}
+    held: dict[str, Any] = {"polar_inertia_kg_m2": 2e-3, "nodes": [0, 1]}
+    whole: dict[str, Any] = {**matrices, **held}
+    dense = cageless.LinearRotor.from_matrices(**whole)
+    packed: dict[str, Any] = {name: sparse.csr_array(matrix) for name, matrix in matrices.items()}
+    found = cageless.LinearRotor.from_matrices(**packed, **held)
+    assert np.array_equal(found.eigenvalues(9000.0), dense.eigenvalues(9000.0))
+
+
 def on_a_housing() -> dict[str, npt.NDArray[np.float64]]:
     """The two nodes, the second one on a housing of 2 kg, with a fluid of 0.5 kg about the first."""
     grown = {name: np.pad(matrix, (0, 2)) for name, matrix in two_nodes().items()}
@@ -302,6 +341,10 @@ def test_impossible_rotors_are_refused() -> None:
         ({"nodes": [0, 1], "G": np.eye(8)}, "matrix G must be antisymmetric"),
         ({"nodes": [0, 1], "C": np.eye(4)}, "matrix C is 4 × 4: must be 8 × 8"),
         ({"nodes": [0, 1], "K": np.zeros(8)}, "matrix K has 1 dimensions"),
+        ({"nodes": [0, 1], "M": [[1.0, 2.0], [3.0]]}, "matrix M must be of numbers, in rows of one length"),
+        ({"nodes": [0, 1], "K": np.zeros((8, 8))}, r"coordinates are \[x, y, α, β\] of each node in turn"),
+        ({"nodes": [0, 1], "G": spinning(-1e-3)}, r"matrix G must be \+Ip in row α and column β of a disc"),
+        ({"nodes": [0, 1], "G": spinning(1e-5)}, r"it has 2\.000e-5 kg·m² about the axis by G"),
         ({"nodes": [0]}, "move freely"),
         ({"nodes": [0, 1], "housings": 1}, r"four coordinates a node.* two of each of 1 housings"),
         ({"nodes": [0, 1], "housings": -1}, "housings = -1 is not possible: it must be a whole number"),
@@ -313,6 +356,10 @@ def test_impossible_rotors_are_refused() -> None:
         with pytest.raises(cageless.InputError, match=message):
             values: dict[str, Any] = {**matrices, "polar_inertia_kg_m2": 2e-3, **changes}
             cageless.LinearRotor.from_matrices(**values)
+    for given in (CASES[:1], str(CASES[0]), [cases()[0], None]):
+        files: Any = given
+        with pytest.raises(cageless.InputError, match=r"^cases = .*: it must be a Case for each bearing, of a"):
+            rigid().drop(files, speed_rpm=30000.0)
     with pytest.raises(cageless.InputError, match="1 cases for 2 touch-down bearings"):
         rigid().drop(cases()[:1], speed_rpm=30000.0)
     with pytest.raises(cageless.InputError, match="a rigid rotor has no matrices"):

@@ -272,17 +272,19 @@ def special(kind: str, values: Row) -> Frames:
     if kind == "run":
         return {"verification": partial(judged, values)}
     if kind == "drop":
-        return {
+        found: Frames = {
             "drops": partial(scattered, values),
             "succession": partial(successive, values),
-            "windows": partial(frame, values.get("windows", [])),
             "verification": partial(judged, values),
         }
+        # Of several bearings, each has its own.
+        own = {"windows": partial(frame, values["windows"])} if "windows" in values else {}
+        return found | own
     if kind == "verification":
         return {"ledger": partial(balances, values)}
     if kind == "search":
         listed = {"structures": "band", "front": "front"}
-        found: Frames = {}
+        found = {}
         for name, key in listed.items():
             numbered = [({"structure": k}, each) for k, each in enumerate(values[key])]
             found[name] = partial(structures, values, numbered)
@@ -320,6 +322,9 @@ def of(result: Result) -> Frames:
 
 
 def filled(result: Result) -> dict[str, pd.DataFrame]:
-    """The frames that have rows."""
+    """The frames that have rows, those of each of several bearings with its number, as ``bearing_1_rotor``."""
     made = {name: make() for name, make in result._frames.items()}
-    return {name: found for name, found in made.items() if len(found)}
+    found = {name: frame for name, frame in made.items() if len(frame)}
+    for number, bearing in enumerate(result._several, 1):
+        found |= {f"bearing_{number}_{name}": frame for name, frame in filled(bearing).items()}
+    return found

@@ -188,6 +188,12 @@ class Result(Fixed):
         return self._at("bearings")[0] if alone else None
 
     @property
+    def _several(self) -> list[Result]:
+        """The bearings of a drop of several."""
+        several = self.kind == "drop" and not self._place and len(self.values.get("bearings", [])) > 1
+        return self._at("bearings") if several else []
+
+    @property
     def _known(self) -> dict[str, Any]:
         """The values with those of an only bearing."""
         only = self._only
@@ -338,7 +344,7 @@ class Result(Fixed):
 
     def to_csv(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Writes every frame that has rows as ``NAME.csv`` into a folder, which is created, and returns
-        the files.
+        the files. Frames of several bearings begin with their number: ``bearing_1_rotor.csv``.
 
         Columns have their units in their names, numbers all of their digits.
 
@@ -354,7 +360,7 @@ class Result(Fixed):
 
     def to_mat(self, path: str | os.PathLike[str]) -> Path:
         """Writes the frames as a file of MATLAB: a structure per frame with a field per column,
-        and ``units`` with the unit of each. Needs SciPy.
+        and ``units`` with the unit of each; of several bearings ``bearing_1_rotor`` and so on. Needs SciPy.
 
         Raises:
             CagelessError: If SciPy is not installed.

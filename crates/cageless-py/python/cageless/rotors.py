@@ -5,21 +5,19 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _cageless
-from .arguments import Fixed, number
-from .document import Document, dotted
+from .arguments import Fixed, number, refused
+from .case import Case
+from .document import Document, Progress, dotted
 from .errors import InputError
 from .results import Drop
 from .ross_rotor import RossRotor
 from .section import table
-
-if TYPE_CHECKING:
-    from .case import Case
 
 __all__ = ["LinearRotor", "RotorCase"]
 
@@ -99,10 +97,14 @@ class LinearRotor(Fixed):
     ) -> LinearRotor:
         """A rotor by its matrices, (M + Ma)·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
 
+        α and β are rotations about X and Y: dx/dz = β and dy/dz = −α in a rigid tilt. Ω is positive from
+        X to Y, so that a disc has +Ip in row α and column β of G, and −Ip in row β and column α; with
+        the opposite sign forward and backward precession are interchanged.
+
         Args:
             M, K, C, G, Ksdt, Ma: Matrices whose rows and columns are the coordinates [x, y, α, β] of each
-                node in turn, then [x, y] of each housing, in m and rad. C, G, Ksdt and Ma, the mass
-                without weight of a fluid in seals, are 0 if left out.
+                node in turn, then [x, y] of each housing, in m and rad; sparse ones of SciPy are made
+                dense. C, G, Ksdt and Ma, the mass without weight of a fluid in seals, are 0 if left out.
             polar_inertia_kg_m2: Moment of inertia of the whole rotor about its axis.
             nodes: Node of each touch-down bearing, from 0.
             housings: Number of housings on which springs of K hold the rotor.
@@ -117,13 +119,10 @@ class LinearRotor(Fixed):
         Raises:
             InputError: If the matrices cannot be those of a rotor, or a node does not exist.
         """
-        arrays = []
-        given = (("M", M), ("Ma", Ma), ("C", C), ("G", G), ("K", K), ("Ksdt", Ksdt))
-        for name, values in given:
-            array = np.asarray(np.zeros_like(M) if values is None else values, dtype=float)
-            if array.ndim != 2:
-                raise InputError(f"matrix {name} has {array.ndim} dimensions: must have 2")
-            arrays.append(np.ascontiguousarray(array))
+        mass = _matrix("M", M)
+        given = (("Ma", Ma), ("C", C), ("G", G), ("K", K), ("Ksdt", Ksdt))
+        others = [np.zeros_like(mass) if one is None else _matrix(name, one) for name, one in given]
+        arrays = [mass, *others]
         kept = [_node(node) for node in kept_nodes]
         listed = [(_node(node), u, phase) for node, u, phase in unbalances]
         planes = [(name, _node(node), limit) for name, node, limit in clearances]
@@ -201,11 +200,26 @@ class LinearRotor(Fixed):
         speed_rpm: float,
         drive_torque_n_m: float = 0.0,
         title: str = "",
-        **options: Any,
+        compare: bool = False,
+        samples: int | None = None,
+        verify: bool = False,
+        drops: int | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
     ) -> Drop:
-        """Drops the rotor into its bearings, as :meth:`RotorCase.drop` with its options."""
-        given = {"speed_rpm": speed_rpm, "drive_torque_n_m": drive_torque_n_m}
-        return RotorCase(self, cases, title=title, **given).drop(**options)
+        """Drops the rotor into its bearings: :meth:`RotorCase.drop` of a :class:`RotorCase`, with the
+        arguments of both."""
+        machine = RotorCase(
+            self, cases, speed_rpm=speed_rpm, drive_torque_n_m=drive_torque_n_m, title=title
+        )
+        return machine.drop(
+            compare=compare,
+            samples=samples,
+            verify=verify,
+            drops=drops,
+            threads=threads,
+            progress=progress,
+        )
 
 
 class RotorCase(Document):
@@ -235,7 +249,7 @@ class RotorCase(Document):
         drive_torque_n_m: float = 0.0,
         title: str = "",
     ) -> None:
-        several = [case._file for case in cases]
+        several = [_file(case) for case in ([cases] if isinstance(cases, (str, Case)) else cases)]
         speed, torque = number("speed_rpm", speed_rpm), number("drive_torque_n_m", drive_torque_n_m)
         self._file = _cageless.File.of_rotor(rotor._rotor, several, title, speed, torque)
 
@@ -256,8 +270,6 @@ class RotorCase(Document):
     @property
     def cases(self) -> list[Case]:
         """The case of each bearing."""
-        from .case import Case
-
         return [Case._of(file) for file in self._file.cases()]
 
     @property
@@ -269,6 +281,24 @@ class RotorCase(Document):
     def drive_torque_n_m(self) -> float:
         """Torque on the rotor."""
         return float(self._document["rotor"]["drive_torque_n_m"])
+
+
+def _file(case: Any) -> Any:
+    """The file of the case of a bearing."""
+    if not isinstance(case, Case):
+        raise refused("cases", case, "a Case for each bearing, of a file Case.from_file(path)")
+    return case._file
+
+
+def _matrix(name: str, values: Any) -> npt.NDArray[np.float64]:
+    """A matrix of numbers, also of a sparse one."""
+    try:
+        array = np.asarray(values.toarray() if hasattr(values, "toarray") else values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"matrix {name} must be of numbers, in rows of one length") from None
+    if array.ndim != 2:
+        raise InputError(f"matrix {name} has {array.ndim} dimensions: must have 2")
+    return np.ascontiguousarray(array)
 
 
 def _node(node: int) -> int:

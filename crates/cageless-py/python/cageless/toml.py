@@ -27,7 +27,8 @@ def inline(value: Any, key: str) -> str:
         return "{" + ", ".join(lines(value)) + "}"
     if isinstance(value, Iterable):
         return "[" + ", ".join(inline(each, key) for each in value) + "]"
-    raise refused(key, value, "a number, a text, a list or a dictionary")
+    left_out = "; to leave it out, make another without it: Case(**values), of to_dict()" if value is None else ""
+    raise refused(key, value, f"a number, a text, a list or a dictionary{left_out}")
 
 
 def lines(values: Mapping[str, Any]) -> Iterable[str]:
