@@ -57,7 +57,7 @@ pub fn vibration_signal(name: &str, measured: &Measurement) -> VibrationSignal {
         acceleration_m_s2: trace.iter().map(|point| point[1]).collect(),
         stretch_s: measured.trace_stretch_s(),
         rms_m_s2: (measured.samples() > 0).then(|| measured.rms()),
-        peak_m_s2: (measured.samples() > 0).then(|| measured.peak),
+        peak_m_s2: (measured.samples() > 0).then_some(measured.peak),
         resolution_hz: resolution_hz(&spectrum),
         averages: spectrum.stretches,
         frequency_hz: spectrum.frequency_hz,

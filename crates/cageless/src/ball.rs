@@ -4,8 +4,8 @@
 //! use cageless::prelude::*;
 //!
 //! let simulation = Simulation::new(&reference::conventional())?;
-//! let ring = simulation.state().ring_motion();
-//! assert!(ring.y < 0.0 && ring.vy == 0.0); // at rest, pressed down by the load
+//! let ring = simulation.view().ring();
+//! assert!(ring.y_m < 0.0 && ring.vy_m_s == 0.0); // at rest, pressed down by the load
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 

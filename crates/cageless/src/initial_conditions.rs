@@ -8,7 +8,7 @@
 //!
 //! let (state, angles) = initial_state(&case)?;
 //! assert_eq!(angles.len(), 14);
-//! assert!(state.ring_motion().y < 0.0);
+//! assert!(state.y_m()[0] < 0.0); // ball 1 at the bottom
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 

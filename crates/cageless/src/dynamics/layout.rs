@@ -1,14 +1,12 @@
 //! Places of the coordinates in the vector that the integrators advance.
 //!
 //! ```
-//! use cageless::dynamics::BallCoordinate;
-//! use cageless::dynamics::Layout;
+//! use cageless::dynamics::{Layout, RingCoordinate};
 //! use cageless::reference;
 //!
 //! let layout = Layout::of_case(&reference::conventional());
-//! // The ball after the first stands next to it.
-//! let [first, second] = [0, 1].map(|k| layout.ball(BallCoordinate::X, k));
-//! assert_eq!(second, first + 1);
+//! // The inner ring stands behind five coordinates of all balls.
+//! assert_eq!(layout.ring(RingCoordinate::X), 5 * layout.stride);
 //! ```
 
 use super::coordinates::{

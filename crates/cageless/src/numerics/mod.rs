@@ -6,7 +6,7 @@
 //! let mut moments = Moments::default();
 //! moments.add(1.0, 1.0);
 //! moments.add(3.0, 1.0);
-//! assert_eq!(moments.mean(), 2.0);
+//! assert_eq!(moments.mean, 2.0);
 //! ```
 
 pub(crate) mod aligned;

@@ -24,7 +24,7 @@
 //!     blend_m: 0.0,
 //! };
 //! let ring = OuterRing::of(&case, dimensions)?;
-//! assert!(ring.volume_m3() > 0.0);
+//! assert!(ring.measures().volume_m3 > 0.0);
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
