@@ -115,8 +115,8 @@ fn contacts_on_the_grooves_carry_the_forces_of_the_run() {
             "{k}"
         );
         assert!(
-            // Here the curvature along rolling is that of the nominal pitch circle.
-            (along.hypot(across) / row.outer_force_n[0] - 1.0).abs() < 3e-5,
+            // Per newton the curvature along rolling is that of the nominal pitch circle.
+            (along.hypot(across) / row.outer_force_n[0] - 1.0).abs() < 2e-4,
             "{k}"
         );
         plain += usize::from(count == 1);

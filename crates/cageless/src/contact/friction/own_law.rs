@@ -224,7 +224,8 @@ fn tried_speeds_m_s(most_m_s: f64) -> impl Iterator<Item = f64> {
 /// Whether a law may answer so.
 #[inline(always)]
 fn possible(mu: f64, slope: f64) -> bool {
-    (mu >= 0.0) & (mu <= COEFFICIENT_MAX) & slope.is_finite()
+    // Not short-circuited, as lanes are looked at together.
+    (0.0..=COEFFICIENT_MAX).contains(&mu) & slope.is_finite()
 }
 
 /// Answer of a law at a sliding speed.

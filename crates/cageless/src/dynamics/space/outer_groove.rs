@@ -366,7 +366,7 @@ impl Approach {
 impl OuterGroove {
     /// **d** from the centre of the plain groove.
     #[inline(always)]
-    fn from_centre(&self, beyond: f64, z: f64) -> SectionVector {
+    fn beyond_centre(&self, beyond: f64, z: f64) -> SectionVector {
         SectionVector {
             radial: beyond + self.gap,
             axial: z - self.axial,
@@ -377,7 +377,7 @@ impl OuterGroove {
     /// at z, outside the discrete raceways.
     #[inline(always)]
     pub(crate) fn touch(&self, beyond: f64, z: f64) -> OuterTouch {
-        let Approach { depth, normal } = Approach::to_groove(self.from_centre(beyond, z), self.gap);
+        let Approach { depth, normal } = Approach::to_groove(self.beyond_centre(beyond, z), self.gap);
         OuterTouch {
             approach: depth,
             radial_0: normal.radial,
@@ -428,7 +428,7 @@ impl OuterGroove {
 
     /// Contact of such a ball within a discrete raceway.
     pub(crate) fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
-        let (place, section) = (self.from_centre(beyond, z), here.section());
+        let (place, section) = (self.beyond_centre(beyond, z), here.section());
         let (sin, cos) = here.angle.sin_cos();
         let mut flanks = [Approach::NONE; 2];
         let mut slopes = [0.0; 2];
