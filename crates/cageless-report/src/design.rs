@@ -179,10 +179,21 @@ fn head(data: &DesignData) -> Head {
             head = head.verdict(*passes, &format!("{} {line}", capital(&shown.name)));
         }
     }
-    let own = match (&data.shown, data.headline.as_str()) {
+    let searched = data.search.as_ref().filter(|_| data.shown.is_none());
+    let none_found = searched.and_then(|search| search.sentences("findings").first());
+    if let Some(why) = none_found {
+        let line = why
+            .split_once(". ")
+            .map_or(why.as_str(), |(first, _)| first);
+        head = head.verdict(Some(false), &capital(line.trim_end_matches('.')));
+    }
+    let own = match (
+        data.shown.is_some() || none_found.is_some(),
+        data.headline.as_str(),
+    ) {
         (_, "") => String::new(),
-        (Some(_), headline) => format!("Initial design: {headline}"),
-        (None, headline) => headline.to_owned(),
+        (true, headline) => format!("Initial design: {headline}"),
+        (false, headline) => headline.to_owned(),
     };
     head = head.verdict(data.passes, &own);
     if let Some((passes, line)) = &data.dry {

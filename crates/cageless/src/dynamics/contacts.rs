@@ -305,11 +305,11 @@ fn outer_ring_force_n(work: &Workspace, width: usize, bearing: usize) -> [f64; 2
                 }
             }
         } else {
-            let [force_x, force_y] = outer_forces(results, direction);
             for lane in (bearing..LANES).step_by(width) {
                 let part = (block * LANES + lane) / width % PARTS;
-                x[part] += force_x[lane];
-                y[part] += force_y[lane];
+                let [force_x, force_y] = outer_force(results, direction, lane);
+                x[part] += force_x;
+                y[part] += force_y;
             }
         }
     }

@@ -377,7 +377,8 @@ impl OuterGroove {
     /// at z, outside the discrete raceways.
     #[inline(always)]
     pub(crate) fn touch(&self, beyond: f64, z: f64) -> OuterTouch {
-        let Approach { depth, normal } = Approach::to_groove(self.beyond_centre(beyond, z), self.gap);
+        let Approach { depth, normal } =
+            Approach::to_groove(self.beyond_centre(beyond, z), self.gap);
         OuterTouch {
             approach: depth,
             radial_0: normal.radial,
