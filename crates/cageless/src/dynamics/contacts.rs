@@ -316,26 +316,38 @@ fn outer_ring_force_n(work: &Workspace, width: usize, bearing: usize) -> [f64; 2
     [(x[0] + x[2]) + (x[1] + x[3]), (y[0] + y[2]) + (y[1] + y[3])]
 }
 
-/// Forces of the balls of a block on the outer ring along X and Y: normal force, that along ψ where the
-/// contact rises, and friction, along the circumference unless in a given direction, N.
+/// [`outer_force`] of all balls of a block.
 #[inline(always)]
 fn outer_forces(
     results: &BlockResults,
     direction: Option<&FrictionDirectionLanes>,
 ) -> [[f64; LANES]; 2] {
-    let (ex, ey) = (&results.polar.ex.0, &results.polar.ey.0);
-    let (slope, friction) = (&results.slope_force.0, &results.outer_friction.0);
     let [mut x, mut y] = [[0.0; LANES]; 2];
     for lane in 0..LANES {
-        // Along the radius friction at flanks adds to the normal force.
-        let across = match results.on_flanks.has(lane) {
-            true => results.across_friction.0[lane],
-            false => 0.0,
-        };
-        let normal = results.outer.force.0[lane] + across;
-        let [dx, dy] = direction.map_or([-ey[lane], ex[lane]], |d| [d.x.0[lane], d.y.0[lane]]);
-        x[lane] = normal * ex[lane] + slope[lane] * ey[lane] + friction[lane] * dx;
-        y[lane] = normal * ey[lane] - slope[lane] * ex[lane] + friction[lane] * dy;
+        [x[lane], y[lane]] = outer_force(results, direction, lane);
     }
     [x, y]
+}
+
+/// Force of a ball of a block on the outer ring along X and Y: normal force, that along ψ where the contact rises, and
+/// friction, along the circumference unless in a given direction, N.
+#[inline(always)]
+fn outer_force(
+    results: &BlockResults,
+    direction: Option<&FrictionDirectionLanes>,
+    lane: usize,
+) -> [f64; 2] {
+    let (ex, ey) = (results.polar.ex.0[lane], results.polar.ey.0[lane]);
+    let (slope, friction) = (results.slope_force.0[lane], results.outer_friction.0[lane]);
+    // Along the radius friction at flanks adds to the normal force.
+    let across = match results.on_flanks.has(lane) {
+        true => results.across_friction.0[lane],
+        false => 0.0,
+    };
+    let normal = results.outer.force.0[lane] + across;
+    let [dx, dy] = direction.map_or([-ey, ex], |d| [d.x.0[lane], d.y.0[lane]]);
+    [
+        normal * ex + slope * ey + friction * dx,
+        normal * ey - slope * ex + friction * dy,
+    ]
 }
