@@ -112,7 +112,7 @@ fn a_law_is_tried_to_the_speeds_of_its_case() {
         error.contains("sliding speeds up to 92 m/s") && error.contains("UpTo"),
         "{error}"
     );
-    // The speed that cannot be is told before the law.
+    // An impossible speed is refused before the law is tried.
     let fast = loaded().own_friction(UpTo(50.0)).inner_speed_rad_s(1e9);
     assert_eq!(fast.build().unwrap_err().field, "inner_speed_rad_s");
 }

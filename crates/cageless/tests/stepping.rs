@@ -13,7 +13,7 @@ fn loaded(method: IntegrationMethod) -> CaseBuilder {
         .duration_s(2e-3)
 }
 
-/// The same in space, under an axial load.
+/// The loaded bearing in space, under an axial load.
 fn thrust(method: IntegrationMethod) -> CaseBuilder {
     loaded(method).change(|case| case.operation.space.axial_load_n = 500.0)
 }

@@ -66,11 +66,11 @@ impl Fall {
     }
 }
 
-/// Stiffness of what a rotor lands on, N/m.
+/// Springs on which a rotor lands.
 struct Landing {
-    /// Of journal and bore, or of the shoulder.
+    /// Stiffness of the contact of journal and bore, or of shoulder and face, N/m.
     contact: f64,
-    /// Of the balls.
+    /// Stiffness of the contacts of the balls, N/m.
     balls: f64,
 }
 
