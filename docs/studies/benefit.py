@@ -137,17 +137,11 @@ def claims(claim):
         claim.between(2, ratio(RINGS[name], "loss"), 3.2, at, f"at two to three times the losses: {name}")
     turning = RINGS["(d), unbalance of 158 N"]
     claim(at, "with an unbalance it helps as well", turning["benefit"] == "helps", turning["benefit"])
-    claim.between(0.28, ratio(turning, "contacts"), 0.38, at, "a third of the contacts, as without")
-    claim.between(0.98, ratio(turning, "force"), 1, at, "the variation of the force is that of the unbalance")
     dry = RINGS["6001, dry"]
-    claim(at, "balls of the small dry bearing touch thousands of times a second", mean(dry, "contacts") > 2000, mean(dry, "contacts"))
     claim.between(0.75, ratio(dry, "contacts"), 0.87, at, "its raceway leaves a fifth fewer contacts")
     claim.between(11, ratio(dry, "loss"), 13, at, "at 12 times the losses")
     claim(at, "and the force varies more", ratio(dry, "force") > 1, ratio(dry, "force"))
     pair = RINGS["preloaded pair, 15°"]
-    claim.between(0.17, ratio(pair, "contacts"), 0.23, at, "the pair keeps a fifth of its contacts")
-    claim.between(0.58, ratio(pair, "gaps"), 0.7, at, "two thirds of the scatter")
-    claim.between(1.5, ratio(pair, "loss"), 1.7, at, "and loses 60 % more")
     claim(at, "it is not judged", pair["benefit"] == "not-judged", pair["benefit"])
     claim.between(0.15, error(pair, "force", PLAIN) / mean(pair, "force", PLAIN), 0.3, at, "the force of the plain pair still wanders")
 
@@ -184,21 +178,14 @@ def claims(claim):
         claim(at, f"the first three have a raceway that helps: {row.name}", row["benefit"] == "helps", row["benefit"])
     claim(at, "none is helped by one ball fewer", all(r["benefits"][1]["benefit"] == "harms" for r in SEARCH.rows))
     claim(at, "in the third at the cost of more contacts", ratio(small, "contacts", best(small)) > 1.2)
-    claim.between(35, ratio(small, "loss", best(small)), 45, at, "40 times the small losses")
-    claim.between(2.7, ratio(small, "pressure", best(small)), 3.3, at, "and three times the pressure")
     claim(at, "in the last none is shown to help", last["benefit"] == "not-judged", last["benefit"])
-    claim.between(4, ratio(last, "contacts", best(last)), 5, at, "more than four times the contacts")
-    claim.between(2, ratio(last, "force", best(last)), 3, at, "and more than twice the variation of the force")
     claim.between(0.45, mean(rigid, "contacts", best(rigid)) / mean(REMEDIES, "contacts"), 0.6, at, "the best raceway leaves half the contacts of structure (d)")
     claim(at, "scatters the gaps less", mean(rigid, "gaps", best(rigid)) < mean(REMEDIES, "gaps"))
     claim.between(0.95, mean(rigid, "pressure", best(rigid)) / mean(REMEDIES, "pressure"), 1.05, at, "and costs as much pressure")
 
     at = "What papers claim"
     claim(at, "the raceway helps under axial load, one ball fewer harms", all((r["benefits"][RACEWAY]["benefit"], r["benefits"][FEWER]["benefit"]) == ("helps", "harms") for r in AXIAL.rows))
-    claim.between(3.5, ratio(AXIAL.rows[1], "force"), 4, at, "in the second at almost four times the variation of the force")
     own = RINGS["(d), rigid"]
     others = RINGS["ellipse, rigid"], RINGS["shuttle, rigid"]
     less = all(r["benefit"] == "helps" and mean(r, n) > mean(own, n) for r in others for n in ("contacts", "gaps", "force"))
     claim(at, "ellipse and shuttle help less than the path of the paper", less)
-    ellipse, shuttle = ([mean(r, n) for n in ("force", "pressure")] for r in others)
-    claim(at, "the ellipse has the largest variation of the force and the softest contacts", ellipse[0] > shuttle[0] and ellipse[1] < shuttle[1] < mean(own, "pressure"))

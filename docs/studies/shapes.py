@@ -139,20 +139,12 @@ def claims(claim):
     claim(at, "on elastic flanks all are too shallow when lubricated", wet == ["too-shallow"] * 4, wet)
     dry = [verdicts[shape, "0.1", "elastic"] for shape in SHAPES]
     claim(at, "dry all but the ellipse pass", dry == ["smooth", "too-shallow", "smooth", "smooth"], dry)
-    slower = 1 - PLANE["steady", "0.007", "elastic"]["sliding"] / PLANE["quartic", "0.007", "elastic"]["sliding"]
-    claim.between(0.15, slower, 0.22, at, "balls slide a fifth less fast on the steady one")
 
     at = "Friction demand, slope discontinuity and pressure"
     of = {row.name: row for row in FRONT.rows}
     blended = [of[f"{s}, 1 mm"]["change"] / of[f"{s}, sharp"]["change"] for s in ("quartic", "shuttle", "steady")]
     claim.between(0.99, blended, 1.01, at, "a blend of 1 mm costs nothing on three shapes")
     claim(at, "over 2 mm the steady raceway loses its advantage", of["steady, 2 mm"]["change"] > of["shuttle, 2 mm"]["change"])
-    claim.between(1, of["shuttle, 3 mm"]["change"] / of["shuttle, sharp"]["change"], 1.01, at, "the shuttle keeps it")
-    order = [(of[f"{s}, sharp"]["kink"], -of[f"{s}, sharp"]["change"]) for s in ("quartic", "shuttle", "steady")]
-    claim(at, "the rate falls and the slope discontinuity rises from the path of the paper to the steady raceway", all(a < b and c < d for (a, c), (b, d) in zip(order, order[1:])), order)
-    blends = [f"{b} mm" for b in ("0.5", "1", "2", "3")]
-    most = max(of[f"{s}, {b}"]["change"] for s in ("quartic", "shuttle", "steady") for b in blends)
-    claim(at, "a blended ellipse asks for the most friction", min(of[f"ellipse, {b}"]["change"] for b in blends) > 1.4 * most)
     claim.between(0.85, (max(r["pressure"][0] for r in PRESSURE.rows) / max(r["pressure"]) for r in PRESSURE.rows), 0.92, at, "each contact in the raceway has some 10 % less than those on the plain one")
 
     at = "The best raceway of each shape"
@@ -169,7 +161,6 @@ def claims(claim):
         steady, quartic, ellipse = (TOLERANCE[s, friction] for s in ("steady", "quartic", "ellipse"))
         claim(at, f"the steady raceway leaves room for errors ({friction})", steady["interval"][0] > quartic["interval"][1])
         claim.between(0, ellipse["probability"], 0.05, at, f"almost no ellipse passes ({friction})")
-        claim(at, f"its critical gaps are smaller ({friction})", ellipse["gaps"][1] < steady["gaps"][1])
 
     at = "In space"
     for friction in FRICTION:
@@ -196,8 +187,6 @@ def claims(claim):
     claim(at, "all bearings pass with the path of the paper", SLOTS_TOLERANCE[PAPER]["probability"] == 1)
     half = SLOTS_TOLERANCE["slot, 1.2 mm"]
     claim.between(0.4, half["probability"], 0.6, at, "with 1.2 mm half of the bearings fail")
-    failed = {v["verdict"] for v in half["verdicts"] if v["count"] and not v["passes"]}
-    claim(at, "by double collisions and overload", failed == {"double-collision", "overloaded"}, failed)
     low, high = gaps(SLOTS_TOLERANCE["slot, 2.4 mm"])
     claim(at, "the critical gap of a deep slot is 1.4 to 3.4°", 1.35 < low < 1.45 and 3.3 < high < 3.4, f"{low} to {high}")
     claim.between(1.8, slots[2]["structure"]["steady_gap_deg"], 2.1, at, "while the balls have about 2° between them")
