@@ -13,7 +13,7 @@
 
 Each page with results has a program next to this one: `PAGE`, its `tables()`, its `picture()` if it has one, and its
 `claims(claim)`. In the page a
-table is between `<!-- table NAME -->` and `<!-- / -->`; all else is text, which any editor may change. Studies are
+table is between `<!-- NAME -->` and `<!-- / -->`; all else is text, which any editor may change. Studies are
 declared in `docs/results/studies.toml`. `compute` can be interrupted: the same program does not compute a row twice.
 """
 
@@ -32,7 +32,7 @@ from page import ROOT, STUDIES, Claims, check
 import checks
 from studies import MACHINE, Program, commit
 
-TABLE = re.compile(r"<!-- table (\S+) -->\n\n(.*?)\n\n<!-- / -->", re.DOTALL)
+TABLE = re.compile(r"<!-- ([\w-]+) -->\n\n(.*?)\n\n<!-- / -->", re.DOTALL)
 # Where another machine computes, a sample may differ from a result by this fraction, or lie as far
 # outside the drops of its row as these are apart.
 ELSEWHERE = 0.05
@@ -62,7 +62,7 @@ def check_tables(program, write):
         if not write:
             wrong = [f"\n  is        {a}\n  should be {b}" for a, b in zip(now.split("\n"), new.split("\n")) if a != b]
             check(f"{program.PAGE}: table {name}", now == new, "".join(wrong) or "has other rows")
-        return f"<!-- table {name} -->\n\n{new}\n\n<!-- / -->"
+        return f"<!-- {name} -->\n\n{new}\n\n<!-- / -->"
 
     written = TABLE.sub(of, text)
     if write and written != text:

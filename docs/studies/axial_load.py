@@ -57,7 +57,6 @@ def claims(claim):
     loaded = {row.places["Fa/Fr"]: lag(row) for row in LOAD.of("structure (d)")}
     claim.between(0.85, loaded["0.1"] / loaded["0"], 0.95, at, "an axial load of a tenth of the radial one leaves nine tenths of the lag")
     claim.between(0.2, loaded["0.5"] / loaded["0"], 0.3, at, "half of it leaves a quarter")
-    claim.between(0.75, lag(STRIPS["9"]) / lag(PLANE["rigid"]), 0.87, at, "in space the lag is a sixth to a fifth below that of the plane with rigid flanks")
 
     at = "Axial load"
     for share in ("0.05", "0.1", "0.2", "0.5"):
@@ -105,6 +104,5 @@ def claims(claim):
 
     at = "Friction strips"
     claim.between(0.98, lag(STRIPS["3"]) / lag(STRIPS["9"]), 1.02, at, "three strips give the lag within two per cent")
-    claim.between(1.02, lag(STRIPS["1"]) / lag(STRIPS["9"]), 1.06, at, "one strip is off by more")
     heat = STRIPS["1"]["power_loss_inner_friction_w"] / STRIPS["9"]["power_loss_inner_friction_w"]
     claim.between(0, heat, 0.1, at, "and misses most of the heat at the inner raceway")
