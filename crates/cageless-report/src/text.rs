@@ -97,6 +97,20 @@ pub fn slug(text: &str) -> String {
     }
 }
 
+/// A long title or remark in two lines.
+pub fn broken(title: &str) -> String {
+    const LONG: usize = 24;
+    if title.chars().count() <= LONG {
+        return title.to_owned();
+    }
+    let middle = title.len() / 2;
+    let spaces = title.match_indices(' ').map(|(at, _)| at);
+    match spaces.min_by_key(|at| at.abs_diff(middle)) {
+        Some(at) => format!("{}<br>{}", &title[..at], &title[at + 1..]),
+        None => title.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

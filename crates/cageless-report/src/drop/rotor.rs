@@ -13,7 +13,7 @@ use crate::figure::Figure;
 use crate::figures::panels::Panel;
 use crate::length::um;
 use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
-use crate::sampling::{Points, history};
+use crate::sampling::{Points, history, range};
 use crate::text::short;
 
 /// Points of a trace over time.
@@ -66,15 +66,38 @@ fn circle(name: &str, radius_um: f64, colour: &str) -> Trace {
     line(name, &of(f64::cos), &of(f64::sin), colour).dash("dot")
 }
 
+/// Ranges of x and y of a square with some room around all paths.
+fn square(paths: &[Points]) -> [[f64; 2]; 2] {
+    let of = |values: fn(&Points) -> &Vec<f64>| {
+        let all: Vec<f64> = paths.iter().flat_map(values).copied().collect();
+        range(&all)
+    };
+    let spans = [of(|points| &points.x), of(|points| &points.y)];
+    let widest = spans
+        .iter()
+        .map(|(low, high)| high - low)
+        .fold(1.0, f64::max);
+    let half = 0.54 * widest;
+    spans.map(|(low, high)| [(low + high) / 2.0 - half, (low + high) / 2.0 + half])
+}
+
 /// Path of the journal, with the circle of a clearance, on equal scales of x and y.
 fn path(bearing: &Bearing<'_>, x: &str, in_ring: bool, clearance: Option<Trace>) -> Plot {
-    let plot = Plot::new(560)
-        .legend()
-        .x(x, json!({ "constrain": "domain" }))
-        .y(
-            "y (µm)",
-            json!({ "scaleanchor": "x", "scaleratio": 1, "constrain": "domain" }),
-        );
+    let mut axes = [
+        json!({ "constrain": "domain" }),
+        json!({ "scaleanchor": "x", "scaleratio": 1, "constrain": "domain" }),
+    ];
+    if clearance.is_none() {
+        let records = [Some(bearing.record), bearing.conventional];
+        let paths = records.into_iter().flatten();
+        let paths = paths.map(|record| path_um(bearing.case, &record.snapshots, in_ring));
+        let ranges = square(&paths.collect::<Vec<_>>());
+        for (axis, range) in axes.iter_mut().zip(ranges) {
+            axis["range"] = json!(range);
+        }
+    }
+    let [across, up] = axes;
+    let plot = Plot::new(560).legend().x(x, across).y("y (µm)", up);
     let plot = clearance.into_iter().fold(plot, Plot::trace);
     both(
         bearing,
@@ -307,4 +330,26 @@ fn whirl(bearing: &Bearing<'_>) -> Figure {
          part of each window in contact. A swing at the bottom has alternating signs. Negative: \
          against the rotation of a rotor that turns counter-clockwise.";
     bearing.figure("Whirl", caption, plot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_has_a_square_with_room_around_it() {
+        let paths = [
+            Points {
+                x: vec![-180.0, 25.0],
+                y: vec![-290.0, 10.0],
+            },
+            Points {
+                x: vec![0.0, 40.0],
+                y: vec![-100.0, -50.0],
+            },
+        ];
+        let [[left, right], [bottom, top]] = square(&paths);
+        assert!((right - left - (top - bottom)).abs() < 1e-9);
+        assert!(left < -180.0 && right > 40.0 && bottom < -290.0 && top > 10.0);
+    }
 }

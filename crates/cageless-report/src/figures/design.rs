@@ -9,6 +9,7 @@ use crate::reproduce_data::{
     DesignCurve, DesignLimit, LimitedQuantity, Table2, Table2Row, Variant,
 };
 use crate::sampling::range;
+use crate::text::broken;
 
 /// Fig. 5: θ over lC that satisfies Zhao 2022, Eq. (11), with the paper's structures.
 pub fn curve(design: &DesignCurve) -> Figure {
@@ -141,10 +142,10 @@ fn remarked(mut plot: Plot, table: &Table2) -> Plot {
     for (k, row) in rows.filter(|(_, row)| !row.remark.is_empty()) {
         let at = (k as f64, row.paper_simulated_deg);
         let arrow = json!({
-            "showarrow": true, "arrowhead": 0, "arrowcolor": "#777", "ax": 10, "ay": -34,
+            "showarrow": true, "arrowhead": 0, "arrowcolor": "#777", "ax": 14, "ay": -40,
             "font": { "size": 11, "color": "#555" },
         });
-        plot = plot.text(&plain(&row.remark), at, ("x", "y"), arrow);
+        plot = plot.text(&broken(&plain(&row.remark)), at, ("x", "y"), arrow);
     }
     plot
 }

@@ -8,7 +8,7 @@ use crate::figure::Figure;
 use crate::names;
 use crate::plot::{PALETTE, Plot, Trace, numbers, plain};
 use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
-use crate::text::{capital, short};
+use crate::text::{broken, capital, short};
 
 /// Panels side by side.
 const ACROSS: usize = 3;
@@ -156,20 +156,6 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
         output.quantity.name
     );
     Figure::new(&format!("Effects on {name}"), &caption, provenance, plot)
-}
-
-/// A long title in two lines.
-fn broken(title: &str) -> String {
-    const LONG: usize = 24;
-    if title.chars().count() <= LONG {
-        return title.to_owned();
-    }
-    let middle = title.len() / 2;
-    let spaces = title.match_indices(' ').map(|(at, _)| at);
-    match spaces.min_by_key(|at| at.abs_diff(middle)) {
-        Some(at) => format!("{}<br>{}", &title[..at], &title[at + 1..]),
-        None => title.to_owned(),
-    }
 }
 
 fn effect_traces(effect: &MainEffect) -> [Value; 3] {
