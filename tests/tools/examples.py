@@ -1,4 +1,4 @@
-"""Writes a page of docs/rust for each example of the crate `cageless`, with its source and what it prints.
+"""Writes a page of docs/rust for each example of `cageless` and `cageless-design`, with its source and what it prints.
 
     examples.py           runs the examples and compares the pages
     examples.py --write   runs the examples and writes the pages
@@ -15,7 +15,7 @@ from checks import check, exit_code
 from studies import ROOT
 from tutorials import same_machine
 
-EXAMPLES = ROOT / "crates/cageless/examples"
+EXAMPLES = {path.stem: path for of in ("cageless", "cageless-design") for path in ROOT.glob(f"crates/{of}/examples/*.rs")}
 PAGES = ROOT / "docs/rust"
 # What the runner of tests says around the output.
 RUNNER = re.compile(r"^(?:running 1 test|test runs \.\.\. (?:ok)?|ok|test result: .*)?\n", re.MULTILINE)
@@ -44,7 +44,7 @@ def printed(program):
 
 def page(name, program):
     """The page of an example."""
-    source = (EXAMPLES / f"{name}.rs").read_text(encoding="utf-8")
+    source = EXAMPLES[name].read_text(encoding="utf-8")
     head, _, code = source.partition("\n\n")
     lines = [line.removeprefix("//!").strip() for line in head.splitlines()]
     about, command = " ".join(lines[: lines.index("")]), lines[-1].strip("`")
@@ -70,8 +70,8 @@ def wrapped(text):
 
 def main():
     compiled = programs()
-    for example in sorted(EXAMPLES.glob("*.rs")):
-        name, text = example.stem, page(example.stem, compiled[example.stem])
+    for name in sorted(EXAMPLES):
+        text = page(name, compiled[name])
         path = PAGES / f"{name}.md"
         if sys.argv[1:] == ["--write"]:
             path.parent.mkdir(exist_ok=True)

@@ -22,6 +22,7 @@ import checks
 
 HERE = Path(__file__).resolve().parents[2]
 CORE, IO, REPORT = "crates/cageless/src/", "crates/cageless-io/src/case_file/", "crates/cageless-report/src/"
+DESIGN = "crates/cageless-design/src/"
 FRICTION, INTEGRATOR, FIGURES = CORE + "contact/friction/", CORE + "integrator/", REPORT + "figures/"
 SHAPE = CORE + "raceway/shape/"
 
@@ -231,8 +232,8 @@ pub fn magnitudes(run: &RunData) -> Option<Figure> {
         ],
     },
     "A criterion of a verdict": {
-        CORE
-        + "design/criterion/often.rs": """//! Contacts of a passing ball.
+        DESIGN
+        + "criterion/often.rs": """//! Contacts of a passing ball.
 
 use super::super::raceway_verdict::RacewayVerdict;
 use super::requirement::{Bound, CauseKind, Requirement};
@@ -254,13 +255,13 @@ pub(crate) static OFTEN: Requirement = Requirement {
     ..Requirement::PERCENT
 };
 """,
-        CORE
-        + "design/criterion/mod.rs": [
+        DESIGN
+        + "criterion/mod.rs": [
             ["mod pressure;", "mod often;\n"],
             ["pub(crate) use pressure::", "pub(crate) use often::OFTEN;\n"],
         ],
-        CORE
-        + "design/verdict.rs": [
+        DESIGN
+        + "verdict.rs": [
             ["        BOTH_NEIGHBOURS.of(s.double", "        super::criterion::OFTEN.of(s.collisions_mean),\n"],
         ],
     },

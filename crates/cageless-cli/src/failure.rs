@@ -3,9 +3,9 @@
 use std::fmt;
 use std::path::Path;
 
-use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::{Ending, RunOutcome, Stop};
+use cageless_design::critical_gap::CriticalGapError;
 use cageless_io::case_file::CaseError;
 use cageless_io::io_error_message;
 use cageless_io::results::ResultError;

@@ -1,10 +1,10 @@
 //! A case compared with another from the same uneven starts.
 
 use cageless::Case;
-use cageless::design::RunVerdict;
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, Ending, Observer, batches, run_batch};
 use cageless::summary::SummaryRecorder;
+use cageless_design::RunVerdict;
 use cageless_io::case_file::CaseFile;
 use cageless_io::estimate::{Change, Estimate};
 use cageless_results::{Finished, RUN, Results, Subject};

@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 
 use cageless::Case;
-use cageless::design::{Estimate, EstimateTerm, seats};
+use cageless::closed_forms::seats;
 use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::raceway::Raceway;
 use cageless::simulation::Control;
 use cageless::surface::DrawnGroove;
+use cageless_design::{Estimate, EstimateTerm};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_results::{DESIGN, Record, Results, Subject, static_record};
 use serde_json::{Value, json};

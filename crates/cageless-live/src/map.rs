@@ -1,10 +1,11 @@
 //! Estimates over two keys of a case.
 
 use cageless::Case;
-use cageless::design::{Eq11, Estimate, seats, theoretical_gap_rad};
+use cageless::closed_forms::{Eq11, seats, theoretical_gap_rad};
 use cageless::equilibrium::{EquilibriumError, settle_controlled};
 use cageless::film::FilmAtRest;
 use cageless::simulation::Control;
+use cageless_design::Estimate;
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, Change};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};

@@ -1,7 +1,7 @@
 //! Refusal of a request.
 
-use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
+use cageless_design::critical_gap::CriticalGapError;
 use cageless_io::case_file::{CaseError, CaseFile};
 use serde::Serialize;
 use serde::de::DeserializeOwned;

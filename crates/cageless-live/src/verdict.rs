@@ -1,7 +1,7 @@
 //! The simulated verdict on the raceways of a case.
 
-use cageless::design::{Criterion, judge};
 use cageless::simulation::Control;
+use cageless_design::{Criterion, judge};
 use cageless_io::case_file::CaseFile;
 use cageless_results::{Judged, PASSAGES, Results, Subject, VERDICT};
 use serde_json::{Value, json};

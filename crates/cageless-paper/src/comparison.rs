@@ -6,12 +6,12 @@ mod outcome;
 use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
-use cageless::design::search::uneven_gaps_rad;
 use cageless::recorder::keeping;
 use cageless::simulation::{Control, Observer, ObserverError, StepView, batches, run_batch};
-use cageless::tolerance::{BallGrade, ball_grade, ball_lot_m};
 use cageless::vibration::VibrationRecorder;
+use cageless::{BallGrade, ball_grade};
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start, StartState};
+use cageless_design::tolerance::ball_lot_m;
 use cageless_report::run_report::filter_note;
 use cageless_report::{
     ComparisonCell, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison, RingNumbers,
@@ -218,7 +218,7 @@ impl Plan {
 /// gaps within the bunches leave.
 fn bunched_gaps_rad(case: &Case, start: u64) -> Vec<f64> {
     let n = case.bearing.balls();
-    let drawn = uneven_gaps_rad(case, SEED, start);
+    let drawn = Gaps::uneven_rad(&case.bearing, SEED, start);
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|a, b| drawn[*b].total_cmp(&drawn[*a]));
     let within = GAP_IN_BUNCH_DEG.to_radians();

@@ -1,7 +1,7 @@
 //! Simulations that claims need beyond the figures.
 
-use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
-use cageless::design::{StartingPoint, starting_point};
+use cageless_design::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
+use cageless_design::{StartingPoint, starting_point};
 use cageless_study::threads::both;
 use cageless_study::{StudyError, Work};
 

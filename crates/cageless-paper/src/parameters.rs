@@ -1,6 +1,6 @@
 //! Table 1 and the figures that need no simulation.
 
-use cageless::design::span_angle_curve;
+use cageless::closed_forms::span_angle_curve;
 use cageless::raceway::axial_span_limit_m;
 use cageless::{Case, RacewayForm};
 use cageless_io::case_file::CaseFile;

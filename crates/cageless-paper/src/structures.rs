@@ -2,16 +2,15 @@
 //! (Fig. 9).
 
 use cageless::Snapshot;
+use cageless::closed_forms::{Eq11, half_angle_for_gap_rad};
 use cageless::collision::{Collision, CollisionDetector};
-use cageless::design::{
-    Eq11, Judgement, half_angle_for_gap_rad, judge, judge_watched, steady_after_s, steady_case,
-};
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::numerics::Moments;
 use cageless::numerics::wrap_angle_rad;
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::recorder::{Recorder, keeping};
 use cageless::{Case, RacewayForm};
+use cageless_design::{Judgement, judge, judge_watched, steady_after_s, steady_case};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 

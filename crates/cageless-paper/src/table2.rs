@@ -3,9 +3,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use cageless::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
-use cageless::design::{Eq11, theoretical_gap_rad};
+use cageless::closed_forms::{Eq11, theoretical_gap_rad};
 use cageless::{Case, FlankModel, Formulation, FrictionModel};
+use cageless_design::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use cageless::design::search::NEIGHBOURS_WIDER;
+use cageless_design::search::NEIGHBOURS_WIDER;
 
 use cageless_results::{DryVerdict, Record};
 use cageless_study::benefit_search::BenefitSearch;

@@ -10,10 +10,9 @@ use crate::{
 };
 use cageless::Case;
 use cageless::Snapshot;
-use cageless::design::{
-    AXIAL_ORBITS, RacewayVerdict, span_angle_curve, steady_after_s, steady_case,
-};
+use cageless::closed_forms::span_angle_curve;
 use cageless::raceway::axial_span_limit_m;
+use cageless_design::{AXIAL_ORBITS, RacewayVerdict, steady_after_s, steady_case};
 use cageless_io::case_file::CaseFile;
 use cageless_results::{DryVerdict, Recommended, Record, software};
 use cageless_study::{DesignResult, lines, parameter, parameters, provenance};

@@ -1,6 +1,6 @@
 //! Data of the page that reproduces Zhao 2022.
 
-use cageless::design::CurvePoint;
+use cageless::closed_forms::CurvePoint;
 use serde::{Deserialize, Serialize};
 
 use crate::claim::Claim;

@@ -1,6 +1,6 @@
 //! Tables of a search.
 
-use cageless::design::search::NEIGHBOURS_WIDER;
+use cageless_design::search::NEIGHBOURS_WIDER;
 use cageless_io::estimate::Estimate;
 use cageless_results::{
     MOTION, PLACEMENT, Quantity, Record, Results, STRUCTURE, STRUCTURE_AT, heading, table_of,

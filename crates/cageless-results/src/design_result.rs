@@ -1,14 +1,12 @@
 //! Results of a design.
 
 use cageless::Case;
-use cageless::critical_gap::CriticalGapError;
-use cageless::design::{
-    AxialLag, AxialLimit, ContactAngleEstimate, Judgement, NoLag, Recommendation,
-    axial_load_keeping, seats, span_angle_curve,
-};
+use cageless::closed_forms::{ContactAngleEstimate, seats, span_angle_curve};
 use cageless::equilibrium::{settle, solve};
 use cageless::film::FilmAtRest;
 use cageless::simulation::Control;
+use cageless_design::critical_gap::CriticalGapError;
+use cageless_design::{AxialLag, AxialLimit, Judgement, NoLag, Recommendation, axial_load_keeping};
 
 use crate::number_text::significant;
 use crate::overheating::overheating;
@@ -87,7 +85,7 @@ fn warnings(case: &Case) -> Vec<String> {
     at_rest.warnings(case).into_iter().chain(of_film).collect()
 }
 
-/// Results of motion in space at the points of [`cageless::design::axial_points`]: `findings` says what the
+/// Results of motion in space at the points of [`cageless_design::axial_points`]: `findings` says what the
 /// limits are, or why there are none, and which runs stopped.
 pub fn axial_record(lags: &[AxialLag]) -> Record {
     // Where one limit is no load, those that leave less of the lag are none for the same reason.

@@ -2,11 +2,7 @@
 
 use cageless::BallAdvance;
 use cageless::RacewayForm;
-use cageless::design::search::{Evaluation, Excluded, Found, Motion, OperatingPoint, SpeedMap};
-use cageless::design::{
-    AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
-    RacewayVerdict, Recommendation, RunVerdict,
-};
+use cageless::closed_forms::{ContactAngleEstimate, CurvePoint};
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::equilibrium::{Equilibrium, settle};
 use cageless::film::FilmAtRest;
@@ -17,10 +13,15 @@ use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::steady::SteadySummary;
 use cageless::summary::Summary;
 use cageless::surface::{Conformity, MeasuredRing, MeasuredSlot, MeasuredValue, PointDeviation};
-use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
 use cageless::touchdown::{DropSummary, PARTS};
 use cageless::verification::{Distance, Verification};
 use cageless::{Case, Raceway};
+use cageless_design::search::{Evaluation, Excluded, Found, Motion, OperatingPoint, SpeedMap};
+use cageless_design::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
+use cageless_design::{
+    AxialLag, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
+    RunVerdict,
+};
 
 use crate::cell::Cell;
 use crate::drop_judgement::DropJudgement;

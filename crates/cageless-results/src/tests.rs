@@ -5,9 +5,6 @@ use std::f64::consts::PI;
 
 use cageless::Case;
 use cageless::SpatialSummary;
-use cageless::design::{
-    AxialLag, Judgement, LagAndAngle, NoLag, PassageStatistics, RacewayVerdict, RunVerdict,
-};
 use cageless::dynamics::EnergyTerm;
 use cageless::film::{Film, OilGrade};
 use cageless::passage::{PassageRecorder, PassageTally};
@@ -15,6 +12,9 @@ use cageless::raceway::MeasuredFlanks;
 use cageless::simulation::{Cause, Control, Stop, run};
 use cageless::summary::SummaryRecorder;
 use cageless::surface::{MeasuredSlot, MeasuredValue, PointDeviation};
+use cageless_design::{
+    AxialLag, Judgement, LagAndAngle, NoLag, PassageStatistics, RacewayVerdict, RunVerdict,
+};
 use cageless_io::case_file::{CaseFile, template};
 
 use super::*;

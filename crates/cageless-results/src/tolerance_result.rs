@@ -1,8 +1,8 @@
 //! Results of a tolerance analysis.
 
 use cageless::Case;
-use cageless::design::RacewayVerdict;
-use cageless::tolerance::{Assessment, Tolerances};
+use cageless_design::RacewayVerdict;
+use cageless_design::tolerance::{Assessment, Tolerances};
 
 use crate::table::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 use crate::{

@@ -1,7 +1,7 @@
 //! What axial load and tilt leave of the lag in the raceways of a case, point by point in parallel.
 
-use cageless::critical_gap::CriticalGapError;
-use cageless::design::{
+use cageless_design::critical_gap::CriticalGapError;
+use cageless_design::{
     AxialLag, AxialLimit, axial_critical_gap_rad, axial_lag, axial_load_keeping, axial_points,
     axial_sample,
 };

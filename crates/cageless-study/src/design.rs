@@ -4,15 +4,15 @@ use std::path::Path;
 
 use cageless::Case;
 use cageless::Snapshot;
-use cageless::critical_gap::CriticalGapError;
-use cageless::design::search::Found;
-use cageless::design::{
-    Judgement, Recommendation, judge_watched, recommend, recommendation_steps, steady_case,
-    verdict_steps,
-};
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::{Recorder, keeping};
 use cageless::simulation::Stop;
+use cageless_design::critical_gap::CriticalGapError;
+use cageless_design::search::Found;
+use cageless_design::{
+    Judgement, Recommendation, judge_watched, recommend, recommendation_steps, steady_case,
+    verdict_steps,
+};
 use cageless_io::case_file::CaseFile;
 
 use cageless_results::{Recommended, Record, axial_record, design_record};

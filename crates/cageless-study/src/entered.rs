@@ -1,8 +1,8 @@
 //! Cases as they are when a found raceway is entered in their file.
 
-use cageless::design::search::OperatingPoint;
 use cageless::raceway::RacewayDimensions;
 use cageless::{Case, RacewayForm, RacewayShape};
+use cageless_design::search::OperatingPoint;
 use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, SectionValues};
 
 const SHAPE: &str = "shape";

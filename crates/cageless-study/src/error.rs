@@ -4,9 +4,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cageless::InputError;
-use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::{Ending, ObserverError, Stop};
+use cageless_design::critical_gap::CriticalGapError;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::journal::JournalError;
 use cageless_io::results::ResultError;

@@ -3,10 +3,10 @@
 use std::collections::VecDeque;
 
 use cageless::Case;
-use cageless::design::{RacewayTallies, RunEvidence, RunVerdict};
 use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::simulation::{Observer, RunOutcome};
 use cageless::summary::{Summary, transient_s};
+use cageless_design::{RacewayTallies, RunEvidence, RunVerdict};
 use cageless_results::Stopped;
 
 /// Most of the last passages that are kept one by one.

@@ -1,12 +1,11 @@
 //! Sensitivity of the verdict on a raceway to machining errors, scatter and operation.
 
-use cageless::critical_gap::CriticalGapError;
-use cageless::design::{RacewayVerdict, judge, verdict_steps};
 use cageless::film::{Film, VISCOSITIES_PA_S};
-use cageless::tolerance::{
-    Outcome, Tolerances, Trial, assess, ball_grade, ball_grades_text, trials,
-};
 use cageless::{Case, Raceway};
+use cageless::{ball_grade, ball_grades_text};
+use cageless_design::critical_gap::CriticalGapError;
+use cageless_design::tolerance::{Outcome, Tolerances, Trial, assess, trials};
+use cageless_design::{RacewayVerdict, judge, verdict_steps};
 use cageless_io::OptionError;
 use cageless_io::case_file::CaseFile;
 use cageless_results::number_text::significant;

@@ -1,6 +1,6 @@
 //! Benefit of a raceway as drawn and at both ends of its machining tolerances.
 
-use cageless::tolerance::Tolerances;
+use cageless_design::tolerance::Tolerances;
 use cageless_io::case_file::{CaseFile, MachiningErrors};
 use cageless_results::Provenance;
 use serde::Serialize;
@@ -128,8 +128,8 @@ fn severity(benefit: BenefitWord) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use cageless::design::judge;
     use cageless::simulation::Control;
+    use cageless_design::judge;
     use cageless_io::case_file::template;
 
     use super::*;

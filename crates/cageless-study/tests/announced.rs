@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::Mutex;
 
-use cageless::design::{axial_critical_gap_rad, axial_lag, axial_sample};
 use cageless::simulation::{Control, steps_of_thread};
+use cageless_design::{axial_critical_gap_rad, axial_lag, axial_sample};
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::plan_file::PlanFile;

@@ -1,10 +1,11 @@
 //! The numbers of a design in the units in which they are shown.
 
-use cageless::design::{
-    Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation, STEADY_GAP,
-    StartingPoint, steady_gap_rad,
-};
+use cageless::closed_forms::steady_gap_rad;
 use cageless::raceway::RacewayDimensions;
+use cageless_design::{
+    Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation, STEADY_GAP,
+    StartingPoint,
+};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_results::{Record, Results};
 use cageless_study::design::DesignResult;

@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
-use cageless::design::judge;
 use cageless::simulation::Control;
 use cageless::steady::HeldPair;
+use cageless_design::judge;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_study::Silent;
 use cageless_study::comparison::{Sampling, compare};

@@ -51,10 +51,10 @@ mod ball_orbit;
 mod rolling_energy;
 mod rolling_row;
 
+use crate::ball_grade::ball_grade;
 use crate::case::Case;
 use crate::equilibrium::space::{RollingBall, SpatialEquilibrium};
 use crate::steady::GRADE;
-use crate::tolerance::ball_grade;
 use ball_orbit::{BallOrbit, orbit_radius_m};
 use rolling_energy::RollingEnergy;
 

@@ -25,8 +25,6 @@ pub(crate) struct Equations {
     pub spin_relative_to_orbit: bool,
     /// Whether friction on a discrete raceway acts along the contact path, else against the sliding velocity.
     pub friction_along_path: bool,
-    /// Whether the balls beside a pair that is tested stand as evenly as in Zhao 2022.
-    pub even_neighbours: bool,
     /// Parts of a case that they do not have, each with the reason.
     pub refusals: &'static [(CasePart, &'static str)],
 }

@@ -110,7 +110,8 @@ impl InputError {
         }
     }
 
-    pub(crate) fn rule(field: &'static str, value: f64, rule: impl Into<String>) -> Self {
+    /// Error of a field whose value breaks a rule, such as "left out: …".
+    pub fn rule(field: &'static str, value: f64, rule: impl Into<String>) -> Self {
         Self::new(field, value, Allowed::Rule(rule.into()))
     }
 }

@@ -21,7 +21,6 @@ static PHYSICAL: Equations = Equations {
     orbits_on_pitch_circle: false,
     spin_relative_to_orbit: false,
     friction_along_path: false,
-    even_neighbours: false,
     refusals: &[],
 };
 
@@ -30,7 +29,6 @@ static PUBLISHED: Equations = Equations {
     orbits_on_pitch_circle: true,
     spin_relative_to_orbit: true,
     friction_along_path: true,
-    even_neighbours: true,
     refusals: &[
         (
             CasePart::ElasticFlanks,

@@ -99,20 +99,20 @@ fn rolling_rad_s(case: &Case) -> Option<f64> {
 }
 
 /// Follows a run, dry or wet, from a time on.
-pub(crate) struct HalfTurnRecorder {
+pub struct HalfTurnRecorder {
     from_s: f64,
     tracker: HalfTurnTracker,
 }
 
 impl HalfTurnRecorder {
     /// That of a case at constant speed.
-    pub(crate) fn new(case: &Case, from_s: f64) -> Self {
+    pub fn new(case: &Case, from_s: f64) -> Self {
         let tracker = HalfTurnTracker::of(case);
         Self { from_s, tracker }
     }
 
     /// The lag in the mean, rad; `None` before the first half orbit.
-    pub(crate) fn lag_rad(&self) -> Option<f64> {
+    pub fn lag_rad(&self) -> Option<f64> {
         self.tracker.lag_rad()
     }
 }

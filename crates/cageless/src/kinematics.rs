@@ -99,7 +99,7 @@ pub fn speed_change_max(bearing: &Bearing, raceway: &Raceway) -> f64 {
 
 /// Angle by which a ball that rolls through every raceway lags, once per orbit, behind one that
 /// rolls on the plain outer ring: ∫ (Ω(Rw)/Ω(r) − 1) dψ.
-pub(crate) fn raceway_delay_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
+pub fn raceway_delay_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
     let rw = bearing.ball_radius_m();
     let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, 1.0, r);
     let outside = speed(rw);

@@ -3,7 +3,8 @@
 //!
 //! The model is that of Zhao, Zhou, Wang, *Discrete Dynamics of Balls in Cageless Ball Bearings*, Symmetry 2022, 14,
 //! 2242 ("Zhao 2022" below), as published or in a physically consistent form ([`Formulation`]), in the plane or in
-//! space, with static equilibrium, design, life, touch-down of rotors and tolerances.
+//! space, with static equilibrium, life and touch-down of rotors. The crate `cageless-design` has the verdict on a
+//! raceway, the search for one, and tolerances.
 //!
 //! # First program
 //! A bearing, a raceway, a case, and 2 ms of motion. What is not given has a default that [`Case::of`] and
@@ -92,18 +93,18 @@
 //! | question | module |
 //! |---|---|
 //! | where a ring settles, and what each ball bears | [`equilibrium`], [`rating`], [`Fit`] |
-//! | how far a raceway slows a ball, and whether it helps | [`design`], [`critical_gap`], [`BallAdvance`], [`steady`] |
-//! | which raceway | [`design::search`]; the example `search` |
+//! | how far a raceway slows a ball | [`closed_forms`], [`BallAdvance`], [`steady`] |
+//! | whether a raceway helps, and which | crate `cageless-design`: `judge`, `critical_gap`, `search` |
 //! | axial load, tilt, several rows: motion in space | [`SpatialLoad`], [`Row`]; z, tilt and contact angles in the [view](simulation::StepView) |
 //! | oil in the contacts | [`Film`], [`film::OilGrade`]; `case.film` in [`CaseBuilder::change`] |
 //! | a rotor of one's own that falls | [`Rotor::estimated`], [`CaseBuilder::rotor`], [`Bearing::with_inner_ring_bore`] |
 //! | a rotor that falls onto its touch-down bearings | [`simulation::RotorDrop`], [`touchdown`], [`linear_rotor`]; the example `drop` |
-//! | what deviations from the drawing change | [`tolerance`], [`surface`] |
+//! | what deviations from the drawing change | [`surface`]; `tolerance` of `cageless-design` |
 //! | whether a result can be trusted | [`verification`], [`reference`](mod@reference) |
 //! | forces on the housing | [`vibration`] |
 //!
 //! The examples of the crate, a screen each: `first_bearing`, `own_friction_law`, `own_observer`, `own_integrator`,
-//! `speed_controller`, `drop`, `search`, `critical_gap` (`cargo run -p cageless --example first_bearing`).
+//! `speed_controller`, `drop` (`cargo run -p cageless --example first_bearing`).
 //!
 //! # Frame
 //! Origin at the centre of the fixed outer ring; +Y up, gravity and radial load
@@ -116,17 +117,18 @@
 mod assembly;
 mod ball;
 mod ball_advance;
+mod ball_grade;
 mod bearing;
 mod case;
 mod case_builder;
+pub mod closed_forms;
 pub mod collision;
 pub mod contact;
 mod contact_peaks;
+mod contact_tally;
 mod contact_tracker;
 mod control;
 mod creep_mean;
-pub mod critical_gap;
-pub mod design;
 pub mod dynamics;
 mod ellipse_edges;
 mod equations;
@@ -171,7 +173,6 @@ pub mod step_limits;
 pub mod summary;
 pub mod surface;
 mod time_table;
-pub mod tolerance;
 pub mod touchdown;
 mod unbalance;
 pub mod verification;
@@ -180,6 +181,7 @@ pub(crate) mod world;
 
 pub use assembly::Assembly;
 pub use ball_advance::BallAdvance;
+pub use ball_grade::{BallGrade, ball_grade, ball_grades_text};
 pub use bearing::{
     BALLS_MIN, Ball, Bearing, BearingDimensions, CONFORMITY, INNER_RING_DAMPING_N_S_M,
     InnerRingBore, SHOULDER_HEIGHT,
@@ -191,6 +193,7 @@ pub use case::{
 pub use case_builder::CaseBuilder;
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionModel, FrictionParameters, FrictionTable, Regularisation};
+pub use contact_tally::ContactTally;
 pub use contact_tracker::ContactCounts;
 pub use error::{Allowed, InputError};
 pub use film::Film;
@@ -200,6 +203,7 @@ pub use fit::{
 };
 pub use flank_model::FlankModel;
 pub use formulation::Formulation;
+pub use half_turn::HalfTurnRecorder;
 pub use initial_conditions::{initial_state, initial_state_controlled, unloaded_equilibrium};
 pub use integrator::IntegrationMethod;
 pub use limits::{LIMITS, Limit};

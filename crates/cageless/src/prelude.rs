@@ -14,7 +14,6 @@ pub use crate::case::{Case, Gaps, Motion};
 pub use crate::case_builder::CaseBuilder;
 pub use crate::collision::{Collision, CollisionDetector};
 pub use crate::contact::{FrictionLaw, FrictionTable};
-pub use crate::critical_gap::{PairTest, critical_gap_rad};
 pub use crate::equilibrium::EquilibriumError;
 pub use crate::error::InputError;
 pub use crate::flank_model::FlankModel;

@@ -67,7 +67,7 @@ pub struct Summary {
 }
 
 /// Ball orbits that are left out at the start.
-pub(crate) const TRANSIENT_TURNS: f64 = 2.0;
+pub const TRANSIENT_TURNS: f64 = 2.0;
 /// Gaps are looked at this often, steps: below 0.5 m/s between neighbours they change by
 /// less than 0.01° in 8 steps of 1 µs.
 const GAPS_EVERY: u64 = 8;

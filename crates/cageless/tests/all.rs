@@ -4,7 +4,6 @@
 mod automatic_step;
 mod border;
 mod common;
-mod critical_gap;
 mod documentation;
 mod endurance;
 mod falling_ring;

@@ -1,6 +1,6 @@
 //! Arguments with tolerances.
 
-use cageless::tolerance::ball_grades_text;
+use cageless::ball_grades_text;
 use cageless_study::measured::Limits;
 use cageless_study::tolerance::Request as Tolerances;
 use clap::Args as Group;

@@ -3,7 +3,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use cageless::design::search::BUDGET;
+use cageless_design::search::BUDGET;
 use cageless_io::cad::{ExportError, ExportOptions, Format, export};
 use cageless_io::case_file::CaseFile;
 use cageless_live::{REQUEST_BYTES_MAX, Refusal, answer as engine_answer, answered, parsed};

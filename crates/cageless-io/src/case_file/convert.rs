@@ -9,7 +9,6 @@ mod start;
 mod steady;
 
 use cageless::SupportStop;
-use cageless::design::search::Request;
 use cageless::film::Film;
 use cageless::steady::SteadyOperation;
 use cageless::step_limits::StepLimits;
@@ -18,6 +17,7 @@ use cageless::{
     Bearing, Case, Ends, FlankModel, InputError, Lubrication, OperatingClearance, Raceway,
     RacewayDimensions, RacewayForm, Row, Solver, Support,
 };
+use cageless_design::search::Request;
 
 use cageless_results::{Kind, LIMITED, Particulars, Quantity};
 

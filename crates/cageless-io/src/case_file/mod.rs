@@ -57,9 +57,10 @@ pub(crate) use source::{is_json, read_named, source};
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
-use cageless::design::search::{Request, uneven_gaps_rad};
+use cageless::Gaps;
 use cageless::steady::{SteadyDraw, SteadyOperation};
 use cageless::step_limits;
+use cageless_design::search::Request;
 use cageless_results::Particulars;
 use convert::Check;
 use spanned_toml::{Origin, join, nth};
@@ -270,7 +271,7 @@ impl CaseFile {
     /// # Errors
     /// A [`CaseError`] if the case cannot start with these gaps.
     pub fn with_uneven_start(&self, seed: u64, start: u64) -> Result<Self, CaseError> {
-        let gaps = uneven_gaps_rad(&self.case, seed, start);
+        let gaps = Gaps::uneven_rad(&self.case.bearing, seed, start);
         let mut document = self.document.clone();
         let degrees = gaps.into_iter().map(f64::to_degrees);
         document.set("start.gaps", CaseValue::Numbers(degrees.collect()));

@@ -1,7 +1,7 @@
 //! Ranges of `[search]` that a film leaves no room for.
 
-use cageless::design::STEADY_GAP;
-use cageless::design::search::Request;
+use cageless_design::STEADY_GAP;
+use cageless_design::search::Request;
 
 use super::CaseFile;
 use super::error::CaseError;

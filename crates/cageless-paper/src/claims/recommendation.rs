@@ -1,6 +1,6 @@
 //! The classes of the ten structures and the recommended range of 2θ.
 
-use cageless::design::{Judgement, RacewayVerdict, StartingPoint};
+use cageless_design::{Judgement, RacewayVerdict, StartingPoint};
 use cageless_report::{Claim, Requirement};
 
 use super::evidence::{Evidence, NAMES, largest, of_both};

@@ -1,6 +1,6 @@
 //! The ten structures in motion, Fig. 8 and 9.
 
-use cageless::design::PassageStatistics;
+use cageless_design::PassageStatistics;
 use cageless_report::{Claim, Requirement};
 
 use super::evidence::{Evidence, NAMES, largest, least, of_both};

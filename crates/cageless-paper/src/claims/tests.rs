@@ -2,8 +2,9 @@
 
 use std::sync::OnceLock;
 
-use cageless::design::{Eq11, judge, theoretical_gap_rad};
+use cageless::closed_forms::{Eq11, theoretical_gap_rad};
 use cageless::simulation::{Control, steps_of_thread};
+use cageless_design::judge;
 use cageless_report::ClaimStatus::{self, Confirmed, Erratum, NotConfirmed, NotTested, Partly};
 use cageless_report::{ComparisonCell, Estimate, RingComparison, RingNumbers};
 use cageless_study::{Progress, Silent};

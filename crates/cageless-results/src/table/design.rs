@@ -3,13 +3,13 @@
 use std::f64::consts::FRAC_PI_4;
 
 use cageless::Case;
-use cageless::design::{
-    AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, FilmEvidence, LagAndAngle,
-    axial_load_keeping, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
-    theoretical_gap_rad,
+use cageless::closed_forms::{
+    ContactAngleEstimate, CurvePoint, Eq11, balls_in_raceway_max, half_angle_for_gap_rad,
+    steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::kinematics::speed_change_max;
 use cageless::raceway::{self, axial_span_limit_m};
+use cageless_design::{AxialLag, Criterion, FilmEvidence, LagAndAngle, axial_load_keeping};
 
 use crate::cell::Cell;
 use crate::declare::*;

@@ -5,11 +5,11 @@ use std::f64::consts::FRAC_PI_2;
 use cageless::ContactCounts;
 use cageless::OrbitMeans;
 use cageless::SpatialSummary;
-use cageless::design::Criterion;
 use cageless::dynamics::EnergyTerm;
 use cageless::passage::PassageMeans;
 use cageless::rating::{PassingFrequencies, skf_friction_torque_n_m};
 use cageless::summary::{ContactPeak, Summary};
+use cageless_design::Criterion;
 
 use crate::Finished;
 use crate::cell::Cell;

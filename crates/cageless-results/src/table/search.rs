@@ -1,6 +1,6 @@
 //! Results of a search for a raceway.
 
-use cageless::design::search::{
+use cageless_design::search::{
     AxialSeparation, Cause, ClosedForms, Evaluation, MapCell, PairSeparation, SpeedMap,
 };
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use cageless::tolerance::{Influence as Deviates, Interval};
+use cageless_design::tolerance::{Influence as Deviates, Interval};
 
 use crate::cell::Cell;
 use crate::declare::*;

@@ -1,7 +1,7 @@
 //! Rings that could not be compared.
 
-use cageless::critical_gap::CriticalGapError;
 use cageless::simulation::Stop;
+use cageless_design::critical_gap::CriticalGapError;
 use serde::Serialize;
 
 use crate::error::StudyError;

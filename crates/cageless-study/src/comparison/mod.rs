@@ -12,12 +12,12 @@ mod sampling;
 mod verdict;
 
 use cageless::Case;
-use cageless::design::RunVerdict;
 use cageless::equilibrium::settle;
 use cageless::simulation::{Observer, batches};
 use cageless::steady::{Stationarity, SteadyBlock, SteadyRecorder, SteadySummary};
 use cageless::summary::transient_s;
 use cageless::vibration::VibrationRecorder;
+use cageless_design::RunVerdict;
 use cageless_io::case_file::{CaseError, CaseFile};
 use rayon::prelude::*;
 use serde_json::{Value, to_value};

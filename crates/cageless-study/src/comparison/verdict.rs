@@ -1,6 +1,6 @@
 //! Verdict on each ring of a comparison.
 
-use cageless::design::{Criterion, RacewayVerdict, RunVerdict};
+use cageless_design::{Criterion, RacewayVerdict, RunVerdict};
 use serde::Serialize;
 use serde_json::{Map, Value};
 

@@ -2,8 +2,8 @@
 
 use cageless::FrictionParameters;
 use cageless::numerics::wilson_interval;
-use cageless::tolerance::SampleCount;
 use cageless::touchdown::{DrawnBearing, EndState};
+use cageless_design::tolerance::SampleCount;
 use cageless_io::OptionError;
 use serde::Serialize;
 

@@ -1,10 +1,10 @@
 //! The record of a search.
 
 use cageless::RacewayForm;
-use cageless::design::search::{
+use cageless::closed_forms::span_angle_curve;
+use cageless_design::search::{
     Confirmed, Evaluation, Found, Motion, ObjectiveScale, OperatingPoint, Role, SpeedMap,
 };
-use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{
     AtPoint, MAP, MOTION, PAPER, PLACEMENT, POINT, Part, REJECTION, Record, SEARCH, STRUCTURE,

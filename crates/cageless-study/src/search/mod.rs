@@ -7,14 +7,14 @@ mod task_runner;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cageless::critical_gap::CriticalGapError;
-use cageless::design::search::{
+use cageless::numerics::BATCH_WIDTH;
+use cageless::raceway::RacewayDimensions;
+use cageless_design::critical_gap::CriticalGapError;
+use cageless_design::search::{
     Cause, Evaluation, ExpectedRuns, Found, OperatingPoint, RacewayLayout, Rejection, Request,
     SearchError, Stage, expected_runs, run_jobs, search,
 };
-use cageless::design::{RacewayVerdict, judge, verdict_steps};
-use cageless::numerics::BATCH_WIDTH;
-use cageless::raceway::RacewayDimensions;
+use cageless_design::{RacewayVerdict, judge, verdict_steps};
 use cageless_io::case_file::{CaseFile, SectionValues};
 use rayon::prelude::*;
 

@@ -1,8 +1,8 @@
 //! Narrative of a search: its result in sentences.
 
 use cageless::RacewayShape;
-use cageless::design::CauseKind;
-use cageless::design::search::{
+use cageless_design::CauseKind;
+use cageless_design::search::{
     BUNCHED_TURNS, CONFIRMING_STARTS, Confirmed, Evaluation, Found, Motion, Rejection, Role,
 };
 use cageless_results::number_text::signed;

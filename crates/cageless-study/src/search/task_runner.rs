@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use cageless::Case;
-use cageless::design::search::{
+use cageless::numerics::BATCH_WIDTH;
+use cageless_design::search::{
     Interrupted, Job, Motion, Numbers, Outcome, PairSeparation, Stage, run_jobs,
 };
-use cageless::numerics::BATCH_WIDTH;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::{Entry, Journal};
 use cageless_io::results::VERSION;

@@ -3,11 +3,11 @@
 use std::ops::Range;
 
 use cageless::Case;
-use cageless::critical_gap::CriticalGapError;
-use cageless::design::judge;
 use cageless::equilibrium::settle;
 use cageless::numerics::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
+use cageless_design::critical_gap::CriticalGapError;
+use cageless_design::judge;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
 use cageless_io::plan_file::PlanFile;

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use cageless::design::verdict_steps;
 use cageless::simulation::Control;
+use cageless_design::verdict_steps;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::CaseFile;
 use cageless_results::Computation;

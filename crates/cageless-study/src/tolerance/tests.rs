@@ -1,4 +1,4 @@
-use cageless::design::{PassageStatistics, RacewayVerdict};
+use cageless_design::{PassageStatistics, RacewayVerdict};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_results::TOLERANCE_SHAPE;
 

@@ -1,8 +1,8 @@
-use cageless::design::RunVerdict;
 use cageless::passage::PassageTally;
 use cageless::simulation::{Control, RunOutcome, run};
 use cageless::summary::{ContactPeak, ContactPeaks};
 use cageless::summary::{Summary, SummaryRecorder};
+use cageless_design::RunVerdict;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_results::number_text::short;
 

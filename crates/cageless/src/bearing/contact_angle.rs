@@ -85,7 +85,7 @@ impl Bearing {
     ///
     /// # Errors
     /// An [`InputError`] if the bearing is impossible, or its contact angle beyond a shoulder.
-    pub(crate) fn with_clearance_deviation(&self, deviation_m: f64) -> Result<Self, InputError> {
+    pub fn with_clearance_deviation(&self, deviation_m: f64) -> Result<Self, InputError> {
         if deviation_m == 0.0 {
             let deviations_m = vec![];
             return Ok(Self {

@@ -170,7 +170,7 @@ impl Case {
     ///
     /// # Errors
     /// An [`InputError`] naming the film.
-    pub(crate) fn check_without_film(&self, what: &str) -> Result<(), InputError> {
+    pub fn check_without_film(&self, what: &str) -> Result<(), InputError> {
         let Some(film) = &self.film else {
             return Ok(());
         };

@@ -74,7 +74,7 @@ impl Contact {
     }
 
     /// Adds to μ; with a table or a law of one's own every μ grows by the same fraction.
-    pub(crate) fn shift_friction(&mut self, by: f64) {
+    pub fn shift_friction(&mut self, by: f64) {
         let sliding = self.friction.coefficient;
         let by_speed = self.friction.table.is_some() || self.friction.own.is_some();
         if by_speed && sliding > 0.0 {

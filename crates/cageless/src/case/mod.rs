@@ -29,7 +29,7 @@ use crate::flank_model::FlankModel;
 use crate::formulation::Formulation;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
-use crate::numerics::random::RandomStream;
+use crate::numerics::random::{RandomStream, split_mix};
 use crate::numerics::root;
 use crate::raceway::{Raceway, RacewayForm};
 use crate::rotating_ring::{RingDiameters, rotating_growth_m};
@@ -137,6 +137,23 @@ impl Gaps {
         let mut stream = RandomStream::new(seed, START, 0, 0);
         Self::List(random_gaps_rad(bearing, &mut stream))
     }
+
+    /// Gaps of start `start` under `seed`, each drawn evenly between 0 and twice the mean and scaled to the free
+    /// angle, rad.
+    pub fn uneven_rad(bearing: &Bearing, seed: u64, start: u64) -> Vec<f64> {
+        let count = bearing.balls();
+        let drawn: Vec<f64> = (0..count as u64).map(|k| unit(seed, start, k)).collect();
+        let free_rad = count as f64 * bearing.nominal_gap_rad();
+        let sum: f64 = drawn.iter().sum();
+        drawn.iter().map(|d| d / sum * free_rad).collect()
+    }
+}
+
+/// A number in (0, 1) for each triple of numbers.
+fn unit(seed: u64, start: u64, k: u64) -> f64 {
+    let of_start = seed.wrapping_add((start + 1).wrapping_mul(0xd1b5_4a32_d192_ed03));
+    let z = split_mix(of_start, k + 1);
+    ((z >> 12) as f64 + 0.5) / (1u64 << 52) as f64
 }
 
 /// Gaps of [`Gaps::bunched`], rad.

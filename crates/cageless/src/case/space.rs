@@ -99,7 +99,7 @@ impl Case {
     /// Indices of rows of which no two move alike; every other row is like one of them. Rows with the same contact
     /// sign and preload are alike on a ring that stays straight, and mirror images too where nothing pushes the
     /// ring along its axis.
-    pub(crate) fn distinct_rows(&self) -> Vec<usize> {
+    pub fn distinct_rows(&self) -> Vec<usize> {
         let rows = self.all_rows();
         let load = &self.operation.space;
         let straight = load.tilt == Tilt::default();

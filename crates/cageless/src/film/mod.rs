@@ -44,7 +44,7 @@ pub(crate) use motion::RollingModel;
 pub use oil::{Oil, OilGrade, TEMPERATURES_C, VISCOSITIES_PA_S, VISCOSITY_TEMPERATURE_MAX_1_K};
 pub use rest::{FilmAtRest, WEIGHT_MAX};
 pub(crate) use rolling_force::Rolling;
-pub(crate) use spacing::{QUEUE, free_share, opening_gap_rad};
+pub use spacing::{QUEUE, free_share, opening_gap_rad};
 pub use starvation::INLET_RATIO_MIN;
 #[cfg(test)]
 pub(crate) use starvation::starved_share;
@@ -54,7 +54,7 @@ pub(crate) use traction::{TractionCurve, TractionCurveLanes};
 pub(crate) use traction_at_rest::MixedFriction;
 
 /// Supply of contacts that flood.
-pub(crate) const FLOODED: f64 = 1.0;
+pub const FLOODED: f64 = 1.0;
 /// Supply of contacts with two drops of oil: balls of 7.94 mm measured beside races of their size carry 0.62 to 0.73 of
 /// the force of flooded ones (Bălan et al., Lubricants 3 (2015) 222).
 pub const TWO_DROPS: f64 = 0.65;
@@ -114,7 +114,7 @@ impl Film {
     }
 
     /// Whether oil reaches the contacts.
-    pub(crate) fn has_oil(&self) -> bool {
+    pub fn has_oil(&self) -> bool {
         self.supply > 0.0
     }
 

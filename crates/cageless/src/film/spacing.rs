@@ -10,15 +10,15 @@ const OPENING: f64 = 0.85;
 /// from 1.45 on in prototypes.
 pub(super) const MAY_QUEUE: f64 = 1.1;
 /// Speed deficit over the free share of the pitch circle from which slowed balls queue as a rule.
-pub(crate) const QUEUE: f64 = 1.3;
+pub const QUEUE: f64 = 1.3;
 
 /// g_f = 0.85 d · 2π/N, gap that opens behind a ball that enters the load zone, rad; d the share of its speed that it
 /// has lost.
-pub(crate) fn opening_gap_rad(bearing: &Bearing, speed_deficit: f64) -> f64 {
+pub fn opening_gap_rad(bearing: &Bearing, speed_deficit: f64) -> f64 {
     OPENING * speed_deficit * TAU / bearing.balls() as f64
 }
 
 /// s = 1 − N ε/2π, share of the pitch circle that balls leave free.
-pub(crate) fn free_share(bearing: &Bearing) -> f64 {
+pub fn free_share(bearing: &Bearing) -> f64 {
     1.0 - bearing.balls() as f64 * bearing.ball_angle_rad() / TAU
 }

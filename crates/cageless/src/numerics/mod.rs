@@ -26,7 +26,7 @@ pub(crate) mod proportion;
 pub(crate) mod quadrature;
 pub(crate) mod quantile;
 pub(crate) mod random;
-pub(crate) mod root;
+pub mod root;
 pub(crate) mod student;
 pub(crate) mod taylor;
 pub(crate) mod vector;

@@ -40,7 +40,7 @@ impl RandomStream {
     }
 
     /// Number with uniform distribution in [low, high).
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + self.uniform() * (high - low)
     }
 

@@ -506,7 +506,7 @@ impl Raceway {
 }
 
 /// Checks that no two raceways overlap.
-pub(crate) fn apart(raceways: &[Raceway]) -> Result<(), InputError> {
+pub fn apart(raceways: &[Raceway]) -> Result<(), InputError> {
     for (k, one) in raceways.iter().enumerate() {
         for other in &raceways[k + 1..] {
             let distance = one.local_angle_rad(other.dimensions.centre_angle_rad).abs();

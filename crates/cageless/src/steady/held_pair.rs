@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::ball_grade::BallGrade;
 use crate::bearing::Bearing;
-use crate::tolerance::BallGrade;
 
 /// Two neighbours whose gap a raceway on rigid flanks holds up in steady operation.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,7 +10,7 @@
 //! ```
 //! use cageless::reference;
 //! use cageless::steady::HeldPair;
-//! use cageless::tolerance::ball_grade;
+//! use cageless::ball_grade;
 //!
 //! let pair = HeldPair {
 //!     critical_gap_rad: 1.417f64.to_radians(),

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::leading_ball;
+use crate::ball_grade::{BallGrade, ball_grade};
 use crate::case::{Case, bunched_gaps_rad, random_gaps_rad};
 use crate::numerics::random::RandomStream;
-use crate::tolerance::{BallGrade, ball_grade};
 
 crate::named_enum! {
     /// Start of steady operation.

@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use crate::case::{Case, Gaps, Start, StartState};
 use crate::contact::FrictionParameters;
-use crate::design::search::uneven_gaps_rad;
 use crate::numerics::random::{RandomStream, split_mix};
 use crate::simulation::RotorDrop;
 
@@ -160,7 +159,7 @@ impl Scatter {
         }
         if self.ball_arrangement {
             let Streams { seed, index } = streams;
-            let gaps_rad = uneven_gaps_rad(case, seed, index);
+            let gaps_rad = Gaps::uneven_rad(&case.bearing, seed, index);
             let lead_ball_angle_rad = streams.between(Dimension::FirstBall, 0.0, TAU) - TAU / 2.0;
             drop.start = Start::new(
                 StartState::AtRest,

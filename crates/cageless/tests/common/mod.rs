@@ -1,8 +1,10 @@
 // Cases that the tests share.
 
 use cageless::dynamics::State;
+use cageless::film::Oil;
 use cageless::reference::{self, Structure};
 use cageless::simulation::{Control, Ending, Observer, RunOutcome, Simulation, run};
+use cageless::surface::OuterRingDimensions;
 use cageless::{
     Bearing, BearingDimensions, Case, InputError, Material, Raceway, RacewayDimensions,
     RacewayForm, RacewayShape,
@@ -116,3 +118,20 @@ pub fn run_from(
     let mut simulation = Simulation::at(case, state, angle_rad)?;
     Ok(simulation.run_controlled(case.solver.duration_s, observers, control))
 }
+
+/// Oil of the reference numbers, of a viscosity in mPa·s.
+#[allow(dead_code)]
+pub fn oil(mpa_s: f64) -> Oil {
+    Oil {
+        pressure_viscosity_1_pa: 1.5e-8,
+        ..Oil::mineral(1e-3 * mpa_s, 0.035)
+    }
+}
+
+/// Outer ring of the bearing of Zhao 2022, without blends.
+#[allow(dead_code)]
+pub const OUTER_RING: OuterRingDimensions = OuterRingDimensions {
+    outer_ring_outer_radius_m: 31e-3,
+    outer_ring_width_m: 16e-3,
+    blend_m: 0.0,
+};

@@ -1,7 +1,8 @@
 //! Raceways that are accepted, as rings.
 
-use super::outer_ring::{SIZE, bearing, edges_are_shared_by_two, ring};
+use super::outer_ring::{bearing, edges_are_shared_by_two, ring};
 use super::slot_ring::slot;
+use crate::common::OUTER_RING;
 use cageless::surface::{Mesh, OuterRing, OuterRingDimensions, Patch};
 use cageless::{Raceway, RacewayDimensions};
 use proptest::prelude::*;
@@ -89,7 +90,7 @@ proptest! {
     ) {
         let section = if turned { section.to_radians() } else { 0.0 };
         // Room for every floor.
-        let size = OuterRingDimensions { outer_ring_outer_radius_m: 45e-3, ..SIZE };
+        let size = OuterRingDimensions { outer_ring_outer_radius_m: 45e-3, ..OUTER_RING };
         let made = slot(&bearing(), [span, edge, angle, centre])
             .and_then(|slot| slot.with_section_angle(section, &bearing()))
             .and_then(|slot| OuterRing::new(&bearing(), &[slot], size));

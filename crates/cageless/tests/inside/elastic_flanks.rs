@@ -5,8 +5,6 @@ use std::f64::consts::TAU;
 use crate::common::{complete, conventional, dimensions, drop_case, raceway, structure, undamped};
 use cageless::contact::friction::{Law, Smooth};
 use cageless::contact::{AtFlanks, FlankContact, FlankSection, FlankSliding};
-use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
-use cageless::design::{RacewayTallies, RacewayVerdict, RunEvidence, RunVerdict, judge_watched};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
@@ -18,8 +16,8 @@ use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, RunOutcome, run, run_batch};
 use cageless::{
-    Case, FlankModel, Formulation, FrictionModel, Gaps, InputError, IntegrationMethod, Motion,
-    Snapshot, Start, StartState,
+    Case, FlankModel, Formulation, FrictionModel, Gaps, InputError, IntegrationMethod, Snapshot,
+    Start, StartState,
 };
 
 fn elastic(mut case: Case) -> Case {
@@ -301,64 +299,6 @@ fn elastic_flanks_lag_as_in_space() {
     for (case, known) in [(case.clone(), 2.290), (elastic(case), 1.935)] {
         let lag = lag_rad(&case).to_degrees();
         assert!((lag - known).abs() < 0.01, "{lag}, not {known}");
-    }
-}
-
-/// Verdict, lag that is left, critical gap and what a search finds on elastic flanks in the plane are those in space, of a raceway that
-/// keeps its lag but not its critical gap, and of a short one on which little friction leaves the balls less than half of it; so is a run's own verdict.
-#[test]
-fn verdicts_on_elastic_flanks_are_those_in_space() {
-    let mut steep = structure(6.3, 9.0);
-    steep.contact.friction.coefficient = 0.002;
-    for (case, expected, expected_of_run) in [
-        (
-            structure(5.1, 25.2),
-            RacewayVerdict::TooShallow,
-            RacewayVerdict::Smooth,
-        ),
-        (steep, RacewayVerdict::LosesLag, RacewayVerdict::LosesLag),
-    ] {
-        let space = Case {
-            motion: Motion::Space,
-            ..case.clone()
-        };
-        let [plane, space] = [elastic(case), space].map(|case| {
-            let mut tallies = RacewayTallies::new(&case);
-            let mut recorder = PassageRecorder::new(|passage| {
-                tallies.add(&passage);
-                Ok(())
-            });
-            let judgement =
-                judge_watched(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
-            let run = RunEvidence {
-                passages: &tallies,
-                pressure_max_pa: judgement.pressure_at_rest_pa,
-                half_turn_lag_rad: None,
-            };
-            let own = RunVerdict::new(&case, &run).verdict;
-            let found = [judgement.verdict, own];
-            assert_eq!(found, [expected, expected_of_run], "{judgement:?}");
-            let job = Job {
-                structure: RacewayLayout::from_case(&case).unwrap(),
-                point: OperatingPoint::from_case(&case),
-                task: Task::PairSeparation,
-            };
-            let searched = run_jobs(&case, &[&job], &mut |_| Control::Continue(())).swap_remove(0);
-            let Some(Ok(Numbers::PairSeparation(searched))) = searched else {
-                panic!("{searched:?}");
-            };
-            [
-                judgement.critical_gap_rad.unwrap(),
-                judgement.steady_gap_rad.unwrap(),
-                judgement.passages.unwrap().lag_fraction,
-                searched.critical_gap_rad,
-                1.0 - searched.shortfall,
-                searched.stress_pa,
-            ]
-        });
-        for (plane, space) in plane.into_iter().zip(space) {
-            assert!((plane / space - 1.0).abs() < 1e-3, "{plane} {space}");
-        }
     }
 }
 

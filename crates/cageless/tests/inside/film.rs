@@ -1,5 +1,6 @@
 //! The film of rolling contacts against numbers worked out apart from this program, and closed forms.
 
+use crate::common::oil;
 use cageless::contact::friction::Smooth;
 use cageless::contact::{AtFlanks, FlankContact, FlankSliding};
 use cageless::film::{
@@ -7,14 +8,6 @@ use cageless::film::{
 };
 use cageless::reference;
 use cageless::{Bearing, Material};
-
-/// Oil of the reference numbers, of a viscosity in mPa·s.
-pub(crate) fn oil(mpa_s: f64) -> Oil {
-    Oil {
-        pressure_viscosity_1_pa: 1.5e-8,
-        ..Oil::mineral(1e-3 * mpa_s, 0.035)
-    }
-}
 
 fn rolling(speed_m_s: f64, load_n: f64) -> Rolling {
     Rolling { load_n, speed_m_s }

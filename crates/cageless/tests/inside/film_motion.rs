@@ -1,6 +1,6 @@
 //! The film in the motion: coasting, momentum, ledger, lag and power.
 
-use super::film::oil;
+use crate::common::oil;
 use crate::common::*;
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::energy::EnergyTerm;

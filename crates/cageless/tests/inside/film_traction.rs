@@ -1,6 +1,6 @@
 //! Friction of films beside asperities: closed forms, limits, and the motion with it.
 
-use super::film::oil;
+use crate::common::oil;
 use crate::common::*;
 use cageless::contact::{AtFlanks, FilmTraction, FlankSliding};
 use cageless::dynamics::coordinates::BallCoordinate;

@@ -1,9 +1,9 @@
 //! Friction of films beside asperities in space: the plane, limits, energy, rows, order.
 
-use super::film::oil;
 use super::film_motion::summary;
 use super::film_traction::{lag_deg, sheared, smooth};
 use super::space_rows::{angular_contact, pair};
+use crate::common::oil;
 use crate::common::*;
 use cageless::case::Motion;
 use cageless::dynamics::energy::EnergyTerm;

@@ -1,8 +1,8 @@
 //! Geometry of the discrete raceway against the numbers of Zhao 2022 and against itself.
 
-use super::outer_ring::SIZE;
+use crate::common::OUTER_RING;
 use crate::common::{dimensions, steel, structure, structures};
-use cageless::design::{
+use cageless::closed_forms::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::axial_span_limit_m;
@@ -179,7 +179,7 @@ fn path_meets_the_plain_raceway_with_zero_slope() {
 fn surface_touches_the_ball_at_the_contact_path() {
     let case = structure(5.1, 25.2);
     let raceway = &case.raceways[0];
-    let ring = OuterRing::new(&case.bearing, &case.raceways, SIZE).unwrap();
+    let ring = OuterRing::new(&case.bearing, &case.raceways, OUTER_RING).unwrap();
     let (rw, re) = (case.bearing.ball_radius_m(), 4.953e-3);
     let touching = case.bearing.outer_orbit_radius_m();
     for k in -20..=20 {
@@ -213,7 +213,7 @@ fn surface_touches_the_ball_at_the_contact_path() {
 #[test]
 fn normals_are_normal() {
     let case = structure(5.6, 15.774);
-    let ring = OuterRing::new(&case.bearing, &case.raceways, SIZE).unwrap();
+    let ring = OuterRing::new(&case.bearing, &case.raceways, OUTER_RING).unwrap();
     let step = 1e-6;
     for (psi, meridian) in [
         (0.0, 0.5),
@@ -318,4 +318,34 @@ fn ring_that_falls_between_bunched_balls_is_known_by_their_number() {
         assert_eq!(balls >= holding, beyond_half, "{balls}: {holding}");
     }
     assert_eq!(holding, 9); // The centres of 8 balls span 167.3°, those of 9 span 191.2°.
+}
+
+/// In the middle of the raceway the surface curves along the rolling direction as the contact
+/// stress supposes: (r/Rw)/(Ro − Rw + r), hollow.
+#[test]
+fn curvature_behind_the_contact_stress() {
+    let case = structure(5.1, 25.2);
+    let raceway: &Raceway = &case.raceways[0];
+    let bearing = &case.bearing;
+    let (rw, r) = (bearing.ball_radius_m(), raceway.effective_radius_m(0.0));
+    let meridian = (r / rw).acos();
+    let h = 1e-4;
+    let ring = OuterRing::new(bearing, &case.raceways, OUTER_RING).unwrap();
+    let point = |psi: f64| ring.point(psi, meridian);
+    let (before, here, after) = (point(-h), point(0.0), point(h));
+    let along: Vec<f64> = (0..3)
+        .map(|k| (after.position_m[k] - before.position_m[k]) / (2.0 * h))
+        .collect();
+    let bending: Vec<f64> = (0..3)
+        .map(|k| (after.position_m[k] - 2.0 * here.position_m[k] + before.position_m[k]) / (h * h))
+        .collect();
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+    // Of the curve at constant meridian angle; the normal points to the ball.
+    let curvature = dot(&bending, &here.normal) / dot(&along, &along);
+    let expected = (r / rw) / (bearing.outer_orbit_radius_m() + r);
+    // The contact path goes the same way there, so it has the same normal curvature.
+    assert!(
+        (curvature / expected - 1.0).abs() < 1e-3,
+        "{curvature} {expected}"
+    );
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use cageless::design::kinematic_lag_rad;
+use cageless::closed_forms::kinematic_lag_rad;
 use cageless::numerics::random::RandomStream;
 use cageless::surface::{EdgePlace, Grid, MeasuredSlot, OuterRing, PointKind};
 use cageless::{Case, Raceway};

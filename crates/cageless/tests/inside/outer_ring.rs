@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::slot_ring;
 use super::turned_ring::{angular, turned_back};
-use crate::common::{dimensions, raceway, steel, structures};
+use crate::common::{OUTER_RING, dimensions, raceway, steel, structures};
 use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch, PointKind, Side};
 use cageless::{Bearing, Raceway};
 
@@ -12,17 +12,14 @@ pub fn bearing() -> Bearing {
     Bearing::new(dimensions(), steel()).unwrap()
 }
 
-pub const SIZE: OuterRingDimensions = OuterRingDimensions {
-    outer_ring_outer_radius_m: 31e-3,
-    outer_ring_width_m: 16e-3,
-    blend_m: 0.0,
-};
-
 pub fn ring(raceways: &[Raceway], blend_m: f64) -> OuterRing {
     OuterRing::new(
         &bearing(),
         raceways,
-        OuterRingDimensions { blend_m, ..SIZE },
+        OuterRingDimensions {
+            blend_m,
+            ..OUTER_RING
+        },
     )
     .unwrap()
 }
@@ -411,7 +408,7 @@ fn rings_that_cannot_be_are_refused() {
     let b = bearing();
     let zone = raceway(&b, 5.1, 25.2, 0.0);
     let with = |change: &dyn Fn(&mut OuterRingDimensions)| {
-        let mut size = SIZE;
+        let mut size = OUTER_RING;
         change(&mut size);
         OuterRing::new(&b, std::slice::from_ref(&zone), size).map_err(|e| e.field)
     };

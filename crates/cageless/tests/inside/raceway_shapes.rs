@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use cageless::design::{Eq11, theoretical_gap_rad};
+use cageless::closed_forms::{Eq11, theoretical_gap_rad};
 use cageless::kinematics::{raceway_delay_rad, rolling_orbit_speed_rad_s, speed_change_max};
 use cageless::numerics::random::RandomStream;
 use cageless::outer_contact_geometry::outer_contact_geometry;

@@ -1,7 +1,7 @@
 //! Static equilibrium in space against the plane, closed forms, published values and symmetry.
 
 use crate::common::{conventional, dimensions, raceway, steel, structure};
-use cageless::design::{ContactAngleEstimate, kinematic_lag_rad};
+use cageless::closed_forms::{ContactAngleEstimate, kinematic_lag_rad};
 use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
 use cageless::equilibrium::space::{SpatialEquilibrium, solve};
 use cageless::equilibrium::{self, EquilibriumError};

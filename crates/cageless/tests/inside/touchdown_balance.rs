@@ -412,6 +412,4 @@ fn impossible_drops_are_named() {
     };
     assert_eq!(field(&without_bore), "inner_ring_polar_inertia_kg_m2");
     assert_eq!(field(&|c| c.solver.step_s = 1e-4), "step_s");
-    let judged = cageless::design::judge(&drop_case(), &mut |_| Control::Continue(()));
-    assert!(judged.unwrap_err().to_string().contains("a verdict needs"));
 }

@@ -1,7 +1,7 @@
 //! Request of a search.
 
-use cageless::design::search::{OperatingPoint, Request, placements};
 use cageless::{Case, Formulation, RacewayShape};
+use cageless_design::search::{OperatingPoint, Request, placements};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;

@@ -1,7 +1,7 @@
 //! Steady operation.
 
 use cageless::steady::{BenefitWeights, SteadyOperation};
-use cageless::tolerance::{ball_grade, ball_grades_text};
+use cageless::{ball_grade, ball_grades_text};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;

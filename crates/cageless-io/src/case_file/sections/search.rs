@@ -1,7 +1,7 @@
 //! The section `[search]`, ranges of `design --search`.
 
-use cageless::design::STEADY_GAP;
-use cageless::design::search::{BUDGET, BUDGET_LEAST};
+use cageless_design::STEADY_GAP;
+use cageless_design::search::{BUDGET, BUDGET_LEAST};
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::named::SearchedShapes;

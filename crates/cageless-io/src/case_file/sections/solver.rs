@@ -1,7 +1,7 @@
 //! `[solver]`.
 
 use cageless::IntegrationMethod;
-use cageless::design::search::SEED;
+use cageless_design::search::SEED;
 
 use crate::case_file::declaration::prelude::*;
 use crate::case_file::fields::Step;

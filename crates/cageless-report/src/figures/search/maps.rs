@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::OWN;
-use cageless::design::search::Cause;
+use cageless_design::search::Cause;
 use cageless_results::{Cell, Record};
 use cageless_study::search::{point_label, structure_label};
 

@@ -1,5 +1,5 @@
-use cageless::design::STEADY_GAP;
-use cageless::design::search::{
+use cageless_design::STEADY_GAP;
+use cageless_design::search::{
     Cause, ClosedForms, MapCell, Motion, PairSeparation, RacewayLayout, Rejection, Request, Role,
     Statistics,
 };
