@@ -1,7 +1,7 @@
 //! What axial load and tilt leave of the effect of discrete raceways, by motion in space.
 //!
-//! The lag of [`ContactAngleEstimate`](cageless::closed_forms::ContactAngleEstimate) is that of rolling; here the balls of a case, evenly
-//! spaced and settled, move under axial loads and tilts with all friction, and the lag is what
+//! The lag of [`ContactAngleEstimate`](cageless::closed_forms::ContactAngleEstimate) is that of rolling; here the
+//! balls of a case, evenly spaced and settled, move under axial loads and tilts with all friction, and the lag is what
 //! they lose.
 
 use super::verdict::steady_case;

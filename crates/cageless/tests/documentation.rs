@@ -73,8 +73,8 @@ fn every_name_is_declared_where_the_table_says() {
         for (name, path) in names_and_paths(&cell) {
             let files = sources(&place(&path));
             let declared = files.iter().any(|file| {
-                let text = fs::read_to_string(file)
-                    .unwrap_or_else(|e| panic!("row {row}: {path}: {e}"));
+                let text =
+                    fs::read_to_string(file).unwrap_or_else(|e| panic!("row {row}: {path}: {e}"));
                 declares(&text, &name)
             });
             assert!(declared, "row {row}: no `{name}` in {path}");
