@@ -425,7 +425,17 @@ fn a_run_in_space_says_what_it_does_not_take() {
         let answer = call_on("run", &case, &sets, &[]);
         assert_eq!(answer.code, Some(2), "{sets:?}: {answer:?}");
         assert!(answer.stderr.contains(words), "{words}: {answer:?}");
+        // Where the case can be at rest, `check` says so.
+        let checked = call_on("check", &case, &sets, &[]);
+        let said = match checked.code {
+            Some(0) => checked.stdout.contains("`run` refuses this case: "),
+            _ => checked.code == Some(2),
+        };
+        let text = checked.stdout + &checked.stderr;
+        assert!(said && text.contains(words), "{words}: {text}");
     }
+    let moves = call_on("check", &case, &["model.motion=space"], &[]);
+    assert!(!moves.stdout.contains("refuses"), "{moves:?}");
     let folder = tempfile::tempdir().unwrap();
     let rows = pair(folder.path(), "axial_position_mm = 8.0");
     let answer = call_on("run", &rows, &["row.2.balls=13"], &[]);

@@ -27,6 +27,8 @@ const EDITS: &[Row] = &[
     ("axial_span_mm = 5.1", "axial_span_m = 0.0051", "raceway.axial_span_m", &["did you mean axial_span_mm?"]),
     ("gravity_m_s2 = 9.81", "gravity_m_s2 = 9.81\ndensity_kg_m3 = 1.0", "operation.density_kg_m3", &["did you mean material.density_kg_m3?"]),
     ("title =", "titel =", "titel", &["did you mean title?"]),
+    // At the head of the file as well as in its section.
+    ("gravity_m_s2 = 9.81", "gravity_m_s2 = 9.81\nseed = 3", "operation.seed", &["did you mean solver.seed?"]),
     ("title =", "balls = 14\ntitle =", "balls", &["did you mean bearing.balls?"]),
     ("ball_radius_mm = 4.7625", "# ", "bearing.ball_radius_mm", &["missing in [bearing]", "radius of a ball, in mm"]),
     ("inner_speed_rpm = 12000.0", "# ", "operation.inner_speed_rpm", &["missing in [operation]", "in rpm"]),

@@ -206,10 +206,21 @@ fn notes(file: &CaseFile, drop: Option<&RotorDrop>) -> Vec<String> {
     notes.extend(dry_motion(file));
     notes.extend(drop.into_iter().flat_map(foreseen));
     notes.extend(file.oil_temperature_warning());
+    notes.extend(motion_refused(file));
     notes.extend(search_refused(file));
     notes.extend(slippery_asperities(file.case()));
     notes.extend(thin_inlet(file.case()));
     notes
+}
+
+/// Warning about a case at rest whose motion is refused.
+fn motion_refused(file: &CaseFile) -> Option<String> {
+    let error = file.checked(Case::check_run).err()?;
+    let command = match file.case().rotor {
+        Some(_) => "drop",
+        None => "run",
+    };
+    Some(format!("`{command}` refuses this case: {error}"))
 }
 
 /// Warning about a `[search]` that `design --search` refuses.

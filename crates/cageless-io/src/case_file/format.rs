@@ -171,7 +171,9 @@ impl Format {
         } else if let Some(near) = nearest(name, known()) {
             return format!("did you mean {near}?");
         }
-        if let Some((section, key)) = self.all().find(|(_, k)| k.name == name) {
+        let named = || self.all().filter(|(_, k)| k.name == name);
+        let in_section = named().find(|(section, _)| !section.is_empty());
+        if let Some((section, key)) = in_section.or_else(|| named().next()) {
             return format!("did you mean {}?", join(section, key.name));
         }
         if section.is_empty() {

@@ -19,7 +19,7 @@ const ESTIMATED = {
 class Verdict {
   constructor(studio) {
     this.studio = studio;
-    this.lamp = element("div", { class: "lamp", "data-part": "verdict", role: "status" });
+    this.lamp = element("div", { class: "lamp", "data-part": "verdict", role: "status" }, "Computing the first answer…");
     this.terms = element("div", { class: "terms scroll", "data-part": "terms" });
     this.numbers = element("div", { class: "forms", "data-part": "numbers" });
   }
