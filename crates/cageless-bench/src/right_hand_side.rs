@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 use cageless::Case;
 use cageless::dynamics::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
-use cageless::integrator::System;
+use cageless::integrator::{Aligned, System};
 use cageless::reference::Textbook;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use clap::Args;
@@ -79,6 +79,8 @@ pub fn measure(options: &Options) -> Result<()> {
         .iter()
         .map(|s| Textbook::motion(s.layout(), s.values()))
         .collect();
+    // As in a run: vectors that begin on a cache line.
+    let values: Vec<Aligned> = states.iter().map(|s| Aligned::from(s.values())).collect();
     let textbook = Textbook::new(&case);
     let mut all: Vec<Implementation<'_>> = vec![(
         "textbook",
@@ -89,13 +91,13 @@ pub fn measure(options: &Options) -> Result<()> {
         .filter(|set| set.available())
     {
         let mut rhs = RightHandSide::with_instruction_set(&model, set);
-        let states = &states;
+        let values = &values;
         all.push((
             set.name(),
-            Box::new(move |k, rate| rhs.derivative(0.0, states[k].values(), rate)),
+            Box::new(move |k, rate| rhs.derivative(0.0, &values[k], rate)),
         ));
     }
-    let mut rate = vec![0.0; states[0].layout().len()];
+    let mut rate = Aligned::from(states[0].values());
     let mut times = vec![vec![]; all.len()];
     for _ in 0..options.repetitions.max(1) {
         for ((_, evaluate), times) in all.iter_mut().zip(&mut times) {

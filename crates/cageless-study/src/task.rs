@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use cageless::Case;
 use cageless::numerics::BATCH_WIDTH;
 use cageless::passage::PassageRecorder;
-use cageless::simulation::{Control, Observer, RotorDrop, batches, run_batch};
+use cageless::simulation::{Control, Observer, RotorDrop, batches, run_batch, steps_of_thread};
 use cageless::summary::SummaryRecorder;
 
 use crate::interruption::break_if;
@@ -137,7 +137,9 @@ impl Sample {
             asked = Some([first, now]);
             break_if(stop() || now.0 - first.0 > TIMED)
         };
-        let steps = self.run(&mut control);
+        let before = steps_of_thread();
+        self.run(&mut control);
+        let steps = steps_of_thread() - before;
         let timed = asked.filter(|[first, last]| last.1 > first.1);
         let (elapsed, steps) = match timed {
             Some([first, last]) => (
@@ -154,8 +156,8 @@ impl Sample {
         }
     }
 
-    /// Runs the sample until `control` ends it; the steps of all bearings.
-    fn run(&self, control: &mut dyn FnMut(f64) -> Control) -> u64 {
+    /// Runs the sample until `control` ends it; one that cannot start makes no step.
+    fn run(&self, control: &mut dyn FnMut(f64) -> Control) {
         match self {
             Self::Cases(cases) => {
                 let cases: Vec<&Case> = cases.iter().collect();
@@ -169,17 +171,12 @@ impl Sample {
                     .zip(&mut passages)
                     .map(|(summary, passages)| vec![summary as &mut dyn Observer, passages])
                     .collect();
-                let outcomes = run_batch(&cases, &mut observers, control);
-                let steps = outcomes
-                    .iter()
-                    .map(|outcome| outcome.as_ref().map_or(0, |o| o.steps));
-                steps.sum()
+                run_batch(&cases, &mut observers, control);
             }
             Self::Drop(drop) => {
                 let mut observers: Vec<Vec<&mut dyn Observer>> =
                     drop.cases().iter().map(|_| vec![]).collect();
-                let outcome = drop.run(&mut observers, control);
-                outcome.map_or(0, |outcome| outcome.bearings.iter().map(|b| b.steps).sum())
+                let _ = drop.run(&mut observers, control);
             }
         }
     }

@@ -2,7 +2,9 @@
 
 use cageless::Case;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
+use cageless::simulation::{
+    Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, batches, run_batch,
+};
 use cageless::summary::SummaryRecorder;
 
 use crate::passages::Passages;
@@ -18,6 +20,25 @@ pub(crate) trait Record {
 pub(crate) struct RunRecorder {
     summary: SummaryRecorder,
     passages: Passages,
+}
+
+/// An observer that is lent to a run.
+pub(crate) struct Lent<'s, O>(&'s mut O);
+
+impl<'s, O: Observer> Lent<'s, O> {
+    pub(crate) fn of(observer: &'s mut O) -> Box<dyn Observer + 's> {
+        Box::new(Self(observer))
+    }
+}
+
+impl<O: Observer> Observer for Lent<'_, O> {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.0.begin(context)
+    }
+
+    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
+        self.0.step(view)
+    }
 }
 
 impl RunRecorder {
@@ -49,7 +70,7 @@ impl RunRecorder {
 
 impl Record for RunRecorder {
     fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
-        let mut observers: Vec<Box<dyn Observer + 's>> = vec![Box::new(&mut self.summary)];
+        let mut observers: Vec<Box<dyn Observer + 's>> = vec![Lent::of(&mut self.summary)];
         if !case.raceways.is_empty() {
             observers.push(Box::new(self.passages.recorder(case)));
         }

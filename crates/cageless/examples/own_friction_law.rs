@@ -1,5 +1,5 @@
 //! A law of friction of one's own, and the heat of 20 ms in a discrete raceway, where balls slide, beside that of the
-//! built-in smooth law.
+//! built-in smooth law. The same film on the journal of a rotor that falls spins the inner ring up.
 //!
 //! `cargo run -p cageless --example own_friction_law`
 
@@ -37,6 +37,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         1e3 * smooth_j,
         1e3 * own_j
     );
+    let bore = InnerRingBore {
+        radius_m: 15e-3,
+        polar_inertia_kg_m2: 5.5e-5,
+    };
+    let rotor = Rotor::estimated(20.0, 0.02, 3142.0, 2e-4);
+    let drop = CaseBuilder::of(reference::bearing().with_inner_ring_bore(bore)?)
+        .rotor(rotor, None)
+        .own_journal_friction(DryFilm);
+    let mut simulation = Simulation::new(&drop.build()?)?;
+    simulation.advance_to(0.012)?;
+    let speed_rad_s = simulation.view().ring().speed_rad_s;
+    println!("inner ring 12 ms after the fall of a rotor: {speed_rad_s:.1} rad/s");
     Ok(())
 }
 

@@ -87,7 +87,7 @@
 //! ```
 //!
 //! [`with_method`](simulation::Simulation::with_method) goes on by any [`Method`](integrator::Method) of integration:
-//! the example `own_integrator` is Heun's, with guard, ledger and observers.
+//! the example `own_integrator` is Verlet's, with guard, ledger and observers.
 //!
 //! # Where things are
 //! | question | module |

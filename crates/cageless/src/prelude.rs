@@ -18,7 +18,9 @@ pub use crate::equilibrium::EquilibriumError;
 pub use crate::error::InputError;
 pub use crate::flank_model::FlankModel;
 pub use crate::formulation::Formulation;
-pub use crate::integrator::{IntegrationMethod, Method, StepState, System, UnresolvedStep};
+pub use crate::integrator::{
+    IntegrationMethod, Method, SecondOrderBlock, StepState, System, UnresolvedStep,
+};
 pub use crate::material::{Material, Materials};
 pub use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 pub use crate::recorder::Recorder;

@@ -10,14 +10,6 @@ use std::path::{Path, PathBuf};
 /// Public items at most.
 const ITEMS_MAX: usize = 748;
 
-/// Public types that nobody outside has to name, each with the public item that has, takes or gives it:
-/// fields of it are read, its name is not written.
-const CARRIED: [(&str, &str); 3] = [
-    ("Aligned", "StepState"),
-    ("EachStep", "each_step"),
-    ("SecondOrderBlock", "System"),
-];
-
 /// The sources below a folder without those of tests.
 fn sources(folder: &Path, tests: bool) -> Vec<PathBuf> {
     let mut found = vec![];
@@ -89,25 +81,9 @@ fn what_is_public_is_named_outside() {
     let folder = fs::canonicalize(env!("CARGO_MANIFEST_DIR")).unwrap();
     let ((items, count), named) = (public_items(&folder), named_outside(&folder));
     assert!((500..=ITEMS_MAX).contains(&count), "{count} public items");
-    let carried: BTreeSet<String> = CARRIED.iter().map(|(name, _)| (*name).to_owned()).collect();
-    let unnamed: BTreeSet<String> = items.difference(&named).cloned().collect();
-    let further: Vec<_> = unnamed.difference(&carried).collect();
+    let unnamed: Vec<_> = items.difference(&named).collect();
     assert!(
-        further.is_empty(),
-        "public, but named by nobody outside: {further:?}"
+        unnamed.is_empty(),
+        "public, but named by nobody outside: {unnamed:?}"
     );
-    let settled: Vec<_> = carried.difference(&unnamed).collect();
-    assert!(settled.is_empty(), "no longer carried only: {settled:?}");
-    let files = sources(&folder.join("src"), false);
-    let texts: Vec<String> = (files.iter().map(|file| fs::read_to_string(file).unwrap())).collect();
-    for pair in CARRIED {
-        let both = texts.iter().any(|text| {
-            let words: BTreeSet<&str> = words(text).collect();
-            words.contains(pair.0) && words.contains(pair.1)
-        });
-        assert!(
-            both && named.contains(pair.1),
-            "{pair:?}: carried by nobody"
-        );
-    }
 }

@@ -39,7 +39,7 @@ use crate::progress::{Progress, Work};
 use crate::run::{Options, RunRecord, run};
 use crate::task::Task;
 use crate::threads::{both, each, groups_of};
-use crate::together::{Record, RunRecorder, run_together};
+use crate::together::{Lent, Record, RunRecorder, run_together};
 use cageless_results::{
     COMPARED, Provenance, RUN, Results, STATIC, STEADY, Solved, Subject, provenance,
 };
@@ -367,9 +367,9 @@ struct DrawRecorder {
 impl Record for DrawRecorder {
     fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
         let mut observers = self.run.observers(case);
-        observers.push(Box::new(&mut self.steady));
+        observers.push(Lent::of(&mut self.steady));
         if let Some(vibration) = &mut self.vibration {
-            observers.push(Box::new(vibration));
+            observers.push(Lent::of(vibration));
         }
         observers
     }

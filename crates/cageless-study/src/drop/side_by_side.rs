@@ -9,7 +9,7 @@ use cageless_results::DropRun;
 
 use super::FiledDrop;
 use crate::task::Task;
-use crate::together::{Record, run_together};
+use crate::together::{Lent, Record, run_together};
 
 /// Number of drops like `drop` that are worth computing together: into one bearing each they go side
 /// by side, of a linear rotor one after the other.
@@ -42,7 +42,7 @@ pub(super) fn recorders(drop: &RotorDrop) -> Vec<DropRecorder> {
 
 impl Record for DropRecorder {
     fn observers<'s>(&'s mut self, _: &'s Case) -> Vec<Box<dyn Observer + 's>> {
-        vec![Box::new(self)]
+        vec![Lent::of(self)]
     }
 }
 

@@ -26,6 +26,7 @@ pub(crate) mod tableau;
 pub use method::Method;
 pub(crate) use method::Properties;
 
+pub use crate::numerics::aligned::Aligned;
 pub(crate) use method::NamedMethod;
 pub use runge_kutta::UnresolvedStep;
 pub use step_state::StepState;

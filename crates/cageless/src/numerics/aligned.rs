@@ -29,6 +29,14 @@ impl Aligned {
     }
 }
 
+impl From<&[f64]> for Aligned {
+    fn from(values: &[f64]) -> Self {
+        let mut own = Self::zeros(values.len());
+        own.copy_from_slice(values);
+        own
+    }
+}
+
 impl Deref for Aligned {
     type Target = [f64];
 

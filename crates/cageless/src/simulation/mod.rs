@@ -28,7 +28,7 @@ pub use batch::{batches, run_batch};
 pub use front::{Simulation, run};
 pub use guard::{Cause, Stop};
 pub(crate) use observer::BallAngle;
-pub use observer::{EachStep, Observer, ObserverError, RunContext, StepView, each_step};
+pub use observer::{Observer, ObserverError, RunContext, StepView, each_step};
 pub use outcome::{Ending, RESIDUAL_FRACTION, RunOutcome};
 pub use rotor_drop::{RotorDrop, RotorDropOutcome, RotorOutcome};
 pub use run::steps_of_thread;

@@ -201,27 +201,14 @@ pub trait Observer {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError>;
 }
 
-impl<O: Observer + ?Sized> Observer for &mut O {
-    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
-        (**self).begin(context)
-    }
-
+/// A closure that sees every step; `Break(())` ends the run.
+impl<F: FnMut(&StepView<'_>) -> Control> Observer for F {
     fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
-        (**self).step(view)
+        Ok(self(view))
     }
 }
 
-/// A closure as an observer.
-#[derive(Debug, Clone)]
-pub struct EachStep<F>(F);
-
-/// The observer that calls `watch` after every step; `Break(())` ends the run.
-pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> EachStep<F> {
-    EachStep(watch)
-}
-
-impl<F: FnMut(&StepView<'_>) -> Control> Observer for EachStep<F> {
-    fn step(&mut self, view: &StepView<'_>) -> Result<Control, ObserverError> {
-        Ok((self.0)(view))
-    }
+/// The closure `watch`, which is an observer, with the type of what it sees.
+pub fn each_step<F: FnMut(&StepView<'_>) -> Control>(watch: F) -> F {
+    watch
 }
