@@ -98,13 +98,13 @@
 //! | axial load, tilt, several rows: motion in space | [`SpatialLoad`], [`Row`]; z, tilt and contact angles in the [view](simulation::StepView) |
 //! | oil in the contacts | [`Film`], [`film::OilGrade`]; `case.film` in [`CaseBuilder::change`] |
 //! | a rotor of one's own that falls | [`Rotor::estimated`], [`CaseBuilder::rotor`], [`Bearing::with_inner_ring_bore`] |
-//! | a rotor that falls onto its touch-down bearings | [`simulation::RotorDrop`], [`touchdown`], [`linear_rotor`]; the example `drop` |
+//! | a rotor that falls onto its touch-down bearings, run or stepped | [`simulation::RotorDrop`], [`touchdown`], [`linear_rotor`]; the examples `drop`, `rotor_controller` |
 //! | what deviations from the drawing change | [`surface`]; `tolerance` of `cageless-design` |
 //! | whether a result can be trusted | [`verification`], [`reference`](mod@reference) |
 //! | forces on the housing | [`vibration`] |
 //!
 //! The examples of the crate, a screen each: `first_bearing`, `own_friction_law`, `own_observer`, `own_integrator`,
-//! `speed_controller`, `drop` (`cargo run -p cageless --example first_bearing`).
+//! `speed_controller`, `drop`, `rotor_controller` (`cargo run -p cageless --example first_bearing`).
 //!
 //! # Frame
 //! Origin at the centre of the fixed outer ring; +Y up, gravity and radial load

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use cageless::linear_rotor::{Clearance, ClearancePlane, LinearRotor, RigidRotor};
 use cageless::prelude::*;
 use cageless::simulation::Cause;
 
@@ -273,4 +274,94 @@ fn advice_never_lengthens_the_step() {
     let stop = simulation.advance_to(1e-4).unwrap_err();
     assert_eq!(stop.cause, Cause::NotFinite);
     assert!(stop.advice().contains("0.1, half the step"), "{stop}");
+}
+
+/// A rotor that two bearings catch, with a plane between them.
+fn in_two_bearings() -> LinearRotor {
+    let rotor = RigidRotor {
+        mass_kg: 40.0,
+        polar_inertia_kg_m2: 0.04,
+        transverse_inertia_kg_m2: 0.6,
+        bearing_axial_m: vec![-0.1, 0.2],
+        unbalances: vec![],
+        clearances: vec![ClearancePlane {
+            place: 0.0,
+            clearance: Clearance {
+                name: "magnet".to_owned(),
+                radial_m: 3e-4,
+            },
+        }],
+    };
+    rotor.linear().unwrap()
+}
+
+/// The drop of that rotor for 8 ms, long enough that both bearings touch.
+fn two_bearings(speed_rad_s: f64) -> RotorDrop {
+    let mut case = reference::rotor_drop();
+    case.solver.duration_s = 8e-3;
+    let cases = vec![case.clone(), case];
+    RotorDrop::new(in_two_bearings(), speed_rad_s, 0.0, cases, None).unwrap()
+}
+
+/// Steps of a rotor in two bearings from a loop of one's own are those of its drop, to the bit.
+#[test]
+fn a_drop_stepped_is_the_drop() {
+    let drop = two_bearings(3142.0);
+    let mut go_on = |_| Control::Continue(());
+    let whole = drop.run(&mut [vec![], vec![]], &mut go_on).unwrap();
+    let mut simulation = drop.simulation().unwrap();
+    for _ in 1..whole.bearings[0].steps {
+        simulation.step().unwrap();
+    }
+    simulation.advance_to(8e-3).unwrap();
+    let forces_n = simulation
+        .views()
+        .map(|view| view.rotor().unwrap().contact_force_n);
+    assert_eq!(forces_n.filter(|force_n| *force_n > 1.0).count(), 2);
+    let stepped = simulation.drop_outcome();
+    assert_eq!(stepped.rotor, whole.rotor);
+    assert!(stepped.rotor.planes[0].displacement_max_m > 1e-4);
+    assert_eq!(stepped.bearings.len(), 2);
+    for (one, other) in stepped.bearings.iter().zip(&whole.bearings) {
+        assert_eq!(one.state.values(), other.state.values());
+        assert_eq!((one.steps, one.end_s), (other.steps, other.end_s));
+        assert_eq!(one.energy_residual_relative, other.energy_residual_relative);
+    }
+    let of_case = RotorDrop::of_case(&reference::rotor_drop()).unwrap();
+    assert_eq!(of_case.simulation().unwrap().views().count(), 1);
+}
+
+/// A torque brakes the rotor by M·t/I, as each bearing sees it, and both journals fall freely.
+#[test]
+fn a_controller_brakes_a_rotor_in_two_bearings() {
+    let mut simulation = two_bearings(3142.0).simulation().unwrap();
+    simulation.set_drive_torque_n_m(-5.0).unwrap();
+    simulation.advance_to(1e-3).unwrap();
+    let rotors: Vec<RotorView> = simulation.views().filter_map(|v| v.rotor()).collect();
+    let expected_rad_s = 3142.0 - 5.0 * 1e-3 / 0.04;
+    let fallen_m = -0.5 * simulation.case().operation.gravity_m_s2 * 1e-6;
+    assert_eq!(rotors.len(), 2);
+    for rotor in rotors {
+        assert!((rotor.speed_rad_s / expected_rad_s - 1.0).abs() < 1e-9);
+        assert!((rotor.y_m / fallen_m - 1.0).abs() < 1e-3, "{}", rotor.y_m);
+    }
+    assert!(simulation.set_radial_load_n(100.0).is_err());
+    let run = simulation.run(2e-3, &mut []);
+    assert!(matches!(run.ending, Ending::Complete));
+    assert_eq!(simulation.drop_outcome().bearings[1].end_s, 2e-3);
+}
+
+/// What one bearing stops for ends the motion of all, and that bearing is the one that has stopped.
+#[test]
+fn one_bearing_stops_all() {
+    let mut cases = vec![reference::rotor_drop(); 2];
+    // Far too soft for the impact.
+    let journal = cases[1].rotor.as_mut().unwrap();
+    journal.contact_stiffness_n_mp *= 1e-6;
+    let drop = RotorDrop::new(in_two_bearings(), 3142.0, 0.0, cases, None).unwrap();
+    let mut simulation = drop.simulation().unwrap();
+    let stop = simulation.advance_to(0.02).unwrap_err();
+    assert_eq!(stop.cause, Cause::RotorThroughInnerRing);
+    assert_eq!(simulation.step().unwrap_err(), stop);
+    assert_eq!(simulation.drop_outcome().stopped_bearing(), Some(1));
 }

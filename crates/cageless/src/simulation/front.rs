@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::drop_outcome::RotorDropOutcome;
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext, StepView};
 use super::outcome::{Ending, RunOutcome};
@@ -11,6 +12,7 @@ use super::watch::Watch;
 use crate::case::{Case, InnerRingDrive, Operation};
 use crate::control::Control;
 use crate::dynamics::Model;
+use crate::dynamics::plane_path::PlaneDisplacement;
 use crate::dynamics::state::State;
 use crate::dynamics::world::World;
 use crate::equilibrium::EquilibriumError;
@@ -36,12 +38,27 @@ const ROUNDING: f64 = 1e-12;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Simulation {
-    case: Case,
-    model: Arc<Model>,
+    /// The only bearing, or those below one rotor.
+    bearings: Vec<Watched>,
     world: World,
     integrator: Box<dyn Advance + Send>,
+}
+
+/// A bearing in motion, and what watches over it.
+struct Watched {
+    case: Case,
+    model: Arc<Model>,
     watch: Watch,
     stop: Option<Stop>,
+}
+
+impl Watched {
+    /// Outcome of the steps so far with this ending, in a vector of the states of all bearings.
+    fn ended(&self, ending: Ending, world: &World, values: &[f64]) -> RunOutcome {
+        let made = made(world, values, self.watch.bearing());
+        let state = self.watch.state_in(values);
+        self.watch.outcome(ending, state, made)
+    }
 }
 
 impl Simulation {
@@ -72,28 +89,36 @@ impl Simulation {
     /// The case is impossible.
     pub fn at(case: &Case, state: &State, angle_rad: &[f64]) -> Result<Self, InputError> {
         let model = Model::new(case)?;
-        let mut world = World::of_bearing(&model);
-        let (solver, dimension) = (&case.solver, world.dimension());
-        let method = CaseMethod::new(solver.method, dimension, solver.step_s, solver.tolerance);
+        let world = World::of_bearing(&model);
+        let values = world.vector([state]);
         let context = RunContext {
             case,
             model: &model,
             start: state,
             start_angle_rad: angle_rad,
         };
-        let watch = Watch::new(&context, world.layout(0), 0);
-        let values = world.vector([state]);
+        Ok(Self::of_world(world, &values, &[context]))
+    }
+
+    /// The bearings of a world in the state `values` of all of them, with the method of the first.
+    pub(super) fn of_world(mut world: World, values: &[f64], contexts: &[RunContext<'_>]) -> Self {
+        let (solver, dimension) = (&contexts[0].case.solver, values.len());
+        let method = CaseMethod::new(solver.method, dimension, solver.step_s, solver.tolerance);
+        let watched = |(k, context): (usize, &RunContext<'_>)| Watched {
+            case: context.case.clone(),
+            model: Arc::clone(context.model),
+            watch: Watch::new(context, world.layout(k), k),
+            stop: None,
+        };
+        let bearings = contexts.iter().enumerate().map(watched).collect();
         let mut integrator = Integrator::new(method, dimension);
-        world.begin(&values);
-        integrator.restart(&mut world, 0.0, &values);
-        Ok(Self {
-            case: case.clone(),
-            model,
+        world.begin(values);
+        integrator.restart(&mut world, 0.0, values);
+        Self {
+            bearings,
             world,
             integrator: Box::new(integrator),
-            watch,
-            stop: None,
-        })
+        }
     }
 
     /// The simulation, continued by a method of one's own.
@@ -107,9 +132,9 @@ impl Simulation {
         self
     }
 
-    /// The case, with the speed and load of the moment.
+    /// The case, with the speed and load of the moment; of several bearings that of the first.
     pub fn case(&self) -> &Case {
-        &self.case
+        &self.bearings[0].case
     }
 
     /// Length of the vector that a method advances.
@@ -122,10 +147,23 @@ impl Simulation {
         self.integrator.step().t1_s
     }
 
-    /// Balls, ring, rotor and contacts at the end of the last step.
+    /// Balls, ring, rotor and contacts at the end of the last step; of several bearings those of the first.
     pub fn view(&self) -> StepView<'_> {
-        self.watch
-            .view(self.integrator.step(), self.world.contacts_of(0))
+        self.view_of(&self.bearings[0])
+    }
+
+    /// [`Self::view`] of each bearing, in the order of the journals: one, or those of a
+    /// [`RotorDrop`](super::RotorDrop).
+    pub fn views(&self) -> impl Iterator<Item = StepView<'_>> {
+        self.bearings.iter().map(|bearing| self.view_of(bearing))
+    }
+
+    fn view_of<'a>(&'a self, bearing: &'a Watched) -> StepView<'a> {
+        let watch = &bearing.watch;
+        watch.view(
+            self.integrator.step(),
+            self.world.contacts_of(watch.bearing()),
+        )
     }
 
     /// Makes one step.
@@ -151,21 +189,30 @@ impl Simulation {
     }
 
     fn step_until(&mut self, limit_s: f64) -> Result<(), Stop> {
-        if let Some(stop) = &self.stop {
-            return Err(stop.clone());
-        }
+        self.check_under_way()?;
         let made = self.integrator.make_step(&mut self.world, limit_s);
-        let unresolved = |time_s| self.watch.stop_unresolved(&self.case, time_s);
-        let made = made.map_err(|error| unresolved(error.time_s));
-        let looked = made.and_then(|()| {
-            let (step, world) = (self.integrator.step(), &self.world);
-            check_forward(step, limit_s)
-                .map_err(|cause| self.watch.stop(&self.case, step.t0_s, cause))?;
-            let contacts_of = |bearing| world.contacts_of(bearing);
-            self.watch.look(&self.case, step, &contacts_of, false)
-        });
-        self.stop = looked.clone().err();
-        looked
+        let step = self.integrator.step();
+        let forward = check_forward(step, limit_s);
+        if made.is_ok() && forward.is_ok() {
+            self.world.look(&step.y1);
+        }
+        let world = &self.world;
+        for bearing in &mut self.bearings {
+            let (case, watch) = (&bearing.case, &mut bearing.watch);
+            let looked = match (&made, &forward) {
+                (Err(error), _) => Err(watch.stop_unresolved(case, error.time_s)),
+                (_, Err(cause)) => Err(watch.stop(case, step.t0_s, cause.clone())),
+                _ => watch.look(case, step, &|k| world.contacts_of(k), false),
+            };
+            bearing.stop = looked.err();
+        }
+        self.check_under_way()
+    }
+
+    /// Passes where no bearing has stopped: one that stops ends the motion of all.
+    fn check_under_way(&self) -> Result<(), Stop> {
+        let stop = self.bearings.iter().find_map(|own| own.stop.clone());
+        stop.map_or(Ok(()), Err)
     }
 
     /// Passes a time that does not lie before that of the simulation but for rounding.
@@ -173,12 +220,12 @@ impl Simulation {
         let now_s = self.time_s();
         match time_s >= now_s * (1.0 - ROUNDING) {
             true => Ok(()),
-            false => Err(Stop::new(&self.case, now_s, Cause::TimeNotAhead(time_s))),
+            false => Err(Stop::new(self.case(), now_s, Cause::TimeNotAhead(time_s))),
         }
     }
 
-    /// Runs to `until_s` with these observers, from where the simulation is. A time that is no number or lies before
-    /// [`Self::time_s`] stops the run at once, and not the simulation.
+    /// Runs to `until_s` with these observers, of several bearings on the first, from where the simulation is. A time
+    /// that is no number or lies before [`Self::time_s`] stops the run at once, and not the simulation.
     pub fn run(&mut self, until_s: f64, observers: &mut [&mut dyn Observer]) -> RunOutcome {
         self.run_controlled(until_s, observers, &mut |_| Control::Continue(()))
     }
@@ -190,55 +237,90 @@ impl Simulation {
         observers: &mut [&mut dyn Observer],
         control: &mut dyn FnMut(f64) -> Control,
     ) -> RunOutcome {
-        let stopped = self.stop.clone().or(self.check_ahead(until_s).err());
-        if let Some(stop) = stopped {
-            return self.ended(Ending::Stopped(stop));
+        let outcomes = self.run_watched(until_s, std::iter::once(observers), control);
+        (outcomes.into_iter().next()).expect("a bearing")
+    }
+
+    /// [`Self::run_controlled`] with observers of each bearing, of those that are missing with none.
+    pub(super) fn run_watched<'s: 'o, 'o>(
+        &mut self,
+        until_s: f64,
+        observers: impl IntoIterator<Item = &'o mut [&'s mut dyn Observer]>,
+        control: &mut dyn FnMut(f64) -> Control,
+    ) -> Vec<RunOutcome> {
+        let stopped = self
+            .check_under_way()
+            .and_then(|()| self.check_ahead(until_s));
+        if let Err(stop) = stopped {
+            return self.ended(|| Ending::Stopped(stop.clone()));
         }
         if until_s <= self.time_s() {
-            return self.ended(Ending::Complete);
+            return self.ended(|| Ending::Complete);
         }
-        let start = self.state();
-        let start_angle_rad = self.watch.angles_rad(self.integrator.step());
-        let context = RunContext {
-            case: &self.case,
-            model: &self.model,
-            start: &start,
-            start_angle_rad: &start_angle_rad,
-        };
-        let mut tracker = RunTracker::new(context, &mut self.watch, observers);
-        let alone = std::slice::from_mut(&mut tracker);
-        advance(
-            &mut *self.integrator,
-            &mut self.world,
-            alone,
-            until_s,
-            control,
-        );
-        let outcome = tracker.outcome();
-        if let Ending::Stopped(stop) = &outcome.ending {
-            self.stop = Some(stop.clone());
+        let step = self.integrator.step();
+        let states = self.bearings.iter().map(|own| own.watch.state_in(&step.y1));
+        let angles_rad = self.bearings.iter().map(|own| own.watch.angles_rad(step));
+        let starts: Vec<(State, Vec<f64>)> = states.zip(angles_rad).collect();
+        let mut observers = observers.into_iter();
+        let tracked = self.bearings.iter_mut().zip(&starts);
+        let mut trackers: Vec<RunTracker<'_, '_>> = tracked
+            .map(|(own, (start, start_angle_rad))| {
+                let context = RunContext {
+                    case: &own.case,
+                    model: &own.model,
+                    start,
+                    start_angle_rad,
+                };
+                let observers = observers.next().unwrap_or(&mut []);
+                RunTracker::new(context, &mut own.watch, observers)
+            })
+            .collect();
+        let integrator = &mut *self.integrator;
+        advance(integrator, &mut self.world, &mut trackers, until_s, control);
+        let outcomes: Vec<RunOutcome> = trackers.into_iter().map(RunTracker::outcome).collect();
+        for (bearing, outcome) in self.bearings.iter_mut().zip(&outcomes) {
+            if let Ending::Stopped(stop) = &outcome.ending {
+                bearing.stop = Some(stop.clone());
+            }
         }
-        outcome
+        outcomes
     }
 
-    /// State at the end of the last step, with the energy ledger.
+    /// State at the end of the last step, with the energy ledger; of several bearings that of the first.
     pub fn state(&self) -> State {
-        self.watch.state_in(&self.integrator.step().y1)
+        let watch = &self.bearings[0].watch;
+        watch.state_in(&self.integrator.step().y1)
     }
 
-    /// Outcome of the steps so far.
+    /// Outcome of the steps so far; of several bearings that of the first.
     pub fn outcome(&self) -> RunOutcome {
-        let ending = match &self.stop {
-            Some(stop) => Ending::Stopped(stop.clone()),
-            None => Ending::Interrupted,
-        };
-        self.ended(ending)
+        self.drop_outcome().bearings.swap_remove(0)
     }
 
-    /// Outcome of the steps so far with this ending.
-    fn ended(&self, ending: Ending) -> RunOutcome {
-        let made = made(&self.world, &self.integrator.step().y1, 0);
-        self.watch.outcome(ending, self.state(), made)
+    /// Outcome of the steps so far of each bearing, and of the rotor.
+    pub fn drop_outcome(&self) -> RotorDropOutcome {
+        let values = &self.integrator.step().y1;
+        let ended = |own: &Watched| {
+            let ending = own
+                .stop
+                .clone()
+                .map_or(Ending::Interrupted, Ending::Stopped);
+            own.ended(ending, &self.world, values)
+        };
+        let bearings = self.bearings.iter().map(ended).collect();
+        RotorDropOutcome::new(bearings, self.world.planes())
+    }
+
+    /// Outcomes of the steps so far with this ending.
+    fn ended(&self, ending: impl Fn() -> Ending) -> Vec<RunOutcome> {
+        let values = &self.integrator.step().y1;
+        let ended = |own: &Watched| own.ended(ending(), &self.world, values);
+        self.bearings.iter().map(ended).collect()
+    }
+
+    /// Planes of the rotor with their largest displacements so far.
+    pub(super) fn planes(&self) -> Vec<PlaneDisplacement> {
+        self.world.planes()
     }
 
     /// Sets the speed of the inner ring from here on, rad/s, counter-clockwise; 0 brakes it to a stand.
@@ -250,8 +332,8 @@ impl Simulation {
     /// It is not one that a case may have, and not 0; the ring turns freely below a rotor or has an unbalance, or its
     /// speed is given over time.
     pub fn set_inner_speed_rad_s(&mut self, speed_rad_s: f64) -> Result<(), InputError> {
-        let operation = &self.case.operation;
-        let constant = matches!(self.case.inner_ring_drive(), InnerRingDrive::Constant(_));
+        let operation = &self.case().operation;
+        let constant = matches!(self.case().inner_ring_drive(), InnerRingDrive::Constant(_));
         let free = constant && operation.unbalance.amount_kg_m == 0.0;
         let rule = "left as it is: a rotor, an unbalance or a table over time goes with it";
         require("inner_speed_rad_s", speed_rad_s, free, rule)?;
@@ -268,8 +350,8 @@ impl Simulation {
     /// # Errors
     /// It is not one that a case may have, a rotor loads the ring, or the load is given over time.
     pub fn set_radial_load_n(&mut self, load_n: f64) -> Result<(), InputError> {
-        let operation = &self.case.operation;
-        let under_rotor = matches!(self.case.inner_ring_drive(), InnerRingDrive::Rotor(_));
+        let operation = &self.case().operation;
+        let under_rotor = matches!(self.case().inner_ring_drive(), InnerRingDrive::Rotor(_));
         let free = !under_rotor && operation.radial_load_table.is_none();
         let rule = "left as it is: a rotor or a table over time loads the ring";
         require("radial_load_n", load_n, free, rule)?;
@@ -285,11 +367,15 @@ impl Simulation {
     pub fn set_drive_torque_n_m(&mut self, torque_n_m: f64) -> Result<(), InputError> {
         let field = "drive_torque_n_m";
         finite(field, torque_n_m)?;
-        let Some(rotor) = self.case.rotor.as_mut() else {
+        if self.case().rotor.is_none() {
             let rule = "left out: the case has no rotor";
             return Err(InputError::rule(field, torque_n_m, rule));
-        };
-        rotor.drive_torque_n_m = torque_n_m;
+        }
+        let rotors = self
+            .bearings
+            .iter_mut()
+            .filter_map(|own| own.case.rotor.as_mut());
+        rotors.for_each(|rotor| rotor.drive_torque_n_m = torque_n_m);
         self.world.set_drive_torque(torque_n_m);
         self.integrator.restart_here(&mut self.world);
         Ok(())
@@ -297,16 +383,20 @@ impl Simulation {
 
     /// Goes on with another speed or load, or as before if the case cannot have it.
     fn operate(&mut self, operation: Operation) -> Result<(), InputError> {
-        let before = std::mem::replace(&mut self.case.operation, operation);
-        if let Err(error) = self.case.check_operation() {
-            self.case.operation = before;
+        // Bearings below a rotor have neither of their own: this is the only one.
+        let Watched { case, watch, .. } = &mut self.bearings[0];
+        let before = std::mem::replace(&mut case.operation, operation);
+        if let Err(error) = case.check_operation() {
+            case.operation = before;
             return Err(error);
         }
-        let operation = &self.case.operation;
-        let (speed_rad_s, load_n) = (operation.inner_speed_rad_s, operation.radial_load_n);
+        let (speed_rad_s, load_n) = (
+            case.operation.inner_speed_rad_s,
+            case.operation.radial_load_n,
+        );
         self.world.bearing_mut().set_operation(speed_rad_s, load_n);
-        self.watch.interpolator().set_operation(speed_rad_s, load_n);
-        self.watch.look_as_often_as(&self.case);
+        watch.interpolator().set_operation(speed_rad_s, load_n);
+        watch.look_as_often_as(case);
         // f has jumped: no history may reach across.
         self.integrator.restart_here(&mut self.world);
         Ok(())

@@ -12,6 +12,7 @@
 //! ```
 
 mod batch;
+mod drop_outcome;
 mod front;
 mod guard;
 mod observer;
@@ -25,11 +26,12 @@ mod watch;
 pub use crate::control::Control;
 pub use crate::dynamics::plane_path::PlaneDisplacement;
 pub use batch::{batches, run_batch};
+pub use drop_outcome::{RotorDropOutcome, RotorOutcome};
 pub use front::{Simulation, run};
 pub use guard::{Cause, Stop};
 pub(crate) use observer::BallAngle;
 pub use observer::{Observer, ObserverError, RunContext, StepView, each_step};
 pub use outcome::{Ending, RESIDUAL_FRACTION, RunOutcome};
-pub use rotor_drop::{RotorDrop, RotorDropOutcome, RotorOutcome};
+pub use rotor_drop::RotorDrop;
 pub use run::steps_of_thread;
 pub use views::{BallView, RingView, RotorView};

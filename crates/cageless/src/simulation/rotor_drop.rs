@@ -2,17 +2,13 @@
 
 use std::sync::Arc;
 
-use super::front::run;
+use super::drop_outcome::RotorDropOutcome;
+use super::front::Simulation;
 use super::observer::{Observer, RunContext};
-use super::outcome::RunOutcome;
-use super::run::drive;
-use super::run_tracker::RunTracker;
-use super::watch::Watch;
 use crate::case::Case;
 use crate::control::Control;
 use crate::dynamics::Model;
 use crate::dynamics::coordinates::RotorCoordinate;
-use crate::dynamics::plane_path::PlaneDisplacement;
 use crate::dynamics::state::State;
 use crate::dynamics::world::World;
 use crate::equilibrium::EquilibriumError;
@@ -33,50 +29,6 @@ use crate::world::body::linear_rotor::{JournalStart, LinearRotorBody};
 pub struct RotorDrop {
     rotor: Option<LinearRotor>,
     cases: Vec<Case>,
-}
-
-/// Outcome of a drop.
-#[derive(Debug)]
-pub struct RotorDropOutcome {
-    /// Outcome of each bearing; the work of its journal is the drive of its energy ledger.
-    pub bearings: Vec<RunOutcome>,
-    /// Outcome of the rotor.
-    pub rotor: RotorOutcome,
-}
-
-/// Outcome of a rotor.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RotorOutcome {
-    /// Energy balance error of the rotor alone, relative to the sum of the absolute terms.
-    pub energy_residual_relative: f64,
-    /// Planes of the rotor with a clearance to the stator; none of a rotor of a case.
-    pub planes: Vec<PlaneDisplacement>,
-}
-
-/// Outcome of the drop of the rotor of a case, from the run of its bearing.
-impl From<RunOutcome> for RotorDropOutcome {
-    fn from(outcome: RunOutcome) -> Self {
-        Self::new(vec![outcome], vec![])
-    }
-}
-
-impl RotorDropOutcome {
-    /// Outcome of the bearings below a rotor with these planes.
-    pub(crate) fn new(bearings: Vec<RunOutcome>, planes: Vec<PlaneDisplacement>) -> Self {
-        let mut residuals = (bearings.iter()).filter_map(|b| b.rotor_energy_residual_relative);
-        let rotor = RotorOutcome {
-            // All bearings have that of their common rotor.
-            energy_residual_relative: residuals.next().unwrap_or(0.0),
-            planes,
-        };
-        Self { bearings, rotor }
-    }
-
-    /// Index of the bearing that ended the drop of all, if one did: it stopped, or could not be
-    /// recorded.
-    pub fn stopped_bearing(&self) -> Option<usize> {
-        self.bearings.iter().position(RunOutcome::has_failed)
-    }
 }
 
 /// Smallest share of the mean load that a bearing counts as carrying.
@@ -289,6 +241,75 @@ impl RotorDrop {
         start
     }
 
+    /// The bearings and the rotor at the moment when the magnets let go, to be stepped from a loop of one's own.
+    /// [`Simulation::views`] shows each bearing with the rotor at its journal.
+    ///
+    /// # Errors
+    /// A bearing is impossible, or has no equilibrium.
+    ///
+    /// ```
+    /// use cageless::linear_rotor::RigidRotor;
+    /// use cageless::prelude::*;
+    ///
+    /// let case = reference::rotor_drop(); // bearing, air gap and contact of each journal
+    /// let rotor = RigidRotor {
+    ///     mass_kg: 40.0,
+    ///     polar_inertia_kg_m2: 0.04,
+    ///     transverse_inertia_kg_m2: 0.6,
+    ///     bearing_axial_m: vec![-0.1, 0.2],
+    ///     unbalances: vec![],
+    ///     clearances: vec![],
+    /// };
+    /// let drop = RotorDrop::new(rotor.linear()?, 3142.0, 0.0, vec![case.clone(), case], None)?;
+    /// let mut simulation = drop.simulation()?;
+    /// simulation.advance_to(1e-3)?;
+    /// for view in simulation.views() {
+    ///     assert!(view.rotor().ok_or("no rotor")?.y_m < 0.0);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn simulation(&self) -> Result<Simulation, EquilibriumError> {
+        self.simulation_controlled(&mut || Control::Continue(()))
+    }
+
+    /// [`Self::simulation`], with `control` called while the start is sought.
+    fn simulation_controlled(
+        &self,
+        control: &mut dyn FnMut() -> Control,
+    ) -> Result<Simulation, EquilibriumError> {
+        let Some(rotor) = &self.rotor else {
+            return Simulation::controlled(&self.cases[0], control);
+        };
+        let mut starts: Vec<(State, Vec<f64>)> = vec![];
+        let mut models = vec![];
+        for case in &self.cases {
+            starts.push(initial_state_controlled(case, control)?);
+        }
+        // Along the axis the place of the rotor is that in the first bearing.
+        let z_m = |k: usize| starts[k].0.at(RotorCoordinate::Z);
+        for (k, case) in self.cases.iter().enumerate() {
+            let seat_z_m = z_m(k) - z_m(0);
+            models.push(Arc::new(Model::of_case(case)?.of_common_rotor(seat_z_m)));
+        }
+        let body = LinearRotorBody::new(rotor, self.loads(rotor));
+        let begin = body.at_start(&self.journal_start(z_m(0)));
+        let world = World::below(body, &models);
+        let mut start = world.vector(starts.iter().map(|(state, _)| state));
+        let rotor_start = world.rotor_start();
+        start[rotor_start..].copy_from_slice(&begin);
+        let states: Vec<State> = (0..models.len())
+            .map(|k| State::from_vector(world.layout(k), &start))
+            .collect();
+        let contexts = (0..models.len()).map(|k| RunContext {
+            case: &self.cases[k],
+            model: &models[k],
+            start: &states[k],
+            start_angle_rad: &starts[k].1,
+        });
+        let contexts: Vec<RunContext<'_>> = contexts.collect();
+        Ok(Simulation::of_world(world, &start, &contexts))
+    }
+
     /// Drops the rotor. `observers` watch one bearing each; `control` is called every thousand
     /// steps or so with the simulated time.
     ///
@@ -308,48 +329,16 @@ impl RotorDrop {
             self.cases.len(),
             "observers for each bearing"
         );
-        let Some(rotor) = &self.rotor else {
-            let outcome = run(&self.cases[0], &mut observers[0], control)?;
-            return Ok(outcome.into());
-        };
-        let mut starts: Vec<(State, Vec<f64>)> = vec![];
-        let mut models = vec![];
-        for case in &self.cases {
-            starts.push(initial_state_controlled(case, &mut || control(0.0))?);
-        }
-        // Along the axis the place of the rotor is that in the first bearing.
-        let z_m = |k: usize| starts[k].0.at(RotorCoordinate::Z);
-        for (k, case) in self.cases.iter().enumerate() {
-            let seat_z_m = z_m(k) - z_m(0);
-            models.push(Arc::new(Model::of_case(case)?.of_common_rotor(seat_z_m)));
-        }
-        let body = LinearRotorBody::new(rotor, self.loads(rotor));
-        let begin = body.at_start(&self.journal_start(z_m(0)));
-        let mut world = World::below(body, &models);
-        let mut start = world.vector(starts.iter().map(|(state, _)| state));
-        let rotor_start = world.rotor_start();
-        start[rotor_start..].copy_from_slice(&begin);
-        let states: Vec<State> = (0..models.len())
-            .map(|k| State::from_vector(world.layout(k), &start))
-            .collect();
-        let contexts = (0..models.len()).map(|k| RunContext {
-            case: &self.cases[k],
-            model: &models[k],
-            start: &states[k],
-            start_angle_rad: &starts[k].1,
-        });
-        let contexts: Vec<RunContext<'_>> = contexts.collect();
-        let watch = |(k, context)| Watch::new(context, world.layout(k), k);
-        let mut watches: Vec<Watch> = contexts.iter().enumerate().map(watch).collect();
-        let mut trackers: Vec<RunTracker<'_, '_>> = contexts
-            .iter()
-            .zip(&mut watches)
-            .zip(observers)
-            .map(|((context, watch), observers)| RunTracker::new(*context, watch, observers))
-            .collect();
-        drive(&start, &mut world, &mut trackers, control);
-        let bearings = trackers.into_iter().map(RunTracker::whole_outcome);
-        Ok(RotorDropOutcome::new(bearings.collect(), world.planes()))
+        let mut simulation = self.simulation_controlled(&mut || control(0.0))?;
+        let observers = observers.iter_mut().map(Vec::as_mut_slice);
+        let until_s = self.cases[0].solver.duration_s;
+        let outcomes = simulation.run_watched(until_s, observers, control);
+        let whole = outcomes.into_iter().zip(&self.cases);
+        let bearings = whole.map(|(outcome, case)| outcome.of_whole_run(case));
+        Ok(RotorDropOutcome::new(
+            bearings.collect(),
+            simulation.planes(),
+        ))
     }
 }
 
