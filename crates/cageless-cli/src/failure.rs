@@ -66,7 +66,7 @@ impl Failure {
 
     /// A run that stopped.
     pub fn stopped(stop: &Stop, kept: &str) -> Self {
-        Self::Unphysical(format!("{stop}{kept}"))
+        Self::Unphysical(format!("{}{kept}", stop.by_key()))
     }
 }
 

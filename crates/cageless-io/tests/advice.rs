@@ -60,7 +60,11 @@ fn advice_names_keys_that_the_case_can_have() {
                 drop,
                 cause: cause.clone(),
             };
-            let advice = stop.advice();
+            let advice = stop.advice_by_key();
+            // In Rust the same advice has the names of the crate.
+            let (in_rust, by_key) = (stop.advice(), keys(&stop.advice()).len());
+            assert!(in_rust.contains("::") && by_key == 0, "{in_rust}");
+            assert_eq!(in_rust.contains('('), advice.contains('('), "{in_rust}");
             let rows = match cause {
                 Cause::OffSpring(_) => ROWS,
                 _ => "",

@@ -96,7 +96,7 @@ fn results(
             let outcome = outcome?;
             match &outcome.ending {
                 Ending::Complete => {}
-                Ending::Stopped(stop) => return Err(Refusal::new(stop.to_string())),
+                Ending::Stopped(stop) => return Err(Refusal::new(stop.by_key())),
                 _ => return Err(Refusal::new("cancelled")),
             }
             let summary = recorder.summary();

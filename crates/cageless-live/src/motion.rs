@@ -123,7 +123,7 @@ fn stopped(ending: &Ending, from_s: f64) -> Result<Option<Value>, Refusal> {
         Ending::Stopped(stop) => Some(json!({
             "time_s": from_s + stop.time_s,
             "cause": stop.cause.to_string(),
-            "advice": stop.advice().to_string(),
+            "advice": stop.advice_by_key(),
         })),
         Ending::Interrupted => return Err(Refusal::new("cancelled")),
         Ending::ObserverFailed(error) => return Err(Refusal::new(error.to_string())),

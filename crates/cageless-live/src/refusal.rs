@@ -58,7 +58,10 @@ impl From<cageless::InputError> for Refusal {
 
 impl From<CriticalGapError> for Refusal {
     fn from(error: CriticalGapError) -> Self {
-        Self::new(error.to_string())
+        match error {
+            CriticalGapError::Stopped(stop) => Self::new(stop.by_key()),
+            error => Self::new(error.to_string()),
+        }
     }
 }
 

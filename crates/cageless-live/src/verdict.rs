@@ -1,6 +1,6 @@
 //! The simulated verdict on the raceways of a case.
 
-use cageless::simulation::Control;
+use cageless::simulation::{Control, Stop};
 use cageless_design::{Criterion, judge};
 use cageless_io::case_file::CaseFile;
 use cageless_results::{Judged, PASSAGES, Results, Subject, VERDICT};
@@ -36,7 +36,7 @@ pub(crate) fn verdict(
         "reasons": judgement.reasons,
         "criteria": criteria,
         "passages": judgement.passages.map(|p| Results::of(PASSAGES, Subject::Passages(&p))),
-        "stopped": judgement.stopped.as_ref().map(ToString::to_string),
+        "stopped": judgement.stopped.as_ref().map(Stop::by_key),
     });
     let judged = Judged {
         case,

@@ -111,7 +111,10 @@ pub fn axial_record(lags: &[AxialLag]) -> Record {
 /// Reason of the first run at a load and tilt that stopped.
 fn stopped(at: &AxialLag) -> Option<String> {
     match (&at.lag, &at.critical_gap_rad) {
-        (Err(reason @ NoLag::Stopped(_)), _) => Some(reason.to_string()),
+        (Err(NoLag::Stopped(stop)), _) => {
+            let (reason, advice) = (stop.reason(), stop.advice_by_key());
+            Some(format!("the run stopped {reason}; {advice}"))
+        }
         (_, Some(Err(CriticalGapError::Stopped(stop)))) => {
             Some(format!("a run of a pair stopped {}", stop.reason()))
         }

@@ -29,7 +29,7 @@ impl Stopped {
             Ending::Stopped(stop) => Some(Self {
                 time_s: stop.time_s,
                 cause: stop.cause.to_string(),
-                advice: stop.advice(),
+                advice: stop.advice_by_key(),
             }),
             Ending::Interrupted => Some(Self {
                 time_s: outcome.end_s,

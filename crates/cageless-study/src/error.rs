@@ -34,7 +34,7 @@ pub enum StudyError {
     #[error(transparent)]
     Run(#[from] CriticalGapError),
     /// One of many runs that everything rests on left the physical range.
-    #[error("{run}: {stop}")]
+    #[error("{run}: {}", stop.by_key())]
     Stopped {
         /// Which run it was.
         run: String,

@@ -61,13 +61,18 @@ fn a_ring_that_falls_between_the_balls_ends_the_run() {
         bunched(structure(5.1, 25.2), 6, 57.3),
         bunched(conventional(dimensions()), 7, 60.0),
     ] {
-        let text = fallen(&case).to_string();
-        for part in [
-            "fell between the balls and met the outer ring, 5.",
-            "start.gaps",
-            "9 or more (bearing.balls)",
-        ] {
-            assert!(text.contains(part), "{text}");
+        let stop = fallen(&case);
+        let told = [
+            (stop.by_key(), ["start.gaps", "9 or more (bearing.balls)"]),
+            (
+                stop.to_string(),
+                ["CaseBuilder::gaps", "9 or more (BearingDimensions::balls)"],
+            ),
+        ];
+        for (text, names) in told {
+            let cause = "fell between the balls and met the outer ring, 5.";
+            assert!(text.contains(cause), "{text}");
+            assert!(names.iter().all(|name| text.contains(name)), "{text}");
         }
     }
 }
@@ -78,6 +83,9 @@ fn a_ring_that_falls_between_the_balls_ends_the_run() {
 fn a_ring_that_falls_under_a_rotor_ends_the_drop() {
     for lead_deg in [30.0, 60.0, 120.0] {
         let stop = fallen(&bunched(drop_case(), 5, lead_deg));
-        assert!(stop.drop && stop.advice().contains("start.gaps"), "{stop}");
+        assert!(
+            stop.drop && stop.advice().contains("CaseBuilder::gaps"),
+            "{stop}"
+        );
     }
 }

@@ -273,7 +273,8 @@ fn advice_never_lengthens_the_step() {
     let mut simulation = Simulation::new(&case).unwrap().with_method(odd);
     let stop = simulation.advance_to(1e-4).unwrap_err();
     assert_eq!(stop.cause, Cause::NotFinite);
-    assert!(stop.advice().contains("0.1, half the step"), "{stop}");
+    let half = "give CaseBuilder::step_s 0.1 µs, half the step";
+    assert!(stop.advice().contains(half), "{stop}");
 }
 
 /// A rotor that two bearings catch, with a plane between them.

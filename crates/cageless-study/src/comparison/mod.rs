@@ -170,7 +170,7 @@ pub fn in_steady_operation(
         results.push(match of_ring.into_iter().collect::<Result<Vec<_>, _>>() {
             Ok(of_draws) => finished(name, file, first, &of_draws)?,
             Err(StudyError::Stopped { run, stop }) if k > 0 => {
-                RingResults::stopped(name, file, format!("{run}: {stop}"))
+                RingResults::stopped(name, file, format!("{run}: {}", stop.by_key()))
             }
             Err(error) => return Err(error),
         });

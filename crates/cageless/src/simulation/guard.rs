@@ -101,14 +101,6 @@ pub struct Stop {
     pub cause: Cause,
 }
 
-impl std::fmt::Display for Stop {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}. To change: {}.", self.reason(), self.advice())
-    }
-}
-
-impl std::error::Error for Stop {}
-
 impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -240,89 +232,6 @@ impl Stop {
     /// Time and cause, without the advice.
     pub fn reason(&self) -> String {
         format!("at t = {:.6} s {}", self.time_s, self.cause)
-    }
-
-    /// Advice on balls that the forces press over a shoulder.
-    fn advice_beyond(&self, ring: usize) -> String {
-        let less = match self.drop {
-            true => "rotor.axial_load_n, rotor.axial_clearance_um, rotor.vz_m_s",
-            false => "operation.axial_load_n, moment_x_n_m, tilt_x_mrad",
-        };
-        let higher = match ring {
-            0 => "bearing.inner_shoulder_radius_mm",
-            _ => "bearing.outer_shoulder_radius_mm",
-        };
-        format!(
-            "press the balls less along the axis ({less}, preload_um of a row); or make the shoulder \
-             higher ({higher})"
-        )
-    }
-
-    /// Advice on what to change.
-    pub fn advice(&self) -> String {
-        // To the last digit that a case file needs.
-        let [half_us, automatic_us] =
-            [0.5 * self.step_s, self.automatic_step_s].map(|s| (s * 1e12).round() / 1e6);
-        let halve = match self.automatic_step_s < self.step_s {
-            true => format!("set solver.step_us to \"auto\", {automatic_us} µs in this case"),
-            false => format!("set solver.step_us to {half_us}, half the step of this run"),
-        };
-        match &self.cause {
-            Cause::RingsMeet {
-                balls_that_hold: Some(balls),
-                ..
-            } => format!(
-                "spread the balls (start.gaps), or fit {balls} or more (bearing.balls), between \
-                 which the ring cannot fall however they bunch"
-            ),
-            Cause::RingsMeet { .. } => "spread the balls (start.gaps): between the two next to \
-                 the widest gap the ring bears too little"
-                .to_owned(),
-            Cause::ThroughInnerRing(_) | Cause::ThroughOuterRing(_) | Cause::ThroughBall(_)
-                if self.drop =>
-            {
-                format!(
-                    "{halve}; if it happens again at the same time, the impact of the rotor \
-                     (rotor.mass_kg, rotor.radial_clearance_um) presses the parts through each other, or \
-                     the balls leave a gap below it (start.gaps)"
-                )
-            }
-            Cause::ThroughInnerRing(_) | Cause::ThroughOuterRing(_) | Cause::ThroughBall(_) => {
-                format!(
-                    "{halve}; if it happens again at the same time, the load \
-                     (operation.radial_load_n) or the start (start.ring_y_um) presses the parts \
-                     through each other"
-                )
-            }
-            Cause::BeyondGroove { ring, .. } => self.advice_beyond(*ring),
-            Cause::RotorThroughInnerRing => format!(
-                "{halve}; if it happens again at the same time, the contact is too soft for the \
-                 impact (rotor.contact_stiffness_n_mp)"
-            ),
-            Cause::OffSupport => format!(
-                "{halve}; if it happens again at the same time, the support is too soft for the \
-                 rotor (support.stiffness_n_m)"
-            ),
-            Cause::OffSpring(row) => format!(
-                "raise row.{}.preload_n above the force along the axis that comes onto this row, or let a row \
-                 that is held bear it (contact_sign)",
-                row + 1
-            ),
-            Cause::Unbalanced { .. } => halve,
-            Cause::Friction { .. } => {
-                "return μ from 0 to 2 with its finite slope at every sliding speed".to_owned()
-            }
-            Cause::TimeNotAhead(_) => {
-                format!("go on to a time of {} s or later", self.time_s)
-            }
-            Cause::NotForward { .. } => {
-                "let the method set t1_s after t0_s, at most to limit_s".to_owned()
-            }
-            Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
-                "{halve}; contacts without damping need some (contact.damping_n_s_m1_5, \
-                 contact.ball_restitution)"
-            ),
-        }
     }
 }
 

@@ -11,6 +11,7 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+mod advice;
 mod batch;
 mod drop_outcome;
 mod front;

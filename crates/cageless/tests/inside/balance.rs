@@ -263,7 +263,7 @@ fn a_run_that_explodes_is_stopped() {
         matches!(stop.cause, Cause::EnergyFromNowhere { .. }),
         "{stop:?}"
     );
-    assert!(stop.advice().contains("solver.step_us"));
+    assert!(stop.advice().contains("CaseBuilder::step_s"));
     assert!((outcome.end_s - stop.time_s).abs() < 1e-9);
     assert!(outcome.state.values().iter().all(|v| v.is_finite()));
 }
