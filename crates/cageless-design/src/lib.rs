@@ -25,6 +25,7 @@
 mod axial;
 mod criterion;
 pub mod critical_gap;
+mod distinct_rows;
 mod estimate;
 mod film_evidence;
 mod pressure_at_rest;

@@ -2,12 +2,12 @@
 
 use super::{Judgement, LAG, RacewayVerdict, SEPARATION, STEADY_GAP, judge, verdict_steps};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
-use cageless::Case;
 use cageless::closed_forms::{Eq11, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad};
 use cageless::equilibrium::EquilibriumError;
-use cageless::numerics::root;
+use cageless::numerics::{brent, last_where, try_brent};
 use cageless::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
+use cageless::{Case, InputError};
 
 /// The usable part of the curve of Zhao 2022, Eq. (11), for the gap of evenly spaced balls, and
 /// its middle. Critical gaps bound it; the motion of all balls is not looked at.
@@ -93,12 +93,12 @@ fn span_for_angle(case: &Case, half_angle: f64) -> Option<f64> {
     let limit = axial_span_limit_m(&case.bearing) * (1.0 - 1e-9);
     // The curve begins at the narrowest span that any angle serves.
     on_curve(case, limit)?;
-    let narrowest = root::last_where(limit, 0.0, 1e-4 * limit, |span| {
+    let narrowest = last_where(limit, 0.0, 1e-4 * limit, |span| {
         on_curve(case, span).is_some()
     });
     let difference =
         |span: f64| on_curve(case, span).map_or(f64::NAN, |r| r.half_angle_rad() - half_angle);
-    root::brent(difference, narrowest, limit, 1e-9)
+    brent(difference, narrowest, limit, 1e-9)
 }
 
 /// Fraction of β0 that slip takes from the critical gap.
@@ -126,8 +126,10 @@ pub fn starting_point(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<StartingPoint>, CriticalGapError> {
-    case.check_without_film("the recommendation of a raceway")
-        .map_err(EquilibriumError::from)?;
+    if let Some(film) = &case.film {
+        let rule = "left out, with all of [film]: the recommendation of a raceway does not count the lag of a film yet";
+        return Err(EquilibriumError::from(InputError::rule("supply", film.supply, rule)).into());
+    }
     let bearing = &case.bearing;
     let half_angle_max_rad = bearing.ball_angle_rad() + bearing.nominal_gap_rad();
     let limit = axial_span_limit_m(bearing) * (1.0 - 1e-6);
@@ -160,7 +162,7 @@ pub fn starting_point(
     } else {
         // To a hundredth of the ball's radius: finer than the threshold means anything.
         let tolerance = 1e-3 * bearing.ball_radius_m();
-        let wide = root::try_brent(&mut excess, narrow, limit, tolerance)?.unwrap_or(limit);
+        let wide = try_brent(&mut excess, narrow, limit, tolerance)?.unwrap_or(limit);
         on_curve(case, wide).map_or(half_angle_max_rad, |raceway| raceway.half_angle_rad())
     };
     let half_angle_rad = 0.5 * (half_angle_min_rad + half_angle_max_rad);
@@ -191,7 +193,7 @@ fn span_for_gap(case: &Case, half_angle_rad: f64, gap_rad: f64, widest_m: f64) -
     let narrowest = (1..20)
         .map(|k| widest_m * f64::from(k) / 20.0)
         .find(|&span| excess(span).is_finite())?;
-    root::brent(excess, narrowest, widest_m * (1.0 + 1e-6), 1e-9)
+    brent(excess, narrowest, widest_m * (1.0 + 1e-6), 1e-9)
 }
 
 /// The raceways to be judged at one angle, the deepest first; the starting point is left out.

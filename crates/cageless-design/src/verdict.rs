@@ -8,6 +8,7 @@ use super::pressure_at_rest::pressure_at_rest_controlled_pa;
 use super::raceway_tallies::{RacewayTallies, speed_drop_fraction};
 use super::raceway_verdict::RacewayVerdict;
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad, pair_steps};
+use crate::distinct_rows::distinct_rows;
 use cageless::HalfTurnRecorder;
 use cageless::closed_forms::{Eq11, gap_of_delay_rad, steady_gap_rad, theoretical_gap_rad};
 use cageless::contact::STRESS_LIMIT_PA;
@@ -112,7 +113,7 @@ pub fn verdict_steps(case: &Case) -> f64 {
         let alone = case.with_raceways(vec![raceway.clone()]);
         pair_steps(&alone, &PairTest::default())
     });
-    let steps = case.distinct_rows().len() as f64 * pairs.sum::<f64>();
+    let steps = distinct_rows(case).len() as f64 * pairs.sum::<f64>();
     let has_oil = case.film.is_some_and(|film| film.has_oil());
     let verdicts = if has_oil { 2.0 } else { 1.0 };
     verdicts * (steps + steady_case(case).solver.steps())
@@ -331,7 +332,7 @@ fn least_critical_gap_rad(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<f64, CriticalGapError> {
-    let rows = case.distinct_rows();
+    let rows = distinct_rows(case);
     let mut least = f64::INFINITY;
     for (k, &row) in rows.iter().enumerate() {
         let test = PairTest::of_raceways(case, row, steady_gap_rad(&case.bearing, &case.raceways));

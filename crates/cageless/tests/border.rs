@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Public items at most.
-const ITEMS_MAX: usize = 750;
+const ITEMS_MAX: usize = 749;
 
 /// The sources below a folder without those of tests.
 fn sources(folder: &Path, tests: bool) -> Vec<PathBuf> {

@@ -12,7 +12,7 @@ use super::rejection::Cause;
 use super::request::{BUDGET, Request, Stage};
 use crate::SEPARATION;
 use cageless::Bearing;
-use cageless::numerics::root;
+use cageless::numerics::last_where;
 use cageless::raceway::{RacewayForm, RacewayShape, axial_span_limit_m};
 
 /// Cells of the maps along lC and θ, and the fewest of them.
@@ -116,7 +116,7 @@ fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> 
         };
         structure.raceways(bearing).is_ok()
     };
-    root::last_where(1e-2, widest, 1e-3, possible)
+    last_where(1e-2, widest, 1e-3, possible)
 }
 
 /// The maps at the operating points and at the further speeds.

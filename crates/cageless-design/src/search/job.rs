@@ -6,6 +6,7 @@ use super::film_lag::film_lag_at_rest_rad;
 use super::perturbed_run::{Motion, PerturbedRunError, UnevenStart, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::critical_gap::{CROWDED_MAX, CriticalGapError, PairTest, critical_gap_rad};
+use crate::distinct_rows::distinct_rows;
 use crate::pressure_at_rest_pa;
 use cageless::Case;
 use cageless::closed_forms::{Eq11, kinematic_gap_rad, steady_gap_rad, theoretical_gap_rad};
@@ -183,7 +184,7 @@ fn spacing(
         shortfall: f64::NEG_INFINITY,
         stress_pa: f64::NAN,
     };
-    for row in loaded.distinct_rows() {
+    for row in distinct_rows(&loaded) {
         let test = PairTest::of_raceways(&loaded, row, steady_gap);
         let mut of_row = 0.0f64;
         for raceway in raceways {

@@ -9,6 +9,7 @@ use super::request::{Request, Stage};
 use super::{Interrupted, SearchError, axial, search};
 use crate::AXIAL_ORBITS;
 use crate::critical_gap::{PairTest, pair_steps};
+use crate::distinct_rows::distinct_rows;
 use cageless::Case;
 
 /// Runs of one kind that a stage of a search takes.
@@ -34,7 +35,7 @@ impl Job {
         Some(match self.task {
             Task::PairSeparation => {
                 let case = self.point.case(case, raceways);
-                let rows = case.distinct_rows().len() as f64;
+                let rows = distinct_rows(&case).len() as f64;
                 let pairs = case.raceways.iter().map(|raceway| {
                     let alone = case.with_raceways(vec![raceway.clone()]);
                     pair_steps(&alone, &PairTest::default())

@@ -1,5 +1,6 @@
 //! The search for a raceway: what its numbers mean, and that it finds the same again.
 
+use crate::distinct_rows::distinct_rows;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -51,7 +52,7 @@ fn critical_gaps_in_oil_are_those_of_a_pair() {
         case.film = Some(Film::flooded(oil(20.0)));
         let found = spacing(&case, RacewayLayout::from_case(&case).unwrap());
         let dry_gap = steady_gap_rad(&case.bearing, &case.raceways);
-        let row = case.distinct_rows()[0];
+        let row = distinct_rows(&case)[0];
         let test = PairTest {
             gap_max_rad: None,
             ..PairTest::of_raceways(&case, row, dry_gap)

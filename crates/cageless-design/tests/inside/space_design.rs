@@ -1,5 +1,6 @@
 //! Verdict, search and tolerances of raceways whose balls move in space.
 
+use crate::distinct_rows::distinct_rows;
 use cageless::closed_forms::{Eq11, kinematic_gap_rad, kinematic_lag_rad, theoretical_gap_rad};
 use cageless::simulation::Control;
 use cageless::{Bearing, Case, Gaps, IntegrationMethod, Motion, Raceway, Row, Start, StartState};
@@ -113,12 +114,12 @@ fn dry_balls_have_the_critical_gap_of_rolling() {
 #[test]
 fn a_pair_has_one_kind_of_row_until_it_is_pushed() {
     let mut case = pair();
-    assert_eq!(case.distinct_rows(), [0]);
+    assert_eq!(distinct_rows(&case), [0]);
     let case_with = case.with_raceways(vec![turned(&case.bearing, 15.0)]);
     let [one, other] = [0, 1].map(|row| gap_of(&case_with, row));
     assert!((one / other - 1.0).abs() < 1e-3, "{one} {other}");
     case.operation.space.axial_load_n = 300.0;
-    assert_eq!(case.distinct_rows(), [0, 1]);
+    assert_eq!(distinct_rows(&case), [0, 1]);
     let pushed = case.with_raceways(vec![turned(&case.bearing, 15.0)]);
     let [one, other] = [0, 1].map(|row| gap_of(&pushed, row));
     assert!((one / other - 1.0).abs() > 0.02, "{one} {other}");
@@ -129,12 +130,12 @@ fn a_pair_has_one_kind_of_row_until_it_is_pushed() {
     assert!((gap / least - 1.0).abs() < 0.03, "{gap} {least}");
     case.operation.space.axial_load_n = 0.0;
     case.rows[1].preload_m = 10e-6;
-    assert_eq!(case.distinct_rows(), [0, 1]);
+    assert_eq!(distinct_rows(&case), [0, 1]);
     for row in &mut case.rows {
         (row.contact_sign, row.preload_m) = (1.0, 0.0);
     }
     case.operation.space.axial_load_n = 300.0;
-    assert_eq!(case.distinct_rows(), [0]);
+    assert_eq!(distinct_rows(&case), [0]);
 }
 
 pub fn criterion(judged: &Judgement, name: &str) -> f64 {

@@ -166,19 +166,6 @@ impl Case {
         }
     }
 
-    /// Passes a case without a film; `what` does not count one.
-    ///
-    /// # Errors
-    /// An [`InputError`] naming the film.
-    pub fn check_without_film(&self, what: &str) -> Result<(), InputError> {
-        let Some(film) = &self.film else {
-            return Ok(());
-        };
-        let rule =
-            format!("left out, with all of [film]: {what} does not count the lag of a film yet");
-        Err(InputError::rule("supply", film.supply, rule))
-    }
-
     /// Refuses speeds and loads whose deflection exceeds that of any elastic contact, the
     /// most loaded ball taking 5/N of the load (Stribeck) and its own centrifugal force.
     fn check_elastic(&self) -> Result<(), InputError> {

@@ -1,7 +1,7 @@
 //! Roots of a function of one variable.
 //!
 //! ```
-//! use cageless::numerics::root::brent;
+//! use cageless::numerics::brent;
 //!
 //! let root = brent(|x| x * x - 2.0, 0.0, 2.0, 1e-15);
 //! assert!((root.unwrap() - 2f64.sqrt()).abs() < 1e-15);
