@@ -24,6 +24,25 @@ pub const AXIAL_ORBITS: [f64; 2] = [8.0, 8.0];
 /// Error of a critical gap in space.
 const GAP_TOLERANCE_RAD: f64 = 2e-5;
 
+/// Axial load and tilt under which the lag is found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AxialPoint {
+    /// Fa.
+    pub axial_load_n: f64,
+    /// Tilt of the inner ring about X.
+    pub tilt_x_rad: f64,
+}
+
+impl AxialPoint {
+    /// An axial load at no tilt.
+    pub fn untilted(axial_load_n: f64) -> Self {
+        Self {
+            axial_load_n,
+            tilt_x_rad: 0.0,
+        }
+    }
+}
+
 /// Lag per pass and contact angle at the inner raceway, means over the balls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LagAndAngle {
@@ -102,7 +121,7 @@ impl AxialLimit {
 /// # Errors
 /// An [`InputError`] if the case has no raceway, carries no radial load, is not planar but for slots, cannot
 /// move in space, or has too large a step for the heaviest axial load.
-pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
+pub fn axial_points(case: &Case) -> Result<Vec<AxialPoint>, InputError> {
     case.check_planar_but_for_slots()?;
     case.check_constant_operation("--axial")?;
     let radial = case.operation.radial_load_n;
@@ -118,9 +137,14 @@ pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
         let rule = "given: axial loads are judged by the lag in the raceway";
         return Err(InputError::rule("axial_span_m", f64::NAN, rule));
     }
-    under(case, [0.0, 0.0]).check_motion()?;
-    let loads = |tilt| LOAD_RATIOS.map(|ratio| [ratio * radial, tilt]);
-    let points: Vec<[f64; 2]> = TILTS_RAD.into_iter().flat_map(loads).collect();
+    under(case, AxialPoint::default()).check_motion()?;
+    let loads = |tilt_x_rad| {
+        LOAD_RATIOS.map(|ratio| AxialPoint {
+            axial_load_n: ratio * radial,
+            tilt_x_rad,
+        })
+    };
+    let points: Vec<AxialPoint> = TILTS_RAD.into_iter().flat_map(loads).collect();
     for point in &points {
         step_limits::check(&under(case, *point))?;
     }
@@ -128,22 +152,22 @@ pub fn axial_points(case: &Case) -> Result<Vec<[f64; 2]>, InputError> {
 }
 
 /// A case as it runs at one of [`axial_points`], and the steps that lag and critical gap take there as a rule.
-pub fn axial_sample(case: &Case, point: [f64; 2]) -> (Case, [f64; 2]) {
+pub fn axial_sample(case: &Case, point: AxialPoint) -> (Case, [f64; 2]) {
     let case = under(case, point);
     let steps = [case.solver.steps(), pair_steps(&case, &PairTest::default())];
     (case, steps)
 }
 
 /// The case, evenly spaced, under this axial load and tilt.
-fn under(case: &Case, [axial_load_n, tilt_x_rad]: [f64; 2]) -> Case {
+fn under(case: &Case, point: AxialPoint) -> Case {
     let mut loaded = steady_case(&Case {
         motion: Motion::Space,
         ..case.clone()
     });
     loaded.solver.duration_s = AXIAL_ORBITS.iter().sum::<f64>() * case.rolling_orbit_s();
-    loaded.operation.space.axial_load_n = axial_load_n;
+    loaded.operation.space.axial_load_n = point.axial_load_n;
     loaded.operation.space.tilt = Tilt::Held {
-        x_rad: tilt_x_rad,
+        x_rad: point.tilt_x_rad,
         y_rad: 0.0,
     };
     loaded
@@ -156,12 +180,12 @@ fn under(case: &Case, [axial_load_n, tilt_x_rad]: [f64; 2]) -> Case {
 /// The case is impossible, or `control` ended the work.
 pub fn axial_lag(
     case: &Case,
-    point: [f64; 2],
+    point: AxialPoint,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<AxialLag, CriticalGapError> {
     Ok(AxialLag {
-        axial_load_n: point[0],
-        tilt_x_rad: point[1],
+        axial_load_n: point.axial_load_n,
+        tilt_x_rad: point.tilt_x_rad,
         lag: lag_and_angle(&under(case, point), control)?,
         critical_gap_rad: None,
     })
@@ -214,7 +238,7 @@ fn lag_and_angle(
 /// The case is impossible, or `control` ended the work.
 pub fn axial_critical_gap_rad(
     case: &Case,
-    point: [f64; 2],
+    point: AxialPoint,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Result<f64, CriticalGapError>, CriticalGapError> {
     let first = case.raceways.iter().take(1);

@@ -39,8 +39,8 @@ pub mod tolerance;
 mod verdict;
 
 pub use axial::{
-    AXIAL_ORBITS, AxialLag, AxialLimit, LagAndAngle, NoLag, axial_critical_gap_rad, axial_lag,
-    axial_load_keeping, axial_points, axial_sample,
+    AXIAL_ORBITS, AxialLag, AxialLimit, AxialPoint, LagAndAngle, NoLag, axial_critical_gap_rad,
+    axial_lag, axial_load_keeping, axial_points, axial_sample,
 };
 #[cfg(test)]
 pub(crate) use criterion::DECELERATION;

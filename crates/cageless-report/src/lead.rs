@@ -27,7 +27,7 @@ pub(crate) fn balls(case: &Case) -> String {
 pub(crate) fn operation(case: &Case) -> String {
     let of = &case.operation;
     let number = |value: f64| significant(value, 6);
-    let axes = |what: &str, unit: &str, [x, y]: [f64; 2]| {
+    let axes = |what: &str, unit: &str, x: f64, y: f64| {
         let given = [("x", x), ("y", y)].into_iter().filter(|(_, v)| *v != 0.0);
         let texts = given.map(|(axis, v)| format!(", {what} about {axis} {} {unit}", number(v)));
         texts.collect::<String>()
@@ -37,21 +37,23 @@ pub(crate) fn operation(case: &Case) -> String {
         load => format!(", axial load {} N", number(load)),
     };
     let turned = match of.space.tilt {
-        Tilt::Held { x_rad, y_rad } => axes("tilt", "mrad", [1e3 * x_rad, 1e3 * y_rad]),
+        Tilt::Held { x_rad, y_rad } => axes("tilt", "mrad", 1e3 * x_rad, 1e3 * y_rad),
         Tilt::Free {
             moment_x_n_m,
             moment_y_n_m,
-        } => axes("moment", "N·m", [moment_x_n_m, moment_y_n_m]),
+        } => axes("moment", "N·m", moment_x_n_m, moment_y_n_m),
     };
-    let range = |[low, high]: [f64; 2]| match low == high {
+    let range = |low: f64, high: f64| match low == high {
         true => number(high),
         false => format!("{} to {}", number(low), number(high)),
     };
     let rpm = |speed: f64| speed * 60.0 / std::f64::consts::TAU;
+    let [slowest, fastest] = case.inner_speed_range_rad_s().map(rpm);
+    let [least, most] = case.radial_load_range_n();
     format!(
         "{} rpm, {} N{axial}{turned}",
-        range(case.inner_speed_range_rad_s().map(rpm)),
-        range(case.radial_load_range_n())
+        range(slowest, fastest),
+        range(least, most)
     )
 }
 

@@ -6,6 +6,7 @@
 //! numbers as one JSON document
 //! ([`to_json`]).
 
+mod axes;
 pub mod claim;
 pub mod compare;
 pub mod compared_run;
@@ -25,6 +26,7 @@ pub mod head;
 mod lead;
 mod length;
 mod load_profile;
+mod margin;
 pub mod measured;
 pub mod motion;
 pub mod names;

@@ -10,7 +10,7 @@ use crate::figure::Figure;
 use crate::head::Head;
 use crate::length::{mm, um};
 use crate::page::{Note, Page};
-use crate::plot::{Plot, number, numbers};
+use crate::plot::{Margin, Plot, number, numbers};
 use crate::table::Table;
 
 /// Most cells of the map along ψ and across the groove.
@@ -147,7 +147,7 @@ pub fn deviation_map(points: &[PointOff], source: &Provenance) -> Option<Figure>
     };
     let z: Value = sums.iter().map(row).collect();
     let plot = Plot::new(420)
-        .margin([72, 24, 24, 58])
+        .margin(Margin::above(24))
         .x("Angle ψ (°)", json!({}))
         .y("Axial position z (mm)", json!({}))
         .trace(json!({

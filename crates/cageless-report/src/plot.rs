@@ -2,7 +2,9 @@
 
 use serde_json::{Map, Value, json};
 
+pub use crate::axes::Axes;
 use crate::description;
+pub use crate::margin::Margin;
 pub use crate::trace::{
     Trace, line, line_in_space, line_of, markers, number, numbers, plain, with,
 };
@@ -44,7 +46,7 @@ impl Plot {
             "font": { "family": FONT, "size": 13, "color": "#222" },
             "paper_bgcolor": "#fff",
             "plot_bgcolor": "#fff",
-            "margin": { "l": 72, "r": 24, "t": 44, "b": 58 },
+            "margin": Margin::default().json(),
             "hovermode": "closest",
             "showlegend": false,
             "legend": {
@@ -136,10 +138,9 @@ impl Plot {
         self
     }
 
-    /// Sets the margins left, right, top and bottom, pixels.
-    pub fn margin(self, [left, right, top, bottom]: [u32; 4]) -> Self {
-        let margin = json!({ "l": left, "r": right, "t": top, "b": bottom });
-        self.set("margin", margin)
+    /// Sets the room around its panels.
+    pub fn margin(self, margin: Margin) -> Self {
+        self.set("margin", margin.json())
     }
 
     /// Sets axis `name` (`xaxis`, `yaxis2`), titled `title`, with further keys.
@@ -202,7 +203,8 @@ impl Plot {
     }
 
     /// Draws a vertical line at `at` with a label above it.
-    pub fn marked(self, [x, y]: [&str; 2], at: f64, label: &str, dash: &str) -> Self {
+    pub fn marked(self, axes: Axes<'_>, at: f64, label: &str, dash: &str) -> Self {
+        let Axes { x, y } = axes;
         self.vertical(x, y, at, dash).text(
             label,
             (at, 1.0),

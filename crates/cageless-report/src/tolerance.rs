@@ -9,7 +9,7 @@ use crate::compare::benefit_section;
 use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::{Note, Page};
-use crate::plot::{GREY, PALETTE, Plot, number, numbers};
+use crate::plot::{Axes, GREY, Margin, PALETTE, Plot, number, numbers};
 use crate::table::Table;
 
 /// The self-contained page.
@@ -77,7 +77,10 @@ pub fn influence_figure(record: &Record) -> Figure {
         }
     }
     let plot = Plot::new(90 + 34 * names.len().max(2) as u32)
-        .margin([150, 24, 44, 58])
+        .margin(Margin {
+            left: 150,
+            ..Margin::default()
+        })
         .x("Critical gap (°)", json!({}))
         .y("", json!({ "type": "category" }))
         .trace(json!({
@@ -92,7 +95,7 @@ pub fn influence_figure(record: &Record) -> Figure {
 /// The plot with the critical gap of the nominal bearing, if it has one.
 fn with_nominal(plot: Plot, record: &Record) -> Plot {
     match record.value("nominal_critical_gap_deg") {
-        Some(gap_deg) => plot.marked(["x", "y"], gap_deg, "nominal", "solid"),
+        Some(gap_deg) => plot.marked(Axes::FIRST, gap_deg, "nominal", "solid"),
         None => plot,
     }
 }
@@ -127,7 +130,7 @@ pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
     let mut plot = Plot::new(360)
         .legend()
         .set("barmode", json!("stack"))
-        .margin([72, 24, 84, 58])
+        .margin(Margin::above(84))
         .set(
             "legend",
             json!({ "orientation": "h", "x": 0, "y": 1.09, "yanchor": "bottom" }),

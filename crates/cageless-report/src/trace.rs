@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::axes::Axes;
 use crate::sampling::Points;
 
 /// What is drawn of one series of values, and on which axes.
@@ -60,9 +61,9 @@ impl Trace {
         self.with(json!({ "line": { "dash": dash } }))
     }
 
-    /// Puts it on a pair of axes, `["x2", "y2"]`.
-    pub fn on(self, [x, y]: [&str; 2]) -> Self {
-        self.with(json!({ "xaxis": x, "yaxis": y }))
+    /// Puts it on a pair of axes.
+    pub fn on(self, axes: Axes<'_>) -> Self {
+        self.with(json!({ "xaxis": axes.x, "yaxis": axes.y }))
     }
 
     /// Makes it one of a group of traces of which one is in the legend.

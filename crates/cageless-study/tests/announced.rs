@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use cageless::simulation::{Control, steps_of_thread};
-use cageless_design::{axial_critical_gap_rad, axial_lag, axial_sample};
+use cageless_design::{AxialPoint, axial_critical_gap_rad, axial_lag, axial_sample};
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::plan_file::PlanFile;
@@ -179,7 +179,7 @@ fn studies_are_announced_within_a_factor_of_two() {
 #[test]
 fn axial_loads_are_announced_within_a_factor_of_two() {
     let file = case(&["operation.inner_speed_rpm=24000"]);
-    let point = [300.0, 0.0];
+    let point = AxialPoint::untilted(300.0);
     let (_, announced) = axial_sample(file.case(), point);
     let [_, made] = steps(|_| {
         let mut go_on = |_| Control::Continue(());

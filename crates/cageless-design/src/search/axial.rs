@@ -1,8 +1,8 @@
 //! What the largest axial load of a search leaves of the lag of a structure.
 
 use super::raceway_layout::OperatingPoint;
-use crate::axial_lag;
 use crate::critical_gap::CriticalGapError;
+use crate::{AxialPoint, axial_lag};
 use cageless::Bearing;
 use cageless::closed_forms::{kinematic_lag_rad, seats};
 use cageless::equilibrium::EquilibriumError;
@@ -66,14 +66,16 @@ pub(super) fn lag(
 ) -> Option<Result<f64, String>> {
     let case = in_space(case, point, raceways.to_vec(), axial_load_n);
     let without = |error: String| format!("under an axial load of {axial_load_n} N: {error}");
-    Some(match axial_lag(&case, [axial_load_n, 0.0], control) {
-        Ok(at) => at
-            .lag
-            .map(|found| found.lag_rad)
-            .map_err(|reason| without(reason.to_string())),
-        Err(CriticalGapError::Interrupted) => return None,
-        Err(error) => Err(without(error.to_string())),
-    })
+    Some(
+        match axial_lag(&case, AxialPoint::untilted(axial_load_n), control) {
+            Ok(at) => at
+                .lag
+                .map(|found| found.lag_rad)
+                .map_err(|reason| without(reason.to_string())),
+            Err(CriticalGapError::Interrupted) => return None,
+            Err(error) => Err(without(error.to_string())),
+        },
+    )
 }
 
 pub(super) fn in_space(

@@ -2,6 +2,7 @@
 //! closed forms leave a chance.
 
 use std::f64::consts::FRAC_PI_2;
+use std::ops::RangeInclusive;
 
 use super::evaluation::{Batch, Evaluation, motions};
 use super::job::{Interrupted, Job, Numbers, PairSeparation, Task};
@@ -60,8 +61,9 @@ pub(super) fn snapped(structure: &RacewayLayout) -> RacewayLayout {
     }
 }
 
-/// `count` values from `low` to `high`, the ends included.
-fn spread([low, high]: [f64; 2], count: usize) -> Vec<f64> {
+/// `count` values evenly over a range, the ends included.
+fn spread(range: RangeInclusive<f64>, count: usize) -> Vec<f64> {
+    let (low, high) = range.into_inner();
     if high <= low {
         return vec![low];
     }
@@ -122,7 +124,7 @@ fn widest_angle_rad(form: RacewayForm, bearing: &Bearing, axial_span_m: f64) -> 
 /// The maps at the operating points and at the further speeds.
 pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupted> {
     let request = batch.request;
-    let [spans, angles] = batch.ranges;
+    let [spans, angles] = batch.ranges.map(|[low, high]| low..=high);
     let [columns, rows] = map_cells(request);
     let (spans, angles) = (spread(spans, columns), spread(angles, rows));
     let mut cells = vec![];
@@ -314,7 +316,7 @@ impl Family {
 /// fall short of it by what `SEPARATION` allows; so β0 over the steady gap must lie between
 /// [`Request::critical_gap_min_fraction`] and 1/(1 − that). In space the maps show by how much it falls short.
 pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
-    let [_, angles] = batch.ranges;
+    let [_, [narrowest, widest]] = batch.ranges;
     let mut evaluations = vec![];
     for placement in 0..batch.request.placements.len() {
         for (form, section_angle_rad) in batch.request.sections() {
@@ -323,7 +325,7 @@ pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
                 form,
                 section_angle_rad,
             };
-            for half_angle_rad in spread(angles, lines(batch.request)) {
+            for half_angle_rad in spread(narrowest..=widest, lines(batch.request)) {
                 evaluations.extend(line(batch, family, half_angle_rad));
             }
         }
@@ -360,7 +362,7 @@ pub(super) fn refine(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluat
 
 /// The candidates of a family at one angle.
 fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evaluation> {
-    let [spans, _] = batch.ranges;
+    let [[shortest, longest], _] = batch.ranges;
     let at = |axial_span_m: f64| {
         snapped(&RacewayLayout {
             axial_span_m,
@@ -374,7 +376,7 @@ fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evalu
         Some(measured) => measured.expected(half_angle_rad, fraction),
         None => fraction,
     };
-    let table: Vec<(f64, f64)> = spread(spans, TABLE)
+    let table: Vec<(f64, f64)> = spread(shortest..=longest, TABLE)
         .into_iter()
         .filter_map(|span| {
             let raceways = at(span).raceways(batch.bearing).ok()?;
@@ -383,14 +385,11 @@ fn line(batch: &Batch<'_, '_>, family: Family, half_angle_rad: f64) -> Vec<Evalu
         .collect();
     // A hair inside, or rounding to micrometres would throw out the first.
     let (least, most) = batch.gap_range().into_inner();
-    let fractions = [
-        1.005 * least,
-        match batch.measured {
-            Some(_) => most,
-            None => most / (1.0 - SEPARATION.limit()),
-        },
-    ];
-    let mut found: Vec<RacewayLayout> = spread(fractions, CANDIDATES[1])
+    let most = match batch.measured {
+        Some(_) => most,
+        None => most / (1.0 - SEPARATION.limit()),
+    };
+    let mut found: Vec<RacewayLayout> = spread(1.005 * least..=most, CANDIDATES[1])
         .into_iter()
         .filter_map(|fraction| span_of_fraction(&table, fraction))
         .map(at)
@@ -422,8 +421,8 @@ mod tests {
 
     #[test]
     fn values_are_spread_from_end_to_end() {
-        assert_eq!(spread([1.0, 3.0], 5), [1.0, 1.5, 2.0, 2.5, 3.0]);
-        assert_eq!(spread([2.0, 2.0], 5), [2.0]);
+        assert_eq!(spread(1.0..=3.0, 5), [1.0, 1.5, 2.0, 2.5, 3.0]);
+        assert_eq!(spread(2.0..=2.0, 5), [2.0]);
         let found = snapped(&RacewayLayout {
             axial_span_m: 5.123_456e-3,
             half_angle_rad: 25.123_456f64.to_radians(),

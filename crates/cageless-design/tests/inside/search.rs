@@ -18,7 +18,7 @@ use cageless_design::search::{
     PairSeparation, RacewayLayout, Rejection, Request, Role, SearchError, SpeedMap, Stage, Task,
     UnevenStart, VALUES, perturbed_runs, run_jobs, search,
 };
-use cageless_design::{BOTH_NEIGHBOURS, RacewayVerdict, axial_lag, judge};
+use cageless_design::{AxialPoint, BOTH_NEIGHBOURS, RacewayVerdict, axial_lag, judge};
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())
@@ -760,7 +760,7 @@ fn the_lag_under_axial_load_is_that_of_the_design() {
     let Numbers::AxialLag(searched) = all(&case, &[job]).swap_remove(0).unwrap() else {
         panic!("outcome of another task");
     };
-    let designed = axial_lag(&case, [axial_load_n, 0.0], &mut go_on).unwrap();
+    let designed = axial_lag(&case, AxialPoint::untilted(axial_load_n), &mut go_on).unwrap();
     let designed = designed.lag.unwrap().lag_rad;
     assert!(
         (searched / designed - 1.0).abs() < 0.01,

@@ -10,7 +10,7 @@ use cageless_design::search::{
     RacewayLayout, Request, SearchError, Task, UnevenStart, run_jobs, search,
 };
 use cageless_design::tolerance::{Influence, Outcome, Tolerances, assess, trials};
-use cageless_design::{Judgement, RacewayVerdict, axial_lag, judge};
+use cageless_design::{AxialPoint, Judgement, RacewayVerdict, axial_lag, judge};
 
 use crate::common::{dimensions, raceway, steel, structure};
 
@@ -150,7 +150,7 @@ fn a_verdict_in_space_is_that_of_the_lag() {
     let case = in_space(planar.clone(), planar.contact.friction.coefficient);
     let judged = judge(&case, &mut go_on).unwrap();
     assert_eq!(judged.verdict, RacewayVerdict::TooShallow);
-    let measured = axial_lag(&in_space(planar, 0.007), [0.0; 2], &mut go_on).unwrap();
+    let measured = axial_lag(&in_space(planar, 0.007), AxialPoint::default(), &mut go_on).unwrap();
     let lag = measured.lag.unwrap().lag_rad;
     let rolling = kinematic_lag_rad(&case.bearing, &case.raceways[0], 0.0, 0.0);
     // Of later orbits.

@@ -107,6 +107,13 @@ struct Ends<'a> {
     to: &'a Station,
 }
 
+/// The two sides of a discrete raceway and the edge in which they meet.
+struct Flanks {
+    upper: Patch,
+    lower: Patch,
+    ridge: usize,
+}
+
 /// Edges along ψ of a sector.
 struct Span {
     rim: [usize; 2],
@@ -144,8 +151,13 @@ impl Solid {
                 let hole = slot.map(|slot| solid.slot(slot, tolerance_m)).transpose()?;
                 solid.groove(whole, ends, &span, hole);
             }
-            if let (Some(halves), Some(ridge)) = (halves, span.ridge) {
-                solid.flanks(halves, ends, &span, ridge);
+            if let (Some([upper, lower]), Some(ridge)) = (halves, span.ridge) {
+                let flanks = Flanks {
+                    upper,
+                    lower,
+                    ridge,
+                };
+                solid.flanks(flanks, ends, &span);
             }
             solid.shoulders(ring, sector, ends, &span);
             rims.push(span.rim);
@@ -279,22 +291,22 @@ impl Solid {
     }
 
     /// The two sides of a discrete raceway.
-    fn flanks(&mut self, [upper, lower]: [Patch; 2], ends: Ends<'_>, span: &Span, ridge: usize) {
+    fn flanks(&mut self, flanks: Flanks, ends: Ends<'_>, span: &Span) {
         let above = [
             back(ends.from.arc[0]),
             along(span.shoulder[0]),
             along(ends.to.arc[0]),
-            back(ridge),
+            back(flanks.ridge),
         ];
         let below = [
             back(ends.from.arc[1]),
-            along(ridge),
+            along(flanks.ridge),
             along(ends.to.arc[1]),
             back(span.shoulder[1]),
         ];
         // t × (−k) points out of it.
-        self.face(Surface::Spline(upper), false, &[&above]);
-        self.face(Surface::Spline(lower), true, &[&below]);
+        self.face(Surface::Spline(flanks.upper), false, &[&above]);
+        self.face(Surface::Spline(flanks.lower), true, &[&below]);
     }
 
     fn shoulders(&mut self, ring: &OuterRing, sector: &RingSector, ends: Ends<'_>, span: &Span) {

@@ -18,12 +18,13 @@ impl Solid {
         });
         let lines =
             corners.map(|[upper, lower]| self.edge(Curve::Line([0.0, 0.0, 1.0]), lower, upper));
-        let arcs = [[0, 1], [1, 0]].map(|[from, to]: [usize; 2]| {
+        let mut half_circles = |from: usize, to: usize| {
             [0, 1].map(|k| {
-                let ends = (corners[from][k], corners[to][k]);
-                self.edge(circle(radius_m, heights[k]), ends.0, ends.1)
+                let circle = circle(radius_m, heights[k]);
+                self.edge(circle, corners[from][k], corners[to][k])
             })
-        });
+        };
+        let arcs = [half_circles(0, 1), half_circles(1, 0)];
         for half in 0..2 {
             let cylinder = Surface::Cylinder {
                 radius_m,

@@ -16,6 +16,30 @@ struct Joint {
     down: [usize; 2],
 }
 
+/// Joints between which faces lie, in the direction of their lines.
+#[derive(Clone, Copy)]
+struct Stretch {
+    from: Joint,
+    to: Joint,
+}
+
+/// Joints of an end with both sides.
+#[derive(Clone, Copy)]
+struct Joints {
+    upper: Joint,
+    lower: Joint,
+}
+
+impl Joints {
+    /// The end from its lower to its upper joint.
+    fn upwards(self) -> Stretch {
+        Stretch {
+            from: self.lower,
+            to: self.upper,
+        }
+    }
+}
+
 /// Edges along the groove, the top of the wall and its foot, from joint to joint.
 type Lines = [usize; 3];
 
@@ -34,11 +58,15 @@ impl Solid {
             Some(_) => self.joints(recess, 1.0),
             None => first,
         };
-        let behind = self.end(recess, -1.0, first, tolerance_m)?;
-        let ahead = self.end(recess, 1.0, last, tolerance_m)?;
-        let straights = recess
-            .straight_rad
-            .map(|_| [0, 1].map(|k| self.straight(recess, Side::BOTH[k], [first[k], last[k]])));
+        let behind = self.end(recess, -1.0, first.upwards(), tolerance_m)?;
+        let ahead = self.end(recess, 1.0, last.upwards(), tolerance_m)?;
+        let straights = recess.straight_rad.map(|_| {
+            let mut straight = |side, from, to| self.straight(recess, side, Stretch { from, to });
+            [
+                straight(Side::Upper, first.upper, last.upper),
+                straight(Side::Lower, first.lower, last.lower),
+            ]
+        });
         let [upper, lower] = [0, 1].map(|k| straights.map(|lines| lines[k]));
         // Both seen from the axis, where ψ grows to the left: the floor anticlockwise, the hole clockwise.
         let floor = [
@@ -58,9 +86,8 @@ impl Solid {
         Ok(hole)
     }
 
-    /// Upper and lower.
-    fn joints(&mut self, recess: &Recess, end: f64) -> [Joint; 2] {
-        Side::BOTH.map(|side| {
+    fn joints(&mut self, recess: &Recess, end: f64) -> Joints {
+        let [upper, lower] = Side::BOTH.map(|side| {
             let edge = recess.edge(EdgePlace::End(end, side.sign() * FRAC_PI_2));
             let points = [edge.arc_m(0.0), edge.arc_m(1.0), edge.wall_m(1.0)];
             let corners = points.map(|point| self.vertex(point));
@@ -70,7 +97,8 @@ impl Solid {
                 self.edge(wall, corners[1], corners[2]),
             ];
             Joint { corners, down }
-        })
+        });
+        Joints { upper, lower }
     }
 
     /// The B-splines around an end; its lines go from the lower joint to the upper one.
@@ -78,7 +106,7 @@ impl Solid {
         &mut self,
         recess: &Recess,
         end: f64,
-        [upper, lower]: [Joint; 2],
+        stretch: Stretch,
         tolerance_m: f64,
     ) -> Result<Lines, PatchError> {
         let patches = recess.end_patches(end, tolerance_m)?;
@@ -87,18 +115,17 @@ impl Solid {
         let [rounded, wall] = patches;
         let foot = wall.across.len() + 1;
         let curves = [row(&rounded, 0), row(&wall, 0), row(&wall, foot)];
-        let joints = [lower, upper];
-        let lines = self.lines(curves, joints);
+        let lines = self.lines(curves, stretch);
         let parts = [rounded, wall].map(Surface::Spline);
-        self.faces_down(parts, [end < 0.0; 2], end < 0.0, lines, joints);
+        self.faces_down(parts, [end < 0.0; 2], end < 0.0, lines, stretch);
         Ok(lines)
     }
 
     /// Torus and wall of a straight edge; its lines go along ψ.
-    fn straight(&mut self, recess: &Recess, side: Side, joints: [Joint; 2]) -> Lines {
+    fn straight(&mut self, recess: &Recess, side: Side, stretch: Stretch) -> Lines {
         let [groove, centre, top, foot] = recess.straight_m(side);
         let curves = [groove, top, foot].map(|[radius, z]| circle(radius, z));
-        let lines = self.lines(curves, joints);
+        let lines = self.lines(curves, stretch);
         let (upper, axis_rad) = (side == Side::Upper, recess.section_angle_rad);
         let reference = radial(recess.middle_rad + PI);
         let rounded = Surface::Torus {
@@ -111,14 +138,21 @@ impl Solid {
         let (wall, outward) = if axis_rad == 0.0 {
             (Surface::Plane(top[1]), !upper)
         } else {
-            let wall = cone(top, axis_rad.signum(), FRAC_PI_2 - axis_rad.abs(), recess);
+            let wall = Surface::Cone {
+                height_m: top[1],
+                radius_m: top[0],
+                way: axis_rad.signum(),
+                half_angle_rad: FRAC_PI_2 - axis_rad.abs(),
+                reference,
+            };
             (wall, (axis_rad > 0.0) == upper)
         };
-        self.faces_down([rounded, wall], [true, outward], upper, lines, joints);
+        self.faces_down([rounded, wall], [true, outward], upper, lines, stretch);
         lines
     }
 
-    fn lines(&mut self, curves: [Curve; 3], [from, to]: [Joint; 2]) -> Lines {
+    fn lines(&mut self, curves: [Curve; 3], stretch: Stretch) -> Lines {
+        let Stretch { from, to } = stretch;
         let mut ends = from.corners.into_iter().zip(to.corners);
         curves.map(|curve| {
             let (start, end) = ends.next().unwrap_or_default();
@@ -134,8 +168,9 @@ impl Solid {
         outward: [bool; 2],
         forward: bool,
         lines: Lines,
-        [from, to]: [Joint; 2],
+        stretch: Stretch,
     ) {
+        let Stretch { from, to } = stretch;
         for ((k, part), outward) in parts.into_iter().enumerate().zip(outward) {
             let around = if forward {
                 [
@@ -159,13 +194,21 @@ impl Solid {
     fn floor(&mut self, recess: &Recess, around: Vec<Use>) {
         let [.., foot] = recess.straight_m(Side::Lower);
         let axis_rad = recess.section_angle_rad;
+        let reference = radial(recess.middle_rad + PI);
+        let [radius_m, height_m] = foot;
         let floor = if axis_rad == 0.0 {
             Surface::Cylinder {
-                radius_m: foot[0],
-                reference: radial(recess.middle_rad + PI),
+                radius_m,
+                reference,
             }
         } else {
-            cone(foot, -axis_rad.signum(), axis_rad.abs(), recess)
+            Surface::Cone {
+                height_m,
+                radius_m,
+                way: -axis_rad.signum(),
+                half_angle_rad: axis_rad.abs(),
+                reference,
+            }
         };
         self.face(floor, false, &[&around]);
     }
@@ -178,15 +221,5 @@ fn across(edge: &Edge) -> Curve {
         axis: cross(edge.groove, edge.inside),
         reference: edge.groove,
         radius_m: edge.radius_m,
-    }
-}
-
-fn cone([radius_m, height_m]: [f64; 2], way: f64, half_angle_rad: f64, recess: &Recess) -> Surface {
-    Surface::Cone {
-        height_m,
-        radius_m,
-        way,
-        half_angle_rad,
-        reference: radial(recess.middle_rad + PI),
     }
 }

@@ -59,18 +59,22 @@ pub(super) struct Text {
     pub anchor: Anchor,
 }
 
+/// An arc about a centre; angles from +x towards +y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Arc {
+    pub centre: Place,
+    pub radius_mm: f64,
+    pub from_rad: f64,
+    pub to_rad: f64,
+}
+
 /// What is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
     /// A line through points.
     Line { points: Vec<Place>, pen: Pen },
-    /// An arc about a centre; angles from +x towards +y.
-    Arc {
-        centre: Place,
-        radius_mm: f64,
-        range_rad: [f64; 2],
-        pen: Pen,
-    },
+    /// An arc.
+    Arc { arc: Arc, pen: Pen },
     /// A filled outline.
     Filled(Vec<Place>),
     /// A text.
@@ -111,19 +115,22 @@ impl Paper {
         self.marks.push(Mark::Line { points, pen });
     }
 
-    pub(super) fn rectangle(&mut self, [left, top]: Place, [width, height]: [f64; 2], pen: Pen) {
-        let (right, bottom) = (left + width, top + height);
+    /// A rectangle by its upper left and its lower right corner.
+    pub(super) fn rectangle(&mut self, upper_left: Place, lower_right: Place, pen: Pen) {
+        let ([left, top], [right, bottom]) = (upper_left, lower_right);
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         self.line(corners.into_iter().chain([[left, top]]), pen);
     }
 
     pub(super) fn arc(&mut self, centre: Place, radius_mm: f64, range_rad: [f64; 2], pen: Pen) {
-        self.marks.push(Mark::Arc {
+        let [from_rad, to_rad] = range_rad;
+        let arc = Arc {
             centre,
             radius_mm,
-            range_rad,
-            pen,
-        });
+            from_rad,
+            to_rad,
+        };
+        self.marks.push(Mark::Arc { arc, pen });
     }
 
     pub(super) fn circle(&mut self, centre: Place, radius_mm: f64, pen: Pen) {
@@ -158,13 +165,14 @@ impl Paper {
         self.text([at[0], base], anchor, size_mm, text);
     }
 
-    /// A horizontal dimension between two places, its line at the height `y_mm`.
-    pub(super) fn horizontal(&mut self, [from, to]: [Place; 2], y_mm: f64, text: &str) {
-        for [x, y] in [from, to] {
+    /// A horizontal dimension between two places in either order, its line at the height `y_mm`.
+    pub(super) fn horizontal(&mut self, places: [Place; 2], y_mm: f64, text: &str) {
+        for [x, y] in places {
             let beyond = 1.0 * (y_mm - y).signum();
             self.line([[x, y + beyond], [x, y_mm + beyond]], Pen::Narrow);
         }
-        let [left, right] = [from[0].min(to[0]), from[0].max(to[0])];
+        let [one, other] = places.map(|[x, _]| x);
+        let [left, right] = [one.min(other), one.max(other)];
         self.between([left, y_mm], [right, y_mm]);
         let width = width_mm(text, TEXT_MM);
         let (at, anchor) = match right - left > width + 2.0 {
@@ -224,7 +232,7 @@ impl Paper {
         const ROW_MM: f64 = 5.4;
         let width: f64 = widths_mm.iter().sum();
         let height = ROW_MM * rows.len() as f64;
-        self.rectangle([left, top], [width, height], Pen::Narrow);
+        self.rectangle([left, top], [left + width, top + height], Pen::Narrow);
         for (k, row) in rows.iter().enumerate() {
             let y = top + ROW_MM * k as f64;
             if k > 0 {

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 
-use super::paper::{Anchor, Mark, Paper, Pen, on_circle, width_mm};
+use super::paper::{Anchor, Arc, Mark, Paper, Pen, on_circle, width_mm};
 
 /// Points of a millimetre.
 const POINTS: f32 = 72.0 / 25.4;
@@ -50,14 +50,9 @@ impl Paper {
                     through(&mut content, points);
                     content.stroke();
                 }
-                Mark::Arc {
-                    centre,
-                    radius_mm,
-                    range_rad,
-                    pen,
-                } => {
+                Mark::Arc { arc, pen } => {
                     set(&mut content, *pen);
-                    arc(&mut content, *centre, *radius_mm, *range_rad);
+                    curves(&mut content, arc);
                     content.stroke();
                 }
                 Mark::Filled(points) => {
@@ -102,8 +97,14 @@ fn through(content: &mut Content, points: &[[f64; 2]]) {
     }
 }
 
-/// Cubic curves of at most a right angle each.
-fn arc(content: &mut Content, centre: [f64; 2], radius_mm: f64, [from, to]: [f64; 2]) {
+/// An arc by cubic curves of at most a right angle each.
+fn curves(content: &mut Content, arc: &Arc) {
+    let Arc {
+        centre,
+        radius_mm,
+        from_rad: from,
+        to_rad: to,
+    } = *arc;
     let count = ((to - from).abs() / FRAC_PI_2).ceil().max(1.0);
     let step = (to - from) / count;
     // Bézier: handles of 4/3·tan(step/4) radii meet circle and slope at both ends and in the middle.

@@ -37,7 +37,7 @@ pub fn ring_drawing(file: &CaseFile, limits: &Limits) -> Result<Paper, ExportErr
         title => format!("Outer ring: {title}"),
     };
     let mut paper = Paper::new(&name, A4);
-    let frame = A4.map(|mm| mm - 2.0 * FRAME_MM);
+    let frame = A4.map(|mm| mm - FRAME_MM);
     paper.rectangle([FRAME_MM; 2], frame, Pen::Wide);
     let extent = |raceway: &Raceway| extent_text(raceway, limits);
     let front = Room {
@@ -190,7 +190,7 @@ fn block(paper: &mut Paper, file: &CaseFile, name: &str) {
     let case = file.case();
     let [width, height] = [101.0, 56.0];
     let [left, top] = [A4[0] - FRAME_MM - width, A4[1] - FRAME_MM - height];
-    paper.rectangle([left, top], [width, height], Pen::Wide);
+    paper.rectangle([left, top], [left + width, top + height], Pen::Wide);
     let ball = length_text(2.0 * case.bearing.ball_radius_m());
     let notes = [
         "Lengths in mm. +Y up, the axis along Z, angles from –Y".to_owned(),

@@ -1,6 +1,6 @@
 //! A drawing as SVG.
 
-use super::paper::{Anchor, Mark, Paper, on_circle};
+use super::paper::{Anchor, Arc, Mark, Paper, Place, on_circle};
 use crate::text::escape;
 
 impl Paper {
@@ -21,18 +21,19 @@ impl Paper {
 fn mark(mark: &Mark) -> String {
     let (path, pen) = match mark {
         Mark::Line { points, pen } => (through(points), pen),
-        Mark::Arc {
-            centre,
-            radius_mm,
-            range_rad: [from, to],
-            pen,
-        } => {
-            let at = |angle| on_circle(*centre, *radius_mm, angle);
+        Mark::Arc { arc, pen } => {
+            let Arc {
+                centre,
+                radius_mm,
+                from_rad: from,
+                to_rad: to,
+            } = *arc;
+            let at = |angle| on_circle(centre, radius_mm, angle);
             let sweep = u8::from(to > from);
             // In two halves: an arc of SVG must not end where it begins.
             let half = 0.5 * (from + to);
             let arc = |end: f64| format!("A{0} {0} 0 0 {sweep} {1}", radius_mm, place(at(end)));
-            let path = format!("M{}{}{}", place(at(*from)), arc(half), arc(*to));
+            let path = format!("M{}{}{}", place(at(from)), arc(half), arc(to));
             (path, pen)
         }
         Mark::Filled(points) => {
@@ -67,11 +68,11 @@ fn mark(mark: &Mark) -> String {
     )
 }
 
-fn through(points: &[[f64; 2]]) -> String {
+fn through(points: &[Place]) -> String {
     let places: Vec<String> = points.iter().map(|point| place(*point)).collect();
     format!("M{}", places.join("L"))
 }
 
-fn place([x, y]: [f64; 2]) -> String {
+fn place([x, y]: Place) -> String {
     format!("{x:.3} {y:.3}")
 }

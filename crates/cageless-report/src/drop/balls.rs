@@ -6,7 +6,7 @@ use serde_json::json;
 use super::bearing::Bearing;
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
-use crate::plot::{GREY, PALETTE, Plot, numbers};
+use crate::plot::{GREY, Margin, PALETTE, Plot, numbers};
 use crate::run_report::motion;
 use crate::text::short;
 
@@ -91,7 +91,10 @@ pub(super) fn heat(bearing: &Bearing<'_>) -> Figure {
     let mut plot = Plot::new(420)
         .legend()
         .set("barmode", json!("group"))
-        .margin([190, 24, 44, 58])
+        .margin(Margin {
+            left: 190,
+            ..Margin::default()
+        })
         .x("Heat (J)", json!({ "rangemode": "tozero" }))
         .y("", json!({ "autorange": "reversed" }));
     let drops = [

@@ -10,9 +10,9 @@ use serde_json::{Value, json};
 
 use super::bearing::Bearing;
 use crate::figure::Figure;
-use crate::figures::panels::Panel;
+use crate::figures::panels::{Panel, Space};
 use crate::length::um;
-use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
+use crate::plot::{Axes, GREY, PALETTE, Plot, Trace, line, line_of, markers, with};
 use crate::sampling::{Points, history, range};
 use crate::text::short;
 
@@ -112,11 +112,15 @@ fn path(bearing: &Bearing<'_>, x: &str, in_ring: bool, clearance: Option<Trace>)
 pub(super) fn planes(planes: &[PlaneDisplacement], source: &Provenance) -> Option<Figure> {
     let columns = planes.len().min(2);
     let rows = planes.len().div_ceil(columns.max(1)) as u32;
-    let panels = Panel::grid(planes.len(), columns, [0.12, 0.2]);
+    let space = Space {
+        across: 0.12,
+        down: 0.2,
+    };
+    let panels = Panel::grid(planes.len(), columns, space);
     let mut plot = Plot::new(60 + 400 * rows).legend();
     for (panel, plane) in panels.iter().zip(planes) {
         let name = plane.clearance.name.as_str();
-        let [x, y] = panel.axes();
+        let Axes { x, y } = panel.axes();
         let scale = json!({ "scaleanchor": y, "constrain": "domain" });
         let titles = [format!("x at {name} (µm)"), "y (µm)".to_owned()];
         let more = [scale, json!({ "constrain": "domain" })];

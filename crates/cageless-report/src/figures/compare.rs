@@ -35,7 +35,7 @@ pub fn spacing(runs: &[ComparedRun]) -> Option<Figure> {
         runs,
         "Scatter of the gaps",
         "Standard deviation of the gaps of all balls at each instant: 0 is even spacing.",
-        ["Time t (s)", "Standard deviation of the gaps (°)"],
+        Plot::new(360).axes("Time t (s)", "Standard deviation of the gaps (°)"),
         lines.collect(),
     )
 }
@@ -50,7 +50,7 @@ pub fn ring(runs: &[ComparedRun]) -> Option<Figure> {
         runs,
         "Height of the inner ring",
         "Displacement of the centre of the inner ring against gravity and load at the end of each run.",
-        ["Time t (s)", "Displacement y (µm)"],
+        Plot::new(360).axes("Time t (s)", "Displacement y (µm)"),
         lines.collect(),
     )
 }
@@ -66,7 +66,7 @@ pub fn loads(runs: &[ComparedRun]) -> Option<Figure> {
         runs,
         "Largest loads",
         "Largest normal force of a ball on the inner raceway over its place ψ, from the bottom.",
-        ["Place ψ (°)", "Largest force Fi (N)"],
+        Plot::new(360).axes("Place ψ (°)", "Largest force Fi (N)"),
         lines.collect(),
     )
 }
@@ -75,13 +75,13 @@ fn figure(
     runs: &[ComparedRun],
     label: &str,
     caption: &str,
-    [x, y]: [&str; 2],
+    plot: Plot,
     lines: Vec<Line<'_>>,
 ) -> Option<Figure> {
     if lines.iter().all(|(_, x, _)| x.is_empty()) {
         return None;
     }
-    let mut plot = Plot::new(360).legend().axes(x, y);
+    let mut plot = plot.legend();
     for (k, (name, x, y)) in lines.iter().enumerate() {
         let colour = PALETTE[k % PALETTE.len()];
         plot = plot.trace(line_of(name, history(x, y, POINTS), colour));

@@ -3,10 +3,10 @@
 use cageless_io::estimate::Estimate;
 use serde_json::{Value, json};
 
-use super::panels::Panel;
+use super::panels::{Panel, Space};
 use crate::comparison::{ComparisonCell, RingComparison};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, Trace, number, plain};
+use crate::plot::{Margin, PALETTE, Plot, Trace, number, plain};
 
 /// A quantity of a cell.
 type Quantity = fn(&ComparisonCell) -> Estimate;
@@ -23,15 +23,26 @@ const ROWS: [(&str, Quantity); 6] = [
     ("Contacts<br>(1/s)", |c| c.numbers.contacts_per_s),
 ];
 
+/// Space between the panels.
+const SPACE: Space = Space {
+    across: 0.16,
+    down: 0.035,
+};
+
 /// A panel per quantity and speed, grouped by lot, a bar per ring.
 pub fn comparison(comparison: &RingComparison) -> Figure {
     let speeds = comparison.speeds_rpm();
-    let panels = Panel::grid(ROWS.len() * speeds.len(), speeds.len(), [0.16, 0.035]);
+    let panels = Panel::grid(ROWS.len() * speeds.len(), speeds.len(), SPACE);
     // The legend stands above the titles of the columns.
     let mut plot = Plot::new(980)
         .legend_above(1.04)
         .set("barmode", json!("group"))
-        .margin([72, 16, 84, 48]);
+        .margin(Margin {
+            right: 16,
+            top: 84,
+            bottom: 48,
+            ..Margin::default()
+        });
     for (column, &speed_rpm) in speeds.iter().enumerate() {
         let cells: Vec<&ComparisonCell> = comparison.at_speed(speed_rpm).collect();
         let mut rings: Vec<&str> = vec![];

@@ -4,10 +4,10 @@ use cageless::Raceway;
 use serde_json::json;
 
 use super::history::figure;
-use super::panels::{Panel, shade_sectors};
+use super::panels::{Panel, Space, shade_sectors};
 use crate::figure::Figure;
 use crate::groove_contacts::{ContactHistory, GrooveContacts};
-use crate::plot::{GREY, PALETTE, Plot, Trace, line, line_of};
+use crate::plot::{Axes, GREY, Margin, PALETTE, Plot, Trace, line, line_of};
 use crate::run_data::RunData;
 use crate::sampling::{Points, wrapped};
 use crate::text::fixed;
@@ -20,10 +20,14 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
     let ball = GrooveContacts::of(run)?;
     let shoulders_rad = ball.case.bearing.shoulder_angles_rad();
     let shoulders = degrees(&shoulders_rad);
-    let panels = Panel::grid(2, 1, [0.0, 0.07]);
+    let space = Space {
+        across: 0.0,
+        down: 0.07,
+    };
+    let panels = Panel::grid(2, 1, space);
     let plot = axes(&panels, &shoulders);
     let [outer, inner] = [&panels[0], &panels[1]].map(Panel::axes);
-    let mut plot = shade_sectors(plot, &run.sectors, outer[0], outer[1]);
+    let mut plot = shade_sectors(plot, &run.sectors, outer.x, outer.y);
     let slots = ball.case.raceways.iter().any(|r| r.slot().is_some());
     let name = if slots { "flanks or edges" } else { "flanks" };
     for (k, flanks) in flanks(&ball, contact_angle_rad).into_iter().enumerate() {
@@ -75,16 +79,19 @@ pub fn contact_angles(run: &RunData) -> Option<Figure> {
 
 /// Axes of the outer and the inner raceway over ψ, between the shoulders of each, degrees.
 fn axes(panels: &[Panel], shoulders: &[f64]) -> Plot {
-    let mut plot = Plot::new(600).legend().margin([72, 24, 48, 58]);
+    let mut plot = Plot::new(600).legend().margin(Margin::above(48));
     let names = ["outer", "inner"];
     for ((panel, name), shoulder) in panels.iter().zip(names).zip([shoulders[1], shoulders[0]]) {
-        let [x, y] = panel.axes();
+        let Axes { x, y } = panel.axes();
         let up = format!("Contact angle,<br>{name} raceway (°)");
         let edge = 1.08 * shoulder;
         plot = plot
             .panel(
                 panel,
-                panel.at_edges(["ψ, 0 at the bottom (°)", &up]),
+                [
+                    panel.at_bottom("ψ, 0 at the bottom (°)"),
+                    panel.at_left(&up),
+                ],
                 [
                     json!({ "range": [-180, 180], "dtick": 45, "showticklabels": panel.lowest }),
                     json!({ "range": [-edge, edge] }),

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::data::Provenance;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, Trace, line, markers, number, plain, with};
+use crate::plot::{Margin, PALETTE, Plot, Trace, line, markers, number, plain, with};
 use crate::reproduce_data::{
     DesignCurve, DesignLimit, LimitedQuantity, Table2, Table2Row, Variant,
 };
@@ -94,7 +94,12 @@ pub fn table2_overview(table: &Table2) -> Figure {
     let grey = json!({ "color": "#777777", "dash": "dash", "width": 1.5 });
     let theory = json!({ "mode": "lines", "line": grey });
     let mut plot = Plot::new(350)
-        .margin([64, 16, 44, 46])
+        .margin(Margin {
+            left: 64,
+            right: 16,
+            bottom: 46,
+            ..Margin::default()
+        })
         .legend()
         .x("", json!({ "type": "category" }))
         .y("Critical gap (°)", json!({}))

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::history::{figure, smallest_gap, with_time};
 use crate::figure::Figure;
-use crate::plot::{Plot, number, numbers};
+use crate::plot::{Margin, Plot, number, numbers};
 use crate::run_data::RunData;
 use crate::sampling::range;
 
@@ -50,7 +50,7 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
         .map(|k| begin + (k as f64 + 0.5) * width)
         .collect();
     let plot = with_time(run, Plot::new(130 + 22 * count.clamp(8, 30) as u32), "y")
-        .margin([72, 24, 24, 58])
+        .margin(Margin::above(24))
         .y(
             "Pair of balls (numbers)",
             json!({ "type": "category", "showgrid": false, "ticks": "" }),

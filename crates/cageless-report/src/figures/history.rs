@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line_of, number};
+use crate::plot::{Axes, Margin, PALETTE, Plot, line_of, number};
 use crate::run_data::{BallHistory, RunData};
 use crate::sampling::{Points, history, range};
 use crate::text::short;
@@ -151,7 +151,7 @@ pub(super) fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
 fn per_ball(run: &RunData, title: &str, shown: usize, of: History) -> Option<Plot> {
     let format = if title.contains("°/s") { ",.0f" } else { "" };
     let plot = with_time(run, Plot::new(470), "y")
-        .margin([72, 24, 30, 58])
+        .margin(Margin::above(30))
         .y(title, json!({ "tickformat": format }));
     of_balls(run, plot, &[of], shown)
 }
@@ -181,7 +181,7 @@ fn of_balls(run: &RunData, mut plot: Plot, kinds: &[History], shown: usize) -> O
             .dash(["solid", "dash", "dot"][k / PALETTE.len() % 3])
             .with(json!({ "visible": visible }))
             .in_group(&(k + 1).to_string(), y == "y");
-            plot = plot.trace(trace.on(["x", y]));
+            plot = plot.trace(trace.on(Axes { x: "x", y }));
         }
     }
     // One entry per ball, at the right.

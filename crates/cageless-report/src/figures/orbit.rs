@@ -2,9 +2,9 @@
 
 use serde_json::json;
 
-use super::panels::{Panel, panel_title};
+use super::panels::{Panel, Space, panel_title};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, SECTOR, line_of, with};
+use crate::plot::{Margin, PALETTE, Plot, SECTOR, line_of, with};
 use crate::reproduce_data::OrbitSpeeds;
 use crate::sampling::history;
 
@@ -13,18 +13,29 @@ const PASSAGE_POINTS: usize = 1500;
 /// Panels in a row.
 const COLUMNS: usize = 5;
 
+/// Space between the panels.
+const SPACE: Space = Space {
+    across: 0.02,
+    down: 0.24,
+};
+
 /// Fig. 9: orbital speed against ψ with that of pure rolling.
 pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
     let count = speeds.passages.len();
     let rows = count.div_ceil(COLUMNS).max(1);
     let mut plot = Plot::new(260 * rows as u32 + 60)
-        .margin([74, 12, 84, 54])
+        .margin(Margin {
+            left: 74,
+            right: 12,
+            top: 84,
+            bottom: 54,
+        })
         .legend_above(1.115);
-    for (panel, passage) in Panel::grid(count, COLUMNS, [0.02, 0.24])
+    for (panel, passage) in Panel::grid(count, COLUMNS, SPACE)
         .iter()
         .zip(&speeds.passages)
     {
-        let ([x, y], first) = (panel.axes(), panel.first);
+        let (axes, first) = (panel.axes(), panel.first);
         let theta = passage.structure.half_angle_deg;
         let axis = |shown: bool, shared: &str| {
             let matches = (!first).then_some(shared);
@@ -35,11 +46,14 @@ pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
         };
         let across = with(axis(panel.lowest, "x"), json!({ "nticks": 5 }));
         let up = with(axis(panel.leftmost, "y"), json!({ "tickformat": ",.0f" }));
-        let titles = panel.at_edges(["ψ (°)", "Orbital speed (°/s)"]);
+        let titles = [
+            panel.at_bottom("ψ (°)"),
+            panel.at_left("Orbital speed (°/s)"),
+        ];
         let title = panel_title(&passage.structure, &passage.verdict);
         plot = plot
             .panel(panel, titles, [across, up])
-            .band(x, y, -theta, theta, SECTOR)
+            .band(axes.x, axes.y, -theta, theta, SECTOR)
             .title_above(panel, &title, json!({ "size": 11.5 }));
         let drawn = |name, speeds: &[f64], colour| {
             line_of(
@@ -47,7 +61,7 @@ pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
                 history(&passage.angle_deg, speeds, PASSAGE_POINTS),
                 colour,
             )
-            .on([x, y])
+            .on(axes)
         };
         if !passage.rolling_deg_s.is_empty() {
             let rolling = drawn("pure rolling, Eq. (3)", &passage.rolling_deg_s, PALETTE[1]);

@@ -3,7 +3,16 @@
 use serde_json::{Value, json};
 
 use crate::data::RacewaySector;
-use crate::plot::{Plot, SECTOR, with};
+use crate::plot::{Axes, Plot, SECTOR, with};
+
+/// Space between the panels of a figure, parts of its width and height.
+#[derive(Debug, Clone, Copy)]
+pub struct Space {
+    /// From one column to the next.
+    pub across: f64,
+    /// From one row to the next.
+    pub down: f64,
+}
 
 /// A pair of axes of a figure that has several.
 pub struct Panel {
@@ -38,11 +47,14 @@ impl Panel {
         }
     }
 
-    /// `count` panels in rows of `columns`, with `space` between them along x and y.
-    pub fn grid(count: usize, columns: usize, [x_space, y_space]: [f64; 2]) -> Vec<Self> {
+    /// `count` panels in rows of `columns`, with `space` between them.
+    pub fn grid(count: usize, columns: usize, space: Space) -> Vec<Self> {
         let columns = columns.max(1);
         let rows = count.div_ceil(columns).max(1);
-        let (across, up) = (stretches(columns, x_space), stretches(rows, y_space));
+        let (across, up) = (
+            stretches(columns, space.across),
+            stretches(rows, space.down),
+        );
         let panel = |k: usize| Self {
             places: Some([across[k % columns], up[rows - 1 - k / columns]]),
             leftmost: k.is_multiple_of(columns),
@@ -52,15 +64,22 @@ impl Panel {
         (0..count).map(panel).collect()
     }
 
-    /// These titles of a column and a row of panels, where it stands at their edges.
-    pub fn at_edges<'t>(&self, [x, y]: [&'t str; 2]) -> [&'t str; 2] {
-        let x = if self.lowest { x } else { "" };
-        [x, if self.leftmost { y } else { "" }]
+    /// The title of a column of panels if it is the lowest of them, else none.
+    pub fn at_bottom<'t>(&self, title: &'t str) -> &'t str {
+        if self.lowest { title } else { "" }
+    }
+
+    /// The title of a row of panels if it is the leftmost of them, else none.
+    pub fn at_left<'t>(&self, title: &'t str) -> &'t str {
+        if self.leftmost { title } else { "" }
     }
 
     /// Names of its axes, for traces and marks.
-    pub fn axes(&self) -> [&str; 2] {
-        [&self.x, &self.y]
+    pub fn axes(&self) -> Axes<'_> {
+        Axes {
+            x: &self.x,
+            y: &self.y,
+        }
     }
 }
 
@@ -74,7 +93,7 @@ fn stretches(count: usize, space: f64) -> Vec<[f64; 2]> {
 impl Plot {
     /// Sets the axes of a panel, with further keys.
     pub fn panel(self, panel: &Panel, titles: [&str; 2], more: [Value; 2]) -> Self {
-        let [x, y] = panel.axes();
+        let Axes { x, y } = panel.axes();
         let axis = |k: usize, more: Value| {
             let axis = json!({ "anchor": ([y, x][k]) });
             let domain = panel.places.map(|places| json!({ "domain": places[k] }));
@@ -87,7 +106,8 @@ impl Plot {
 
     /// Writes a title above a panel.
     pub fn title_above(self, panel: &Panel, text: &str, font: Value) -> Self {
-        let [x, y] = panel.axes().map(|axis| format!("{axis} domain"));
+        let Axes { x, y } = panel.axes();
+        let [x, y] = [x, y].map(|axis| format!("{axis} domain"));
         let more = json!({ "yanchor": "bottom", "font": font });
         self.text(text, (0.5, 1.02), (&x, &y), more)
     }

@@ -2,10 +2,10 @@
 
 use serde_json::json;
 
-use super::panels::{Panel, panel_title};
+use super::panels::{Panel, Space, panel_title};
 use crate::data::Provenance;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line_of, number, plain, with};
+use crate::plot::{Margin, PALETTE, Plot, line_of, number, plain, with};
 use crate::reproduce_data::{PhasePortrait, PhasePortraits};
 use crate::sampling::{curve, range};
 
@@ -19,16 +19,32 @@ const ROW_PX: u32 = 240;
 /// Points of a portrait at a glance.
 const GLANCE_POINTS: usize = 600;
 
+/// Space between the panels at a glance.
+const SPACE_AT_A_GLANCE: Space = Space {
+    across: 0.03,
+    down: 0.24,
+};
+/// Space between the panels.
+const SPACE: Space = Space {
+    across: 0.025,
+    down: 0.24,
+};
+
 /// Fig. 8 at a glance, small and coloured by the verdict.
 pub fn overview(portraits: &PhasePortraits) -> Figure {
     let count = portraits.portraits.len();
     let most = most_m_s(portraits);
     let rows = count.div_ceil(COLUMNS).max(1);
     let mut plot = Plot::new(120 * rows as u32 + 90)
-        .margin([54, 10, 40, 46])
+        .margin(Margin {
+            left: 54,
+            right: 10,
+            top: 40,
+            bottom: 46,
+        })
         .set("meta", json!({ "side_by_side": true }));
     let range = json!([number(-most), number(most)]);
-    let panels = Panel::grid(count, COLUMNS, [0.03, 0.24]);
+    let panels = Panel::grid(count, COLUMNS, SPACE_AT_A_GLANCE);
     for (panel, portrait) in panels.iter().zip(&portraits.portraits) {
         let axis = |shown: bool, more| {
             let few = json!({
@@ -37,8 +53,8 @@ pub fn overview(portraits: &PhasePortraits) -> Figure {
             });
             with(few, more)
         };
-        let [x, y] = panel.axes();
-        let across = axis(panel.lowest, json!({ "scaleanchor": y }));
+        let axes = panel.axes();
+        let across = axis(panel.lowest, json!({ "scaleanchor": axes.y }));
         let up = axis(panel.leftmost, json!({}));
         let colour = match portrait.verdict.as_str() {
             "smooth" => PALETTE[2],
@@ -51,10 +67,10 @@ pub fn overview(portraits: &PhasePortraits) -> Figure {
         plot = plot
             .panel(
                 panel,
-                panel.at_edges(["vx (m/s)", "vy (m/s)"]),
+                [panel.at_bottom("vx (m/s)"), panel.at_left("vy (m/s)")],
                 [across, up],
             )
-            .trace(line_of(&name, drawn, colour).width(0.8).on([x, y]))
+            .trace(line_of(&name, drawn, colour).width(0.8).on(axes))
             .title_above(panel, &title, json!({ "size": 12 }));
     }
     let caption = "Velocity of ball 1 in the structures (a) to (j), published equations: orange with double \
@@ -110,17 +126,25 @@ fn multiples(
 ) -> Plot {
     let count = portraits.portraits.len();
     let rows = count.div_ceil(COLUMNS).max(1);
-    let mut plot = Plot::new(ROW_PX * rows as u32 + 66).margin([62, 12, 78, 54]);
-    let panels = Panel::grid(count, COLUMNS, [0.025, 0.24]);
+    let [x_title, y_title] = titles;
+    let mut plot = Plot::new(ROW_PX * rows as u32 + 66).margin(Margin {
+        left: 62,
+        right: 12,
+        top: 78,
+        bottom: 54,
+    });
+    let panels = Panel::grid(count, COLUMNS, SPACE);
     for (panel, portrait) in panels.iter().zip(&portraits.portraits) {
         let axis = |shown: bool, more| {
             let font = json!({ "size": 11 });
             let small = json!({ "tickfont": font, "nticks": 5, "automargin": false });
             with(with(small, json!({ "showticklabels": shown })), more)
         };
-        let [x, y] = panel.axes();
+        let axes = panel.axes();
         let x_more = match equal {
-            true => json!({ "scaleanchor": y, "constrain": "domain", "range": y_more["range"] }),
+            true => {
+                json!({ "scaleanchor": axes.y, "constrain": "domain", "range": y_more["range"] })
+            }
             false => json!({ "matches": (!panel.first).then_some("x") }),
         };
         let matches = json!({ "matches": (!panel.first && !equal).then_some("y") });
@@ -131,10 +155,10 @@ fn multiples(
         plot = plot
             .panel(
                 panel,
-                panel.at_edges(titles),
+                [panel.at_bottom(x_title), panel.at_left(y_title)],
                 [axis(panel.lowest, x_more), axis(panel.leftmost, up)],
             )
-            .trace(line_of(&name, drawn, PALETTE[0]).width(1.0).on([x, y]))
+            .trace(line_of(&name, drawn, PALETTE[0]).width(1.0).on(axes))
             .title_above(panel, &title, json!({ "size": 11.5 }));
     }
     plot

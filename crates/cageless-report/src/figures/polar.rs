@@ -7,7 +7,7 @@ use cageless_results::Results;
 
 use crate::data::{Provenance, RacewaySector};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, Trace, numbers, plain};
+use crate::plot::{Margin, PALETTE, Plot, Trace, numbers, plain};
 use crate::run_data::{LoadProfile, RunData};
 use crate::sampling::range;
 use crate::text::short;
@@ -93,7 +93,12 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
     };
     let mut plot = Plot::new(520)
         .legend_above(1.08)
-        .margin([40, 40, 70, 30])
+        .margin(Margin {
+            left: 40,
+            right: 40,
+            top: 70,
+            bottom: 30,
+        })
         .set("polar", polar(LEFT, force))
         .set("polar2", polar(RIGHT, pressure));
     for (subplot, [from, to], title) in [

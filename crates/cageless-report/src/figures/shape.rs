@@ -6,7 +6,7 @@ use super::panels::Panel;
 use crate::figure::Figure;
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::plot::{
-    GREY, PALETTE, Plot, SECTOR, Trace, line, line_in_space, number, numbers, plain,
+    Axes, GREY, Margin, PALETTE, Plot, SECTOR, Trace, line, line_in_space, number, numbers, plain,
 };
 use crate::sampling::range;
 use crate::text::fixed;
@@ -38,7 +38,7 @@ impl TrackPanels {
         let range = json!([number(-edge), number(edge)]);
         let right = [0.52, 1.0];
         Plot::new(470)
-        .margin([64, 20, 40, 58])
+        .margin(Margin { left: 64, right: 20, top: 40, ..Margin::default() })
         .panel(
             &self.section,
             ["Axial position z on the ball (mm)", "Radial position y on the ball (mm)"],
@@ -77,7 +77,7 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
     let panels = TrackPanels::default();
     let mut plot = panels.axes(1.08 * rw);
     let [along_r, along_z] = [panels.along_r.axes(), panels.along_z.axes()];
-    for [x, y] in [along_r, along_z] {
+    for Axes { x, y } in [along_r, along_z] {
         plot = plot.band(x, y, -theta, theta, SECTOR);
     }
     let (psi, r, z) = (
@@ -120,7 +120,7 @@ pub(super) fn groove_plot(surface: &RacewaySurface, [x, y, z]: [f64; 3]) -> Plot
         "gridcolor": "#dddddd", "showbackground": false, "zeroline": false, "nticks": 5 })
     };
     let plot = Plot::new(560)
-        .margin([0, 0, 10, 0])
+        .margin(Margin { left: 0, right: 0, top: 10, bottom: 0 })
         .set("scene", json!({
             "xaxis": title("x (mm)"), "yaxis": title("y (mm)"), "zaxis": title("z (mm)"),
             "aspectmode": "data",

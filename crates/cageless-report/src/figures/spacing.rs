@@ -5,7 +5,7 @@ use serde_json::json;
 use super::panels::Panel;
 use crate::data::Event;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, POINTS, Plot, line_of, plain};
+use crate::plot::{Axes, PALETTE, POINTS, Plot, line_of, plain};
 use crate::reproduce_data::{GapHistory, Neighbours};
 use crate::sampling::history;
 
@@ -75,7 +75,7 @@ pub fn neighbours(three: &Neighbours) -> Figure {
         let name = format!("gap {} to {}", names[k], names[k + 1]);
         let gap = history(&ms, &three.gap_deg[k], POINTS);
         let gap = line_of(&name, gap, [PALETTE[3], "#111111"][k]);
-        plot = plot.trace(gap.width(1.8).on(["x", "y2"]));
+        plot = plot.trace(gap.width(1.8).on(Axes { x: "x", y: "y2" }));
     }
     plot = plot.horizontal("x", "y2", 0.0, "solid");
     let on_paper = Labels {

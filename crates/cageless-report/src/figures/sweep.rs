@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::panels::Panel;
+use super::panels::{Panel, Space};
 use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::names;
-use crate::plot::{PALETTE, Plot, Trace, numbers, plain};
+use crate::plot::{Margin, PALETTE, Plot, Trace, numbers, plain};
 use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
 use crate::text::{broken, capital, short};
 
@@ -128,8 +128,11 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
     drawn.sort_by_key(|effect| effect.input.is_condition());
     let count = drawn.len();
     let rows = count.div_ceil(ACROSS);
-    let space = [0.06, 0.28 / rows.max(1) as f64 + 0.06];
-    let mut plot = Plot::new(ROW_PX * rows as u32 + 20).margin([72, 24, 16, 58]);
+    let space = Space {
+        across: 0.06,
+        down: 0.28 / rows.max(1) as f64 + 0.06,
+    };
+    let mut plot = Plot::new(ROW_PX * rows as u32 + 20).margin(Margin::above(16));
     let panels = Panel::grid(count, count.min(ACROSS), space);
     let title = broken(&capital(&names::label(&output.quantity)));
     for (panel, effect) in panels.iter().zip(drawn) {
@@ -142,7 +145,7 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
         if !panel.first {
             upwards["matches"] = "y".into();
         }
-        let [_, up] = panel.at_edges(["", &title]);
+        let up = panel.at_left(&title);
         let across = capital(&names::label(&effect.input));
         plot = plot.panel(panel, [&across, up], [along, upwards]);
         for trace in effect_traces(effect) {
@@ -182,7 +185,7 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
     let axis = || json!({ "type": "category", "showgrid": false });
     let z: Value = map.mean.iter().map(|row| numbers(row)).collect();
     let plot = Plot::new(340)
-        .margin([72, 24, 16, 58])
+        .margin(Margin::above(16))
         .x(&capital(&names::label(&map.x_input)), axis())
         .y(&capital(&names::label(&map.y_input)), axis())
         .trace(json!({

@@ -5,12 +5,20 @@ use serde_json::json;
 use super::panels::Panel;
 use crate::data::{Vibration, VibrationSignal};
 use crate::figure::Figure;
-use crate::plot::{PALETTE, POINTS, Plot, line_of, number, plain};
+use crate::plot::{Axes, Margin, PALETTE, POINTS, Plot, line_of, number, plain};
 use crate::sampling::{history, range};
 use crate::text::short;
 
 /// Highest frequency of the spectrum, Hz: half the paper's sampling rate.
 pub const HIGHEST_HZ: f64 = 2500.0;
+
+/// Room around the panels.
+const MARGIN: Margin = Margin {
+    left: 72,
+    right: 24,
+    top: 46,
+    bottom: 64,
+};
 
 /// Signals one above the other on one scale, spectra below.
 pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
@@ -24,11 +32,11 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
     // Pixels from the top down: signals, then the spectrum.
     let (panel, between, room, spectrum) = (170.0, 34.0, 72.0, 250.0);
     let inner = panel * count as f64 + between * (count - 1) as f64 + room + spectrum;
-    let mut plot = Plot::new(inner as u32 + 110).margin([72, 24, 46, 64]);
+    let mut plot = Plot::new(inner as u32 + 110).margin(MARGIN);
     let mut sizes = Vec::new();
     for (k, signal) in vibration.signals.iter().enumerate() {
         let axes = Panel::new(k);
-        let [x, y] = axes.axes();
+        let Axes { x, y } = axes.axes();
         let high = 1.0 - (panel + between) * k as f64 / inner;
         let last = k + 1 == count;
         let colour = PALETTE[k % PALETTE.len()];
@@ -42,7 +50,11 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
         let drawn = history(&signal.time_s, &signal.acceleration_m_s2, POINTS);
         plot = plot
             .panel(&axes, titles, [over_time, up])
-            .trace(line_of(&signal.name, drawn, colour).width(1.0).on([x, y]))
+            .trace(
+                line_of(&signal.name, drawn, colour)
+                    .width(1.0)
+                    .on(axes.axes()),
+            )
             .text(
                 &format!(
                     "<span style=\"color:{colour}\">▬</span> {}",
@@ -82,7 +94,7 @@ fn size(signal: &VibrationSignal) -> Option<String> {
 /// Spectra of all signals over the lowest part of a plot, up to `height` of it.
 fn spectra(mut plot: Plot, vibration: &Vibration, height: f64) -> Plot {
     let axes = Panel::new(vibration.signals.len().max(1));
-    let [x, y] = axes.axes();
+    let on = axes.axes();
     let up = json!({
         "domain": [0.0, height], "type": "log", "exponentformat": "power", "dtick": 1,
     });
@@ -94,10 +106,10 @@ fn spectra(mut plot: Plot, vibration: &Vibration, height: f64) -> Plot {
         let upto = low.count().min(amplitude.len());
         let drawn = history(&frequency[..upto], &amplitude[..upto], POINTS);
         let drawn = line_of(&signal.name, drawn, PALETTE[k % PALETTE.len()]);
-        plot = plot.trace(drawn.width(1.1).on([x, y]));
+        plot = plot.trace(drawn.width(1.1).on(on));
     }
     for mark in &vibration.marks {
-        plot = plot.marked([x, y], mark.frequency_hz, &plain(&mark.label), "dot");
+        plot = plot.marked(on, mark.frequency_hz, &plain(&mark.label), "dot");
     }
     plot
 }

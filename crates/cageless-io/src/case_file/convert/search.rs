@@ -119,12 +119,10 @@ impl Converter<'_> {
 /// The ends of all ranges: slip is worst at the highest speed under the least load, stress
 /// under the highest load at either speed.
 fn corners(speeds: [f64; 2], loads: [f64; 2], axial: [f64; 2]) -> Vec<OperatingPoint> {
-    let ends = |[low, high]: [f64; 2]| {
-        if low == high {
-            vec![low]
-        } else {
-            vec![low, high]
-        }
+    let ends = |range: [f64; 2]| {
+        let mut ends = range.to_vec();
+        ends.dedup();
+        ends
     };
     let mut points = vec![];
     for inner_speed_rad_s in ends(speeds) {

@@ -8,8 +8,8 @@ use cageless_results::{Cell, Record};
 use cageless_study::search::{point_label, structure_label};
 
 use crate::figure::Figure;
-use crate::figures::panels::Panel;
-use crate::plot::{PALETTE, Plot, Trace, line, markers, number, numbers, plain, with};
+use crate::figures::panels::{Panel, Space};
+use crate::plot::{Margin, PALETTE, Plot, Trace, line, markers, number, numbers, plain, with};
 use crate::sampling::range;
 
 /// Verdicts of a map, each with its colour and its name in the legend.
@@ -55,6 +55,12 @@ fn verdicts_of(map: &Record) -> Vec<Vec<&str>> {
         .collect()
 }
 
+/// Space between the panels.
+const SPACE: Space = Space {
+    across: 0.07,
+    down: 0.2,
+};
+
 /// A panel for each map, slowest first, and the empty plot around them.
 fn panels(search: &Record) -> (Plot, Vec<(Panel, &Record)>) {
     let maps = by_speed(search);
@@ -62,8 +68,12 @@ fn panels(search: &Record) -> (Plot, Vec<(Panel, &Record)>) {
     let down = maps.len().div_ceil(across).max(1);
     let plot = Plot::new(110 + 330 * down as u32)
         .legend_above(1.09)
-        .margin([64, 24, 104, 58]);
-    let panels = Panel::grid(maps.len(), across, [0.07, 0.2]).into_iter();
+        .margin(Margin {
+            left: 64,
+            top: 104,
+            ..Margin::default()
+        });
+    let panels = Panel::grid(maps.len(), across, SPACE).into_iter();
     (plot, panels.zip(maps).collect())
 }
 
@@ -101,7 +111,7 @@ fn dress(plot: Plot, panel: &Panel, search: &Record, map: &Record) -> Plot {
     let [narrowest, widest] = edges("axial_span_mm");
     let spans = numbers(&[narrowest.max(shown_from_mm(search)), widest]);
     let angles = numbers(&edges("half_angle_deg"));
-    let [_, half_angle] = panel.at_edges(["", "Half angle θ (°)"]);
+    let half_angle = panel.at_left("Half angle θ (°)");
     let more = [
         json!({ "range": spans, "showgrid": false }),
         json!({ "range": angles, "showgrid": false, "showticklabels": panel.leftmost }),

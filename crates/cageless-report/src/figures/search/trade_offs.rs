@@ -7,8 +7,8 @@ use cageless_results::{MOTION, Record, STRUCTURE_AT, heading};
 use cageless_study::search::structure_label;
 
 use crate::figure::Figure;
-use crate::figures::panels::Panel;
-use crate::plot::{GREY, PALETTE, Plot, Trace, markers, numbers, plain};
+use crate::figures::panels::{Panel, Space};
+use crate::plot::{GREY, Margin, PALETTE, Plot, Trace, markers, numbers, plain};
 use crate::sampling::range;
 use crate::text::short;
 
@@ -65,14 +65,27 @@ fn outside(point: &[f64; 2], frames: [Option<[f64; 2]>; 2]) -> Option<Trace> {
         return None;
     }
     let text = format!("{}, {}", short(point[0]), short(point[1]));
-    let beyond_middle = |k: usize, [low, high]: [f64; 2]| at[k] > 0.5 * (low + high);
-    let side = if beyond_middle(0, x) { "left" } else { "right" };
-    let height = if beyond_middle(1, y) { "bottom" } else { "top" };
+    let side = if at[0] > f64::midpoint(x[0], x[1]) {
+        "left"
+    } else {
+        "right"
+    };
+    let height = if at[1] > f64::midpoint(y[0], y[1]) {
+        "bottom"
+    } else {
+        "top"
+    };
     Some(markers(OWN, &[at[0]], &[at[1]], "").with(json!({
         "mode": "markers+text", "text": [text], "cliponaxis": false,
         "textposition": format!("{height} {side}"), "textfont": { "size": 11 },
     })))
 }
+
+/// Space between the panels.
+const SPACE: Space = Space {
+    across: 0.12,
+    down: 0.2,
+};
 
 /// Trade-offs of the acceptable structures.
 pub fn trade_offs(search: &Record) -> Figure {
@@ -81,7 +94,7 @@ pub fn trade_offs(search: &Record) -> Figure {
         band.filter(|s| s.text("status") == "accepted" && s.flag("on_front") == Some(front))
             .collect()
     };
-    let mut plot = Plot::new(720).legend_above(1.03).margin([72, 24, 60, 58]);
+    let mut plot = Plot::new(720).legend_above(1.03).margin(Margin::above(60));
     let one = |name: &str| search.part(name).into_iter().collect();
     let [own, found] = ["own_from_usual_starts", "recommended_from_usual_starts"].map(one);
     let groups: [(&str, Vec<&Record>, &str, u32, &str); 4] = [
@@ -90,7 +103,7 @@ pub fn trade_offs(search: &Record) -> Figure {
         (OWN, own, PALETTE[4], 11, "square"),
         ("recommended", found, "#ffdd00", 15, "star"),
     ];
-    for (panel, pair) in Panel::grid(PAIRS.len(), 2, [0.12, 0.2]).iter().zip(&PAIRS) {
+    for (panel, pair) in Panel::grid(PAIRS.len(), 2, SPACE).iter().zip(&PAIRS) {
         let frames = pair.map(|name| {
             let shown = groups.iter().filter(|g| g.0 != OWN).flat_map(|g| &g.1);
             frame_of(&shown.map(|s| worst(s, name)).collect::<Vec<_>>())
