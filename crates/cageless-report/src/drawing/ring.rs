@@ -166,7 +166,7 @@ fn stations(ring: &OuterRing, raceway: &Raceway) -> Vec<Vec<String>> {
         // At the end itself the plain groove begins.
         let local = share * raceway.half_angle_rad() * (1.0 - 1e-12);
         let section = ring.meridian(centre + local);
-        let [above, below] = contacts(&section).map(|[z, _]| z);
+        let [above, below] = contacts(&section).map(|point| point.z_m);
         let upper = section.arc(Side::Upper);
         rows[0].push(angle_text(local));
         rows[1].push(format!("{:.3}", mm(above - below)));

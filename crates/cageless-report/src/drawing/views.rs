@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use cageless::numerics::Vec3;
 use cageless::surface::{DrawnGroove, Meridian, OuterRing, Side};
 use cageless::{Bearing, Raceway};
 
@@ -133,22 +134,38 @@ impl DrawnRing<'_> {
         let points = self.groove(None).points(plain_rad, PER_SIDE);
         let (scale, place) = self.cut_face(paper, room, &points);
         let half = 0.5 * d.outer_ring_width_m;
-        let corners = [-half, half].map(|z| place([z, d.outer_ring_outer_radius_m]));
+        let corners = [-half, half].map(|z_m| {
+            place(SectionPoint {
+                z_m,
+                radius_m: d.outer_ring_outer_radius_m,
+            })
+        });
         let above = corners[0][1] - 5.0;
         paper.horizontal(corners, above, &length_text(d.outer_ring_width_m));
         let section = self.groove(None).meridian(plain_rad);
         let arc = section.arc(Side::Upper);
         let eta = self.ring.section_angle_rad;
-        let tip = place([arc.height_m(eta - 0.3), arc.radius_at_m(eta - 0.3)]);
+        let tip = place(SectionPoint {
+            z_m: arc.height_m(eta - 0.3),
+            radius_m: arc.radius_at_m(eta - 0.3),
+        });
         let below = room.middle[1] + 0.5 * room.size_mm[1] + 6.0;
         let radius = format!("R {}", length_text(self.ring.curvature_radius_m));
         paper.leader(tip, [tip[0] + 8.0, below], &radius);
-        let deepest = place([self.ring.groove_height_m, self.ring.groove_bottom_radius_m]);
+        let deepest = place(SectionPoint {
+            z_m: self.ring.groove_height_m,
+            radius_m: self.ring.groove_bottom_radius_m,
+        });
         let diameter = format!("Ø {}", length_text(2.0 * self.ring.groove_bottom_radius_m));
         paper.leader(deepest, [deepest[0] - 8.0, below], &diameter);
         let height = self.ring.groove_height_m;
         if height.abs() > 1e-9 {
-            let ends = [0.0, height].map(|z| place([z, self.ring.shoulder_radius_m]));
+            let ends = [0.0, height].map(|z_m| {
+                place(SectionPoint {
+                    z_m,
+                    radius_m: self.ring.shoulder_radius_m,
+                })
+            });
             paper.horizontal(ends, below + 9.0, &length_text(height.abs()));
         }
         room.title(paper, "A–A", scale);
@@ -161,7 +178,10 @@ impl DrawnRing<'_> {
         let points = groove.points(centre_rad, PER_SIDE);
         let (scale, place) = self.cut_face(paper, room, &points);
         let plain = self.groove(None).points(centre_rad, PER_SIDE);
-        paper.line(plain.iter().map(|p| place(meridian_of(*p))), Pen::Chain);
+        paper.line(
+            plain.iter().map(|p| place(SectionPoint::of(*p))),
+            Pen::Chain,
+        );
         let contacts = contacts(&groove.meridian(centre_rad)).map(&place);
         let below = room.middle[1] + 0.5 * room.size_mm[1] + 8.0;
         for contact in contacts {
@@ -188,7 +208,7 @@ impl DrawnRing<'_> {
         let pairs: Vec<[Place; 2]> = (0..ALONG)
             .map(|k| {
                 let section = groove.meridian(d.centre_angle_rad + local(k) * (1.0 - 1e-12));
-                contacts(&section).map(|[z, _]| at(local(k), z))
+                contacts(&section).map(|point| at(local(k), point.z_m))
             })
             .collect();
         for side in [0, 1] {
@@ -215,20 +235,23 @@ impl DrawnRing<'_> {
     }
 
     /// Draws a half section whose groove has these points, at the largest scale that fits: the scale, and the place of
-    /// a point (z, ρ).
+    /// a point of the section.
     fn cut_face(
         &self,
         paper: &mut Paper,
         room: Room,
         groove: &[[f64; 3]],
-    ) -> (f64, impl Fn([f64; 2]) -> Place + use<>) {
+    ) -> (f64, impl Fn(SectionPoint) -> Place + use<>) {
         let d = self.ring.dimensions;
         let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m);
         let scale = room.scale([d.outer_ring_width_m, outside - shoulder]);
         let middle_m = 0.5 * (outside + shoulder);
-        let place = move |[z, rho]: [f64; 2]| {
+        let place = move |point: SectionPoint| {
             let [x, y] = room.middle;
-            [x + scale * mm(z), y - scale * mm(rho - middle_m)]
+            [
+                x + scale * mm(point.z_m),
+                y - scale * mm(point.radius_m - middle_m),
+            ]
         };
         let outline = self.outline(groove, &place);
         for stretch in hatch(&outline, HATCH_MM) {
@@ -239,7 +262,7 @@ impl DrawnRing<'_> {
     }
 
     /// Outline of a section whose groove has these points, from the lower to the upper shoulder.
-    fn outline(&self, groove: &[[f64; 3]], place: &dyn Fn([f64; 2]) -> Place) -> Vec<Place> {
+    fn outline(&self, groove: &[[f64; 3]], place: &dyn Fn(SectionPoint) -> Place) -> Vec<Place> {
         let d = self.ring.dimensions;
         let half = 0.5 * d.outer_ring_width_m;
         let (outside, shoulder) = (d.outer_ring_outer_radius_m, self.ring.shoulder_radius_m);
@@ -248,8 +271,9 @@ impl DrawnRing<'_> {
             [half, outside],
             [-half, outside],
             [-half, shoulder],
-        ];
-        let points = groove.iter().map(|p| meridian_of(*p)).chain(corners);
+        ]
+        .map(|[z_m, radius_m]| SectionPoint { z_m, radius_m });
+        let points = groove.iter().map(|p| SectionPoint::of(*p)).chain(corners);
         points.map(place).collect()
     }
 }
@@ -314,16 +338,30 @@ fn ends(raceway: &Raceway) -> [f64; 2] {
     [-1.0, 1.0].map(|sign| turned(d.centre_angle_rad + sign * d.half_angle_rad))
 }
 
-/// (z, ρ) of a point.
-fn meridian_of([x, y, z]: [f64; 3]) -> [f64; 2] {
-    [z, x.hypot(y)]
+/// A point of a section through the axis, m.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SectionPoint {
+    pub z_m: f64,
+    /// ρ.
+    pub radius_m: f64,
 }
 
-/// (z, ρ) of the contact points with a ball, upper and lower.
-pub(super) fn contacts(section: &Meridian) -> [[f64; 2]; 2] {
+impl SectionPoint {
+    /// That of a point in space.
+    fn of(point_m: Vec3) -> Self {
+        let [x, y, z_m] = point_m;
+        Self {
+            z_m,
+            radius_m: x.hypot(y),
+        }
+    }
+}
+
+/// The contact points with a ball, upper and lower.
+pub(super) fn contacts(section: &Meridian) -> [SectionPoint; 2] {
     Side::BOTH.map(|side| {
         let arc = section.arc(side);
-        meridian_of(
+        SectionPoint::of(
             arc.point(section.angle_rad, arc.contact_angle_rad)
                 .position_m,
         )
