@@ -23,12 +23,30 @@ impl Interference {
 
     /// That of an inner part in an outer one by the limit deviations of their common nominal diameter.
     pub(super) fn of_limits(inner_m: [f64; 2], outer_m: [f64; 2], smoothing_m: f64) -> Self {
-        let middle = |[lower, upper]: [f64; 2]| 0.5 * (lower + upper);
-        let half = |[lower, upper]: [f64; 2]| 0.5 * (upper - lower);
+        let [inner, outer] =
+            [inner_m, outer_m].map(|[lower_m, upper_m]| Deviations { lower_m, upper_m });
         Self {
-            mean_m: middle(inner_m) - middle(outer_m) - smoothing_m,
-            probable_m: half(inner_m).hypot(half(outer_m)),
-            extreme_m: half(inner_m) + half(outer_m),
+            mean_m: inner.middle_m() - outer.middle_m() - smoothing_m,
+            probable_m: inner.half_m().hypot(outer.half_m()),
+            extreme_m: inner.half_m() + outer.half_m(),
         }
+    }
+}
+
+/// Limit deviations of a diameter from its nominal size, m.
+struct Deviations {
+    lower_m: f64,
+    upper_m: f64,
+}
+
+impl Deviations {
+    /// Middle of the tolerance, m.
+    fn middle_m(&self) -> f64 {
+        0.5 * (self.lower_m + self.upper_m)
+    }
+
+    /// Half the tolerance, m.
+    fn half_m(&self) -> f64 {
+        0.5 * (self.upper_m - self.lower_m)
     }
 }

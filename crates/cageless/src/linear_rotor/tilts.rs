@@ -3,10 +3,23 @@
 use super::matrices::{NODE_COORDINATES, RotorMatrices};
 use super::{DVector, RotorError, symmetric};
 
-/// Displacement and rotation of a tilt about X, among the coordinates of a node.
-const ABOUT_X: [usize; 2] = [1, 2];
-/// Displacement and rotation of a tilt about Y.
-const ABOUT_Y: [usize; 2] = [0, 3];
+/// Coordinates of a node that a tilt about an axis moves.
+#[derive(Clone, Copy)]
+struct Tilting {
+    displaced: usize,
+    turned: usize,
+}
+
+/// Coordinates of a tilt about X.
+const ABOUT_X: Tilting = Tilting {
+    displaced: 1,
+    turned: 2,
+};
+/// Coordinates of a tilt about Y.
+const ABOUT_Y: Tilting = Tilting {
+    displaced: 0,
+    turned: 3,
+};
 
 /// Largest elastic energy of a rigid tilt, that of springs which hold the rotor, as a fraction of the energies of
 /// single elements of K: with as stiff springs G is found to a few percent.
@@ -23,9 +36,9 @@ impl RotorMatrices {
             return Ok(());
         };
         // −z and z.
-        let [y, x] = [(&about_x, ABOUT_X), (&about_y, ABOUT_Y)].map(|(tilt, [displaced, _])| {
+        let [y, x] = [(&about_x, ABOUT_X), (&about_y, ABOUT_Y)].map(|(tilt, of)| {
             DVector::from_fn(self.nodes(), |node, _| {
-                tilt[NODE_COORDINATES * node + displaced]
+                tilt[NODE_COORDINATES * node + of.displaced]
             })
         });
         if x.dot(&y) > 0.0 {
@@ -58,14 +71,14 @@ impl RotorMatrices {
     }
 
     /// The rigid tilt by 1 about an axis, at the first node without displacement; none where stiff springs hold the rotor.
-    fn rigid_tilt(&self, [displaced, turned]: [usize; 2]) -> Option<DVector<f64>> {
+    fn rigid_tilt(&self, about: Tilting) -> Option<DVector<f64>> {
         let stiffness = symmetric(&self.stiffness);
         let mut tilt = DVector::zeros(stiffness.nrows());
         for node in 0..self.nodes() {
-            tilt[NODE_COORDINATES * node + turned] = 1.0;
+            tilt[NODE_COORDINATES * node + about.turned] = 1.0;
         }
         let moved: Vec<usize> = (1..self.nodes())
-            .map(|node| NODE_COORDINATES * node + displaced)
+            .map(|node| NODE_COORDINATES * node + about.displaced)
             .collect();
         if moved.is_empty() {
             return None;
