@@ -10,8 +10,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut request = Request::from_case(&case);
     request.half_angle_range_rad = Some([20.0, 30.0].map(f64::to_radians));
     request.starts = 1;
-    request.budget = 60; // simulations of all balls at most; 400 unless it is set
-    let found = search(&case, &request, &mut |_, jobs| run_here(&case, jobs))?;
+    request.budget = 60; // simulations of all balls at most; closed forms and pairs of balls sort out the rest
+    // The search hands out its simulations in batches: here they run on this thread.
+    let found = search(&case, &request, &mut |_stage, jobs| run_here(&case, jobs))?;
     match found
         .recommended
         .map(|best| &found.evaluations[best].structure)

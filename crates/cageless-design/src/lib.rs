@@ -14,11 +14,14 @@
 //!
 //! | question | item |
 //! |---|---|
-//! | whether a raceway helps | [`judge`], [`RacewayVerdict`], [`RunVerdict`] |
-//! | how far two balls may approach | [`critical_gap`] |
-//! | which raceway | [`search`], [`recommend`]; the example `search` |
+//! | whether a raceway slows single balls as intended | [`judge`], [`RacewayVerdict`]; of a run [`RunVerdict`] |
+//! | the gap at the entrance that just closes in the raceway | [`critical_gap`]; the example `critical_gap` |
+//! | which raceway, for several speeds and loads, in oil | [`search`]; [`search::Request::points`], `case.film`; the example `search` |
+//! | which lengths of a raceway are worth a search | [`recommend`] |
 //! | what axial load and tilt leave | [`axial_lag`] |
 //! | what deviations from the drawing change | [`tolerance`] |
+//!
+//! Whether a raceway *helps*, real balls in long runs tell: `cageless compare` and `cageless_study::comparison`.
 
 #![cfg_attr(not(test), warn(unreachable_pub))]
 

@@ -103,6 +103,10 @@ impl InputError {
     fn message(&self) -> String {
         match &self.allowed {
             Allowed::LeftOut(_) => format!("[{}] must be {}", self.field, self.allowed),
+            // Nothing was given.
+            Allowed::Rule(rule) if self.value.is_nan() => {
+                format!("{} must be {rule}", self.field)
+            }
             allowed => format!(
                 "{} = {} is not possible: it must be {allowed}",
                 self.field, self.value

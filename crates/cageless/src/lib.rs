@@ -94,7 +94,7 @@
 //! |---|---|
 //! | where a ring settles, and what each ball bears | [`equilibrium`], [`rating`], [`Fit`] |
 //! | how far a raceway slows a ball | [`closed_forms`], [`BallAdvance`], [`steady`] |
-//! | whether a raceway helps, and which | crate `cageless-design`: `judge`, `critical_gap`, `search` |
+//! | whether a raceway works, and which | crate `cageless-design`: `judge`, `critical_gap`, `search` |
 //! | axial load, tilt, several rows: motion in space | [`SpatialLoad`], [`Row`]; z, tilt and contact angles in the [view](simulation::StepView) |
 //! | oil in the contacts | [`Film`], [`film::OilGrade`]; `case.film` in [`CaseBuilder::change`] |
 //! | a rotor of one's own that falls | [`Rotor::estimated`], [`CaseBuilder::rotor`], [`Bearing::with_inner_ring_bore`] |

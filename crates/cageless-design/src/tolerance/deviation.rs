@@ -63,6 +63,25 @@ pub struct Tolerances {
     pub supply_factor: f64,
 }
 
+impl Default for Tolerances {
+    /// No tolerance.
+    fn default() -> Self {
+        Self {
+            groove_depth_m: 0.0,
+            axial_span_m: 0.0,
+            half_angle_rad: 0.0,
+            section_angle_rad: 0.0,
+            ball_grade: None,
+            friction: 0.0,
+            clearance_m: 0.0,
+            speed_fraction: 0.0,
+            load_fraction: 0.0,
+            viscosity_fraction: 0.0,
+            supply_factor: 1.0,
+        }
+    }
+}
+
 impl Tolerances {
     /// Lowest and highest deviation of `influence` in a case; of the balls' radii that of one
     /// ball.
