@@ -89,7 +89,7 @@ impl BallAdvance {
         rows.reduce(|all, row| Some(all?.with(row?)))?
     }
 
-    /// That of two rows, the balls of `other` after these.
+    /// Speeds and advance of the balls of two rows, those of `other` last.
     fn with(mut self, other: Self) -> Self {
         self.orbit_speed_rad_s.extend(other.orbit_speed_rad_s);
         self.rotation_rad_s.extend(other.rotation_rad_s);

@@ -76,7 +76,7 @@ pub struct InnerRingBore {
 /// One ball of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
-    /// Its radius.
+    /// Radius of the ball, m.
     pub radius_m: f64,
     /// m.
     pub mass_kg: f64,

@@ -24,7 +24,7 @@ pub(crate) const APPROACH_SPEEDS_M_S: [f64; 3] = [0.1, 0.5, 1.0];
 pub struct ContactCounts {
     /// All of them.
     pub all: u64,
-    /// Those that began above each of `APPROACH_SPEEDS_M_S`.
+    /// Number of contacts with an approach speed above each of `APPROACH_SPEEDS_M_S`.
     pub above: [u64; APPROACH_SPEEDS_M_S.len()],
 }
 

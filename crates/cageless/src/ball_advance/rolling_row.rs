@@ -37,7 +37,7 @@ impl RollingRow {
         })
     }
 
-    /// Its balls, the first at ψ = `lead_rad`.
+    /// Balls of the row, the first at ψ = `lead_rad`.
     pub(super) fn balls(&mut self, lead_rad: f64) -> Vec<RollingBall> {
         self.case.start.lead_ball_angle_rad = lead_rad;
         rolling_balls(&self.case, self.ring)

@@ -18,7 +18,7 @@ pub(crate) struct BeyondGroove {
     pub ball: usize,
     /// The ring: 0 for the inner, 1 for the outer one.
     pub ring: usize,
-    /// Its contact angle.
+    /// Contact angle of the ball, rad.
     pub angle_rad: f64,
     /// The contact angle at which the groove ends.
     pub shoulder_rad: f64,

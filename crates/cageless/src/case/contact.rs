@@ -10,7 +10,7 @@ use crate::limits::{not_negative, positive, require};
 pub struct Contact {
     /// Law of friction.
     pub friction_law: FrictionModel,
-    /// Its parameters.
+    /// Parameters of the law of friction.
     pub friction: FrictionParameters,
     /// Where the regularisation speed of friction at the raceways comes from; between balls it is that of `friction`.
     pub regularisation: Regularisation,

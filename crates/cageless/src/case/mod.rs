@@ -92,7 +92,7 @@ impl Operation {
         }
     }
 
-    /// The same operation with its time counted from `time_s`.
+    /// Operation with its time counted from `time_s`.
     pub fn from_time(&self, time_s: f64) -> Self {
         let mut later = self.clone();
         if let Some(force) = self.unbalance_force() {

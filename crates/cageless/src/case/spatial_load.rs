@@ -10,7 +10,7 @@ const FIT_DAMPING_N_S_M3: f64 = 0.03 / 5e-6;
 pub struct SpatialLoad {
     /// Fa, along +Z.
     pub axial_load_n: f64,
-    /// What holds or turns the axis of the inner ring.
+    /// Tilt of the inner ring: angles at which the shaft holds it, or moments that turn it.
     pub tilt: Tilt,
     /// It and Ip of the inner ring with its shaft, with which moments turn it in motion, kg·m².
     pub inertias_kg_m2: Option<[f64; 2]>,

@@ -23,7 +23,7 @@ use super::positive;
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
-    /// What the friction of a ball at its flanks depends on beside ΔVo.
+    /// Terms of the friction of a ball at its flanks beside ΔVo.
     pub(crate) struct FlankSliding per lane FlankSlidingLanes {
         /// (sin α dρ/dt)², (m/s)².
         along_square,

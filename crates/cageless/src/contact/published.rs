@@ -43,7 +43,7 @@ pub(crate) struct PathPlace {
 }
 
 impl FrictionDirection {
-    /// Its unit vector.
+    /// Unit vector of the direction.
     #[inline(always)]
     pub(crate) fn vector(&self) -> PlaneVector {
         PlaneVector {
@@ -157,9 +157,9 @@ pub(crate) struct PublishedBall<'a> {
 /// Powers of friction, W, that friction against the sliding with the absolute spin would not have.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PublishedPowers {
-    /// That of its direction.
+    /// Power due to the direction of friction, W.
     pub direction: f64,
-    /// That of the relative spin.
+    /// Power due to the relative spin, W.
     pub spin: f64,
 }
 

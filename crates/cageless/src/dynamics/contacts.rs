@@ -246,7 +246,7 @@ impl Contacts<'_> {
         })
     }
 
-    /// What a rotor in space exchanges with the inner ring, if there is one.
+    /// Contacts and friction of a rotor in space on the inner ring; `None` without one.
     fn rotor_in_space(&self) -> Option<&RotorTouch> {
         self.under_rotor().and(self.space).map(|space| &space.rotor)
     }

@@ -6,7 +6,7 @@ pub use crate::world::body::RingCoordinate;
 pub(crate) use crate::world::body::BodyCoordinate;
 pub(crate) use crate::world::body::{OuterRingCoordinate, RotorCoordinate, SlidingCoordinate};
 
-/// What a coordinate is, so that methods, norms and columns can follow from the table.
+/// Kind of a coordinate, from which methods, norms and columns follow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// A position or angle; its rate is another coordinate of the same table.
@@ -26,7 +26,7 @@ pub(crate) struct Coordinate {
     pub unit: &'static str,
     /// Difference that is visible within one passage of a raceway: the scale of errors.
     pub error_scale: f64,
-    /// What it is.
+    /// Kind of the coordinate.
     pub(crate) kind: Kind,
 }
 
@@ -128,7 +128,7 @@ pub(crate) fn second_order_pairs(table: &[Coordinate]) -> impl Iterator<Item = P
 pub(crate) struct Run {
     /// First position.
     pub position: usize,
-    /// Its rate.
+    /// First rate.
     pub rate: usize,
     pub count: usize,
 }

@@ -66,7 +66,7 @@ pub struct Layout {
 /// Place of a coordinate that is held.
 const HELD: u8 = u8::MAX;
 
-/// What a bearing has.
+/// Contents of a bearing in the state vector: its balls, sliding rings and freedoms.
 #[derive(Clone, Copy)]
 struct Contents {
     balls: usize,

@@ -80,7 +80,7 @@ pub struct Model {
     pub(crate) radial_load: Option<TimeTable>,
     /// The unbalance of the inner ring.
     pub(crate) unbalance: Option<UnbalanceForce>,
-    /// What motion in space needs besides.
+    /// Constants of motion in space beyond those of the plane.
     pub(crate) space: Option<SpaceModel>,
     /// Films of the contacts with the raceways.
     pub(crate) film: Option<RollingModel>,

@@ -26,7 +26,7 @@ pub struct RightHandSide {
     models: Vec<Arc<Model>>,
     parameters: Parameters,
     work: Workspace,
-    /// What motion in space needs besides.
+    /// Work arrays of motion in space.
     space: Option<SpaceWorkspace>,
     isa: InstructionSet,
     evaluations: u64,
@@ -135,7 +135,7 @@ impl RightHandSide {
         }
     }
 
-    /// What is given over time.
+    /// Tables of speed and load over time.
     fn tables(&self) -> impl Iterator<Item = &TimeTable> {
         let tables = self
             .models
@@ -208,7 +208,7 @@ impl RightHandSide {
         }
     }
 
-    /// What a rotor in space does along the axis, in a state that was evaluated last.
+    /// Axial motion of a rotor in space and the force at its shoulder, in the state of the last evaluation.
     fn along_axis(&self, state: &State) -> RotorSnapshot {
         let (layout, y) = (state.layout(), state.values());
         let Some(face) = self.contacts().face() else {
@@ -494,7 +494,7 @@ impl System for RightHandSide {
         hash
     }
 
-    /// Those of contacts, and the corners of what is given over time.
+    /// Edges of the contacts, and corners of the tables over time.
     fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
         let under = self.parameters.drops.first();
         match (&self.models[0].space, &self.space) {

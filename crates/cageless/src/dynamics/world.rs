@@ -353,7 +353,7 @@ impl System for World {
         &self.second_order_blocks
     }
 
-    /// Those of the only bearing.
+    /// Planar velocities of the only bearing.
     fn planar_velocities(&self) -> Option<[Range<usize>; 2]> {
         match &self.bearings[..] {
             [bearing] => bearing.planar_velocities(),

@@ -59,7 +59,7 @@ fn overload_of(case: &Case) -> Option<String> {
 }
 
 impl SpatialEquilibrium {
-    /// What the bearing of `case` does not stand, as sentences.
+    /// Warnings, as sentences, of overload, truncated contact ellipses and rows without thrust.
     pub fn warnings(&self, case: &Case) -> Vec<String> {
         let overload = self.rest.overload().into_iter();
         let edges_rad = ellipse_edge_max_rad(case).unwrap_or(self.ellipse_edge_max_rad);

@@ -129,7 +129,7 @@ pub(crate) trait LawConstants: Law + Send + Sync + 'static {
 
 /// Constants of a law in every lane of a block.
 pub(crate) trait LawLanes {
-    /// Those of one lane.
+    /// Constants of the law in one lane.
     type Constants: LawConstants;
     /// The law in one lane.
     type Law<'a>: Law

@@ -123,7 +123,7 @@ fn speed(sliding_m_s: f64) -> f64 {
 #[derive(Debug, Clone)]
 pub(crate) struct OwnLanes {
     lanes: [Own; LANES],
-    /// Whether all lanes have one law.
+    /// `true` if the lanes have one law.
     same: bool,
     coefficient: Lanes,
     inverse_regularisation_speed: Lanes,

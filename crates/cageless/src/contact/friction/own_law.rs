@@ -261,7 +261,7 @@ impl Tried {
     }
 }
 
-/// What an own law returned in a run that cannot be.
+/// Impossible coefficient or slope from a friction law of one's own during a run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FrictionFault {
     /// Name of the law.

@@ -59,7 +59,7 @@ impl FrictionParameters {
         (CREEP * rolling_m_s).clamp(least, most)
     }
 
-    /// Those of the smooth law.
+    /// Parameters of the smooth law.
     pub(crate) fn smooth(coefficient: f64, regularisation_speed_m_s: f64) -> Self {
         Self {
             coefficient,
@@ -71,7 +71,7 @@ impl FrictionParameters {
         }
     }
 
-    /// Those of a law of one's own.
+    /// Parameters of a friction law of one's own.
     pub(crate) fn own(law: OwnFriction, regularisation_speed_m_s: f64) -> Self {
         Self {
             own: Some(law.clone()),

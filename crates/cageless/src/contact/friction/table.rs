@@ -92,7 +92,7 @@ impl LawConstants for Table {
 /// [`Table`] of each lane.
 #[derive(Debug, Clone)]
 pub(crate) struct TableLanes {
-    /// As many as the lane with most of them has.
+    /// Pieces of the tables, as many as the longest table of a lane has.
     pieces: Vec<PieceLanes>,
     coefficient: Lanes,
     inverse_regularisation_speed: Lanes,

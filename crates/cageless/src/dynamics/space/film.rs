@@ -262,7 +262,7 @@ mod tests {
         }
     }
 
-    /// What the film adds to the rates of a state in space, and to the force on the outer ring.
+    /// Change of the rates of a state in space, and of the force on the outer ring, by the film.
     fn change(case: &Case, values: &[f64]) -> (Vec<f64>, [f64; 2]) {
         let dry = Model::of_case(case).unwrap();
         let mut wet = dry.clone();

@@ -142,7 +142,7 @@ impl Frame {
         }
     }
 
-    /// What makes V the sliding along τ and l and the spin times R.
+    /// Rows of the matrix J from V to the sliding along τ and l and to the spin times R.
     #[inline(always)]
     pub(crate) fn rows(&self) -> [[f64; SIZE]; 3] {
         let [n, l, t] = self.axes();

@@ -32,7 +32,7 @@ lane_struct! {
         length,
         /// Sine of the contact angle, positive where an axial load along +Z presses.
         sine,
-        /// Its cosine.
+        /// Cosine of the contact angle.
         cosine,
     }
 }

@@ -169,13 +169,13 @@ fn keep_loaded(normal_n: &Lanes, known: &mut KnownStripLanes) {
     }
 }
 
-/// What the matrix of Newton's method holds of a strip.
+/// Choice of the slopes of a strip in the matrix of Newton's method.
 #[derive(Clone, Copy, PartialEq)]
 enum Slopes {
     /// Force over sliding and moment over shear, with k and F′ k as they are at the first iterate: exact as of
     /// the velocities extrapolated to the end of the step, which are of second order.
     Apart,
-    /// Those of force and moment over both.
+    /// Slopes of force and moment over both sliding and shear.
     Joint,
 }
 
@@ -191,12 +191,12 @@ struct Stiffness {
     along_shear: f64,
     /// Between the sliding along l and the shear, N·s.
     across_shear: f64,
-    /// Of the moment over the shear, N·m·s.
+    /// Slope of the moment over the shear, N·m·s.
     shear_shear: f64,
 }
 
 impl Stiffness {
-    /// That of a strip; if `safe` that of cones which no step of Newton's method overshoots.
+    /// Slopes of a strip; if `safe`, those of cones that no step of Newton's method overshoots.
     ///
     /// The force answers the shear otherwise than the moment the sliding; the geometric mean of both keeps the matrix
     /// symmetric and positive definite.

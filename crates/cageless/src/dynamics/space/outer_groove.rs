@@ -199,7 +199,7 @@ lane_struct! {
         axial_0,
         /// Share w of the force of the first point.
         share_0,
-        /// Its cube root.
+        /// Cube root of the share of the first point.
         root_0,
         /// nρ of the second point.
         radial_1,
@@ -207,11 +207,11 @@ lane_struct! {
         axial_1,
         /// Share w of the force of the second point.
         share_1,
-        /// Its cube root.
+        /// Cube root of the share of the second point.
         root_1,
         /// K over that of the plain groove.
         stiffness,
-        /// Its slope over ψ.
+        /// Slope of the stiffness ratio over ψ, 1/rad.
         stiffening,
         /// a/√δ over that of the plain groove, a the semi-axis across it.
         half_length,
@@ -318,7 +318,7 @@ impl Approach {
         },
     };
 
-    /// That of a ball at **d** from the centre of a groove of which it may be this far off.
+    /// Approach of a ball at **d** from the centre of a groove, with contact from the distance `radius` on.
     #[inline(always)]
     fn to_groove(d: SectionVector, radius: f64) -> Self {
         let length = d.length();
@@ -333,7 +333,7 @@ impl Approach {
         }
     }
 
-    /// That of a nominal ball at **x** from its place on both edges of a slot to one with the normal
+    /// Approach of a nominal ball at **x** from its place on both edges of a slot to an edge with the normal
     /// **n**c there, and its slope over ψ with **x** held.
     #[inline(always)]
     fn to_edge(x: SectionVector, nc: SectionVector, slot: &SlotSection, sign: f64) -> (Self, f64) {
