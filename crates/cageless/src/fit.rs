@@ -112,7 +112,7 @@ pub struct Fit {
     pub housing_expansion_per_k: Option<f64>,
 }
 
-/// What fits, temperatures and speed make of the radial internal clearance, m on the diameter.
+/// Effect of fits, temperatures and speed on the radial internal clearance, m on the diameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OperatingClearance {
     /// Gr of the bearing by itself at 20 °C and at rest.

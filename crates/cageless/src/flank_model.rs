@@ -3,7 +3,7 @@
 use crate::raceway::Ends;
 
 crate::named_enum! {
-    /// What the load of a ball does to its contacts with the two flanks of a discrete raceway.
+    /// Model of the contacts of a loaded ball with the two flanks of a discrete raceway.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum FlankModel {
         /// The contact angle is that of the ball that just touches, and the flanks neither spin on the

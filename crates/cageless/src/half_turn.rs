@@ -40,13 +40,13 @@ pub(crate) struct HalfTurnTracker {
 }
 
 impl HalfTurnTracker {
-    /// That of a case with a film at constant speed; `None` of any other.
+    /// Tracker of a case with a film at constant speed; `None` of any other.
     pub(crate) fn new(case: &Case) -> Option<Self> {
         let followed = case.film.is_some() && case.has_constant_operation();
         followed.then(|| Self::of(case))
     }
 
-    /// That of a case at constant speed, dry or wet.
+    /// Tracker of a case at constant speed, dry or wet.
     fn of(case: &Case) -> Self {
         Self {
             rolling_rad_s: rolling_rad_s(case).unwrap_or(f64::NAN),
@@ -105,7 +105,7 @@ pub struct HalfTurnRecorder {
 }
 
 impl HalfTurnRecorder {
-    /// That of a case at constant speed.
+    /// Recorder of a case at constant speed, from `from_s` on.
     pub fn new(case: &Case, from_s: f64) -> Self {
         let tracker = HalfTurnTracker::of(case);
         Self { from_s, tracker }

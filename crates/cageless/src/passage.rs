@@ -109,9 +109,9 @@ pub struct PassageMeans {
     pub sliding_m_s: f64,
     /// Smallest gap ahead in each.
     pub gap_min_rad: f64,
-    /// What a ball loses in one passage against the mean orbital speed between passages, with a film against that of
-    /// rolling: that speed times the time inside, less the angle of the raceway. Where the speed varies, times are
-    /// those in which the inner ring would turn as far at its largest. NaN until a ball has passed two.
+    /// Lag of a ball in one passage, rad: the reference speed times the time inside, less the angle of the raceway. The
+    /// reference is the mean orbital speed between passages, with a film that of rolling. Where the speed varies, times
+    /// are those in which the inner ring would turn as far at its largest. NaN until a ball has passed two.
     pub lag_rad: f64,
     /// Fraction of the time inside without force at the inner raceway.
     pub unloaded_fraction: f64,
@@ -124,7 +124,7 @@ pub struct PassageMeans {
 pub struct PassageTally {
     /// Number of samples or passages.
     pub count: u64,
-    /// Those of them in which the inner ring turns.
+    /// Number of those in which the inner ring turns.
     turned: u64,
     sums: PassageSums,
     /// Largest and smallest gap to the ball ahead on going out.
@@ -281,7 +281,7 @@ struct UnderWay {
     nearest: Direction,
     /// Where x and y of the ball are in the state.
     own: PlaneVector<usize>,
-    /// Those of the ball ahead.
+    /// Indices of x and y of the ball ahead in the state.
     ahead: PlaneVector<usize>,
 }
 

@@ -51,7 +51,7 @@ impl RacewayPoint {
 }
 
 impl RacewayContact {
-    /// That of `contact` under the force `force_n`.
+    /// Peak pressure and semi-axes of `contact` under the force `force_n`.
     pub(crate) fn new(contact: &PointContact, force_n: f64) -> Self {
         Self {
             pressure_pa: contact.peak_pressure_pa(force_n),

@@ -30,7 +30,7 @@ pub(crate) struct Hysteresis {
 }
 
 impl Hysteresis {
-    /// That of the contacts of a bearing.
+    /// Hysteresis of the contacts of a bearing, N·m/N^1.33.
     pub(crate) fn new(bearing: &Bearing) -> Self {
         let of = |contact| factor(&contact, bearing.ball_radius_m());
         Self {

@@ -67,7 +67,7 @@ crate::named_enum! {
     pub enum Traction {
         /// The law of friction of the case.
         Law = "law",
-        /// That of a film, shared by asperities with that law.
+        /// Friction of a film, shared by asperities with the law of the case.
         Film = "film",
     }
 }

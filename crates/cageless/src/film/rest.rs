@@ -83,7 +83,7 @@ impl ContactFilms {
         self.inner.iter().chain(self.outer.iter().flatten())
     }
 
-    /// Those that carry load.
+    /// Films of the contacts under load.
     fn loaded(&self) -> impl Iterator<Item = &ContactFilm> {
         self.all().filter(|film| film.is_loaded())
     }

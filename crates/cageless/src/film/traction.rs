@@ -61,7 +61,7 @@ pub(crate) struct ContactShape {
     pub thickening: f64,
     /// Ratio of the areas of Hertz.
     pub area: f64,
-    /// Its inverse.
+    /// Inverse of the ratio of the areas.
     pub inverse_area: f64,
     /// Ratio of 1/C11.
     pub creep: f64,

@@ -49,7 +49,7 @@ pub(crate) struct MixedFriction<'a> {
 }
 
 impl<'a> MixedFriction<'a> {
-    /// That of a case; `None` unless the film is its friction.
+    /// Mixed friction of a case; `None` unless the film is its friction.
     pub(crate) fn new(case: &'a Case) -> Option<Self> {
         Some(Self {
             case,

@@ -3,7 +3,7 @@
 /// Effective interference of a ring with its seat on the diameter, m; below 0 a gap.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Interference {
-    /// That of the middles of both tolerances.
+    /// Interference at the middles of both tolerances, m.
     pub mean_m: f64,
     /// Three standard deviations, each diameter with a standard deviation of a sixth of its tolerance
     /// (NTN 2203/E, Eq. (8.3)).
@@ -21,7 +21,7 @@ impl Interference {
         }
     }
 
-    /// That of an inner part in an outer one by the limit deviations of their common nominal diameter.
+    /// Interference of an inner part in an outer one by the limit deviations of their common nominal diameter.
     pub(super) fn of_limits(inner_m: [f64; 2], outer_m: [f64; 2], smoothing_m: f64) -> Self {
         let [inner, outer] =
             [inner_m, outer_m].map(|[lower_m, upper_m]| Deviations { lower_m, upper_m });

@@ -31,7 +31,7 @@ pub(crate) struct RungeKutta {
     edges: Option<Edges>,
 }
 
-/// What came of an attempted step.
+/// Outcome of an attempted step.
 enum Attempt {
     /// The estimate of its error.
     Error(f64),

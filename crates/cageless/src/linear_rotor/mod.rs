@@ -56,9 +56,9 @@ pub enum RotorError {
     Shape {
         /// Name of the matrix.
         name: &'static str,
-        /// Its rows.
+        /// Rows of the matrix.
         rows: usize,
-        /// Its columns.
+        /// Columns of the matrix.
         columns: usize,
         /// Rows and columns that it should have.
         size: usize,
@@ -68,9 +68,9 @@ pub enum RotorError {
     Property {
         /// Name of the matrix.
         name: &'static str,
-        /// What it must be.
+        /// Property required of the matrix.
         property: &'static str,
-        /// What was found.
+        /// Contrary finding, as the end of the message; empty without one.
         found: String,
     },
     /// A node that the rotor does not have.

@@ -10,7 +10,7 @@ impl LaneSet {
     pub(crate) const NONE: Self = Self(0);
     pub(crate) const ALL: Self = Self(u32::MAX);
 
-    /// Those for which a test holds.
+    /// Lanes that pass a test.
     #[inline(always)]
     pub(crate) fn of(test: impl Fn(usize) -> bool) -> Self {
         // In a loop of its own, or the test does not become vector code.
@@ -21,7 +21,7 @@ impl LaneSet {
         Self(bits.iter().fold(0, |all, bit| all | bit))
     }
 
-    /// Those of the bearing of this index, of one alone or of [`BATCH_WIDTH`], among the first `entries`.
+    /// Lanes of the bearing of this index, alone or one of [`BATCH_WIDTH`], among the first `entries`.
     #[inline]
     pub(crate) fn of_bearing(self, bearing: usize, alone: bool, entries: usize) -> Self {
         const EVERY: u32 = u32::MAX / ((1 << BATCH_WIDTH) - 1);

@@ -14,11 +14,11 @@ pub enum Ends {
     /// Blended into the plain raceway over this length along the bottom of the groove, m; 0 leaves the end as
     /// the shape has it.
     Blended(f64),
-    /// As `export` machines them: blended over 0.5 mm, or over a fifth of half the raceway where that is shorter.
+    /// Ends as `export` machines them: blended over 0.5 mm, or over a fifth of half the raceway where that is shorter.
     Machined,
 }
 
-/// Those of Zhao 2022: as the shape has them.
+/// Ends of the raceways of Zhao 2022, as the shape has them.
 impl Default for Ends {
     fn default() -> Self {
         Self::Blended(0.0)

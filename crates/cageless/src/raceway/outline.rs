@@ -3,7 +3,7 @@
 use super::{MeasuredFlanks, SplineFlanks};
 use crate::bearing::Bearing;
 
-/// What the flanks of a shape are laid out for.
+/// Dimensions of a discrete raceway for the layout of its flanks.
 pub(super) struct Outline<'a> {
     /// lC, m.
     pub axial_span_m: f64,

@@ -58,12 +58,12 @@ impl Piece {
         self.range_rad[1] = self.range_rad[1].min(end_rad);
     }
 
-    /// Its flanks, for another piece.
+    /// Flanks of the piece, for another piece.
     pub(super) fn shared_flanks(&self) -> Flanks {
         self.flanks.clone()
     }
 
-    /// Its flanks, also beyond its end.
+    /// Flanks of the piece, also beyond its end.
     pub(super) fn flanks(&self) -> &dyn FlankAngle {
         &*self.flanks
     }

@@ -43,7 +43,7 @@ impl PowerAngle {
         self
     }
 
-    /// The same shape with another α0 and θ.
+    /// Flanks of this shape with another α0 and θ.
     pub(crate) fn scaled(self, middle_rad: f64, half_angle_rad: f64) -> Self {
         Self {
             middle_rad,

@@ -69,13 +69,13 @@ raceway_shapes! {
 }
 
 impl RacewayShape {
-    /// Those that lC and θ define alone.
+    /// Shapes defined by lC and θ alone.
     pub fn by_dimensions() -> impl Iterator<Item = Self> {
         let all = Self::NAMES.iter().map(|&(_, shape)| shape);
         all.filter(|shape| !matches!(shape, Self::Measured | Self::Spline | Self::Slot))
     }
 
-    /// Its name.
+    /// Name of the shape.
     pub fn name(self) -> &'static str {
         let named = Self::NAMES.iter().find(|(_, shape)| *shape == self);
         named.map_or("", |(name, _)| name)
@@ -92,7 +92,7 @@ pub struct RacewayForm {
     pub measured: Option<MeasuredFlanks>,
     /// The spline, stretched to the lC and θ of the raceway; of [`RacewayShape::Spline`] alone.
     pub(crate) spline: Option<SplineFlanks>,
-    /// Its ends; a slot and a measured raceway have their own.
+    /// Ends of the raceway; a slot and a measured raceway have their own.
     pub ends: Ends,
     /// How much deeper a ball in the middle sits than on the plain raceway, along the axis of the
     /// section, m; the depth runs out to nothing at the ends, as `Raceway::depth_at_m`.

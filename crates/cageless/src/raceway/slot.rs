@@ -45,7 +45,7 @@ pub(super) struct SlotPlan {
 }
 
 impl SlotPlan {
-    /// That of an outline with edges of this radius.
+    /// Plan of a slot with the edge radius of the outline.
     ///
     /// # Errors
     /// An [`InputError`] if the edges leave no slot between them, reach beyond the shoulders or

@@ -171,7 +171,7 @@ fn end_slope([a, b, c, d]: [[f64; 2]; 4]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Its slopes at both ends are those of cubics, so that a spline through a cubic is that cubic.
+    /// Slopes at both ends of a spline are those of cubics, so that a spline through a cubic is that cubic.
     #[test]
     fn a_spline_through_a_cubic_is_the_cubic() {
         let (middle, half_angle): (f64, f64) = (0.5, 0.44);

@@ -24,7 +24,7 @@ pub(in crate::equilibrium) struct SpatialBall {
     pub planar: bool,
     /// Number of the row.
     pub row: usize,
-    /// Its number in the row.
+    /// Number of the ball in the row.
     pub number: usize,
     pub angle_rad: f64,
     /// sin ψ and cos ψ.

@@ -50,7 +50,7 @@ pub(crate) use rolling_ball::RollingBall;
 /// Ring and balls in equilibrium.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SpatialEquilibrium {
-    /// What a planar equilibrium has as well, for the balls of all rows, one row after the other. A
+    /// Results in common with a planar equilibrium, for the balls of all rows, one row after the other. A
     /// force at the outer raceway is the resultant of both flanks, a contact there the more loaded
     /// one.
     pub rest: Equilibrium,

@@ -60,7 +60,7 @@ pub(crate) struct OuterSection {
 pub(crate) struct SectionContact {
     /// Angle of **n** from the radius towards +Z.
     pub angle_rad: f64,
-    /// Its share w of the force K δe^(3/2).
+    /// Share w of the contact in the force K δe^(3/2).
     pub share: f64,
 }
 

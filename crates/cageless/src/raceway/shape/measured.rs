@@ -4,7 +4,7 @@ use crate::error::InputError;
 use crate::raceway::flank_angle::Flanks;
 use crate::raceway::outline::Outline;
 
-/// Those of a measured ring, with another α0 and θ than measured.
+/// Flanks of a measured ring, with another α0 and θ than measured.
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
     let Some(measured) = outline.measured else {
         let rule = "given with shape = \"measured\"";

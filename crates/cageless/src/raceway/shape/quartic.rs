@@ -7,7 +7,7 @@ use crate::raceway::contact_path::ContactPath;
 use crate::raceway::flank_angle::{FlankAngle, Flanks};
 use crate::raceway::outline::Outline;
 
-/// Those of an outline.
+/// Flanks of an outline along the quartic contact path.
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
     let (span, theta) = (outline.axial_span_m, outline.half_angle_rad);
     Ok(Arc::new(ContactPath::new(span, theta, outline.bearing)?))

@@ -4,7 +4,7 @@ use crate::error::InputError;
 use crate::raceway::flank_angle::Flanks;
 use crate::raceway::outline::Outline;
 
-/// Those through the rows of a profile, with another α0 and θ than theirs.
+/// Flanks by the spline through the rows of a profile, with another α0 and θ than theirs.
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
     let Some(spline) = outline.spline else {
         let rule = "given with shape = \"spline\"";

@@ -22,7 +22,7 @@ struct SteadyAngle {
     rate: f64,
 }
 
-/// Those of an outline.
+/// Flanks of an outline with a constant rate of the orbital speed.
 #[allow(clippy::unnecessary_wraps)] // as every shape
 pub(super) fn flanks(outline: &Outline<'_>) -> Result<Flanks, InputError> {
     let (middle, theta) = (outline.middle_rad(), outline.half_angle_rad);
