@@ -169,7 +169,7 @@ impl Structure {
         }
     }
 
-    /// Its raceway in a bearing, at the bottom.
+    /// Raceway of the structure in a bearing, at the bottom.
     ///
     /// # Errors
     /// The [`InputError`](crate::InputError) of a bearing into which it does not fit.

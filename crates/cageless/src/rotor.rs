@@ -45,7 +45,7 @@ pub struct Rotor {
     pub eccentricity_phase_rad: f64,
     /// Law of friction between journal and bore.
     pub friction_law: FrictionModel,
-    /// Its parameters.
+    /// Parameters of the law of friction.
     pub friction: FrictionParameters,
     /// K of the contact between journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), N/m^p.
     pub contact_stiffness_n_mp: f64,

@@ -1,6 +1,6 @@
 //! Assumptions and limits of the model.
 
-/// What the model assumes and leaves out, one statement each. Commands and documents quote it,
+/// Assumptions and omissions of the model, one statement each. Commands and documents quote them,
 /// so that a reader of a result knows what it cannot say.
 pub const SCOPE: [&str; 6] = [
     "balls move in the plane; with an axial load, a contact angle or several rows in three dimensions; drops take no moments and no tilt",

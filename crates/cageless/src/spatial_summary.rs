@@ -33,7 +33,7 @@ pub struct SpatialSummary {
     /// Angle of the sum of all forces at the inner raceway, each in its meridian plane and positive
     /// on the side of the contact sign of its row.
     pub inner_contact_angle_mean_rad: f64,
-    /// The same at the outer raceway.
+    /// Angle of the sum of all forces at the outer raceway, rad, signed as that at the inner raceway.
     pub outer_contact_angle_mean_rad: f64,
     /// Largest |α| + a/R to which a contact ellipse reaches: inner, outer groove.
     pub ellipse_edge_max_rad: [f64; 2],

@@ -374,7 +374,7 @@ struct FrictionRates {
 }
 
 impl FrictionRates {
-    /// Those of a ball under `load_n`, and of an impact.
+    /// Rates of friction of a ball under `load_n`, and of an impact.
     fn of_case(case: &Case, load_n: f64, impact: &Impact) -> Self {
         let (contact, mass) = (&case.contact, case.bearing.ball_mass_kg());
         let factor = contact.friction_factor_max();

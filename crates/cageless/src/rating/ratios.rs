@@ -29,8 +29,8 @@ impl Conformities {
         }
     }
 
-    /// Those with which dynamic ratings are computed, [`STANDARD_CONFORMITY`] or more: a smaller groove radius does
-    /// not necessarily raise what a bearing carries, a larger one lowers it (ISO 281:2007, 5.1).
+    /// Conformities of dynamic ratings, [`STANDARD_CONFORMITY`] or more: a smaller groove radius does not necessarily
+    /// raise the rating, a larger one lowers it (ISO 281:2007, 5.1).
     pub(super) fn rated(bearing: &Bearing) -> Self {
         let own = Self::of(bearing);
         Self {

@@ -26,7 +26,7 @@ pub(super) struct Beginning {
 }
 
 impl Beginning {
-    /// Of the problem that friction at the end of the step changes velocities in.
+    /// Equations of the friction at the end of the step, at the beginning of their solution.
     #[inline(always)]
     pub(super) fn new<L: Law, const KNOWN: bool>(
         law: &L,

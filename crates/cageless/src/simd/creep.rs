@@ -54,7 +54,7 @@ pub(super) struct InnerRolling {
 }
 
 impl InnerRolling {
-    /// That of a ball in a block.
+    /// Rolling of a ball of a block on the inner raceway.
     #[inline(always)]
     pub(super) fn of_lane(
         balls: &BallLanes,

@@ -9,7 +9,7 @@ use crate::numerics::lanes::LANES;
 
 /// 1 over the depth of a contact that is of interest, 1/m.
 pub(crate) const PER_DEPTH: f64 = 1e5;
-/// Its fourth root, m^(−1/4).
+/// Fourth root of `PER_DEPTH`, m^(−1/4).
 const ROOT: f64 = 17.782_794_100_389_23;
 /// 1 over the change of sin²ψ along a raceway over such a depth.
 pub(crate) const PER_SINE_SQUARE: f64 = 1e4;
@@ -65,7 +65,7 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
     rotor_edges(p, w, y, values);
 }
 
-/// What the damped contacts of a ball with the inner and the outer raceway are clamped by, Kδ + c dδ/dt.
+/// Edges of the clamps of a ball's damped contacts with the inner and the outer raceway, Kδ + c dδ/dt.
 fn raceway_edges(
     ball: &Ball,
     results: &BlockResults,

@@ -9,7 +9,7 @@ use crate::dynamics::model::RacewayModel;
 pub(super) struct FlankPolynomials(Vec<[[f64; 2]; 3]>);
 
 impl FlankPolynomials {
-    /// Those of a raceway.
+    /// Polynomials of a raceway.
     pub(super) fn new(raceway: Option<&RacewayModel>) -> Self {
         let polynomials = raceway.map_or([&[][..]; 3], |r| {
             [&r.radius[..], &r.radius_slope, &r.ellipse]

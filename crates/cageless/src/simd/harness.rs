@@ -54,7 +54,7 @@ pub(crate) fn evaluate(
     set_rates_of_bodies(p, w, y, dydt, raceway_friction);
 }
 
-/// What rolling contacts have beside dry friction at a given regularisation speed.
+/// Parts of rolling contacts beside dry friction at a given regularisation speed.
 #[derive(Clone, Copy)]
 struct Rolling<'p> {
     creep: Option<&'p CreepLanes>,
@@ -69,7 +69,7 @@ impl<'p> Rolling<'p> {
         film: None,
     };
 
-    /// That of these bearings.
+    /// Parts of the rolling contacts of these bearings.
     #[inline(always)]
     fn of(p: &'p Parameters) -> Self {
         Self {

@@ -9,7 +9,7 @@ crate::named_enum! {
     /// Vector instructions that the right-hand side was compiled for, from the narrowest.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
     pub enum InstructionSet {
-        /// What every processor of the target has.
+        /// Instructions of every processor of the target.
         Baseline = "baseline",
         /// 256-bit vectors (x86-64).
         Avx2 = "avx2",

@@ -34,7 +34,7 @@ pub(super) struct RacewayBlock {
     pub direction: Polynomial,
     /// 4a and 2b of the slope of that path, Zhao 2022, Eq. (5).
     pub path_slope: [Lanes; 2],
-    /// Those of elastic flanks of each bearing.
+    /// Polynomials of the elastic flanks of each bearing.
     pub flanks: Vec<FlankPolynomials>,
 }
 

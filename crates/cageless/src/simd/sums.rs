@@ -66,13 +66,13 @@ impl Sum {
 /// whether the lanes of a block are balls or bearings.
 const PARTS: usize = 4;
 
-/// What the balls of one block add to each sum.
+/// Addends of the balls of one block to each sum.
 pub(super) type Addends = [Lanes; Sum::COUNT];
 
 /// Sums over the balls of one bearing, or of each of the bearings side by side.
 #[derive(Clone)]
 pub(super) struct Sums {
-    /// Those of the only bearing.
+    /// Sums of the only bearing.
     alone: [[f64; PARTS]; Sum::COUNT],
     batch: [[[f64; BATCH_WIDTH]; Sum::COUNT]; PARTS],
 }

@@ -112,7 +112,7 @@ impl ImplicitFriction {
 pub(crate) struct Workspace {
     pub blocks: Vec<BlockResults>,
     pub(super) sums: Sums,
-    /// What the balls of the last block add to each sum; kept, for to clear it takes time.
+    /// Addends of the balls of the last block to each sum; kept, since clearing them takes time.
     pub(super) addends: Addends,
     /// The inner ring as of the last evaluation.
     pub(super) ring: CentreLanes,
@@ -122,7 +122,7 @@ pub(crate) struct Workspace {
     pub rotors: [RotorContact; BATCH_WIDTH],
     /// Loads of each inner ring on its rotor as of the last evaluation.
     pub rotor_loads: [TouchLoads; BATCH_WIDTH],
-    /// What the rotor of each bearing yields to friction over a step; set before it.
+    /// Compliance of the rotor of each bearing to friction over a step; set before it.
     pub rotor_compliances: [RotorCompliance; BATCH_WIDTH],
     /// Sliding of each rotor at the end of the last step with implicit friction.
     pub(super) rotor_slips: [JournalSlip; BATCH_WIDTH],

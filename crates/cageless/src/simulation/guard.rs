@@ -70,7 +70,7 @@ pub enum Cause {
     NotForward {
         /// End of the step, s.
         end_s: f64,
-        /// Its limit, s.
+        /// Limit of the end of the step, s.
         limit_s: f64,
     },
     /// A law of friction of one's own returned what cannot be.

@@ -22,7 +22,7 @@ pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
 pub struct RunContext<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its equations.
+    /// Equations of motion of the case.
     pub model: &'a Arc<Model>,
     /// State at t = 0.
     pub start: &'a State,

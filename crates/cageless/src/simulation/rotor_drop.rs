@@ -203,7 +203,7 @@ impl RotorDrop {
         }
     }
 
-    /// What the cases describe of their journals.
+    /// Rotors of the cases, as their journals are described.
     fn journals(&self) -> impl Iterator<Item = &Rotor> {
         self.cases.iter().filter_map(|case| case.rotor.as_ref())
     }

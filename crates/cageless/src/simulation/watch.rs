@@ -185,7 +185,7 @@ impl Watch {
     }
 }
 
-/// What a ledger lacks over what flowed.
+/// Residual of an energy ledger over its flows.
 fn residual_relative(balance: &EnergyBalance) -> f64 {
     let least = ENERGY_MIN_J.max(ROUNDING_FRACTION * balance.start_j);
     balance.residual_j / balance.flows_j.max(least)

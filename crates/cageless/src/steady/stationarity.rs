@@ -4,7 +4,7 @@ use super::recorder::SteadyBlock;
 use crate::numerics::moments::Moments;
 use crate::numerics::student::two_sided_limit;
 
-/// What has to be settled.
+/// Quantity to be settled in the runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Settling {
     /// Standard deviation of the gaps.
@@ -37,7 +37,7 @@ impl Settling {
         }
     }
 
-    /// Its value over some blocks.
+    /// Value of the quantity over some blocks.
     fn value(self, blocks: &[SteadyBlock]) -> f64 {
         let sum = |of: &dyn Fn(&SteadyBlock) -> f64| blocks.iter().map(of).sum::<f64>();
         match self {
@@ -72,7 +72,7 @@ pub struct Stationarity {
     pub of: Settling,
     /// Mean change from the first to the second half over the mean of both.
     pub change: f64,
-    /// Its one-sided error at a risk of 5 % (Student).
+    /// One-sided error of the change at a risk of 5 % (Student).
     pub error: f64,
 }
 

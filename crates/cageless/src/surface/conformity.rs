@@ -14,7 +14,7 @@ pub enum Conformity {
 }
 
 impl Conformity {
-    /// That of an error under a tolerance to either side.
+    /// Conformity of an error under a tolerance to either side.
     pub fn of(error: MeasuredValue, tolerance: f64) -> Self {
         let (error, uncertainty) = (error.value.abs(), error.expanded());
         if error + uncertainty <= tolerance {
@@ -26,7 +26,7 @@ impl Conformity {
         }
     }
 
-    /// Its name.
+    /// Name of the conformity.
     pub fn name(self) -> &'static str {
         match self {
             Self::Within => "within",

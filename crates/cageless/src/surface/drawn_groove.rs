@@ -19,7 +19,7 @@ pub struct DrawnGroove<'a> {
 const SHARES: [f64; 2] = [0.45, 0.35];
 
 impl<'a> DrawnGroove<'a> {
-    /// That of a bearing whose balls press the outer ring to the side of this sign along the axis.
+    /// Groove of a bearing whose balls press the outer ring to the side of this sign along the axis.
     pub fn new(bearing: &Bearing, raceway: Option<&'a Raceway>, contact_sign: f64) -> Self {
         let axis_rad = raceway.map_or(bearing.contact_angle_rad(), Raceway::section_angle_rad);
         let mut frame = SectionFrame::new(bearing, axis_rad);

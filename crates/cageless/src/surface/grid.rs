@@ -27,7 +27,7 @@ pub struct GridRow {
     slot: Option<(Recess, [Edge; 2])>,
 }
 
-/// What a point of a row is.
+/// Kind of a point of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PointKind {
     /// Where a ball that rests in the groove touches.
@@ -36,16 +36,16 @@ pub(crate) enum PointKind {
     Surface,
     /// The rounded edge of a slot.
     Edge,
-    /// Its wall.
+    /// The wall of the slot.
     Wall,
-    /// Its floor.
+    /// The floor of the slot.
     Floor,
 }
 
 /// A point of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GridPoint {
-    /// What it is.
+    /// Kind of the point.
     pub(crate) kind: PointKind,
     /// Side of the ridge or of the middle of the slot.
     pub side: Side,

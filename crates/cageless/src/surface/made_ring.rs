@@ -29,7 +29,7 @@ pub(super) struct MadeRing {
     pub pose: Pose,
     /// Changes of Ro and Re, m.
     pub sizes_m: [f64; 2],
-    /// Its raceways; `None` of one that is not there, or of a slot.
+    /// Raceways of the ring; `None` in place of a missing one or a slot.
     pub raceways: Vec<Option<MadeRaceway>>,
     /// Sections as drawn.
     pub(super) drawn: SectionFrame,
@@ -37,7 +37,7 @@ pub(super) struct MadeRing {
     pub(super) slots: Vec<SlotPlace>,
 }
 
-/// What a slot takes of the groove.
+/// Area of the groove taken up by a slot.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SlotPlace {
     middle_rad: f64,

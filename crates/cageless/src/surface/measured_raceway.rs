@@ -5,7 +5,7 @@ use super::measured_value::MeasuredValue;
 use super::point_deviation::PointDeviation;
 use super::recess::MeasuredSlot;
 
-/// What points say of a raceway of the drawing.
+/// Measured counterpart of a raceway of the drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MeasuredRaceway {
     /// Nothing: the groove is plain there.

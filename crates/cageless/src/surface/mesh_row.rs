@@ -26,7 +26,7 @@ pub(super) struct Steps {
 }
 
 impl Row {
-    /// That of a stretch at a place.
+    /// Row of a stretch at a place.
     pub(super) fn new(stretch: Stretch<'_>, at: f64, steps: Steps) -> Self {
         let (ring, recess) = match stretch {
             Stretch::Groove(ring, sector) => {

@@ -111,7 +111,7 @@ pub struct RingMeasures {
     /// Largest angle between the normals on both sides of an end of a discrete raceway without its
     /// blends: 45° up the groove and at the shoulder. 0 without raceways.
     pub design_kink_rad: [f64; 2],
-    /// That of the raceways that have no blend.
+    /// Largest kink of the raceways without a blend, rad, at the same places.
     pub kink_rad: [f64; 2],
     /// Largest angle between the normals of the two flanks of a discrete raceway.
     pub ridge_rad: f64,
@@ -255,7 +255,7 @@ impl OuterRing {
         Ok(())
     }
 
-    /// Its mirror image in z = 0.
+    /// Mirror image of the ring in z = 0.
     fn mirrored(self) -> Result<Self, InputError> {
         let frame = self.frame.mirrored();
         Ok(Self {

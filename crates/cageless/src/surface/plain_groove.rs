@@ -9,7 +9,7 @@ use crate::numerics::bspline::Vec3;
 /// The plain groove over ψ and the share of η from the lower shoulder to the upper one.
 struct PlainGroove(Meridian);
 
-/// Its arc at one ψ.
+/// Arc of the plain groove at one ψ.
 struct Section {
     arc: Arc,
     angle_rad: f64,

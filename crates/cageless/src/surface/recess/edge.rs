@@ -85,7 +85,7 @@ impl Edge {
         plus(self.centre_m, self.radius_m, self.normal(share))
     }
 
-    /// Its derivative.
+    /// Derivative of the point over the share, m.
     pub(super) fn arc_slope_m(&self, share: f64) -> Vec3 {
         let (sin, cos) = (share * self.arc_rad).sin_cos();
         let scale = self.radius_m * self.arc_rad;

@@ -59,8 +59,8 @@ struct SlotUncertainty {
 }
 
 impl SlotUncertainty {
-    /// Those of a slot with this covariance of what is fitted: re, ze, straight half and middle along the bottom,
-    /// and depth.
+    /// Uncertainties of a slot with this covariance of the fitted quantities: re, ze, straight half and middle along the
+    /// bottom, and depth.
     fn of(frame: &RecessFrame, ball_radius_m: f64, covariance: &Covariance) -> Self {
         let (reach, bottom) = (frame.ball_reach_m, frame.groove_bottom_radius_m);
         let sine = frame.half_span_m / reach;
@@ -148,7 +148,7 @@ impl MeasuredSlot {
     }
 }
 
-/// What points there must be.
+/// Points required for the fit of a slot.
 const FEW: &str = "50 or more on the rounded edges of the slot, 10 of them around each of its ends, or nothing is fitted";
 
 /// Part of the arc over which the middle nine tenths of the points are spread.
