@@ -105,7 +105,7 @@ impl TimeTable {
         (self.values[next] - self.values[here]) / (self.times_s[next] - self.times_s[here])
     }
 
-    /// The same quantity with its time counted from `time_s`.
+    /// Table of the quantity with its time counted from `time_s`.
     pub(crate) fn beginning_at(&self, time_s: f64) -> Self {
         let rest = self.piece(time_s);
         let times = self.times_s[rest..].iter().map(|t| t - time_s);

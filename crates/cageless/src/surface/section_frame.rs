@@ -40,7 +40,7 @@ impl SectionFrame {
         }
     }
 
-    /// That of a raceway of a case, whose row may press its balls to −Z.
+    /// Section frame of a raceway of a case, whose row may press its balls to −Z.
     pub(super) fn of(case: &Case, raceway: &Raceway) -> Self {
         let frame = Self::new(&case.bearing, raceway.section_angle_rad());
         match case.rows.as_slice() {
@@ -59,7 +59,7 @@ impl SectionFrame {
         }
     }
 
-    /// Its mirror image in z = 0.
+    /// Mirror image of the frame in z = 0.
     pub(super) fn mirrored(self) -> Self {
         let [radius, height] = self.ball_m;
         Self {

@@ -4,7 +4,7 @@ use crate::numerics::bspline::Vec3;
 
 /// A surface over an angle and a share from 0 to 1 across it.
 pub(super) trait Sheet {
-    /// What it has at one angle.
+    /// Line across the sheet at one angle.
     type Fibre: Fibre;
 
     /// At an angle.
@@ -18,9 +18,9 @@ pub(super) trait Sheet {
 pub(super) trait Fibre {
     /// Point.
     fn point(&self, across: f64) -> Vec3;
-    /// Its derivative along the line.
+    /// Derivative of the point along the line.
     fn across(&self, across: f64) -> Vec3;
-    /// Its derivative over the angle.
+    /// Derivative of the point over the angle.
     fn along(&self, across: f64) -> Vec3;
     /// The derivative over both.
     fn twist(&self, across: f64) -> Vec3;

@@ -17,7 +17,7 @@ pub(super) enum Stretch<'a> {
 }
 
 impl<'a> Stretch<'a> {
-    /// Those of a sector in the order of ψ, with the range of what they go over.
+    /// Stretches of a sector in the order of ψ, each with the range of its parameter.
     pub(super) fn of(ring: &'a OuterRing, sector: &'a RingSector) -> Vec<(Self, [f64; 2])> {
         let groove = Self::Groove(ring, sector);
         let Some(recess) = sector.slot.map(|k| &ring.recesses[k]) else {

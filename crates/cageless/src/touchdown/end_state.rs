@@ -5,7 +5,7 @@ use crate::rotor::Shaft;
 use super::whirl::{ONE_WAY, WHIRL_TURNS, WhirlWindow};
 
 crate::named_enum! {
-    /// What the rotor does at the end of a drop.
+    /// State of the rotor at the end of a drop.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub enum EndState {
         /// The rotor has not touched the inner ring.

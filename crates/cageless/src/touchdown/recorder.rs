@@ -18,7 +18,7 @@ use crate::world::joint::support::SupportJoint;
 /// Results of a drop, from t = 0 to the end of the run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DropSummary {
-    /// What the rotor does at the end.
+    /// State of the rotor at the end.
     pub end_state: EndState,
     /// Mean whirl frequency over the last fifth of the time after the first contact, or since
     /// [`Self::end_whirl`] began in it, Hz, counter-clockwise positive; 0 before that.
@@ -114,7 +114,7 @@ pub struct DropRecorder {
     found: Found,
 }
 
-/// What is dropped.
+/// Case, rotor and trackers of a drop.
 #[derive(Debug, Clone)]
 struct Dropped {
     case: Case,
@@ -142,7 +142,7 @@ struct Found {
     housing_displacement_squared: f64,
     /// m².
     rotor_displacement_squared: f64,
-    /// What is known before the end.
+    /// Results known before the end.
     summary: DropSummary,
 }
 

@@ -11,9 +11,9 @@ use crate::simulation::RotorDrop;
 /// about the value of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scatter {
-    /// Of both friction coefficients of the rotor and, independently, of the balls.
+    /// Half width of both friction coefficients of the rotor and, independently, of the balls, as a fraction.
     pub friction_fraction: f64,
-    /// Of the air gap.
+    /// Half width of the radial air gap, as a fraction.
     pub radial_clearance_fraction: f64,
     /// Largest factor, either way, on the damping of the support; its logarithm is uniform.
     pub support_damping_factor: f64,
@@ -38,7 +38,7 @@ impl Default for Scatter {
     }
 }
 
-/// What was drawn for one bearing.
+/// Random values drawn for one bearing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnBearing {
     /// Friction between rotor and inner ring.
@@ -53,7 +53,7 @@ pub struct DrawnBearing {
     pub arrangement_rad: Option<(Vec<f64>, f64)>,
 }
 
-/// What was drawn for one drop.
+/// Random values drawn for one drop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawn {
     /// Each bearing.
@@ -69,7 +69,7 @@ pub struct Drawn {
 /// Purpose of the random streams of drops.
 const DROP: u64 = 5;
 
-/// What is drawn: the dimension of its random stream.
+/// Quantity to be drawn: the dimension of its random stream.
 #[derive(Clone, Copy)]
 enum Dimension {
     RotorFriction,

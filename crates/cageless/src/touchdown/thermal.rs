@@ -19,7 +19,7 @@ pub const STEEL_SPECIFIC_HEAT_J_KG_K: f64 = 460.0;
 /// Parts of a bearing that warm, each with one temperature: inner ring, balls, outer ring.
 pub const PARTS: usize = 3;
 
-/// What the heat of a drop warms, and what happens between drops.
+/// Heat capacities warmed by a drop, and cooling between drops.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Thermal {
     /// Mass of the outer ring; that of a ring of the density of the rings, 0.3 ball diameters thick

@@ -70,7 +70,7 @@ struct Pressed {
 }
 
 impl Pressed {
-    /// Those of these contacts.
+    /// Forces of these contacts, N.
     fn of(contacts: &Contacts<'_>) -> Self {
         let [x, y] = contacts.outer_ring_force_n();
         Self {

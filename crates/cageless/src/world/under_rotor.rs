@@ -46,7 +46,7 @@ pub(crate) struct Touch {
 }
 
 impl UnderRotor {
-    /// Those of a case that has a rotor, between these rings.
+    /// Constants of a case that has a rotor, between these rings.
     pub(crate) fn of_case(case: &Case, ring: InnerRing, outer_ring: OuterRing) -> Option<Self> {
         let (rotor, bore) = (case.rotor.as_ref()?, case.bearing.inner_ring_bore()?);
         let ring = InnerRing {

@@ -60,7 +60,7 @@ const STRAIGHT_MIN_RAD: f64 = 1e-9;
 const STEPS: usize = 12;
 
 impl Recess {
-    /// That of a slot in a ring with such sections.
+    /// Recess of a slot in a ring with such sections.
     pub(super) fn new(
         section: &SectionFrame,
         index: usize,
@@ -92,7 +92,7 @@ impl Recess {
         self.frame.half_span_m / self.frame.groove_bottom_radius_m
     }
 
-    /// Its edge at a place.
+    /// Edge of the slot at a place.
     pub fn edge(&self, place: EdgePlace) -> Edge {
         Edge::new(&self.frame, place)
     }

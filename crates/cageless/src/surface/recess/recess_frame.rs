@@ -33,7 +33,7 @@ pub(super) struct RecessFrame {
 }
 
 impl RecessFrame {
-    /// That of a slot in a ring with such sections.
+    /// Frame of a slot in a ring with such sections.
     ///
     /// # Errors
     /// An [`InputError`] if the edges around an end would meet.

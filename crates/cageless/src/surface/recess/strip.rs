@@ -17,7 +17,7 @@ const STENCIL: [(f64, f64); 4] = [
     (2.0, -1.0 / 12.0),
 ];
 
-/// What is between the groove and the floor.
+/// Part of a slot between the groove and the floor.
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     /// From the groove to the wall.

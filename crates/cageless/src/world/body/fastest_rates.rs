@@ -19,7 +19,7 @@ pub(crate) struct ContactStiffness {
     pub journal_n_s_m: f64,
 }
 
-/// What a body adds to the fastest rates of a case.
+/// Contribution of a body to the fastest rates of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct FastestRates {
     /// To ω², 1/s².

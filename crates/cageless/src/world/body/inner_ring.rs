@@ -35,7 +35,7 @@ pub enum RingCoordinate {
 }
 
 impl RingCoordinate {
-    /// Those that always move, in the order of the state vector.
+    /// Coordinates of every case, in the order of the state vector.
     pub const ALL: [Self; 4] = [Self::X, Self::Y, Self::Vx, Self::Vy];
 }
 
@@ -101,7 +101,7 @@ pub(super) fn start(ring: &RestingRing) -> [(RingCoordinate, f64); 5] {
     ]
 }
 
-/// What the ring adds to the fastest rates of a case: on the balls that carry it and the journal.
+/// Contribution of the ring to the fastest rates of a case: on the balls that carry it and the journal.
 pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
     let (c, d) = (contacts, case.bearing.dimensions());
     let damping_n_s_m = c.carrying * c.inner_n_s_m + d.inner_ring_damping_n_s_m + c.journal_n_s_m;

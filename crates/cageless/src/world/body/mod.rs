@@ -39,7 +39,7 @@ pub(crate) enum BodyKind {
 impl BodyKind {
     /// All, in the order of the state vector.
     pub(crate) const ALL: [Self; 3] = [Self::InnerRing, Self::OuterRing, Self::Rotor];
-    /// Those of the bearing itself.
+    /// Rings of the bearing itself.
     pub(crate) const RINGS: [Self; 2] = [Self::InnerRing, Self::OuterRing];
 
     /// Coordinates of the body in space.
@@ -93,7 +93,7 @@ pub(crate) fn start(case: &Case, ring: &RestingRing) -> Vec<(BodyCoordinate, f64
     of_ring.into_iter().chain(of_rotor).collect()
 }
 
-/// What all bodies of a case add to its fastest rates.
+/// Contributions of all bodies of a case to its fastest rates.
 pub(crate) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> [FastestRates; 4] {
     [
         inner_ring::fastest_rates(case, contacts),

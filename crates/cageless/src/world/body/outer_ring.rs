@@ -26,7 +26,7 @@ pub(crate) enum OuterRingCoordinate {
 }
 
 impl OuterRingCoordinate {
-    /// Those of the plane, in the order of the state vector.
+    /// Coordinates of the plane, in the order of the state vector.
     pub(crate) const ALL: [Self; 4] = [Self::X, Self::Y, Self::Vx, Self::Vy];
 }
 
@@ -72,11 +72,11 @@ pub(crate) struct OuterRing {
     pub axial_mass: f64,
     /// 1 over it, 1/kg; 0 if it is fixed.
     pub axial_inverse_mass: f64,
-    /// What holds it.
+    /// Support of the ring.
     pub support: SupportJoint,
 }
 
-/// What the ring adds to the fastest rates of a case: between balls and support; nothing where it is fixed.
+/// Contribution of the ring to the fastest rates of a case: between balls and support; nothing where it is fixed.
 pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
     // Without a rotor the support holds it.
     let (Some(_), Some(support)) = (&case.rotor, &case.support) else {

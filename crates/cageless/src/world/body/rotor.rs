@@ -137,7 +137,7 @@ pub(super) fn start(
     Some(motion.coordinates())
 }
 
-/// What the rotor adds to the fastest rates of a case: on the contact of its journal.
+/// Contribution of the rotor to the fastest rates of a case: on the contact of its journal.
 pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
     let inverse_mass = case.rotor.as_ref().map_or(0.0, |rotor| 1.0 / rotor.mass_kg);
     FastestRates {
@@ -166,14 +166,14 @@ impl LateralLoad {
 /// Accelerations of a rotor at a bearing under loads there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum RotorCompliance {
-    /// Those of a rigid rotor.
+    /// Accelerations of a rigid rotor, by its mass and inertia.
     Rigid {
         /// m, kg.
         mass: f64,
         /// Ip, kg·m².
         polar_inertia: f64,
     },
-    /// Those under a unit of each load.
+    /// Accelerations of a bending rotor under a unit of each load.
     Bending {
         /// ẍ, ÿ and Ω̇, rows, under a force along X, one along Y and a moment about the axis: 1/kg, 1/(kg·m) and
         /// 1/(kg·m²).

@@ -30,7 +30,7 @@ pub(crate) fn start_m(rows: &[Row], preload_m: &[f64]) -> impl Iterator<Item = f
 /// Largest load of a ring over that of its spring.
 const OVERLOAD: f64 = 1.25;
 
-/// What these rings add to the fastest rates of a case. All balls of a row push its ring, at the contact
+/// Contribution of these rings to the fastest rates of a case. All balls of a row push its ring, at the contact
 /// angle that its spring gives them: Σ sin²α over the mass of the ring.
 pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> FastestRates {
     let sprung = || case.rows.iter().filter(|row| row.preload_n > 0.0);
@@ -55,7 +55,7 @@ pub(super) fn fastest_rates(case: &Case, contacts: &ContactStiffness) -> Fastest
 /// Constants of an outer ring that slides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SlidingRing {
-    /// Its row, from 0.
+    /// Row of the ring, from 0.
     pub row: usize,
     /// m, kg.
     pub mass: f64,
@@ -65,7 +65,7 @@ pub(crate) struct SlidingRing {
     pub spring_n: f64,
 }
 
-/// What an outer ring that slides had at the last evaluation.
+/// Speed and force of a sliding outer ring at the last evaluation.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct SlidingWork {
     /// Speed against the housing, m/s.
@@ -75,7 +75,7 @@ pub(crate) struct SlidingWork {
 }
 
 impl SlidingRing {
-    /// Those of a case, row by row.
+    /// Sliding outer rings of a case, row by row.
     pub(crate) fn of_case(case: &Case) -> Vec<Self> {
         let sprung = case.sprung_rows().into_iter();
         sprung

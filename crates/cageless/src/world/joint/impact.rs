@@ -46,7 +46,7 @@ struct Fall {
     load: f64,
     /// E, J.
     energy: f64,
-    /// What else presses, N.
+    /// Further force on the contact at the peak, N.
     more: f64,
 }
 

@@ -32,7 +32,7 @@ pub(crate) struct RotorTouch {
     pub face: FaceContact,
     /// Loads of its contacts, with the friction at the end of the last step.
     pub loads: Loads,
-    /// Those of the friction that changed velocities over the last step.
+    /// Loads of the friction that changed velocities over the last step.
     pub mean_friction: Loads,
     /// Places of friction; J of those round the face stays.
     places: [SlidingPlace<5>; PLACES],

@@ -30,7 +30,7 @@ pub(crate) struct FaceContact {
 pub(crate) struct ShoulderMotion {
     /// Z of the rotor from that of the ring, m.
     pub z: f64,
-    /// Its rate, m/s.
+    /// Axial velocity of the rotor against the ring, m/s.
     pub vz: f64,
     /// Ω − ωi, rad/s.
     pub turning: f64,
