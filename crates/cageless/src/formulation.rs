@@ -9,9 +9,9 @@ crate::named_enum! {
         /// Consistent mechanics: inertial frame, absolute spin, friction along the
         /// sliding velocity.
         Physical = "physical",
-        /// Equations as published: centrifugal force added in Zhao 2022, Eq. (12), spin of
-        /// Eq. (13) taken relative to the frame that turns with the ball's orbit,
-        /// friction on the discrete raceway along the contact path.
+        /// Published equations: centrifugal force added in Zhao 2022, Eq. (12), and spin of
+        /// Eq. (13) relative to the frame that turns with the ball's orbit. Friction on the
+        /// discrete raceway acts along the contact path.
         Paper = "paper",
     }
 }

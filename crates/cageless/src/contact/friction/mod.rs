@@ -242,7 +242,7 @@ friction_laws! {
     stribeck: Stribeck per lane StribeckLanes,
     /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a table of measured points.
     table: Table per lane TableLanes,
-    /// Friction by a [`FrictionLaw`] of one's own, with the regularisation of the others; the last, as no file names it.
+    /// Friction by a [`FrictionLaw`] of one's own, with the regularisation of the others; last, as no file names it.
     own: Own per lane OwnLanes,
 }
 

@@ -333,8 +333,8 @@ impl Approach {
         }
     }
 
-    /// Approach of a nominal ball at **x** from its place on both edges of a slot to an edge with the normal
-    /// **n**c there, and its slope over ψ with **x** held.
+    /// Approach to one edge of a slot, with the normal **n**c, of a nominal ball at **x** from its place on both edges;
+    /// its slope over ψ with **x** held.
     #[inline(always)]
     fn to_edge(x: SectionVector, nc: SectionVector, slot: &SlotSection, sign: f64) -> (Self, f64) {
         let [curvature, bending] = slot.centre_curvature_per_m;

@@ -50,9 +50,8 @@ pub(crate) use rolling_ball::RollingBall;
 /// Ring and balls in equilibrium.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SpatialEquilibrium {
-    /// Results in common with a planar equilibrium, for the balls of all rows, one row after the other. A
-    /// force at the outer raceway is the resultant of both flanks, a contact there the more loaded
-    /// one.
+    /// Results in common with a planar equilibrium, for the balls of all rows, one row after the other. A force
+    /// at the outer raceway is the resultant of both flanks, a contact there the more loaded one.
     pub rest: Equilibrium,
     /// z of every ball.
     pub ball_z_m: Vec<f64>,

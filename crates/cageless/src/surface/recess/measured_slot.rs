@@ -59,8 +59,8 @@ struct SlotUncertainty {
 }
 
 impl SlotUncertainty {
-    /// Uncertainties of a slot with this covariance of the fitted quantities: re, ze, straight half and middle along the
-    /// bottom, and depth.
+    /// Uncertainties of a slot with this covariance of the fitted quantities: re, ze, straight half and middle along
+    /// the bottom, and depth.
     fn of(frame: &RecessFrame, ball_radius_m: f64, covariance: &Covariance) -> Self {
         let (reach, bottom) = (frame.ball_reach_m, frame.groove_bottom_radius_m);
         let sine = frame.half_span_m / reach;

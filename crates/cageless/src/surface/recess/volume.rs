@@ -34,7 +34,7 @@ pub(super) fn volume_m3(frame: &RecessFrame) -> f64 {
     stretches.into_iter().map(of).sum()
 }
 
-/// Volume under one line across the edge, m³ per radian along it.
+/// Volume under one line across the edge, m³ per radian along the edge.
 fn column_m3(frame: &RecessFrame, from: EdgePlace, along_rad: f64) -> f64 {
     let [arc, wall] =
         [Part::Rounded, Part::Wall].map(|part| Strip { frame, from, part }.fibre(along_rad));
