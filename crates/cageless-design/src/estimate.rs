@@ -34,7 +34,7 @@ impl EstimateTerm {
     }
 }
 
-/// What rolling balls in static equilibrium say about the raceways of a case. The motion of all
+/// Estimate for the raceways of a case, by rolling balls in static equilibrium. The motion of all
 /// balls, which decides, is not looked at: see [`super::judge`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
@@ -302,7 +302,7 @@ mod tests {
         assert!((term.margin() - 0.5).abs() < 1e-12);
     }
 
-    /// What the limits separate: structures (a) and (b) of Zhao 2022 are too long, (f) to (j) demand
+    /// Limits of the estimate separate the structures of Zhao 2022: (a) and (b) are too long, (f) to (j) demand
     /// too much friction.
     #[test]
     fn the_structures_of_the_paper_are_told_apart() {

@@ -223,7 +223,7 @@ fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayD
         .collect()
 }
 
-/// Of the raceways that pass, the first with half of the possible margin, or the one with the largest margin.
+/// Best raceway: the first that passes with half of the possible margin, else the one with the largest margin.
 fn best(
     raceways: impl Iterator<Item = RacewayDimensions>,
     judged: &mut dyn FnMut(RacewayDimensions) -> Result<Option<Recommendation>, CriticalGapError>,

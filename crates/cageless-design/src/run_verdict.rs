@@ -16,7 +16,7 @@ use cageless::{Case, Gaps};
 /// between two.
 pub(crate) const PASSAGES_MIN: u64 = 2;
 
-/// What a run is judged by.
+/// Evidence for the verdict on a run: passages, contact pressure, Pa, and lag by the film, rad.
 #[derive(Debug, Clone, Copy)]
 pub struct RunEvidence<'a> {
     /// Passages after the transient.
@@ -41,7 +41,7 @@ pub struct RunVerdict {
     pub headline: String,
     /// Slowing and double collisions in each raceway, and the largest pressure; empty if the run is not judged.
     criteria: Vec<Criterion>,
-    /// What is missing for a verdict.
+    /// Reason of a missing verdict.
     missing: Option<String>,
 }
 

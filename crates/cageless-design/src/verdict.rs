@@ -181,7 +181,7 @@ pub fn judge_watched(
     })
 }
 
-/// What a case is judged beside.
+/// Counterpart of a case in its judgement: none, the case with oil, or the case without oil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Beside {
     /// Nothing: it is dry.
@@ -431,7 +431,7 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
 }
 
 impl Judgement {
-    /// Whether all raceways pass; `None` where there is none to judge.
+    /// Verdict on all raceways as pass or fail; `None` where there is none to judge.
     pub fn passes(&self) -> Option<bool> {
         self.verdict.passes()
     }
@@ -465,7 +465,7 @@ impl Judgement {
         }
     }
 
-    /// What is missing for a verdict on the raceways that are not judged.
+    /// Reasons of a missing verdict on the raceways that are not judged.
     fn missing(&self) -> Option<String> {
         let unjudged = self.raceways.iter();
         let unjudged = unjudged.filter(|r| r.verdict == RacewayVerdict::NotJudged);
@@ -476,7 +476,7 @@ impl Judgement {
     }
 }
 
-/// What a raceway is judged by beside its passages, rad and Pa.
+/// Evidence on a raceway beside its passages: gaps, rad, contact pressure, Pa, and lag by the film.
 struct Measured {
     /// Critical gap of the raceway alone.
     critical: f64,

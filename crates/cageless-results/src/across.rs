@@ -14,7 +14,7 @@ pub enum Across {
     Smallest,
     /// The sum.
     Sum,
-    /// That of the rotor, which every bearing has.
+    /// The value of the rotor, common to all bearings.
     Same,
     /// The verdict on all bearings and the planes of the rotor.
     Verdict,

@@ -149,7 +149,7 @@ fn limit_text(limit: &AxialLimit, share: &str) -> Option<String> {
     })
 }
 
-/// What a contact angle leaves of the first raceway, its balls pressed in as the most loaded one.
+/// Estimate of the lag in the first raceway by contact angle, its balls pressed in as the most loaded one.
 fn contact_angle(case: &Case) -> Option<ContactAngleEstimate> {
     let raceway = case.raceways.first()?;
     let pressed_in_m = match case.moves_in_space() {

@@ -22,10 +22,10 @@ pub struct DropJudgement {
     carries: bool,
     /// Every limit that is exceeded.
     failed: Vec<String>,
-    /// What leaves the drop without a verdict unless a limit is exceeded: a limit on a result without a
+    /// Reasons of a missing verdict, unless a limit is exceeded. They are a limit on a result without a
     /// value, by the name of the result, or that the drop was interrupted, with no name.
     unjudged: Vec<(String, String)>,
-    /// What the verdict of a drop that passes rests on.
+    /// Grounds of the verdict of a drop that passes.
     kept: Vec<String>,
 }
 
@@ -39,7 +39,7 @@ impl DropJudgement {
         }
     }
 
-    /// Whether all that was judged is kept; `None` where something could not be judged.
+    /// Compliance with all limits, touched or not; `None` where something could not be judged.
     pub(crate) fn keeps(&self) -> Option<bool> {
         match (self.failed.is_empty(), self.unjudged.is_empty()) {
             (false, _) => Some(false),

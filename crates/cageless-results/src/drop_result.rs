@@ -142,7 +142,7 @@ impl DropResult {
         ]);
     }
 
-    /// What the rotor does at the end: `falling`, `settling`, `at-rest`, `pendulum`, `bouncing`,
+    /// Name of the state of the rotor at the end: `falling`, `settling`, `at-rest`, `pendulum`, `bouncing`,
     /// `forward-whirl` or `backward-whirl`.
     pub fn end_state(&self) -> &str {
         self.results.text("end_state")
@@ -207,12 +207,12 @@ impl DropResult {
         headline.split(':').next().unwrap_or_default().to_owned()
     }
 
-    /// What the rotor does at the end, in words.
+    /// State of the rotor at the end, in words.
     pub fn end_state_text(&self) -> String {
         end_state_text(self.end_state())
     }
 
-    /// What stands in tables where a result has no value.
+    /// Text in tables in place of a missing value of a result.
     pub fn instead(&self, name: &str) -> Option<String> {
         if name != "spin_up_ms" {
             return None;

@@ -15,7 +15,7 @@ impl<'a> DryVerdict<'a> {
     /// Beginning of the line that says it.
     pub const NAME: &'static str = "without oil";
 
-    /// That of `design` or `tolerance`; `None` of a dry case.
+    /// Dry verdict of the results of `design` or `tolerance`; `None` of a dry case.
     pub fn of(results: &'a Results) -> Option<Self> {
         let headline = results.text("dry_headline");
         (!headline.is_empty()).then_some(Self {

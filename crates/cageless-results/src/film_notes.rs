@@ -10,7 +10,7 @@ const NO_FILM: f64 = 0.1;
 /// Speed deficit above which oil spaces balls more than a raceway for dry ones.
 const OUTWEIGHS: f64 = 0.05;
 
-/// What the film does to the balls, on a plain ring or one with raceways, and what it leaves out.
+/// Notes on the film: its effects on the balls, on a plain ring or one with raceways, and effects left out.
 pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, case: &Case) -> Vec<String> {
     let starved = (film.supply < 1.0).then(|| {
         let supply = supply(film);
@@ -27,7 +27,7 @@ pub(crate) fn film_notes(film: &Film, at_rest: &FilmAtRest, case: &Case) -> Vec<
     notes.into_iter().flatten().collect()
 }
 
-/// What it does to the spacing of the balls; `None` where it takes nothing from them.
+/// Effect of the film on the spacing of the balls; `None` where it takes nothing from them.
 fn effect(at_rest: &FilmAtRest, has_raceway: bool) -> Option<String> {
     let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
     let lost = at_rest.speed_deficit;
@@ -123,7 +123,7 @@ fn supply(film: &Film) -> String {
     })
 }
 
-/// What it leaves out, and other supplies to try.
+/// Effects that the film leaves out, and other supplies to try.
 fn left_out(film: &Film) -> String {
     let others = match film.supply {
         0.1 => "\"flooded\"",

@@ -4,7 +4,7 @@ use crate::number_text::{fixed, significant};
 use crate::table::{DIMENSION, FRAME, GROOVE, MEASURED};
 use crate::{Record, Shape};
 
-/// What a measurement holds; `raceways` have the results of slots and profiles as well.
+/// Shape of the results of a measured ring; `raceways` have the results of slots and profiles as well.
 pub const MEASURED_SHAPE: Shape = Shape {
     sentences: &["warnings"],
     parts: &[

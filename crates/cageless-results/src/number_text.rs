@@ -58,7 +58,7 @@ pub(crate) fn rounded(value: f64, error: f64) -> String {
     unsigned_zero(format!("{value:.decimals$}"))
 }
 
-/// What rounds to zero without a sign.
+/// Text of a number, without a minus sign where all its digits are zero.
 fn unsigned_zero(text: String) -> String {
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits.to_owned(),

@@ -27,7 +27,7 @@ pub struct Quantity {
     pub kind: Kind,
     /// Better direction, where there is one.
     pub aim: Option<Aim>,
-    /// Its value for a rotor in several bearings, where there is one.
+    /// Rule for the value of a rotor in several bearings, where there is one.
     pub across: Option<Across>,
     /// Whether it is a time from the start that has no value where its event has not come by the end.
     pub awaited: bool,
@@ -152,7 +152,7 @@ impl Quantity {
         self.named().unit_text()
     }
 
-    /// Its name, label and unit.
+    /// Name, label and unit of the quantity.
     pub fn named(&self) -> Named {
         Named {
             name: self.name,

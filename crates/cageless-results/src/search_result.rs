@@ -22,8 +22,9 @@ const STRUCTURES: Shape = Shape {
     ..Shape::of(STRUCTURE)
 };
 
-/// What a search holds: `own` and `recommended` structure from more initial states and from the usual
-/// ones, candidates that are `unconfirmed` by more initial states, what is rejected by least (`closest`), the Pareto `front`, every structure of the `band` and `maps`.
+/// Shape of the results of a search. The `own` and `recommended` structures are from more initial states and from
+/// the usual ones; the candidates `unconfirmed` are rejected by more initial states. Further parts are the
+/// structures rejected by least (`closest`), the Pareto `front`, every structure of the `band` and `maps`.
 pub const SEARCH_SHAPE: Shape = Shape {
     values: SEARCH,
     sentences: &["findings"],

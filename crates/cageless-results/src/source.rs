@@ -32,15 +32,15 @@ use crate::particulars::Particulars;
 pub struct Solved<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its particulars.
+    /// Particulars of the case.
     pub particulars: &'a Particulars,
-    /// Its equilibrium.
+    /// Equilibrium of the case.
     pub equilibrium: &'a Equilibrium,
     /// Ratings of the bearing in it.
     pub rating: Rating,
     /// Ratings with the lubricant, where there is one and the inner ring turns.
     pub lubricated: Option<LubricatedRating>,
-    /// What it has in space.
+    /// Equilibrium in space; `None` in the plane.
     pub space: Option<&'a SpatialEquilibrium>,
     /// Orbital speeds of its balls, where the inner ring drives them.
     pub advance: Option<BallAdvance>,
@@ -132,9 +132,9 @@ pub struct Finished<'a> {
 pub struct FinishedDrop<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its particulars.
+    /// Particulars of the case.
     pub particulars: &'a Particulars,
-    /// What was recorded.
+    /// Results of the drop, from t = 0 to the end of the run.
     pub summary: &'a DropSummary,
     /// How it ended.
     pub outcome: &'a RunOutcome,
@@ -150,7 +150,7 @@ pub struct SuccessiveDrop<'a> {
     pub bearing: usize,
     /// The case, with the clearances of this drop.
     pub case: &'a Case,
-    /// Its particulars, with the temperatures of this drop.
+    /// Particulars of the case, with the temperatures of this drop.
     pub particulars: &'a Particulars,
     /// Heat of all interfaces in the drop, J.
     pub heat_j: f64,
@@ -192,9 +192,9 @@ pub struct FittedRing<'a> {
 /// A dimension of a measured ring.
 #[derive(Debug, Clone, Copy)]
 pub struct Dimension {
-    /// What it is.
+    /// Name of the dimension.
     pub name: &'static str,
-    /// Its unit.
+    /// Unit of the dimension.
     pub unit: &'static str,
     /// The value measured.
     pub measured: MeasuredValue,
@@ -217,7 +217,7 @@ impl Dimension {
 pub struct Tolerated<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its particulars.
+    /// Particulars of the case.
     pub particulars: &'a Particulars,
     /// Grade of the balls by ISO 3290-1, 0 for equal ones.
     pub ball_grade: u32,
@@ -229,9 +229,9 @@ pub struct Tolerated<'a> {
 pub struct Deviation<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its tolerances.
+    /// Tolerances of the influences.
     pub tolerances: &'a Tolerances,
-    /// What came out.
+    /// Result of the influence.
     pub result: &'a InfluenceResult,
 }
 
@@ -257,7 +257,7 @@ pub struct Searched<'a> {
     pub case: &'a Case,
     /// Seed of its uneven starts.
     pub seed: u64,
-    /// What it found.
+    /// Result of the search.
     pub found: &'a Found,
     /// lC, m, and θ, rad, of the curve of Eq. (11).
     pub curve: Vec<(f64, f64)>,
@@ -291,7 +291,7 @@ macro_rules! sources {
             $($name(fn(&$any) -> Cell),)*
         }
 
-        /// What results are computed from.
+        /// Subject of the computation of results.
         #[derive(Clone, Copy)]
         pub enum Subject<'a> {
             $(#[doc = $meaning] $name(&'a $one),)*

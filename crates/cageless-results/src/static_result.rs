@@ -186,7 +186,7 @@ fn materials_note(materials: RatedMaterials) -> Option<&'static str> {
     }
 }
 
-/// What the ratings with a lubricant leave out.
+/// Reservations on the ratings with a lubricant; empty without them.
 fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
     let Some(rating) = &solved.lubricated else {
         return vec![];

@@ -10,7 +10,7 @@ use crate::{
     Tolerated, provenance,
 };
 
-/// What a tolerance analysis holds.
+/// Shape of the results of a tolerance analysis.
 pub const TOLERANCE_SHAPE: Shape = Shape {
     sentences: &["warnings"],
     parts: &[

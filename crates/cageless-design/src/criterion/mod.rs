@@ -131,7 +131,7 @@ impl Criterion {
         !self.value.is_nan()
     }
 
-    /// What sliding takes from the critical gap. On elastic flanks it is no criterion: spin on the flanks takes a
+    /// Loss of critical gap by sliding as a criterion; `None` on elastic flanks. There spin on the flanks takes a
     /// part of it in every raceway, which a deeper one makes up for.
     pub(super) fn separation(elastic: bool, shortfall: f64) -> Option<Self> {
         (!elastic).then(|| SEPARATION.of(shortfall))
@@ -207,7 +207,7 @@ impl Criterion {
         Self::deciding(all).map_or(RacewayVerdict::NotJudged, Self::verdict)
     }
 
-    /// What is missing for a verdict, as a sentence: the first value that is not known.
+    /// Reason of a missing verdict, as a sentence on the first unknown value; `None` if all values are known.
     pub(super) fn missing(all: &[Self]) -> Option<String> {
         let unknown = all.iter().find(|c| !c.is_known())?;
         let what = unknown.requirement.unknown;

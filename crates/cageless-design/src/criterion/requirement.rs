@@ -6,7 +6,7 @@ use cageless::contact::STRESS_LIMIT_PA;
 /// Unit in which a value is shown.
 #[derive(Debug)]
 pub(super) struct Unit {
-    /// Its sign.
+    /// Symbol of the unit.
     pub(super) name: &'static str,
     /// How many of it a value of 1 is.
     pub(super) per_one: f64,
@@ -37,9 +37,9 @@ pub(super) static MEGAPASCAL: Unit = Unit {
 pub struct CauseKind {
     /// Name in files.
     pub name: &'static str,
-    /// What is wrong with the raceway.
+    /// Defect of the raceway, in words.
     pub meaning: &'static str,
-    /// What to change of a search in which it decides.
+    /// Change of the search to try where this cause decides.
     pub remedy: &'static str,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct Bound {
     pub(super) cause: CauseKind,
 }
 
-/// What a criterion asks for: one file has one of them, all that is said of it.
+/// Requirement of a criterion: range of its value, unit and texts. One file has one of them, all that is said of it.
 #[derive(Debug)]
 pub struct Requirement {
     /// Name in files.
@@ -65,11 +65,11 @@ pub struct Requirement {
     pub(super) most: Option<Bound>,
     /// Unit in which it is shown.
     pub(super) unit: &'static Unit,
-    /// What the limit is a part of, or whose it is; empty where that is plain.
+    /// Origin of the limit, as a suffix to its text, such as ISO 76; empty where that is plain.
     pub(super) limit_of: &'static str,
     /// Sentence on a value, `{}` for the value itself.
     pub(super) sentence: fn(f64) -> &'static str,
-    /// What is not known where the value is no number.
+    /// Name of the value in the reason of a missing verdict, where the value is no number.
     pub(super) unknown: &'static str,
     /// Power of the value in what brings it about: the load that makes a pressure grows as its cube.
     pub(super) power: i32,

@@ -26,7 +26,7 @@ pub struct Evaluation {
     pub spacing: Vec<Option<PairSeparation>>,
     /// Mean over the uneven starts at each operating point.
     pub motion: Vec<Option<Motion>>,
-    /// What the largest axial load leaves at each operating point; empty without one.
+    /// Lag under the largest axial load at each operating point; empty without such a load.
     pub axial: Vec<AxialSeparation>,
     /// Reason of the rejection; `None` if acceptable.
     pub rejection: Option<Rejection>,
@@ -93,7 +93,7 @@ pub enum Role {
     Recommended,
     /// A candidate that more starts reject.
     Unconfirmed,
-    /// That of the case.
+    /// The structure of the case.
     Own,
 }
 
@@ -120,11 +120,12 @@ pub(super) struct Batch<'r, 'e> {
     pub bearing: &'r Bearing,
     /// Contact angle and deflection under the largest axial load at each operating point; empty without one.
     pub seats: Vec<[f64; 2]>,
-    /// Those of every row at every operating point of a case in space; empty in the plane.
+    /// Contact angle, rad, and deflection, m, of every row at every operating point of a case in space; empty in the
+    /// plane.
     pub row_seats: Vec<[f64; 2]>,
     /// Lag of a free ball by the film, rad; 0 without one.
     pub film_lag_rad: f64,
-    /// What the maps of a case in space have measured; `None` in the plane and before there are maps.
+    /// Critical gaps of the maps of a case in space over β0; `None` in the plane and before there are maps.
     pub measured: Option<MeasuredSeparation>,
     /// Simulations of all balls so far.
     pub simulations: usize,

@@ -247,7 +247,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
     Ok(())
 }
 
-/// What maps of the same cells measure; a cell has the mean over the maps.
+/// Critical gaps over β0 from maps of the same cells; a cell has the mean over the maps.
 pub(super) fn measured(maps: &[SpeedMap]) -> MeasuredSeparation {
     let first = &maps[0];
     let columns = first.axial_span_m.len();

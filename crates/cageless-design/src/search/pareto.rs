@@ -92,7 +92,7 @@ mod tests {
         assert_eq!(pareto_front(&[point(1.0, 1.0); 3]), [0, 1, 2]);
     }
 
-    /// What is worse by less than the resolution in one objective, and in none better, stays.
+    /// Candidates worse by less than the resolution in one objective, and better in none, stay.
     #[test]
     fn differences_within_the_resolution_count_as_none() {
         for k in 0..OBJECTIVES {

@@ -106,7 +106,7 @@ pub struct OperatingPoint {
 }
 
 impl OperatingPoint {
-    /// That of a case.
+    /// Operating point of a case.
     pub fn from_case(case: &Case) -> Self {
         Self {
             inner_speed_rad_s: case.operation.inner_speed_rad_s,

@@ -85,7 +85,7 @@ impl Job {
         Ok(forms.lagging(&case.bearing, film_lag_at_rest_rad(case, &self.point)))
     }
 
-    /// What the job would find if balls rolled and nothing were wrong with its raceways.
+    /// Outcome of the job for rolling balls, with nothing wrong with its raceways.
     fn rehearsed(&self, case: &Case) -> Outcome {
         Ok(match self.task {
             Task::PairSeparation => Numbers::PairSeparation(PairSeparation {

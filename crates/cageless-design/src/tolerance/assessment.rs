@@ -20,7 +20,7 @@ pub struct Outcome {
     pub reason: Option<String>,
     /// Whether it works, with the verdict, the criterion that decides, and its margin.
     pub headline: String,
-    /// That of the same bearing without oil; `None` of a dry one.
+    /// Outcome of the same bearing without oil; `None` of a dry one.
     pub dry: Option<Box<Outcome>>,
 }
 
@@ -132,9 +132,9 @@ pub struct InfluenceResult {
 pub struct Samples {
     /// Number of samples or passages.
     pub count: usize,
-    /// Those that pass.
+    /// Number of bearings that pass.
     pub passed: usize,
-    /// Those that are not judged: they neither pass nor fail.
+    /// Number of bearings that are not judged: they neither pass nor fail.
     pub open: usize,
     /// Number of each verdict.
     pub verdicts: [(RacewayVerdict, usize); RacewayVerdict::ALL.len()],

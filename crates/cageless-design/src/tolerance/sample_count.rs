@@ -8,11 +8,11 @@ const PASS_FRACTION: f64 = 0.95;
 /// Number of a sample that pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SampleCount {
-    /// Those that pass.
+    /// Number of samples that pass.
     pub passed: usize,
     /// All.
     pub count: usize,
-    /// Those that were not judged.
+    /// Number of samples that were not judged.
     pub open: usize,
 }
 

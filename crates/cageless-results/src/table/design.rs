@@ -37,7 +37,7 @@ pub const DESIGN: &[Quantity] = &[
     means("change of slope of the groove at ±θ, 45° up the side of the groove", low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.slot().map_or_else(|| r.kink_angle_rad(FRAC_PI_4).to_degrees(), |_| f64::NAN)))))),
 ];
 
-/// What a contact angle, by axial load or tilt, leaves of the first raceway: estimates from rolling
+/// Estimates of the lag in the first raceway by contact angle, under axial load or tilt. They are from rolling
 /// without sliding, no results of a motion.
 #[rustfmt::skip]
 pub const CONTACT_ANGLE: &[Quantity] = &[
@@ -77,7 +77,7 @@ pub const SLOT: &[Quantity] = &[
     means("median of the points of the floor below the bottom of the groove of the case; none with fewer than 10", part(quantity("slot_depth_mm", "mm", "depth of the floor", Slot(|s| s.slot_depth_m.map(|depth| depth * 1e3).into())))),
 ];
 
-/// What axial load and tilt leave of the lag, by motion in space; lists are over pairs of both.
+/// Lag under axial load and tilt, by motion in space; lists are over pairs of both.
 #[rustfmt::skip]
 pub const AXIAL: &[Quantity] = &[
     means(KEEPS, part(high(quantity("axial_load_three_quarters_n", "N", "axial load that leaves three quarters of the lag", Axial(|l| axial_load_keeping(l, 0.75).load_n().into()))))),

@@ -157,7 +157,7 @@ fn closed_deg(evaluation: &Evaluation, angle_rad: fn(&ClosedForms) -> f64) -> Ce
     forms.map(|forms| angle_rad(forms).to_degrees()).into()
 }
 
-/// What the largest axial load leaves, where there is one.
+/// Value under the largest axial load, where there is one.
 fn axial(at: &AtPoint<'_>, left: fn(&AxialSeparation) -> Option<f64>) -> Cell {
     let separation = at.evaluation.axial.get(at.point);
     separation.and_then(left).into()

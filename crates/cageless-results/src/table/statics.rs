@@ -286,7 +286,7 @@ fn advance(solved: &Solved<'_>, value: impl Fn(&BallAdvance) -> Option<f64>) -> 
     solved.advance.as_ref().and_then(value).into()
 }
 
-/// That of balls whose speeds differ by more than rounding.
+/// Value of the ball advance where the speeds of the balls differ by more than rounding.
 fn varying(solved: &Solved<'_>, value: impl Fn(&BallAdvance) -> f64) -> Cell {
     advance(solved, |a| (a.advance_rad > ROUNDING_RAD).then(|| value(a)))
 }
